@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  Writing of clouds, and what reading and writing share. Reading: particleCloudRead.C. */
+
+#include "particleCloudIO.H"
+#include "cloud.H"
+#include "IOdictionary.H"
+#include "IOField.H"
+#include "Time.H"
+#include "indexedOctree.H"
+#include "treeDataCell.H"
+
+#include <cstring>
+
+namespace Foam
+{
+
+// The positions file: class Cloud<passiveParticle>, entries "(x y z) celli"; binary: 3 scalars and one
+// label in one block, as Foam::particle::writePosition writes them.
+class positionsWriter : public regIOobject
+{
+    const pointField& position_;
+    const labelList& cell_;
+
+public:
+
+    positionsWriter(const IOobject& io, const pointField& position, const labelList& cell)
+    :
+        regIOobject(io),
+        position_(position),
+        cell_(cell)
+    {}
+
+    virtual const word& type() const
+    {
+        static const word cloudClass("Cloud<passiveParticle>", false);
+        return cloudClass;
+    }
+
+    virtual bool writeData(Ostream& os) const
+    {
+        constexpr std::size_t nBytes = sizeof(point) + sizeof(label);
+
+        os  << position_.size() << nl << token::BEGIN_LIST << nl;
+        forAll(position_, i)
+        {
+            if (os.format() == IOstream::ASCII)
+            {
+                os  << position_[i] << token::SPACE << cell_[i];
+            }
+            else
+            {
+                char block[nBytes];
+                std::memcpy(block, &position_[i], sizeof(point));
+                std::memcpy(block + sizeof(point), &cell_[i], sizeof(label));
+                os.write(block, nBytes);
+            }
+            os  << nl;
+        }
+        os  << token::END_LIST << endl;
+
+        return os.good();
+    }
+};
+
+
+static IOobject cloudFile(const polyMesh& mesh, const word& cloudName, const word& file)
+{
+    return IOobject
+    (
+        file,
+        mesh.time().timeName(),
+        cloud::prefix/cloudName,
+        mesh,
+        IOobject::NO_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+template<class T>
+static void writeFields
+(
+    const polyMesh& mesh,
+    const particleCloud& c,
+    const HashTable<Field<T>>& fields
+)
+{
+    for (const word& field : fields.sortedToc())
+    {
+        if (fields[field].size() != c.size())
+        {
+            FatalErrorInFunction
+                << "field " << field << " of cloud " << c.name << " has "
+                << fields[field].size() << " values for " << c.size() << " particles"
+                << exit(FatalError);
+        }
+        IOField<T>(cloudFile(mesh, c.name, field), fields[field]).write();
+    }
+}
+
+
+static void writeCloudProperties(const polyMesh& mesh, const particleCloud& c)
+{
+    IOdictionary properties
+    (
+        IOobject
+        (
+            "cloudProperties",
+            mesh.time().timeName(),
+            "uniform"/cloud::prefix/c.name,
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    properties.add("geometry", cloud::geometryTypeNames[cloud::geometryType::POSITIONS]);
+
+    dictionary count;
+    count.add("particleCount", c.size());
+    properties.add(word("processor" + Foam::name(Pstream::myProcNo())), count);
+
+    properties.writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        mesh.time().writeCompression(),
+        true
+    );
+}
+
+} // namespace Foam
+
+
+Foam::labelList Foam::locateParticles
+(
+    const polyMesh& mesh,
+    const pointField& points,
+    const labelList& hint,
+    bool nearest
+)
+{
+    labelList cell(points.size(), -1);
+    const auto& tree = mesh.cellTree();
+
+    label last = -1;
+    forAll(points, i)
+    {
+        const point& p = points[i];
+        const label guess = hint.size() == points.size() ? hint[i] : last;
+
+        if (guess >= 0 && guess < mesh.nCells() && mesh.pointInCell(p, guess))
+        {
+            cell[i] = guess;
+        }
+        else if (mesh.nCells())
+        {
+            cell[i] = tree.findInside(p);
+            if (cell[i] < 0 && nearest)
+            {
+                cell[i] = tree.findNearest(p, sqr(GREAT)).index();
+            }
+        }
+        last = cell[i];
+    }
+    return cell;
+}
+
+
+void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
+{
+    const labelList cell
+    (
+        c.cell.size() == c.size() ? c.cell : locateParticles(mesh, c.position, c.cell, true)
+    );
+
+    positionsWriter(cloudFile(mesh, c.name, "positions"), c.position, cell).write();
+    writeFields(mesh, c, c.labels);
+    writeFields(mesh, c, c.scalars);
+    writeFields(mesh, c, c.vectors);
+    writeCloudProperties(mesh, c);
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  Reading of clouds: positions as they stand in the file, coordinates through their tetrahedron. */
+
+#include "particleCloudIO.H"
+#include "barycentric.H"
+#include "cloud.H"
+#include "IOField.H"
+#include "IOobjectList.H"
+#include "tetIndices.H"
+#include "Time.H"
+
+#include <cstring>
+
+namespace Foam
+{
+
+// A positions or coordinates file, of any class that holds one
+class positionsReader : public regIOobject
+{
+public:
+
+    explicit positionsReader(const IOobject& io) : regIOobject(io) {}
+
+    virtual bool writeData(Ostream&) const { return false; }
+
+    // Stream behind the header
+    Istream& stream() { return readStream(word::null); }
+};
+
+
+static fileName instanceOf(const polyMesh& mesh, const fileName& instance)
+{
+    return instance.empty() ? fileName(mesh.time().timeName()) : instance;
+}
+
+
+static IOobject cloudFile
+(
+    const polyMesh& mesh,
+    const word& cloudName,
+    const word& file,
+    const fileName& instance
+)
+{
+    return IOobject
+    (
+        file,
+        instanceOf(mesh, instance),
+        cloud::prefix/cloudName,
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+// nScalars doubles and nLabels labels, in ascii or in one binary block of any label and scalar size
+template<std::size_t nScalars, std::size_t nLabels>
+static void readEntry(Istream& is, scalar (&s)[nScalars], label (&l)[nLabels])
+{
+    if (is.format() == IOstream::ASCII)
+    {
+        is.readBegin("particle");
+        for (scalar& value : s) is >> value;
+        is.readEnd("particle");
+        for (label& value : l) is >> value;
+    }
+    else if (is.checkLabelSize<>() && is.checkScalarSize<>())
+    {
+        char block[sizeof(s) + sizeof(l)];
+        is.read(block, sizeof(block));
+        std::memcpy(s, block, sizeof(s));
+        std::memcpy(l, block + sizeof(s), sizeof(l));
+    }
+    else
+    {
+        is.beginRawRead();
+        readRawScalar(is, s, nScalars);
+        readRawLabel(is, l, nLabels);
+        is.endRawRead();
+    }
+    is.fatalCheck(FUNCTION_NAME);
+}
+
+
+static void checkCell(const polyMesh& mesh, const Istream& is, label i, label celli)
+{
+    if (celli < 0 || celli >= mesh.nCells())
+    {
+        FatalIOErrorInFunction(is)
+            << "particle " << i << " is in cell " << celli << " of a mesh of " << mesh.nCells()
+            << " cells" << exit(FatalIOError);
+    }
+}
+
+
+static void readPositions(const polyMesh& mesh, Istream& is, particleCloud& c)
+{
+    forAll(c.position, i)
+    {
+        scalar x[3];
+        label celli[1];
+        readEntry(is, x, celli);
+        checkCell(mesh, is, i, celli[0]);
+        c.position[i] = point(x[0], x[1], x[2]);
+        c.cell[i] = celli[0];
+    }
+}
+
+
+static void readCoordinates(const polyMesh& mesh, Istream& is, particleCloud& c)
+{
+    forAll(c.position, i)
+    {
+        scalar b[4];
+        label tet[3];
+        readEntry(is, b, tet);
+        checkCell(mesh, is, i, tet[0]);
+        c.position[i] =
+            tetIndices(tet[0], tet[1], tet[2]).tet(mesh)
+           .barycentricToPoint(barycentric(b[0], b[1], b[2], b[3]));
+        c.cell[i] = tet[0];
+    }
+}
+
+
+template<class T>
+static void readFields
+(
+    const IOobjectList& files,
+    label n,
+    HashTable<Field<T>>& fields
+)
+{
+    for (const word& name : files.sortedNames(IOField<T>::typeName))
+    {
+        IOobject io(*files.findObject(name));
+        io.readOpt() = IOobject::MUST_READ;
+        io.registerObject() = false;
+        IOField<T> values(io);
+        if (values.size() != n)
+        {
+            FatalIOErrorInFunction(io.objectPath())
+                << "holds " << values.size() << " values for " << n << " particles"
+                << exit(FatalIOError);
+        }
+        fields.set(name, values);
+    }
+}
+
+} // namespace Foam
+
+
+bool Foam::hasParticleCloud
+(
+    const polyMesh& mesh,
+    const word& cloudName,
+    const fileName& instance
+)
+{
+    for (const word file : {"positions", "coordinates"})
+    {
+        IOobject io(cloudFile(mesh, cloudName, file, instance));
+        if (positionsReader(io).headerOk()) return true;
+    }
+    return false;
+}
+
+
+Foam::particleCloud Foam::readParticleCloud
+(
+    const polyMesh& mesh,
+    const word& cloudName,
+    const fileName& instance
+)
+{
+    IOobject io(cloudFile(mesh, cloudName, "positions", instance));
+    const bool asPositions = positionsReader(io).headerOk();
+    if (!asPositions)
+    {
+        io = cloudFile(mesh, cloudName, "coordinates", instance);
+    }
+
+    particleCloud c(cloudName);
+    {
+        positionsReader file(io);
+        Istream& is = file.stream();
+
+        const label n = readLabel(is);
+        if (n < 0)
+        {
+            FatalIOErrorInFunction(is) << n << " particles" << exit(FatalIOError);
+        }
+        is.readBeginList(cloudName.c_str());
+        c.position.setSize(n);
+        c.cell.setSize(n);
+        if (asPositions)
+        {
+            readPositions(mesh, is, c);
+        }
+        else
+        {
+            readCoordinates(mesh, is, c);
+        }
+        is.readEndList(cloudName.c_str());
+        is.fatalCheck(FUNCTION_NAME);
+        file.close();
+    }
+
+    const IOobjectList files(mesh, instanceOf(mesh, instance), cloud::prefix/cloudName);
+    readFields(files, c.size(), c.labels);
+    readFields(files, c.size(), c.scalars);
+    readFields(files, c.size(), c.vectors);
+    return c;
+}
+
+
+template<class T>
+static const Foam::Field<T>& required
+(
+    const Foam::polyMesh& mesh,
+    const Foam::particleCloud& c,
+    const Foam::HashTable<Foam::Field<T>>& fields,
+    const Foam::word& field
+)
+{
+    using namespace Foam;
+
+    if (!fields.found(field))
+    {
+        FatalIOErrorInFunction(mesh.time().timePath()/cloud::prefix/c.name)
+            << "no " << pTraits<T>::typeName << " field " << field << "; there are "
+            << flatOutput(fields.sortedToc()) << exit(FatalIOError);
+    }
+    return fields[field];
+}
+
+
+const Foam::scalarField& Foam::requiredScalars
+(
+    const polyMesh& mesh,
+    const particleCloud& c,
+    const word& field
+)
+{
+    return required(mesh, c, c.scalars, field);
+}
+
+
+const Foam::vectorField& Foam::requiredVectors
+(
+    const polyMesh& mesh,
+    const particleCloud& c,
+    const word& field
+)
+{
+    return required(mesh, c, c.vectors, field);
+}

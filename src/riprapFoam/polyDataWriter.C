@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  Points with fields as VTK XML polydata, one vertex a point, base64 inline. */
+
+#include "particleCloudIO.H"
+#include "foamVtkOutput.H"
+#include "OSspecific.H"
+
+#include <fstream>
+
+namespace Foam
+{
+
+template<class T>
+static void writeArrays(vtk::formatter& format, const HashTable<Field<T>>& fields)
+{
+    for (const word& name : fields.sortedToc())
+    {
+        const Field<T>& values = fields[name];
+        if (std::is_integral<typename pTraits<T>::cmptType>::value)
+        {
+            format.beginDataArray<label>(name);
+            format.writeSize(vtk::sizeofData<label>(values.size()));
+        }
+        else
+        {
+            format.beginDataArray<float, pTraits<T>::nComponents>(name);
+            format.writeSize(vtk::sizeofData<float, pTraits<T>::nComponents>(values.size()));
+        }
+        vtk::writeList(format, values);
+        format.flush();
+        format.endDataArray();
+    }
+}
+
+
+static void writeVertices(vtk::formatter& format, label n)
+{
+    const uint64_t payLoad = vtk::sizeofData<label>(n);
+
+    format.tag(vtk::fileTag::VERTS);
+    for (const bool offsets : {false, true})
+    {
+        format.beginDataArray<label>
+        (
+            offsets ? vtk::dataArrayAttr::OFFSETS : vtk::dataArrayAttr::CONNECTIVITY
+        );
+        format.writeSize(payLoad);
+        vtk::writeIdentity(format, n, offsets ? 1 : 0);
+        format.flush();
+        format.endDataArray();
+    }
+    format.endTag(vtk::fileTag::VERTS);
+}
+
+} // namespace Foam
+
+
+void Foam::writePolyData
+(
+    const fileName& file,
+    const pointField& points,
+    const HashTable<labelField>& labels,
+    const HashTable<scalarField>& scalars,
+    const HashTable<vectorField>& vectors
+)
+{
+    mkDir(file.path());
+    std::ofstream os(file);
+    autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
+    vtk::formatter& format = *formatter;
+
+    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
+    format.tag
+    (
+        vtk::fileTag::PIECE,
+        vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
+        vtk::fileAttr::NUMBER_OF_VERTS, points.size()
+    );
+
+    format.tag(vtk::fileTag::POINTS).beginDataArray<float, 3>(vtk::dataArrayAttr::POINTS);
+    format.writeSize(vtk::sizeofData<float, 3>(points.size()));
+    vtk::writeList(format, points);
+    format.flush();
+    format.endDataArray();
+    format.endTag(vtk::fileTag::POINTS);
+
+    writeVertices(format, points.size());
+
+    format.beginPointData();
+    writeArrays(format, labels);
+    writeArrays(format, scalars);
+    writeArrays(format, vectors);
+    format.endPointData();
+
+    format.endPiece();
+    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
+
+    if (!os.good())
+    {
+        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
+    }
+}
