@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "energyBalance.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(energyBalance, 0);
+    addToRunTimeSelectionTable(functionObject, energyBalance, dictionary);
+}
+}
+
+
+namespace
+{
+    double total(const riprap::SphEnergy& e)
+    {
+        return e.kinetic + e.potential + e.elastic;
+    }
+
+    struct Extremes { double speed = 0, densityDeviation = 0; };
+
+    Extremes extremes(const riprap::FluidState& fluid, const double density)
+    {
+        Extremes e;
+        for (std::size_t i = 0; i < fluid.density.size(); ++i)
+        {
+            const double* u = &fluid.velocity[3*i];
+            e.speed = std::max(e.speed, u[0]*u[0] + u[1]*u[1] + u[2]*u[2]);
+            e.densityDeviation =
+                std::max
+                (
+                    e.densityDeviation,
+                    std::abs(fluid.density[i]/density - 1)
+                );
+        }
+        e.speed = std::sqrt(e.speed);
+        return e;
+    }
+}
+
+
+Foam::functionObjects::energyBalance::energyBalance
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    sphFunctionObject(name, runTime, dict)
+{
+    read(dict);
+    begin();
+    writeAtStart();
+}
+
+
+void Foam::functionObjects::energyBalance::begin()
+{
+    const riprap::SphEnergy energy(sph().scene().energy());
+
+    if (!foundProperty("totalAtStart"))
+    {
+        totalAtStart_ = total(energy);
+        setProperty("totalAtStart", totalAtStart_);
+        return;
+    }
+
+    getProperty("totalAtStart", totalAtStart_);
+    getProperty("largestKinetic", largestKinetic_);
+
+    // An exact state brings its work along, a restart from fields begins at 0
+    if (energy.wallWork == 0)
+    {
+        getProperty("wallWork", workBefore_);
+    }
+}
+
+
+bool Foam::functionObjects::energyBalance::write()
+{
+    const riprap::SphEnergy energy(sph().scene().energy());
+    const Extremes now
+    (
+        extremes(sph().scene().fluid(), sph().config().density)
+    );
+
+    const scalar work = energy.wallWork + workBefore_;
+    const scalar dissipated = totalAtStart_ + work - total(energy);
+
+    largestKinetic_ = max(largestKinetic_, energy.kinetic);
+    setProperty("largestKinetic", largestKinetic_);
+    setProperty("wallWork", work);
+
+    OFstream& os = row
+    (
+        typeName,
+        {
+            "kinetic", "potential", "elastic", "wallWork", "dissipated",
+            "total", "maxSpeed", "maxDensityDeviation", "drift"
+        }
+    );
+    add(os, energy.kinetic);
+    add(os, energy.potential);
+    add(os, energy.elastic);
+    add(os, work);
+    add(os, dissipated);
+    add(os, total(energy));
+    add(os, now.speed);
+    add(os, now.densityDeviation);
+    add(os, largestKinetic_ > 0 ? -dissipated/largestKinetic_ : 0);
+    os  << endl;
+
+    return true;
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  The furthest particle along a direction that belongs to the fluid rather than to the spray.
+
+    A particle counts when at least minNeighbours others lie within the kernel's support of it: single
+    particles and pairs that fly ahead do not move the front. Only the particles near the far end are
+    looked at: a window behind the furthest one, doubled until it holds a particle that counts.
+*/
+#ifndef fluidFront_hpp
+#define fluidFront_hpp
+
+#include "scene/sphScene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace riprap
+{
+
+inline double along(const double* x, const Vector3& origin, const Vector3& direction)
+{
+    return
+        (x[0] - origin[0])*direction[0]
+      + (x[1] - origin[1])*direction[1]
+      + (x[2] - origin[2])*direction[2];
+}
+
+struct FrontRule
+{
+    Vector3 origin{{0, 0, 0}};
+    Vector3 direction{{1, 0, 0}};           // unit
+    Vector3 up{{0, 1, 0}};                  // unit
+    double maxHeight = std::numeric_limits<double>::infinity();     // [m] above origin along up
+    double support = 0;                     // [m]
+    int minNeighbours = 0;
+};
+
+//- (x - origin).direction of the front particle's centre [m]; -infinity when no particle counts
+inline double fluidFront(const std::vector<double>& position, const FrontRule& rule)
+{
+    const double none = -std::numeric_limits<double>::infinity();
+    const std::size_t n = position.size()/3;
+
+    double first = none, last = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const double s = along(&position[3*i], rule.origin, rule.direction);
+        first = std::max(first, s);
+        last = std::min(last, s);
+    }
+
+    struct Candidate { double s; std::size_t particle; };
+    std::vector<Candidate> window;
+
+    for (double reach = 4*rule.support; n > 0; reach *= 2)
+    {
+        window.clear();
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            const double s = along(&position[3*i], rule.origin, rule.direction);
+            if (s >= first - reach) window.push_back({s, i});
+        }
+        std::sort
+        (
+            window.begin(), window.end(),
+            [](const Candidate& a, const Candidate& b) { return a.s > b.s; }
+        );
+
+        const bool all = window.size() == n;
+
+        for (std::size_t c = 0; c < window.size(); ++c)
+        {
+            const double s = window[c].s;
+            if (!all && s < first - reach + rule.support) break;    // neighbours may lie outside
+
+            const double* x = &position[3*window[c].particle];
+            if (along(x, rule.origin, rule.up) >= rule.maxHeight) continue;
+
+            const auto near = [&](std::size_t other)
+            {
+                const double* y = &position[3*window[other].particle];
+                const double dx = x[0] - y[0], dy = x[1] - y[1], dz = x[2] - y[2];
+                return dx*dx + dy*dy + dz*dz < rule.support*rule.support;
+            };
+
+            int neighbours = 0;
+            for (std::size_t o = c; o-- > 0 && window[o].s - s < rule.support;)
+            {
+                neighbours += near(o);
+            }
+            for
+            (
+                std::size_t o = c + 1;
+                o < window.size() && s - window[o].s < rule.support
+             && neighbours < rule.minNeighbours;
+                ++o
+            )
+            {
+                neighbours += near(o);
+            }
+
+            if (neighbours >= rule.minNeighbours) return s;
+        }
+
+        if (all || first - reach < last) break;
+    }
+
+    return none;
+}
+
+} // namespace riprap
+
+#endif

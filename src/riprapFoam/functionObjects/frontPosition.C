@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "frontPosition.H"
+#include "gaugeLine.H"
+#include "levelCrossing.hpp"
+#include "particleCloudIO.H"
+#include "sphDictionaries.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(frontPosition, 0);
+    addToRunTimeSelectionTable(functionObject, frontPosition, dictionary);
+}
+}
+
+
+namespace
+{
+    // Of the kernel, as a multiple of the spacing, where no scene tells
+    constexpr double usualSupport = 2.5;
+
+    // Cloud that setParticles and riprapFoam write
+    const Foam::word fluidCloud("fluid");
+}
+
+
+Foam::functionObjects::frontPosition::frontPosition
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    sphFunctionObject(name, runTime, dict)
+{
+    read(dict);
+    writeAtStart();
+}
+
+
+Foam::scalar Foam::functionObjects::frontPosition::writtenSpacing
+(
+    const dictionary& dict
+) const
+{
+    if (!dict.found("spacing"))
+    {
+        return fluidSpacing(time_);
+    }
+
+    const scalar spacing(dict.get<scalar>("spacing"));
+    if (spacing <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry spacing of function object " << name() << " is "
+            << spacing << ": it must be positive" << exit(FatalIOError);
+    }
+
+    return spacing;
+}
+
+
+bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
+{
+    sphFunctionObject::read(dict);
+
+    if (hasScene())
+    {
+        const riprap::SphConfig& config = sph().config();
+        spacing_ = config.spacing;
+        rule_.support = 2*config.smoothingRatio*spacing_;
+    }
+    else
+    {
+        spacing_ = writtenSpacing(dict);
+        rule_.support = usualSupport*spacing_;
+    }
+
+    rule_.origin =
+        toVector3(dict.lookupOrDefault("origin", mesh_.bounds().min()));
+    rule_.direction =
+        toVector3(direction(dict, "direction", vector(1, 0, 0)));
+    rule_.up = toVector3(upDirection(dict));
+
+    floorHeight_ = notNegative(dict, "floorHeight", 4*spacing_);
+    rule_.minNeighbours =
+        notNegative(dict, "minNeighbours", mesh_.nGeometricD() == 2 ? 3 : 5);
+
+    return true;
+}
+
+
+std::vector<double> Foam::functionObjects::frontPosition::positions() const
+{
+    if (hasScene())
+    {
+        return sph().scene().fluid().position;
+    }
+
+    if (!hasParticleCloud(mesh_, fluidCloud))
+    {
+        return std::vector<double>();
+    }
+
+    return flatPoints(readParticleCloud(mesh_, fluidCloud).position);
+}
+
+
+Foam::scalar Foam::functionObjects::frontPosition::height() const
+{
+    if (!hasScene())
+    {
+        return 0;
+    }
+
+    const vector up(toVector(rule_.up));
+    const vector across(toVector(rule_.direction) ^ up);
+
+    // From origin to the middle of the span
+    point foot(toVector(rule_.origin));
+    foot += across*(across & (mesh_.bounds().centre() - foot));
+
+    const gaugeLine line(makeGaugeLine(mesh_.bounds(), foot, up, spacing_));
+
+    return
+        riprap::fluidLevel(line.height, sample(line.points).volumeFraction).top;
+}
+
+
+bool Foam::functionObjects::frontPosition::write()
+{
+    const std::vector<double> x(positions());
+    const label particles = x.size()/3;
+
+    // Edge of the furthest particle; 0 when there is none
+    const auto edge = [&](const riprap::FrontRule& rule)
+    {
+        const double centre = riprap::fluidFront(x, rule);
+        return std::isfinite(centre) ? centre + 0.5*spacing_ : 0;
+    };
+
+    riprap::FrontRule onFloor(rule_), any(rule_);
+    onFloor.maxHeight = floorHeight_;
+    any.minNeighbours = 0;
+
+    label atStart = particles;
+    if (foundProperty("particlesAtStart"))
+    {
+        getProperty("particlesAtStart", atStart);
+    }
+    else
+    {
+        setProperty("particlesAtStart", atStart);
+    }
+
+    OFstream& os = row
+    (
+        typeName,
+        {"front", "frontFloor", "height", "particles", "escaped", "max"}
+    );
+    add(os, edge(rule_));
+    add(os, edge(onFloor));
+    add(os, height());
+    add(os, particles);
+    add(os, atStart - particles);
+    add(os, edge(any));
+    os  << endl;
+
+    return true;
+}

@@ -1,0 +1,118 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "waterLevel.H"
+#include "levelCrossing.hpp"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(waterLevel, 0);
+    addToRunTimeSelectionTable(functionObject, waterLevel, dictionary);
+}
+}
+
+
+Foam::functionObjects::waterLevel::waterLevel
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    sphFunctionObject(name, runTime, dict)
+{
+    read(dict);
+    writeAtStart();
+}
+
+
+bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
+{
+    sphFunctionObject::read(dict);
+
+    const vector up(upDirection(dict));
+    const scalar spacing = sph().config().spacing;
+
+    dict.readEntry("points", feet_);
+    lines_.resize(feet_.size());
+
+    if (feet_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry points of function object " << name()
+            << " is empty: it lists the foot of each gauge"
+            << exit(FatalIOError);
+    }
+
+    forAll(feet_, i)
+    {
+        if (gaugeLength(mesh_.bounds(), feet_[i], up) <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry points of function object " << name() << ": gauge "
+                << i << " at " << feet_[i] << " along " << up
+                << " meets nothing of the mesh, which spans "
+                << mesh_.bounds().min() << " to " << mesh_.bounds().max()
+                << exit(FatalIOError);
+        }
+
+        lines_[i] = makeGaugeLine(mesh_.bounds(), feet_[i], up, spacing);
+    }
+
+    return true;
+}
+
+
+bool Foam::functionObjects::waterLevel::write()
+{
+    pointField all;
+    for (const gaugeLine& line : lines_)
+    {
+        all.append(line.points);
+    }
+
+    const std::vector<double> fraction(sample(all).volumeFraction);
+
+    const label n = feet_.size();
+    wordList columns(2*n);
+    List<string> comments(n);
+    scalarField levels(2*n);
+
+    auto first = fraction.begin();
+    forAll(feet_, i)
+    {
+        const auto last = first + lines_[i].points.size();
+        const riprap::FluidLevel level
+        (
+            riprap::fluidLevel
+            (
+                lines_[i].height,
+                std::vector<double>(first, last)
+            )
+        );
+        first = last;
+
+        levels[i] = level.top;
+        levels[n + i] = level.lowest;
+        columns[i] = "level" + Foam::name(i);
+        columns[n + i] = "lowest" + Foam::name(i);
+
+        OStringStream os;
+        os  << "Gauge " << i << ' ' << feet_[i];
+        comments[i] = os.str();
+    }
+
+    OFstream& os = row(typeName, columns, comments);
+    for (const scalar level : levels)
+    {
+        add(os, level);
+    }
+    os  << endl;
+
+    return true;
+}
