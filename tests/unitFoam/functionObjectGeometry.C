@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The pure parts of the function objects: level crossings, the fluid's front, wall coverage, sensors. */
 
-#include "functionObjects/fluidFront.hpp"
-#include "functionObjects/gaugeLine.H"
-#include "functionObjects/levelCrossing.hpp"
-#include "functionObjects/sensorDisc.H"
-#include "functionObjects/wallCoverage.hpp"
+#include "riprapFoam/functionObjects/fluidFront.hpp"
+#include "riprapFoam/functionObjects/gaugeLine.H"
+#include "riprapFoam/functionObjects/levelCrossing.hpp"
+#include "riprapFoam/functionObjects/sensorDisc.H"
+#include "riprapFoam/functionObjects/wallCoverage.hpp"
 
 #include <functional>
 #include <gtest/gtest.h>
