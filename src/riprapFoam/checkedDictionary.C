@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "checkedDictionary.H"
+#include "dimensionedScalar.H"
+#include "ListOps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::checkedDictionary::require
+(
+    bool good,
+    const word& entry,
+    scalar value,
+    const char* what
+) const
+{
+    // Not written as !(value > 0): good must be false for NaN too
+    if (!good)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << entry << " is " << value << ": it must be " << what
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::checkedDictionary::found(const word& entry)
+{
+    if (!known_.found(entry))
+    {
+        known_.append(entry);
+    }
+    return dict_.found(entry, keyType::LITERAL);
+}
+
+
+Foam::scalar Foam::checkedDictionary::number(const word& entry)
+{
+    found(entry);
+    return dict_.get<scalar>(entry);
+}
+
+
+Foam::scalar Foam::checkedDictionary::positive(const word& entry)
+{
+    const scalar value = number(entry);
+    require(value > 0, entry, value, "positive");
+    return value;
+}
+
+
+Foam::scalar Foam::checkedDictionary::positive
+(
+    const word& entry,
+    scalar otherwise
+)
+{
+    return found(entry) ? positive(entry) : otherwise;
+}
+
+
+Foam::scalar Foam::checkedDictionary::notNegative
+(
+    const word& entry,
+    scalar otherwise
+)
+{
+    if (!found(entry))
+    {
+        return otherwise;
+    }
+    const scalar value = number(entry);
+    require(value >= 0, entry, value, "zero or positive");
+    return value;
+}
+
+
+Foam::scalar Foam::checkedDictionary::between
+(
+    const word& entry,
+    scalar otherwise,
+    scalar low,
+    scalar high
+)
+{
+    if (!found(entry))
+    {
+        return otherwise;
+    }
+    const scalar value = number(entry);
+    if (!(value >= low && value <= high))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << entry << " is " << value << ": it must be from "
+            << low << " to " << high
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::checkedDictionary::notNegativeOrNone
+(
+    const word& entry,
+    scalar otherwise
+)
+{
+    if (!found(entry))
+    {
+        return otherwise;
+    }
+
+    const token first(dict_.lookup(entry));
+    if (first.isWord())
+    {
+        if (first.wordToken() != "none")
+        {
+            unknownWord(entry, first.wordToken(), {"none", "<number>"});
+        }
+        return 0;
+    }
+    return notNegative(entry, otherwise);
+}
+
+
+Foam::scalar Foam::checkedDictionary::positiveOrAuto(const word& entry)
+{
+    if (!found(entry))
+    {
+        return 0;
+    }
+
+    const token first(dict_.lookup(entry));
+    if (first.isWord())
+    {
+        if (first.wordToken() != "auto")
+        {
+            unknownWord(entry, first.wordToken(), {"auto", "<number>"});
+        }
+        return 0;
+    }
+    return positive(entry);
+}
+
+
+Foam::scalar Foam::checkedDictionary::positive
+(
+    const word& entry,
+    const dimensionSet& dimensions
+)
+{
+    found(entry);
+    const scalar value = dimensionedScalar(entry, dimensions, dict_).value();
+    require(value > 0, entry, value, "positive");
+    return value;
+}
+
+
+bool Foam::checkedDictionary::either
+(
+    const word& entry,
+    const word& yes,
+    const word& no,
+    bool otherwise
+)
+{
+    if (!found(entry))
+    {
+        return otherwise;
+    }
+    const word typed(dict_.get<word>(entry));
+    if (typed != yes && typed != no)
+    {
+        unknownWord(entry, typed, {yes, no});
+    }
+    return typed == yes;
+}
+
+
+const Foam::dictionary& Foam::checkedDictionary::subDict(const word& entry)
+{
+    return found(entry) ? dict_.subDict(entry) : dictionary::null;
+}
+
+
+void Foam::checkedDictionary::unknownWord
+(
+    const word& entry,
+    const word& typed,
+    const wordList& valid
+) const
+{
+    FatalIOErrorInFunction(dict_)
+        << "Entry " << entry << " has the unknown word " << typed
+        << "; valid are " << flatOutput(valid)
+        << exit(FatalIOError);
+}
+
+
+void Foam::checkedDictionary::end() const
+{
+    for (const entry& e : dict_)
+    {
+        if (!known_.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Unknown entry " << e.keyword()
+                << "; valid are " << flatOutput(known_)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// ************************************************************************* //

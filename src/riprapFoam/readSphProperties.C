@@ -1,0 +1,209 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    constant/sphProperties, one function a part. The default of each entry is
+    the one that is set in riprap::SphConfig, or stands here.
+\*---------------------------------------------------------------------------*/
+
+#include "sphDictionaries.H"
+#include "checkedDictionary.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static void readKernel(checkedDictionary& sph, riprap::SphConfig& config)
+{
+    config.kernel = sph.choice("kernel", sphNames::kernel, config.kernel);
+
+    checkedDictionary h(sph.subDict("smoothingLength"));
+    // Below 0.8 a particle loses its neighbours, above 4 it has over 200
+    // (2D) or 2000 (3D)
+    config.smoothingRatio = h.between("ratio", config.smoothingRatio, 0.8, 4);
+    config.variableSmoothing = h.either("model", "variable", "constant", false);
+    config.maxSmoothingGrowth =
+        h.between("maxGrowth", config.maxSmoothingGrowth, 1, 4);
+    h.end();
+}
+
+
+static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
+{
+    riprap::SphConfig& config = settings.config;
+
+    config.eos =
+        sph.choice("equationOfState", sphNames::equationOfState, config.eos);
+    config.gamma = sph.positive("gamma", config.gamma);
+
+    const scalar maxVelocity = sph.positiveOrAuto("maxVelocity");
+    settings.autoMaxVelocity = (maxVelocity == 0);
+    settings.soundSpeedRatio =
+        sph.positive("soundSpeedRatio", settings.soundSpeedRatio);
+
+    if (!settings.autoMaxVelocity)
+    {
+        config.maxVelocity = maxVelocity;
+        config.soundSpeed = settings.soundSpeedRatio*maxVelocity;
+    }
+}
+
+
+static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
+{
+    config.viscosityModel =
+        sph.choice("viscosity", sphNames::viscosity, config.viscosityModel);
+    {
+        checkedDictionary coeffs(sph.subDict("artificialViscosity"));
+        config.artificialAlpha =
+            coeffs.notNegative("alpha", config.artificialAlpha);
+        coeffs.end();
+    }
+
+    config.antiClump = sph.notNegativeOrNone("antiClump", 0.01);
+    config.xsph = sph.notNegativeOrNone("XSPH", 0.5);
+
+    config.diffusion = sph.choice
+    (
+        "densityDiffusion",
+        sphNames::densityDiffusion,
+        config.diffusion
+    );
+    {
+        checkedDictionary coeffs(sph.subDict("densityDiffusionCoeffs"));
+        config.diffusionDelta =
+            coeffs.notNegative("delta", config.diffusionDelta);
+        coeffs.end();
+    }
+
+    config.shifting =
+        sph.choice("shifting", sphNames::shifting, config.shifting);
+    {
+        checkedDictionary coeffs(sph.subDict("shiftingCoeffs"));
+        config.shiftingCoefficient =
+            coeffs.notNegative("A", config.shiftingCoefficient);
+        config.shiftingSurfaceThreshold = coeffs.notNegative
+        (
+            "surfaceThreshold",
+            config.dimensions == 2 ? 1.5 : 2.75
+        );
+        coeffs.end();
+    }
+}
+
+
+static void readMotion(const dictionary& dict, List<sphWallMotion>& motion)
+{
+    motion.resize(dict.size());
+
+    label i = 0;
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << e.keyword() << " is no dictionary: motion"
+                << " holds one for each group of patches that moves"
+                << exit(FatalIOError);
+        }
+        sphWallMotion& group = motion[i++];
+        group.name = e.keyword();
+        group.dict = e.dict();
+        group.patches = wordRes(group.dict.get<wordRes>("patches"));
+        group.dict.get<word>("solidBodyMotionFunction");
+    }
+}
+
+
+static void readWalls(checkedDictionary& sph, sphSettings& settings)
+{
+    sphWalls& walls = settings.walls;
+    riprap::SphConfig& config = settings.config;
+
+    walls.dict = sph.subDict("walls");
+    checkedDictionary dict(walls.dict);
+
+    config.wallModel = dict.choice("model", sphNames::wallModel, config.wallModel);
+    walls.spacing = dict.positive("spacing", 0.0);
+
+    const scalar layers = dict.positiveOrAuto("layers");
+    walls.layers = label(layers);
+    if (walls.layers != layers || layers > 20)
+    {
+        FatalIOErrorInFunction(walls.dict)
+            << "Entry layers is " << layers
+            << ": it must be auto or a whole number from 1 to 20"
+            << exit(FatalIOError);
+    }
+
+    config.noSlip = dict.either("slip", "noSlip", "freeSlip", config.noSlip);
+
+    walls.everyWallPatch = !dict.found("patches");
+    if (!walls.everyWallPatch)
+    {
+        walls.patches = walls.dict.get<wordRes>("patches");
+    }
+
+    readMotion(dict.subDict("motion"), walls.motion);
+    dict.end();
+}
+
+
+static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& config)
+{
+    config.integrator = sph.choice
+    (
+        "timeIntegration",
+        sphNames::timeIntegration,
+        config.integrator
+    );
+    config.acousticCourant =
+        sph.positive("acousticCourant", config.acousticCourant);
+    config.forceCourant = sph.positive("forceCourant", config.forceCourant);
+    config.viscousCourant =
+        sph.positive("viscousCourant", config.viscousCourant);
+}
+
+
+static void readGuards(checkedDictionary& sph, sphSettings& settings)
+{
+    riprap::SphConfig& config = settings.config;
+    sphGuards& guards = settings.guards;
+
+    checkedDictionary dict(sph.subDict("guards"));
+    config.maxDensityDeviation =
+        dict.positive("densityDeviation", config.maxDensityDeviation);
+    config.maxSpeedRatio = dict.positive("speedRatio", config.maxSpeedRatio);
+    guards.stopAtEscape =
+        dict.either("escape", "stop", "warn", guards.stopAtEscape);
+    guards.maxEscaped = dict.between("maxEscaped", guards.maxEscaped, 0, 1);
+    dict.end();
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void readSphProperties(checkedDictionary sph, sphSettings& settings)
+{
+    riprap::SphConfig& config = settings.config;
+
+    config.precision =
+        sph.choice("precision", sphNames::precision, config.precision);
+    config.device = sph.choice("device", sphNames::device, config.device);
+
+    readKernel(sph, config);
+    readEquationOfState(sph, settings);
+    readTerms(sph, config);
+    readWalls(sph, settings);
+    readTimeIntegration(sph, config);
+    readGuards(sph, settings);
+
+    sph.end();
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

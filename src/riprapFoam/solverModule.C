@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solverModule.H"
+#include "Time.H"
+#include "OSspecific.H"
+#include "ListOps.H"
+#include "HashSet.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(solverModule, 0);
+    defineRunTimeSelectionTable(solverModule, fvMesh);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Those loaded, and the libraries beside riprap's own
+static wordList availableModules()
+{
+    wordHashSet names;
+
+    if (solverModule::fvMeshConstructorTablePtr_)
+    {
+        names.insert(solverModule::fvMeshConstructorTablePtr_->toc());
+    }
+
+    const std::string head("lib");
+    const std::string tail("Solver.so");
+    for (const fileName& file : readDir(getEnv("FOAM_USER_LIBBIN")))
+    {
+        if
+        (
+            file.size() > head.size() + tail.size()
+         && file.starts_with(head)
+         && file.ends_with(tail)
+        )
+        {
+            names.insert
+            (
+                file.substr
+                (
+                    head.size(),
+                    file.size() - head.size() - tail.size()
+                )
+            );
+        }
+    }
+
+    return names.sortedToc();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
+(
+    const word& name,
+    Time& runTime,
+    fvMesh& mesh
+)
+{
+    const fileName library("lib" + name + "Solver.so");
+
+    // Not verbose: what is missing is said once, below
+    runTime.libs().open(library, false);
+
+    // The table does not exist before the first module is loaded
+    if (fvMeshConstructorTablePtr_)
+    {
+        const auto constructor = fvMeshConstructorTablePtr_->cfind(name);
+        if (constructor.found())
+        {
+            return constructor()(runTime, mesh);
+        }
+    }
+
+    FatalIOErrorInFunction(runTime.controlDict())
+        << "Unknown solver " << name << " (entry solver, or option -solver):"
+        << " library " << library << " cannot be loaded or has none of that"
+        << " name; available are " << flatOutput(availableModules())
+        << exit(FatalIOError);
+
+    return nullptr;
+}
+
+
+// ************************************************************************* //

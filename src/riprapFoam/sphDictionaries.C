@@ -1,0 +1,147 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    constant/g, constant/fluidProperties and the time step of
+    system/controlDict; constant/sphProperties: readSphProperties.C
+\*---------------------------------------------------------------------------*/
+
+#include "sphDictionaries.H"
+#include "sphDomain.H"
+#include "checkedDictionary.H"
+#include "uniformDimensionedFields.H"
+#include "IOdictionary.H"
+#include "Switch.H"
+#include "Time.H"
+
+namespace Foam
+{
+
+void readSphProperties(checkedDictionary, sphSettings&);
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static IOdictionary readConstant(const word& file, const Time& time)
+{
+    return IOdictionary
+    (
+        IOobject
+        (
+            file,
+            time.constant(),
+            time,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+
+static void readGravity(const polyMesh& mesh, riprap::SphConfig& config)
+{
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    if (g.dimensions() != dimAcceleration)
+    {
+        FatalErrorInFunction
+            << "constant/g has the dimensions " << g.dimensions()
+            << ": they must be " << dimAcceleration << exit(FatalError);
+    }
+
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        config.gravity[d] = g.value()[d];
+    }
+
+    const int empty = config.axes[2];
+    if (config.dimensions == 2 && config.gravity[empty] != 0)
+    {
+        WarningInFunction
+            << "constant/g has a component along the empty direction "
+            << vector::componentNames[empty] << ", which is ignored" << endl;
+        config.gravity[empty] = 0;
+    }
+}
+
+
+static void readFluid(const dictionary& dict, riprap::SphConfig& config)
+{
+    checkedDictionary fluid(dict);
+
+    config.density = fluid.positive("rho", dimDensity);
+
+    const bool mu = fluid.found("mu");
+    const bool nu = fluid.found("nu");
+    if (mu == nu)
+    {
+        FatalIOErrorInFunction(dict)
+            << "One of the entries mu [Pa s] and nu [m2/s] must be there"
+            << (mu ? ", not both" : "") << exit(FatalIOError);
+    }
+
+    config.viscosity =
+    (
+        mu
+      ? fluid.positive("mu", dimDynamicViscosity)
+      : config.density*fluid.positive("nu", dimViscosity)
+    );
+
+    fluid.end();
+}
+
+
+static void readTimeStep(const dictionary& dict, riprap::SphConfig& config)
+{
+    checkedDictionary control(dict);
+
+    config.adjustTimeStep = dict.getOrDefault<Switch>("adjustTimeStep", false);
+
+    if (config.adjustTimeStep)
+    {
+        config.maxTimeStep = control.positive("maxDeltaT", config.maxTimeStep);
+    }
+    else
+    {
+        config.fixedTimeStep = control.positive("deltaT");
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+sphSettings readSphSettings(const polyMesh& mesh)
+{
+    sphSettings settings;
+    riprap::SphConfig& config = settings.config;
+    const Time& time = mesh.time();
+
+    readSphDomain(mesh, config);
+    readGravity(mesh, config);
+    readFluid(readConstant("fluidProperties", time), config);
+
+    settings.dict = readConstant("sphProperties", time);
+    readSphProperties(checkedDictionary(settings.dict), settings);
+
+    readTimeStep(time.controlDict(), config);
+    config.startTime = time.value();
+
+    return settings;
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

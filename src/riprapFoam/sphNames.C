@@ -1,0 +1,78 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The words of the SPH choices: one line a word.
+\*---------------------------------------------------------------------------*/
+
+#include "sphNames.H"
+
+namespace Foam
+{
+namespace sphNames
+{
+
+const Enum<riprap::DeviceKind> device
+({
+    {riprap::DeviceKind::automatic, "auto"},
+    {riprap::DeviceKind::cpu, "cpu"},
+    {riprap::DeviceKind::gpu, "gpu"}
+});
+
+const Enum<riprap::PrecisionKind> precision
+({
+    {riprap::PrecisionKind::mixed, "mixed"},
+    {riprap::PrecisionKind::doubled, "double"}
+});
+
+const Enum<riprap::KernelKind> kernel
+({
+    {riprap::KernelKind::wendlandC2, "wendlandC2"},
+    {riprap::KernelKind::cubicSpline, "cubicSpline"}
+});
+
+const Enum<riprap::EosKind> equationOfState
+({
+    {riprap::EosKind::Tait, "Tait"},
+    {riprap::EosKind::linear, "linear"}
+});
+
+const Enum<riprap::ViscosityKind> viscosity
+({
+    {riprap::ViscosityKind::none, "none"},
+    {riprap::ViscosityKind::laminar, "laminar"},
+    {riprap::ViscosityKind::artificial, "artificial"},
+    {riprap::ViscosityKind::laminarAndArtificial, "laminarAndArtificial"}
+});
+
+const Enum<riprap::DiffusionKind> densityDiffusion
+({
+    {riprap::DiffusionKind::none, "none"},
+    {riprap::DiffusionKind::molteni, "molteni"},
+    {riprap::DiffusionKind::fourtakas, "fourtakas"}
+});
+
+const Enum<riprap::ShiftingKind> shifting
+({
+    {riprap::ShiftingKind::none, "none"},
+    {riprap::ShiftingKind::fickian, "fickian"}
+});
+
+const Enum<riprap::WallKind> wallModel
+({
+    {riprap::WallKind::stationary, "stationary"},
+    {riprap::WallKind::extrapolated, "extrapolated"}
+});
+
+const Enum<riprap::IntegratorKind> timeIntegration
+({
+    {riprap::IntegratorKind::leapfrog, "leapfrog"},
+    {riprap::IntegratorKind::symplectic, "symplectic"}
+});
+
+} // End namespace sphNames
+} // End namespace Foam
+
+
+// ************************************************************************* //

@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallBodies.H"
+#include "ListOps.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The functions know no time but their Time's: set its value, and nothing
+//  else of it, while this lives
+class momentOf
+{
+    scalar& value_;
+    const scalar before_;
+
+public:
+
+    momentOf(const Time& time, scalar t)
+    :
+        value_(const_cast<Time&>(time).value()),
+        before_(value_)
+    {
+        value_ = t;
+    }
+
+    ~momentOf()
+    {
+        value_ = before_;
+    }
+};
+
+
+static point moved(const riprap::WallPose& pose, const point& x)
+{
+    const auto& R = pose.rotation;
+    const auto& s = pose.translation;
+    return point
+    (
+        R[0]*x.x() + R[1]*x.y() + R[2]*x.z() + s[0],
+        R[3]*x.x() + R[4]*x.y() + R[5]*x.z() + s[1],
+        R[6]*x.x() + R[7]*x.y() + R[8]*x.z() + s[2]
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::wallBodies::wallBodies
+(
+    const Time& time,
+    const List<sphWallMotion>& groups
+)
+:
+    time_(time),
+    groups_(groups),
+    functions_(groups.size())
+{
+    forAll(groups_, i)
+    {
+        functions_.set(i, solidBodyMotionFunction::New(groups_[i].dict, time_));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+riprap::WallPose Foam::wallBodies::pose(label body, scalar t) const
+{
+    const momentOf now(time_, t);
+    const septernion motion(functions_[body].transformation());
+
+    // Images of the origin and of the unit vectors: whatever the order in
+    // which a septernion turns and moves
+    const vector origin(motion.transformPoint(Zero));
+
+    riprap::WallPose pose;
+    for (direction j = 0; j < vector::nComponents; ++j)
+    {
+        vector unit(Zero);
+        unit[j] = 1;
+        const vector column(motion.transformPoint(unit) - origin);
+
+        for (direction i = 0; i < vector::nComponents; ++i)
+        {
+            pose.rotation[3*i + j] = column[i];
+        }
+        pose.translation[j] = origin[j];
+    }
+    return pose;
+}
+
+
+Foam::labelList Foam::wallBodies::bodyOf(const wordList& surfaces) const
+{
+    labelList body(surfaces.size(), -1);
+
+    forAll(groups_, groupi)
+    {
+        const sphWallMotion& group = groups_[groupi];
+        const labelList selected(group.patches.matching(surfaces));
+
+        if (selected.empty())
+        {
+            FatalIOErrorInFunction(group.dict)
+                << "Entry patches " << flatOutput(group.patches)
+                << " selects no wall; valid are " << flatOutput(surfaces)
+                << exit(FatalIOError);
+        }
+
+        for (const label i : selected)
+        {
+            if (body[i] >= 0)
+            {
+                FatalIOErrorInFunction(group.dict)
+                    << "Wall " << surfaces[i] << " moves with "
+                    << groups_[body[i]].name << " already"
+                    << exit(FatalIOError);
+            }
+            body[i] = groupi;
+        }
+    }
+
+    return body;
+}
+
+
+void Foam::wallBodies::sweep
+(
+    label body,
+    const boundBox& reference,
+    scalar begin,
+    scalar end,
+    boundBox& swept
+) const
+{
+    const pointField corners(reference.points());
+    const label nMoments = 256;
+
+    for (label i = 0; i <= nMoments; ++i)
+    {
+        const riprap::WallPose now(pose(body, begin + i*(end - begin)/nMoments));
+        for (const point& corner : corners)
+        {
+            swept.add(moved(now, corner));
+        }
+    }
+}
+
+
+// ************************************************************************* //
