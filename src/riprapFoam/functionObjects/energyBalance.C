@@ -94,6 +94,11 @@ bool Foam::functionObjects::energyBalance::write()
     const scalar dissipated = totalAtStart_ + work - total(energy);
 
     largestKinetic_ = max(largestKinetic_, energy.kinetic);
+    const scalar drift =
+        largestKinetic_ > 0
+      ? (total(energy) - totalAtStart_ - work)/largestKinetic_
+      : 0;
+
     setProperty("largestKinetic", largestKinetic_);
     setProperty("wallWork", work);
 
@@ -113,7 +118,7 @@ bool Foam::functionObjects::energyBalance::write()
     add(os, total(energy));
     add(os, now.speed);
     add(os, now.densityDeviation);
-    add(os, largestKinetic_ > 0 ? -dissipated/largestKinetic_ : 0);
+    add(os, drift);
     os  << endl;
 
     return true;

@@ -8,6 +8,8 @@
 #include "levelCrossing.hpp"
 #include "particleCloudIO.H"
 #include "sphDictionaries.H"
+#include "sphRun.H"
+#include "OSspecific.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -51,7 +53,18 @@ Foam::scalar Foam::functionObjects::frontPosition::writtenSpacing
 {
     if (!dict.found("spacing"))
     {
-        return fluidSpacing(time_);
+        const fileName seeded
+        (
+            time_.globalPath()/time_.system()/"setParticlesDict"
+        );
+        if (hasSphRun(time_) || isFile(seeded))
+        {
+            return fluidSpacing(time_);
+        }
+        FatalIOErrorInFunction(dict)
+            << "Entry spacing of function object " << name() << " is missing:"
+            << " no particle scene is running and there is no " << seeded
+            << exit(FatalIOError);
     }
 
     const scalar spacing(dict.get<scalar>("spacing"));
@@ -103,11 +116,6 @@ std::vector<double> Foam::functionObjects::frontPosition::positions() const
         return sph().scene().fluid().position;
     }
 
-    if (!hasParticleCloud(mesh_, fluidCloud))
-    {
-        return std::vector<double>();
-    }
-
     return flatPoints(readParticleCloud(mesh_, fluidCloud).position);
 }
 
@@ -135,6 +143,13 @@ Foam::scalar Foam::functionObjects::frontPosition::height() const
 
 bool Foam::functionObjects::frontPosition::write()
 {
+    if (!hasScene() && !hasParticleCloud(mesh_, fluidCloud))
+    {
+        Log << "    No cloud " << fluidCloud << " in time directory "
+            << time_.timeName() << ": no row" << nl;
+        return true;
+    }
+
     const std::vector<double> x(positions());
     const label particles = x.size()/3;
 
