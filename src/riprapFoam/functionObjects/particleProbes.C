@@ -49,44 +49,14 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
     sphFunctionObject::read(dict);
     sph();
 
-    dict.readEntry("probeLocations", locations_);
-    fields_ = dict.lookupOrDefault("fields", wordList({"p", "U"}));
+    locations_ = points(dict, "probeLocations");
+    fields_ = fieldNames(dict, wordList({"p", "U"}), validFields);
     minVolumeFraction_ = notNegative(dict, "minVolumeFraction", 0.05);
     correct_ = dict.lookupOrDefault("wallCorrection", true);
 
-    for (const word& field : fields_)
-    {
-        if (!validFields.found(field))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry fields of function object " << this->name()
-                << ": unknown field " << field << nl
-                << "    Valid fields: " << flatOutput(validFields)
-                << exit(FatalIOError);
-        }
-    }
-
-    boundBox bounds(mesh_.bounds());
-    bounds.min() -= sph().config().spacing*vector::one;
-    bounds.max() += sph().config().spacing*vector::one;
-    if (mesh_.nGeometricD() == 2)
-    {
-        // Any height across the plane will do
-        const label empty = sph().config().axes[2];
-        bounds.min()[empty] = -GREAT;
-        bounds.max()[empty] = GREAT;
-    }
-
-    if (locations_.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry probeLocations of function object " << this->name()
-            << " is empty" << exit(FatalIOError);
-    }
-
     forAll(locations_, i)
     {
-        if (!bounds.contains(locations_[i]))
+        if (!reach().contains(locations_[i]))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry probeLocations of function object " << this->name()

@@ -121,19 +121,7 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
     minVolumeFraction_ = notNegative(dict, "minVolumeFraction", 0.01);
     ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
 
-    const wordList asked(dict.lookupOrDefault("fields", validFields));
-
-    for (const word& field : asked)
-    {
-        if (!validFields.found(field))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry fields of function object " << name()
-                << ": unknown field " << field << nl
-                << "    Valid fields: " << flatOutput(validFields)
-                << exit(FatalIOError);
-        }
-    }
+    const wordList asked(fieldNames(dict, validFields, validFields));
 
     makeField(p_, "p", dimPressure, asked);
     makeField(U_, "U", dimVelocity, asked);
@@ -183,7 +171,7 @@ bool Foam::functionObjects::particlesToMesh::execute()
 
 bool Foam::functionObjects::particlesToMesh::write()
 {
-    if (ownWriteControl_ || time_.writeTime())
+    if (postProcess || ownWriteControl_ || time_.writeTime())
     {
         writeFields(false);
     }

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphFunctionObject.H"
-#include "gravityMeshObject.H"
 
 namespace Foam
 {
@@ -41,9 +40,9 @@ Foam::functionObjects::sphFunctionObject::sph() const
             << "Function object " << name() << " of type " << type()
             << " needs a running particle scene, and there is no "
             << sphSceneObject::typeName << " on mesh " << mesh_.name() << "."
-            << nl << "    It is there while riprapFoam runs with solver"
-            << " sphDem; other solvers have none"
-            << (postProcess ? ", nor has -postProcess" : "") << "."
+            << nl << "    riprapFoam with solver sphDem has one, as has its"
+            << " option -postProcess; other solvers and the utility postProcess"
+            << " have none."
             << exit(FatalIOError);
     }
 
@@ -60,63 +59,19 @@ riprap::SampleResult Foam::functionObjects::sphFunctionObject::sample
 }
 
 
-// * * * * * * * * * * * * * * * *  Entries  * * * * * * * * * * * * * * * * //
-
-Foam::vector Foam::functionObjects::sphFunctionObject::direction
-(
-    const dictionary& dict,
-    const word& key,
-    const vector& deflt
-) const
+Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
 {
-    const vector v(dict.lookupOrDefault(key, deflt));
+    boundBox bounds(mesh_.bounds());
+    bounds.inflate(sph().config().spacing/bounds.mag());
 
-    if (mag(v) < VSMALL)
+    if (mesh_.nGeometricD() == 2)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << key << " of function object " << name()
-            << " is " << v << ": a direction needs a length"
-            << exit(FatalIOError);
+        const label empty = sph().config().axes[2];
+        bounds.min()[empty] = -GREAT;
+        bounds.max()[empty] = GREAT;
     }
 
-    return v/mag(v);
-}
-
-
-Foam::vector Foam::functionObjects::sphFunctionObject::upDirection
-(
-    const dictionary& dict
-) const
-{
-    const vector g
-    (
-        hasScene()
-      ? toVector(sph().config().gravity)
-      : vector(meshObjects::gravity::New(time_).value())
-    );
-
-    return direction(dict, "up", mag(g) < VSMALL ? vector(0, 1, 0) : -g);
-}
-
-
-Foam::scalar Foam::functionObjects::sphFunctionObject::notNegative
-(
-    const dictionary& dict,
-    const word& key,
-    const scalar deflt
-) const
-{
-    const scalar value(dict.lookupOrDefault(key, deflt));
-
-    if (value < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << key << " of function object " << name()
-            << " is " << value << ": it must not be negative"
-            << exit(FatalIOError);
-    }
-
-    return value;
+    return bounds;
 }
 
 
@@ -179,7 +134,7 @@ void Foam::functionObjects::sphFunctionObject::add
 
 void Foam::functionObjects::sphFunctionObject::writeAtStart()
 {
-    if (hasScene() && time_.timeIndex() == time_.startTimeIndex())
+    if (!postProcess && time_.timeIndex() == time_.startTimeIndex())
     {
         write();
     }

@@ -38,20 +38,14 @@ bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
     const vector up(upDirection(dict));
     const scalar spacing = sph().config().spacing;
 
-    dict.readEntry("points", feet_);
+    feet_ = points(dict, "points");
     lines_.resize(feet_.size());
-
-    if (feet_.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry points of function object " << name()
-            << " is empty: it lists the foot of each gauge"
-            << exit(FatalIOError);
-    }
 
     forAll(feet_, i)
     {
-        if (gaugeLength(mesh_.bounds(), feet_[i], up) <= 0)
+        const scalar length = gaugeLength(mesh_.bounds(), feet_[i], up);
+
+        if (length <= 0 || !reach().contains(feet_[i] + 0.5*length*up))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry points of function object " << name() << ": gauge "
