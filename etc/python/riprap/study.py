@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A tutorial's verification: which runs, what is measured, what is drawn
+
+A tutorial's analysis.py makes one Study and calls main(), which understands
+    analysis.py plot RUN_DIRECTORY ...
+    analysis.py verify [-quick] [-reuse] [-only PATTERN]
+verify runs the tutorial's Allrun for each variant, compares with reference/, prints the table,
+reports observed orders, draws the figure and appends a row a run to benchmarks/results.
+"""
+import argparse
+import fnmatch
+import os
+import subprocess
+import sys
+from dataclasses import dataclass, field
+
+from . import records
+from .bounds import Bounds, check, printTable, root
+from .dictionaries import entry, numberOf, readDictionary
+from .logs import readLog
+from .measures import observedOrder
+from .tables import hasTable, readTable
+
+
+class Run:
+    """A finished run: its directory, dictionaries, log and tables"""
+
+    def __init__(self, path, name=None):
+        self.path = os.path.abspath(path)
+        self.name = name or os.path.basename(self.path)
+        self.control = self.dictionary('system/controlDict')
+        self.sph = self.dictionary('constant/sphProperties')
+        self.fluid = self.dictionary('constant/fluidProperties')
+        self.particles = self.dictionary('system/setParticlesDict')
+        self.spacing = numberOf(self.particles.get('spacing'))
+        self._log = None
+
+    def dictionary(self, name):
+        return readDictionary(os.path.join(self.path, name))
+
+    @property
+    def log(self):
+        if self._log is None:
+            self._log = readLog(os.path.join(self.path, 'log.riprapFoam'))
+        return self._log
+
+    def table(self, name, file=None):
+        return readTable(self.path, name, file)
+
+    def sphEntry(self, path, default=None):
+        return entry(self.sph, path, default)
+
+    def number(self, path, default=None):
+        return numberOf(self.sphEntry(path), default)
+
+    @property
+    def density(self):
+        return numberOf(self.fluid['rho'])
+
+    @property
+    def kinematicViscosity(self):
+        if 'nu' in self.fluid:
+            return numberOf(self.fluid['nu'])
+        return numberOf(self.fluid['mu'])/self.density
+
+    def settings(self):
+        """The choices that tell one model from another, in one word each"""
+        def of(key, default):
+            return f'{key}={self.sphEntry(key, default)}'.replace('/model', '').replace('/type', '')
+        return ' '.join([of('kernel', 'wendlandC2'), of('smoothingLength/model', 'constant'),
+                         of('smoothingLength/ratio', '1.25'), of('walls/model', 'extrapolated'),
+                         of('walls/spacing', 'fluid'), of('viscosity', 'laminar'),
+                         of('antiClump', '0.01'), of('XSPH', '0.5'), of('densityDiffusion', 'none'),
+                         of('shifting', 'none'), of('timeIntegration', 'leapfrog')])
+
+    def energyDrift(self):
+        """Energy that left the particles' balance over the run, relative to the largest kinetic
+        plus elastic energy and the change of potential energy (dissipation included)"""
+        if not hasTable(self.path, 'energy'):
+            return None
+        e = self.table('energy', 'energyBalance.dat')
+        scale = max((e['kinetic'] + e['elastic']).max(), abs(e['potential'] - e['potential'][0]).max())
+        return float(e['dissipated'][-1]/scale) if scale > 0 else 0.0
+
+
+@dataclass
+class Variant:
+    """One run of verify: options of Allrun beside -name; case: another tutorial's directory"""
+    name: str
+    options: list = field(default_factory=list)
+    case: str = '.'
+
+
+@dataclass
+class Study:
+    scene: str
+    variants: list                  # run by verify
+    quick: list                     # run by verify -quick
+    analyse: callable               # Run -> [Quantity]
+    plot: callable                  # ([Run], path of the figure)
+    headline: str                   # the quantity whose error goes to benchmarks/results
+    orders: list = field(default_factory=list)      # (quantity, [names of variants])
+    compare: callable = None        # {name: Run}, {name: [Quantity]} -> [Quantity] between runs
+
+    def main(self, here):
+        parser = argparse.ArgumentParser(prog='analysis.py')
+        commands = parser.add_subparsers(dest='command', required=True)
+        plot = commands.add_parser('plot')
+        plot.add_argument('runs', nargs='+')
+        verify = commands.add_parser('verify')
+        verify.add_argument('-quick', action='store_true', help='one coarse run with its own bounds')
+        verify.add_argument('-reuse', action='store_true', help='use finished runs of the same name')
+        verify.add_argument('-only', default='*', help='variants whose name matches this pattern')
+        options = parser.parse_args()
+        here = os.path.abspath(here)
+        if options.command == 'plot':
+            runs = [Run(r) for r in options.runs]
+            self.plot(runs, os.path.join(runs[0].path, self.scene + '.png'))
+            return
+        sys.exit(1 if self.verify(here, options) else 0)
+
+    def verify(self, here, options):
+        """Number of failures"""
+        level = 'quick' if options.quick else 'full'
+        bounds = Bounds(self.scene, level)
+        chosen = [v for v in (self.quick if options.quick else self.variants)
+                  if fnmatch.fnmatch(v.name, options.only)]
+        runs, results, failures = {}, {}, 0
+        for v in chosen:
+            path = launch(here, v, options.reuse)
+            if path is None:
+                results[v.name] = []
+                failures += 1
+                print(f'{v.name}: the run failed')
+                continue
+            runs[v.name] = Run(path, v.name)
+            results[v.name] = self.analyse(runs[v.name])
+        if self.compare:
+            results['between runs'] = self.compare(runs, results)
+        rows, out = check(bounds, results)
+        failures += out
+        print(f'\n{self.scene} ({level})')
+        printTable(rows)
+        self.printOrders(runs, results)
+        failures += self.missing(bounds, options)
+        for name, run in runs.items():
+            q = headline(results[name], self.headline)
+            records.append(self.scene, run, q.name, q.checked)
+        if runs and not options.quick:
+            images = os.path.join(root(), 'docs', 'images')
+            os.makedirs(images, exist_ok=True)
+            self.plot(list(runs.values()), os.path.join(images, self.scene + '.png'))
+        print(f'{self.scene}: ' + (f'{failures} out of bounds' if failures else 'all within bounds'))
+        return failures
+
+    def printOrders(self, runs, results):
+        for quantity, names in self.orders:
+            known = [(runs[n].spacing, valueOf(results[n], quantity)) for n in names if n in runs]
+            order = observedOrder(*zip(*known)) if len(known) > 1 else None
+            if order is not None:
+                errors = ', '.join(f'{e:.3g} ({s:g} m)' for s, e in known if e is not None)
+                print(f'observed order of {quantity}: {order:.2f}   [{errors}]')
+
+    @staticmethod
+    def missing(bounds, options):
+        if options.only != '*':
+            return 0
+        for text in bounds.unused():
+            print(f'bound without a quantity: {text}')
+        return len(bounds.unused())
+
+
+def valueOf(quantities, name):
+    return next((q.checked for q in quantities if q.name == name), None)
+
+
+def headline(quantities, name):
+    """The quantity that stands for a run: the named one, else the first error"""
+    found = [q for q in quantities if q.name == name] + [q for q in quantities if q.error is not None]
+    return found[0] if found else quantities[0]
+
+
+def launch(here, variant, reuse):
+    """Run a variant by its tutorial's Allrun; path of the run, or None when it failed"""
+    case = os.path.normpath(os.path.join(here, variant.case))
+    path = os.path.join(case, 'runs', variant.name)
+    if reuse and os.path.exists(os.path.join(path, 'log.riprapFoam')) and Run(path).log['ended']:
+        print(f'Reusing {variant.name}')
+        return path
+    command = [os.path.join(case, 'Allrun'), '-name', variant.name, '-noPlot', *variant.options]
+    return path if subprocess.run(command, check=False).returncode == 0 else None
