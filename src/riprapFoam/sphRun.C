@@ -6,6 +6,8 @@
 #include "sphRun.H"
 #include "labelIOList.H"
 #include "IOdictionary.H"
+#include "Hasher.H"
+#include "OSspecific.H"
 #include "Time.H"
 #include <cstdio>
 
@@ -50,13 +52,42 @@ static int64_t count(const dictionary& dict, const word& entry)
 }
 
 
+static label hashOf(const std::vector<std::int32_t>& words)
+{
+    return label(Hasher(words.data(), words.size()*sizeof(words[0]), 0));
+}
+
+
+static void damaged(const IOobject& file)
+{
+    FatalIOErrorInFunction(file.objectPath())
+        << "The exact state of the particles is damaged: remove the folder "
+        << file.path() << " to continue from lagrangian/fluid"
+        << exit(FatalIOError);
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 bool hasSphRun(const Time& time)
 {
-    return
-        stateObject(time, "sphRun").typeHeaderOk<IOdictionary>(false)
-     && stateObject(time, "sphState").typeHeaderOk<labelIOList>(false);
+    IOobject run(stateObject(time, "sphRun"));
+    IOobject state(stateObject(time, "sphState"));
+
+    if (!isFile(run.objectPath()) && !isFile(state.objectPath()))
+    {
+        return false;
+    }
+
+    if
+    (
+        !run.typeHeaderOk<IOdictionary>(false)
+     || !state.typeHeaderOk<labelIOList>(false)
+    )
+    {
+        damaged(state);
+    }
+    return true;
 }
 
 
@@ -113,17 +144,35 @@ void writeSphRun(const Time& time, const sphRun& run)
 
 std::vector<std::int32_t> readSphState(const Time& time)
 {
-    const labelIOList words(stateObject(time, "sphState", IOobject::MUST_READ));
-    return std::vector<std::int32_t>(words.begin(), words.end());
+    const labelIOList file(stateObject(time, "sphState", IOobject::MUST_READ));
+
+    std::vector<std::int32_t> words;
+    if (file.size() >= 2)
+    {
+        words.assign(file.begin() + 2, file.end());
+    }
+
+    if
+    (
+        file.size() < 2
+     || file[0] != label(words.size())
+     || file[1] != hashOf(words)
+    )
+    {
+        damaged(file);
+    }
+    return words;
 }
 
 
-void writeSphState(const Time& time, const std::vector<std::int32_t>& state)
+void writeSphState(const Time& time, const std::vector<std::int32_t>& words)
 {
-    labelIOList words(stateObject(time, "sphState"), label(state.size()));
-    std::copy(state.begin(), state.end(), words.begin());
+    labelIOList file(stateObject(time, "sphState"), label(words.size()) + 2);
+    file[0] = words.size();
+    file[1] = hashOf(words);
+    std::copy(words.begin(), words.end(), file.begin() + 2);
 
-    words.regIOobject::writeObject
+    file.regIOobject::writeObject
     (
         IOstream::BINARY,
         IOstream::currentVersion,

@@ -1,0 +1,101 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The scene of the current time: new, or continued to the bit.
+\*---------------------------------------------------------------------------*/
+
+#include "sphDem.H"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::buildScene
+(
+    const particleCloud& cloud,
+    bool continued
+)
+{
+    settings_ = asRead_;
+    riprap::SphConfig& config = settings_.config;
+
+    setSpacing(settings_, fluidSpacing(runTime_));
+
+    if (continued && settings_.autoMaxVelocity)
+    {
+        // The estimate of the start, not one from where the fluid is now
+        config.maxVelocity = run_.maxVelocity;
+        config.soundSpeed = settings_.soundSpeedRatio*run_.maxVelocity;
+    }
+    else
+    {
+        setMaxVelocity(settings_, cloud.position, cloud.vectors["U"]);
+    }
+
+    config.startTime = runTime_.value();
+
+    const riprap::FluidInput fluid(fluidInput(cloud));
+    const riprap::WallInput walls(buildWalls());
+
+    scene_ = riprap::createSphScene
+    (
+        config,
+        fluid,
+        walls,
+        bodies_.size()
+      ? [this](int body, double t) { return bodies_.pose(body, t); }
+      : riprap::WallMotion()
+    );
+
+    if (!continued)
+    {
+        run_ = sphRun();
+        run_.initialParticles = cloud.size();
+    }
+    run_.spacing = config.spacing;
+    run_.maxVelocity = config.maxVelocity;
+    run_.time = runTime_.value();
+    run_.particles = cloud.size();
+    run_.device = sphNames::device[scene_->device()];
+    run_.precision = sphNames::precision[config.precision];
+}
+
+
+void Foam::solverModules::sphDem::registerScene()
+{
+    report_ = riprap::SphReport();
+    report_.time = scene_->time();
+    report_.fluid = run_.particles;
+
+    cloud_.reset(new fluidCloud(mesh_, *scene_, run_));
+    sceneObject_.reset
+    (
+        new sphSceneObject(mesh_, *scene_, settings_.config, report_)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::initialise()
+{
+    cloud_.clear();
+    sceneObject_.clear();
+    scene_.reset();
+
+    const particleCloud cloud(readFluid());
+
+    const bool continued = canContinue(cloud);
+    buildScene(cloud, continued);
+
+    if (continued && !loadState(cloud))
+    {
+        buildScene(cloud, false);
+    }
+
+    registerScene();
+    logModels();
+}
+
+
+// ************************************************************************* //

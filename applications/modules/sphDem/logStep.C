@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The log of an OpenFOAM time step. Courant numbers are those of the
+    particle steps: mean, c0 dt/h of the mean step; max, (c0 + |U|max) dt/h of
+    the largest one.
+\*---------------------------------------------------------------------------*/
+
+#include "sphDem.H"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::logEscaped() const
+{
+    Info<< "Escaped " << label(report_.escaped.size()) << " particles ("
+        << run_.escaped << " in all), by nearest patch:";
+    for (const word& patch : escapedBy_.sortedToc())
+    {
+        Info<< ' ' << patch << ' ' << escapedBy_[patch];
+    }
+    Info<< endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::report()
+{
+    const riprap::SphConfig& config = settings_.config;
+    const scalar h = config.smoothingRatio*config.spacing;
+    const scalar c0 = config.soundSpeed;
+    const scalar meanStep =
+        runTime_.deltaTValue()/max(report_.steps, std::int64_t(1));
+
+    Info<< "Courant Number mean: " << c0*meanStep/h
+        << " max: " << (c0 + report_.maxSpeed)*report_.maxTimeStep/h << nl
+        << "Particle steps = " << report_.steps << " (" << run_.steps
+        << "), deltaT = " << report_.minTimeStep << " to "
+        << report_.maxTimeStep << " s, limit: " << report_.limit.c_str() << nl
+        << "max(mag(U)) = " << report_.maxSpeed
+        << " m/s, max density deviation = " << report_.maxDensityDeviation
+        << endl;
+
+    if (report_.escaped.size())
+    {
+        logEscaped();
+    }
+
+    progress_.log
+    (
+        runTime_.value(),
+        runTime_.startTime().value(),
+        runTime_.endTime().value()
+    );
+}
+
+
+// ************************************************************************* //

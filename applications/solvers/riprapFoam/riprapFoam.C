@@ -1,0 +1,148 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    riprapFoam
+
+Description
+    Runs a particle solver in an OpenFOAM case. Which one, `solver NAME;` in
+    system/controlDict says, or option -solver: a solverModule from the
+    library lib<NAME>Solver.so.
+
+Usage
+    riprapFoam [-case DIR] [-solver NAME] [-dry-run | -postProcess]
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "postProcessTimes.H"
+#include "readMesh.H"
+#include "solverModule.H"
+#include "stopSignals.H"
+#include "timePlan.H"
+#include "Time.H"
+
+using namespace Foam;
+
+static void refuseParallel(int argc, char* argv[])
+{
+    for (int i = 1; i < argc; ++i)
+    {
+        if (std::string(argv[i]) == "-parallel")
+        {
+            FatalErrorInFunction
+                << "Option -parallel: riprapFoam cannot run in parallel yet;"
+                << " it uses all cores of one process (OMP_NUM_THREADS), or"
+                << " one GPU" << exit(FatalError);
+        }
+    }
+}
+
+
+static void runLoop(Time& runTime, solverModule& module)
+{
+    timePlan plan(runTime);
+    const stopSignals signals(module);
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (plan.run())
+    {
+        plan.advanceTo
+        (
+            module.advance(plan.target(), plan.sampleInterval() == 0)
+        );
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+        module.report();
+
+        if (const char* signal = signals.received())
+        {
+            Info<< "Stopping on " << signal << ": writing this time\n" << endl;
+            runTime.writeAndEnd();
+        }
+        else
+        {
+            runTime.write();
+        }
+
+        runTime.printExecutionTime(Info);
+    }
+}
+
+
+static void runCase(const argList& args, bool postProcess)
+{
+    Time runTime(Time::controlDictName, args);
+
+    instantList times;
+    if (postProcess)
+    {
+        times = selectPostProcessTimes(runTime, args);
+    }
+
+    autoPtr<fvMesh> mesh(readMesh(runTime));
+
+    word name(args.getOrDefault<word>("solver", word::null));
+    if (name.empty())
+    {
+        name = runTime.controlDict().get<word>("solver");
+    }
+    auto module = solverModule::New(name, runTime, *mesh);
+
+    if (postProcess)
+    {
+        postProcessTimes(args, runTime, *mesh, *module, times);
+        return;
+    }
+
+    module->initialise();
+
+    if (args.found("dry-run"))
+    {
+        module->dryRun(timePlan(runTime).sampleInterval());
+    }
+    else
+    {
+        runLoop(runTime, *module);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Main Program  * * * * * * * * * * * * * * //
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Particle solvers in an OpenFOAM case");
+    argList::addOption("solver", "name", "Solver module, e.g. sphDem");
+    argList::addBoolOption("dry-run", "Check and describe the run only");
+    const bool postProcess = addPostProcessOptions(argc, argv);
+
+    refuseParallel(argc, argv);
+    const argList args(argc, argv);
+    if (!args.checkRootCase())
+    {
+        FatalError.exit();
+    }
+
+    if (postProcess && args.found("list"))
+    {
+        functionObjectList::list();
+        return 0;
+    }
+
+    try
+    {
+        runCase(args, postProcess);
+    }
+    catch (const std::exception& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+    }
+
+    Info<< "End\n" << endl;
+    return 0;
+}
+
+
+// ************************************************************************* //
