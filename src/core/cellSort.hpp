@@ -1,0 +1,84 @@
+/*  Sorts a set of particles into the cells of a grid and tabulates where each cell begins. */
+#pragma once
+
+#include "core/cellGrid.hpp"
+#include "core/fieldSet.hpp"
+#include "core/sort.hpp"
+
+namespace riprap
+{
+
+struct ClearCounts
+{
+    static constexpr const char* name = "clearCells";
+    int* counts;
+    HD void operator()(int c) const { counts[c] = 0; }
+};
+
+struct CountCells
+{
+    static constexpr const char* name = "countCells";
+    const std::uint32_t* keys;
+    int* counts;
+
+    HD void operator()(int i) const
+    {
+#ifdef __CUDA_ARCH__
+        atomicAdd(counts + keys[i], 1);
+#elif !defined(__CUDACC__)
+        #pragma omp atomic
+        counts[keys[i]] += 1;
+#endif
+    }
+};
+
+template<class Backend>
+class CellSort
+{
+public:
+
+    //- Room for n particles in `cells` cells and one more for what is in no cell
+    void allocate(Context<Backend>& context, std::size_t n, int cells)
+    {
+        cells_ = cells;
+        for (auto& a : scratch_.keys) a.allocate(context, n);
+        for (auto& a : scratch_.values) a.allocate(context, n);
+        counts_.allocate(context, std::size_t(cells) + 2);
+        start_.allocate(context, std::size_t(cells) + 2);
+        bits_ = 1;
+        while ((std::int64_t(1) << bits_) <= cells) ++bits_;
+        const int all = int(n);
+        context.toDevice(start_.data() + cells, &all, sizeof(int));
+    }
+
+    std::uint32_t* keys() { return scratch_.keys[0].data(); }
+    std::uint32_t* indices() { return scratch_.values[0].data(); }
+
+    //- After keys() and indices() were filled: sort and tabulate. Then order() says which particle goes where.
+    void sort(Context<Backend>& context, int n)
+    {
+        if (n > 0) sortPairs(context, scratch_, n, bits_);
+        forEach(context, cells_ + 2, ClearCounts{counts_.data()});
+        forEach(context, n, CountCells{sortedKeys(n), counts_.data()});
+        exclusiveScan(context, scratch_, counts_.data(), start_.data(), cells_ + 2);
+    }
+
+    const std::uint32_t* order() const { return scratch_.values[1].data(); }
+    const int* start() const { return start_.data(); }
+    const int* active() const { return start_.data() + cells_; }    // particles that are in a cell
+    std::size_t bytes() const
+    {
+        std::size_t b = counts_.bytes() + start_.bytes() + scratch_.temporary.bytes();
+        for (int k = 0; k < 2; ++k) b += scratch_.keys[k].bytes() + scratch_.values[k].bytes();
+        return b;
+    }
+
+private:
+    const std::uint32_t* sortedKeys(int) const { return scratch_.keys[1].data(); }
+
+    SortScratch<Backend> scratch_;
+    Array<Backend, int> counts_, start_;
+    int cells_ = 0, bits_ = 1;
+};
+
+} // namespace riprap

@@ -1,0 +1,16 @@
+/*  Which devices there are. */
+#pragma once
+
+#include <string>
+#include "core/backend.hpp"
+
+namespace riprap
+{
+
+//- Number of usable GPUs (0 without CUDA), and why there is none
+int gpuCount(std::string& why);
+
+std::string deviceLabel(Cpu);
+std::string deviceLabel(Gpu);
+
+} // namespace riprap

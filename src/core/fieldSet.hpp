@@ -1,0 +1,118 @@
+/*  Named per-particle fields that are sorted together. Only what is added exists. */
+#pragma once
+
+#include <string>
+#include <vector>
+#include "core/launch.hpp"
+
+namespace riprap
+{
+
+//- Gathers up to maxFields fields of 4- or 8-byte elements into a new order, in one launch
+struct Permute
+{
+    static constexpr const char* name = "permute";
+    static constexpr int maxFields = 20;
+
+    const std::uint32_t* order;
+    int fields;
+    const void* from[maxFields];
+    void* to[maxFields];
+    bool wide[maxFields];
+
+    HD void operator()(int i) const
+    {
+        const std::uint32_t j = order[i];
+        for (int f = 0; f < fields; ++f)
+        {
+            if (wide[f]) static_cast<std::uint64_t*>(to[f])[i] = static_cast<const std::uint64_t*>(from[f])[j];
+            else static_cast<std::uint32_t*>(to[f])[i] = static_cast<const std::uint32_t*>(from[f])[j];
+        }
+    }
+};
+
+template<class Backend>
+class FieldSet
+{
+public:
+
+    //- Add a field of elements of T (4 or 8 bytes); returns its index
+    template<class T>
+    int add(const std::string& name)
+    {
+        static_assert(sizeof(T) == 4 || sizeof(T) == 8, "elements of 4 or 8 bytes");
+        fields_.emplace_back();
+        fields_.back().name = name;
+        fields_.back().bytes = sizeof(T);
+        return int(fields_.size()) - 1;
+    }
+
+    void allocate(Context<Backend>& context, std::size_t n)
+    {
+        for (Field& f : fields_)
+        {
+            f.now.allocate(context, n*f.bytes);
+            f.next.allocate(context, n*f.bytes);
+        }
+        n_ = n;
+    }
+
+    template<class T>
+    T* data(int field) { return reinterpret_cast<T*>(fields_[field].now.data()); }
+
+    //- Sort every field; pointers from data() change
+    void permute(Context<Backend>& context, const std::uint32_t* order, int n)
+    {
+        Permute p{};
+        p.order = order;
+        for (Field& f : fields_)
+        {
+            p.from[p.fields] = f.now.data();
+            p.to[p.fields] = f.next.data();
+            p.wide[p.fields++] = f.bytes == 8;
+            if (p.fields == Permute::maxFields) { forEach(context, n, p); p.fields = 0; }
+        }
+        if (p.fields) forEach(context, n, p);
+        for (Field& f : fields_) f.now.swap(f.next);
+    }
+
+    template<class T>
+    std::vector<T> download(Context<Backend>& context, int field)
+    {
+        std::vector<T> host(n_);
+        if (n_) context.toHost(host.data(), fields_[field].now.data(), n_*sizeof(T));
+        return host;
+    }
+
+    template<class T>
+    void upload(Context<Backend>& context, int field, const std::vector<T>& host)
+    {
+        if (!host.empty()) context.toDevice(fields_[field].now.data(), host.data(), host.size()*sizeof(T));
+    }
+
+    struct Info { std::string name; int bytes; };
+    std::vector<Info> info() const
+    {
+        std::vector<Info> r;
+        for (const Field& f : fields_) r.push_back(Info{f.name, f.bytes});
+        return r;
+    }
+
+    int fields() const { return int(fields_.size()); }
+    int elementBytes(int field) const { return fields_[field].bytes; }
+    unsigned char* bytes(int field) { return fields_[field].now.data(); }
+    std::size_t size() const { return n_; }
+
+private:
+
+    struct Field
+    {
+        std::string name;
+        int bytes = 0;
+        Array<Backend, unsigned char> now, next;
+    };
+    std::vector<Field> fields_;
+    std::size_t n_ = 0;
+};
+
+} // namespace riprap

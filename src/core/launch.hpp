@@ -1,0 +1,140 @@
+/*  forEach and sums over particles: the one place where kernels start.
+
+    A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i) const`.
+*/
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include "core/backend.hpp"
+#ifndef __CUDACC__
+    #include <omp.h>
+#endif
+
+namespace riprap
+{
+
+#ifdef __CUDACC__
+
+template<class F>
+__global__ void __launch_bounds__(256) forEachKernel(int n, F f)
+{
+    const int i = blockIdx.x*256 + threadIdx.x;
+    if (i < n) f(i);
+}
+
+//- Runs a launch under the profile: counted, and timed when asked
+template<class Launch>
+void profiled(Context<Gpu>& context, const char* name, Launch launch)
+{
+    context.profile.count(name);
+    const bool timing = context.profile.timing && !context.profile.capturing;
+    if (timing) checkCuda(cudaEventRecord(context.start, context.stream), name);
+    launch();
+    checkCuda(cudaGetLastError(), name);
+    if (timing)
+    {
+        float ms = 0;
+        checkCuda(cudaEventRecord(context.stop, context.stream), name);
+        checkCuda(cudaEventSynchronize(context.stop), name);
+        checkCuda(cudaEventElapsedTime(&ms, context.start, context.stop), name);
+        context.profile.addTime(name, 1e-3*ms);
+    }
+}
+
+template<class F>
+void forEach(Context<Gpu>& context, int n, const F& f)
+{
+    if (n <= 0) return;
+    profiled(context, F::name, [&] { forEachKernel<<<(n + 255)/256, 256, 0, context.stream>>>(n, f); });
+}
+
+#endif
+
+#ifndef __CUDACC__
+
+template<class Launch>
+void profiled(Context<Cpu>& context, const char* name, Launch launch)
+{
+    context.profile.count(name);
+    const double start = context.profile.timing ? omp_get_wtime() : 0;
+    launch();
+    if (context.profile.timing) context.profile.addTime(name, omp_get_wtime() - start);
+}
+
+template<class F>
+void forEach(Context<Cpu>& context, int n, const F& f)
+{
+    if (n <= 0) return;
+    profiled(context, F::name, [&]
+    {
+        #pragma omp parallel for schedule(static) if (n > 256)
+        for (int i = 0; i < n; ++i) f(i);
+    });
+}
+
+#endif
+
+//- Sums of N doubles over particles: f.add(i, sums). Fixed chunks, so that the result does not depend on
+//  the number of threads; up to 256 partial sums are added on the host in order.
+static constexpr int sumChunks = 256;
+
+#ifdef __CUDACC__
+
+template<int N, class F>
+__global__ void __launch_bounds__(256) sumKernel(int n, F f, double* partial)
+{
+    double sums[N] = {};
+    for (int i = blockIdx.x*256 + threadIdx.x; i < n; i += gridDim.x*256) f.add(i, sums);
+    __shared__ double shared[256];
+    for (int k = 0; k < N; ++k)
+    {
+        shared[threadIdx.x] = sums[k];
+        __syncthreads();
+        for (int o = 128; o > 0; o /= 2)
+        {
+            if (int(threadIdx.x) < o) shared[threadIdx.x] += shared[threadIdx.x + o];
+            __syncthreads();
+        }
+        if (threadIdx.x == 0) partial[blockIdx.x*N + k] = shared[0];
+        __syncthreads();
+    }
+}
+
+template<int N, class F>
+std::array<double, N> sumOver(Context<Gpu>& context, int n, const F& f)
+{
+    Array<Gpu, double> partial;
+    partial.allocate(context, sumChunks*N);
+    profiled(context, F::name, [&] { sumKernel<N><<<sumChunks, 256, 0, context.stream>>>(n, f, partial.data()); });
+    const std::vector<double> host = partial.download();
+    std::array<double, N> total{};
+    for (int c = 0; c < sumChunks; ++c) for (int k = 0; k < N; ++k) total[k] += host[c*N + k];
+    return total;
+}
+
+#else
+
+template<int N, class F>
+std::array<double, N> sumOver(Context<Cpu>& context, int n, const F& f)
+{
+    std::vector<double> partial(sumChunks*N, 0.0);
+    profiled(context, F::name, [&]
+    {
+        #pragma omp parallel for schedule(static)
+        for (int c = 0; c < sumChunks; ++c)
+        {
+            const int begin = int((long long)n*c/sumChunks), end = int((long long)n*(c + 1)/sumChunks);
+            double sums[N] = {};
+            for (int i = begin; i < end; ++i) f.add(i, sums);
+            for (int k = 0; k < N; ++k) partial[c*N + k] = sums[k];
+        }
+    });
+    std::array<double, N> total{};
+    for (int c = 0; c < sumChunks; ++c) for (int k = 0; k < N; ++k) total[k] += partial[c*N + k];
+    return total;
+}
+
+#endif
+
+} // namespace riprap

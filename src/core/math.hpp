@@ -1,0 +1,46 @@
+/*  The few functions that physics functors need, for float, double and (on the CPU) Pack alike. */
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include "core/macros.hpp"
+#ifndef __CUDACC__
+    #include "core/pack.hpp"
+#endif
+
+namespace riprap
+{
+
+HD float squareRoot(float a) { return sqrtf(a); }
+HD double squareRoot(double a) { return sqrt(a); }
+HD float maximum(float a, float b) { return a > b ? a : b; }
+HD double maximum(double a, double b) { return a > b ? a : b; }
+HD float minimum(float a, float b) { return a < b ? a : b; }
+HD double minimum(double a, double b) { return a < b ? a : b; }
+HD float absolute(float a) { return fabsf(a); }
+HD double absolute(double a) { return fabs(a); }
+HD float selectGreater(float a, float b, float x, float y) { return a > b ? x : y; }
+HD double selectGreater(double a, double b, double x, double y) { return a > b ? x : y; }
+HD float sumLanes(float a) { return a; }
+HD double sumLanes(double a) { return a; }
+
+//- Fixed-point difference a - b (wrapping) as a number of units
+HD float wrappedDifference(std::int32_t a, std::int32_t b)
+{
+    return float(std::int32_t(std::uint32_t(a) - std::uint32_t(b)));
+}
+
+HD int floorInt(float a) { return int(floorf(a)); }
+HD int floorInt(double a) { return int(floor(a)); }
+
+//- a^N by multiplication
+template<int N, class T>
+HD T power(T a)
+{
+    if constexpr (N == 0) return T(1);
+    else if constexpr (N == 1) return a;
+    else if constexpr (N % 2 == 0) { const T b = power<N/2>(a); return b*b; }
+    else return a*power<N - 1>(a);
+}
+
+} // namespace riprap

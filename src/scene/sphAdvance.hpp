@@ -1,0 +1,197 @@
+/*  SphSolver: the loop over steps. On the GPU a cycle (rebuild, then a number of steps) is recorded twice in a graph,
+    because a rebuild swaps the halves of double-buffered fields; steps switch themselves off when neighbours have aged
+    or the target is reached, so the host looks on only now and then.
+*/
+#pragma once
+
+#include "scene/sphSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::readClock() { context_.toHost(&host_, clock_.data(), sizeof(ClockData)); }
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::writeClock() { context_.toDevice(clock_.data(), &host_, sizeof(ClockData)); }
+
+template<class Backend, int D, class P>
+bool SphSolver<Backend, D, P>::finished() const
+{
+    return host_.halt != Halt::none || host_.time >= host_.target || host_.step >= host_.lastStep || interrupted_;
+}
+
+//- Poses of the moving groups over the interval that is about to be advanced
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setPoses(double begin, double end)
+{
+    poseBegin_ = begin;
+    poseStep_ = std::max(end - begin, 1e-30)/poseIntervals;
+    std::vector<PoseSample> samples(std::size_t(nBodies_)*(poseIntervals + 1));
+    const auto pose = [&](int body, double t)
+    {
+        const WallPose p = motion_(body, t);
+        std::array<double, 12> r;
+        for (int k = 0; k < 9; ++k) r[k] = p.rotation[k];
+        for (int k = 0; k < 3; ++k) r[9 + k] = p.translation[k];
+        return r;
+    };
+    const double dt = std::max(1e-4*poseStep_, 1e-9);
+    for (int b = 0; b < nBodies_; ++b)
+        for (int k = 0; k <= poseIntervals; ++k)
+        {
+            const double t = begin + k*poseStep_;
+            const auto now = pose(b, t), before = pose(b, t - dt), after = pose(b, t + dt);
+            PoseSample& s = samples[std::size_t(b)*(poseIntervals + 1) + k];
+            for (int e = 0; e < 12; ++e)
+            {
+                s.value[e] = now[e];
+                s.rate[e] = (after[e] - before[e])/(2*dt);
+            }
+        }
+    context_.toDevice(poses_.data(), samples.data(), samples.size()*sizeof(PoseSample));
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
+{
+    if constexpr (!Backend::gpu)
+    {
+        while (!finished())
+        {
+            rebuild();
+            ++rebuilds;
+            do step(); while (clock_.data()->active && !interrupted_);
+            readClock();
+        }
+    }
+    else
+    {
+        const auto cycles = [&]
+        {
+            for (int c = 0; c < 2; ++c)
+            {
+                rebuild();
+                for (int k = 0; k < stepsPerCycle_; ++k) step();
+            }
+        };
+        while (!finished())
+        {
+            const std::int64_t before = host_.step;
+            const bool graphs = !context_.profile.timing;
+            if (graphs && !parts_.graph.recorded()) parts_.graph.record(context_, cycles);
+            if (graphs) parts_.graph.replay(context_);
+            else cycles();
+            rebuilds += 2;
+            readClock();
+            if (host_.overflow[0] || host_.overflow[1] || host_.overflow[2]) { growLists(); continue; }
+            if (finished()) break;
+            // fit the length of a cycle to what the skin allows
+            const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
+            int wanted = stepsPerCycle_;
+            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, stepsPerCycle_ + (stepsPerCycle_ + 1)/2);
+            else if (taken < room/2) wanted = std::max(2, taken/2 + taken/6 + 1);
+            if (wanted != stepsPerCycle_)
+            {
+                stepsPerCycle_ = wanted;
+                parts_.graph.clear();
+            }
+        }
+    }
+}
+
+template<class Backend, int D, class P>
+SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
+{
+    interrupted_ = false;
+    SphReport report;
+    readClock();
+    const std::int64_t before = host_.step;
+    host_.target = t;
+    host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
+    host_.minDt = 1e300;
+    host_.maxDt = 0;
+    host_.needRebuild = 0;
+    host_.skinViolations = 0;
+    writeClock();
+    if (nBodies_)
+    {
+        setPoses(host_.time, std::max(t, host_.time));
+        if constexpr (Backend::gpu) parts_.graph.clear();   // poses are part of the recorded launches
+    }
+    runToTarget(report.rebuilds);
+
+    report.time = host_.time;
+    report.lastTimeStep = host_.dt;
+    report.steps = host_.step - before;
+    report.totalSteps = host_.step;
+    report.minTimeStep = report.steps ? host_.minDt : 0;
+    report.maxTimeStep = host_.maxDt;
+    static const char* names[] = {"none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
+    report.limit = names[int(host_.limit)];
+    report.maxDensityDeviation = host_.maxima[2];
+    report.maxSpeed = std::max(0.0, double(host_.maxima[1]) - config_.soundSpeed);
+    collectEscaped(report);
+    if (host_.halt != Halt::none) findOffender(report);
+    return report;
+}
+
+//- Particles that left: sorted to the end by the last rebuild, reported once
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
+{
+    const int active = activeFluid();
+    report.fluid = active;
+    if (active >= reported_) return;
+    std::vector<std::int64_t> x[D];
+    std::vector<double> metres;
+    for (int d = 0; d < D; ++d) x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
+    const auto id = fluid_.template download<std::int32_t>(context_, idField_);
+    toMetres(x, n_, metres);
+    for (int i = active; i < reported_; ++i)
+    {
+        report.escaped.push_back(Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}});
+        report.escapedId.push_back(id[i]);
+    }
+    reported_ = active;
+}
+
+//- Which particle made a guard fire
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::findOffender(SphReport& report)
+{
+    const int n = activeFluid();
+    report.stop = host_.halt == Halt::notANumber ? StopReason::notANumber
+        : (host_.halt == Halt::density ? StopReason::density : StopReason::speed);
+    const auto deviation = fluid_.template download<real>(context_, deviationField_);
+    std::vector<real> v[D], a[D];
+    std::vector<std::int64_t> x[D];
+    for (int d = 0; d < D; ++d)
+    {
+        v[d] = fluid_.template download<real>(context_, vField_ + d);
+        a[d] = fluid_.template download<real>(context_, aField_ + d);
+        x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
+    }
+    const auto id = fluid_.template download<std::int32_t>(context_, idField_);
+    std::vector<double> metres;
+    toMetres(x, n, metres);
+    double worst = -1;
+    for (int i = 0; i < n; ++i)
+    {
+        double speed2 = 0, a2 = 0;
+        for (int d = 0; d < D; ++d) { speed2 += double(v[d][i])*v[d][i]; a2 += double(a[d][i])*a[d][i]; }
+        double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(speed2);
+        if (report.stop == StopReason::notANumber)
+        {
+            const double sum = speed2 + a2 + deviation[i];
+            value = std::isfinite(sum) ? 0 : 1;
+        }
+        if (value <= worst) continue;
+        worst = value;
+        report.stopId = id[i];
+        report.stopPosition = Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}};
+        report.stopValue = report.stop == StopReason::notANumber ? std::sqrt(speed2) : value;
+    }
+}
+
+} // namespace riprap

@@ -1,0 +1,18 @@
+/*  SphSolver with all its parts, for the instantiating units. */
+#pragma once
+
+#include "core/device.hpp"
+#include "scene/sphSetup.hpp"
+#include "scene/sphStep.hpp"
+#include "scene/sphAdvance.hpp"
+#include "scene/sphOutput.hpp"
+#include "scene/sphState.hpp"
+#include "scene/sphInstances.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+std::string SphSolver<Backend, D, P>::deviceName() const { return deviceLabel(Backend()); }
+
+} // namespace riprap

@@ -1,0 +1,7 @@
+#include "scene/sphAll.hpp"
+
+std::unique_ptr<riprap::SphScene> riprap::sphCpu2Mixed
+(const SphConfig& c, const FluidInput& f, const WallInput& w, WallMotion m)
+{
+    return std::make_unique<SphSolver<Cpu, 2, Mixed>>(c, f, w, std::move(m));
+}

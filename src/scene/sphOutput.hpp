@@ -1,0 +1,320 @@
+/*  SphSolver: everything that is read back. */
+#pragma once
+
+#include "scene/sphSolver.hpp"
+
+namespace riprap
+{
+
+//- Makes records those of the state at hand (steps leave predicted ones)
+template<class Backend, int D, class P>
+struct RefreshRecords : Mover<Backend, D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "refreshRecords";
+
+    HD void operator()(int i) const
+    {
+        if (i >= *this->count) return;
+        Vec<D, real> v;
+        for (int d = 0; d < D; ++d) v.c[d] = this->fluid.v[d][i];
+        this->record(i, this->position(i), v, this->fluid.deviation[i]);
+    }
+};
+
+//- Kinetic, potential and elastic energy [J]
+template<int D, class P>
+struct EnergySums
+{
+    static constexpr const char* name = "energy";
+    Box<D, P> box;
+    FluidModel<D, P> model;
+    FluidFields<D, P> fluid;
+
+    HD void add(int i, double* sums) const
+    {
+        double v2 = 0, height = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            v2 += double(fluid.v[d][i])*fluid.v[d][i];
+            height -= double(model.gravity.c[d])*box.toMetres(d, fluid.x[d][i]);
+        }
+        sums[0] += 0.5*model.mass*v2;
+        sums[1] += model.mass*height;
+        sums[2] += model.mass*model.eos.elasticEnergy(fluid.deviation[i]);
+    }
+};
+
+//- Pressures of walls into the order of the input
+template<class Backend, int D, class P>
+struct ReadWalls
+{
+    using real = typename P::real;
+    static constexpr const char* name = "readWalls";
+    RecordsView<Backend, D, P> wall;
+    const std::int32_t* id;
+    real* pressure;
+
+    HD void operator()(int i) const
+    {
+        const PairParticle<D, real> p = wall.template load<false>(i);
+        pressure[id[i]] = p.pressureTerm*p.density*p.density;
+    }
+};
+
+//- Neighbours within the support
+template<class Backend, int Dim, class P>
+struct CountPass
+{
+    using precision = P;
+    using real = typename P::real;
+    template<class T> using Self = T;
+
+    static constexpr const char* name = "countNeighbours";
+    static constexpr int dimensions = Dim, sources = 2, channels = 1;
+    static constexpr bool variableH = false, hasMaxima = false;
+
+    Box<Dim, P> box;
+    CellGrid<Dim, P> grid;
+    Source<Backend, Dim, P> source[2];
+    real support2;
+    real* result;
+    int count;
+
+    HD bool enabled() const { return true; }
+    HD int targets() const { return count; }
+    HD float* maxima() const { return nullptr; }
+    HD Vec<Dim, typename P::position> position(int i) const { return source[0].records.loadPosition(i); }
+    template<class T> HD T self(int) const { return T(real(0)); }
+
+    template<int S, class T>
+    HD void pair(const T&, const PairParticle<Dim, T>&, const Vec<Dim, T>&, T r2, T* sums) const
+    {
+        const T within = selectGreater(T(support2), r2, T(real(1)), T(real(0)));
+        sums[0] += selectGreater(r2, T(real(0)), within, T(real(0)));
+    }
+
+    HD void finish(int i, const real* sums, float*) const { result[i] = sums[0]; }
+};
+
+template<class Backend, int D, class P>
+int SphSolver<Backend, D, P>::activeFluid()
+{
+    int active = 0;
+    context_.toHost(&active, fluidSort_.active(), sizeof(int));
+    return active;
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const
+{
+    out.assign(3*n, emptyCoordinate_);
+    for (int d = 0; d < D; ++d)
+        for (std::size_t i = 0; i < n; ++i) out[3*i + config_.axes[d]] = box_.toMetres(d, x[d][i]);
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::refreshRecords()
+{
+    forEach(context_, n_, mover<RefreshRecords<Backend, D, P>>());
+}
+
+template<class Backend, int D, class P>
+FluidState SphSolver<Backend, D, P>::fluid()
+{
+    const int n = activeFluid();
+    FluidState s;
+    std::vector<std::int64_t> x[D];
+    for (int d = 0; d < D; ++d) x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
+    toMetres(x, n, s.position);
+    s.velocity.assign(3*std::size_t(n), 0.0);
+    for (int d = 0; d < D; ++d)
+    {
+        const auto v = fluid_.template download<real>(context_, vField_ + d);
+        for (int i = 0; i < n; ++i) s.velocity[3*std::size_t(i) + config_.axes[d]] = v[i];
+    }
+    const auto deviation = fluid_.template download<real>(context_, deviationField_);
+    s.id = fluid_.template download<std::int32_t>(context_, idField_);
+    s.id.resize(n);
+    for (int i = 0; i < n; ++i)
+    {
+        s.density.push_back(config_.density*(1 + double(deviation[i])));
+        s.pressure.push_back(model_.eos.pressure(deviation[i]));
+        s.smoothingLength.push_back(model_.smoothingLength(deviation[i]));
+    }
+    return s;
+}
+
+template<class Backend, int D, class P>
+WallState SphSolver<Backend, D, P>::walls()
+{
+    WallState s;
+    s.position = wallInput_;
+    s.velocity.assign(wallInput_.size(), 0.0);
+    s.pressure.assign(nWalls_, 0.0);
+    if (!nWalls_) return s;
+    Array<Backend, real> pressure;
+    pressure.allocate(context_, nWalls_);
+    const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
+    forEach(context_, nWalls_, ReadWalls<Backend, D, P>{wallRecords_.view(), wallFields().id, pressure.data()});
+    const auto p = pressure.download();
+    for (int i = 0; i < nWalls_; ++i) s.pressure[i] = p[i];
+    if (!nBodies_) return s;
+    for (int d = 0; d < D; ++d)
+    {
+        const auto x = wall_.template download<std::int64_t>(context_, wallXField_ + d);
+        const auto v = wall_.template download<real>(context_, wallVField_ + d);
+        for (int i = 0; i < nWalls_; ++i)
+        {
+            if (wallBodies_[id[i]] < 0) continue;
+            s.position[3*std::size_t(id[i]) + config_.axes[d]] = box_.toMetres(d, x[i]);
+            s.velocity[3*std::size_t(id[i]) + config_.axes[d]] = v[i];
+        }
+    }
+    return s;
+}
+
+template<class Backend, int D, class P>
+SphEnergy SphSolver<Backend, D, P>::energy()
+{
+    const auto sums = sumOver<3>(context_, activeFluid(), EnergySums<D, P>{box_, model_, fluidFields()});
+    SphEnergy e;
+    e.kinetic = sums[0];
+    e.potential = sums[1];
+    e.elastic = sums[2];
+    e.wallWork = wallWork_;
+    return e;
+}
+
+template<class Backend, int D, class P>
+std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
+{
+    std::vector<Vector3> total(nBodies_ + 1, Vector3{{0, 0, 0}});
+    if (!nWalls_) return total;
+    rebuild();
+    Array<Backend, real> force;
+    force.allocate(context_, std::size_t(nWalls_)*D);
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        const auto terms = terms_.wallTerms();
+        WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
+        {
+            box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
+            force.data()
+        };
+        directPairLoop(context_, pass, nWalls_);
+    });
+    const auto f = force.download();
+    const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
+    for (int i = 0; i < nWalls_; ++i)
+        for (int d = 0; d < D; ++d) total[wallBodies_[id[i]] + 1][config_.axes[d]] += f[std::size_t(i)*D + d];
+    return total;
+}
+
+template<class Backend, int D, class P>
+SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
+{
+    const std::size_t m = points.size()/3;
+    SampleResult r;
+    r.volumeFraction.assign(m, 0.0);
+    r.pressure.assign(m, 0.0);
+    r.velocity.assign(3*m, 0.0);
+    if (!m || !n_) return r;
+    std::vector<position> x(m*D);
+    for (std::size_t i = 0; i < m; ++i)
+        for (int d = 0; d < D; ++d)
+        {
+            // points outside the box see its edge, where there is no fluid
+            double p = points[3*i + config_.axes[d]];
+            if (!box_.periodic[d])
+                p = std::min(std::max(p, box_.lower[d]), box_.lower[d] + box_.length[d]*(1 - 1e-9));
+            x[i*D + d] = box_.pairPosition(d, box_.toFixed(d, p));
+        }
+    refreshRecords();
+    constexpr int channels = 2 + D;
+    Array<Backend, position> device;
+    Array<Backend, real> result;
+    device.upload(context_, x);
+    result.allocate(context_, m*channels);
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        SamplePass<Backend, D, P, Kernel, decltype(variable)::value> pass
+        {
+            box_, grid_, {fluidSource(false)}, kernelConstants<Kernel>(), model_, device.data(), result.data(), int(m)
+        };
+        directPairLoop(context_, pass, int(m));
+    });
+    const auto sums = result.download();
+    for (std::size_t i = 0; i < m; ++i)
+    {
+        const real* s = &sums[i*channels];
+        r.volumeFraction[i] = s[0];
+        if (!(s[0] > 1e-6)) continue;
+        r.pressure[i] = s[1]/s[0];
+        for (int d = 0; d < D; ++d) r.velocity[3*i + config_.axes[d]] = s[2 + d]/s[0];
+    }
+    return r;
+}
+
+template<class Backend, int D, class P>
+double SphSolver<Backend, D, P>::neighboursPerParticle()
+{
+    const int n = activeFluid();
+    if (!n) return 0;
+    refreshRecords();
+    Array<Backend, real> result;
+    result.allocate(context_, n);
+    const double support = 2*config_.smoothingRatio*config_.spacing;
+    CountPass<Backend, D, P> pass{box_, grid_, {fluidSource(false), wallSource()}, real(support*support), result.data(), n};
+    run(pass, n);
+    double sum = 0;
+    for (const real c : result.download()) sum += c;
+    return sum/n;
+}
+
+template<class Backend, int D, class P>
+double SphSolver<Backend, D, P>::estimateTimeStep(std::string& limit)
+{
+    readClock();
+    Limit l = Limit::none;
+    const double dt = tick().longest(host_, l);
+    static const char* names[] = {"none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
+    limit = names[int(l)];
+    return dt;
+}
+
+template<class Backend, int D, class P>
+std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
+{
+    std::vector<ArrayInfo> r;
+    const auto add = [&](const char* set, const std::string& name, std::size_t bytes, std::size_t n)
+    { if (bytes) r.push_back(ArrayInfo{set, name, n ? bytes/n : 0, bytes}); };
+    for (const auto& f : fluid_.info()) add("fluid", f.name, std::size_t(2*f.bytes)*n_, n_);
+    add("fluid", "records", fluidRecords_.bytes(), n_);
+    add("fluid", "reference", fluidReference_.bytes(), n_);
+    add("fluid", "cells", fluidSort_.bytes(), n_);
+    add("fluid", "stepStart", startX_.bytes() + startV_.bytes() + startDeviation_.bytes(), n_);
+    for (const auto& f : wall_.info()) add("wall", f.name, std::size_t(2*f.bytes)*nWalls_, nWalls_);
+    add("wall", "records", wallRecords_.bytes(), nWalls_);
+    add("wall", "cells", wallSort_.bytes(), nWalls_);
+    add("wall", "motion", wallReference_.bytes() + wallRest_.bytes() + poses_.bytes(), nWalls_);
+    if constexpr (Backend::gpu)
+    {
+        add("lists", "fluidFluid", parts_.fluidFluid.bytes(), n_);
+        add("lists", "fluidWall", parts_.fluidWall.bytes(), n_);
+        add("lists", "wallFluid", parts_.wallFluid.bytes(), nWalls_);
+    }
+    return r;
+}
+
+template<class Backend, int D, class P>
+std::vector<KernelInfo> SphSolver<Backend, D, P>::kernels() const
+{
+    std::vector<KernelInfo> r;
+    for (const auto& e : context_.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    return r;
+}
+
+} // namespace riprap

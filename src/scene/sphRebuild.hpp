@@ -1,0 +1,102 @@
+/*  The kernels of a rebuild: keys of particles, and their records in the new order. */
+#pragma once
+
+#include "core/cellGrid.hpp"
+#include "sph/time/leapfrog.hpp"
+
+namespace riprap
+{
+
+template<int D, class P>
+struct FluidKeys
+{
+    static constexpr const char* name = "fluidKeys";
+
+    Box<D, P> box;
+    CellGrid<D, P> grid;
+    FluidModel<D, P> model;
+    std::int64_t* x[D];
+    std::uint32_t* keys;
+    std::uint32_t* indices;
+    const int* active;          // those behind have left before
+
+    HD void operator()(int i) const
+    {
+        Vec<D, std::int64_t> p;
+        Vec<D, typename P::real> r;
+        for (int d = 0; d < D; ++d)
+        {
+            p.c[d] = x[d][i];
+            r.c[d] = box.pairRelative(d, box.pairPosition(d, p.c[d]));
+        }
+        const bool in = i < *active && model.inside(box, p);
+        keys[i] = in ? std::uint32_t(grid.cellOf(r)) : std::uint32_t(grid.cells);
+        indices[i] = std::uint32_t(i);
+    }
+};
+
+template<int D, class P>
+struct WallKeys
+{
+    static constexpr const char* name = "wallKeys";
+
+    Box<D, P> box;
+    CellGrid<D, P> grid;
+    std::int64_t* x[D];
+    std::uint32_t* keys;
+    std::uint32_t* indices;
+
+    HD void operator()(int i) const
+    {
+        Vec<D, typename P::real> r;
+        for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x[d][i]));
+        keys[i] = std::uint32_t(grid.cellOf(r));
+        indices[i] = std::uint32_t(i);
+    }
+};
+
+//- Fluid records from the state at hand, and the positions that the skin is measured from
+template<class Backend, int D, class P>
+struct PlaceFluid : Mover<Backend, D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "placeFluid";
+
+    HD void operator()(int i) const
+    {
+        if (i == 0) this->clock->needRebuild = 0;
+        if (i >= *this->count) return;
+        const Vec<D, std::int64_t> x = this->position(i);
+        Vec<D, real> v;
+        for (int d = 0; d < D; ++d)
+        {
+            v.c[d] = this->fluid.v[d][i];
+            this->reference[d][i] = this->box.pairPosition(d, x.c[d]);
+        }
+        this->record(i, x, v, this->fluid.deviation[i]);
+    }
+};
+
+template<class Backend, int D, class P>
+struct PlaceWalls
+{
+    static constexpr const char* name = "placeWalls";
+
+    Box<D, P> box;
+    std::int64_t* x[D];
+    RecordsView<Backend, D, P> records;
+    typename P::position* reference[D];     // null where walls are fixed
+
+    HD void operator()(int i) const
+    {
+        Vec<D, typename P::position> p;
+        for (int d = 0; d < D; ++d)
+        {
+            p.c[d] = box.pairPosition(d, x[d][i]);
+            if (reference[d]) reference[d][i] = p.c[d];
+        }
+        records.storePosition(i, p);
+    }
+};
+
+} // namespace riprap

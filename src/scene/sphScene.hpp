@@ -1,0 +1,230 @@
+/*  SPH scene: the plain C++ facade between riprap's particle solver and whoever sets a scene up.
+
+    No OpenFOAM and no CUDA appear here. All quantities are SI, double, host memory; vectors are
+    stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well (the empty one is ignored and
+    returned as given). A scene owns everything that lives on its device.
+*/
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace riprap
+{
+
+using Vector3 = std::array<double, 3>;
+
+enum class DeviceKind {automatic, cpu, gpu};
+enum class PrecisionKind {mixed, doubled};
+enum class KernelKind {wendlandC2, cubicSpline};
+enum class EosKind {Tait, linear};
+enum class ViscosityKind {none, laminar, artificial, laminarAndArtificial};
+enum class DiffusionKind {none, molteni, fourtakas};
+enum class ShiftingKind {none, fickian};
+enum class WallKind {stationary, extrapolated};
+enum class IntegratorKind {leapfrog, symplectic};
+
+//- Everything that the equations need, checked by the reader of dictionaries (ranges) and once more
+//  by createSphScene (consistency, std::invalid_argument).
+struct SphConfig
+{
+    // Where and how
+    int dimensions = 2;                     // 2 or 3
+    int axes[3] = {0, 1, 2};                // 2D: axes[0], axes[1] are solved, axes[2] is empty
+    DeviceKind device = DeviceKind::automatic;
+    PrecisionKind precision = PrecisionKind::mixed;
+
+    // Domain: particles that leave it have escaped. Periodic axes are wrapped.
+    Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
+    bool periodic[3] = {false, false, false};
+
+    // Fluid
+    double spacing = 0;                     // initial fluid spacing dp [m]
+    double density = 1000;                  // reference density rho0 [kg/m3]
+    double viscosity = 0;                   // dynamic viscosity mu [Pa s]
+    Vector3 gravity{{0, 0, 0}};             // [m/s2]
+
+    // Equation of state
+    EosKind eos = EosKind::Tait;
+    double gamma = 7;
+    double maxVelocity = 1;                 // vmax [m/s], the scene's estimate
+    double soundSpeed = 10;                 // c0 [m/s], normally 10 vmax (Eq. 35)
+
+    // Kernel
+    KernelKind kernel = KernelKind::wendlandC2;
+    double smoothingRatio = 1.25;           // h0/dp
+    bool variableSmoothing = false;         // Eq. 37
+    double maxSmoothingGrowth = 1.2;        // h is limited to [h0/f, f h0]
+
+    // Terms
+    ViscosityKind viscosityModel = ViscosityKind::laminar;
+    double artificialAlpha = 0.02;
+    double antiClump = 0;                   // coefficient of Eq. 38 (0.01), 0: off
+    double xsph = 0;                        // epsilon of Eq. 39, 0: off
+    DiffusionKind diffusion = DiffusionKind::none;
+    double diffusionDelta = 0.1;
+    ShiftingKind shifting = ShiftingKind::none;
+    double shiftingCoefficient = 2;         // A of Skillen et al. 2013
+    double shiftingSurfaceThreshold = -1;   // div(r) below which no shifting acts; < 0: 1.5 (2D), 2.75 (3D)
+
+    // Walls
+    WallKind wallModel = WallKind::extrapolated;
+    double wallSpacing = 0;                 // [m]
+    bool noSlip = true;                     // wall enters viscous terms
+
+    // Time
+    double startTime = 0;                   // [s] the scene's clock at creation (loadState brings its own)
+    IntegratorKind integrator = IntegratorKind::leapfrog;
+    bool adjustTimeStep = true;
+    double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
+    double maxTimeStep = 1e30;              // [s]
+    double acousticCourant = 0.3;           // dt <= C h/(c0 + |v|max)
+    double forceCourant = 0.25;             // dt <= C sqrt(h/|a|max)
+    double viscousCourant = 0.125;          // dt <= C h^2 rho/mu
+
+    // Guards
+    double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
+    double maxSpeedRatio = 5;               // |v|/vmax that stops the run
+};
+
+//- Particles as the reader of a case or setParticles gives them
+struct FluidInput
+{
+    std::vector<double> position;           // 3 n
+    std::vector<double> velocity;           // 3 n
+    std::vector<double> density;            // n [kg/m3]
+    std::vector<std::int32_t> id;           // n, unique; empty: 0 .. n-1
+    std::size_t size() const { return position.size()/3; }
+};
+
+struct WallInput
+{
+    std::vector<double> position;           // 3 n
+    std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
+    std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed; empty: all fixed
+    int nBodies = 0;
+    std::size_t size() const { return position.size()/3; }
+};
+
+//- Pose of a moving wall group: x(t) = centre(t) + R(t) (X - X0)
+struct WallPose
+{
+    std::array<double, 9> rotation{{1, 0, 0, 0, 1, 0, 0, 0, 1}};   // row-major
+    Vector3 translation{{0, 0, 0}};         // x = R X + translation, X the reference position
+};
+
+//- Pose of moving wall group `body` at time t; called on the host, a few times a call of advance
+using WallMotion = std::function<WallPose(int body, double t)>;
+
+enum class StopReason {none, notANumber, density, speed, listOverflow};
+
+//- What one call of advance did
+struct SphReport
+{
+    double time = 0;                        // [s] reached
+    double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
+    std::int64_t steps = 0;                 // taken in this call
+    std::int64_t totalSteps = 0;
+    std::string limit;                      // what set the last step: acoustic | force | viscous | fixed | target | maximum
+    double maxSpeed = 0, maxDensityDeviation = 0;
+    std::int64_t rebuilds = 0;              // neighbour structures built in this call
+    std::size_t fluid = 0;                  // particles still in the scene
+    std::vector<Vector3> escaped;           // last positions of those that left in this call
+    std::vector<std::int32_t> escapedId;
+    StopReason stop = StopReason::none;     // then: which particle, where, when, how much
+    std::int32_t stopId = -1;
+    Vector3 stopPosition{{0, 0, 0}};
+    double stopValue = 0;
+};
+
+struct SphEnergy                            // [J] (2D: per metre of depth)
+{
+    double kinetic = 0, potential = 0, elastic = 0;
+    double wallWork = 0;                    // done by moving walls since the start
+};
+
+//- A device array as the user sees it in the report of what a scene holds
+struct ArrayInfo { std::string set, name; std::size_t bytesPerParticle = 0, bytes = 0; };
+
+struct KernelInfo { std::string name; std::int64_t launches = 0; double seconds = 0; };
+
+//- Fluid on the host, in the device's order
+struct FluidState
+{
+    std::vector<double> position, velocity; // 3 n
+    std::vector<double> density, pressure, smoothingLength; // n
+    std::vector<std::int32_t> id;
+};
+
+struct WallState
+{
+    std::vector<double> position, velocity, pressure;   // 3 n, 3 n, n; in the order of WallInput
+};
+
+//- Interpolated values at points: sum V f W / sum V W, and sum V W itself
+struct SampleResult
+{
+    std::vector<double> volumeFraction;     // m: sum of V_j W, about 1 inside, 0 outside
+    std::vector<double> pressure;           // m [Pa], 0 where there is no fluid
+    std::vector<double> velocity;           // 3 m [m/s]
+};
+
+class SphScene
+{
+public:
+    virtual ~SphScene() = default;
+
+    //- Advance to time t [s] or by maxSteps (0: no limit), whichever comes first. The last step is
+    //  shortened to end at t to round-off. Stops early when a guard fires (see SphReport::stop).
+    virtual SphReport advance(double t, std::int64_t maxSteps = 0) = 0;
+
+    //- Ask a running advance to return after the step in hand (safe in a signal handler's thread)
+    virtual void interrupt() = 0;
+
+    virtual double time() const = 0;
+    virtual FluidState fluid() = 0;
+    virtual WallState walls() = 0;
+    virtual SphEnergy energy() = 0;
+
+    //- Force of the fluid on the fixed and moving walls [N] (2D: per metre), per body (-1 first)
+    virtual std::vector<Vector3> wallForces() = 0;
+
+    //- Kernel interpolation of the fluid at points (3 m)
+    virtual SampleResult sample(const std::vector<double>& points) = 0;
+
+    //- The exact state, so that a run continues bit for bit on the same device and precision.
+    //  Opaque words with a header and a checksum; after saveState the scene itself continues as a
+    //  scene that was given this state.
+    virtual std::vector<std::int32_t> saveState() = 0;
+
+    //- Continue from saved words; std::invalid_argument says what does not fit
+    virtual void loadState(const std::vector<std::int32_t>&) = 0;
+
+    //- The step that would be taken now and what limits it
+    virtual double estimateTimeStep(std::string& limit) = 0;
+
+    virtual std::vector<ArrayInfo> arrays() const = 0;
+    virtual std::vector<KernelInfo> kernels() const = 0;
+    virtual void timeKernels(bool on) = 0;  // measure seconds a kernel (slows small scenes)
+    virtual double neighboursPerParticle() = 0;
+
+    virtual std::string deviceName() const = 0;
+    virtual DeviceKind device() const = 0;
+};
+
+//- What automatic chose and why; false where there is no usable GPU
+struct DeviceChoice { DeviceKind device = DeviceKind::cpu; std::string reason; };
+DeviceChoice chooseDevice(DeviceKind asked, std::size_t particles, int dimensions);
+
+//- Build a scene. motion may be empty when nBodies is 0.
+//  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
+std::unique_ptr<SphScene> createSphScene
+(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion motion = WallMotion()
+);
+
+} // namespace riprap

@@ -1,0 +1,250 @@
+/*  SphSolver: construction from a configuration and particles. */
+#pragma once
+
+#include "scene/sphSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+SphSolver<Backend, D, P>::SphSolver
+(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion)
+:
+    config_(config), motion_(std::move(motion)), terms_(config)
+{
+    clock_.allocate(context_, 1);
+    setModel();
+    setBox();
+    setFluid(fluid);
+    setWalls(walls);
+    allocateLists();
+    if (nBodies_) setPoses(0, 1e-30);
+    prime();
+}
+
+//- Half of what is added to the support may be travelled by a particle before neighbours are sought anew
+template<class Backend, int D, class P>
+double SphSolver<Backend, D, P>::skinRatio() const
+{
+    return Backend::gpu ? 0.12 : 0.10;
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setModel()
+{
+    const SphConfig& c = config_;
+    model_.eos = EquationOfState<real>::make(c.eos == EosKind::linear, c.gamma, c.soundSpeed, c.density);
+    for (int d = 0; d < D; ++d) model_.gravity.c[d] = real(c.gravity[c.axes[d]]);
+    const double h0 = c.smoothingRatio*c.spacing;
+    model_.rho0 = real(c.density);
+    model_.h0 = real(h0);
+    model_.hMin = real(h0/c.maxSmoothingGrowth);
+    model_.hMax = real(h0*c.maxSmoothingGrowth);
+    model_.mass = real(c.density*std::pow(c.spacing, D));
+    model_.wallMass = real(c.density*std::pow(c.wallSpacing, D));
+    model_.spacing = real(c.spacing);
+    model_.variableH = c.variableSmoothing;
+    model_.drifts = terms_.on.xsph || terms_.on.shifting;
+
+    double nu = terms_.on.laminar ? c.viscosity/c.density : 0;
+    // Monaghan 2005: the artificial viscosity acts as nu = alpha c0 h/(2 (D + 2))
+    if (terms_.on.artificial) nu += c.artificialAlpha*c.soundSpeed*h0/(2*(D + 2));
+    limits_.adjust = c.adjustTimeStep;
+    limits_.fixedDt = c.fixedTimeStep;
+    limits_.maxDt = c.maxTimeStep;
+    limits_.acoustic = c.acousticCourant;
+    limits_.force = c.forceCourant;
+    limits_.h = h0;
+    limits_.viscousDt = nu > 0 ? c.viscousCourant*h0*h0/nu : 1e30;
+    limits_.maxDeviation = c.maxDensityDeviation;
+    limits_.maxSignal = c.soundSpeed*std::pow(1 + c.maxDensityDeviation, 3) + c.maxSpeedRatio*c.maxVelocity;
+    limits_.growth = 1.2;
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setBox()
+{
+    const SphConfig& c = config_;
+    const double support = 2*c.smoothingRatio*c.spacing*(c.variableSmoothing ? c.maxSmoothingGrowth : 1);
+    const double skin = skinRatio()*support;
+    const double radius = support + skin;
+    halfSkin_ = real(0.5*skin);
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = c.axes[d];
+        const double lo = c.domainMin[axis], hi = c.domainMax[axis];
+        if (c.periodic[axis])
+        {
+            // each row of cells must be its own neighbour at most once
+            if (hi - lo < 3*radius)
+                throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
+                  + " m long; it must be at least three search radii, " + std::to_string(3*radius) + " m");
+            box_.set(d, lo, hi - lo, true);
+            model_.domainMin[d] = -1e300;
+            model_.domainMax[d] = 1e300;
+        }
+        else
+        {
+            // a margin of two radii: fixed-point differences across it are never mistaken for near ones
+            box_.set(d, lo - radius, hi - lo + 2*radius, false);
+            model_.domainMin[d] = radius*(1 - 1e-9);
+            model_.domainMax[d] = radius + (hi - lo)*(1 + 1e-9);
+        }
+    }
+    const int reach = Backend::gpu ? 2 : 1;
+    const double volume = [&] { double v = 1; for (int d = 0; d < D; ++d) v *= box_.length[d]; return v; }();
+    const double cells = std::max(1e5, std::min(4e8, 2*volume/std::pow(c.spacing, D)));
+    grid_.set(box_, radius, reach, 6, cells);
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setFluid(const FluidInput& in)
+{
+    n_ = reported_ = int(in.size());
+    const char* axisName[3] = {"x", "y", "z"};
+    const auto addVector = [&](const char* name)
+    {
+        const int first = fluid_.fields();
+        for (int d = 0; d < D; ++d) fluid_.template add<real>(std::string(name) + "." + axisName[d]);
+        return first;
+    };
+    xField_ = fluid_.fields();
+    for (int d = 0; d < D; ++d) fluid_.template add<std::int64_t>(std::string("position.") + axisName[d]);
+    vField_ = addVector("velocity");
+    deviationField_ = fluid_.template add<real>("densityDeviation");
+    aField_ = addVector("acceleration");
+    rateField_ = fluid_.template add<real>("densityRate");
+    if (model_.drifts) driftField_ = addVector("drift");
+    idField_ = fluid_.template add<std::int32_t>("id");
+    fluid_.allocate(context_, n_);
+    fluidRecords_.allocate(context_, n_, model_.variableH);
+    fluidReference_.allocate(context_, std::size_t(n_)*D);
+    fluidSort_.allocate(context_, n_, grid_.cells);
+    if (config_.integrator == IntegratorKind::symplectic)
+    {
+        startX_.allocate(context_, std::size_t(n_)*D);
+        startV_.allocate(context_, std::size_t(n_)*D);
+        startDeviation_.allocate(context_, n_);
+    }
+
+    if (n_ && D == 2) emptyCoordinate_ = in.position[config_.axes[2]];
+    std::vector<std::int64_t> x(n_);
+    std::vector<real> value(n_);
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = config_.axes[d];
+        for (int i = 0; i < n_; ++i) x[i] = box_.toFixed(d, in.position[3*std::size_t(i) + axis]);
+        fluid_.upload(context_, xField_ + d, x);
+        for (int i = 0; i < n_; ++i) value[i] = real(in.velocity[3*std::size_t(i) + axis]);
+        fluid_.upload(context_, vField_ + d, value);
+    }
+    for (int i = 0; i < n_; ++i) value[i] = real(in.density[i]/config_.density - 1);
+    fluid_.upload(context_, deviationField_, value);
+    std::vector<std::int32_t> id = in.id;
+    if (id.empty()) for (int i = 0; i < n_; ++i) id.push_back(i);
+    fluid_.upload(context_, idField_, id);
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setWalls(const WallInput& in)
+{
+    nWalls_ = int(in.size());
+    nBodies_ = in.nBodies;
+    wallInput_ = in.position;
+    wallBodies_ = in.body.empty() ? std::vector<std::int32_t>(nWalls_, -1) : in.body;
+    if (!nWalls_) return;
+    wallXField_ = wall_.fields();
+    for (int d = 0; d < D; ++d) wall_.template add<std::int64_t>("position." + std::to_string(d));
+    wallIdField_ = wall_.template add<std::int32_t>("id");
+    if (nBodies_)
+    {
+        wallBodyField_ = wall_.template add<std::int32_t>("body");
+        wallVField_ = wall_.fields();
+        for (int d = 0; d < D; ++d) wall_.template add<real>("velocity." + std::to_string(d));
+        wallAField_ = wall_.fields();
+        for (int d = 0; d < D; ++d) wall_.template add<real>("acceleration." + std::to_string(d));
+        wallRest_.upload(context_, in.position);
+        wallReference_.allocate(context_, std::size_t(nWalls_)*D);
+        poses_.allocate(context_, std::size_t(nBodies_)*(poseIntervals + 1));
+    }
+    wall_.allocate(context_, nWalls_);
+    wallRecords_.allocate(context_, nWalls_, model_.variableH);
+    wallSort_.allocate(context_, nWalls_, grid_.cells);
+    std::vector<std::int64_t> x(nWalls_);
+    std::vector<std::int32_t> id(nWalls_);
+    for (int d = 0; d < D; ++d)
+    {
+        for (int i = 0; i < nWalls_; ++i)
+            x[i] = box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]);
+        wall_.upload(context_, wallXField_ + d, x);
+    }
+    for (int i = 0; i < nWalls_; ++i) id[i] = i;
+    wall_.upload(context_, wallIdField_, id);
+    if (nBodies_) wall_.upload(context_, wallBodyField_, wallBodies_);
+}
+
+//- First forces, from the state as given
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::prime()
+{
+    host_ = ClockData();
+    host_.active = 1;
+    writeClock();
+    if (nWalls_)
+    {
+        rebuildWalls();
+        forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
+    }
+    for (;;)
+    {
+        rebuild();
+        readClock();
+        if (!(host_.overflow[0] || host_.overflow[1] || host_.overflow[2])) break;
+        growLists();
+    }
+    moveWalls(false);
+    wallPass();
+    fluidPass(Finish::store);
+    context_.synchronise();
+    readClock();
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::allocateLists()
+{
+    if constexpr (Backend::gpu)
+    {
+        shift_ = n_ <= 24000 ? 3 : (n_ <= 200000 ? 2 : (n_ <= 500000 ? 1 : 0));
+        const double pi = 3.14159265358979323846, r = grid_.radius;
+        const double sphere = D == 2 ? pi*r*r : 4*pi*r*r*r/3;
+        const int lanes = 1 << shift_;
+        const int fluidNeighbours = int(1.4*sphere/std::pow(config_.spacing, D)) + 8;
+        const int capacity = (fluidNeighbours/lanes*(lanes > 1 ? 3 : 2)/2 + 7)/4 + 1;
+        parts_.fluidFluid.allocate(context_, n_, shift_, false, capacity);
+        if (nWalls_)
+        {
+            const int wallBlocks = int(0.1*sphere/std::pow(config_.wallSpacing, D)/lanes) + 1;
+            const long long warps = ((long long)n_ << shift_)/32 + 1, wallWarps = ((long long)nWalls_ << shift_)/32 + 1;
+            parts_.fluidWall.allocate(context_, n_, shift_, true, int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256));
+            parts_.wallFluid.allocate(context_, nWalls_, shift_, true, int(wallWarps*capacity/4 + 256));
+        }
+    }
+}
+
+//- Room for the lists that did not fit, half as much again as was needed
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::growLists()
+{
+    if constexpr (Backend::gpu)
+    {
+        const auto grown = [](int needed) { return needed + needed/2 + 1; };
+        if (host_.overflow[0]) parts_.fluidFluid.allocate(context_, n_, shift_, false, grown(host_.overflow[0]));
+        if (host_.overflow[1]) parts_.fluidWall.allocate(context_, n_, shift_, true, grown(host_.overflow[1]));
+        if (host_.overflow[2]) parts_.wallFluid.allocate(context_, nWalls_, shift_, true, grown(host_.overflow[2]));
+        parts_.graph.clear();
+        for (int& o : host_.overflow) o = 0;
+        writeClock();
+    }
+}
+
+} // namespace riprap

@@ -1,0 +1,151 @@
+/*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
+    sphSetup.hpp (construction), sphStep.hpp (steps and rebuilds), sphAdvance.hpp (the loop over steps),
+    sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+*/
+#pragma once
+
+#include <atomic>
+#include "core/cellSort.hpp"
+#include "core/pairLoop.hpp"
+#ifdef __CUDACC__
+    #include "core/graph.hpp"
+    #include "core/neighbourList.hpp"
+#endif
+#include "scene/sphFamilies.hpp"
+#include "scene/sphRebuild.hpp"
+#include "sph/boundary/movingWall.hpp"
+#include "sph/boundary/stationaryWall.hpp"
+#include "sph/time/symplectic.hpp"
+
+namespace riprap
+{
+
+//- What only one backend has
+template<class Backend, int D, class P> struct BackendParts { };
+
+#ifdef __CUDACC__
+template<int D, class P>
+struct BackendParts<Gpu, D, P>
+{
+    NeighbourList<D, P> fluidFluid, fluidWall, wallFluid;
+    Graph graph;
+};
+#endif
+
+template<class Backend, int D, class P>
+class SphSolver : public SphScene
+{
+public:
+
+    using real = typename P::real;
+    using position = typename P::position;
+
+    SphSolver(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
+
+    SphReport advance(double t, std::int64_t maxSteps) override;
+    void interrupt() override { interrupted_ = true; }
+    double time() const override { return host_.time; }
+    FluidState fluid() override;
+    WallState walls() override;
+    SphEnergy energy() override;
+    std::vector<Vector3> wallForces() override;
+    SampleResult sample(const std::vector<double>& points) override;
+    std::vector<std::int32_t> saveState() override;
+    void loadState(const std::vector<std::int32_t>&) override;
+    double estimateTimeStep(std::string& limit) override;
+    std::vector<ArrayInfo> arrays() const override;
+    std::vector<KernelInfo> kernels() const override;
+    void timeKernels(bool on) override { context_.profile.timing = on; }
+    double neighboursPerParticle() override;
+    std::string deviceName() const override;
+    DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
+
+private:
+
+    // sphSetup.hpp
+    void setModel();
+    void setBox();
+    void setFluid(const FluidInput&);
+    void setWalls(const WallInput&);
+    void allocateLists();
+    void growLists();
+    void prime();
+    double skinRatio() const;
+
+    // sphStep.hpp
+    FluidFields<D, P> fluidFields();
+    WallFields<D, P> wallFields();
+    Source<Backend, D, P> fluidSource(bool forWalls);
+    Source<Backend, D, P> wallSource();
+    template<class Kernel> KernelConstants<D, real> kernelConstants() const;
+    template<class M> M mover();
+    template<class Pass> void run(const Pass&, int targets);
+    void rebuild();
+    void rebuildWalls();
+    void buildLists();
+    void moveWalls(bool half);
+    void wallPass();
+    void fluidPass(Finish);
+    void step();
+    Tick tick() const;
+
+    // sphAdvance.hpp
+    void setPoses(double begin, double end);
+    void runToTarget(std::int64_t& rebuilds);
+    bool finished() const;
+    void readClock();
+    void writeClock();
+    void collectEscaped(SphReport&);
+    void findOffender(SphReport&);
+
+    // sphOutput.hpp
+    void refreshRecords();
+    int activeFluid();
+    void toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const;
+
+    SphConfig config_;
+    WallMotion motion_;
+    Context<Backend> context_;
+
+    Box<D, P> box_;
+    CellGrid<D, P> grid_;
+    FluidModel<D, P> model_;
+    StepLimits limits_;
+    TermParameters<D, real> terms_;
+    real halfSkin_ = 0;
+    double emptyCoordinate_ = 0;
+
+    int n_ = 0;                 // fluid particles with memory
+    int reported_ = 0;          // of them known to be in the scene
+    FieldSet<Backend> fluid_;
+    int xField_ = 0, vField_ = 0, deviationField_ = 0, aField_ = 0, rateField_ = 0, driftField_ = -1, idField_ = 0;
+    Records<Backend, D, P> fluidRecords_;
+    Array<Backend, position> fluidReference_;
+    CellSort<Backend> fluidSort_;
+    Array<Backend, std::int64_t> startX_;       // symplectic: state at the step's start
+    Array<Backend, real> startV_, startDeviation_;
+
+    int nWalls_ = 0, nBodies_ = 0;
+    FieldSet<Backend> wall_;
+    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1;
+    Records<Backend, D, P> wallRecords_;
+    Array<Backend, position> wallReference_;
+    CellSort<Backend> wallSort_;
+    Array<Backend, double> wallRest_;
+    std::vector<double> wallInput_;             // positions as given
+    std::vector<std::int32_t> wallBodies_;
+    Array<Backend, PoseSample> poses_;
+    double poseBegin_ = 0, poseStep_ = 1;
+    double wallWork_ = 0;       // done by moving walls [J]
+    static constexpr int poseIntervals = 32;
+
+    Array<Backend, ClockData> clock_;
+    ClockData host_;
+
+    BackendParts<Backend, D, P> parts_;
+    int shift_ = 0;             // log2 of the lanes a particle
+    int stepsPerCycle_ = 8;     // steps recorded between two rebuilds
+    std::atomic<bool> interrupted_{false};
+};
+
+} // namespace riprap

@@ -1,0 +1,100 @@
+/*  SphSolver: the exact state as words, so that a run continues bit for bit.
+
+    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
+    bytes of the clock; the clock; each field in the device's order; a checksum (FNV-1a over all words before it).
+*/
+#pragma once
+
+#include "scene/sphSolver.hpp"
+
+namespace riprap
+{
+
+namespace detail
+{
+
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 1;
+static constexpr int stateHeader = 10;
+
+inline std::int32_t checksum(const std::vector<std::int32_t>& words, std::size_t n)
+{
+    std::uint32_t h = 2166136261u;
+    for (std::size_t i = 0; i < n; ++i) h = (h ^ std::uint32_t(words[i]))*16777619u;
+    return std::int32_t(h);
+}
+
+inline void appendBytes(std::vector<std::int32_t>& words, const void* data, std::size_t bytes)
+{
+    const std::size_t at = words.size();
+    words.resize(at + (bytes + 3)/4, 0);
+    std::memcpy(&words[at], data, bytes);
+}
+
+} // namespace detail
+
+template<class Backend, int D, class P>
+std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
+{
+    readClock();
+    const int n = activeFluid();
+    std::vector<std::int32_t> words
+    {
+        detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
+        stepsPerCycle_, int(sizeof(ClockData))
+    };
+    detail::appendBytes(words, &host_, sizeof(ClockData));
+    std::vector<unsigned char> bytes;
+    for (int f = 0; f < fluid_.fields(); ++f)
+    {
+        bytes.resize(std::size_t(n)*fluid_.elementBytes(f));
+        if (n) context_.toHost(bytes.data(), fluid_.bytes(f), bytes.size());
+        detail::appendBytes(words, bytes.data(), bytes.size());
+    }
+    words.push_back(detail::checksum(words, words.size()));
+    return words;
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+{
+    const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
+    const std::size_t clockWords = (sizeof(ClockData) + 3)/4;
+    if (words.size() < detail::stateHeader + clockWords + 1) fail("too short");
+    if (words[0] != detail::stateMagic) fail("not a riprap state");
+    if (words[1] != detail::stateVersion) fail("version " + std::to_string(words[1]) + " is not supported");
+    if (detail::checksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
+    if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
+    if (words[3] != int(sizeof(real))) fail("it was written with another precision");
+    if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
+    if (words[6] != fluid_.fields()) fail("it has other fields (models were switched on or off)");
+    if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
+    const int n = words[5];
+    if (n < 0 || n > n_) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(n_));
+    std::size_t at = detail::stateHeader + clockWords, expected = at + 1;
+    for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    if (expected != words.size()) fail("wrong length");
+
+    std::memcpy(static_cast<void*>(&host_), &words[detail::stateHeader], sizeof(ClockData));
+    for (int f = 0; f < fluid_.fields(); ++f)
+    {
+        const std::size_t bytes = std::size_t(n)*fluid_.elementBytes(f);
+        if (n) context_.toDevice(fluid_.bytes(f), &words[at], bytes);
+        at += (bytes + 3)/4;
+    }
+    n_ = reported_ = n;
+    shift_ = words[7];
+    stepsPerCycle_ = words[8];
+    // memory laid out by the number of particles
+    fluidReference_.allocate(context_, std::size_t(n_)*D);
+    fluidSort_.allocate(context_, n_, grid_.cells);
+    if constexpr (Backend::gpu)
+    {
+        parts_.graph.clear();
+        allocateLists();
+    }
+    writeClock();
+    rebuild();
+    context_.synchronise();
+}
+
+} // namespace riprap

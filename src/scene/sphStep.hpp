@@ -1,0 +1,262 @@
+/*  SphSolver: neighbour structures and the parts of a step. */
+#pragma once
+
+#include "scene/sphSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+FluidFields<D, P> SphSolver<Backend, D, P>::fluidFields()
+{
+    FluidFields<D, P> f{};
+    for (int d = 0; d < D; ++d)
+    {
+        f.x[d] = fluid_.template data<std::int64_t>(xField_ + d);
+        f.v[d] = fluid_.template data<real>(vField_ + d);
+        f.a[d] = fluid_.template data<real>(aField_ + d);
+        f.drift[d] = driftField_ < 0 ? nullptr : fluid_.template data<real>(driftField_ + d);
+    }
+    f.deviation = fluid_.template data<real>(deviationField_);
+    f.rate = fluid_.template data<real>(rateField_);
+    f.id = fluid_.template data<std::int32_t>(idField_);
+    return f;
+}
+
+template<class Backend, int D, class P>
+WallFields<D, P> SphSolver<Backend, D, P>::wallFields()
+{
+    WallFields<D, P> f{};
+    for (int d = 0; d < D; ++d)
+    {
+        f.x[d] = wall_.template data<std::int64_t>(wallXField_ + d);
+        f.v[d] = wallVField_ < 0 ? nullptr : wall_.template data<real>(wallVField_ + d);
+        f.a[d] = wallAField_ < 0 ? nullptr : wall_.template data<real>(wallAField_ + d);
+    }
+    f.id = wall_.template data<std::int32_t>(wallIdField_);
+    f.body = wallBodyField_ < 0 ? nullptr : wall_.template data<std::int32_t>(wallBodyField_);
+    return f;
+}
+
+template<class Backend, int D, class P>
+Source<Backend, D, P> SphSolver<Backend, D, P>::fluidSource([[maybe_unused]] bool forWalls)
+{
+    Source<Backend, D, P> s{};
+    s.records = fluidRecords_.view();
+    s.start = fluidSort_.start();
+    if constexpr (Backend::gpu) s.list = forWalls ? parts_.wallFluid.view() : parts_.fluidFluid.view();
+    return s;
+}
+
+template<class Backend, int D, class P>
+Source<Backend, D, P> SphSolver<Backend, D, P>::wallSource()
+{
+    Source<Backend, D, P> s{};
+    if (!nWalls_) return s;
+    s.records = wallRecords_.view();
+    s.start = wallSort_.start();
+    if constexpr (Backend::gpu) s.list = parts_.fluidWall.view();
+    return s;
+}
+
+template<class Backend, int D, class P>
+template<class Kernel>
+KernelConstants<D, typename P::real> SphSolver<Backend, D, P>::kernelConstants() const
+{
+    return KernelConstants<D, real>::template make<Kernel>(config_.smoothingRatio*config_.spacing, config_.spacing);
+}
+
+template<class Backend, int D, class P>
+template<class M>
+M SphSolver<Backend, D, P>::mover()
+{
+    M m{};
+    m.box = box_;
+    m.model = model_;
+    m.fluid = fluidFields();
+    m.records = fluidRecords_.view();
+    for (int d = 0; d < D; ++d) m.reference[d] = fluidReference_.data() + std::size_t(d)*n_;
+    m.halfSkin = halfSkin_;
+    m.count = fluidSort_.active();
+    m.clock = clock_.data();
+    return m;
+}
+
+template<class Backend, int D, class P>
+template<class Pass>
+void SphSolver<Backend, D, P>::run(const Pass& pass, [[maybe_unused]] int targets)
+{
+    if constexpr (Backend::gpu) pairLoop(context_, pass, shift_, targets);
+    else pairLoop(context_, pass);
+}
+
+//- Sort the fluid into cells and find neighbours
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::rebuild()
+{
+    FluidKeys<D, P> keys;
+    keys.box = box_;
+    keys.grid = grid_;
+    keys.model = model_;
+    for (int d = 0; d < D; ++d) keys.x[d] = fluid_.template data<std::int64_t>(xField_ + d);
+    keys.keys = fluidSort_.keys();
+    keys.indices = fluidSort_.indices();
+    keys.active = fluidSort_.active();
+    forEach(context_, n_, keys);
+    fluidSort_.sort(context_, n_);
+    fluid_.permute(context_, fluidSort_.order(), n_);
+    forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
+    if (nBodies_) rebuildWalls();
+    buildLists();
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::rebuildWalls()
+{
+    WallKeys<D, P> keys;
+    keys.box = box_;
+    keys.grid = grid_;
+    for (int d = 0; d < D; ++d) keys.x[d] = wall_.template data<std::int64_t>(wallXField_ + d);
+    keys.keys = wallSort_.keys();
+    keys.indices = wallSort_.indices();
+    forEach(context_, nWalls_, keys);
+    wallSort_.sort(context_, nWalls_);
+    wall_.permute(context_, wallSort_.order(), nWalls_);
+    PlaceWalls<Backend, D, P> place;
+    place.box = box_;
+    place.records = wallRecords_.view();
+    for (int d = 0; d < D; ++d)
+    {
+        place.x[d] = wall_.template data<std::int64_t>(wallXField_ + d);
+        place.reference[d] = nBodies_ ? wallReference_.data() + std::size_t(d)*nWalls_ : nullptr;
+    }
+    forEach(context_, nWalls_, place);
+    if (config_.wallModel == WallKind::stationary)
+        forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::buildLists()
+{
+    if constexpr (Backend::gpu)
+    {
+        const auto fluid = fluidRecords_.view();
+        int* overflow = clock_.data()->overflow;
+        parts_.fluidFluid.build
+        (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow);
+        if (!nWalls_) return;
+        const auto wall = wallRecords_.view();
+        parts_.fluidWall.build
+        (context_, box_, grid_, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1);
+        if (config_.wallModel == WallKind::extrapolated)
+            parts_.wallFluid.build
+            (context_, box_, grid_, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2);
+    }
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::moveWalls(bool half)
+{
+    if (!nBodies_) return;
+    MoveWalls<Backend, D, P> m;
+    m.box = box_;
+    m.fields = wallFields();
+    m.wall = wallRecords_.view();
+    m.rest = wallRest_.data();
+    for (int d = 0; d < D; ++d)
+    {
+        m.axes[d] = config_.axes[d];
+        m.reference[d] = wallReference_.data() + std::size_t(d)*nWalls_;
+    }
+    m.table = PoseTable{poses_.data(), poseIntervals, poseBegin_, poseStep_};
+    m.halfSkin = halfSkin_;
+    m.half = half;
+    m.clock = clock_.data();
+    forEach(context_, nWalls_, m);
+    if (config_.wallModel == WallKind::stationary)
+        forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::wallPass()
+{
+    if (!nWalls_ || config_.wallModel != WallKind::extrapolated) return;
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        ExtrapolatedWallPass<Backend, D, P, Kernel, decltype(variable)::value> pass;
+        pass.box = box_;
+        pass.grid = grid_;
+        pass.source[0] = fluidSource(true);
+        pass.wall = wallRecords_.view();
+        pass.fields = wallFields();
+        pass.kernel = kernelConstants<Kernel>();
+        pass.model = model_;
+        pass.count = nWalls_;
+        pass.clock = clock_.data();
+        run(pass, nWalls_);
+    });
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::fluidPass(Finish mode)
+{
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        constexpr bool specialised = std::is_same<Kernel, WendlandC2>::value;
+        terms_.template withFluidTerms<specialised>([&](const auto& fluidTerms, auto shifts)
+        {
+            const auto wallTerms = terms_.wallTerms();
+            FluidPass
+            <
+                Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(fluidTerms)>,
+                std::decay_t<decltype(wallTerms)>, decltype(shifts)::value
+            > pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
+                terms_.shifting, model_, fluidFields(), fluidSort_.active(), clock_.data(), mode};
+            run(pass, n_);
+        });
+    });
+}
+
+template<class Backend, int D, class P>
+Tick SphSolver<Backend, D, P>::tick() const
+{
+    return Tick{const_cast<ClockData*>(clock_.data()), limits_};
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::step()
+{
+    forEach(context_, 1, tick());
+    if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
+    if (config_.integrator == IntegratorKind::leapfrog)
+    {
+        forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
+        moveWalls(false);
+        wallPass();
+        fluidPass(Finish::leapfrog);
+        return;
+    }
+    StepStart<D, P> start;
+    for (int d = 0; d < D; ++d)
+    {
+        start.x[d] = startX_.data() + std::size_t(d)*n_;
+        start.v[d] = startV_.data() + std::size_t(d)*n_;
+    }
+    start.deviation = startDeviation_.data();
+    wallPass();
+    fluidPass(Finish::store);
+    auto predictor = mover<SymplecticPredictor<Backend, D, P>>();
+    predictor.start = start;
+    forEach(context_, n_, predictor);
+    moveWalls(true);
+    wallPass();
+    fluidPass(Finish::store);
+    auto corrector = mover<SymplecticCorrector<Backend, D, P>>();
+    corrector.start = start;
+    forEach(context_, n_, corrector);
+    moveWalls(false);
+}
+
+} // namespace riprap

@@ -1,0 +1,33 @@
+/*  Stationary wall (paper section 5, method 1): wall points keep p = 0, rho0 and the wall's velocity. Fluid particles
+    feel them through Eqs. 32, 34 and 36; they are pushed off as their own density rises on approach.
+*/
+#pragma once
+
+#include "sph/boundary/wallFields.hpp"
+#include "sph/fluidFields.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+struct StationaryWall
+{
+    using real = typename P::real;
+    static constexpr const char* name = "stationaryWall";
+
+    RecordsView<Backend, D, P> wall;
+    WallFields<D, P> fields;
+    FluidModel<D, P> model;
+
+    HD void operator()(int i) const
+    {
+        PairParticle<D, real> p;
+        for (int d = 0; d < D; ++d) p.velocity.c[d] = fields.v[0] ? fields.v[d][i] : real(0);
+        p.pressureTerm = 0;
+        p.density = model.rho0;
+        p.h = model.h0;
+        wall.store(i, p);
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,61 @@
+/*  Force of the fluid on wall points: the reaction, pair by pair, of what FluidPass adds to the fluid (the same terms,
+    which are antisymmetric), hence equal and opposite to round-off.
+*/
+#pragma once
+
+#include "core/pairLoop.hpp"
+#include "sph/fluidPass.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int Dim, class P, class Kernel, bool VariableH, class WallTerms>
+struct WallForcePass
+{
+    using precision = P;
+    using real = typename P::real;
+    template<class T> using Self = PairParticle<Dim, T>;
+
+    static constexpr const char* name = "wallForce";
+    static constexpr int dimensions = Dim, sources = 1, channels = Dim;
+    static constexpr bool variableH = VariableH, hasMaxima = false;
+
+    Box<Dim, P> box;
+    CellGrid<Dim, P> grid;
+    Source<Backend, Dim, P> source[1];
+    RecordsView<Backend, Dim, P> wall;
+    WallTerms terms;
+    KernelConstants<Dim, real> kernel;
+    FluidModel<Dim, P> model;
+    int count;
+    real* force;                // Dim a point [N]
+
+    HD bool enabled() const { return true; }
+    HD int targets() const { return count; }
+    HD float* maxima() const { return nullptr; }
+    HD Vec<Dim, typename P::position> position(int i) const { return wall.loadPosition(i); }
+
+    template<class T>
+    HD Self<T> self(int i) const
+    {
+        const PairParticle<Dim, real> p = wall.template load<VariableH>(i);
+        return Self<T>{convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)};
+    }
+
+    template<int S, class T>
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, T* sums) const
+    {
+        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, false>(kernel, model.h0, i, j, dx, r2);
+        Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
+        terms(i, j, g, c);
+        const T mf = T(model.mass)*g.f;
+        for (int d = 0; d < Dim; ++d) sums[d] += mf*(c.radial*g.dx.c[d] + c.cross*g.dv.c[d]);
+    }
+
+    HD void finish(int i, const real* sums, float*) const
+    {
+        for (int d = 0; d < Dim; ++d) force[Dim*i + d] = model.wallMass*sums[d];
+    }
+};
+
+} // namespace riprap

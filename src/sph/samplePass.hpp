@@ -1,0 +1,65 @@
+/*  Kernel interpolation of the fluid at points: sum V W, sum V p W, sum V v W (paper Eq. 27). The caller divides by
+    the first where it wants a value that does not fade at the surface (Shepard).
+*/
+#pragma once
+
+#include "core/pairLoop.hpp"
+#include "sph/fluidPass.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int Dim, class P, class Kernel, bool VariableH>
+struct SamplePass
+{
+    using precision = P;
+    using real = typename P::real;
+    template<class T> using Self = PairParticle<Dim, T>;
+
+    static constexpr const char* name = "sample";
+    static constexpr int dimensions = Dim, sources = 1, channels = 2 + Dim;
+    static constexpr bool variableH = VariableH, hasMaxima = false;
+
+    Box<Dim, P> box;
+    CellGrid<Dim, P> grid;
+    Source<Backend, Dim, P> source[1];
+    KernelConstants<Dim, real> kernel;
+    FluidModel<Dim, P> model;
+    const typename P::position* points;     // Dim a point
+    real* result;                           // channels a point
+    int count;
+
+    HD bool enabled() const { return true; }
+    HD int targets() const { return count; }
+    HD float* maxima() const { return nullptr; }
+
+    HD Vec<Dim, typename P::position> position(int i) const
+    {
+        Vec<Dim, typename P::position> x;
+        for (int d = 0; d < Dim; ++d) x.c[d] = points[Dim*i + d];
+        return x;
+    }
+
+    template<class T>
+    HD Self<T> self(int) const
+    {
+        return Self<T>{filled<Dim>(T(real(0))), T(real(0)), T(real(1)), T(model.h0)};
+    }
+
+    template<int S, class T>
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, T* sums) const
+    {
+        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i, j, dx, r2);
+        const T vw = T(model.mass)*g.w/j.density;
+        sums[0] += vw;
+        sums[1] += j.pressureTerm*j.density*j.density*vw;
+        for (int d = 0; d < Dim; ++d) sums[2 + d] += j.velocity.c[d]*vw;
+    }
+
+    HD void finish(int i, const real* sums, float*) const
+    {
+        for (int k = 0; k < channels; ++k) result[channels*i + k] = sums[k];
+    }
+};
+
+} // namespace riprap

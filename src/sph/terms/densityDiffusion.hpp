@@ -1,0 +1,30 @@
+/*  Density diffusion (delta-SPH):
+        drho_i/dt += delta h c0 sum psi_ij . grad_i W m_j/rho_j,  psi_ij = 2 (rho_j - rho_i - rhoH_ij) x_ji/r^2
+    molteni  : rhoH = 0 (Molteni & Colagrossi 2009)
+    fourtakas: rhoH_ij = rho0 g . (x_j - x_i)/c0^2, the hydrostatic difference, so that a tank at rest stays at rest
+               (Fourtakas et al. 2019, linearised equation of state)
+    Between fluid particles only.
+*/
+#pragma once
+
+#include "sph/terms/term.hpp"
+
+namespace riprap
+{
+
+template<int D, class R>
+struct DensityDiffusion : TermTraits
+{
+    R factor;                   // 2 delta c0 [m/s]
+    Vec<D, R> hydrostatic;      // rho0 g/c0^2 [kg/m4]; zero for molteni
+
+    template<class Q, class G, class T>
+    HD void operator()(const Q& i, const Q& j, const G& g, Channels<T>& c) const
+    {
+        T difference = j.density - i.density;
+        for (int d = 0; d < D; ++d) difference = difference + T(hydrostatic.c[d])*g.dx.c[d];
+        c.rate -= T(factor)*g.h*difference/j.density;
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,113 @@
+/*  The clock: time, step and stop conditions, kept on the device so that steps follow one another without the host.
+
+    Before each step `Tick` turns the maxima of the last pass into the next step (docs/theory, "What limits the step"):
+        acoustic  dt <= Ca h/(c + |v|)max
+        force     dt <= Cf sqrt(h/|a|max)
+        viscous   dt <= Cv h^2/nu
+    shortens it to land on the target time, and switches the steps off when the target is reached, the neighbour
+    structures have aged, or a guard fires.
+*/
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include "core/macros.hpp"
+
+namespace riprap
+{
+
+enum class Limit : int {none, acoustic, force, viscous, fixed, target, maximum, growth};
+enum class Halt : int {none, notANumber, density, speed};
+
+struct ClockData
+{
+    double time = 0, target = 0;
+    double dt = 0;              // of the step in hand
+    double fullDt = 0;          // before shortening to the target
+    std::int64_t step = 0, lastStep = 0;    // taken; stop at
+    int active = 0;
+    int needRebuild = 0;
+    int overflow[4] = {0, 0, 0, 0};         // neighbour lists that did not fit: room needed
+    int skinViolations = 0;
+    Limit limit = Limit::none;
+    Halt halt = Halt::none;
+    float maxima[3] = {0, 0, 0};            // |a|^2, c + |v|, |deviation| of the last pass
+    float speed = 0;            // largest c + |v|, and the others, seen by the last tick
+    float acceleration = 0;
+    float deviation = 0;
+    double minDt = 1e300, maxDt = 0;
+};
+
+struct StepLimits
+{
+    bool adjust;
+    double fixedDt, maxDt;
+    double acoustic, force;     // Courant numbers
+    double h;                   // smallest smoothing length [m]
+    double viscousDt;           // Cv h^2/nu [s]
+    double maxDeviation, maxSignal;         // guards: |rho/rho0 - 1|, c + |v| [m/s]
+    double growth;              // a step is at most this much longer than the one before
+};
+
+struct Tick
+{
+    static constexpr const char* name = "clock";
+
+    ClockData* clock;
+    StepLimits limits;
+
+    //- The longest admissible step for the maxima at hand
+    HD double longest(const ClockData& c, Limit& limit) const
+    {
+        if (!limits.adjust) { limit = Limit::fixed; return limits.fixedDt; }
+        double dt = limits.acoustic*limits.h/double(c.maxima[1]);
+        limit = Limit::acoustic;
+        const double a = sqrt(double(c.maxima[0]));
+        if (a > 0)
+        {
+            const double force = limits.force*sqrt(limits.h/a);
+            if (force < dt) { dt = force; limit = Limit::force; }
+        }
+        if (limits.viscousDt < dt) { dt = limits.viscousDt; limit = Limit::viscous; }
+        if (limits.maxDt < dt) { dt = limits.maxDt; limit = Limit::maximum; }
+        return dt;
+    }
+
+    HD void operator()(int) const
+    {
+        ClockData& c = *clock;
+        c.active = 0;
+        if (c.halt != Halt::none || c.needRebuild) return;
+        if (c.overflow[0] || c.overflow[1] || c.overflow[2] || c.overflow[3]) return;
+        c.acceleration = sqrtf(c.maxima[0]);
+        c.speed = c.maxima[1];
+        c.deviation = c.maxima[2];
+        if (!(c.maxima[0] < 1e30f) || !(c.maxima[1] < 1e30f) || !(c.maxima[2] < 1e30f)) c.halt = Halt::notANumber;
+        else if (c.maxima[2] > limits.maxDeviation) c.halt = Halt::density;
+        else if (c.maxima[1] > limits.maxSignal) c.halt = Halt::speed;
+        if (c.halt != Halt::none || c.time >= c.target || c.step >= c.lastStep) return;
+
+        Limit limit;
+        double dt = longest(c, limit);
+        if (limits.adjust && c.fullDt > 0 && dt > limits.growth*c.fullDt)
+        {
+            dt = limits.growth*c.fullDt;
+            limit = Limit::growth;
+        }
+        c.fullDt = dt;
+        const double remaining = c.target - c.time;
+        bool last = false;
+        if (dt >= remaining*(1 - 1e-9)) { last = true; if (dt > remaining*(1 + 1e-9)) limit = Limit::target; dt = remaining; }
+        else if (limits.adjust && 2*dt > remaining) { dt = 0.5*remaining; limit = Limit::target; }
+        c.dt = dt;
+        c.time = last ? c.target : c.time + dt;
+        c.step += 1;
+        c.limit = limit;
+        c.minDt = dt < c.minDt ? dt : c.minDt;
+        c.maxDt = dt > c.maxDt ? dt : c.maxDt;
+        for (int k = 0; k < 3; ++k) c.maxima[k] = 0;
+        c.active = 1;
+    }
+};
+
+} // namespace riprap

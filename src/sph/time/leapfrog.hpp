@@ -1,0 +1,110 @@
+/*  Leapfrog in kick-drift-kick form (paper section 3.3, ref. 45): one pass over the pairs a step.
+
+        v_{n+1/2} = v_n + a_n dt/2;  rho likewise
+        x_{n+1}   = x_n + (v_{n+1/2} + drift_n) dt
+        pass at x_{n+1} with v, rho predicted to n+1 by a_n, rate_n
+        v_{n+1}   = v_{n+1/2} + a_{n+1} dt/2;  rho likewise      (FluidPass::finish)
+*/
+#pragma once
+
+#include "sph/fluidFields.hpp"
+#include "sph/time/clock.hpp"
+
+namespace riprap
+{
+
+//- What moving particles share: records, the aged-neighbours check, and the domain
+template<class Backend, int D, class P>
+struct Mover
+{
+    using real = typename P::real;
+
+    Box<D, P> box;
+    FluidModel<D, P> model;
+    FluidFields<D, P> fluid;
+    RecordsView<Backend, D, P> records;
+    typename P::position* reference[D];     // pair positions when the neighbours were found
+    real halfSkin;
+    const int* count;
+    ClockData* clock;
+
+    //- Move by u dt; returns the new position
+    HD Vec<D, std::int64_t> moved(const Vec<D, std::int64_t>& x, const Vec<D, real>& u, double dt) const
+    {
+        Vec<D, std::int64_t> r;
+        for (int d = 0; d < D; ++d) r.c[d] = x.c[d] + std::int64_t(rint(double(u.c[d])*dt*box.unitsPerMetre[d]));
+        return r;
+    }
+
+    HD Vec<D, std::int64_t> position(int i) const
+    {
+        Vec<D, std::int64_t> x;
+        for (int d = 0; d < D; ++d) x.c[d] = fluid.x[d][i];
+        return x;
+    }
+
+    HD Vec<D, real> drift(int i) const
+    {
+        Vec<D, real> u = filled<D>(real(0));
+        if (model.drifts) for (int d = 0; d < D; ++d) u.c[d] = fluid.drift[d][i];
+        return u;
+    }
+
+    //- Write what pairs see
+    HD void record(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
+    {
+        Vec<D, typename P::position> p;
+        for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
+        records.storePosition(i, p);
+        records.store(i, pairParticle(model, v, deviation));
+    }
+
+    //- Ask for new neighbours before the next step could carry the particle past half the skin. The margin covers a
+    //  growing step and one step's acceleration.
+    HD void checkSkin(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& u) const
+    {
+        real distance2 = 0, speed2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const real s = box.template separation<real>(d, box.pairPosition(d, x.c[d]), reference[d][i]);
+            distance2 += s*s;
+            speed2 += u.c[d]*u.c[d];
+        }
+        const real distance = squareRoot(distance2);
+        const real margin = real(1.5)*squareRoot(speed2)*real(clock->fullDt);
+        if (distance > halfSkin) clock->skinViolations = 1;
+        if (distance + margin > halfSkin || !model.inside(box, x)) clock->needRebuild = 1;
+    }
+};
+
+template<class Backend, int D, class P>
+struct LeapfrogDrift : Mover<Backend, D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "leapfrogDrift";
+
+    HD void operator()(int i) const
+    {
+        const ClockData& c = *this->clock;
+        if (!c.active || i >= *this->count) return;
+        const FluidFields<D, P>& f = this->fluid;
+        const real half = real(0.5*c.dt);
+        Vec<D, real> v, a;
+        for (int d = 0; d < D; ++d)
+        {
+            a.c[d] = f.a[d][i];
+            v.c[d] = f.v[d][i] + a.c[d]*half;
+            f.v[d][i] = v.c[d];
+        }
+        const real rate = f.rate[i];
+        const real deviation = f.deviation[i] + rate*half;
+        f.deviation[i] = deviation;
+        const Vec<D, real> u = v + this->drift(i);
+        const Vec<D, std::int64_t> x = this->moved(this->position(i), u, c.dt);
+        for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
+        this->record(i, x, v + half*a, deviation + rate*half);
+        this->checkSkin(i, x, u);
+    }
+};
+
+} // namespace riprap
