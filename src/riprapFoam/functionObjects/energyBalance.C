@@ -74,11 +74,27 @@ void Foam::functionObjects::energyBalance::begin()
     getProperty("totalAtStart", totalAtStart_);
     getProperty("largestKinetic", largestKinetic_);
 
-    // An exact state brings its work along, a restart from fields begins at 0
+    // Does the scene bring its work along, or begin at 0?
     if (energy.wallWork == 0)
     {
         getProperty("wallWork", workBefore_);
     }
+}
+
+
+bool Foam::functionObjects::energyBalance::execute()
+{
+    if (time_.writeTime())
+    {
+        setProperty("largestKinetic", largestKinetic_);
+        setProperty
+        (
+            "wallWork",
+            scalar(sph().scene().energy().wallWork + workBefore_)
+        );
+    }
+
+    return true;
 }
 
 
@@ -98,9 +114,6 @@ bool Foam::functionObjects::energyBalance::write()
         largestKinetic_ > 0
       ? (total(energy) - totalAtStart_ - work)/largestKinetic_
       : 0;
-
-    setProperty("largestKinetic", largestKinetic_);
-    setProperty("wallWork", work);
 
     OFstream& os = row
     (

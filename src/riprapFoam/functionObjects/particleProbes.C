@@ -117,6 +117,7 @@ void Foam::functionObjects::particleProbes::makeSensors(const dictionary& dict)
     }
 
     sensors_.resize(locations_.size());
+    walls_.reset(mesh_);
     walls_.update(sph(), locations_);
     points_.clear();
 
@@ -130,7 +131,7 @@ void Foam::functionObjects::particleProbes::makeSensors(const dictionary& dict)
         points_.append(sensors_[i].points);
     }
 
-    walls_.clear();
+    walls_.reset(mesh_);
 }
 
 

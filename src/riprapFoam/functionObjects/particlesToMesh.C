@@ -123,6 +123,8 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 
     const wordList asked(fieldNames(dict, validFields, validFields));
 
+    walls_.reset(mesh_);
+
     makeField(p_, "p", dimPressure, asked);
     makeField(U_, "U", dimVelocity, asked);
     makeField(alpha_, "alpha.water", dimless, asked);

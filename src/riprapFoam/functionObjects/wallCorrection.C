@@ -4,11 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallCorrection.H"
+#include "sphDictionaries.H"
 
-void Foam::functionObjects::wallCorrection::clear()
+void Foam::functionObjects::wallCorrection::reset(const polyMesh& mesh)
 {
-    walls_.clear();
     coverage_.clear();
+    moving_ = !readSphSettings(mesh).walls.motion.empty();
 }
 
 
@@ -18,15 +19,16 @@ void Foam::functionObjects::wallCorrection::update
     const pointField& points
 )
 {
-    std::vector<double> walls(sph.scene().walls().position);
-
-    if (walls == walls_ && label(coverage_.size()) == points.size())
+    if (!moving_ && !coverage_.empty())
     {
         return;
     }
-    walls_ = std::move(walls);
 
-    const riprap::WallCoverage all(sph.config(), walls_);
+    const riprap::WallCoverage all
+    (
+        sph.config(),
+        sph.scene().walls().position
+    );
 
     coverage_.resize(points.size());
     forAll(points, i)
