@@ -132,6 +132,7 @@ bool wallLattice::divide(label a, DynamicList<string>& notes)
     {
         const vector e(frame_.T() & vector(a == 0, a == 1, a == 2));
         OStringStream text;
+        text.precision(5);
         text<< "wall spacing along " << e << " from " << least << " to " << most
             << " m, to divide the distances between walls";
         notes.append(text.str());
