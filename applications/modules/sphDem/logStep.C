@@ -34,11 +34,15 @@ void Foam::solverModules::sphDem::report()
     const scalar meanStep =
         runTime_.deltaTValue()/max(report_.steps, std::int64_t(1));
 
+    // What limits the step now: the last one taken ended at the target
+    std::string limit;
+    scene_->estimateTimeStep(limit);
+
     Info<< "Courant Number mean: " << c0*meanStep/h
         << " max: " << (c0 + report_.maxSpeed)*report_.maxTimeStep/h << nl
         << "Particle steps = " << report_.steps << " (" << run_.steps
         << "), deltaT = " << report_.minTimeStep << " to "
-        << report_.maxTimeStep << " s, limit: " << report_.limit.c_str() << nl
+        << report_.maxTimeStep << " s, limit: " << limit.c_str() << nl
         << "max(mag(U)) = " << report_.maxSpeed
         << " m/s, max density deviation = " << report_.maxDensityDeviation
         << endl;
