@@ -47,7 +47,7 @@ __device__ __forceinline__ void addNeighbour
     pass.source[S].records.template loadAll<Pass::variableH>(int(j), xj, other);
     Vec<D, real> dx;
     for (int d = 0; d < D; ++d) dx.c[d] = pass.box.template separation<real>(d, xi.c[d], xj.c[d]);
-    pass.template pair<S>(self, other, dx, squaredNorm(dx), sums);
+    pass.template pair<S>(self, other, dx, squaredNorm(dx), int(j), sums);
 }
 
 template<int S, class Pass, class Self, class X>

@@ -30,6 +30,14 @@ HD float wrappedDifference(std::int32_t a, std::int32_t b)
     return float(std::int32_t(std::uint32_t(a) - std::uint32_t(b)));
 }
 
+//- One value for a scalar T, a register of neighbouring values for a Pack
+template<class T, class R>
+HD T loadLanes(const R* p)
+{
+    if constexpr (sizeof(T) == sizeof(R)) return *p;
+    else return T::load(p);
+}
+
 HD int floorInt(float a) { return int(floorf(a)); }
 HD int floorInt(double a) { return int(floor(a)); }
 

@@ -12,7 +12,7 @@
           HD int targets() const;                                  // particles in use
           HD Vec position(int i) const;                            // as pairs see it
           HD Self<T> self(int i) const;                            // the target, broadcast into T
-          template<int S, class T> HD void pair(Self<T>, PairParticle<D, T> j, Vec dx, T r2, T* sums) const;
+          template<int S, class T> HD void pair(Self<T>, PairParticle<D, T> j, Vec dx, T r2, int jIndex, T* sums) const;
           HD void finish(int i, const real* sums, float* maxima) const;   // one write a particle
           float* maxima() const;                                   // device, maxima are merged into it
       };
@@ -65,7 +65,7 @@ inline void addRange(const Pass& pass, const Self& self, const X& xi, int begin,
         Vec<D, T> dx;
         for (int d = 0; d < D; ++d) dx.c[d] = pass.box.template separation<T>(d, xi.c[d], xj.c[d]);
         const T r2 = keepFirst(squaredNorm(dx), end - j, real(1e18));
-        pass.template pair<S>(self, other, dx, r2, sums);
+        pass.template pair<S>(self, other, dx, r2, j, sums);
     }
 }
 

@@ -69,15 +69,17 @@ struct TermParameters
         shifting = ShiftingModel<R>{R(c.shiftingCoefficient), R(surface), R(D)};
     }
 
+    template<Part part>
     auto wallTerms() const
     {
-        return Terms{Pressure{}, Continuity{}, Switchable<LaminarViscosity<R>>(laminar, on.laminar && wallViscosity),
+        if constexpr (part == Part::density) return Terms{Continuity{}};
+        else return Terms{Pressure{}, Continuity{}, Switchable<LaminarViscosity<R>>(laminar, on.laminar && wallViscosity),
             Switchable<ArtificialViscosity<R>>(artificial, on.artificial && wallViscosity)};
     }
 
-    //- Call f(fluid terms, shifts?) with the types that fit the case
+    //- Call f(fluid terms, shifts?) with the types that fit the case: all terms in one pass
     template<bool Specialised, class F>
-    void withFluidTerms(const F& f) const
+    void withAllTerms(const F& f) const
     {
         const Pressure p{};
         const Continuity c{};
@@ -97,6 +99,47 @@ struct TermParameters
         if (on.shifting) f(Terms{p, c, l, a, ac, d, x}, std::true_type());
         else if (on.xsph) f(Terms{p, c, l, a, ac, d, x}, std::false_type());
         else f(Terms{p, c, l, a, ac, d}, std::false_type());
+    }
+
+    //- The terms of the momentum equation
+    template<bool Specialised, class F>
+    void withMomentumTerms(const F& f) const
+    {
+        const Pressure p{};
+        if constexpr (Specialised)
+        {
+            if (on.laminar && !on.artificial && !on.antiClump) return f(Terms{p, laminar}, std::false_type());
+            if (on.laminar && !on.artificial && on.antiClump) return f(Terms{p, laminar, antiClump}, std::false_type());
+            if (!on.laminar && on.artificial && !on.antiClump) return f(Terms{p, artificial}, std::false_type());
+        }
+        f(Terms{p, Switchable<LaminarViscosity<R>>(laminar, on.laminar),
+            Switchable<ArtificialViscosity<R>>(artificial, on.artificial),
+            Switchable<AntiClump<R>>(antiClump, on.antiClump)}, std::false_type());
+    }
+
+    //- The terms that change density and positions
+    template<bool Specialised, class F>
+    void withDensityTerms(const F& f) const
+    {
+        const Continuity c{};
+        if constexpr (Specialised)
+        {
+            if (!on.diffusion && !on.xsph && !on.shifting) return f(Terms{c}, std::false_type());
+            if (on.diffusion && !on.xsph && !on.shifting) return f(Terms{c, diffusion}, std::false_type());
+        }
+        const Switchable<DensityDiffusion<D, R>> d(diffusion, on.diffusion);
+        const Switchable<Xsph<R>> x(xsph, on.xsph);
+        if (on.shifting) f(Terms{c, d, x}, std::true_type());
+        else if (on.xsph) f(Terms{c, d, xsph}, std::false_type());
+        else f(Terms{c, d}, std::false_type());
+    }
+
+    template<Part part, bool Specialised, class F>
+    void withFluidTerms(const F& f) const
+    {
+        if constexpr (part == Part::all) withAllTerms<Specialised>(f);
+        else if constexpr (part == Part::momentum) withMomentumTerms<Specialised>(f);
+        else withDensityTerms<Specialised>(f);
     }
 };
 

@@ -88,7 +88,7 @@ struct CountPass
     template<class T> HD T self(int) const { return T(real(0)); }
 
     template<int S, class T>
-    HD void pair(const T&, const PairParticle<Dim, T>&, const Vec<Dim, T>&, T r2, T* sums) const
+    HD void pair(const T&, const PairParticle<Dim, T>&, const Vec<Dim, T>&, T r2, int, T* sums) const
     {
         const T within = selectGreater(T(support2), r2, T(real(1)), T(real(0)));
         sums[0] += selectGreater(r2, T(real(0)), within, T(real(0)));
@@ -197,7 +197,7 @@ std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        const auto terms = terms_.wallTerms();
+        const auto terms = terms_.template wallTerms<Part::momentum>();
         WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
         {
             box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
@@ -295,7 +295,6 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     add("fluid", "records", fluidRecords_.bytes(), n_);
     add("fluid", "reference", fluidReference_.bytes(), n_);
     add("fluid", "cells", fluidSort_.bytes(), n_);
-    add("fluid", "stepStart", startX_.bytes() + startV_.bytes() + startDeviation_.bytes(), n_);
     for (const auto& f : wall_.info()) add("wall", f.name, std::size_t(2*f.bytes)*nWalls_, nWalls_);
     add("wall", "records", wallRecords_.bytes(), nWalls_);
     add("wall", "cells", wallSort_.bytes(), nWalls_);

@@ -18,7 +18,7 @@ SphSolver<Backend, D, P>::SphSolver
     setFluid(fluid);
     setWalls(walls);
     allocateLists();
-    if (nBodies_) setPoses(0, 1e-30);
+    if (nBodies_) setPoses(config_.startTime, config_.startTime);
     prime();
 }
 
@@ -120,13 +120,6 @@ void SphSolver<Backend, D, P>::setFluid(const FluidInput& in)
     fluidRecords_.allocate(context_, n_, model_.variableH);
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
-    if (config_.integrator == IntegratorKind::symplectic)
-    {
-        startX_.allocate(context_, std::size_t(n_)*D);
-        startV_.allocate(context_, std::size_t(n_)*D);
-        startDeviation_.allocate(context_, n_);
-    }
-
     if (n_ && D == 2) emptyCoordinate_ = in.position[config_.axes[2]];
     std::vector<std::int64_t> x(n_);
     std::vector<real> value(n_);
@@ -189,6 +182,7 @@ void SphSolver<Backend, D, P>::prime()
 {
     host_ = ClockData();
     host_.active = 1;
+    host_.time = config_.startTime;
     writeClock();
     if (nWalls_)
     {
@@ -204,7 +198,7 @@ void SphSolver<Backend, D, P>::prime()
     }
     moveWalls(false);
     wallPass();
-    fluidPass(Finish::store);
+    fluidPass<Part::all>(Finish::store);
     context_.synchronise();
     readClock();
 }

@@ -85,7 +85,7 @@ private:
     void buildLists();
     void moveWalls(bool half);
     void wallPass();
-    void fluidPass(Finish);
+    template<Part part> void fluidPass(Finish);
     void step();
     Tick tick() const;
 
@@ -122,8 +122,6 @@ private:
     Records<Backend, D, P> fluidRecords_;
     Array<Backend, position> fluidReference_;
     CellSort<Backend> fluidSort_;
-    Array<Backend, std::int64_t> startX_;       // symplectic: state at the step's start
-    Array<Backend, real> startV_, startDeviation_;
 
     int nWalls_ = 0, nBodies_ = 0;
     FieldSet<Backend> wall_;

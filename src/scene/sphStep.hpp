@@ -199,21 +199,24 @@ void SphSolver<Backend, D, P>::wallPass()
 }
 
 template<class Backend, int D, class P>
+template<Part part>
 void SphSolver<Backend, D, P>::fluidPass(Finish mode)
 {
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
         constexpr bool specialised = std::is_same<Kernel, WendlandC2>::value;
-        terms_.template withFluidTerms<specialised>([&](const auto& fluidTerms, auto shifts)
+        terms_.template withFluidTerms<part, specialised>([&](const auto& fluidTerms, auto shifts)
         {
-            const auto wallTerms = terms_.wallTerms();
+            const auto wallTerms = terms_.template wallTerms<part>();
             FluidPass
             <
-                Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(fluidTerms)>,
+                Backend, D, P, Kernel, decltype(variable)::value, part, std::decay_t<decltype(fluidTerms)>,
                 std::decay_t<decltype(wallTerms)>, decltype(shifts)::value
             > pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
-                terms_.shifting, model_, fluidFields(), fluidSort_.active(), clock_.data(), mode};
+                terms_.shifting, model_, fluidFields(), {}, fluidSort_.active(), clock_.data(), mode};
+            for (int d = 0; d < D; ++d)
+                pass.wallVelocity[d] = wallVField_ < 0 ? nullptr : wall_.template data<real>(wallVField_ + d);
             run(pass, n_);
         });
     });
@@ -235,28 +238,18 @@ void SphSolver<Backend, D, P>::step()
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
         moveWalls(false);
         wallPass();
-        fluidPass(Finish::leapfrog);
-        return;
+        fluidPass<Part::all>(Finish::close);
     }
-    StepStart<D, P> start;
-    for (int d = 0; d < D; ++d)
+    else
     {
-        start.x[d] = startX_.data() + std::size_t(d)*n_;
-        start.v[d] = startV_.data() + std::size_t(d)*n_;
+        forEach(context_, n_, mover<SymplecticKick<Backend, D, P>>());
+        moveWalls(true);
+        fluidPass<Part::density>(Finish::close);
+        forEach(context_, n_, mover<SymplecticDrift<Backend, D, P>>());
+        moveWalls(false);
+        wallPass();
+        fluidPass<Part::momentum>(Finish::close);
     }
-    start.deviation = startDeviation_.data();
-    wallPass();
-    fluidPass(Finish::store);
-    auto predictor = mover<SymplecticPredictor<Backend, D, P>>();
-    predictor.start = start;
-    forEach(context_, n_, predictor);
-    moveWalls(true);
-    wallPass();
-    fluidPass(Finish::store);
-    auto corrector = mover<SymplecticCorrector<Backend, D, P>>();
-    corrector.start = start;
-    forEach(context_, n_, corrector);
-    moveWalls(false);
 }
 
 } // namespace riprap

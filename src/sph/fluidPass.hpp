@@ -1,5 +1,5 @@
-/*  The pass over the fluid: accelerations, density rates and drifts from fluid and wall neighbours, and the closing
-    half kick of the leapfrog.
+/*  The pass over the fluid: accelerations, density rates and drifts from fluid and wall neighbours, and what the time
+    integration does at the end of it. A part of it alone (momentum or density) leaves the other's state untouched.
 */
 #pragma once
 
@@ -79,16 +79,25 @@ HD PairGeometry<D, T> pairGeometry
 template<class R>
 struct ShiftingModel { R coefficient, surface, interior; };
 
-enum class Finish : int {store, leapfrog};
+//- What is summed: everything (leapfrog), or the half that a symplectic step needs
+enum class Part : int {all, momentum, density};
 
-template<class Backend, int Dim, class P, class Kernel, bool VariableH, class FluidTerms, class WallTerms, bool Shifts>
+//- store: keep the sums only. close: also finish the step (half kick; the whole density step in Part::density)
+enum class Finish : int {store, close};
+
+template
+<
+    class Backend, int Dim, class P, class Kernel, bool VariableH, Part part, class FluidTerms, class WallTerms, bool Shifts
+>
 struct FluidPass
 {
     using precision = P;
     using real = typename P::real;
     template<class T> using Self = PairParticle<Dim, T>;
 
-    static constexpr const char* name = "fluidPass";
+    static constexpr const char* name
+        = part == Part::all ? "fluidPass" : (part == Part::momentum ? "momentumPass" : "densityPass");
+    static constexpr bool momentum = part != Part::density, density = part != Part::momentum;
     static constexpr int dimensions = Dim, sources = 2;
     static constexpr bool variableH = VariableH, hasMaxima = true;
     static constexpr bool smooths = FluidTerms::smooths;
@@ -105,6 +114,7 @@ struct FluidPass
     ShiftingModel<real> shifting;
     FluidModel<Dim, P> model;
     FluidFields<Dim, P> fluid;
+    const real* wallVelocity[Dim];          // null where all walls are fixed
     const int* count;
     ClockData* clock;
     Finish mode;
@@ -122,17 +132,22 @@ struct FluidPass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int at, T* sums) const
     {
         constexpr bool needsW = S == 0 && FluidTerms::needsW;
-        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, needsW>(kernel, model.h0, i, j, dx, r2);
+        PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, needsW>(kernel, model.h0, i, j, dx, r2);
+        // the record of a wall holds the velocity that viscosity sees; volume changes by the wall's own
+        if constexpr (S == 1) g.approach = dot(wallApproach(i, at), dx);
         Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
         if constexpr (S == 0) fluidTerms(i, j, g, c); else wallTerms(i, j, g, c);
         const T mass(S == 0 ? model.mass : model.wallMass);
         const T mf = mass*g.f;
-        const T radial = mf*c.radial, cross = mf*c.cross;
-        for (int d = 0; d < Dim; ++d) sums[d] += radial*g.dx.c[d] + cross*g.dv.c[d];
-        sums[Dim] += mf*c.rate;
+        if constexpr (momentum)
+        {
+            const T radial = mf*c.radial, cross = mf*c.cross;
+            for (int d = 0; d < Dim; ++d) sums[d] += radial*g.dx.c[d] + cross*g.dv.c[d];
+        }
+        if constexpr (density) sums[Dim] += mf*c.rate;
         if constexpr (smooths && S == 0)
         {
             const T smooth = mass*g.w*c.smooth;
@@ -148,29 +163,46 @@ struct FluidPass
 
     HD void finish(int i, const real* sums, float* maxima) const
     {
-        const real halfDt = mode == Finish::leapfrog ? real(0.5*clock->dt) : real(0);
+        const real dt = mode == Finish::close ? real(clock->dt) : real(0);
         real a2 = 0, v2 = 0;
         for (int d = 0; d < Dim; ++d)
         {
-            const real a = sums[d] + model.gravity.c[d];
-            fluid.a[d][i] = a;
-            const real v = fluid.v[d][i] + a*halfDt;
-            fluid.v[d][i] = v;
-            a2 += a*a;
+            real v = fluid.v[d][i];
+            if constexpr (momentum)
+            {
+                const real a = sums[d] + model.gravity.c[d];
+                fluid.a[d][i] = a;
+                v += real(0.5)*dt*a;
+                fluid.v[d][i] = v;
+                a2 += a*a;
+            }
             v2 += v*v;
         }
-        const real rate = sums[Dim]/model.rho0;
-        fluid.rate[i] = rate;
-        const real deviation = fluid.deviation[i] + rate*halfDt;
-        fluid.deviation[i] = deviation;
+        real deviation = fluid.deviation[i];
+        if constexpr (density)
+        {
+            const real rate = sums[Dim]/model.rho0;
+            fluid.rate[i] = rate;
+            deviation += (part == Part::all ? real(0.5)*dt : dt)*rate;
+            fluid.deviation[i] = deviation;
+        }
         const real speed = squareRoot(v2);
         drift(i, sums, speed);
-        report(maxima[0], float(a2));
+        if constexpr (momentum) report(maxima[0], float(a2));
         report(maxima[1], float(model.eos.soundSpeed(deviation) + speed));
         report(maxima[2], float(absolute(deviation)));
     }
 
 private:
+
+    //- v_i - u_w
+    template<class T>
+    HD Vec<Dim, T> wallApproach(const Self<T>& i, int at) const
+    {
+        Vec<Dim, T> v = i.velocity;
+        if (wallVelocity[0]) for (int d = 0; d < Dim; ++d) v.c[d] = v.c[d] - loadLanes<T>(wallVelocity[d] + at);
+        return v;
+    }
 
     HD void drift(int i, const real* sums, real speed) const
     {

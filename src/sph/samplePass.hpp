@@ -47,7 +47,7 @@ struct SamplePass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
     {
         const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i, j, dx, r2);
         const T vw = T(model.mass)*g.w/j.density;

@@ -4,7 +4,7 @@
         v_w = 2 u_w - sum v_f W/sum W                                        (their Eqs. 22, 23)
 
     and the density that the equation of state gives for p_w. u_w and a_w are the wall's own velocity and
-    acceleration. p_w is not let below zero: a wall does not pull.
+    acceleration; v_w enters viscous forces only, volume changes by u_w (with v_w there, energy grows: docs/theory). p_w is not let below zero: a wall does not pull.
 */
 #pragma once
 
@@ -48,7 +48,7 @@ struct ExtrapolatedWallPass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
     {
         const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i, j, dx, r2);
         sums[0] += g.w;

@@ -43,7 +43,7 @@ struct WallForcePass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
     {
         const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, false>(kernel, model.h0, i, j, dx, r2);
         Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
