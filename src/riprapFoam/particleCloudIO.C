@@ -100,21 +100,25 @@ static void writeFields
 }
 
 
+static IOobject propertiesFile(const objectRegistry& db, const word& cloudName, IOobject::readOption read)
+{
+    return IOobject
+    (
+        "cloudProperties",
+        db.time().timeName(),
+        "uniform"/cloud::prefix/cloudName,
+        db,
+        read,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
 static void writeCloudProperties(const polyMesh& mesh, const particleCloud& c)
 {
-    IOdictionary properties
-    (
-        IOobject
-        (
-            "cloudProperties",
-            mesh.time().timeName(),
-            "uniform"/cloud::prefix/c.name,
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
+    IOdictionary properties(propertiesFile(mesh, c.name, IOobject::NO_READ));
+    properties.merge(c.properties);
     properties.add("geometry", cloud::geometryTypeNames[cloud::geometryType::POSITIONS]);
 
     dictionary count;
@@ -180,4 +184,11 @@ void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
     writeFields(mesh, c, c.scalars);
     writeFields(mesh, c, c.vectors);
     writeCloudProperties(mesh, c);
+}
+
+
+Foam::dictionary Foam::readCloudProperties(const Time& time, const word& cloudName)
+{
+    IOobject io(propertiesFile(time, cloudName, IOobject::MUST_READ));
+    return io.typeHeaderOk<IOdictionary>(true) ? dictionary(IOdictionary(io)) : dictionary();
 }

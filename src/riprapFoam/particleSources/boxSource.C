@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  source box;  box (0 0 -1) (0.146 0.292 1);      // two opposite corners */
+
+#include "addToRunTimeSelectionTable.H"
+#include "particleSource.H"
+
+namespace Foam
+{
+
+class boxSource
+:
+    public volumeSource
+{
+    boundBox box_;
+
+public:
+
+    TypeName("box");
+
+    boxSource(checkedDictionary& dict, const Time&)
+    {
+        dict.found("box");
+        ITstream& is = dict.dict().lookup("box");
+        const point a(is), b(is);
+        dict.dict().checkITstream(is, "box");
+        box_ = boundBox(min(a, b), max(a, b));
+        if (cmptMin(box_.span()) <= 0)
+        {
+            FatalIOErrorInFunction(dict.dict())
+                << "Entry box has no volume: its corners are " << a << " and " << b << exit(FatalIOError);
+        }
+    }
+
+    virtual boundBox bounds() const { return box_; }
+
+    virtual boolList inside(const pointField& points) const { return boolList(points.size(), true); }
+};
+
+defineTypeNameAndDebug(boxSource, 0);
+addToRunTimeSelectionTable(particleSource, boxSource, dictionary);
+
+} // namespace Foam

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  source cylinder;  p1 (0 0 0);  p2 (0 0 1);  radius 0.1;
+    source sphere;    centre (0 0 0);  radius 0.1;
+*/
+
+#include "addToRunTimeSelectionTable.H"
+#include "particleSource.H"
+
+namespace Foam
+{
+
+class cylinderSource
+:
+    public volumeSource
+{
+    point p1_, p2_;
+    scalar radius_;
+
+public:
+
+    TypeName("cylinder");
+
+    cylinderSource(checkedDictionary& dict, const Time&)
+    :
+        radius_(dict.positive("radius"))
+    {
+        dict.found("p1");
+        dict.found("p2");
+        p1_ = dict.dict().get<point>("p1");
+        p2_ = dict.dict().get<point>("p2");
+        if (mag(p2_ - p1_) < SMALL)
+        {
+            FatalIOErrorInFunction(dict.dict())
+                << "Entries p1 and p2 are the same point " << p1_ << ": the cylinder has no length"
+                << exit(FatalIOError);
+        }
+    }
+
+    // Discs of radius r about a unit axis n reach r sqrt(1 - n_d^2) along d
+    virtual boundBox bounds() const
+    {
+        const vector n(normalised(p2_ - p1_));
+        vector reach;
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            reach[d] = radius_*Foam::sqrt(max(scalar(0), 1 - sqr(n[d])));
+        }
+        return boundBox(min(p1_, p2_) - reach, max(p1_, p2_) + reach);
+    }
+
+    virtual boolList inside(const pointField& points) const
+    {
+        const vector axis(p2_ - p1_);
+        boolList in(points.size());
+        forAll(in, i)
+        {
+            const vector x(points[i] - p1_);
+            const scalar along = (x & axis)/magSqr(axis);
+            in[i] = along >= 0 && along <= 1 && magSqr(x - along*axis) <= sqr(radius_);
+        }
+        return in;
+    }
+};
+
+defineTypeNameAndDebug(cylinderSource, 0);
+addToRunTimeSelectionTable(particleSource, cylinderSource, dictionary);
+
+
+class sphereSource
+:
+    public volumeSource
+{
+    point centre_;
+    scalar radius_;
+
+public:
+
+    TypeName("sphere");
+
+    sphereSource(checkedDictionary& dict, const Time&)
+    :
+        radius_(dict.positive("radius"))
+    {
+        dict.found("centre");
+        centre_ = dict.dict().get<point>("centre");
+    }
+
+    virtual boundBox bounds() const
+    {
+        return boundBox(centre_ - radius_*vector::one, centre_ + radius_*vector::one);
+    }
+
+    virtual boolList inside(const pointField& points) const
+    {
+        boolList in(points.size());
+        forAll(in, i) in[i] = magSqr(points[i] - centre_) <= sqr(radius_);
+        return in;
+    }
+};
+
+defineTypeNameAndDebug(sphereSource, 0);
+addToRunTimeSelectionTable(particleSource, sphereSource, dictionary);
+
+} // namespace Foam
