@@ -189,8 +189,9 @@ TEST(SensorDisc, averagesAsADiscDoes)
             yy += disc.weights[i]*d*d;
         }
         EXPECT_NEAR(one, 1, 1e-14);
-        EXPECT_NEAR(y, 0, flat ? 1e-14 : 0.02*R);       // 37 points of a spiral
-        EXPECT_NEAR(yy, R*R/4, flat ? 1e-14 : 0.01*R*R);  // second moment of a disc's area about a diameter
+        EXPECT_NEAR(y, 0, 1e-14);
+        // Second moment of a disc's area about a diameter; 3D: less 1/37^2 of it
+        EXPECT_NEAR(yy, R*R/4*(flat ? 1 : 1 - 1.0/1369), 1e-14);
     }
 }
 

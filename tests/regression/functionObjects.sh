@@ -1,0 +1,165 @@
+#!/bin/bash
+# Function objects: values that can be computed by hand on a column of water in a tank, restart, -postProcess, and wrong entries.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL functionObjects no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam
+do
+    command -v $program >/dev/null || { echo "FAIL functionObjects no $program"; exit 1; }
+done
+
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+mkdir system constant
+
+dictionary()    # FILE [CLASS]: a dictionary with what comes on standard input
+{
+    { echo "FoamFile { version 2.0; format ascii; class ${2:-dictionary}; object $(basename "$1"); }"; cat; } >"$1"
+}
+
+# Column 0.2 x 0.2 m of 400 particles in a tank 0.4 x 0.3 m, and one particle that flies ahead. Cells are as large as particles
+dictionary system/blockMeshDict <<'END'
+scale 1;
+vertices ((0 0 0) (0.4 0 0) (0.4 0.3 0) (0 0.3 0) (0 0 0.01) (0.4 0 0.01) (0.4 0.3 0.01) (0 0.3 0.01));
+blocks (hex (0 1 2 3 4 5 6 7) (40 30 1) simpleGrading (1 1 1));
+boundary
+(
+    tank { type wall; faces ((0 4 7 3) (1 2 6 5) (0 1 5 4)); }
+    top { type patch; faces ((3 7 6 2)); }
+    frontAndBack { type empty; faces ((0 3 2 1) (4 5 6 7)); }
+);
+END
+dictionary system/fvSchemes <<<'ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} interpolationSchemes {} snGradSchemes {}'
+dictionary system/fvSolution </dev/null
+dictionary constant/g uniformDimensionedVectorField <<<'dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);'
+dictionary constant/fluidProperties <<<'rho 1000; mu 1e-3;'
+dictionary constant/sphProperties <<<'device cpu; maxVelocity 2; XSPH none; antiClump none;'
+dictionary system/setParticlesDict <<'END'
+spacing 0.01;
+packing square;
+regions
+(
+    column { set fluid; source box; box (0 0 0) (0.2 0.2 0.01); pressure hydrostatic; }
+    drop { set fluid; source box; box (0.35 0.25 0) (0.36 0.26 0.01); pressure zero; }
+);
+END
+library='libs ("libriprapFoam.so");'
+control()   # FUNCTIONS [startFrom]
+{
+    dictionary system/controlDict <<END
+application riprapFoam; solver sphDem; startFrom ${2:-startTime}; startTime 0; stopAt endTime; endTime 0.1;
+deltaT 1e-3; adjustTimeStep yes; sampleInterval 0.01; writeControl adjustableRunTime; writeInterval 0.05; writeFormat ascii; writePrecision 16;
+functions { $1 }
+END
+}
+functions="
+onMesh { type particlesToMesh; $library }
+front { type frontPosition; $library }
+gauges { type waterLevel; $library points ((0 0 0) (0.1 0.05 0) (0.3 0 0)); }
+probes { type particleProbes; $library fields (p U rho volumeFraction); probeLocations ((0.1 0.1 0) (0 0.1 0) (0.1 0 0) (0.3 0.1 0)); }
+sensor { type particleProbes; $library fields (p); sensorRadius 0.02; probeLocations ((0 0.1 0)); }
+energy { type energyBalance; $library }
+sparse { type energyBalance; $library writeControl timeStep; writeInterval 5; }
+force { type wallForce; $library }
+volume { type volFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (alpha.water); operation volIntegrate; regionType all; writeFields no; }
+"
+
+value()     # FILE COLUMN TIME: from a table, by the column's name
+{
+    awk -v column="$2" -v time="$3" '
+        /^#/ { n = split($0, name, /[ \t]+/); for (i = 2; i <= n; ++i) at[name[i]] = i - 1; next }
+        { if (($1 - time)^2 < 1e-16) print $(at[column]) }' postProcessing/$1
+}
+near()      # NAME FILE COLUMN TIME EXPECTED BOUND
+{
+    local found; found=$(value "$2" "$3" "$4")
+    if awk -v a="$found" -v b="$5" -v bound="$6" 'BEGIN { exit !(a != "" && (a - b)^2 <= bound^2) }'
+    then echo "PASS $1"; else echo "FAIL $1 $3 at $4 s is ${found:-not there}, expected $5 within $6"; fi
+}
+refused()   # NAME FUNCTION WORDS...: the run stops and its log has the words
+{
+    local name=$1 function=$2 word; shift 2
+    control "wrong { $function }"
+    riprapFoam >log.wrong 2>&1 && { echo "FAIL $name the run went on"; return; }
+    for word in "$@" controlDict
+    do
+        grep -q -- "$word" log.wrong || { echo "FAIL $name the message does not say '$word'"; return; }
+    done
+    echo "PASS $name"
+}
+
+control "$functions"
+if ! { blockMesh && setParticles && riprapFoam; } >log 2>&1
+then
+    tail -20 log
+    echo "FAIL functionObjectsRun see above"; exit 1
+fi
+echo "PASS functionObjectsRun"
+
+# The start, on the lattice. Pressure: h = 0.1 and 0.2 m below the surface; 1 %: h/dp = 1.25 sums lattices to 0.99
+near probeInside probes/0/p.dat p0 0 981 10
+near probeOnSideWall probes/0/p.dat p1 0 981 10
+near probeOnFloor probes/0/p.dat p2 0 1962 20
+near probeDry probes/0/p.dat p3 0 0 0
+near probeVelocity probes/0/U.dat Uy1 0 0 1e-12
+near probeDensity probes/0/rho.dat rho0 0 1002.43 0.05          # Tait, c0 = 20 m/s: 1000 (1 + 7 x 981/4e5)^(1/7)
+near probeFraction probes/0/volumeFraction.dat f1 0 1 0.03         # two lattice sums of 0.99
+near sensorOnWall sensor/0/p.dat p0 0 981 10
+# Level and front to a quarter of a spacing and exactly
+near levelOnWall gauges/0/waterLevel.dat level0 0 0.2 0.0025
+near levelAboveFoot gauges/0/waterLevel.dat level1 0 0.15 0.0025
+near levelDry gauges/0/waterLevel.dat lowest2 0 0 0
+near frontStart front/0/frontPosition.dat front 0 0.2 1e-6
+near frontFloorStart front/0/frontPosition.dat frontFloor 0 0.2 1e-6
+near frontMax front/0/frontPosition.dat max 0 0.36 1e-6         # the drop
+near frontHeight front/0/frontPosition.dat height 0 0.2 0.0025
+near frontParticles front/0/frontPosition.dat particles 0 401 0
+# Energy: sums over the lattice, m = 0.1 kg/m: 9.81 (40 x 0.1 + 0.1 x 0.255); masses to 0.1 %
+near energyPotential energy/0/energyBalance.dat potential 0 39.490 0.04
+near energyKinetic energy/0/energyBalance.dat kinetic 0 0 1e-12
+near energyDissipatedStart energy/0/energyBalance.dat dissipated 0 0 1e-9
+
+# The end: the balance closes by definition, volume is kept
+now=$(value energy/0/energyBalance.dat total 0.1)
+near energyDissipated energy/0/energyBalance.dat dissipated 0.1 "$(awk -v a="$(value energy/0/energyBalance.dat total 0)" -v b="$now" 'BEGIN { print a - b }')" 1e-3
+near energyTotal energy/0/energyBalance.dat total 0.1 "$(awk -v k="$(value energy/0/energyBalance.dat kinetic 0.1)" -v p="$(value energy/0/energyBalance.dat potential 0.1)" \
+    -v e="$(value energy/0/energyBalance.dat elastic 0.1)" 'BEGIN { print k + p + e }')" 1e-3
+for time in 0.01 0.1
+do
+    # 0.2 x 0.2 m and the drop, 0.01 m thick: 2 %
+    near "volumeOnMesh$time" volume/0/volFieldValue.dat "volIntegrate(alpha.water)" $time 4.01e-4 8e-6
+done
+rows=$(grep -vc '#' postProcessing/sparse/0/energyBalance.dat)
+[[ $rows == 3 ]] && echo "PASS writeControlOfRows" || echo "FAIL writeControlOfRows $rows rows, expected those of 0, 0.05 and 0.1"
+missing=$(for t in 0 0.05 0.1; do for f in p U alpha.water; do [[ -f $t/$f ]] || echo $t/$f; done; done)
+[[ -z $missing && ! -e 0.01 ]] && echo "PASS fieldsAtWriteTimes" || echo "FAIL fieldsAtWriteTimes missing: $missing"
+grep -A2 frontAndBack 0.1/p | grep -q empty && grep -A2 tank 0.1/p | grep -q zeroGradient && echo "PASS fieldPatches" || echo "FAIL fieldPatches"
+
+# Written times again, and in a continued run
+mv postProcessing first
+control "$functions"
+riprapFoam -postProcess -time 0.1 >log 2>&1
+near postProcessFront front/*/frontPosition.dat front 0.1 "$(awk '$1 + 0 == 0.1 { print $2 }' first/front/0/frontPosition.dat)" 1e-6
+rm -rf postProcessing 0.1
+control "$functions" latestTime
+riprapFoam >log 2>&1
+for file in front/0/frontPosition.dat energy/0/energyBalance.dat probes/0/p.dat
+do
+    if cmp -s <(grep -v '#' first/$file | tail -5) <(grep -v '#' postProcessing/${file/\/0\//\/0.05\/} | tail -5)
+    then echo "PASS restart ${file##*/}"
+    else echo "FAIL restart ${file##*/} rows differ"; diff <(tail -5 first/$file) <(tail -5 postProcessing/${file/\/0\//\/0.05\/}); fi
+done
+
+# What is wrong is said
+refused wrongField "type particleProbes; $library fields (p T); probeLocations ((0 0 0));" fields "unknown field T" volumeFraction
+refused probeOutside "type particleProbes; $library probeLocations ((0 5 0));" probeLocations "outside of the mesh"
+refused noLocations "type particleProbes; $library" probeLocations
+refused gaugeOutside "type waterLevel; $library points ((5 0 0));" points "meets nothing"
+refused noDirection "type frontPosition; $library direction (0 0 0);" direction
+refused wrongMeshField "type particlesToMesh; $library fields (T);" "unknown field T" alpha.water
+control "gauges { type waterLevel; $library points ((0 0 0)); }"
+postProcess >log 2>&1
+grep -q 'needs a running particle scene' log && echo "PASS noScene" || echo "FAIL noScene"
