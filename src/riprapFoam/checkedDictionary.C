@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkedDictionary.H"
-#include "dimensionedScalar.H"
-#include "ListOps.H"
+#include "listed.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -155,7 +154,30 @@ Foam::scalar Foam::checkedDictionary::positive
 )
 {
     found(entry);
-    const scalar value = dimensionedScalar(entry, dimensions, dict_).value();
+
+    // As OpenFOAM's dimensioned scalars, [name] [dimensions] value, whose
+    // own reader aborts at wrong dimensions
+    ITstream& is = dict_.lookup(entry);
+    token first(is);
+    if (first.isWord())
+    {
+        is >> first;
+    }
+    is.putBack(first);
+    if (first == token::BEGIN_SQR)
+    {
+        const dimensionSet typed(is);
+        if (typed != dimensions)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry " << entry << " has the dimensions " << typed
+                << ": they must be " << dimensions << exit(FatalIOError);
+        }
+    }
+
+    scalar value = 0;
+    is >> value;
+    dict_.checkITstream(is, entry);
     require(value > 0, entry, value, "positive");
     return value;
 }
@@ -184,7 +206,17 @@ bool Foam::checkedDictionary::either
 
 const Foam::dictionary& Foam::checkedDictionary::subDict(const word& entry)
 {
-    return found(entry) ? dict_.subDict(entry) : dictionary::null;
+    if (!found(entry))
+    {
+        return dictionary::null;
+    }
+    if (!dict_.isDict(entry))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << entry << " must be a dictionary: " << entry
+            << " { ... }" << exit(FatalIOError);
+    }
+    return dict_.subDict(entry);
 }
 
 
@@ -197,7 +229,16 @@ void Foam::checkedDictionary::unknownWord
 {
     FatalIOErrorInFunction(dict_)
         << "Entry " << entry << " has the unknown word " << typed
-        << "; valid are " << flatOutput(valid)
+        << "; valid are " << listed(valid).c_str()
+        << exit(FatalIOError);
+}
+
+
+void Foam::checkedDictionary::unknownEntry(const word& entry) const
+{
+    FatalIOErrorInFunction(dict_)
+        << "Unknown entry " << entry
+        << "; valid are " << listed(known_).c_str()
         << exit(FatalIOError);
 }
 
@@ -206,13 +247,19 @@ void Foam::checkedDictionary::end() const
 {
     for (const entry& e : dict_)
     {
-        if (!known_.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Unknown entry " << e.keyword()
-                << "; valid are " << flatOutput(known_)
-                << exit(FatalIOError);
-        }
+        if (!known_.found(e.keyword())) unknownEntry(e.keyword());
+    }
+}
+
+
+void Foam::checkedDictionary::endButNumbers() const
+{
+    for (const entry& e : dict_)
+    {
+        const bool number =
+            e.isStream() && e.stream().size() == 1 && e.stream()[0].isNumber();
+
+        if (!number && !known_.found(e.keyword())) unknownEntry(e.keyword());
     }
 }
 

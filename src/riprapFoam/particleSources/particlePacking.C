@@ -102,7 +102,7 @@ Foam::pointField Foam::particlePacking::fill(const boundBox& box, const boundBox
     {
         const scalar low = box.min()[axes_[d]];
         const scalar high = min(box.max()[axes_[d]], limits.max()[axes_[d]]);
-        begin[d] = max(label(0), label(std::floor((limits.min()[axes_[d]] - low)/step[d])) - 1);
+        begin[d] = label(std::floor(max(scalar(0), (limits.min()[axes_[d]] - low)/step[d] - 1)));
         end[d] = label(std::floor((high - low)/step[d])) + 2;
     }
 

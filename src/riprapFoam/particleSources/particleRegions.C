@@ -177,7 +177,7 @@ Foam::particlePacking Foam::readPacking
     const scalar spacing = dict.positive("spacing");
     const auto kind = dict.choice("packing", particlePacking::names, particlePacking::kind::square);
     dict.found("regions");
-    dict.end();
+    dict.endButNumbers();
     return particlePacking(mesh, kind, spacing, gravity);
 }
 
