@@ -6,7 +6,7 @@
 #include "solverModule.H"
 #include "Time.H"
 #include "OSspecific.H"
-#include "ListOps.H"
+#include "listed.H"
 #include "HashSet.H"
 
 namespace Foam
@@ -86,7 +86,7 @@ Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
     FatalIOErrorInFunction(runTime.controlDict())
         << "Unknown solver " << name << " (entry solver, or option -solver):"
         << " library " << library << " cannot be loaded or has none of that"
-        << " name; available are " << flatOutput(availableModules())
+        << " name; available are " << listed(availableModules()).c_str()
         << exit(FatalIOError);
 
     return nullptr;

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallBodies.H"
-#include "ListOps.H"
+#include "listed.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -110,8 +110,8 @@ Foam::labelList Foam::wallBodies::bodyOf(const wordList& surfaces) const
         if (selected.empty())
         {
             FatalIOErrorInFunction(group.dict)
-                << "Entry patches " << flatOutput(group.patches)
-                << " selects no wall; valid are " << flatOutput(surfaces)
+                << "Entry patches " << listed(group.patches).c_str()
+                << " selects no wall; valid are " << listed(surfaces).c_str()
                 << exit(FatalIOError);
         }
 

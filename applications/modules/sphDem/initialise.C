@@ -94,7 +94,12 @@ void Foam::solverModules::sphDem::initialise()
     }
 
     registerScene();
-    logModels();
+
+    if (!modelsLogged_)
+    {
+        logModels();
+        modelsLogged_ = true;
+    }
 }
 
 

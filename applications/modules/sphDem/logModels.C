@@ -7,7 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
-#include "ListOps.H"
+#include "listed.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -167,7 +167,7 @@ void Foam::solverModules::sphDem::logModels() const
         << ", speedRatio " << c.maxSpeedRatio << ", escape "
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
-    item("off") << flatOutput(modelsOff()) << nl << endl;
+    item("off") << listed(modelsOff()).c_str() << nl << endl;
 }
 
 

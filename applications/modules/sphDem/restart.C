@@ -33,6 +33,8 @@ bool Foam::solverModules::sphDem::canContinue(const particleCloud& cloud)
 {
     if (!hasSphRun(runTime_))
     {
+        Info<< "Starting from the fields of lagrangian/fluid at time "
+            << runTime_.timeName() << nl << endl;
         return false;
     }
 
@@ -75,7 +77,7 @@ bool Foam::solverModules::sphDem::loadState(const particleCloud& cloud)
         return notUsed("the cloud has been changed since it was written");
     }
 
-    Info<< "Continuing from time " << runTime_.timeName() << ", exactly"
+    Info<< "Continuing exactly from time " << runTime_.timeName()
         << nl << endl;
     return true;
 }

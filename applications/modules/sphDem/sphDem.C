@@ -27,7 +27,17 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
     bodies_(runTime, asRead_.walls.motion),
     boundary_(mesh),
     interrupted_(false)
-{}
+{
+    try
+    {
+        riprap::chooseDevice(asRead_.config.device, 1, asRead_.config.dimensions);
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(asRead_.dict)
+            << "Entry device: " << e.what() << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
