@@ -141,31 +141,37 @@ Foam::scalar Foam::timePlan::target() const
     const scalar now = runTime_.value();
     const dictionary& dict = runTime_.controlDict();
 
-    scalar next = min(rounded(runTime_.endTime().value()), nextWrite(dict));
-
+    scalar write = nextWrite(dict);
     if (const dictionary* functions = dict.findDict("functions"))
     {
         for (const entry& e : *functions)
         {
             if (e.isDict())
             {
-                next = min(next, nextWrite(e.dict()));
+                write = min(write, nextWrite(e.dict()));
             }
         }
     }
 
+    const scalar end = rounded(runTime_.endTime().value());
     const scalar interval = sampleInterval();
+
+    scalar next = write;
     if (interval > 0)
     {
-        const scalar sample = nextMultiple(now, 0, interval);
-        // No sliver of a step between two times that mean the same
-        if (sample < next - 1e-6*interval)
-        {
-            next = sample;
-        }
+        // Equal steps up to a write: Time and function objects write at the
+        // first step that ends less than half of it before the time asked
+        // for. Without one, multiples of the interval
+        next =
+        (
+            write < GREAT
+          ? rounded(now + (write - now)/ceil((write - now)/interval - 1e-6))
+          : nextMultiple(now, 0, interval)
+        );
     }
 
-    return next;
+    // No sliver of a step before the end
+    return next < end - 1e-6*(next - now) ? next : end;
 }
 
 
