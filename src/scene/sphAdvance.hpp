@@ -26,7 +26,8 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setPoses(double begin, double end)
 {
     poseBegin_ = begin;
-    poseStep_ = std::max(end - begin, 1e-30)/poseIntervals;
+    // second differences of instants that are closer drown in round-off
+    poseStep_ = std::max(end - begin, 1e-3)/poseIntervals;
     std::vector<PoseSample> samples(std::size_t(nBodies_)*(poseIntervals + 1));
     const auto pose = [&](int body, double t)
     {
@@ -36,7 +37,7 @@ void SphSolver<Backend, D, P>::setPoses(double begin, double end)
         for (int k = 0; k < 3; ++k) r[9 + k] = p.translation[k];
         return r;
     };
-    const double dt = std::max(1e-4*poseStep_, 1e-9);
+    const double dt = 0.02*poseStep_;
     for (int b = 0; b < nBodies_; ++b)
         for (int k = 0; k <= poseIntervals; ++k)
         {
