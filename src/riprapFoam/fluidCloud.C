@@ -156,6 +156,7 @@ bool Foam::fluidCloud::writeObject
     fetched_ = false;
 
     particleCloud particles(fetch());
+    particles.properties.add("spacing", run_.spacing);
     const label nOutside = locate(particles);
     writeParticleCloud(mesh_, particles);
 

@@ -8,6 +8,8 @@ Description
 
 #include "sphDictionaries.H"
 #include "sphRun.H"
+#include "checkedDictionary.H"
+#include "particleCloudIO.H"
 #include "wallPoints.H"
 #include "sph/eos/equationOfState.hpp"
 #include "IOdictionary.H"
@@ -31,27 +33,25 @@ scalar fluidSpacing(const Time& time)
         return readSphRun(time).spacing;
     }
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "setParticlesDict",
-            time.system(),
-            time,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-
-    const scalar spacing = dict.get<scalar>("spacing");
-    if (!(spacing > 0))
+    dictionary dict(readCloudProperties(time, "fluid"));
+    if (!dict.found("spacing"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry spacing is " << spacing << ": it must be positive"
-            << exit(FatalIOError);
+        // A cloud that setParticles did not write
+        dict = IOdictionary
+        (
+            IOobject
+            (
+                "setParticlesDict",
+                time.system(),
+                time,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
     }
-    return spacing;
+
+    return checkedDictionary(dict).positive("spacing");
 }
 
 

@@ -114,11 +114,8 @@ void Foam::solverModules::sphDem::writeWalls()
 {
     if (!wallsWritten_ && walls_.size())
     {
-        writeWallPoints
-        (
-            walls_,
-            runTime_.path()/"postProcessing"/"walls"/"walls.vtp"
-        );
+        // Where setParticles writes them, too
+        writeWallPoints(walls_, runTime_.path()/"VTK"/"walls.vtp");
         wallsWritten_ = true;
     }
 }

@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "logPrecision.H"
 #include "clockTime.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -126,6 +127,8 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
 
 void Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
 {
+    const logPrecision digits;
+
     Info<< "Particles" << nl
         << "    fluid: " << run_.particles << nl;
     reportWallPoints(walls_, Info);

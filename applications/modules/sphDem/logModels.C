@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "logPrecision.H"
 #include "listed.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -60,6 +61,7 @@ Foam::wordList Foam::solverModules::sphDem::modelsOff() const
     if (c.xsph == 0) off.append("XSPH");
     if (c.diffusion == DiffusionKind::none) off.append("densityDiffusion");
     if (c.shifting == ShiftingKind::none) off.append("shifting");
+    if (walls_.size() == 0) off.append("walls");
     if (bodies_.size() == 0) off.append("movingWalls");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
@@ -108,6 +110,8 @@ void Foam::solverModules::sphDem::logTerms() const
 
 void Foam::solverModules::sphDem::logModels() const
 {
+    const logPrecision digits;
+
     const riprap::SphConfig& c = settings_.config;
     const riprap::DeviceChoice choice =
         riprap::chooseDevice(c.device, run_.particles, c.dimensions);
@@ -142,9 +146,12 @@ void Foam::solverModules::sphDem::logModels() const
 
     logTerms();
 
-    item("walls") << sphNames::wallModel[c.wallModel] << ", "
-        << (c.noSlip ? "noSlip" : "freeSlip") << ", " << walls_.layers
-        << " layers of spacing " << walls_.spacing << " m" << nl;
+    if (walls_.size())
+    {
+        item("walls") << sphNames::wallModel[c.wallModel] << ", "
+            << (c.noSlip ? "noSlip" : "freeSlip") << ", " << walls_.layers
+            << " layers of spacing " << walls_.spacing << " m" << nl;
+    }
     for (label i = 0; i < bodies_.size(); ++i)
     {
         item("moving walls") << bodies_.name(i) << ": " << bodies_.function(i)

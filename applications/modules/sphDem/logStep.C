@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "logPrecision.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -28,6 +29,8 @@ void Foam::solverModules::sphDem::logEscaped() const
 
 void Foam::solverModules::sphDem::report()
 {
+    const logPrecision digits;
+
     const riprap::SphConfig& config = settings_.config;
     const scalar h = config.smoothingRatio*config.spacing;
     const scalar c0 = config.soundSpeed;
