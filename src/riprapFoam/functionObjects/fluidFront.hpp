@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The furthest particle along a direction that belongs to the fluid rather than to the spray.
 
-    A particle counts when at least minNeighbours others lie within the kernel's support of it: single
-    particles and pairs that fly ahead do not move the front. Only the particles near the far end are
-    looked at: a window behind the furthest one, doubled until it holds a particle that counts.
+    A particle counts when at least minNeighbours others lie within the kernel's support of it: with 1,
+    single particles that fly ahead do not move the front, and the thin tip of a surge, a file of
+    particles, still does. Only the particles near the far end are looked at: a window behind the
+    furthest one, doubled until it holds a particle that counts.
 */
 #ifndef fluidFront_hpp
 #define fluidFront_hpp

@@ -102,8 +102,7 @@ bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
     rule_.up = toVector3(upDirection(dict));
 
     floorHeight_ = notNegative(dict, "floorHeight", 4*spacing_);
-    rule_.minNeighbours =
-        notNegative(dict, "minNeighbours", mesh_.nGeometricD() == 2 ? 3 : 5);
+    rule_.minNeighbours = notNegative(dict, "minNeighbours", 1);
 
     return true;
 }
