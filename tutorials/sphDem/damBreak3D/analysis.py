@@ -10,7 +10,7 @@ from riprap.dictionaries import numberOf
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
-spacings = {'': 0.005, '-medium': 0.006, '-coarse': 0.0075}
+spacings = {'': 0.005, '-fine': 0.004, '-coarse': 0.006}
 
 
 def front(run):
@@ -66,7 +66,7 @@ def pair(part, spacing, end=()):
 Study(
     scene='damBreak3D',
     variants=[v for part, spacing in spacings.items() for v in pair(part, spacing)],
-    quick=pair('-quick', 0.0075, ('-endTime', '0.2')),
+    quick=pair('-quick', 0.006, ('-endTime', '0.2')),
     analyse=analyse,
     plot=plot,
     headline='front two spacings from the far wall [s]',

@@ -63,7 +63,7 @@ def plot(runs, path):
 
 
 # A tank 0.25 m square with walls on all four sides
-tank3D = ('system/tank:width 0.25; system/tank:thickness 0.25; system/tank:frontAndBack wall;'
+tank3D = ('system/tank:width 0.25; system/tank:thickness 0.25; system/frontAndBack:frontAndBack wall;'
           'system/tank:nx 25; system/tank:nz 25')
 symplectic = 'timeIntegration symplectic'
 
