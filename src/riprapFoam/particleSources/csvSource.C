@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  source csv;  file "points.csv";     // in the case; first line: x,y,z or x,y,z,u,v,w */
+/*  source csv;  file "points.csv";     // in the case; first line: x,y,z or x,y,z,u,v,w or x,y,z,u,v,w,p */
 
 #include "addToRunTimeSelectionTable.H"
 #include "particleSource.H"
 #include "OSspecific.H"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -17,6 +18,7 @@ class csvSource
 {
     DynamicList<point> position_;
     DynamicList<vector> velocity_;
+    DynamicList<scalar> pressure_;
 
     static std::string bare(std::string text)
     {
@@ -61,10 +63,12 @@ public:
         std::string line;
         std::getline(in, line);
         const auto head = split(line);
-        const std::vector<std::string> xyz{"x", "y", "z"}, xyzuvw{"x", "y", "z", "u", "v", "w"};
-        if (head != xyz && head != xyzuvw)
+        const std::vector<std::string> all{"x", "y", "z", "u", "v", "w", "p"};
+        const bool known = head.size() == 3 || head.size() == 6 || head.size() == 7;
+        if (!known || !std::equal(head.begin(), head.end(), all.begin()))
         {
-            fail(dict.dict(), file, 1, "the header is '" + bare(line) + "', not x,y,z or x,y,z,u,v,w");
+            fail(dict.dict(), file, 1,
+                "the header is '" + bare(line) + "', not x,y,z or x,y,z,u,v,w or x,y,z,u,v,w,p");
         }
 
         for (label number = 2; std::getline(in, line); ++number)
@@ -76,7 +80,7 @@ public:
                 fail(dict.dict(), file, number, std::to_string(parts.size()) + " values, not "
                     + std::to_string(head.size()));
             }
-            scalar v[6] = {0, 0, 0, 0, 0, 0};
+            scalar v[7] = {0, 0, 0, 0, 0, 0, 0};
             for (std::size_t i = 0; i < parts.size(); ++i)
             {
                 if (!readScalar(parts[i].c_str(), v[i]))
@@ -85,7 +89,8 @@ public:
                 }
             }
             position_.append(point(v[0], v[1], v[2]));
-            if (head.size() == 6) velocity_.append(vector(v[3], v[4], v[5]));
+            if (head.size() > 3) velocity_.append(vector(v[3], v[4], v[5]));
+            if (head.size() > 6) pressure_.append(v[6]);
         }
     }
 
@@ -101,6 +106,8 @@ public:
         velocity = vectorField(velocity_);
         for (point& p : position) p = packing.inPlane(p);
     }
+
+    virtual scalarField pressure() const { return scalarField(pressure_); }
 
     virtual scalar estimate(const particlePacking&) const { return position_.size(); }
 };

@@ -132,6 +132,7 @@ static particleRegion readRegion
     }
 
     source->place(packing, limits, region.position, region.velocity);
+    region.pressure = source->pressure();
     if (region.velocity.empty()) region.velocity = vectorField(region.size(), velocity);
 
     checkPlace(region, packing, space);
@@ -144,7 +145,8 @@ static particleRegion readRegion
         if (packing.planar()) FatalIOError<< packing.inPlane(space.mesh.bounds().midpoint()) << "?";
         FatalIOError<< exit(FatalIOError);
     }
-    readPressure(dict, region, packing, space);
+    // The source's own, unless the region says otherwise
+    if (region.pressure.empty() || dict.found("pressure")) readPressure(dict, region, packing, space);
     return region;
 }
 
@@ -158,11 +160,13 @@ void Foam::particleRegion::keep(const boolList& those)
     {
         if (!those[i]) continue;
         position[n] = position[i];
+        if (pressure.size()) pressure[n] = pressure[i];
         velocity[n++] = velocity[i];
     }
     clipped += position.size() - n;
     position.setSize(n);
     velocity.setSize(n);
+    if (pressure.size()) pressure.setSize(n);
 }
 
 
