@@ -78,7 +78,7 @@ def heightData(c, file, factor, scale):
 def compare(runs, results):
     """Error at half the spacing less that at the stated one: no worse"""
     out = []
-    for kind in ('', '-constantH', '-extrapolated', '-extrapolated-constantH'):
+    for kind in ('', '-constantH', '-stationary', '-stationary-constantH'):
         for shape, name in (('column', 'Koshizuka & Oka'), ('square', 'Martin & Moyce n2=1')):
             pair = [f'{shape}{kind}', f'{shape}{kind}-half']
             if all(p in results and results[p] for p in pair):
@@ -125,7 +125,7 @@ def plot(runs, path):
 square = ('system/tank:columnWidth 0.05715; system/tank:columnHeight 0.05715; system/tank:tankWidth 0.5715;'
           'system/tank:tankHeight 0.12; system/tank:nx 200; system/tank:ny 42; system/controlDict:endTime 0.32;'
           'system/controlDict:sampleInterval 0.001')
-extrapolated = 'walls/model extrapolated'
+stationary = 'walls/model stationary'
 constantH = 'smoothingLength/model constant'
 
 
@@ -134,8 +134,8 @@ def variants():
     half the spacing as well; a coarser one and double precision for the default"""
     result = [Variant('coarse-column', ['-spacing', '0.0073']),
               Variant('column-double', ['-set', 'precision double'])]
-    for suffix, sets in (('', []), ('-constantH', [constantH]), ('-extrapolated', [extrapolated]),
-                         ('-extrapolated-constantH', [extrapolated, constantH])):
+    for suffix, sets in (('', []), ('-constantH', [constantH]), ('-stationary', [stationary]),
+                         ('-stationary-constantH', [stationary, constantH])):
         for shape, base, spacing in (('column', [], 0.005), ('square', [square], 0.05715/29)):
             changes = [option for s in base + sets for option in ('-set', s)]
             for part, dp in (('', spacing), ('-half', spacing/2)):
