@@ -57,14 +57,20 @@ Foam::scalar Foam::functionObjects::frontPosition::writtenSpacing
         (
             time_.globalPath()/time_.system()/"setParticlesDict"
         );
-        if (hasSphRun(time_) || isFile(seeded))
+        if
+        (
+            hasSphRun(time_)
+         || readCloudProperties(time_, fluidCloud).found("spacing")
+         || isFile(seeded)
+        )
         {
             return fluidSpacing(time_);
         }
         FatalIOErrorInFunction(dict)
             << "Entry spacing of function object " << name() << " is missing:"
-            << " no particle scene is running and there is no " << seeded
-            << exit(FatalIOError);
+            << " no particle scene is running, cloud " << fluidCloud
+            << " at time " << time_.timeName() << " does not tell, and there is"
+            << " no " << seeded << exit(FatalIOError);
     }
 
     const scalar spacing(dict.get<scalar>("spacing"));
