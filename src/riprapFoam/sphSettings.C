@@ -63,6 +63,14 @@ void setSpacing(sphSettings& settings, scalar spacing)
     config.wallSpacing =
         settings.walls.spacing > 0 ? settings.walls.spacing : spacing;
 
+    if (config.wallSpacing > 1.001*spacing)
+    {
+        IOWarningInFunction(settings.walls.dict)
+            << "Entry spacing " << config.wallSpacing << " is larger than the"
+            << " fluid's spacing " << spacing << ": particles may pass such"
+            << " walls" << endl;
+    }
+
     const scalar margin = wallThickness(settings);
 
     for (int i = 0; i < config.dimensions; ++i)
