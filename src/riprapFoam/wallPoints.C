@@ -22,6 +22,7 @@ class wallGenerator
 
     wallCandidates all_;
     DynamicList<label> part_;               // of each candidate: lattices >= 0, own number; others -1
+    DynamicList<scalar> rank_;              // of each candidate: the lower stays
     label nParts_ = 0;
     DynamicList<string> notes_;
     labelList first_, lost_;                // by source: points of the first layer, and dropped ones
@@ -31,6 +32,8 @@ class wallGenerator
     //- Keep what is behind this surface: true distance as laid (thin solids are split in the middle), and
     //  on the solid's side. bodyi < 0: patches
     void drop(const wallSurface&, wallCandidates&, bool lattice, label bodyi);
+
+    scalarField rank(const wallCandidates&, label bodyi) const;
 
     void dropNear();
 
@@ -115,15 +118,29 @@ void wallGenerator::lay(const wallElements& elements, label layers, label bodyi,
         all_.source.append(c.source);
         all_.depth.append(c.depth);
         part_.append(labelList(c.size(), lattice ? nParts_ : -1));
+        rank_.append(rank(c, bodyi));
         ++nParts_;
     }
 }
 
 
-// First layers win over deeper ones, then earlier points over later ones. Lattices keep their own cells.
+// First layers win over deeper ones. Where a body sticks out of the mesh, the patches' own points win.
+scalarField wallGenerator::rank(const wallCandidates& c, label bodyi) const
+{
+    scalarField r(c.depth);
+    if (bodyi >= 0)
+    {
+        const labelList cell(locateParticles(space_.mesh, pointField(c.position), labelList(), false));
+        forAll(r, i) if (cell[i] < 0) r[i] += 2*controls_.layers*space_.spacing;
+    }
+    return r;
+}
+
+
+// Lattices keep their own cells
 void wallGenerator::dropNear()
 {
-    const SortableList<scalar> order(all_.depth);
+    const SortableList<scalar> order(rank_);
     pointGrid taken(controls_.minDistance*space_.spacing);
     boolList keep(all_.size(), true);
     for (const label i : order.indices())

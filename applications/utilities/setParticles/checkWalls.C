@@ -27,7 +27,8 @@ static triSurface openPatches(const polyMesh& mesh, const labelList& wallIDs)
             for (const face& t : cut) tris.append(labelledTri(t[0], t[1], t[2], 0));
         }
     }
-    return triSurface(tris, mesh.points());
+    const triSurface all(tris, mesh.points());
+    return triSurface(all.localFaces(), all.localPoints());
 }
 
 
@@ -145,6 +146,12 @@ Foam::shepardRange Foam::checkWalls
     const surfaceFinder surface(mesh, bodies, patchIDs, walls, fluid, spacing, support);
 
     shepardRange range;
+    range.lattice = 0;
+    for (const vector& d : probes(mesh, support, spacing))
+    {
+        range.lattice += fluidVolume*factor*riprap::WendlandC2::value(mag(d)/h);
+    }
+
     for (const point& x : fluid)
     {
         scalar sum = 0;
@@ -171,6 +178,7 @@ Foam::shepardRange Foam::checkWalls
         );
 
         ++range.checked;
+        sum /= range.lattice;
         range.meanSquare += sqr(sum - 1);
         if (sum < range.least) { range.least = sum; range.leastAt = x; }
         if (sum > range.most) { range.most = sum; range.mostAt = x; }

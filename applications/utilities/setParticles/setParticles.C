@@ -108,13 +108,13 @@ static void reportRegions(const List<particleRegion>& regions, const particlePac
 
 static void reportShepard(const shepardRange& range)
 {
-    Info<< "Walls and fluid: Shepard sum at " << range.checked << " particles near walls ("
+    Info<< "Walls and fluid: Shepard sum over that of a lattice (" << range.lattice << ") at " << range.checked << " particles near walls ("
         << range.leftOut << " more at free surfaces or open patches)" << nl;
     if (range.checked)
     {
         Info<< "    least " << range.least << " at " << range.leastAt << nl
             << "    most " << range.most << " at " << range.mostAt << nl
-            << "    rms of S - 1 " << Foam::sqrt(range.meanSquare) << nl;
+            << "    rms difference from 1: " << Foam::sqrt(range.meanSquare) << nl;
     }
     Info<< endl;
 }
@@ -146,6 +146,7 @@ int main(int argc, char* argv[])
     if (!args.checkRootCase()) FatalError.exit();
 
     Time runTime(Time::controlDictName, args);
+    Info().precision(6);             // whatever writePrecision is
     autoPtr<fvMesh> mesh(readMesh(runTime));
 
     const IOdictionary dict(readDict(runTime, args));

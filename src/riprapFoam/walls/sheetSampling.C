@@ -122,7 +122,7 @@ static void boundaryPoints(const triSurface& sheet, scalar every, pointField& at
 
 static void relax(const triSurface& sheet, scalar spacing, sheetPoints& points)
 {
-    constexpr label nIterations = 60;
+    constexpr label nIterations = 40;
     const scalar reach = 1.7*spacing;
 
     const triSurfaceSearch search(sheet);

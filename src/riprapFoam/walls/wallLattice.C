@@ -130,7 +130,8 @@ bool wallLattice::divide(label a, DynamicList<string>& notes)
 
     if (most - least > 1e-6*s_)
     {
-        const vector e(frame_.T() & vector(a == 0, a == 1, a == 2));
+        vector e(frame_.T() & vector(a == 0, a == 1, a == 2));
+        for (direction c = 0; c < vector::nComponents; ++c) if (mag(e[c]) < 1e-6) e[c] = 0;
         OStringStream text;
         text.precision(5);
         text<< "wall spacing along " << e << " from " << least << " to " << most

@@ -64,6 +64,25 @@ static triSurface movedSheet(const triSurface& region, const vectorField& shift,
 }
 
 
+static sheetPoints samplePoints(const triSurface& sheet, scalar spacing)
+{
+    point corner;
+    vector side1, side2;
+    return
+        isRectangle(sheet, corner, side1, side2)
+      ? latticeOnRectangle(corner, side1, side2, spacing)
+      : relaxedOnSheet(sheet, spacing);
+}
+
+
+// All of it moves alike: points of the first layer serve for all
+static bool movesAlike(const vectorField& shift)
+{
+    for (const vector& v : shift) if (mag(v - shift[0]) > 1e-3) return false;
+    return true;
+}
+
+
 static void layRegion
 (
     const wallSpace& space,
@@ -74,21 +93,22 @@ static void layRegion
 )
 {
     const vectorField shift(shifts(region, seam));
+    const bool plane = movesAlike(shift);
+    sheetPoints points;
+    labelList faceMap;
     for (label layer = 0; layer < layers; ++layer)
     {
         const scalar d = space.firstOffset + layer*space.spacing;
-        labelList faceMap;
-        const triSurface sheet(movedSheet(region, shift, d, faceMap));
-        if (sheet.empty()) break;
-
-        point corner;
-        vector side1, side2;
-        const sheetPoints points
-        (
-            isRectangle(sheet, corner, side1, side2)
-          ? latticeOnRectangle(corner, side1, side2, space.spacing)
-          : relaxedOnSheet(sheet, space.spacing)
-        );
+        if (layer == 0 || !plane)
+        {
+            const triSurface sheet(movedSheet(region, shift, d, faceMap));
+            if (sheet.empty()) break;
+            points = samplePoints(sheet, space.spacing);
+        }
+        else
+        {
+            points.position -= space.spacing*shift[0];
+        }
         forAll(points.position, i)
         {
             const label f = faceMap[max(points.face[i], label(0))];
