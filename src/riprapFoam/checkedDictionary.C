@@ -26,6 +26,21 @@ void Foam::checkedDictionary::require
 }
 
 
+bool Foam::checkedDictionary::isWord
+(
+    const word& entry,
+    const word& allowed
+) const
+{
+    const token first(dict_.lookup(entry));
+    if (first.isWord() && first.wordToken() != allowed)
+    {
+        unknownWord(entry, first.wordToken(), {allowed, "<number>"});
+    }
+    return first.isWord();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::checkedDictionary::found(const word& entry)
@@ -109,41 +124,14 @@ Foam::scalar Foam::checkedDictionary::notNegativeOrNone
     scalar otherwise
 )
 {
-    if (!found(entry))
-    {
-        return otherwise;
-    }
-
-    const token first(dict_.lookup(entry));
-    if (first.isWord())
-    {
-        if (first.wordToken() != "none")
-        {
-            unknownWord(entry, first.wordToken(), {"none", "<number>"});
-        }
-        return 0;
-    }
-    return notNegative(entry, otherwise);
+    return found(entry) && isWord(entry, "none")
+      ? 0 : notNegative(entry, otherwise);
 }
 
 
 Foam::scalar Foam::checkedDictionary::positiveOrAuto(const word& entry)
 {
-    if (!found(entry))
-    {
-        return 0;
-    }
-
-    const token first(dict_.lookup(entry));
-    if (first.isWord())
-    {
-        if (first.wordToken() != "auto")
-        {
-            unknownWord(entry, first.wordToken(), {"auto", "<number>"});
-        }
-        return 0;
-    }
-    return positive(entry);
+    return !found(entry) || isWord(entry, "auto") ? 0 : positive(entry);
 }
 
 
