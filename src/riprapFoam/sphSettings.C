@@ -73,6 +73,9 @@ void setSpacing(sphSettings& settings, scalar spacing)
 
     const scalar margin = wallThickness(settings);
 
+    // A particle that is a whole spacing behind the walls has passed them
+    config.escapeInset = max(margin - spacing, scalar(0));
+
     for (int i = 0; i < config.dimensions; ++i)
     {
         const int axis = config.axes[i];

@@ -36,12 +36,14 @@ void check(const SphConfig& c, const FluidInput& f, const WallInput& w, const Wa
     require(w.body.empty() || w.body.size() == w.size(), "wall body indices of another length");
     require(w.nBodies == 0 || bool(motion), "moving walls without a motion");
     for (int d = 0; d < c.dimensions; ++d)
-        require(c.domainMax[c.axes[d]] > c.domainMin[c.axes[d]], "the domain is empty");
+        require(c.periodic[c.axes[d]] || c.domainMax[c.axes[d]] - c.domainMin[c.axes[d]] > 2*c.escapeInset,
+            "the domain is empty");
     for (std::size_t i = 0; i < f.size(); ++i)
         for (int d = 0; d < c.dimensions; ++d)
         {
-            const double x = f.position[3*i + c.axes[d]];
-            if (!(x >= c.domainMin[c.axes[d]] && x <= c.domainMax[c.axes[d]]))
+            const int axis = c.axes[d];
+            const double x = f.position[3*i + axis], inset = c.periodic[axis] ? 0 : c.escapeInset;
+            if (!(x >= c.domainMin[axis] + inset && x <= c.domainMax[axis] - inset))
                 throw std::invalid_argument("fluid particle " + std::to_string(i) + " at (" + std::to_string(f.position[3*i])
                   + " " + std::to_string(f.position[3*i + 1]) + " " + std::to_string(f.position[3*i + 2]) + ") is outside the domain");
         }

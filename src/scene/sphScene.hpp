@@ -38,9 +38,11 @@ struct SphConfig
     DeviceKind device = DeviceKind::automatic;
     PrecisionKind precision = PrecisionKind::mixed;
 
-    // Domain: particles that leave it have escaped. Periodic axes are wrapped.
+    // Domain: must hold the walls. Fluid that comes closer to its edge than escapeInset has escaped: give the walls'
+    // thickness less what a particle may penetrate. Periodic axes are wrapped.
     Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
     bool periodic[3] = {false, false, false};
+    double escapeInset = 0;                 // [m]
 
     // Fluid
     double spacing = 0;                     // initial fluid spacing dp [m]

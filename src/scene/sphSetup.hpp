@@ -87,8 +87,8 @@ void SphSolver<Backend, D, P>::setBox()
         {
             // a margin of two radii: fixed-point differences across it are never mistaken for near ones
             box_.set(d, lo - radius, hi - lo + 2*radius, false);
-            model_.domainMin[d] = radius*(1 - 1e-9);
-            model_.domainMax[d] = radius + (hi - lo)*(1 + 1e-9);
+            model_.domainMin[d] = radius*(1 - 1e-9) + c.escapeInset;
+            model_.domainMax[d] = radius + (hi - lo)*(1 + 1e-9) - c.escapeInset;
         }
     }
     const int reach = Backend::gpu ? 2 : 1;
