@@ -98,11 +98,25 @@ void wallGenerator::drop(const wallSurface& wall, wallCandidates& c, bool lattic
 }
 
 
+// Nothing may take the machine down by a slip in the spacing
+static void checkCount(const wallSpace& space, const wallSurface& wall, const string& what)
+{
+    const scalar n = wall.layers*sum(mag(wall.surface.faceAreas()))/sqr(space.spacing);
+    if (n > 1e9)
+    {
+        FatalErrorInFunction
+            << "walls (" << what.c_str() << ") would have about " << n << " points at a spacing of "
+            << space.spacing << " m: is it meant?" << exit(FatalError);
+    }
+}
+
+
 void wallGenerator::lay(const wallElements& elements, label layers, label bodyi, const string& what)
 {
     for (const wallElements& part : connectedParts(elements))
     {
         const wallSurface wall(space_, part, layers);
+        checkCount(space_, wall, what);
         wallCandidates c;
         const label nNotes = notes_.size();
         const bool lattice = layLattice(space_, wall, c, notes_);

@@ -89,6 +89,19 @@ static void checkCount(const dictionary& dict, const word& name, scalar n)
 }
 
 
+// Entries of a list do not know their file: messages shall
+static dictionary named(const dictionary& region, const word& name, const dictionary& all)
+{
+    dictionary d(region);
+    d.name() = all.name() + ".regions." + name;
+    for (entry& e : d)
+    {
+        if (e.isStream()) e.stream().name() = d.name() + '.' + e.keyword();
+    }
+    return d;
+}
+
+
 static particleRegion readRegion
 (
     const entry& e,
@@ -105,7 +118,7 @@ static particleRegion readRegion
 
     particleRegion region;
     region.name = e.keyword();
-    region.dict = e.dict();
+    region.dict = named(e.dict(), region.name, all);
     checkedDictionary dict(region.dict);
 
     readSet(dict);
@@ -139,11 +152,10 @@ static particleRegion readRegion
     if (region.position.empty())
     {
         FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << " holds no particle"
-            << (region.clipped ? " after clipping" : "")
-            << (packing.planar() ? ": does it reach the mid-plane of the mesh, " : "");
-        if (packing.planar()) FatalIOError<< packing.inPlane(space.mesh.bounds().midpoint()) << "?";
-        FatalIOError<< exit(FatalIOError);
+            << "Region " << region.name << " holds no particle" << (region.clip ? " after clipping" : "")
+            << ". The mesh is " << space.mesh.bounds().min() << " to " << space.mesh.bounds().max()
+            << (packing.planar() ? ", and its mid-plane must be in the region" : "")
+            << exit(FatalIOError);
     }
     // The source's own, unless the region says otherwise
     if (region.pressure.empty() || dict.found("pressure")) readPressure(dict, region, packing, space);

@@ -55,9 +55,11 @@ public:
         const fileName file(time.path()/time.constant()/"triSurface"/name);
         if (!isFile(file))
         {
+            fileNameList there(readDir(file.path(), fileName::FILE));
+            Foam::sort(there);
             FatalIOErrorInFunction(dict.dict())
-                << "Entry file: there is no " << file << "; constant/triSurface holds "
-                << flatOutput(readDir(file.path(), fileName::FILE)) << exit(FatalIOError);
+                << "Entry file: there is no " << file << "; constant/triSurface holds " << flatOutput(there)
+                << exit(FatalIOError);
         }
         surface_.reset(new triSurface(file, scale));
         if (surface_->empty())
