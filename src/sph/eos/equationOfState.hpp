@@ -55,8 +55,8 @@ struct EquationOfState
     {
         const double s = double(stiffness)/rho0, g = gamma;
         if (isLinear) return s*(log1p(d) - d/(1 + d));
-        const double r = 1 + d;
-        return s/g*((exp((g - 1)*log1p(d)) - 1)/(g - 1) - (1 - 1/r));
+        const double work = g == 1 ? log1p(d) : expm1((g - 1)*log1p(d))/(g - 1);
+        return s/g*(work - d/(1 + d));
     }
 };
 
