@@ -182,7 +182,7 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     e.kinetic = sums[0];
     e.potential = sums[1];
     e.elastic = sums[2];
-    e.wallWork = wallWork_;
+    if (nBodies_) for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
     return e;
 }
 
@@ -194,17 +194,7 @@ std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
     rebuild();
     Array<Backend, real> force;
     force.allocate(context_, std::size_t(nWalls_)*D);
-    withKernel(config_, [&](auto kernel, auto variable)
-    {
-        using Kernel = decltype(kernel);
-        const auto terms = terms_.template wallTerms<Part::momentum>();
-        WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
-        {
-            box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
-            force.data()
-        };
-        directPairLoop(context_, pass, nWalls_);
-    });
+    wallForcePass(force.data());
     const auto f = force.download();
     const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
     for (int i = 0; i < nWalls_; ++i)

@@ -156,6 +156,7 @@ void SphSolver<Backend, D, P>::setWalls(const WallInput& in)
         for (int d = 0; d < D; ++d) wall_.template add<real>("velocity." + std::to_string(d));
         wallAField_ = wall_.fields();
         for (int d = 0; d < D; ++d) wall_.template add<real>("acceleration." + std::to_string(d));
+        wallWorkField_ = wall_.template add<double>("work");
         wallRest_.upload(context_, in.position);
         wallReference_.allocate(context_, std::size_t(nWalls_)*D);
         poses_.allocate(context_, std::size_t(nBodies_)*(poseIntervals + 1));

@@ -85,6 +85,7 @@ private:
     void buildLists();
     void moveWalls(bool half);
     void wallPass();
+    void wallForcePass(real* force);
     template<Part part> void fluidPass(Finish);
     void step();
     Tick tick() const;
@@ -125,7 +126,7 @@ private:
 
     int nWalls_ = 0, nBodies_ = 0;
     FieldSet<Backend> wall_;
-    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1;
+    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1, wallWorkField_ = -1;
     Records<Backend, D, P> wallRecords_;
     Array<Backend, position> wallReference_;
     CellSort<Backend> wallSort_;
@@ -134,7 +135,6 @@ private:
     std::vector<std::int32_t> wallBodies_;
     Array<Backend, PoseSample> poses_;
     double poseBegin_ = 0, poseStep_ = 1;
-    double wallWork_ = 0;       // done by moving walls [J]
     static constexpr int poseIntervals = 32;
 
     Array<Backend, ClockData> clock_;

@@ -1,7 +1,8 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock; the clock; each field in the device's order; a checksum (FNV-1a over all words before it).
+    bytes of the clock, walls, wall fields; the clock; each field in the device's order; those of moving walls;
+    a checksum (FNV-1a over all words before it).
 */
 #pragma once
 
@@ -14,7 +15,7 @@ namespace detail
 {
 
 static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 1;
-static constexpr int stateHeader = 10;
+static constexpr int stateHeader = 12;
 
 inline std::int32_t checksum(const std::vector<std::int32_t>& words, std::size_t n)
 {
@@ -40,16 +41,21 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     std::vector<std::int32_t> words
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
-        stepsPerCycle_, int(sizeof(ClockData))
+        stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     std::vector<unsigned char> bytes;
-    for (int f = 0; f < fluid_.fields(); ++f)
+    const auto append = [&](FieldSet<Backend>& set, int count)
     {
-        bytes.resize(std::size_t(n)*fluid_.elementBytes(f));
-        if (n) context_.toHost(bytes.data(), fluid_.bytes(f), bytes.size());
-        detail::appendBytes(words, bytes.data(), bytes.size());
-    }
+        for (int f = 0; f < set.fields(); ++f)
+        {
+            bytes.resize(std::size_t(count)*set.elementBytes(f));
+            if (count) context_.toHost(bytes.data(), set.bytes(f), bytes.size());
+            detail::appendBytes(words, bytes.data(), bytes.size());
+        }
+    };
+    append(fluid_, n);
+    if (nBodies_) append(wall_, nWalls_);
     words.push_back(detail::checksum(words, words.size()));
     return words;
 }
@@ -68,19 +74,26 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
     if (words[6] != fluid_.fields()) fail("it has other fields (models were switched on or off)");
     if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
+    if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0)) fail("it has other moving walls");
     const int n = words[5];
     if (n < 0 || n > n_) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(n_));
     std::size_t at = detail::stateHeader + clockWords, expected = at + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < words[11]; ++f) expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
     if (expected != words.size()) fail("wrong length");
 
     std::memcpy(static_cast<void*>(&host_), &words[detail::stateHeader], sizeof(ClockData));
-    for (int f = 0; f < fluid_.fields(); ++f)
+    const auto take = [&](FieldSet<Backend>& set, int count)
     {
-        const std::size_t bytes = std::size_t(n)*fluid_.elementBytes(f);
-        if (n) context_.toDevice(fluid_.bytes(f), &words[at], bytes);
-        at += (bytes + 3)/4;
-    }
+        for (int f = 0; f < set.fields(); ++f)
+        {
+            const std::size_t bytes = std::size_t(count)*set.elementBytes(f);
+            if (count) context_.toDevice(set.bytes(f), &words[at], bytes);
+            at += (bytes + 3)/4;
+        }
+    };
+    take(fluid_, n);
+    if (nBodies_) take(wall_, nWalls_);
     n_ = reported_ = n;
     shift_ = words[7];
     stepsPerCycle_ = words[8];

@@ -148,7 +148,7 @@ void SphSolver<Backend, D, P>::buildLists()
         const auto wall = wallRecords_.view();
         parts_.fluidWall.build
         (context_, box_, grid_, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1);
-        if (config_.wallModel == WallKind::extrapolated)
+        if (config_.wallModel == WallKind::extrapolated || nBodies_)
             parts_.wallFluid.build
             (context_, box_, grid_, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2);
     }
@@ -198,6 +198,28 @@ void SphSolver<Backend, D, P>::wallPass()
     });
 }
 
+//- Force on the walls; without somewhere to put it, the work that moving walls do in this step
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::wallForcePass(real* force)
+{
+    if (!force && !nBodies_) return;
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        const auto terms = terms_.template wallTerms<Part::momentum>();
+        WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
+        {
+            box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
+            force, nullptr, {}, nullptr
+        };
+        if (force) return directPairLoop(context_, pass, nWalls_);
+        pass.clock = clock_.data();
+        for (int d = 0; d < D; ++d) pass.wallVelocity[d] = wall_.template data<real>(wallVField_ + d);
+        pass.work = wall_.template data<double>(wallWorkField_);
+        run(pass, nWalls_);
+    });
+}
+
 template<class Backend, int D, class P>
 template<Part part>
 void SphSolver<Backend, D, P>::fluidPass(Finish mode)
@@ -239,6 +261,7 @@ void SphSolver<Backend, D, P>::step()
         moveWalls(false);
         wallPass();
         fluidPass<Part::all>(Finish::close);
+        wallForcePass(nullptr);
     }
     else
     {
@@ -249,6 +272,7 @@ void SphSolver<Backend, D, P>::step()
         moveWalls(false);
         wallPass();
         fluidPass<Part::momentum>(Finish::close);
+        wallForcePass(nullptr);
     }
 }
 

@@ -1,10 +1,12 @@
 /*  Force of the fluid on wall points: the reaction, pair by pair, of what FluidPass adds to the fluid (the same terms,
-    which are antisymmetric), hence equal and opposite to round-off.
+    which are antisymmetric), hence equal and opposite to round-off. In a step it also sums the work that moving walls
+    do on the fluid, - F . u dt.
 */
 #pragma once
 
 #include "core/pairLoop.hpp"
 #include "sph/fluidPass.hpp"
+#include "sph/time/clock.hpp"
 
 namespace riprap
 {
@@ -28,9 +30,12 @@ struct WallForcePass
     KernelConstants<Dim, real> kernel;
     FluidModel<Dim, P> model;
     int count;
-    real* force;                // Dim a point [N]
+    real* force;                // Dim a point [N]; null in a step
+    const ClockData* clock;     // in a step; null: now
+    const real* wallVelocity[Dim];
+    double* work;               // [J]
 
-    HD bool enabled() const { return true; }
+    HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }
     HD Vec<Dim, typename P::position> position(int i) const { return wall.loadPosition(i); }
@@ -54,7 +59,14 @@ struct WallForcePass
 
     HD void finish(int i, const real* sums, float*) const
     {
-        for (int d = 0; d < Dim; ++d) force[Dim*i + d] = model.wallMass*sums[d];
+        double power = 0;
+        for (int d = 0; d < Dim; ++d)
+        {
+            const real f = model.wallMass*sums[d];
+            if (force) force[Dim*i + d] = f;
+            if (work) power -= double(f)*wallVelocity[d][i];
+        }
+        if (work) work[i] += power*clock->dt;
     }
 };
 

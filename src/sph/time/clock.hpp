@@ -19,11 +19,13 @@ namespace riprap
 enum class Limit : int {none, acoustic, force, viscous, fixed, target, maximum, growth};
 enum class Halt : int {none, notANumber, density, speed};
 
+//- Without padding, so that saved states of equal runs are equal words
 struct ClockData
 {
     double time = 0, target = 0;
     double dt = 0;              // of the step in hand
     double fullDt = 0;          // before shortening to the target
+    double minDt = 1e300, maxDt = 0;
     std::int64_t step = 0, lastStep = 0;    // taken; stop at
     int active = 0;
     int needRebuild = 0;
@@ -35,8 +37,10 @@ struct ClockData
     float speed = 0;            // largest c + |v|, and the others, seen by the last tick
     float acceleration = 0;
     float deviation = 0;
-    double minDt = 1e300, maxDt = 0;
+    int unused = 0;
 };
+
+static_assert(sizeof(ClockData) == 8*8 + 16*4, "ClockData has padding");
 
 struct StepLimits
 {
