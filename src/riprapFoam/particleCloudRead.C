@@ -6,6 +6,7 @@
 #include "cloud.H"
 #include "IOField.H"
 #include "IOobjectList.H"
+#include "listed.H"
 #include "tetIndices.H"
 #include "Time.H"
 
@@ -231,7 +232,7 @@ static const Foam::Field<T>& required
     {
         FatalIOErrorInFunction(mesh.time().timePath()/cloud::prefix/c.name)
             << "no " << pTraits<T>::typeName << " field " << field << "; there are "
-            << flatOutput(fields.sortedToc()) << exit(FatalIOError);
+            << listed(fields.sortedToc()).c_str() << exit(FatalIOError);
     }
     return fields[field];
 }

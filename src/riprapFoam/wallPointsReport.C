@@ -6,6 +6,7 @@
 #include "coupledPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "IOdictionary.H"
+#include "listed.H"
 #include "particleCloudIO.H"
 #include "wallPolyPatch.H"
 
@@ -51,7 +52,7 @@ Foam::labelList Foam::wallPatches
         {
             FatalIOErrorInFunction(dict)
                 << "Entry patches: no patch " << name << " that can be a wall; valid ones are "
-                << flatOutput(valid) << exit(FatalIOError);
+                << listed(valid).c_str() << exit(FatalIOError);
         }
     }
 

@@ -110,6 +110,8 @@ public:
     virtual scalarField pressure() const { return scalarField(pressure_); }
 
     virtual scalar estimate(const particlePacking&) const { return position_.size(); }
+
+    virtual bool regular() const { return false; }
 };
 
 defineTypeNameAndDebug(csvSource, 0);

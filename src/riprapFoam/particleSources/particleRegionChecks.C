@@ -83,10 +83,28 @@ void Foam::checkOverlap(const List<particleRegion>& regions, const particlePacki
     pointGrid grid(least);
     DynamicList<label> owner;
 
+    List<boundBox> bounds(regions.size());
+    forAll(regions, r)
+    {
+        bounds[r] = boundBox(regions[r].position, false);
+        bounds[r].min() -= vector::one*least;
+        bounds[r].max() += vector::one*least;
+    }
+    // Only particles that another region's can reach
+    auto shared = [&](label r, const point& x)
+    {
+        forAll(bounds, other)
+        {
+            if (other != r && bounds[other].contains(x)) return true;
+        }
+        return !regions[r].regular;
+    };
+
     forAll(regions, r)
     {
         for (const point& x : regions[r].position)
         {
+            if (!shared(r, x)) continue;
             label other = -1;
             grid.near(x, [&](label i, const vector&, scalar) { other = i; });
             if (other >= 0)

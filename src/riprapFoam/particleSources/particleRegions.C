@@ -127,6 +127,7 @@ static particleRegion readRegion
     if (dict.found("velocity")) velocity = dict.dict().get<vector>("velocity");
 
     const auto source = particleSource::New(dict, space.mesh.time());
+    region.regular = source->regular();
 
     // Entries are all known now, apart from those of the pressure
     dict.found("pressure");

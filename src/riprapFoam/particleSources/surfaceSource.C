@@ -6,6 +6,7 @@
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
 #include "OSspecific.H"
+#include "listed.H"
 
 namespace Foam
 {
@@ -58,7 +59,7 @@ public:
             fileNameList there(readDir(file.path(), fileName::FILE));
             Foam::sort(there);
             FatalIOErrorInFunction(dict.dict())
-                << "Entry file: there is no " << file << "; constant/triSurface holds " << flatOutput(there)
+                << "Entry file: there is no " << file << "; constant/triSurface holds " << listed(there).c_str()
                 << exit(FatalIOError);
         }
         surface_.reset(new triSurface(file, scale));

@@ -2,6 +2,7 @@
 
 #include "geometryWalls.H"
 #include "Enum.H"
+#include "listed.H"
 #include "volumeType.H"
 
 namespace Foam
@@ -38,7 +39,7 @@ static const dictionary& checked(const dictionary& all)
         {
             FatalIOErrorInFunction(e.dict())
                 << "Unknown type " << type << " of " << e.keyword() << "; valid types are "
-                << flatOutput(valid) << exit(FatalIOError);
+                << listed(valid).c_str() << exit(FatalIOError);
         }
     }
     return all;
@@ -72,7 +73,7 @@ Foam::geometryWalls::geometryWalls(const Time& time, const dictionary& all)
             {
                 FatalIOErrorInFunction(dicts_[i])
                     << "Unknown solidSide " << typed << "; valid ones are "
-                    << flatOutput(sideNames.toc()) << exit(FatalIOError);
+                    << listed(sideNames.toc()).c_str() << exit(FatalIOError);
             }
             side_[i] = sideNames.get(typed);
             if (!closed && side_[i] != solidSide::both)
