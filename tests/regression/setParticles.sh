@@ -131,6 +131,10 @@ do
     [[ -s processor1/0/lagrangian/fluid/coordinates ]] && pass decomposePar.$format || fail decomposePar.$format "no cloud for processor1"
     rm -rf processor* VTK
 done
+sed -i 's/startFrom startTime/startFrom latestTime/' system/controlDict; mkdir 0.5
+rm -rf 0/lagrangian; setParticles >log 2>&1
+[[ -e 0/lagrangian/fluid/positions && ! -e 0.5/lagrangian ]] && pass startTime || fail startTime "with startFrom latestTime, particles are not at startTime"
+rmdir 0.5
 cp system/setParticlesDict system/other; rm system/setParticlesDict
 setParticles -dict other >log 2>&1; says otherDict 'total: 800 particles'
 setParticles -dict system/other >log 2>&1; says otherDictPath 'total: 800 particles'

@@ -43,6 +43,17 @@ static IOdictionary readDict(const Time& time, const argList& args)
 }
 
 
+// Particles are what a case starts with: at startTime, even when a run would continue from the latest
+static void goToStart(Time& time)
+{
+    const dictionary& control = time.controlDict();
+    if (control.getOrDefault<word>("startFrom", "latestTime") == "latestTime")
+    {
+        time.setTime(control.getOrDefault<scalar>("startTime", 0), 0);
+    }
+}
+
+
 static wallPoints makeWalls
 (
     const polyMesh& mesh,
@@ -146,6 +157,7 @@ int main(int argc, char* argv[])
     if (!args.checkRootCase()) FatalError.exit();
 
     Time runTime(Time::controlDictName, args);
+    goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is
     autoPtr<fvMesh> mesh(readMesh(runTime));
 
