@@ -21,7 +21,7 @@ struct CountCells
     const std::uint32_t* keys;
     int* counts;
 
-    HD void operator()(int i) const
+    HD void operator()([[maybe_unused]] int i) const
     {
 #ifdef __CUDA_ARCH__
         atomicAdd(counts + keys[i], 1);

@@ -87,8 +87,6 @@ struct TermParameters
         {
             if (on.exactly(true, false, false, false, false)) return f(Terms{p, c, laminar}, std::false_type());
             if (on.exactly(true, false, true, true, false)) return f(Terms{p, c, laminar, antiClump, xsph}, std::false_type());
-            if (on.exactly(true, false, false, false, true)) return f(Terms{p, c, laminar, diffusion}, std::false_type());
-            if (on.exactly(false, true, false, false, false)) return f(Terms{p, c, artificial}, std::false_type());
             if (on.exactly(false, true, false, false, true)) return f(Terms{p, c, artificial, diffusion}, std::false_type());
         }
         const Switchable<LaminarViscosity<R>> l(laminar, on.laminar);

@@ -227,7 +227,8 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        constexpr bool specialised = std::is_same<Kernel, WendlandC2>::value;
+        // exact combinations where speed is sought: single precision and the usual kernel
+        constexpr bool specialised = std::is_same<Kernel, WendlandC2>::value && sizeof(real) == 4;
         terms_.template withFluidTerms<part, specialised>([&](const auto& fluidTerms, auto shifts)
         {
             const auto wallTerms = terms_.template wallTerms<part>();
