@@ -115,7 +115,8 @@ public:
             data_ = nullptr;
             context_ = &context;
             capacity_ = n;
-            const std::size_t bytes = (n + 16)*sizeof(T);
+            // a register of any type may be loaded at the last element: what it finds beyond must be finite
+            const std::size_t bytes = n*sizeof(T) + (sizeof(T) < 4 ? 64 : 16*sizeof(T));
             data_ = static_cast<T*>(context.allocate(bytes));
             context.zero(data_, bytes);
         }
