@@ -1,0 +1,102 @@
+/*  The paper's SPH equations for one pair, in double, written from the paper (with its ERRATA) and the cited sources alone: what the
+    tests of terms and of the pair loop compare with. Gradients are vectors here, kernels are functions of r and h.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <cmath>
+#include "scene/sphScene.hpp"
+
+namespace riprap
+{
+namespace paper
+{
+
+inline Vector3 operator-(const Vector3& a, const Vector3& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+inline double dot(const Vector3& a, const Vector3& b) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
+inline void add(Vector3& a, double s, const Vector3& b) { for (int d = 0; d < 3; ++d) a[d] += s*b[d]; }
+
+//- Eq. 28 and its 3D form; Monaghan & Lattanzio's cubic spline
+inline double W(KernelKind kernel, int D, double r, double h)
+{
+    const double pi = std::acos(-1.0), q = r/h;
+    if (q >= 2) return 0;
+    if (kernel == KernelKind::wendlandC2)
+        return (D == 2 ? 7/(4*pi*h*h) : 21/(16*pi*h*h*h))*std::pow(1 - q/2, 4)*(2*q + 1);
+    const double alpha = D == 2 ? 10/(7*pi*h*h) : 1/(pi*h*h*h);
+    return alpha*(q < 1 ? 1 - 1.5*q*q + 0.75*q*q*q : 0.25*std::pow(2 - q, 3));
+}
+
+inline double dWdr(KernelKind kernel, int D, double r, double h)
+{
+    const double pi = std::acos(-1.0), q = r/h;
+    if (q >= 2) return 0;
+    if (kernel == KernelKind::wendlandC2)
+        return (D == 2 ? 7/(4*pi*h*h) : 21/(16*pi*h*h*h))/h*(-5*q)*std::pow(1 - q/2, 3);
+    const double alpha = D == 2 ? 10/(7*pi*h*h) : 1/(pi*h*h*h);
+    return alpha/h*(q < 1 ? -3*q + 2.25*q*q : -0.75*std::pow(2 - q, 2));
+}
+
+//- x = x_i - x_j
+inline Vector3 gradW(KernelKind kernel, int D, const Vector3& x, double h)
+{
+    const double r = std::sqrt(dot(x, x));
+    Vector3 g{{0, 0, 0}};
+    if (r > 0) add(g, dWdr(kernel, D, r, h)/r, x);
+    return g;
+}
+
+struct Particle
+{
+    Vector3 x{{0, 0, 0}}, v{{0, 0, 0}};
+    double rho = 0, p = 0, h = 0, m = 0;
+    Vector3 u{{0, 0, 0}};       // of walls: their own velocity, where v is what viscosity sees
+};
+
+//- A pair, and what particle i gets from j
+struct Pair
+{
+    Particle i, j;
+    Vector3 x, v;               // i - j
+    double h, r2, w;
+    Vector3 grad;
+    KernelKind kernel;
+    int D;
+
+    Vector3 a{{0, 0, 0}}, drift{{0, 0, 0}};     // dv/dt, added to dx/dt
+    double rate = 0;                            // drho/dt
+
+    //- separation: x_i - x_j, nearest image
+    Pair(KernelKind k, int dimensions, const Particle& pi, const Particle& pj, const Vector3& separation)
+    :
+        i(pi), j(pj), x(separation), v(pi.v - pj.v), h(0.5*(pi.h + pj.h)), r2(dot(x, x)), w(W(k, dimensions, std::sqrt(r2), h)),
+        grad(gradW(k, dimensions, x, h)), kernel(k), D(dimensions)
+    {}
+
+    void continuity() { rate += i.rho*j.m/j.rho*dot(v, grad); }                                         // Eq. 32
+    void wallContinuity() { rate += i.rho*j.m/j.rho*dot(i.v - j.u, grad); }
+    void pressure() { add(a, -j.m*(i.p/(i.rho*i.rho) + j.p/(j.rho*j.rho)), grad); }                     // Eq. 34
+    void laminar(double mu) { add(a, j.m*2*mu*dot(x, grad)/(i.rho*j.rho*(r2 + 0.01*h*h)), v); }         // Eq. 36
+    void antiClump(double epsilon, double spacing)                                                      // Eq. 38
+    {
+        const double ratio = w/W(kernel, D, spacing, h);
+        add(a, -j.m*epsilon*(std::abs(i.p)/(i.rho*i.rho) + std::abs(j.p)/(j.rho*j.rho))*std::pow(ratio, 4), grad);
+    }
+    void xsph(double epsilon) { add(drift, -epsilon*j.m/(0.5*(i.rho + j.rho))*w, v); }                  // Eq. 39
+    void artificial(double alpha, double c0)                                                            // Monaghan 1992
+    {
+        if (dot(v, x) >= 0) return;
+        const double mu = h*dot(v, x)/(r2 + 0.01*h*h);
+        add(a, j.m*alpha*c0*mu/(0.5*(i.rho + j.rho)), grad);
+    }
+    void diffusion(double delta, double c0, double rho0, const Vector3& g)      // Molteni: g = 0; Fourtakas et al. 2019
+    {
+        const Vector3 ji{{-x[0], -x[1], -x[2]}};
+        const double difference = 2*(j.rho - i.rho - rho0*dot(g, ji)/(c0*c0));
+        if (r2 > 0) rate += delta*h*c0*j.m/j.rho*difference*dot(ji, grad)/r2;
+    }
+};
+
+} // namespace paper
+} // namespace riprap
