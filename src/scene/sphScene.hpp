@@ -88,6 +88,9 @@ struct SphConfig
     double forceCourant = 0.25;             // dt <= C sqrt(h/|a|max)
     double viscousCourant = 0.125;          // dt <= C h^2 rho/mu
 
+    // Neighbours: what the search radius adds to the support, as a fraction of it; < 0: chosen by the scene
+    double skin = -1;
+
     // Guards
     double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
     double maxSpeedRatio = 5;               // |v|/vmax that stops the run

@@ -26,7 +26,9 @@ SphSolver<Backend, D, P>::SphSolver
 template<class Backend, int D, class P>
 double SphSolver<Backend, D, P>::skinRatio() const
 {
-    return Backend::gpu ? 0.12 : 0.10;
+    if (config_.skin >= 0) return config_.skin;
+    // the longer steps of the symplectic scheme carry particles further
+    return config_.integrator == IntegratorKind::symplectic ? 0.16 : 0.12;
 }
 
 template<class Backend, int D, class P>
