@@ -43,7 +43,6 @@ public:
         cells_ = cells;
         for (auto& a : scratch_.keys) a.allocate(context, n);
         for (auto& a : scratch_.values) a.allocate(context, n);
-        counts_.allocate(context, std::size_t(cells) + 2);
         start_.allocate(context, std::size_t(cells) + 2);
         bits_ = 1;
         while ((std::int64_t(1) << bits_) <= cells) ++bits_;
@@ -58,26 +57,27 @@ public:
     void sort(Context<Backend>& context, int n)
     {
         if (n > 0) sortPairs(context, scratch_, n, bits_);
-        forEach(context, cells_ + 2, ClearCounts{counts_.data()});
-        forEach(context, n, CountCells{sortedKeys(n), counts_.data()});
-        exclusiveScan(context, scratch_, counts_.data(), start_.data(), cells_ + 2);
+        forEach(context, cells_ + 2, ClearCounts{start_.data()});
+        forEach(context, n, CountCells{scratch_.keys[1].data(), start_.data()});
+        exclusiveScan(context, scratch_, start_.data(), cells_ + 2);
     }
+
+    //- What sorting needs is given back: for sets that never move
+    void releaseScratch() { scratch_ = SortScratch<Backend>(); }
 
     const std::uint32_t* order() const { return scratch_.values[1].data(); }
     const int* start() const { return start_.data(); }
     const int* active() const { return start_.data() + cells_; }    // particles that are in a cell
     std::size_t bytes() const
     {
-        std::size_t b = counts_.bytes() + start_.bytes() + scratch_.temporary.bytes();
+        std::size_t b = start_.bytes() + scratch_.temporary.bytes();
         for (int k = 0; k < 2; ++k) b += scratch_.keys[k].bytes() + scratch_.values[k].bytes();
         return b;
     }
 
 private:
-    const std::uint32_t* sortedKeys(int) const { return scratch_.keys[1].data(); }
-
     SortScratch<Backend> scratch_;
-    Array<Backend, int> counts_, start_;
+    Array<Backend, int> start_;         // counts, then their sums
     int cells_ = 0, bits_ = 1;
 };
 

@@ -47,14 +47,39 @@ public:
         return int(fields_.size()) - 1;
     }
 
+    //- Memory for n particles. Large sets share one spare array a size of element, so that a permutation sorts field
+    //  after field; small ones have a spare for each field and are sorted in one launch.
     void allocate(Context<Backend>& context, std::size_t n)
     {
+        tight_ = n >= tightFrom;
         for (Field& f : fields_)
         {
             f.now.allocate(context, n*f.bytes);
-            f.next.allocate(context, n*f.bytes);
+            if (!tight_) f.next.allocate(context, n*f.bytes);
+            else if (f.bytes == 8) spare8_.allocate(context, n*8);
+            else spare4_.allocate(context, n*4);
         }
         n_ = n;
+    }
+
+    static constexpr std::size_t tightFrom = 2000000;
+
+    //- Does a permutation bring back the same pointers after every second one (else: not at all soon)?
+    bool alternates() const { return !tight_; }
+
+    //- No more permutations: give the spare memory back
+    void releaseSpare()
+    {
+        for (Field& f : fields_) f.next = Array<Backend, unsigned char>();
+        spare8_ = Array<Backend, unsigned char>();
+        spare4_ = Array<Backend, unsigned char>();
+    }
+
+    std::size_t bytes() const
+    {
+        std::size_t b = spare8_.bytes() + spare4_.bytes();
+        for (const Field& f : fields_) b += f.now.bytes() + f.next.bytes();
+        return b;
     }
 
     template<class T>
@@ -67,13 +92,14 @@ public:
         p.order = order;
         for (Field& f : fields_)
         {
+            Array<Backend, unsigned char>& next = !tight_ ? f.next : (f.bytes == 8 ? spare8_ : spare4_);
             p.from[p.fields] = f.now.data();
-            p.to[p.fields] = f.next.data();
+            p.to[p.fields] = next.data();
             p.wide[p.fields++] = f.bytes == 8;
-            if (p.fields == Permute::maxFields) { forEach(context, n, p); p.fields = 0; }
+            if (p.fields == Permute::maxFields || tight_) { forEach(context, n, p); p.fields = 0; }
+            f.now.swap(next);
         }
         if (p.fields) forEach(context, n, p);
-        for (Field& f : fields_) f.now.swap(f.next);
     }
 
     template<class T>
@@ -90,11 +116,12 @@ public:
         if (!host.empty()) context.toDevice(fields_[field].now.data(), host.data(), host.size()*sizeof(T));
     }
 
-    struct Info { std::string name; int bytes; };
+    struct Info { std::string name; std::size_t bytes; };
     std::vector<Info> info() const
     {
         std::vector<Info> r;
-        for (const Field& f : fields_) r.push_back(Info{f.name, f.bytes});
+        for (const Field& f : fields_) r.push_back(Info{f.name, f.now.bytes() + f.next.bytes()});
+        if (spare8_.bytes() + spare4_.bytes()) r.push_back(Info{"spare", spare8_.bytes() + spare4_.bytes()});
         return r;
     }
 
@@ -112,7 +139,9 @@ private:
         Array<Backend, unsigned char> now, next;
     };
     std::vector<Field> fields_;
+    Array<Backend, unsigned char> spare8_, spare4_;
     std::size_t n_ = 0;
+    bool tight_ = false;
 };
 
 } // namespace riprap

@@ -25,32 +25,37 @@ struct SortScratch
 
 #ifdef __CUDACC__
 
-//- Sorts keys[0], values[0] by the low `bits` of the key into keys[1], values[1]
+//- Sorts keys[0], values[0] by the low `bits` of the key into keys[1], values[1]; keys[0], values[0] are lost
 inline void sortPairs(Context<Gpu>& context, SortScratch<Gpu>& s, int n, int bits)
 {
+    cub::DoubleBuffer<std::uint32_t> keys(s.keys[0].data(), s.keys[1].data());
+    cub::DoubleBuffer<std::uint32_t> values(s.values[0].data(), s.values[1].data());
     std::size_t bytes = 0;
-    const auto call = [&](void* temporary)
-    {
-        return cub::DeviceRadixSort::SortPairs
-        (
-            temporary, bytes, s.keys[0].data(), s.keys[1].data(), s.values[0].data(), s.values[1].data(),
-            n, 0, bits, context.stream
-        );
-    };
-    checkCuda(call(nullptr), "sort size");
+    checkCuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys, values, n, 0, bits, context.stream), "sort size");
     if (bytes > s.temporary.size()) s.temporary.allocate(context, bytes);
-    profiled(context, "sort", [&] { checkCuda(call(s.temporary.data()), "sort"); });
+    profiled(context, "sort", [&]
+    {
+        checkCuda
+        (
+            cub::DeviceRadixSort::SortPairs(s.temporary.data(), bytes, keys, values, n, 0, bits, context.stream), "sort"
+        );
+    });
+    if (keys.Current() == s.keys[0].data())
+    {
+        s.keys[0].swap(s.keys[1]);
+        s.values[0].swap(s.values[1]);
+    }
 }
 
-//- out[i] = sum of in[0 .. i-1], n entries
-inline void exclusiveScan(Context<Gpu>& context, SortScratch<Gpu>& s, const int* in, int* out, int n)
+//- data[i] becomes the sum of data[0 .. i-1], n entries
+inline void exclusiveScan(Context<Gpu>& context, SortScratch<Gpu>& s, int* data, int n)
 {
     std::size_t bytes = 0;
-    checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in, out, n, context.stream), "scan size");
+    checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, data, data, n, context.stream), "scan size");
     if (bytes > s.temporary.size()) s.temporary.allocate(context, bytes);
     profiled(context, "scan", [&]
     {
-        checkCuda(cub::DeviceScan::ExclusiveSum(s.temporary.data(), bytes, in, out, n, context.stream), "scan");
+        checkCuda(cub::DeviceScan::ExclusiveSum(s.temporary.data(), bytes, data, data, n, context.stream), "scan");
     });
 }
 
@@ -108,12 +113,12 @@ inline void sortPairs(Context<Cpu>& context, SortScratch<Cpu>& s, int n, int bit
     });
 }
 
-inline void exclusiveScan(Context<Cpu>& context, SortScratch<Cpu>&, const int* in, int* out, int n)
+inline void exclusiveScan(Context<Cpu>& context, SortScratch<Cpu>&, int* data, int n)
 {
     profiled(context, "scan", [&]
     {
         int total = 0;
-        for (int i = 0; i < n; ++i) { const int count = in[i]; out[i] = total; total += count; }
+        for (int i = 0; i < n; ++i) { const int count = data[i]; data[i] = total; total += count; }
     });
 }
 

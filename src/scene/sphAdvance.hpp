@@ -76,10 +76,12 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
                 for (int k = 0; k < stepsPerCycle_; ++k) step();
             }
         };
+        const bool wallsAlternate = !nBodies_ || wall_.alternates();
         while (!finished())
         {
             const std::int64_t before = host_.step;
-            const bool graphs = !context_.profile.timing;
+            // large sets rotate through spare memory, and do not need graphs
+            const bool graphs = !context_.profile.timing && fluid_.alternates() && wallsAlternate;
             if (graphs && !parts_.graph.recorded()) parts_.graph.record(context_, cycles);
             if (graphs) parts_.graph.replay(context_);
             else cycles();
@@ -90,7 +92,7 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             // fit the length of a cycle to what the skin allows
             const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
             int wanted = stepsPerCycle_;
-            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, stepsPerCycle_ + (stepsPerCycle_ + 1)/2);
+            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, 2*stepsPerCycle_);
             else if (taken < room/2) wanted = std::max(2, taken/2 + taken/6 + 1);
             if (wanted != stepsPerCycle_)
             {

@@ -281,11 +281,11 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     std::vector<ArrayInfo> r;
     const auto add = [&](const char* set, const std::string& name, std::size_t bytes, std::size_t n)
     { if (bytes) r.push_back(ArrayInfo{set, name, n ? bytes/n : 0, bytes}); };
-    for (const auto& f : fluid_.info()) add("fluid", f.name, std::size_t(2*f.bytes)*n_, n_);
+    for (const auto& f : fluid_.info()) add("fluid", f.name, f.bytes, n_);
     add("fluid", "records", fluidRecords_.bytes(), n_);
     add("fluid", "reference", fluidReference_.bytes(), n_);
     add("fluid", "cells", fluidSort_.bytes(), n_);
-    for (const auto& f : wall_.info()) add("wall", f.name, std::size_t(2*f.bytes)*nWalls_, nWalls_);
+    for (const auto& f : wall_.info()) add("wall", f.name, f.bytes, nWalls_);
     add("wall", "records", wallRecords_.bytes(), nWalls_);
     add("wall", "cells", wallSort_.bytes(), nWalls_);
     add("wall", "motion", wallReference_.bytes() + wallRest_.bytes() + poses_.bytes(), nWalls_);

@@ -13,6 +13,7 @@ SphSolver<Backend, D, P>::SphSolver
     config_(config), motion_(std::move(motion)), terms_(config)
 {
     clock_.allocate(context_, 1);
+    n_ = int(fluid.size());
     setModel();
     setBox();
     setFluid(fluid);
@@ -27,8 +28,10 @@ template<class Backend, int D, class P>
 double SphSolver<Backend, D, P>::skinRatio() const
 {
     if (config_.skin >= 0) return config_.skin;
-    // the longer steps of the symplectic scheme carry particles further
-    return config_.integrator == IntegratorKind::symplectic ? 0.16 : 0.12;
+    if (!Backend::gpu) return 0.1;
+    // small scenes are bound by launches, of which a rebuild has many
+    const bool symplectic = config_.integrator == IntegratorKind::symplectic;
+    return n_ <= 24000 ? (symplectic ? 0.5 : 0.35) : (n_ <= 200000 ? 0.2 : (symplectic ? 0.16 : 0.12));
 }
 
 template<class Backend, int D, class P>
@@ -95,8 +98,8 @@ void SphSolver<Backend, D, P>::setBox()
     }
     const int reach = Backend::gpu ? 2 : 1;
     const double volume = [&] { double v = 1; for (int d = 0; d < D; ++d) v *= box_.length[d]; return v; }();
-    const double cells = std::max(1e5, std::min(4e8, 2*volume/std::pow(c.spacing, D)));
-    grid_.set(box_, radius, reach, 6, cells);
+    const double cells = std::max(1e3, std::min(4e8, 2*volume/std::pow(c.spacing, D)));
+    grid_.set(box_, radius, reach, Backend::gpu ? 4 : 6, cells);
 }
 
 template<class Backend, int D, class P>

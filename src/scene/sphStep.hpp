@@ -122,6 +122,11 @@ void SphSolver<Backend, D, P>::rebuildWalls()
     forEach(context_, nWalls_, keys);
     wallSort_.sort(context_, nWalls_);
     wall_.permute(context_, wallSort_.order(), nWalls_);
+    if (!nBodies_)
+    {
+        wall_.releaseSpare();
+        wallSort_.releaseScratch();
+    }
     PlaceWalls<Backend, D, P> place;
     place.box = box_;
     place.records = wallRecords_.view();
