@@ -1,4 +1,4 @@
-/*  Sorting, scanning and tabulating cells: against the standard library, for any size and number of threads.
+/*  Sorting and tabulating cells: against the standard library, for any size and number of threads.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -61,25 +61,6 @@ SORT_TEST(PairsAreSortedAndStable)
                 EXPECT_EQ(s.keys[1].download(), sorted);
             });
         }
-}
-
-SORT_TEST(ScanSumsAllBefore)
-{
-    for (const int n : sizes)
-    {
-        if (n == 0) continue;
-        Random random{unsigned(n)};
-        std::vector<int> in(n), expected(n);
-        for (int& v : in) v = int(random.bits() % 20);
-        std::exclusive_scan(in.begin(), in.end(), expected.begin(), 0);
-        Context<Backend> context;
-        SortScratch<Backend> s;
-        Array<Backend, int> data;
-        data.upload(context, in);
-        exclusiveScan(context, s, data.data(), n);
-        context.synchronise();
-        EXPECT_EQ(data.download(), expected) << n;
-    }
 }
 
 //- Cells begin where they should, order is stable, and what has the key `cells` (in no cell) comes last
