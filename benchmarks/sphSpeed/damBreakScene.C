@@ -24,7 +24,12 @@ void setModel(SphConfig& c, const SpeedOptions& o)
     c.maxVelocity = std::sqrt(2*gravity*columnHeight);
     c.soundSpeed = 10*c.maxVelocity;
     if (o.terms == TermSet::paper) { c.antiClump = 0.01; c.xsph = 0.5; }
-    if (o.terms == TermSet::delta) c.diffusion = DiffusionKind::fourtakas;
+    if (o.terms == TermSet::delta)
+    {
+        c.viscosityModel = ViscosityKind::artificial;
+        c.diffusion = DiffusionKind::fourtakas;
+    }
+    c.skin = o.skin;
 }
 
 void addFluid(FluidInput& f, const SphConfig& c, int across, bool atRest)

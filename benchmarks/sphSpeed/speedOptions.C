@@ -95,6 +95,7 @@ SpeedOptions readSpeedOptions(int argc, char** argv)
         {"-integrator", {"leapfrog|symplectic (leapfrog)", [&](const std::string& s) { o.integrator = valueOf(integratorWords, s); }}},
         {"-walls", {"stationary|extrapolated (extrapolated)", [&](const std::string& s) { o.walls = valueOf(wallWords, s); }}},
         {"-terms", {"minimal|paper|delta (minimal)", [&](const std::string& s) { o.terms = valueOf(termWords, s); }}},
+        {"-skin", {"S          skin in support radii; < 0: the solver's choice (-1)", [&](const std::string& s) { o.skin = number(s); }}},
         {"-atRest", {"0|1      start at rest instead of in motion (0)", [&](const std::string& s) { o.atRest = number(s) != 0; }}},
         {"-develop", {"N       steps before the first timed one (300)", [&](const std::string& s) { o.develop = int(number(s)); }}},
         {"-steps", {"N         steps a repeat; 0: as many as take -seconds (0)", [&](const std::string& s) { o.steps = int(number(s)); }}},

@@ -8,7 +8,7 @@
 namespace riprap
 {
 
-//- minimal: laminar viscosity alone; paper: with anti-clump term and XSPH; delta: with density diffusion
+//- minimal: laminar viscosity alone; paper: with anti-clump term and XSPH; delta: artificial viscosity and density diffusion
 enum class TermSet {minimal, paper, delta};
 
 struct SpeedOptions
@@ -22,6 +22,7 @@ struct SpeedOptions
     IntegratorKind integrator = IntegratorKind::leapfrog;
     WallKind walls = WallKind::extrapolated;
     TermSet terms = TermSet::minimal;
+    double skin = -1;                       // of the support; < 0: the solver's choice
     bool atRest = false;                    // else the column starts in motion
     int develop = 300;                      // steps before anything is timed
     int steps = 0;                          // a repeat; 0: as many as take `seconds`, at most 0.05 s of the flow

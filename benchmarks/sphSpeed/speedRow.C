@@ -35,8 +35,12 @@ std::string plain(std::string s)
     return s;
 }
 
-//- Neighbours in a GPU's list, which holds those in the skin as well (src/scene/sphSetup.hpp: 12 %)
-double listed(const SpeedOptions& o, const SpeedRow& r) { return r.gpu ? r.neighbours*std::pow(1.12, o.dimensions) : 0; }
+//- Neighbours in a GPU's list, which holds those in the skin as well (defaults: skinRatio in src/scene/sphSetup.hpp)
+double listed(const SpeedOptions& o, const SpeedRow& r)
+{
+    const double skin = o.skin >= 0 ? o.skin : (o.integrator == IntegratorKind::symplectic ? 0.16 : 0.12);
+    return r.gpu ? r.neighbours*std::pow(1 + skin, o.dimensions) : 0;
+}
 
 //- Does a smaller value mean better?
 bool smaller(const std::string& column) { return column.rfind("time", 0) == 0 || column.rfind("bytes", 0) == 0; }

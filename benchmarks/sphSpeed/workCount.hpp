@@ -26,11 +26,12 @@ inline double operationsPerPair(const SpeedOptions& o)
     const double geometry = separation + r2 + dv + root + q + gradient + massFactor;
     const double kernel = 2 + 2 + 1 + 1;    // fourth power, 2q + 1, product, factor
     // terms, and the sums they go to
-    const double pressure = 2, laminar = 6, continuity = 3, momentumSums = 2 + 4*D, densitySums = 2;
+    const double pressure = 2, laminar = 6, artificial = 8, continuity = 3, momentumSums = 2 + 4*D, densitySums = 2;
     const double antiClump = 1 + 1 + 2 + 2 + 1;     // W/W(dp), sum, fourth power, factors, channel
     const double xsph = 3 + 2 + 2*D;
     const double diffusion = 1 + 2*D + 4;
-    double momentum = pressure + laminar + momentumSums, density = approach + continuity + densitySums;
+    const double viscosity = o.terms == TermSet::delta ? artificial : laminar;
+    double momentum = pressure + viscosity + momentumSums, density = approach + continuity + densitySums;
     bool needsW = false;
     if (o.terms == TermSet::paper) { momentum += antiClump; density += xsph; needsW = true; }
     if (o.terms == TermSet::delta) density += diffusion;

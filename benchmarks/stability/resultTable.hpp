@@ -1,0 +1,60 @@
+/*  What the experiments found, beside theory: printed as it comes, and as CSV. */
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+#include "scene/sphScene.hpp"
+
+namespace riprap
+{
+
+struct Result
+{
+    std::string test;           // acoustic, viscous, force, tensile, passage
+    std::string kernel;
+    double ratio = 0;           // h/dp
+    std::string integrator, terms, walls;
+    std::string quantity;
+    double measured = NAN, theory = NAN;
+    std::string note;
+};
+
+class ResultTable
+{
+public:
+    explicit ResultTable(std::string csv) : csv_(std::move(csv)) {}
+    void add(const Result&);
+    void write() const;
+
+private:
+    std::string csv_;
+    std::vector<Result> rows_;
+};
+
+const char* wordOf(KernelKind);
+const char* wordOf(IntegratorKind);
+const char* wordOf(WallKind);
+
+//- The largest x in [low, high] for which good(x), assuming one crossing; low if none is good, high if all are
+template<class Good>
+double bisect(double low, double high, double tolerance, const Good& good)
+{
+    if (!good(low)) return low;
+    if (good(high)) return high;
+    while (high - low > tolerance)
+    {
+        const double middle = 0.5*(low + high);
+        (good(middle) ? low : high) = middle;
+    }
+    return 0.5*(low + high);
+}
+
+//- The experiments; quick: fewer kernels, terms and bisections
+void acoustic(ResultTable&, bool quick);
+void viscous(ResultTable&, bool quick);
+void impactForce(ResultTable&, bool quick);
+void tensile(ResultTable&, bool quick);
+void passage(ResultTable&, bool quick);
+
+} // namespace riprap

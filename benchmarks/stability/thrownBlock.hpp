@@ -1,0 +1,38 @@
+/*  A block of fluid, or a single particle, thrown down on a flat wall without gravity: the scene of the violent experiments (2D). */
+#pragma once
+
+#include "scene/sphScene.hpp"
+
+namespace riprap
+{
+
+struct ThrownBlock
+{
+    KernelKind kernel = KernelKind::wendlandC2;
+    double ratio = 1.25;        // h/dp
+    WallKind walls = WallKind::extrapolated;
+    double wallRatio = 1;       // the wall's spacing over dp
+    IntegratorKind integrator = IntegratorKind::leapfrog;
+    double artificial = 0;      // alpha of the artificial viscosity
+    int side = 12;              // particles of the block's side
+    double offset = 0;          // of the fluid's lattice along the wall, in wall spacings
+    double speed = 1;           // [m/s]
+    double timeStep = 0;        // fixed [s]; 0: as riprap chooses it
+    bool forceLimit = false;    // steps are limited by force alone, with a factor of 1 (to measure accelerations)
+
+    static constexpr double spacing = 0.01, soundSpeed = 10, density = 1000;
+
+    double h() const { return ratio*spacing; }
+    int layers() const;         // of wall points: as many as the support needs
+    double thickness() const { return layers()*wallRatio*spacing; }
+    double floorHalf() const { return (0.5*side + 60)*spacing; }
+    double duration() const;    // until the block's top has come down [s]
+};
+
+//- Guards are off. The floor is so wide that nothing gets to its ends in the block's duration unless it is faster than three times the block
+std::unique_ptr<SphScene> throwBlock(const ThrownBlock&);
+
+//- Depth of the lowest particle below the floor's surface, its ends apart [m]. Escaped particles count where they left
+double depth(SphScene&, const SphReport&, const ThrownBlock&);
+
+} // namespace riprap

@@ -1,0 +1,60 @@
+/*  The largest time step for laminar viscosity: noise of all shear waves in a periodic box, with a viscosity beside which sound is slow
+    (c0 h/nu = 0.01).
+
+    Theory: both schemes see the velocity predicted to the end of the step, which for a decay is the two-step Adams-Bashforth scheme:
+    nu(k) dt < 1, nu(k) the largest rate of decay of the lattice.
+*/
+#include "periodicLattice.hpp"
+#include "resultTable.hpp"
+
+#include <cmath>
+
+namespace riprap
+{
+
+namespace
+{
+
+constexpr int sites = 16;
+
+bool decays(const LatticeModel& l, IntegratorKind integrator, double dt)
+{
+    PeriodicLattice p = makeLattice(l, sites, integrator, dt);
+    addVelocityNoise(p, 1e-6);
+    const auto scene = createSphScene(p.config, p.fluid, WallInput());
+    if (!take(*scene, 300)) return false;
+    const double middle = disturbance(*scene, p.config);
+    return take(*scene, 300) && disturbance(*scene, p.config) < middle;
+}
+
+} // namespace
+
+void viscous(ResultTable& table, bool quick)
+{
+    LatticeModel l;
+    l.spacing = 0.01;
+    l.soundSpeed = 1;
+    l.density = 1000;
+    for (const KernelKind kernel : {KernelKind::wendlandC2, KernelKind::cubicSpline})
+        for (const double ratio : {1.25, 1.5})
+            for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+            {
+                if (quick && (ratio != 1.25 || kernel != KernelKind::wendlandC2)) continue;
+                l.kernel = kernel;
+                l.ratio = ratio;
+                l.viscosity = 100*l.soundSpeed*l.h();
+                const double unit = l.h()*l.h()/l.viscosity;
+                Result r;
+                r.test = "viscous";
+                r.kernel = wordOf(kernel);
+                r.ratio = ratio;
+                r.integrator = wordOf(integrator);
+                r.terms = "laminar";
+                r.quantity = "largest nu dt/h^2";
+                r.theory = 1/(largestOver(l, sites, viscousRate).value*unit);
+                r.measured = bisect(0.02, 1, quick ? 0.01 : 0.002, [&](double c) { return decays(l, integrator, c*unit); });
+                table.add(r);
+            }
+}
+
+} // namespace riprap
