@@ -217,9 +217,9 @@ void SphSolver<Backend, D, P>::wallForcePass(real* force)
             box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
             force, nullptr, {}, nullptr
         };
+        if (nBodies_) for (int d = 0; d < D; ++d) pass.wallVelocity[d] = wall_.template data<real>(wallVField_ + d);
         if (force) return directPairLoop(context_, pass, nWalls_);
         pass.clock = clock_.data();
-        for (int d = 0; d < D; ++d) pass.wallVelocity[d] = wall_.template data<real>(wallVField_ + d);
         pass.work = wall_.template data<double>(wallWorkField_);
         run(pass, nWalls_);
     });

@@ -136,7 +136,8 @@ struct FluidPass
     {
         constexpr bool needsW = S == 0 && FluidTerms::needsW;
         PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, needsW>(kernel, model.h0, i, j, dx, r2);
-        // the record of a wall holds the velocity that viscosity sees; volume changes by the wall's own
+        // the record of a wall holds the velocity that laminar viscosity sees; volume changes by the wall's own, and so
+        // artificial viscosity only ever takes energy
         if constexpr (S == 1) g.approach = dot(wallApproach(i, at), dx);
         Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
         if constexpr (S == 0) fluidTerms(i, j, g, c); else wallTerms(i, j, g, c);

@@ -4,7 +4,8 @@
         v_w = 2 u_w - sum v_f W/sum W                                        (their Eqs. 22, 23)
 
     and the density that the equation of state gives for p_w. u_w and a_w are the wall's own velocity and
-    acceleration; v_w enters viscous forces only, volume changes by u_w (with v_w there, energy grows: docs/theory). p_w is not let below zero: a wall does not pull.
+    acceleration; v_w enters laminar viscosity only, volume changes and artificial viscosity see u_w (with v_w there, energy
+    grows: docs/theory). p_w is not let below zero: a wall does not pull.
 */
 #pragma once
 

@@ -16,7 +16,8 @@ struct WallForcePass
 {
     using precision = P;
     using real = typename P::real;
-    template<class T> using Self = PairParticle<Dim, T>;
+    //- A wall point with the velocity that viscosity sees, and its own
+    template<class T> struct Self : PairParticle<Dim, T> { Vec<Dim, T> own; };
 
     static constexpr const char* name = "wallForce";
     static constexpr int dimensions = Dim, sources = 1, channels = Dim;
@@ -32,7 +33,7 @@ struct WallForcePass
     int count;
     real* force;                // Dim a point [N]; null in a step
     const ClockData* clock;     // in a step; null: now
-    const real* wallVelocity[Dim];
+    const real* wallVelocity[Dim];  // null where all walls are fixed
     double* work;               // [J]
 
     HD bool enabled() const { return !clock || clock->active; }
@@ -44,13 +45,17 @@ struct WallForcePass
     HD Self<T> self(int i) const
     {
         const PairParticle<Dim, real> p = wall.template load<VariableH>(i);
-        return Self<T>{convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)};
+        Vec<Dim, real> own = filled<Dim>(real(0));
+        if (wallVelocity[0]) for (int d = 0; d < Dim; ++d) own.c[d] = wallVelocity[d][i];
+        return Self<T>{{convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)}, convert<T>(own)};
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
+    HD void pair(const Self<T>& self, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
     {
-        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, false>(kernel, model.h0, i, j, dx, r2);
+        const PairParticle<Dim, T>& i = self;
+        PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, false>(kernel, model.h0, i, j, dx, r2);
+        g.approach = dot(self.own - j.velocity, dx);    // as in FluidPass
         Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
         terms(i, j, g, c);
         const T mf = T(model.mass)*g.f;
