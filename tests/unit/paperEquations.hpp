@@ -51,7 +51,7 @@ struct Particle
 {
     Vector3 x{{0, 0, 0}}, v{{0, 0, 0}};
     double rho = 0, p = 0, h = 0, m = 0;
-    Vector3 u{{0, 0, 0}};       // of walls: their own velocity, where v is what viscosity sees
+    Vector3 u{{0, 0, 0}};       // of walls: their own velocity, where v is what laminar viscosity sees
 };
 
 //- A pair, and what particle i gets from j
@@ -84,17 +84,22 @@ struct Pair
         add(a, -j.m*epsilon*(std::abs(i.p)/(i.rho*i.rho) + std::abs(j.p)/(j.rho*j.rho))*std::pow(ratio, 4), grad);
     }
     void xsph(double epsilon) { add(drift, -epsilon*j.m/(0.5*(i.rho + j.rho))*w, v); }                  // Eq. 39
-    void artificial(double alpha, double c0)                                                            // Monaghan 1992
-    {
-        if (dot(v, x) >= 0) return;
-        const double mu = h*dot(v, x)/(r2 + 0.01*h*h);
-        add(a, j.m*alpha*c0*mu/(0.5*(i.rho + j.rho)), grad);
-    }
+    void artificial(double alpha, double c0) { artificial(alpha, c0, v); }                              // Monaghan 1992
+    void wallArtificial(double alpha, double c0) { artificial(alpha, c0, i.v - j.u); }
     void diffusion(double delta, double c0, double rho0, const Vector3& g)      // Molteni: g = 0; Fourtakas et al. 2019
     {
         const Vector3 ji{{-x[0], -x[1], -x[2]}};
         const double difference = 2*(j.rho - i.rho - rho0*dot(g, ji)/(c0*c0));
         if (r2 > 0) rate += delta*h*c0*j.m/j.rho*difference*dot(ji, grad)/r2;
+    }
+
+private:
+
+    void artificial(double alpha, double c0, const Vector3& velocity)
+    {
+        if (dot(velocity, x) >= 0) return;
+        const double mu = h*dot(velocity, x)/(r2 + 0.01*h*h);
+        add(a, j.m*alpha*c0*mu/(0.5*(i.rho + j.rho)), grad);
     }
 };
 
