@@ -36,8 +36,9 @@ def analyse(run):
     end = t[-1]
     front = run.table('front', 'frontPosition.dat')
     return [Quantity('pressure L2', error=measures.relativeL2(p, exact)),
-            Quantity('largest speed / sqrt(g H)', computed=v.max()),
-            Quantity('largest speed of the last second / sqrt(g H)', computed=v[t > end - 1].max()),
+            Quantity('largest speed ever / sqrt(g H)', computed=v.max()),
+            # The lattice settles onto the walls in the first tenths of a second
+            Quantity('largest speed after 0.5 s / sqrt(g H)', computed=v[t > 0.5].max()),
             # Mean of the largest speed in the last quarter over that in the second: 1 is steady
             Quantity('growth of the speed', computed=v[t > 0.75*end].mean()/v[(t > 0.25*end) & (t < 0.5*end)].mean()),
             Quantity('water level', reference=depth(run), computed=front['height'][-1],
@@ -62,23 +63,22 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-# A tank 0.25 m square with walls on all four sides
-tank3D = ('system/tank:width 0.25; system/tank:thickness 0.25; system/frontAndBack:frontAndBack wall;'
-          'system/tank:nx 25; system/tank:nz 25')
-symplectic = 'timeIntegration symplectic'
+# A tank with a square base of 0.1 m and walls on all four sides; fewer neighbours, there are more in 3D
+tank3D = ('system/tank:width 0.1; system/tank:thickness 0.1; system/frontAndBack:frontAndBack wall;'
+          'system/tank:nx 10; system/tank:nz 10; smoothingLength/ratio 1.5')
 
 Study(
     scene='hydrostatic',
     variants=[Variant('tank2D-coarse', ['-spacing', '0.0125']),
-              Variant('tank2D', ['-spacing', '0.01']),
-              Variant('tank2D-fine', ['-spacing', '0.005']),
-              Variant('tank2D-symplectic', ['-spacing', '0.01', '-set', symplectic]),
-              Variant('stationary2D', ['-spacing', '0.01', '-set', 'walls/model stationary']),
-              Variant('tank3D-coarse', ['-spacing', '0.025', '-set', tank3D]),
-              Variant('tank3D', ['-spacing', '0.0125', '-set', tank3D])],
+              Variant('tank2D-medium', ['-spacing', '0.00833333']),
+              Variant('tank2D', ['-spacing', '0.00625']),
+              Variant('symplectic2D', ['-spacing', '0.0125', '-set', 'timeIntegration symplectic']),
+              Variant('stationary2D', ['-spacing', '0.0125', '-set', 'walls/model stationary']),
+              Variant('tank3D-coarse', ['-spacing', '0.0125', '-set', tank3D]),
+              Variant('tank3D', ['-spacing', '0.01', '-set', tank3D])],
     quick=[Variant('tank2D-quick', ['-spacing', '0.0125', '-endTime', '1'])],
     analyse=analyse,
     plot=plot,
     headline='pressure L2',
-    orders=[('pressure L2', ['tank2D-coarse', 'tank2D', 'tank2D-fine'])],
+    orders=[('pressure L2', ['tank2D-coarse', 'tank2D-medium', 'tank2D'])],
 ).main(here)
