@@ -92,8 +92,8 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             // fit the length of a cycle to what the skin allows
             const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
             int wanted = stepsPerCycle_;
-            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, 2*stepsPerCycle_);
-            else if (taken < room/2) wanted = std::max(2, taken/2 + taken/6 + 1);
+            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, stepsPerCycle_ + (stepsPerCycle_ + 1)/2);
+            else if (4*(taken + 2) <= 3*room) wanted = std::max(2, taken/2 + 1);
             if (wanted != stepsPerCycle_)
             {
                 stepsPerCycle_ = wanted;

@@ -31,7 +31,7 @@ double SphSolver<Backend, D, P>::skinRatio() const
     if (!Backend::gpu) return 0.1;
     // small scenes are bound by launches, of which a rebuild has many
     const bool symplectic = config_.integrator == IntegratorKind::symplectic;
-    return n_ <= 24000 ? (symplectic ? 0.5 : 0.35) : (n_ <= 200000 ? 0.2 : (symplectic ? 0.16 : 0.12));
+    return n_ <= 24000 ? (symplectic ? 0.5 : 0.35) : (n_ <= 200000 ? 0.2 : 0.16);
 }
 
 template<class Backend, int D, class P>
@@ -63,7 +63,7 @@ void SphSolver<Backend, D, P>::setModel()
     limits_.viscousDt = nu > 0 ? c.viscousCourant*h0*h0/nu : 1e30;
     limits_.maxDeviation = c.maxDensityDeviation;
     limits_.maxSignal = c.soundSpeed*std::pow(1 + c.maxDensityDeviation, 3) + c.maxSpeedRatio*c.maxVelocity;
-    limits_.growth = 1.2;
+    limits_.growth = 1.1;
 }
 
 template<class Backend, int D, class P>

@@ -86,7 +86,7 @@ struct MoveWalls
         wall.storePosition(i, pairX);
         const real distance = squareRoot(distance2);
         if (distance > halfSkin) clock->skinViolations = 1;
-        if (distance + real(1.5)*squareRoot(speed2)*real(clock->fullDt) > halfSkin) clock->needRebuild = 1;
+        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > halfSkin) clock->needRebuild = 1;
     }
 };
 

@@ -71,7 +71,7 @@ struct Mover
             speed2 += u.c[d]*u.c[d];
         }
         const real distance = squareRoot(distance2);
-        const real margin = real(1.5)*squareRoot(speed2)*real(clock->fullDt);
+        const real margin = real(1.25)*squareRoot(speed2)*real(clock->fullDt);
         if (distance > halfSkin) clock->skinViolations = 1;
         if (distance + margin > halfSkin || !model.inside(box, x)) clock->needRebuild = 1;
     }
