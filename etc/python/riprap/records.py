@@ -13,7 +13,7 @@ from .bounds import root
 
 columns = ['date', 'scene', 'run', 'model', 'settings', 'spacing', 'particles', 'precision', 'device',
            'quantity', 'error', 'wallTime', 'deviceTime', 'steps', 'particleSteps', 'memory',
-           'energyDrift', 'version', 'machine']
+           'energyDrift', 'version', 'machine', 'simulated']
 
 
 def append(scene, run, quantity, error):
@@ -28,7 +28,7 @@ def append(scene, run, quantity, error):
         'deviceTime': log['deviceTime'], 'steps': _count(log['steps']),
         'particleSteps': _show(log['particleSteps']), 'memory': _count(log['memory']),
         'energyDrift': _show(run.energyDrift()), 'version': log['version'] or version(),
-        'machine': machine(),
+        'machine': machine(), 'simulated': run.control.get('endTime', ''),
     }
     folder = os.environ.get('RIPRAP_RESULTS') or os.path.join(root(), 'benchmarks', 'results')
     os.makedirs(folder, exist_ok=True)
