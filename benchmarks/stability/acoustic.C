@@ -101,7 +101,7 @@ void growths(ResultTable& table, const LatticeModel& l, bool quick)
 {
     const Largest fastest = largestOver(l, sites, soundFrequency);
     const Wave k = waveOf(l, sites, fastest.m, fastest.n);
-    for (const double z : {0.2, 0.3, 0.4, 0.6, 0.8})
+    for (const double z : {0.2, 0.3, 0.4, 0.5, 0.6})
     {
         if (quick && z != 0.4) continue;
         Result r;

@@ -44,6 +44,7 @@ __global__ void __launch_bounds__(256) fmaKernel(Real* out, Real factor, Real te
     constexpr int chains = 8;
     Real x[chains];
     for (int k = 0; k < chains; ++k) x[k] = Real(threadIdx.x + k);
+    #pragma unroll 16
     for (int i = 0; i < length; ++i)
     {
         #pragma unroll

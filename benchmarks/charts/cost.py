@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error against cost, one chart a scene, one panel a quantity
+
+Cost is wall time a simulated second: runs of a scene may end at different times. Points of equal settings and different
+spacings are joined; a label names only what differs between the chart's rows.
+"""
+from riprap import plotting
+
+from . import groups, newest, number
+
+
+def draw(scene, rows, peers, path):
+    rows = [r for r in rows if 'quick' not in r['run'] and costOf(r) and number(r['error'])]
+    rows = newest(rows, ('run', 'settings', 'spacing', 'precision', 'device', 'machine', 'quantity'))
+    if not rows:
+        print(f'{scene}: no complete runs to draw')
+        return
+    others = [p for p in peers if p['chart'] == 'cost' and p['scene'] == scene]
+    quantities = list(groups(rows, lambda r: r['quantity']))
+    fig, axes = plotting.figure(len(quantities), width=6.0, height=4.6)
+    labels = labelMaker(rows)
+    for axis, quantity in zip(axes, quantities):
+        mine = [r for r in rows if r['quantity'] == quantity]
+        for i, (label, points) in enumerate(groups(mine, labels).items()):
+            points.sort(key=costOf)
+            axis.loglog([costOf(p) for p in points], [abs(float(p['error'])) for p in points], '-',
+                        marker=plotting.markers[i % len(plotting.markers)], markersize=5, linewidth=1,
+                        color=plotting.colours[i % len(plotting.colours)], label=label)
+        for i, (peer, points) in enumerate(groups([p for p in others if p['quantity'] == quantity],
+                                                  lambda p: p['peer']).items()):
+            plotting.measured(axis, [costOf(p) for p in points], [float(p['error']) for p in points], peer, i)
+        axis.set(xlabel='wall time a simulated second [s]', ylabel=f'error: {quantity}', title=scene)
+        axis.legend(fontsize=6)
+    plotting.save(fig, path)
+
+
+def costOf(row):
+    """Of a run or a peer's point; None where it was not recorded"""
+    time, simulated = number(row.get('wallTime') or row.get('cost')), number(row.get('simulated'))
+    return time/simulated if time and simulated else None
+
+
+def labelMaker(rows):
+    """A function of a row: the settings in which rows differ, with precision and device"""
+    def settings(row):
+        pairs = dict(word.split('=', 1) for word in row['settings'].split() if '=' in word)
+        # a wall spacing that follows the fluid's is no setting of its own
+        try:
+            pairs['walls/spacing'] = f"{float(pairs['walls/spacing'])/float(row['spacing']):.2g} dp"
+        except (KeyError, ValueError):
+            pass
+        pairs['precision'] = row['precision']
+        pairs['device'] = row['device'].split(',')[0] + f" ({row['machine'].split('(')[-1].rstrip(')')})"
+        return pairs
+    all_ = [settings(r) for r in rows]
+    varying = [k for k in all_[0] if len({s.get(k) for s in all_}) > 1]
+    return lambda row: ', '.join(f'{k} {settings(row).get(k)}' for k in varying) or 'riprap'
