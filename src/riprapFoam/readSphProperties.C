@@ -159,8 +159,12 @@ static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& confi
         sphNames::timeIntegration,
         config.integrator
     );
+    // What keeps sound waves from growing (docs/theory): the leapfrog needs
+    // the shorter step unless density is diffused
+    const bool leapfrog =
+        config.integrator == riprap::IntegratorKind::leapfrog;
     config.acousticCourant =
-        sph.positive("acousticCourant", config.acousticCourant);
+        sph.positive("acousticCourant", leapfrog ? 0.2 : 0.5);
     config.forceCourant = sph.positive("forceCourant", config.forceCourant);
     config.viscousCourant =
         sph.positive("viscousCourant", config.viscousCourant);
@@ -174,7 +178,7 @@ static void readGuards(checkedDictionary& sph, sphSettings& settings)
 
     checkedDictionary dict(sph.subDict("guards"));
     config.maxDensityDeviation =
-        dict.positive("densityDeviation", config.maxDensityDeviation);
+        dict.positive("densityDeviation", 0.5);
     config.maxSpeedRatio = dict.positive("speedRatio", config.maxSpeedRatio);
     guards.stopAtEscape =
         dict.either("escape", "stop", "warn", guards.stopAtEscape);
