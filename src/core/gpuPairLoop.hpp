@@ -85,7 +85,7 @@ __device__ __forceinline__ void mergeMaximum(float* target, float value)
 template<class Pass>
 __device__ __forceinline__ void mergeMaxima(const Pass& pass, const float* maxima)
 {
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < maximaCount; ++k)
     {
         float m = maxima[k];
         for (int o = 16; o > 0; o /= 2) m = fmaxf(m, __shfl_xor_sync(0xffffffffu, m, o));
@@ -112,7 +112,7 @@ __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 
     }
     for (int o = (1 << shift) >> 1; o > 0; o >>= 1)
         for (int k = 0; k < Pass::channels; ++k) sums[k] += __shfl_xor_sync(0xffffffffu, sums[k], o);
-    float maxima[3] = {0, 0, 0};
+    float maxima[maximaCount] = {};
     if (valid && (thread & ((1 << shift) - 1)) == 0) pass.finish(i, sums, maxima);
     if constexpr (Pass::hasMaxima) mergeMaxima(pass, maxima);
 }
@@ -135,7 +135,7 @@ __global__ void __launch_bounds__(pairBlock) directPairKernel(Pass pass)
     {
         for (int j = begin; j < end; ++j) addNeighbour<0>(pass, self, xi, unsigned(j), sums);
     });
-    float unused[3] = {0, 0, 0};
+    float unused[maximaCount] = {};
     pass.finish(i, sums, unused);
 }
 

@@ -14,6 +14,9 @@
 namespace riprap
 {
 
+//- Largest values that a pass over pairs may report
+static constexpr int maximaCount = 4;
+
 #ifdef __CUDACC__
 
 template<class F>

@@ -32,8 +32,6 @@
 namespace riprap
 {
 
-static constexpr int maximaCount = 3;
-
 #ifndef __CUDACC__
 
 //- What a pass needs of a set whose particles act

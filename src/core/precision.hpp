@@ -64,6 +64,14 @@ struct Box
         return std::int64_t(u ^ 0x8000000000000000ull);
     }
 
+    //- The same for positions that may lie beyond: they are taken to the edge of a box that is not periodic
+    HD std::int64_t toFixedInside(int d, double x) const
+    {
+        if (periodic[d]) return toFixed(d, x);
+        const double top = lower[d] + length[d]*(1 - 1e-9);
+        return toFixed(d, maximum(minimum(x, top), lower[d]));
+    }
+
     //- Fixed point to metres above the box's lower corner
     HD double relative(int d, std::int64_t x) const
     {

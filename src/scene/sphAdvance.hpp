@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include <limits>
 #include "scene/sphSolver.hpp"
 
 namespace riprap
@@ -133,7 +134,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     static const char* names[] = {"none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
     report.limit = names[int(host_.limit)];
     report.maxDensityDeviation = host_.maxima[2];
-    report.maxSpeed = std::max(0.0, double(host_.maxima[1]) - config_.soundSpeed);
+    report.maxSpeed = host_.maxima[3];
     collectEscaped(report);
     if (host_.halt != Halt::none) findOffender(report);
     return report;
@@ -186,8 +187,9 @@ void SphSolver<Backend, D, P>::findOffender(SphReport& report)
         double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(speed2);
         if (report.stop == StopReason::notANumber)
         {
-            const double sum = speed2 + a2 + deviation[i];
-            value = std::isfinite(sum) ? 0 : 1;
+            // the first that is none, else the one that overflowed single precision
+            const double sum = speed2 + a2 + std::abs(double(deviation[i]));
+            value = std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
         }
         if (value <= worst) continue;
         worst = value;

@@ -153,6 +153,8 @@ WallState SphSolver<Backend, D, P>::walls()
     s.velocity.assign(wallInput_.size(), 0.0);
     s.pressure.assign(nWalls_, 0.0);
     if (!nWalls_) return s;
+    refreshRecords();
+    wallPass(false);
     Array<Backend, real> pressure;
     pressure.allocate(context_, nWalls_);
     const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
@@ -191,7 +193,8 @@ std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
 {
     std::vector<Vector3> total(nBodies_ + 1, Vector3{{0, 0, 0}});
     if (!nWalls_) return total;
-    rebuild();
+    sortNow();
+    wallPass(false);
     Array<Backend, real> force;
     force.allocate(context_, std::size_t(nWalls_)*D);
     wallForcePass(force.data());

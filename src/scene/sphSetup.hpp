@@ -62,7 +62,7 @@ void SphSolver<Backend, D, P>::setModel()
     limits_.h = h0;
     limits_.viscousDt = nu > 0 ? c.viscousCourant*h0*h0/nu : 1e30;
     limits_.maxDeviation = c.maxDensityDeviation;
-    limits_.maxSignal = c.soundSpeed*std::pow(1 + c.maxDensityDeviation, 3) + c.maxSpeedRatio*c.maxVelocity;
+    limits_.maxSpeed = c.maxSpeedRatio*c.maxVelocity;
     limits_.growth = 1.1;
 }
 
@@ -71,7 +71,17 @@ void SphSolver<Backend, D, P>::setBox()
 {
     const SphConfig& c = config_;
     const double support = 2*c.smoothingRatio*c.spacing*(c.variableSmoothing ? c.maxSmoothingGrowth : 1);
-    const double skin = skinRatio()*support;
+    // each row of cells must be its own neighbour at most once: a short period leaves room for a thinner skin only
+    double skin = skinRatio()*support;
+    for (int d = 0; d < D; ++d)
+    {
+        const double period = c.domainMax[c.axes[d]] - c.domainMin[c.axes[d]], least = 1.05*support;
+        if (!c.periodic[c.axes[d]] || period >= 3*(support + skin)) continue;
+        if (period < 3*least)
+            throw std::invalid_argument("the periodic domain is " + std::to_string(period)
+              + " m long; it must be at least three search radii, " + std::to_string(3*least) + " m");
+        skin = period/3 - support;
+    }
     const double radius = support + skin;
     halfSkin_ = real(0.5*skin);
     for (int d = 0; d < D; ++d)
@@ -80,10 +90,6 @@ void SphSolver<Backend, D, P>::setBox()
         const double lo = c.domainMin[axis], hi = c.domainMax[axis];
         if (c.periodic[axis])
         {
-            // each row of cells must be its own neighbour at most once
-            if (hi - lo < 3*radius)
-                throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
-                  + " m long; it must be at least three search radii, " + std::to_string(3*radius) + " m");
             box_.set(d, lo, hi - lo, true);
             model_.domainMin[d] = -1e300;
             model_.domainMax[d] = 1e300;
@@ -174,7 +180,7 @@ void SphSolver<Backend, D, P>::setWalls(const WallInput& in)
     for (int d = 0; d < D; ++d)
     {
         for (int i = 0; i < nWalls_; ++i)
-            x[i] = box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]);
+            x[i] = box_.toFixedInside(d, in.position[3*std::size_t(i) + config_.axes[d]]);
         wall_.upload(context_, wallXField_ + d, x);
     }
     for (int i = 0; i < nWalls_; ++i) id[i] = i;
@@ -194,6 +200,7 @@ void SphSolver<Backend, D, P>::prime()
     {
         rebuildWalls();
         forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
+        moveWalls(false);       // to where they are at the start: neighbours are sought there
     }
     for (;;)
     {
@@ -203,7 +210,7 @@ void SphSolver<Backend, D, P>::prime()
         growLists();
     }
     moveWalls(false);
-    wallPass();
+    wallPass(true);
     fluidPass<Part::all>(Finish::store);
     context_.synchronise();
     readClock();

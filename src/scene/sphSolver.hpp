@@ -81,10 +81,11 @@ private:
     template<class M> M mover();
     template<class Pass> void run(const Pass&, int targets);
     void rebuild();
+    void sortNow();
     void rebuildWalls();
     void buildLists();
     void moveWalls(bool half);
-    void wallPass();
+    void wallPass(bool inStep);
     void wallForcePass(real* force);
     template<Part part> void fluidPass(Finish);
     void step();

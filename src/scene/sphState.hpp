@@ -14,7 +14,7 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 1;
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 2;
 static constexpr int stateHeader = 12;
 
 inline std::int32_t checksum(const std::vector<std::int32_t>& words, std::size_t n)

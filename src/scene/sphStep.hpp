@@ -108,6 +108,17 @@ void SphSolver<Backend, D, P>::rebuild()
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
     if (nBodies_) rebuildWalls();
     buildLists();
+    // sorted walls need their pressures anew; and the symplectic scheme's density pass sees those of the state at hand, so
+    // that a restart does too
+    if (nBodies_ || config_.integrator == IntegratorKind::symplectic) wallPass(false);
+}
+
+//- A rebuild between two calls of advance. Recorded cycles hold an even number of them: two, so that pointers are as recorded
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::sortNow()
+{
+    rebuild();
+    if constexpr (Backend::gpu) rebuild();
 }
 
 template<class Backend, int D, class P>
@@ -183,7 +194,7 @@ void SphSolver<Backend, D, P>::moveWalls(bool half)
 }
 
 template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::wallPass()
+void SphSolver<Backend, D, P>::wallPass(bool inStep)
 {
     if (!nWalls_ || config_.wallModel != WallKind::extrapolated) return;
     withKernel(config_, [&](auto kernel, auto variable)
@@ -198,7 +209,7 @@ void SphSolver<Backend, D, P>::wallPass()
         pass.kernel = kernelConstants<Kernel>();
         pass.model = model_;
         pass.count = nWalls_;
-        pass.clock = clock_.data();
+        pass.clock = inStep ? clock_.data() : nullptr;
         run(pass, nWalls_);
     });
 }
@@ -265,7 +276,7 @@ void SphSolver<Backend, D, P>::step()
     {
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
         moveWalls(false);
-        wallPass();
+        wallPass(true);
         fluidPass<Part::all>(Finish::close);
         wallForcePass(nullptr);
     }
@@ -276,7 +287,7 @@ void SphSolver<Backend, D, P>::step()
         fluidPass<Part::density>(Finish::close);
         forEach(context_, n_, mover<SymplecticDrift<Backend, D, P>>());
         moveWalls(false);
-        wallPass();
+        wallPass(true);
         fluidPass<Part::momentum>(Finish::close);
         wallForcePass(nullptr);
     }

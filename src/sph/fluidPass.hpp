@@ -192,6 +192,7 @@ struct FluidPass
         if constexpr (momentum) report(maxima[0], float(a2));
         report(maxima[1], float(model.eos.soundSpeed(deviation) + speed));
         report(maxima[2], float(absolute(deviation)));
+        report(maxima[3], float(speed));
     }
 
 private:

@@ -35,9 +35,9 @@ struct ExtrapolatedWallPass
     KernelConstants<Dim, real> kernel;
     FluidModel<Dim, P> model;
     int count;
-    const ClockData* clock;
+    const ClockData* clock;     // in a step; null: now
 
-    HD bool enabled() const { return clock->active; }
+    HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }
     HD Vec<Dim, typename P::position> position(int i) const { return wall.loadPosition(i); }

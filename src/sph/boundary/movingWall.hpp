@@ -74,7 +74,7 @@ struct MoveWalls
                 u += ru*X[c];
                 a += ra*X[c];
             }
-            const std::int64_t fixed = box.toFixed(d, x);
+            const std::int64_t fixed = box.toFixedInside(d, x);
             fields.x[d][i] = fixed;
             fields.v[d][i] = real(u);
             fields.a[d][i] = real(a);

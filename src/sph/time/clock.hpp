@@ -11,7 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include "core/macros.hpp"
+#include "core/launch.hpp"
 
 namespace riprap
 {
@@ -33,11 +33,10 @@ struct ClockData
     int skinViolations = 0;
     Limit limit = Limit::none;
     Halt halt = Halt::none;
-    float maxima[3] = {0, 0, 0};            // |a|^2, c + |v|, |deviation| of the last pass
+    float maxima[maximaCount] = {};         // |a|^2, c + |v|, |deviation|, |v| of the last pass
     float speed = 0;            // largest c + |v|, and the others, seen by the last tick
     float acceleration = 0;
     float deviation = 0;
-    int unused = 0;
 };
 
 static_assert(sizeof(ClockData) == 8*8 + 16*4, "ClockData has padding");
@@ -49,7 +48,7 @@ struct StepLimits
     double acoustic, force;     // Courant numbers
     double h;                   // smallest smoothing length [m]
     double viscousDt;           // Cv h^2/nu [s]
-    double maxDeviation, maxSignal;         // guards: |rho/rho0 - 1|, c + |v| [m/s]
+    double maxDeviation, maxSpeed;          // guards: |rho/rho0 - 1|, |v| [m/s]
     double growth;              // a step is at most this much longer than the one before
 };
 
@@ -88,7 +87,7 @@ struct Tick
         c.deviation = c.maxima[2];
         if (!(c.maxima[0] < 1e30f) || !(c.maxima[1] < 1e30f) || !(c.maxima[2] < 1e30f)) c.halt = Halt::notANumber;
         else if (c.maxima[2] > limits.maxDeviation) c.halt = Halt::density;
-        else if (c.maxima[1] > limits.maxSignal) c.halt = Halt::speed;
+        else if (c.maxima[3] > limits.maxSpeed) c.halt = Halt::speed;
         if (c.halt != Halt::none || c.time >= c.target || c.step >= c.lastStep) return;
 
         Limit limit;
@@ -109,7 +108,7 @@ struct Tick
         c.limit = limit;
         c.minDt = dt < c.minDt ? dt : c.minDt;
         c.maxDt = dt > c.maxDt ? dt : c.maxDt;
-        for (int k = 0; k < 3; ++k) c.maxima[k] = 0;
+        for (int k = 0; k < maximaCount; ++k) c.maxima[k] = 0;
         c.active = 1;
     }
 };
