@@ -173,19 +173,4 @@ private:
     }
 };
 
-//- Largest magnitude of a component: what differences are relative to
-inline double largest(const std::vector<Vector3>& v)
-{
-    double m = 0;
-    for (const Vector3& a : v) for (const double x : a) m = std::max(m, std::abs(x));
-    return m;
-}
-
-inline double largest(const std::vector<double>& v)
-{
-    double m = 0;
-    for (const double x : v) m = std::max(m, std::abs(x));
-    return m;
-}
-
 } // namespace riprap

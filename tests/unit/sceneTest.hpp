@@ -136,6 +136,21 @@ inline void append(WallInput& w, const WallInput& more)
     w.normal.insert(w.normal.end(), more.normal.begin(), more.normal.end());
 }
 
+//- Largest magnitude of a component: what differences are relative to
+inline double largest(const std::vector<Vector3>& v)
+{
+    double m = 0;
+    for (const Vector3& a : v) for (const double x : a) m = std::max(m, std::abs(x));
+    return m;
+}
+
+inline double largest(const std::vector<double>& v)
+{
+    double m = 0;
+    for (const double x : v) m = std::max(m, std::abs(x));
+    return m;
+}
+
 //- Order of the particles of a state by id
 inline std::vector<std::size_t> byId(const FluidState& s)
 {
