@@ -36,9 +36,9 @@ def analyse(run):
     end = t[-1]
     front = run.table('front', 'frontPosition.dat')
     return [Quantity('pressure L2', error=measures.relativeL2(p, exact)),
-            Quantity('largest speed ever / sqrt(g H)', computed=v.max()),
-            # The lattice settles onto the walls in the first tenths of a second
-            Quantity('largest speed after 0.5 s / sqrt(g H)', computed=v[t > 0.5].max()),
+            Quantity('largest speed / sqrt(g H)', computed=v.max()),
+            # In the first tenths of a second the particles at the surface settle onto the walls
+            Quantity('largest speed after 0.5 s / sqrt(g H)', computed=v[t > 0.5].max() if end > 0.5 else None),
             # Mean of the largest speed in the last quarter over that in the second: 1 is steady
             Quantity('growth of the speed', computed=v[t > 0.75*end].mean()/v[(t > 0.25*end) & (t < 0.5*end)].mean()),
             Quantity('water level', reference=depth(run), computed=front['height'][-1],
@@ -63,9 +63,9 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-# A tank with a square base of 0.1 m and walls on all four sides; fewer neighbours, there are more in 3D
+# A tank with a square base of 0.1 m and walls on all four sides
 tank3D = ('system/tank:width 0.1; system/tank:thickness 0.1; system/frontAndBack:frontAndBack wall;'
-          'system/tank:nx 10; system/tank:nz 10; smoothingLength/ratio 1.5')
+          'system/tank:nx 10; system/tank:nz 10')
 
 Study(
     scene='hydrostatic',
@@ -73,12 +73,14 @@ Study(
               Variant('tank2D-medium', ['-spacing', '0.00833333']),
               Variant('tank2D', ['-spacing', '0.00625']),
               Variant('symplectic2D', ['-spacing', '0.0125', '-set', 'timeIntegration symplectic']),
-              Variant('stationary2D', ['-spacing', '0.0125', '-set', 'walls/model stationary']),
-              Variant('tank3D-coarse', ['-spacing', '0.0125', '-set', tank3D]),
+              Variant('stationary2D', ['-spacing', '0.0125', '-set', 'walls/model stationary'], mayFail=True),
+              Variant('tank3D-coarse', ['-spacing', '0.0166667', '-set', tank3D]),
+              Variant('tank3D-medium', ['-spacing', '0.0125', '-set', tank3D]),
               Variant('tank3D', ['-spacing', '0.01', '-set', tank3D])],
     quick=[Variant('tank2D-quick', ['-spacing', '0.0125', '-endTime', '1'])],
     analyse=analyse,
     plot=plot,
     headline='pressure L2',
-    orders=[('pressure L2', ['tank2D-coarse', 'tank2D-medium', 'tank2D'])],
+    orders=[('pressure L2', ['tank2D-coarse', 'tank2D-medium', 'tank2D']),
+            ('pressure L2', ['tank3D-coarse', 'tank3D-medium', 'tank3D'])],
 ).main(here)
