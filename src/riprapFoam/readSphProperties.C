@@ -63,13 +63,13 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     }
 
     config.antiClump = sph.notNegativeOrNone("antiClump", 0.01);
-    config.xsph = sph.notNegativeOrNone("XSPH", 0.5);
+    config.xsph = sph.notNegativeOrNone("XSPH", 0);
 
     config.diffusion = sph.choice
     (
         "densityDiffusion",
         sphNames::densityDiffusion,
-        config.diffusion
+        riprap::DiffusionKind::fourtakas
     );
     {
         checkedDictionary coeffs(sph.subDict("densityDiffusionCoeffs"));
@@ -157,7 +157,7 @@ static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& confi
     (
         "timeIntegration",
         sphNames::timeIntegration,
-        config.integrator
+        riprap::IntegratorKind::symplectic
     );
     // What keeps sound waves from growing (docs/theory): the leapfrog needs
     // the shorter step unless density is diffused
