@@ -121,6 +121,46 @@ FIELDS_TEST(PermuteMovesEveryField)
     }
 }
 
+//- Large sets share spare memory: fields move one after the other
+FIELDS_TEST(PermuteOfLargeSets)
+{
+    const int n = int(FieldSet<Backend>::tightFrom);
+    Context<Backend> context;
+    FieldSet<Backend> set;
+    const int a = set.add<std::int64_t>("a"), b = set.add<float>("b"), c = set.add<std::int64_t>("c"), d = set.add<float>("d");
+    set.allocate(context, n);
+    EXPECT_FALSE(set.alternates());
+    EXPECT_EQ(set.bytes(), std::size_t(n)*(3*8 + 3*4)) << "four fields and two spares";
+    std::vector<std::int64_t> wide(n);
+    std::vector<float> narrow(n);
+    std::vector<std::uint32_t> order(n);
+    for (int i = 0; i < n; ++i)
+    {
+        wide[i] = 3*std::int64_t(i);
+        narrow[i] = float(i);           // exact below 2^24
+        order[i] = std::uint32_t((std::int64_t(i)*1000003 + 17) % n);
+    }
+    for (const int f : {a, c}) set.upload(context, f, wide);
+    for (const int f : {b, d}) set.upload(context, f, narrow);
+    Array<Backend, std::uint32_t> device;
+    device.upload(context, order);
+    for (int round = 0; round < 3; ++round) set.permute(context, device.data(), n);
+    context.synchronise();
+    const auto first = set.download<std::int64_t>(context, a), third = set.download<std::int64_t>(context, c);
+    const auto second = set.download<float>(context, b), fourth = set.download<float>(context, d);
+    for (int i = 0; i < n; ++i)
+    {
+        const std::uint32_t from = order[order[order[i]]];
+        ASSERT_EQ(first[i], 3*std::int64_t(from));
+        ASSERT_EQ(third[i], 3*std::int64_t(from));
+        ASSERT_EQ(second[i], float(from));
+        ASSERT_EQ(fourth[i], float(from));
+    }
+    set.releaseSpare();
+    EXPECT_EQ(set.bytes(), std::size_t(n)*(2*8 + 2*4));
+    EXPECT_EQ(set.download<float>(context, b)[5], second[5]);
+}
+
 struct AddHarmonics
 {
     static constexpr const char* name = "addHarmonics";

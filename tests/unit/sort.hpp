@@ -1,4 +1,4 @@
-/*  Sorting and tabulating cells: against the standard library, for any size and number of threads.
+/*  Sorting, scanning and tabulating cells: against the standard library, for any size and number of threads.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -61,6 +61,25 @@ SORT_TEST(PairsAreSortedAndStable)
                 EXPECT_EQ(s.keys[1].download(), sorted);
             });
         }
+}
+
+SORT_TEST(ScanSumsAllBefore)
+{
+    for (const int n : sizes)
+    {
+        if (n == 0) continue;
+        Random random{unsigned(n)};
+        std::vector<int> data(n), expected(n);
+        for (int& v : data) v = int(random.bits() % 20);
+        std::exclusive_scan(data.begin(), data.end(), expected.begin(), 0);
+        Context<Backend> context;
+        SortScratch<Backend> s;
+        Array<Backend, int> device;
+        device.upload(context, data);
+        exclusiveScan(context, s, device.data(), n);
+        context.synchronise();
+        EXPECT_EQ(device.download(), expected) << n;
+    }
 }
 
 //- Cells begin where they should, order is stable, and what has the key `cells` (in no cell) comes last
