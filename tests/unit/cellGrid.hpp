@@ -82,16 +82,28 @@ TYPED_TEST(CellGridTest, EveryNeighbourOnce)
         grid.set(box, s.radius, s.reach, s.cellsPerRadius, s.maxCells);
         ASSERT_EQ(grid.cells, grid.n[0]*grid.n[1]*grid.n[2]);
 
-        // random places, and the box's corners and edges, where rounding could put a particle into no cell
+        // random places, and the box's corners and edges, where rounding could put a particle into no cell; the second half stand
+        // just within the radius of the first, mostly beside them, where rows are trimmed
         Random random(11);
         std::vector<Vec<D, real>> x(n);
         for (int i = 0; i < n; ++i)
+        {
+            double direction[3] = {random(-1, 1) < 0 ? -1.0 : 1.0, random(-0.5, 0.5), random(-0.5, 0.5)}, length2 = 0;
+            for (int d = 0; d < D; ++d) length2 += direction[d]*direction[d];
             for (int d = 0; d < D; ++d)
             {
                 const real edge[3] = {real(0), real(length[d]), std::nextafter(real(length[d]), real(0))};
                 const bool onEdge = i < 60 && random(0, 1) < 0.5;
-                x[i].c[d] = onEdge ? edge[random.bits() % 3] : real(length[d]*random(0, 1));
+                double p = length[d]*random(0, 1);
+                if (i >= n/2)
+                {
+                    p = x[i - n/2].c[d] + 0.9999*s.radius*direction[d]/std::sqrt(length2);
+                    if (s.periodic[d]) p -= length[d]*std::floor(p/length[d]);
+                    p = std::min(std::max(p, 0.0), length[d]);
+                }
+                x[i].c[d] = onEdge ? edge[random.bits() % 3] : real(p);
             }
+        }
 
         CellSort<Backend> sort;
         sort.allocate(context, n, grid.cells);
