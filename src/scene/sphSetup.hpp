@@ -233,7 +233,8 @@ void SphSolver<Backend, D, P>::allocateLists()
             const int wallBlocks = int(0.1*sphere/std::pow(config_.wallSpacing, D)/lanes) + 1;
             const long long warps = ((long long)n_ << shift_)/32 + 1, wallWarps = ((long long)nWalls_ << shift_)/32 + 1;
             parts_.fluidWall.allocate(context_, n_, shift_, true, int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256));
-            parts_.wallFluid.allocate(context_, nWalls_, shift_, true, int(wallWarps*capacity/4 + 256));
+            if (config_.wallModel == WallKind::extrapolated || nBodies_)
+                parts_.wallFluid.allocate(context_, nWalls_, shift_, true, int(wallWarps*capacity/4 + 256));
         }
     }
 }
