@@ -67,7 +67,9 @@ protected:
         c.spacing = 0.05;
         c.soundSpeed = 20;
         c.maxVelocity = 2;
+        c.integrator = IntegratorKind::leapfrog;
         c.viscosityModel = ViscosityKind::none;
+        c.diffusion = DiffusionKind::none;
         return c;
     }
 
