@@ -40,7 +40,8 @@ struct CellGrid
             periodic[d] = box.periodic[d];
         }
         const double total = count[0]*count[1]*count[2];
-        if (total > maxCells) count[0] = std::max(1.0, std::floor(count[0]*maxCells/total));
+        // fewer than four periodic cells could be found from both sides, and twice
+        if (total > maxCells) count[0] = std::max(periodic[0] ? std::min(count[0], 4.0) : 1.0, std::floor(count[0]*maxCells/total));
         for (int d = 0; d < D; ++d)
         {
             n[d] = int(count[d]);

@@ -80,7 +80,7 @@ void SphSolver<Backend, D, P>::setBox()
         if (period < 3*least)
             throw std::invalid_argument("the periodic domain is " + std::to_string(period)
               + " m long; it must be at least three search radii, " + std::to_string(3*least) + " m");
-        skin = period/3 - support;
+        skin = period*(1 - 1e-9)/3 - support;       // so that rounding does not cost a row
     }
     const double radius = support + skin;
     halfSkin_ = real(0.5*skin);
