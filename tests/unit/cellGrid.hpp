@@ -69,7 +69,7 @@ TYPED_TEST(CellGridTest, EveryNeighbourOnce)
         {{true, true, true}, 1, 6, 1e6, 0.1, "periodic, reach 1"}, {{true, true, true}, 2, 6, 1e6, 0.1, "periodic, reach 2"},
         {{true, true, true}, 1, 6, 1e6, 0.23, "shortest period, reach 1"}, {{true, true, true}, 2, 6, 1e6, 0.23, "shortest period, reach 2"},
         {{true, false, false}, 1, 1, 1e6, 0.1, "coarse rows"}, {{false, true, true}, 2, 6, 400, 0.1, "few cells allowed"},
-        {{true, true, false}, 1, 6, 60, 0.2, "hardly any cells allowed"}, {{false, false, true}, 1, 6, 1e6, 2.0, "radius beyond the box"}
+        {{true, true, false}, 1, 6, 60, 0.2, "hardly any cells allowed"}, {{true, true, true}, 1, 6, 1, 0.2, "no cells allowed"}, {{false, false, true}, 1, 6, 1e6, 2.0, "radius beyond the box"}
     };
     for (const GridSetting& s : settings)
     {

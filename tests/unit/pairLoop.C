@@ -169,6 +169,28 @@ TEST_P(PairLoop, AnyPlane)
     }
 }
 
+//- The shortest periods: rows of cells are each other's neighbours from both sides, and the skin is what room there is
+TEST_P(PairLoop, ShortPeriods)
+{
+    for (const double spacing : {0.1, 0.05, 0.03, 0.07, 0.011, 1.0/24})
+        for (const double period : {7.88, 8.0})
+        {
+            SCOPED_TRACE(std::to_string(period) + " spacings of " + std::to_string(spacing));
+            SphConfig c = config();
+            c.spacing = spacing;
+            for (int d = 0; d < 3; ++d)
+            {
+                c.periodic[d] = true;
+                c.domainMax[d] = period*spacing;
+            }
+            FluidInput f = lattice(c, {{0, 0, 0}}, {{8*spacing, 8*spacing, D() == 3 ? 8*spacing : 0.0}});
+            disturb(c, f, 0.2, 1, 0.02);
+            for (std::size_t k = 0; k < f.position.size(); ++k)
+                f.position[k] -= c.domainMax[k % 3]*std::floor(f.position[k]/c.domainMax[k % 3]);
+            compare(c, f);
+        }
+}
+
 TEST_P(PairLoop, RadialForcesConserveMomenta)
 {
     // a free blob: pressure, anti-clump term and artificial viscosity act along the line of centres, so that momentum and angular
