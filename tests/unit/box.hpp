@@ -61,7 +61,6 @@ public:
     static constexpr int D = C::D;
     static constexpr int n = 3000;
     Box<D, typename C::P> box;
-    Context<Backend> context;
     double lower[3] = {-3.7, 1000.125, 0.001}, length[3] = {10.3, 0.07, 400};
 
     void SetUp() override
@@ -80,6 +79,7 @@ TYPED_TEST_SUITE(BoxTest, AllCases, CaseNames);
 TYPED_TEST(BoxTest, ThereAndBack)
 {
     constexpr int D = TypeParam::D, n = TestFixture::n;
+    Context<Backend> context;
     Random random(1);
     std::vector<double> x;
     for (int i = 0; i < n; ++i)
@@ -90,11 +90,11 @@ TYPED_TEST(BoxTest, ThereAndBack)
         }
     Array<Backend, double> in, metres, pair;
     Array<Backend, std::int64_t> fixed;
-    in.upload(this->context, x);
-    metres.allocate(this->context, x.size());
-    pair.allocate(this->context, x.size());
-    fixed.allocate(this->context, x.size());
-    runEach(this->context, n, FixAndBack<TypeParam>{this->box, in.data(), fixed.data(), metres.data(), pair.data()});
+    in.upload(context, x);
+    metres.allocate(context, x.size());
+    pair.allocate(context, x.size());
+    fixed.allocate(context, x.size());
+    runEach(context, n, FixAndBack<TypeParam>{this->box, in.data(), fixed.data(), metres.data(), pair.data()});
     const auto back = metres.download(), seen = pair.download();
     const auto bits = fixed.download();
     for (int k = 0; k < n*D; ++k)
@@ -114,6 +114,7 @@ TYPED_TEST(BoxTest, ThereAndBack)
 TYPED_TEST(BoxTest, NearestImage)
 {
     constexpr int D = TypeParam::D, n = TestFixture::n;
+    Context<Backend> context;
     using real = typename TypeParam::real;
     Random random(2);
     std::vector<double> a, b;
@@ -129,10 +130,10 @@ TYPED_TEST(BoxTest, NearestImage)
         }
     Array<Backend, double> first, second;
     Array<Backend, real> result;
-    first.upload(this->context, a);
-    second.upload(this->context, b);
-    result.allocate(this->context, a.size());
-    runEach(this->context, n, Separate<TypeParam>{this->box, first.data(), second.data(), result.data()});
+    first.upload(context, a);
+    second.upload(context, b);
+    result.allocate(context, a.size());
+    runEach(context, n, Separate<TypeParam>{this->box, first.data(), second.data(), result.data()});
     const auto dx = result.download();
     for (int k = 0; k < n*D; ++k)
     {
@@ -152,6 +153,7 @@ TYPED_TEST(BoxTest, NearestImage)
 TYPED_TEST(BoxTest, ShiftInvariance)
 {
     constexpr int D = TypeParam::D, n = TestFixture::n;
+    Context<Backend> context;
     using real = typename TypeParam::real;
     Random random(3);
     std::vector<double> a, b;
@@ -167,10 +169,10 @@ TYPED_TEST(BoxTest, ShiftInvariance)
         }
     Array<Backend, double> first, second;
     Array<Backend, real> result;
-    first.upload(this->context, a);
-    second.upload(this->context, b);
-    result.allocate(this->context, a.size());
-    runEach(this->context, n, Separate<TypeParam>{this->box, first.data(), second.data(), result.data()});
+    first.upload(context, a);
+    second.upload(context, b);
+    result.allocate(context, a.size());
+    runEach(context, n, Separate<TypeParam>{this->box, first.data(), second.data(), result.data()});
     for (const real s : result.download()) EXPECT_EQ(s, real(-0.03125));
 }
 
