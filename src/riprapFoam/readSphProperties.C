@@ -56,6 +56,12 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     config.viscosityModel =
         sph.choice("viscosity", sphNames::viscosity, config.viscosityModel);
     {
+        checkedDictionary coeffs(sph.subDict("laminarViscosity"));
+        config.viscositySoftening =
+            coeffs.positive("softening", config.viscositySoftening);
+        coeffs.end();
+    }
+    {
         checkedDictionary coeffs(sph.subDict("artificialViscosity"));
         config.artificialAlpha =
             coeffs.notNegative("alpha", config.artificialAlpha);

@@ -58,6 +58,7 @@ struct TermParameters
     explicit TermParameters(const SphConfig& c) : on(c), wallViscosity(c.noSlip)
     {
         laminar.mu = R(c.viscosity);
+        laminar.softening = R(c.viscositySoftening);
         artificial.alphaC0 = R(c.artificialAlpha*c.soundSpeed);
         antiClump.epsilon = R(c.antiClump);
         xsph.epsilon = R(c.xsph);

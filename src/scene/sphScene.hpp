@@ -64,6 +64,7 @@ struct SphConfig
 
     // Terms
     ViscosityKind viscosityModel = ViscosityKind::laminar;
+    double viscositySoftening = 0.01;       // eta of Eq. 36: r^2 + eta h^2
     double artificialAlpha = 0.02;
     double antiClump = 0;                   // coefficient of Eq. 38 (0.01), 0: off
     double xsph = 0;                        // epsilon of Eq. 39, 0: off

@@ -77,7 +77,7 @@ struct Pair
     void continuity() { rate += i.rho*j.m/j.rho*dot(v, grad); }                                         // Eq. 32
     void wallContinuity() { rate += i.rho*j.m/j.rho*dot(i.v - j.u, grad); }
     void pressure() { add(a, -j.m*(i.p/(i.rho*i.rho) + j.p/(j.rho*j.rho)), grad); }                     // Eq. 34
-    void laminar(double mu) { add(a, j.m*2*mu*dot(x, grad)/(i.rho*j.rho*(r2 + 0.01*h*h)), v); }         // Eq. 36
+    void laminar(double mu, double eta = 0.01) { add(a, j.m*2*mu*dot(x, grad)/(i.rho*j.rho*(r2 + eta*h*h)), v); }       // Eq. 36
     void antiClump(double epsilon, double spacing)                                                      // Eq. 38
     {
         const double ratio = w/W(kernel, D, spacing, h);

@@ -192,6 +192,8 @@ TYPED_TEST(PairTerm, LaminarViscosity)
     term.mu = real(0.7);
     this->template compare<Part::all, 0>(Terms{term}, [](auto& p) { p.laminar(0.7); });
     this->template compare<Part::all, 1>(Terms{term}, [](auto& p) { p.laminar(0.7); }, true);
+    term.softening = real(1e-4);
+    this->template compare<Part::all, 0>(Terms{term}, [](auto& p) { p.laminar(0.7, 1e-4); });
 }
 
 TYPED_TEST(PairTerm, ArtificialViscosity)

@@ -78,6 +78,14 @@ void Foam::solverModules::sphDem::logTerms() const
         << sphNames::viscosity[c.viscosityModel]
         << ", mu " << c.viscosity << " Pa s, nu " << c.viscosity/c.density
         << " m2/s";
+    if
+    (
+        c.viscosityModel == ViscosityKind::laminar
+     || c.viscosityModel == ViscosityKind::laminarAndArtificial
+    )
+    {
+        Info<< ", softening " << c.viscositySoftening;
+    }
     if (c.viscosityModel >= ViscosityKind::artificial)
     {
         Info<< ", alpha " << c.artificialAlpha;

@@ -79,7 +79,13 @@ def plot(runs, path):
         e = reference(name)
         e = e[np.argsort(e[:, 0])]
         axes[i].plot(e[:, 0], e[:, 1], color='#444444', linewidth=1, label=label)
+    for file, label in (('decourcy2024_sph_p2', 'SPH, De Courcy 2024'), ('interFoam_noSlip_sensor2', 'interFoam 2.5 mm, noSlip'),
+                        ('interFoam_slip_sensor2', 'interFoam 2.5 mm, slip')):
+        peer = reference(file)
+        axes[1].plot(peer[:, 0], peer[:, 1], ':', linewidth=1, label=label)
     for run in runs:
+        if 'stationary' in run.name:        # leaks; its numbers are in the table
+            continue
         T, p = pressures(run)
         for i, axis in enumerate(axes[:5]):
             axis.plot(T, measures.movingAverage(T, p[:, i], window), linewidth=1, label=run.name)
@@ -97,8 +103,9 @@ def plot(runs, path):
 
 Study(
     scene='dambreakPressure',
-    variants=[Variant('dp10', ['-spacing', '0.01']), Variant('dp5', ['-spacing', '0.005']),
-              Variant('dp2.5', ['-spacing', '0.0025']),
+    variants=[Variant('dp10', ['-spacing', '0.01']), Variant('dp5', ['-spacing', '0.005']), Variant('dp2.5'),
+              Variant('dp5-freeSlip', ['-spacing', '0.005', '-set', 'walls/slip freeSlip']),
+              Variant('dp2.5-freeSlip', ['-set', 'walls/slip freeSlip']),
               Variant('dp5-stationary', ['-spacing', '0.005', '-set', 'walls/model stationary; walls/spacing 0.0025'])],
     quick=[Variant('dp10-quick', ['-spacing', '0.01', '-endTime', '0.6'])],
     analyse=analyse,
