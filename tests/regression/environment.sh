@@ -76,7 +76,7 @@ for path in files:
     if not path.endswith(".md"): text = "\n".join(l for l in text.split("\n") if "#include" not in l)
     for word in re.findall(r"\bdocs/\w+\b(?![./\w])", text):
         if not pathlib.Path(word).exists() and not pathlib.Path(word + ".md").exists(): missing.add(f"{path}: {word}")
-    for word in re.findall(r"(?<![\w./${])(?:[a-z][A-Za-z0-9]*/)*[A-Za-z][A-Za-z0-9]*\.(?:md|hpp|H|cu)\b", text):
+    for word in re.findall(r"(?<![\w./${])(?:[a-z][A-Za-z0-9]*/)*[A-Za-z][A-Za-z0-9]*\.(?:md|hpp|H|cu|C)\b", text):
         if re.match(r"my[A-Z]|x\.|x[A-Z]|self\.", pathlib.Path(word).name): continue       # examples, members
         here = (pathlib.Path(path).parent/word).exists() or pathlib.Path(word).exists() or (pathlib.Path("src")/word).exists()
         if not here and not ("/" not in word and word in names): missing.add(f"{path}: {word}")
