@@ -5,26 +5,84 @@
 
 #include "checkedDictionary.H"
 #include "listed.H"
+#include <cctype>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-void Foam::checkedDictionary::require
-(
-    bool good,
-    const word& entry,
-    scalar value,
-    const char* what
-) const
+namespace Foam
 {
-    // Not written as !(value > 0): good must be false for NaN too
-    if (!good)
+
+//- A file without its comments; empty if it cannot be read
+static std::string textOf(const fileName& file)
+{
+    std::ifstream in(file);
+    const std::string all
+    (
+        (std::istreambuf_iterator<char>(in)),
+        std::istreambuf_iterator<char>()
+    );
+
+    std::string text;
+    for (std::size_t i = 0; i < all.size(); ++i)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Entry " << entry << " is " << value << ": it must be " << what
-            << exit(FatalIOError);
+        const bool line = all.compare(i, 2, "//") == 0;
+        if (line || all.compare(i, 2, "/*") == 0)
+        {
+            i = all.find(line ? "\n" : "*/", i + 2);
+            if (i == std::string::npos) break;
+            i += !line;
+            text += ' ';
+        }
+        else
+        {
+            text += all[i];
+        }
     }
+    return text;
 }
 
+
+//- How a name occurs in a text: as $name, ${name}, $:name ..., and without $
+struct wordUse
+{
+    bool macro = false;
+    bool plain = false;
+};
+
+
+static wordUse useOf(const std::string& name, const std::string& text)
+{
+    const auto inName = [](char c) { return std::isalnum(c) || c == '_'; };
+
+    wordUse use;
+    std::size_t at = 0;
+    while ((at = text.find(name, at)) != std::string::npos)
+    {
+        std::size_t before = at;
+        at += name.size();
+        if
+        (
+            (before > 0 && inName(text[before - 1]))
+         || (at < text.size() && inName(text[at]))
+        )
+        {
+            continue;
+        }
+
+        while (before > 0 && std::strchr("{:.", text[before - 1])) --before;
+        const bool macro = before > 0 && text[before - 1] == '$';
+        (macro ? use.macro : use.plain) = true;
+    }
+    return use;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::checkedDictionary::isWord
 (
@@ -50,124 +108,6 @@ bool Foam::checkedDictionary::found(const word& entry)
         known_.append(entry);
     }
     return dict_.found(entry, keyType::LITERAL);
-}
-
-
-Foam::scalar Foam::checkedDictionary::number(const word& entry)
-{
-    found(entry);
-    return dict_.get<scalar>(entry);
-}
-
-
-Foam::scalar Foam::checkedDictionary::positive(const word& entry)
-{
-    const scalar value = number(entry);
-    require(value > 0, entry, value, "positive");
-    return value;
-}
-
-
-Foam::scalar Foam::checkedDictionary::positive
-(
-    const word& entry,
-    scalar otherwise
-)
-{
-    return found(entry) ? positive(entry) : otherwise;
-}
-
-
-Foam::scalar Foam::checkedDictionary::notNegative
-(
-    const word& entry,
-    scalar otherwise
-)
-{
-    if (!found(entry))
-    {
-        return otherwise;
-    }
-    const scalar value = number(entry);
-    require(value >= 0, entry, value, "zero or positive");
-    return value;
-}
-
-
-Foam::scalar Foam::checkedDictionary::between
-(
-    const word& entry,
-    scalar otherwise,
-    scalar low,
-    scalar high
-)
-{
-    if (!found(entry))
-    {
-        return otherwise;
-    }
-    const scalar value = number(entry);
-    if (!(value >= low && value <= high))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Entry " << entry << " is " << value << ": it must be from "
-            << low << " to " << high
-            << exit(FatalIOError);
-    }
-    return value;
-}
-
-
-Foam::scalar Foam::checkedDictionary::notNegativeOrNone
-(
-    const word& entry,
-    scalar otherwise
-)
-{
-    return found(entry) && isWord(entry, "none")
-      ? 0 : notNegative(entry, otherwise);
-}
-
-
-Foam::scalar Foam::checkedDictionary::positiveOrAuto(const word& entry)
-{
-    return !found(entry) || isWord(entry, "auto") ? 0 : positive(entry);
-}
-
-
-Foam::scalar Foam::checkedDictionary::positive
-(
-    const word& entry,
-    const dimensionSet& dimensions
-)
-{
-    found(entry);
-
-    // As OpenFOAM's dimensioned scalars, [name] [dimensions] value, whose
-    // own reader aborts at wrong dimensions
-    ITstream& is = dict_.lookup(entry);
-    token first(is);
-    if (first.isWord())
-    {
-        is >> first;
-    }
-    is.putBack(first);
-    if (first == token::BEGIN_SQR)
-    {
-        const dimensionSet typed(is);
-        if (typed != dimensions)
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Entry " << entry << " has the dimensions " << typed
-                << ": they must be " << dimensions << exit(FatalIOError);
-        }
-    }
-
-    scalar value = 0;
-    is >> value;
-    dict_.checkITstream(is, entry);
-    require(value > 0, entry, value, "positive");
-    return value;
 }
 
 
@@ -222,11 +162,15 @@ void Foam::checkedDictionary::unknownWord
 }
 
 
-void Foam::checkedDictionary::unknownEntry(const word& entry) const
+void Foam::checkedDictionary::unknownEntry
+(
+    const word& entry,
+    const char* remark
+) const
 {
     FatalIOErrorInFunction(dict_)
         << "Unknown entry " << entry
-        << "; valid are " << listed(known_).c_str()
+        << "; valid are " << listed(known_).c_str() << remark
         << exit(FatalIOError);
 }
 
@@ -235,19 +179,32 @@ void Foam::checkedDictionary::end() const
 {
     for (const entry& e : dict_)
     {
-        if (!known_.found(e.keyword())) unknownEntry(e.keyword());
+        if (!known_.found(e.keyword())) unknownEntry(e.keyword(), "");
     }
 }
 
 
-void Foam::checkedDictionary::endButNumbers() const
+void Foam::checkedDictionary::endButMacros() const
 {
+    const std::string text(textOf(dict_.name()));
+
     for (const entry& e : dict_)
     {
+        if (known_.found(e.keyword())) continue;
+
         const bool number =
             e.isStream() && e.stream().size() == 1 && e.stream()[0].isNumber();
 
-        if (!number && !known_.found(e.keyword())) unknownEntry(e.keyword());
+        // What the file itself does not hold has come by #include
+        const wordUse use(useOf(e.keyword(), text));
+        if (!number || (use.plain && !use.macro))
+        {
+            unknownEntry
+            (
+                e.keyword(),
+                ", and numbers that the file uses as $name"
+            );
+        }
     }
 }
 

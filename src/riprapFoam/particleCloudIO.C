@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Writing of clouds, and what reading and writing share. Reading: particleCloudRead.C. */
+/*  Writing of clouds, and what reading and writing share. Reading: particleCloudRead.C, particlePositions.C. */
 
 #include "particleCloudIO.H"
 #include "cloud.H"

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Reading of clouds: positions as they stand in the file, coordinates through their tetrahedron. */
+/*  Reading of clouds. The entries of positions and coordinates: particlePositions.H */
 
 #include "particleCloudIO.H"
-#include "barycentric.H"
+#include "particlePositions.H"
 #include "cloud.H"
 #include "IOField.H"
 #include "IOobjectList.H"
 #include "listed.H"
-#include "tetIndices.H"
 #include "Time.H"
-
-#include <cstring>
 
 namespace Foam
 {
@@ -53,76 +50,6 @@ static IOobject cloudFile
         IOobject::NO_WRITE,
         false
     );
-}
-
-
-// nScalars doubles and nLabels labels, in ascii or in one binary block of any label and scalar size
-template<std::size_t nScalars, std::size_t nLabels>
-static void readEntry(Istream& is, scalar (&s)[nScalars], label (&l)[nLabels])
-{
-    if (is.format() == IOstream::ASCII)
-    {
-        is.readBegin("particle");
-        for (scalar& value : s) is >> value;
-        is.readEnd("particle");
-        for (label& value : l) is >> value;
-    }
-    else if (is.checkLabelSize<>() && is.checkScalarSize<>())
-    {
-        char block[sizeof(s) + sizeof(l)];
-        is.read(block, sizeof(block));
-        std::memcpy(s, block, sizeof(s));
-        std::memcpy(l, block + sizeof(s), sizeof(l));
-    }
-    else
-    {
-        is.beginRawRead();
-        readRawScalar(is, s, nScalars);
-        readRawLabel(is, l, nLabels);
-        is.endRawRead();
-    }
-    is.fatalCheck(FUNCTION_NAME);
-}
-
-
-static void checkCell(const polyMesh& mesh, const Istream& is, label i, label celli)
-{
-    if (celli < 0 || celli >= mesh.nCells())
-    {
-        FatalIOErrorInFunction(is)
-            << "particle " << i << " is in cell " << celli << " of a mesh of " << mesh.nCells()
-            << " cells" << exit(FatalIOError);
-    }
-}
-
-
-static void readPositions(const polyMesh& mesh, Istream& is, particleCloud& c)
-{
-    forAll(c.position, i)
-    {
-        scalar x[3];
-        label celli[1];
-        readEntry(is, x, celli);
-        checkCell(mesh, is, i, celli[0]);
-        c.position[i] = point(x[0], x[1], x[2]);
-        c.cell[i] = celli[0];
-    }
-}
-
-
-static void readCoordinates(const polyMesh& mesh, Istream& is, particleCloud& c)
-{
-    forAll(c.position, i)
-    {
-        scalar b[4];
-        label tet[3];
-        readEntry(is, b, tet);
-        checkCell(mesh, is, i, tet[0]);
-        c.position[i] =
-            tetIndices(tet[0], tet[1], tet[2]).tet(mesh)
-           .barycentricToPoint(barycentric(b[0], b[1], b[2], b[3]));
-        c.cell[i] = tet[0];
-    }
 }
 
 

@@ -90,10 +90,18 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
         checkedDictionary coeffs(sph.subDict("shiftingCoeffs"));
         config.shiftingCoefficient =
             coeffs.notNegative("A", config.shiftingCoefficient);
-        config.shiftingSurfaceThreshold = coeffs.notNegative
+        config.shiftingSurfaceThreshold = coeffs.positive
         (
             "surfaceThreshold",
             config.dimensions == 2 ? 1.5 : 2.75
+        );
+        // Inside the fluid the divergence of position is the dimension
+        coeffs.require
+        (
+            config.shiftingSurfaceThreshold < config.dimensions,
+            "surfaceThreshold",
+            config.shiftingSurfaceThreshold,
+            config.dimensions == 2 ? "less than 2 in 2D" : "less than 3 in 3D"
         );
         coeffs.end();
     }

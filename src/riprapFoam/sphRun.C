@@ -98,6 +98,7 @@ sphRun readSphRun(const Time& time)
     sphRun run;
     run.spacing = dict.get<scalar>("spacing");
     run.maxVelocity = dict.get<scalar>("maxVelocity");
+    run.density = dict.getOrDefault<scalar>("density", 0);
     run.time = dict.get<scalar>("time");
     run.particles = count(dict, "particles");
     run.initialParticles = count(dict, "initialParticles");
@@ -124,6 +125,7 @@ void writeSphRun(const Time& time, const sphRun& run)
 
     dict.add("spacing", exact(run.spacing));
     dict.add("maxVelocity", exact(run.maxVelocity));
+    dict.add("density", exact(run.density));
     dict.add("time", exact(run.time));
     dict.add("particles", exact(run.particles));
     dict.add("initialParticles", exact(run.initialParticles));

@@ -40,6 +40,7 @@ Foam::wallPoints Foam::generateWallPoints
     wallGenerator generator(mesh, controls, bodies, names.size());
     const wallSpace& space = generator.space();
 
+    refuseBaffles(space, patchIDs);
     generator.lay(patchElements(space, patchIDs), controls.layers, -1, "patches");
     for (label i = 0; bodies && i < bodies->size(); ++i)
     {

@@ -40,6 +40,8 @@ void checkNumbers(const SphConfig& c)
     require(c.maxSmoothingGrowth >= 1, "the smoothing length's growth limit must be at least 1");
     for (const double k : {c.artificialAlpha, c.antiClump, c.xsph, c.diffusionDelta, c.shiftingCoefficient})
         require(k >= 0, "a coefficient must not be negative");
+    require(c.shiftingSurfaceThreshold != 0 && c.shiftingSurfaceThreshold < c.dimensions,
+        "the surface threshold of shifting must lie between 0 and the number of dimensions");
     for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
     require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");
     require(c.maxTimeStep > 0, "the largest time step must be positive");

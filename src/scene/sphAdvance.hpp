@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include "scene/sphReadBack.hpp"
 #include "scene/sphSolver.hpp"
 
 namespace riprap
@@ -19,7 +20,7 @@ void SphSolver<Backend, D, P>::writeClock() { context_.toDevice(clock_.data(), &
 template<class Backend, int D, class P>
 bool SphSolver<Backend, D, P>::finished() const
 {
-    return host_.halt != Halt::none || host_.time >= host_.target || host_.step >= host_.lastStep || interrupted_;
+    return host_.halt != Halt::none || host_.time >= host_.target || host_.step >= host_.lastStep;
 }
 
 //- Poses of the moving groups over the interval that is about to be advanced
@@ -65,6 +66,7 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             ++rebuilds;
             do step(); while (clock_.data()->active && !interrupted_);
             readClock();
+            if (interrupted_.exchange(false)) break;
         }
     }
     else
@@ -89,7 +91,7 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             rebuilds += 2;
             readClock();
             if (host_.overflow[0] || host_.overflow[1] || host_.overflow[2]) { growLists(); continue; }
-            if (finished()) break;
+            if (finished() || interrupted_.exchange(false)) break;
             // fit the length of a cycle to what the skin allows
             const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
             int wanted = stepsPerCycle_;
@@ -107,9 +109,14 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 template<class Backend, int D, class P>
 SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
-    interrupted_ = false;
     SphReport report;
     readClock();
+    if (nBodies_)
+    {
+        setPoses(host_.time, std::max(t, host_.time));
+        if constexpr (Backend::gpu) parts_.graph.clear();   // poses are part of the recorded launches
+    }
+    if (interrupted_) maxSteps = 1;
     const std::int64_t before = host_.step;
     host_.target = t;
     host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
@@ -117,13 +124,16 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     host_.maxDt = 0;
     host_.needRebuild = 0;
     host_.skinViolations = 0;
+    // also before and after all steps: what the last one did is said in its own call, before anyone writes it, and while
+    // the records are those that it saw
+    if (host_.halt == Halt::none) host_.halt = limits_.halt(host_);
     writeClock();
-    if (nBodies_)
-    {
-        setPoses(host_.time, std::max(t, host_.time));
-        if constexpr (Backend::gpu) parts_.graph.clear();   // poses are part of the recorded launches
-    }
     runToTarget(report.rebuilds);
+    if (host_.halt == Halt::none)
+    {
+        host_.halt = limits_.halt(host_);
+        if (host_.halt != Halt::none) writeClock();
+    }
 
     report.time = host_.time;
     report.lastTimeStep = host_.dt;
@@ -135,8 +145,11 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.limit = names[int(host_.limit)];
     report.maxDensityDeviation = host_.maxima[2];
     report.maxSpeed = host_.maxima[3];
-    collectEscaped(report);
+    report.skinExceeded = host_.skinViolations;
     if (host_.halt != Halt::none) findOffender(report);
+    // the last step may have carried particles out: a sort now says so in this call. The next one sorts to the same order
+    else if (report.steps && host_.needRebuild) sortNow();
+    collectEscaped(report);
     return report;
 }
 
@@ -160,6 +173,17 @@ void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
     reported_ = active;
 }
 
+//- What pairs saw of each particle in the last pass, in units of what is usual. A number that is none makes those that it
+//  meets so too, within the pass: what it was made of tells the one that began from the others
+template<class Backend, int D, class P>
+std::vector<double> SphSolver<Backend, D, P>::suspicion(int n)
+{
+    Array<Backend, double> result;
+    result.allocate(context_, n);
+    forEach(context_, n, Suspicion<Backend, D, P>{fluidRecords_.view(), config_.soundSpeed, config_.density, result.data()});
+    return result.download();
+}
+
 //- Which particle made a guard fire
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::findOffender(SphReport& report)
@@ -177,25 +201,26 @@ void SphSolver<Backend, D, P>::findOffender(SphReport& report)
         x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
     }
     const auto id = fluid_.template download<std::int32_t>(context_, idField_);
-    std::vector<double> metres;
+    std::vector<double> metres, suspect;
     toMetres(x, n, metres);
+    if (report.stop == StopReason::notANumber) suspect = suspicion(n);
     double worst = -1;
     for (int i = 0; i < n; ++i)
     {
-        double speed2 = 0, a2 = 0;
-        for (int d = 0; d < D; ++d) { speed2 += double(v[d][i])*v[d][i]; a2 += double(a[d][i])*a[d][i]; }
-        double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(speed2);
+        real speed2 = 0, a2 = 0;
+        for (int d = 0; d < D; ++d) { speed2 += v[d][i]*v[d][i]; a2 += a[d][i]*a[d][i]; }
+        double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(double(speed2));
         if (report.stop == StopReason::notANumber)
         {
-            // the first that is none, else the one that overflowed single precision
-            const double sum = speed2 + a2 + std::abs(double(deviation[i]));
-            value = std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+            // the bounds are the clock's; speed^2 may overflow where the speed does not
+            const bool fine = a2 < 1e30 && std::sqrt(speed2) < 1e30 && std::abs(deviation[i]) < 1e30 && deviation[i] > -1;
+            value = fine ? -0.5 : (std::isfinite(suspect[i]) ? suspect[i] : std::numeric_limits<double>::infinity());
         }
         if (value <= worst) continue;
         worst = value;
         report.stopId = id[i];
         report.stopPosition = Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}};
-        report.stopValue = report.stop == StopReason::notANumber ? std::sqrt(speed2) : value;
+        report.stopValue = report.stop == StopReason::notANumber ? std::sqrt(double(speed2)) : value;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/device.hpp"
 #include "scene/sphSetup.hpp"
+#include "scene/sphNeighbours.hpp"
 #include "scene/sphStep.hpp"
 #include "scene/sphAdvance.hpp"
 #include "scene/sphOutput.hpp"

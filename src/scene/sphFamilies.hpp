@@ -66,7 +66,7 @@ struct TermParameters
         for (int d = 0; d < D; ++d)
             diffusion.hydrostatic.c[d] = c.diffusion == DiffusionKind::fourtakas
               ? R(c.density*c.gravity[c.axes[d]]/(c.soundSpeed*c.soundSpeed)) : R(0);
-        const double surface = c.shiftingSurfaceThreshold > 0 ? c.shiftingSurfaceThreshold : (D == 2 ? 1.5 : 2.75);
+        const double surface = c.shiftingSurfaceThreshold >= 0 ? c.shiftingSurfaceThreshold : (D == 2 ? 1.5 : 2.75);
         shifting = ShiftingModel<R>{R(c.shiftingCoefficient), R(surface), R(D)};
     }
 

@@ -1,101 +1,11 @@
 /*  SphSolver: everything that is read back. */
 #pragma once
 
+#include "scene/sphReadBack.hpp"
 #include "scene/sphSolver.hpp"
 
 namespace riprap
 {
-
-//- Makes records those of the state at hand (steps leave predicted ones)
-template<class Backend, int D, class P>
-struct RefreshRecords : Mover<Backend, D, P>
-{
-    using real = typename P::real;
-    static constexpr const char* name = "refreshRecords";
-
-    HD void operator()(int i) const
-    {
-        if (i >= *this->count) return;
-        Vec<D, real> v;
-        for (int d = 0; d < D; ++d) v.c[d] = this->fluid.v[d][i];
-        this->record(i, this->position(i), v, this->fluid.deviation[i]);
-    }
-};
-
-//- Kinetic, potential and elastic energy [J]
-template<int D, class P>
-struct EnergySums
-{
-    static constexpr const char* name = "energy";
-    Box<D, P> box;
-    FluidModel<D, P> model;
-    FluidFields<D, P> fluid;
-
-    HD void add(int i, double* sums) const
-    {
-        double v2 = 0, height = 0;
-        for (int d = 0; d < D; ++d)
-        {
-            v2 += double(fluid.v[d][i])*fluid.v[d][i];
-            height -= double(model.gravity.c[d])*box.toMetres(d, fluid.x[d][i]);
-        }
-        sums[0] += 0.5*model.mass*v2;
-        sums[1] += model.mass*height;
-        sums[2] += model.mass*model.eos.elasticEnergy(fluid.deviation[i]);
-    }
-};
-
-//- Pressures of walls into the order of the input
-template<class Backend, int D, class P>
-struct ReadWalls
-{
-    using real = typename P::real;
-    static constexpr const char* name = "readWalls";
-    RecordsView<Backend, D, P> wall;
-    const std::int32_t* id;
-    real* pressure;
-
-    HD void operator()(int i) const
-    {
-        const PairParticle<D, real> p = wall.template load<false>(i);
-        pressure[id[i]] = p.pressureTerm*p.density*p.density;
-    }
-};
-
-//- Neighbours within the support
-template<class Backend, int Dim, class P>
-struct CountPass
-{
-    using precision = P;
-    using real = typename P::real;
-    template<class T> using Self = T;
-
-    static constexpr const char* name = "countNeighbours";
-    static constexpr int dimensions = Dim, sources = 2, channels = 1;
-    static constexpr bool variableH = false, hasMaxima = false;
-
-    Box<Dim, P> box;
-    CellGrid<Dim, P> grid;
-    Source<Backend, Dim, P> source[2];
-    real support2;
-    real* result;
-    int count;
-
-    HD bool enabled() const { return true; }
-    HD int targets() const { return count; }
-    HD float* maxima() const { return nullptr; }
-    HD Vec<Dim, typename P::position> position(int i) const { return source[0].records.loadPosition(i); }
-    template<class T> HD T self(int) const { return T(real(0)); }
-
-    template<int S, class T>
-    HD void pair(const T&, const PairParticle<Dim, T>&, const Vec<Dim, T>&, T r2, int, T* sums) const
-    {
-        const T within = selectGreater(T(support2), r2, T(real(1)), T(real(0)));
-        sums[0] += selectGreater(r2, T(real(0)), within, T(real(0)));
-    }
-
-    HD void finish(int i, const real* sums, float*) const { result[i] = sums[0]; }
-};
 
 template<class Backend, int D, class P>
 int SphSolver<Backend, D, P>::activeFluid()
@@ -213,6 +123,7 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
     r.volumeFraction.assign(m, 0.0);
     r.pressure.assign(m, 0.0);
     r.velocity.assign(3*m, 0.0);
+    r.centroid.assign(3*m, 0.0);
     if (!m || !n_) return r;
     std::vector<position> x(m*D);
     for (std::size_t i = 0; i < m; ++i)
@@ -225,7 +136,7 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
             x[i*D + d] = box_.pairPosition(d, box_.toFixed(d, p));
         }
     refreshRecords();
-    constexpr int channels = 2 + D;
+    constexpr int channels = 2 + 2*D;
     Array<Backend, position> device;
     Array<Backend, real> result;
     device.upload(context_, x);
@@ -246,7 +157,11 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
         r.volumeFraction[i] = s[0];
         if (!(s[0] > 1e-6)) continue;
         r.pressure[i] = s[1]/s[0];
-        for (int d = 0; d < D; ++d) r.velocity[3*i + config_.axes[d]] = s[2 + d]/s[0];
+        for (int d = 0; d < D; ++d)
+        {
+            r.velocity[3*i + config_.axes[d]] = s[2 + d]/s[0];
+            r.centroid[3*i + config_.axes[d]] = s[2 + D + d]/s[0];
+        }
     }
     return r;
 }

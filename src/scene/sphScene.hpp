@@ -1,8 +1,8 @@
 /*  SPH scene: the plain C++ facade between riprap's particle solver and whoever sets a scene up.
 
     No OpenFOAM and no CUDA appear here. All quantities are SI, double, host memory; vectors are
-    stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well (the empty one is ignored and
-    returned as given). A scene owns everything that lives on its device.
+    stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well: the empty one of the fluid is ignored,
+    and comes back as the middle of the domain. A scene owns everything that lives on its device.
 */
 #pragma once
 
@@ -72,7 +72,7 @@ struct SphConfig
     double diffusionDelta = 0.1;
     ShiftingKind shifting = ShiftingKind::none;
     double shiftingCoefficient = 2;         // A of Skillen et al. 2013
-    double shiftingSurfaceThreshold = -1;   // div(r) below which no shifting acts; < 0: 1.5 (2D), 2.75 (3D)
+    double shiftingSurfaceThreshold = -1;   // div(r) below which no shifting acts, under D; < 0: 1.5 (2D), 2.75 (3D)
 
     // Walls
     WallKind wallModel = WallKind::extrapolated;
@@ -141,6 +141,7 @@ struct SphReport
     std::size_t fluid = 0;                  // particles still in the scene
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
+    bool skinExceeded = false;              // a particle moved so far that pairs may have been missed in a step
     StopReason stop = StopReason::none;     // then: which particle, where, when, how much
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
@@ -171,12 +172,14 @@ struct WallState
     std::vector<double> position, velocity, pressure;   // 3 n, 3 n, n; in the order of WallInput
 };
 
-//- Interpolated values at points: sum V f W / sum V W, and sum V W itself
+//- Interpolated values at points: sum V f W / sum V W, and sum V W itself. They are those at the centroid of what was
+//  sampled, which is not the point where the fluid about it is one-sided
 struct SampleResult
 {
     std::vector<double> volumeFraction;     // m: sum of V_j W, about 1 inside, 0 outside
     std::vector<double> pressure;           // m [Pa], 0 where there is no fluid
     std::vector<double> velocity;           // 3 m [m/s]
+    std::vector<double> centroid;           // 3 m [m] of the sampled fluid, from the point; 0 where there is none
 };
 
 class SphScene
@@ -188,7 +191,8 @@ public:
     //  shortened to end at t to round-off. Stops early when a guard fires (see SphReport::stop).
     virtual SphReport advance(double t, std::int64_t maxSteps = 0) = 0;
 
-    //- Ask a running advance to return after the step in hand (safe in a signal handler's thread)
+    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none is running, the next
+    //  returns after one step
     virtual void interrupt() = 0;
 
     virtual double time() const = 0;

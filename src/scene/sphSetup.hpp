@@ -59,7 +59,9 @@ void SphSolver<Backend, D, P>::setModel()
     limits_.maxDt = c.maxTimeStep;
     limits_.acoustic = c.acousticCourant;
     limits_.force = c.forceCourant;
-    limits_.h = h0;
+    limits_.h0 = h0;
+    limits_.leastH = c.variableSmoothing ? h0/c.maxSmoothingGrowth : h0;
+    limits_.dimensions = D;
     limits_.viscousDt = nu > 0 ? c.viscousCourant*h0*h0/nu : 1e30;
     limits_.maxDeviation = c.maxDensityDeviation;
     limits_.maxSpeed = c.maxSpeedRatio*c.maxVelocity;
@@ -131,7 +133,7 @@ void SphSolver<Backend, D, P>::setFluid(const FluidInput& in)
     fluidRecords_.allocate(context_, n_, model_.variableH);
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
-    if (n_ && D == 2) emptyCoordinate_ = in.position[config_.axes[2]];
+    if (D == 2) emptyCoordinate_ = 0.5*(config_.domainMin[config_.axes[2]] + config_.domainMax[config_.axes[2]]);
     std::vector<std::int64_t> x(n_);
     std::vector<real> value(n_);
     for (int d = 0; d < D; ++d)
@@ -214,45 +216,6 @@ void SphSolver<Backend, D, P>::prime()
     fluidPass<Part::all>(Finish::store);
     context_.synchronise();
     readClock();
-}
-
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::allocateLists()
-{
-    if constexpr (Backend::gpu)
-    {
-        shift_ = n_ <= 24000 ? 3 : (n_ <= 200000 ? 2 : (n_ <= 500000 ? 1 : 0));
-        const double pi = 3.14159265358979323846, r = grid_.radius;
-        const double sphere = D == 2 ? pi*r*r : 4*pi*r*r*r/3;
-        const int lanes = 1 << shift_;
-        const int fluidNeighbours = int(1.4*sphere/std::pow(config_.spacing, D)) + 8;
-        const int capacity = (fluidNeighbours/lanes*(lanes > 1 ? 3 : 2)/2 + 7)/4 + 1;
-        parts_.fluidFluid.allocate(context_, n_, shift_, false, capacity);
-        if (nWalls_)
-        {
-            const int wallBlocks = int(0.1*sphere/std::pow(config_.wallSpacing, D)/lanes) + 1;
-            const long long warps = ((long long)n_ << shift_)/32 + 1, wallWarps = ((long long)nWalls_ << shift_)/32 + 1;
-            parts_.fluidWall.allocate(context_, n_, shift_, true, int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256));
-            if (config_.wallModel == WallKind::extrapolated || nBodies_)
-                parts_.wallFluid.allocate(context_, nWalls_, shift_, true, int(wallWarps*capacity/4 + 256));
-        }
-    }
-}
-
-//- Room for the lists that did not fit, half as much again as was needed
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::growLists()
-{
-    if constexpr (Backend::gpu)
-    {
-        const auto grown = [](int needed) { return needed + needed/2 + 1; };
-        if (host_.overflow[0]) parts_.fluidFluid.allocate(context_, n_, shift_, false, grown(host_.overflow[0]));
-        if (host_.overflow[1]) parts_.fluidWall.allocate(context_, n_, shift_, true, grown(host_.overflow[1]));
-        if (host_.overflow[2]) parts_.wallFluid.allocate(context_, nWalls_, shift_, true, grown(host_.overflow[2]));
-        parts_.graph.clear();
-        for (int& o : host_.overflow) o = 0;
-        writeClock();
-    }
 }
 
 } // namespace riprap

@@ -1,6 +1,6 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
-    sphSetup.hpp (construction), sphStep.hpp (steps and rebuilds), sphAdvance.hpp (the loop over steps),
-    sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+    sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
+    (the loop over steps), sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 */
 #pragma once
 
@@ -67,10 +67,16 @@ private:
     void setBox();
     void setFluid(const FluidInput&);
     void setWalls(const WallInput&);
-    void allocateLists();
-    void growLists();
     void prime();
     double skinRatio() const;
+
+    // sphNeighbours.hpp
+    void rebuild();
+    void sortNow();
+    void rebuildWalls();
+    void buildLists();
+    void allocateLists();
+    void growLists();
 
     // sphStep.hpp
     FluidFields<D, P> fluidFields();
@@ -80,10 +86,6 @@ private:
     template<class Kernel> KernelConstants<D, real> kernelConstants() const;
     template<class M> M mover();
     template<class Pass> void run(const Pass&, int targets);
-    void rebuild();
-    void sortNow();
-    void rebuildWalls();
-    void buildLists();
     void moveWalls(bool half);
     void wallPass(bool inStep);
     void wallForcePass(real* force);
@@ -99,6 +101,7 @@ private:
     void writeClock();
     void collectEscaped(SphReport&);
     void findOffender(SphReport&);
+    std::vector<double> suspicion(int n);
 
     // sphOutput.hpp
     void refreshRecords();
@@ -144,7 +147,7 @@ private:
     BackendParts<Backend, D, P> parts_;
     int shift_ = 0;             // log2 of the lanes a particle
     int stepsPerCycle_ = 8;     // steps recorded between two rebuilds
-    std::atomic<bool> interrupted_{false};
+    std::atomic<bool> interrupted_{false};      // until a call of advance has heeded it
 };
 
 } // namespace riprap

@@ -1,4 +1,4 @@
-/*  SphSolver: neighbour structures and the parts of a step. */
+/*  SphSolver: what kernels are given, and the parts of a step. */
 #pragma once
 
 #include "scene/sphSolver.hpp"
@@ -88,86 +88,6 @@ void SphSolver<Backend, D, P>::run(const Pass& pass, [[maybe_unused]] int target
 {
     if constexpr (Backend::gpu) pairLoop(context_, pass, shift_, targets);
     else pairLoop(context_, pass);
-}
-
-//- Sort the fluid into cells and find neighbours
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::rebuild()
-{
-    FluidKeys<D, P> keys;
-    keys.box = box_;
-    keys.grid = grid_;
-    keys.model = model_;
-    for (int d = 0; d < D; ++d) keys.x[d] = fluid_.template data<std::int64_t>(xField_ + d);
-    keys.keys = fluidSort_.keys();
-    keys.indices = fluidSort_.indices();
-    keys.active = fluidSort_.active();
-    forEach(context_, n_, keys);
-    fluidSort_.sort(context_, n_);
-    fluid_.permute(context_, fluidSort_.order(), n_);
-    forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
-    if (nBodies_) rebuildWalls();
-    buildLists();
-    // sorted walls need their pressures anew; and the symplectic scheme's density pass sees those of the state at hand, so
-    // that a restart does too
-    if (nBodies_ || config_.integrator == IntegratorKind::symplectic) wallPass(false);
-}
-
-//- A rebuild between two calls of advance. Recorded cycles hold an even number of them: two, so that pointers are as recorded
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::sortNow()
-{
-    rebuild();
-    if constexpr (Backend::gpu) rebuild();
-}
-
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::rebuildWalls()
-{
-    WallKeys<D, P> keys;
-    keys.box = box_;
-    keys.grid = grid_;
-    for (int d = 0; d < D; ++d) keys.x[d] = wall_.template data<std::int64_t>(wallXField_ + d);
-    keys.keys = wallSort_.keys();
-    keys.indices = wallSort_.indices();
-    forEach(context_, nWalls_, keys);
-    wallSort_.sort(context_, nWalls_);
-    wall_.permute(context_, wallSort_.order(), nWalls_);
-    if (!nBodies_)
-    {
-        wall_.releaseSpare();
-        wallSort_.releaseScratch();
-    }
-    PlaceWalls<Backend, D, P> place;
-    place.box = box_;
-    place.records = wallRecords_.view();
-    for (int d = 0; d < D; ++d)
-    {
-        place.x[d] = wall_.template data<std::int64_t>(wallXField_ + d);
-        place.reference[d] = nBodies_ ? wallReference_.data() + std::size_t(d)*nWalls_ : nullptr;
-    }
-    forEach(context_, nWalls_, place);
-    if (config_.wallModel == WallKind::stationary)
-        forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
-}
-
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::buildLists()
-{
-    if constexpr (Backend::gpu)
-    {
-        const auto fluid = fluidRecords_.view();
-        int* overflow = clock_.data()->overflow;
-        parts_.fluidFluid.build
-        (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow);
-        if (!nWalls_) return;
-        const auto wall = wallRecords_.view();
-        parts_.fluidWall.build
-        (context_, box_, grid_, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1);
-        if (config_.wallModel == WallKind::extrapolated || nBodies_)
-            parts_.wallFluid.build
-            (context_, box_, grid_, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2);
-    }
 }
 
 template<class Backend, int D, class P>

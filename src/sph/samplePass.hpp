@@ -1,5 +1,6 @@
-/*  Kernel interpolation of the fluid at points: sum V W, sum V p W, sum V v W (paper Eq. 27). The caller divides by
-    the first where it wants a value that does not fade at the surface (Shepard).
+/*  Kernel interpolation of the fluid at points: sum V W, sum V p W, sum V v W (paper Eq. 27), sum V (x_j - x) W. The
+    caller divides by the first where it wants a value that does not fade at the surface (Shepard); the last gives the
+    centroid that such a value belongs to.
 */
 #pragma once
 
@@ -17,7 +18,7 @@ struct SamplePass
     template<class T> using Self = PairParticle<Dim, T>;
 
     static constexpr const char* name = "sample";
-    static constexpr int dimensions = Dim, sources = 1, channels = 2 + Dim;
+    static constexpr int dimensions = Dim, sources = 1, channels = 2 + 2*Dim;
     static constexpr bool variableH = VariableH, hasMaxima = false;
 
     Box<Dim, P> box;
@@ -53,7 +54,11 @@ struct SamplePass
         const T vw = T(model.mass)*g.w/j.density;
         sums[0] += vw;
         sums[1] += j.pressureTerm*j.density*j.density*vw;
-        for (int d = 0; d < Dim; ++d) sums[2 + d] += j.velocity.c[d]*vw;
+        for (int d = 0; d < Dim; ++d)
+        {
+            sums[2 + d] += j.velocity.c[d]*vw;
+            sums[2 + Dim + d] -= dx.c[d]*vw;
+        }
     }
 
     HD void finish(int i, const real* sums, float*) const

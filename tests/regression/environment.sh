@@ -35,6 +35,57 @@ expect buildForCpu "NVCC= builds for the CPU alone" forCpu
 architectures() { [[ $(variable RIPRAP_OPTIONS NVCC=nvcc "RIPRAP_CUDA_ARCH=80 90" RIPRAP_CPU_ARCH=) == *Opt-cuda80-90 ]]; }
 expect buildArchitectures "the build's name has the GPUs' architectures, and no -march when it is empty" architectures
 
+# Links of the documentation: files, and headings by the anchors that GitHub makes of them
+links()
+{
+    python3 - <<'END'
+import pathlib, re, subprocess, sys
+files = subprocess.run(["git", "ls-files", "*.md"], capture_output=True, text=True).stdout.split()
+files = [pathlib.Path(f) for f in files] or [p for p in pathlib.Path(".").rglob("*.md") if ".deps" not in p.parts]
+def anchors(path):
+    text = re.sub(r"```.*?```", "", path.read_text(), flags=re.S)
+    found = []
+    for title in re.findall(r"^#+ +(.+?) *$", text, flags=re.M):
+        title = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", title).lower()
+        found.append(re.sub(r"[^\w\- ]", "", title).replace(" ", "-"))
+    return found
+broken = []
+for path in files:
+    for link in re.findall(r"\]\(([^)\s]+)\)", path.read_text()):
+        if re.match(r"[a-z]+:", link): continue
+        name, _, anchor = link.partition("#")
+        target = path.parent/name if name else path
+        if not target.exists() or anchor and anchor not in anchors(target): broken.append(f"{path}: {link}")
+print("; ".join(broken))
+sys.exit(bool(broken) or not files)
+END
+}
+broken=$(links) && echo "PASS documentationLinks" || echo "FAIL documentationLinks $broken"
+
+# Documents and sources that comments and documents name: from the root, from src, or by the bare name
+named()
+{
+    python3 - <<'END'
+import pathlib, re, subprocess, sys
+files = subprocess.run(["git", "ls-files"], capture_output=True, text=True).stdout.split()
+names = {pathlib.Path(f).name for f in files}
+missing = set()
+for path in files:
+    if not re.search(r"(\.(hpp|H|C|cu|sh|py|md)|/All\w+)$", path): continue
+    text = pathlib.Path(path).read_text(errors="replace")
+    if not path.endswith(".md"): text = "\n".join(l for l in text.split("\n") if "#include" not in l)
+    for word in re.findall(r"\bdocs/\w+\b(?![./\w])", text):
+        if not pathlib.Path(word).exists() and not pathlib.Path(word + ".md").exists(): missing.add(f"{path}: {word}")
+    for word in re.findall(r"(?<![\w./${])(?:[a-z][A-Za-z0-9]*/)*[A-Za-z][A-Za-z0-9]*\.(?:md|hpp|H|cu)\b", text):
+        if re.match(r"my[A-Z]|x\.|x[A-Z]|self\.", pathlib.Path(word).name): continue       # examples, members
+        here = (pathlib.Path(path).parent/word).exists() or pathlib.Path(word).exists() or (pathlib.Path("src")/word).exists()
+        if not here and not ("/" not in word and word in names): missing.add(f"{path}: {word}")
+print("; ".join(sorted(missing)))
+sys.exit(bool(missing) or not files)
+END
+}
+missing=$(named) && echo "PASS namedFiles" || echo "FAIL namedFiles there is no$missing"
+
 # In an empty folder of a copy: the refusal must leave nothing behind in src
 refused()
 {

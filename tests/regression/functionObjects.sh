@@ -60,6 +60,7 @@ onMesh { type particlesToMesh; $library }
 front { type frontPosition; $library }
 gauges { type waterLevel; $library points ((0 0 0) (0.1 0.05 0) (0.3 0 0)); }
 probes { type particleProbes; $library fields (p U rho volumeFraction); probeLocations ((0.1 0.1 0) (0 0.1 0) (0.1 0 0) (0.3 0.1 0)); }
+surface { type particleProbes; $library fields (p); surfaceCorrection on; probeLocations ((0.1 0.195 0) (0 0.2 0) (0.2 0.1 0) (0 0 0)); }
 sensor { type particleProbes; $library fields (p); sensorRadius 0.02; probeLocations ((0 0.1 0)); }
 energy { type energyBalance; $library }
 sparse { type energyBalance; $library writeControl timeStep; writeInterval 5; }
@@ -107,6 +108,11 @@ near probeDry probes/0/p.dat p3 0 0 0
 near probeVelocity probes/0/U.dat Uy1 0 0 1e-12
 near probeDensity probes/0/rho.dat rho0 0 1002.43 0.05          # Tait, c0 = 20 m/s: 1000 (1 + 7 x 981/4e5)^(1/7)
 near probeFraction probes/0/volumeFraction.dat f1 0 1 0.03         # two lattice sums of 0.99
+# Carried from the centroid of the fluid: exact at a free surface too, on the lattice and with Tait's slight curvature
+near surfaceBelow surface/0/p.dat p0 0 49.05 1
+near surfaceOnWall surface/0/p.dat p1 0 0 1
+near surfaceUpright surface/0/p.dat p2 0 981 1
+near surfaceInCorner surface/0/p.dat p3 0 1962 1
 near sensorOnWall sensor/0/p.dat p0 0 981 10
 # Level and front to a quarter of a spacing and exactly
 near levelOnWall gauges/0/waterLevel.dat level0 0 0.2 0.0025

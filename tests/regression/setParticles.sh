@@ -139,6 +139,16 @@ cp system/setParticlesDict system/other; rm system/setParticlesDict
 setParticles -dict other >log 2>&1; says otherDict 'total: 800 particles'
 setParticles -dict system/other >log 2>&1; says otherDictPath 'total: 800 particles'
 
+# Numbers under names of one's own: used as $name, or from an included file
+echo 'wide 0.2; high 0.1; notUsedHere 3;' >system/size
+dictionary system/setParticlesDict <<'END'
+#include "size"
+spacing 0.005;
+thick 0.01;
+regions ( tank { set fluid; source box; box (0 0 0) ($wide ${high} $:thick); } );
+END
+setParticles >log 2>&1; says macros 'total: 800 particles'
+
 # One message, with the file and what is wrong
 bad()       # NAME MESSAGE REGIONS
 {
@@ -163,6 +173,10 @@ top 'spacing 0;';                   wrong zeroSpacing 'Entry spacing is 0: it mu
 top 'spacing fine;';                wrong wordSpacing 'fine.*setParticlesDict|setParticlesDict.*fine'
 top 'spacing 1e-9;';                wrong tinySpacing 'is it meant|is the spacing meant'
 top 'spacing 0.005; packing cubic;'; wrong packing 'packing has the unknown word cubic; valid are .*square hexagonal.*setParticlesDict'
+top 'spacing 5mm;';                 wrong unitSpacing 'spacing.*setParticlesDict|setParticlesDict.*spacing'
+top 'spacing 0.005; spaceing 0.01;'; wrong unknownNumber 'Unknown entry spaceing; valid are .*spacing packing regions.*setParticlesDict'
+top 'spacing 0.005; // $spaceing
+spaceing 0.01;';                    wrong unknownNumberComment 'Unknown entry spaceing'
 top 'spacing 0.005; spaceing wide;';  wrong unknownEntry 'Unknown entry spaceing; valid are .*spacing packing regions.*setParticlesDict'
 dictionary system/setParticlesDict <<<'spacing 0.005;'; wrong noRegions "regions.*setParticlesDict"
 bad emptyRegions 'Entry regions is empty' ''

@@ -80,6 +80,9 @@ TEST_P(Checks, Numbers)
     refuses("coefficient", [](C& c, F&, W&, M&) { c.xsph = nan; });
     refuses("coefficient", [](C& c, F&, W&, M&) { c.diffusionDelta = -0.1; });
     refuses("coefficient", [](C& c, F&, W&, M&) { c.shiftingCoefficient = -0.1; });
+    refuses("surface threshold", [](C& c, F&, W&, M&) { c.shiftingSurfaceThreshold = 0; });
+    refuses("surface threshold", [](C& c, F&, W&, M&) { c.shiftingSurfaceThreshold = 2; });
+    refuses("surface threshold", [](C& c, F&, W&, M&) { c.shiftingSurfaceThreshold = nan; });
     refuses("gravity", [](C& c, F&, W&, M&) { c.gravity[1] = nan; });
     refuses("fixed time step", [](C& c, F&, W&, M&) { c.adjustTimeStep = false; });
     refuses("Courant", [](C& c, F&, W&, M&) { c.acousticCourant = 0; });

@@ -159,13 +159,13 @@ TEST_P(PairLoop, AnyPlane)
         c.viscosityModel = ViscosityKind::laminar;
         c.viscosity = 20;
         FluidInput f = lattice(c, c.domainMin, c.domainMax);
-        for (std::size_t i = 0; i < f.size(); ++i) f.position[3*i + axes[2]] = 0.77;
+        for (std::size_t i = 0; i < f.size(); ++i) f.position[3*i + axes[2]] = i ? 0.77 : 0.88;        // of no concern: it comes back as the middle of the domain
         disturb(c, f, 0.2, 1, 0.02);
         for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i + axes[2]] = 4;      // of no concern in the plane
         compare(c, f);
         const auto s = scene(c, f);
         const FluidState state = s->fluid();
-        for (std::size_t k = 0; k < f.size(); ++k) ASSERT_EQ(state.position[3*k + axes[2]], 0.77) << "the empty coordinate comes back";
+        for (std::size_t k = 0; k < f.size(); ++k) ASSERT_EQ(state.position[3*k + axes[2]], 0.5*(c.domainMin[axes[2]] + c.domainMax[axes[2]]));
     }
 }
 

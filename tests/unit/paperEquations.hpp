@@ -1,4 +1,4 @@
-/*  The paper's SPH equations for one pair, in double, written from the paper (with its ERRATA) and the cited sources alone: what the
+/*  The paper's SPH equations for one pair, in double, written from the paper (with the corrections of docs/theory.md) and the cited sources alone: what the
     tests of terms and of the pair loop compare with. Gradients are vectors here, kernels are functions of r and h.
 
     SPDX-License-Identifier: GPL-3.0-or-later

@@ -64,6 +64,41 @@ TEST_P(Sample, ConstantFieldsAreReproduced)
     }
 }
 
+//- A Shepard mean of a linear field is the field's value at the centroid of what was sampled: with that, it is exact at a surface too
+TEST_P(Sample, LinearFieldFromTheCentroid)
+{
+    for (const bool variable : {false, true})
+    {
+        SphConfig c = config();
+        c.eos = EosKind::linear;        // a linear pressure is a linear density
+        c.variableSmoothing = variable;
+        FluidInput f = uniform(c, false, 0, {{0, 0, 0}});
+        const double mid = D() == 3 ? 0.5 : 0;
+        const auto pressure = [&](const double* x) { return 3000 - 5000*x[1] + 2000*x[0]; };
+        for (std::size_t i = 0; i < f.size(); ++i)
+        {
+            double& velocity = f.velocity[3*i];
+            velocity = 0.5 + f.position[3*i + 1];
+            f.density[i] = c.density + pressure(&f.position[3*i])/(c.soundSpeed*c.soundSpeed);
+        }
+        const auto s = scene(c, f);
+        // inside, in surfaces, in a corner, and beyond the surface
+        const std::vector<double> points{0.5, 0.5, mid, 0.5, 0.8, mid, 0.2, 0.47, mid, 0.8, 0.8, mid, 0.51, 0.85, mid};
+        const SampleResult r = s->sample(points);
+        for (int k = 0; k < 5; ++k)
+        {
+            const double* d = &r.centroid[3*k];
+            const double gradient = -5000*d[1] + 2000*d[0];
+            EXPECT_NEAR(r.pressure[k] - gradient, pressure(&points[3*k]), 1000*epsilon()*c.soundSpeed*c.soundSpeed*c.density/400)
+                << "point " << k;
+            EXPECT_NEAR(r.velocity[3*k] - d[1], 0.5 + points[3*k + 1], 100*epsilon());
+        }
+        EXPECT_NEAR(r.centroid[1], 0, 0.01*c.spacing);
+        EXPECT_LT(r.centroid[3*1 + 1], -0.3*c.spacing) << "below the surface";
+        EXPECT_EQ(s->sample({5, 5, mid}).centroid[1], 0);
+    }
+}
+
 TEST_P(Sample, NothingWhereNoFluidIs)
 {
     SphConfig c = config();

@@ -17,8 +17,7 @@ Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
     const scalar before = scene_->time();
     progress_.start();
 
-    // A signal between two calls would find no step to end
-    report_ = scene_->advance(t, singleStep || interrupted_ ? 1 : 0);
+    report_ = scene_->advance(t, singleStep ? 1 : 0);
 
     progress_.stop(report_.steps, report_.steps*int64_t(run_.particles));
     cloud_->moved();
@@ -28,6 +27,7 @@ Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
     run_.particles = report_.fluid;
 
     checkStop();
+    checkSkin();
     countEscaped();
 
     if (!(report_.time > before))

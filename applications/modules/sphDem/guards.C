@@ -73,6 +73,23 @@ void Foam::solverModules::sphDem::checkStop() const
 }
 
 
+//- Neighbours are sought anew before particles can have moved too far; a
+//  step that grew, or an impact, may still carry one further than foreseen
+void Foam::solverModules::sphDem::checkSkin()
+{
+    if (report_.skinExceeded && ++nSkinExceeded_ == 1)
+    {
+        WarningInFunction
+            << "Up to time " << report_.time << " s, particle step "
+            << run_.steps << ": a particle moved further in one step than was"
+            << " foreseen when neighbours were sought, so that pairs may have"
+            << " been missed in that step. A shorter time step (the Courant"
+            << " numbers) helps. The log's line 'Missed pairs' counts on"
+            << endl;
+    }
+}
+
+
 void Foam::solverModules::sphDem::countEscaped()
 {
     if (report_.escaped.empty())

@@ -54,6 +54,7 @@ void Foam::solverModules::sphDem::buildScene
     }
     run_.spacing = config.spacing;
     run_.maxVelocity = config.maxVelocity;
+    run_.density = config.density;
     run_.time = runTime_.value();
     run_.particles = cloud.size();
     run_.device = sphNames::device[scene_->device()];
@@ -86,9 +87,14 @@ void Foam::solverModules::sphDem::initialise()
     const particleCloud cloud(readFluid());
 
     const bool continued = canContinue(cloud);
+    const sphRun before(run_);
     buildScene(cloud, continued);
 
-    if (continued && !loadState(cloud))
+    if (continued && loadState(cloud, before))
+    {
+        warnUnread(cloud);
+    }
+    else if (continued)
     {
         buildScene(cloud, false);
     }

@@ -160,6 +160,10 @@ void Foam::solverModules::sphDem::logModels() const
             << (c.noSlip ? "noSlip" : "freeSlip") << ", " << walls_.layers
             << " layers of spacing " << walls_.spacing << " m" << nl;
     }
+    for (const string& note : walls_.notes)
+    {
+        item("") << note.c_str() << nl;
+    }
     for (label i = 0; i < bodies_.size(); ++i)
     {
         item("moving walls") << bodies_.name(i) << ": " << bodies_.function(i)

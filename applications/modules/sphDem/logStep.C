@@ -54,6 +54,11 @@ void Foam::solverModules::sphDem::report()
     {
         logEscaped();
     }
+    if (report_.skinExceeded)
+    {
+        Info<< "Missed pairs are possible in this time step, and were in "
+            << nSkinExceeded_ << " in all" << endl;
+    }
 
     progress_.log
     (

@@ -10,6 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "cloudComparison.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -59,8 +60,13 @@ bool Foam::solverModules::sphDem::canContinue(const particleCloud& cloud)
 }
 
 
-bool Foam::solverModules::sphDem::loadState(const particleCloud& cloud)
+bool Foam::solverModules::sphDem::loadState
+(
+    const particleCloud& cloud,
+    const sphRun& before
+)
 {
+    const riprap::SphConfig& config = settings_.config;
     const std::vector<std::int32_t> state(readSphState(runTime_));
 
     try
@@ -72,65 +78,63 @@ bool Foam::solverModules::sphDem::loadState(const particleCloud& cloud)
         return notUsed(e.what());
     }
 
-    if (!sameAs(cloud))
+    // Older states do not say
+    const scalar density = before.density > 0 ? before.density : config.density;
+
+    cloudComparison compare(config, cloud, scene_->fluid());
+    const scalar closeX = 1e-3*config.spacing + 1e-5*mesh_.bounds().mag();
+    const char* changed =
+        !compare.samePositions(closeX) ? "positions"
+      : !compare.sameVelocities() ? "U"
+      : !compare.sameDensities(density) ? "rho"
+      : nullptr;
+
+    if (changed)
     {
-        return notUsed("the cloud has been changed since it was written");
+        return notUsed
+        (
+            "the cloud has been changed since it was written (" +
+            std::string(changed) + ")"
+        );
     }
 
     Info<< "Continuing exactly from time " << runTime_.timeName()
         << nl << endl;
+
+    if (mag(config.density - density) > 1e-9*density)
+    {
+        WarningInFunction
+            << "Entry rho of constant/fluidProperties is " << config.density
+            << ", and was " << density << " in the run that is continued. The"
+            << " new one is used: every particle keeps its relative density"
+            << " rho/rho0, so that mass, density and pressure change by the"
+            << " same factor" << endl;
+    }
     return true;
 }
 
 
-//- Is what was loaded what the cloud says, to the digits of an ascii file?
-bool Foam::solverModules::sphDem::sameAs(const particleCloud& cloud) const
+//- Edits of fields that are not read
+void Foam::solverModules::sphDem::warnUnread(const particleCloud& cloud) const
 {
-    const riprap::SphConfig& config = settings_.config;
-    const scalar closeX = 1e-3*config.spacing + 1e-5*mesh_.bounds().mag();
-    const scalar closeU = 1e-3*config.maxVelocity;
+    const cloudComparison compare(settings_.config, cloud, scene_->fluid());
 
-    const labelField& id = cloud.labels["id"];
-    const vectorField& U = cloud.vectors["U"];
-    Map<label> entryOfId(2*id.size());
-    forAll(id, i)
+    if (const label n = compare.otherPressures())
     {
-        entryOfId.insert(id[i], i);
+        WarningInFunction
+            << "Field p of lagrangian/fluid at time " << runTime_.timeName()
+            << " is not what rho gives, at " << n << " particles: it, or the"
+            << " equation of state, has been changed. p is not read where rho"
+            << " is there: edit rho instead" << endl;
     }
-
-    const riprap::FluidState fluid(scene_->fluid());
-    if (label(fluid.id.size()) != id.size())
+    if (const label n = compare.otherSmoothingLengths())
     {
-        return false;
+        WarningInFunction
+            << "Field h of lagrangian/fluid at time " << runTime_.timeName()
+            << " is not what smoothingLength of constant/sphProperties gives,"
+            << " at " << n << " particles. h is never read: smoothingLength"
+            << " and rho decide" << endl;
     }
-
-    for (std::size_t j = 0; j < fluid.id.size(); ++j)
-    {
-        const auto found = entryOfId.cfind(fluid.id[j]);
-        if (!found.found())
-        {
-            return false;
-        }
-
-        for (int k = 0; k < config.dimensions; ++k)
-        {
-            const direction d = config.axes[k];
-            const scalar x = cloud.position[found.val()][d];
-            const scalar u = U[found.val()][d];
-
-            // Not close is what NaN is, too
-            if
-            (
-                !(mag(fluid.position[3*j + d] - x) <= closeX)
-             || !(mag(fluid.velocity[3*j + d] - u) <= closeU + 1e-4*mag(u))
-            )
-            {
-                return false;
-            }
-        }
-    }
-
-    return true;
 }
 
 

@@ -25,8 +25,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
     asRead_(readSphSettings(mesh)),
     settings_(asRead_),
     bodies_(runTime, asRead_.walls.motion),
-    boundary_(mesh),
-    interrupted_(false)
+    boundary_(mesh)
 {
     try
     {
@@ -44,7 +43,6 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
 
 void Foam::solverModules::sphDem::interrupt()
 {
-    interrupted_ = true;
     if (scene_)
     {
         scene_->interrupt();

@@ -24,6 +24,7 @@ Usage
 
 using namespace Foam;
 
+//- Before argList, which would call it an invalid option without saying why
 static void refuseParallel(int argc, char* argv[])
 {
     for (int i = 1; i < argc; ++i)
@@ -114,6 +115,7 @@ static void runCase(const argList& args, bool postProcess)
 int main(int argc, char* argv[])
 {
     argList::addNote("Particle solvers in an OpenFOAM case");
+    argList::noParallel();
     argList::addOption("solver", "name", "Solver module, e.g. sphDem");
     argList::addBoolOption("dry-run", "Check and describe the run only");
     const bool postProcess = addPostProcessOptions(argc, argv);

@@ -53,6 +53,7 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
     fields_ = fieldNames(dict, wordList({"p", "U"}), validFields);
     minVolumeFraction_ = notNegative(dict, "minVolumeFraction", 0.05);
     correct_ = dict.lookupOrDefault("wallCorrection", true);
+    correctSurface_ = dict.lookupOrDefault("surfaceCorrection", false);
 
     forAll(locations_, i)
     {
@@ -137,6 +138,28 @@ void Foam::functionObjects::particleProbes::makeSensors(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * *  Values * * * * * * * * * * * * * * * * * //
 
+Foam::scalar Foam::functionObjects::particleProbes::toPoint
+(
+    const riprap::SampleResult& all,
+    const label point
+) const
+{
+    const riprap::SphConfig& config = sph().config();
+
+    if (correctSurface_)
+    {
+        scalar gd = 0;
+        for (Foam::direction d = 0; d < vector::nComponents; ++d)
+        {
+            gd += config.gravity[d]*all.centroid[3*point + d];
+        }
+        return -config.density*gd;
+    }
+
+    return correct_ ? walls_.pressure(config, point) : 0;
+}
+
+
 Foam::List<Foam::functionObjects::particleProbes::reading>
 Foam::functionObjects::particleProbes::readings()
 {
@@ -164,9 +187,7 @@ Foam::functionObjects::particleProbes::readings()
             if (f >= minVolumeFraction_)
             {
                 const double* U = &all.velocity[3*point];
-                const scalar p =
-                    all.pressure[point]
-                  + (correct_ ? walls_.pressure(config, point) : 0);
+                const scalar p = all.pressure[point] + toPoint(all, point);
 
                 wet += weight;
                 r.p += weight*p;

@@ -194,7 +194,7 @@ Foam::particlePacking Foam::readPacking
     const scalar spacing = dict.positive("spacing");
     const auto kind = dict.choice("packing", particlePacking::names, particlePacking::kind::square);
     dict.found("regions");
-    dict.endButNumbers();
+    dict.endButMacros();
     return particlePacking(mesh, kind, spacing, gravity);
 }
 

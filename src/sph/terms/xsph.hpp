@@ -1,4 +1,4 @@
-/*  XSPH (paper Eq. 39 with W as in ERRATA; Monaghan 1989): dx_i/dt = v_i - epsilon sum m_j/rho_ij (v_i - v_j) W */
+/*  XSPH (paper Eq. 39 with W as corrected in docs/theory.md; Monaghan 1989): dx_i/dt = v_i - epsilon sum m_j/rho_ij (v_i - v_j) W */
 #pragma once
 
 #include "sph/terms/term.hpp"

@@ -4,6 +4,7 @@
         acoustic  dt <= Ca h/(c + |v|)max
         force     dt <= Cf sqrt(h/|a|max)
         viscous   dt <= Cv h^2/nu
+    with the h of the largest density deviation where h varies: no particle has a smaller one,
     shortens it to land on the target time, and switches the steps off when the target is reached, the neighbour
     structures have aged, or a guard fires.
 */
@@ -46,10 +47,20 @@ struct StepLimits
     bool adjust;
     double fixedDt, maxDt;
     double acoustic, force;     // Courant numbers
-    double h;                   // smallest smoothing length [m]
-    double viscousDt;           // Cv h^2/nu [s]
+    double h0;                  // smoothing length at rest density [m]
+    double leastH;              // where h varies: its limit [m]; else h0
+    int dimensions;             // h rho^(1/dimensions) is constant
+    double viscousDt;           // Cv h0^2/nu [s]
     double maxDeviation, maxSpeed;          // guards: |rho/rho0 - 1|, |v| [m/s]
     double growth;              // a step is at most this much longer than the one before
+
+    //- Does a guard fire for the maxima of the last pass?
+    HD Halt halt(const ClockData& c) const
+    {
+        if (!(c.maxima[0] < 1e30f) || !(c.maxima[1] < 1e30f) || !(c.maxima[2] < 1e30f)) return Halt::notANumber;
+        if (c.maxima[2] > maxDeviation) return Halt::density;
+        return c.maxima[3] > maxSpeed ? Halt::speed : Halt::none;
+    }
 };
 
 struct Tick
@@ -59,19 +70,29 @@ struct Tick
     ClockData* clock;
     StepLimits limits;
 
+    //- A bound of the smallest smoothing length [m]
+    HD double smallestH(double deviation) const
+    {
+        if (limits.leastH >= limits.h0) return limits.h0;
+        const double h = limits.dimensions == 2 ? limits.h0/sqrt(1 + deviation) : limits.h0/cbrt(1 + deviation);
+        return h > limits.leastH ? h : limits.leastH;
+    }
+
     //- The longest admissible step for the maxima at hand
     HD double longest(const ClockData& c, Limit& limit) const
     {
         if (!limits.adjust) { limit = Limit::fixed; return limits.fixedDt; }
-        double dt = limits.acoustic*limits.h/double(c.maxima[1]);
+        const double h = smallestH(double(c.maxima[2])), shrinkage = h/limits.h0;
+        double dt = limits.acoustic*h/double(c.maxima[1]);
         limit = Limit::acoustic;
         const double a = sqrt(double(c.maxima[0]));
         if (a > 0)
         {
-            const double force = limits.force*sqrt(limits.h/a);
+            const double force = limits.force*sqrt(h/a);
             if (force < dt) { dt = force; limit = Limit::force; }
         }
-        if (limits.viscousDt < dt) { dt = limits.viscousDt; limit = Limit::viscous; }
+        const double viscous = limits.viscousDt*shrinkage*shrinkage;
+        if (viscous < dt) { dt = viscous; limit = Limit::viscous; }
         if (limits.maxDt < dt) { dt = limits.maxDt; limit = Limit::maximum; }
         return dt;
     }
@@ -85,9 +106,7 @@ struct Tick
         c.acceleration = sqrtf(c.maxima[0]);
         c.speed = c.maxima[1];
         c.deviation = c.maxima[2];
-        if (!(c.maxima[0] < 1e30f) || !(c.maxima[1] < 1e30f) || !(c.maxima[2] < 1e30f)) c.halt = Halt::notANumber;
-        else if (c.maxima[2] > limits.maxDeviation) c.halt = Halt::density;
-        else if (c.maxima[3] > limits.maxSpeed) c.halt = Halt::speed;
+        c.halt = limits.halt(c);
         if (c.halt != Halt::none || c.time >= c.target || c.step >= c.lastStep) return;
 
         Limit limit;
