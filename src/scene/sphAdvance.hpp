@@ -95,8 +95,13 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             // fit the length of a cycle to what the skin allows
             const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
             int wanted = stepsPerCycle_;
-            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, stepsPerCycle_ + (stepsPerCycle_ + 1)/2);
-            else if (4*(taken + 2) <= 3*room) wanted = std::max(2, taken/2 + 1);
+            // in large strides until it was too long once; then in small ones, since steps that find nothing to do take time too
+            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, stepsPerCycle_ + std::max(1, stepsPerCycle_/(cycleFitted_ ? 8 : 2)));
+            else if (8*(taken + 2) <= 7*room)
+            {
+                wanted = std::max(2, taken/2 + 1);
+                cycleFitted_ = true;
+            }
             if (wanted != stepsPerCycle_)
             {
                 stepsPerCycle_ = wanted;

@@ -147,6 +147,7 @@ private:
     BackendParts<Backend, D, P> parts_;
     int shift_ = 0;             // log2 of the lanes a particle
     int stepsPerCycle_ = 8;     // steps recorded between two rebuilds
+    bool cycleFitted_ = false;  // it was too long once: lengthen in small strides
     std::atomic<bool> interrupted_{false};      // until a call of advance has heeded it
 };
 

@@ -14,8 +14,8 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 2;
-static constexpr int stateHeader = 12;
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 3;
+static constexpr int stateHeader = 13;
 
 inline std::int32_t checksum(const std::vector<std::int32_t>& words, std::size_t n)
 {
@@ -41,7 +41,8 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     std::vector<std::int32_t> words
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
-        stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0
+        stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
+        int(cycleFitted_)
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     std::vector<unsigned char> bytes;
@@ -97,6 +98,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     n_ = reported_ = n;
     shift_ = words[7];
     stepsPerCycle_ = words[8];
+    cycleFitted_ = words[12] != 0;
     // memory laid out by the number of particles
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);

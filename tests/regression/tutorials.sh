@@ -16,7 +16,7 @@ do
     then
         echo "PASS $name"
     else
-        echo "FAIL $name $(grep -E 'OUT OF BOUNDS|FAILED|bound without|rror:' "$results/log" | head -1 | tr -s ' ')"
+        echo "FAIL $name $(grep -E 'OUT OF BOUNDS|FAILED|bound without|no bounds|rror:' "$results/log" | head -1 | tr -s ' ')"
         status=1
     fi
     sed 's/^/    /' "$results/log"

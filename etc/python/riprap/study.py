@@ -146,6 +146,9 @@ class Study:
         printTable(rows)
         self.printOrders(runs, results)
         failures += self.missing(bounds, options)
+        if not bounds.rows:
+            print(f'no bounds for {self.scene}, {level}, in tests/regression/tolerances.csv')
+            failures += 1
         for name, run in runs.items():
             q = headline(results[name], self.headline)
             records.append(self.scene, run, q.name, q.checked)

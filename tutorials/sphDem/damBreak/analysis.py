@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dam break: front and height against Koshizuka & Oka (1996) and Martin & Moyce (1952)"""
 import os
+import shutil
 
 import numpy as np
 
@@ -132,9 +133,13 @@ constantH = 'smoothingLength/model constant'
 
 def variants():
     """The stated resolution with and without variable h and with each wall model, each of them at
-    half the spacing as well; a coarser one and double precision for the default"""
-    result = [Variant('coarse-column', ['-spacing', '0.0073']),
-              Variant('column-double', ['-set', 'precision double'])]
+    half the spacing as well; for the default a coarser one, double precision and, beside a GPU, the CPU"""
+    spacings = {'coarse-column': '0.0073', 'column': '0.005', 'column-half': '0.0025'}
+    result = [Variant('coarse-column', ['-spacing', '0.0073'])]
+    for name, dp in spacings.items():
+        result.append(Variant(f'{name}-double', ['-spacing', dp, '-set', 'precision double']))
+        if shutil.which('nvidia-smi'):      # else all of them are the CPU's
+            result.append(Variant(f'{name}-cpu', ['-spacing', dp, '-device', 'cpu']))
     for suffix, sets in (('', []), ('-constantH', [constantH]), ('-stationary', [stationary]),
                          ('-stationary-constantH', [stationary, constantH])):
         for shape, base, spacing in (('column', [], 0.005), ('square', [square], 0.05715/29)):

@@ -63,9 +63,9 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-# A tank with a square base of 0.1 m and walls on all four sides; h as in 2D would mean 270 neighbours
+# A tank with a square base of 0.1 m and walls on all four sides
 tank3D = ('system/tank:width 0.1; system/tank:thickness 0.1; system/frontAndBack:frontAndBack wall;'
-          'system/tank:nx 10; system/tank:nz 10; smoothingLength/ratio 1.5')
+          'system/tank:nx 10; system/tank:nz 10')
 
 Study(
     scene='hydrostatic',
