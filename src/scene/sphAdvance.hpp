@@ -91,7 +91,8 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             rebuilds += 2;
             readClock();
             if (host_.overflow[0] || host_.overflow[1] || host_.overflow[2]) { growLists(); continue; }
-            if (finished() || interrupted_.exchange(false)) break;
+            const bool interrupted = interrupted_.exchange(false);      // heeded, whatever else ends the loop
+            if (finished() || interrupted) break;
             // fit the length of a cycle to what the skin allows
             const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
             int wanted = stepsPerCycle_;

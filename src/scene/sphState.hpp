@@ -1,7 +1,7 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock, walls, wall fields; the clock; each field in the device's order; those of moving walls;
+    bytes of the clock, walls, wall fields, cycle fitted; the clock; each field in the device's order; those of moving walls;
     a checksum (FNV-1a over all words before it).
 */
 #pragma once
