@@ -29,7 +29,8 @@ class Collapse:
         self.a, height, self.width = (numberOf(tank[k]) for k in ('columnWidth', 'columnHeight', 'tankWidth'))
         self.square = height < 1.5*self.a
         table = run.table('front', 'frontPosition.dat')
-        self.t, self.front, self.height = table['Time'], table['frontFloor'], table['height']
+        self.t, self.front = table['Time'], table['frontFloor']
+        self.height = run.table('columnHeight', 'waterLevel.dat')['lowest0']
         self.lost = table['escaped'][-1]/table['particles'][0]
         self.rate = np.sqrt(9.81/self.a)
         self.hit = measures.crossing(self.t, self.front, self.width - 2*run.spacing)
