@@ -30,7 +30,7 @@ def draw(scene, rows, peers, path):
                                                   lambda p: p['peer']).items()):
             plotting.measured(axis, [costOf(p) for p in points], [float(p['error']) for p in points], peer, i)
         axis.set(xlabel='wall time a simulated second [s]', ylabel=f'error: {quantity}', title=scene)
-        axis.legend(fontsize=6)
+        axis.legend(fontsize=7, loc='upper center', bbox_to_anchor=(0.5, -0.16), frameon=False)
     plotting.save(fig, path)
 
 
@@ -54,4 +54,10 @@ def labelMaker(rows):
         return pairs
     all_ = [settings(r) for r in rows]
     varying = [k for k in all_[0] if len({s.get(k) for s in all_}) > 1]
-    return lambda row: ', '.join(f'{k} {settings(row).get(k)}' for k in varying) or 'riprap'
+    # what follows from the rest need not be said
+    for key in [k for k in varying if k not in ('precision', 'device', 'walls')]:
+        rest = [k for k in varying if k != key]
+        if len({tuple(s.get(k) for k in rest) for s in all_}) == len({tuple(s.get(k) for k in varying) for s in all_}):
+            varying = rest
+    names = {'smoothingLength': 'h', 'walls': 'walls', 'precision': '', 'device': ''}
+    return lambda row: ', '.join(f'{names.get(k, k)} {settings(row).get(k)}'.strip() for k in varying) or 'riprap'
