@@ -17,7 +17,8 @@ struct SolidFields
     using real = typename P::real;
 
     std::int64_t* x[D];         // fixed-point position
-    real* v[D];                 // velocity: of half a step ago (leapfrog) or now (Verlet) [m/s]
+    double* v[D];               // velocity: of half a step ago (leapfrog) or now (Verlet) [m/s]. In single precision g dt would be
+                                // rounded to the velocity's last digit, step after step the same way
     real* w[spins<D>];          // spin, likewise [rad/s]
     real* f[D];                 // force now, before damping [N]
     real* m[spins<D>];          // moment now [N m]
@@ -36,9 +37,9 @@ struct SolidFields
         for (int d = 0; d < D; ++d) r.c[d] = x[d][i];
         return r;
     }
-    HD Vec<D, real> velocity(int i) const
+    HD Vec<D, double> velocity(int i) const
     {
-        Vec<D, real> r;
+        Vec<D, double> r;
         for (int d = 0; d < D; ++d) r.c[d] = v[d][i];
         return r;
     }

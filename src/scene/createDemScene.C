@@ -232,6 +232,7 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     checkClumps(config, input);
     checkWalls(config, input);
     const DemPlan plan = planDemScene(config, input);
+    require(plan.timeStep < 1e20, "nothing limits the time step: it must be given");
     if (plan.timeStep > plan.hardStop*(1 + 1e-9) && !config.allowLargeStep)
     {
         std::ostringstream s;

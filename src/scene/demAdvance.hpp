@@ -170,15 +170,15 @@ void DemSolver<Backend, D, P>::findOffender(DemReport& report)
         report.stopMessage = s.str();
         return;
     }
-    std::vector<real> v[D];
-    for (int d = 0; d < D; ++d) v[d] = field<real>(vField_ + d);
+    std::vector<double> v[D];
+    for (int d = 0; d < D; ++d) v[d] = field<double>(vField_ + d);
     const std::vector<double> x = positions(n);
     const auto key = field<std::int32_t>(idField_);
     double worst = -1;
     for (int i = 0; i < n; ++i)
     {
         double speed2 = 0;
-        for (int d = 0; d < D; ++d) speed2 += double(v[d][i])*double(v[d][i]);
+        for (int d = 0; d < D; ++d) speed2 += v[d][i]*v[d][i];
         const double value = std::isfinite(speed2) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
         if (value <= worst) continue;
         worst = value;

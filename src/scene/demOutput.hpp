@@ -34,12 +34,13 @@ std::vector<double> DemSolver<Backend, D, P>::positions(int n)
 }
 
 template<class Backend, int D, class P>
+template<class T>
 void DemSolver<Backend, D, P>::putVector(int n, int field, int components, bool spin, std::vector<double>& out)
 {
     out.assign(3*std::size_t(n), 0.0);
     for (int d = 0; d < components; ++d)
     {
-        const auto v = this->field<real>(field + d);
+        const auto v = this->field<T>(field + d);
         const bool one = spin && D == 2;
         for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[one ? 2 : d]] = (one ? spinSign() : 1)*double(v[i]);
     }
@@ -52,10 +53,10 @@ DemState DemSolver<Backend, D, P>::particles()
     const int n = activeSolids();
     DemState s;
     s.position = positions(n);
-    putVector(n, vField_, D, false, s.velocity);
-    putVector(n, wField_, S, true, s.spin);
-    putVector(n, fField_, D, false, s.force);
-    putVector(n, mField_, S, true, s.moment);
+    putVector<double>(n, vField_, D, false, s.velocity);
+    putVector<real>(n, wField_, S, true, s.spin);
+    putVector<real>(n, fField_, D, false, s.force);
+    putVector<real>(n, mField_, S, true, s.moment);
     const auto key = field<std::int32_t>(idField_);
     const auto radius = field<real>(radiusField_), mass = field<real>(massField_), inverse = field<real>(inertiaField_);
     s.material = field<std::int32_t>(materialField_);

@@ -60,10 +60,10 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
 {
     const PairProperties& q = pair.properties;
     const std::string between = in.materials[pair.a].name + "-" + in.materials[pair.b].name;
-    for (const int own : {pair.a, pair.b})
+    for (int end = 0; end < (pair.a == pair.b ? 1 : 2); ++end)
     {
-        const Lightest& l = all[own];
-        if (!l.any || (own == pair.b && pair.a == pair.b)) continue;
+        const Lightest& l = all[end ? pair.b : pair.a];
+        if (!l.any) continue;
         double k = q.normalStiffness;
         std::string how = "k = ";
         if (c.normal == NormalKind::cellSpring) k = l.mass*q.gravity/(q.theta*q.cellSize);
@@ -183,7 +183,7 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     const std::size_t real = c.precision == PrecisionKind::mixed ? 4 : 8, D = c.dimensions, S = D == 2 ? 1 : 3;
     const std::size_t histories = (c.normal == NormalKind::incremental) + (c.tangential == TangentialKind::history ? S : 0)
       + (c.rolling == RollingKind::spring ? S : 0), neighbours = D == 2 ? 7 : 16;
-    const std::size_t state = 2*(8*D + real*(2*D + 2*S + 3) + 12) + 12*real + 40;
+    const std::size_t state = 2*(16*D + real*(D + 2*S + 3) + 12) + 12*real + 40;
     plan.bytes = plan.particles*(state + 2*neighbours*(4 + real*histories))
       + plan.bonds*(40 + real*(8 + D + 3*S)) + plan.clumps*200 + plan.wallElements*(D*12 + 64);
     return plan;

@@ -50,7 +50,7 @@ struct PlaceSolids
         Vec<D, typename P::position> p;
         for (int d = 0; d < D; ++d) mover.reference[d][i] = p.c[d] = mover.box.pairPosition(d, s.x[d][i]);
         mover.solids.store
-        (i, p, ContactBody<D, typename P::real>{s.velocity(i), s.spin(i), s.radius[i], s.mass[i]}, s.material[i]);
+        (i, p, ContactBody<D, typename P::real>{convert<typename P::real>(s.velocity(i)), s.spin(i), s.radius[i], s.mass[i]}, s.material[i]);
     }
 };
 

@@ -128,7 +128,8 @@ void DemSolver<Backend, D, P>::setFields()
     };
     xField_ = fields_.fields();
     for (int d = 0; d < D; ++d) fields_.template add<std::int64_t>(std::string("position.") + axis[d]);
-    vField_ = addVector("velocity", D);
+    vField_ = fields_.fields();
+    for (int d = 0; d < D; ++d) fields_.template add<double>(std::string("velocity.") + axis[d]);
     wField_ = addVector("spin", S);
     fField_ = addVector("force", D);
     mField_ = addVector("moment", S);
@@ -157,7 +158,7 @@ void DemSolver<Backend, D, P>::setFields()
         for (int i = 0; i < n_; ++i) x[i] = box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]);
         fields_.upload(context_, xField_ + d, x);
     }
-    uploadVector<real>(vField_, D, in.velocity, false);
+    uploadVector<double>(vField_, D, in.velocity, false);
     uploadVector<real>(wField_, S, in.spin, true);
     uploadVector<real>(fField_, D, {}, false);
     uploadVector<real>(mField_, S, {}, true);

@@ -134,7 +134,7 @@ private:
     int activeSolids();
     std::vector<double> positions(int n);
     template<class T> std::vector<T> field(int f) { return fields_.template download<T>(context_, f); }
-    void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
+    template<class T> void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
 
     //- Sign of a spin about axes[2] when axes[0], axes[1] are the plane
     double spinSign() const

@@ -16,7 +16,7 @@ SolidFields<D, P> DemSolver<Backend, D, P>::fields()
     for (int d = 0; d < D; ++d)
     {
         s.x[d] = fields_.template data<std::int64_t>(xField_ + d);
-        s.v[d] = fields_.template data<real>(vField_ + d);
+        s.v[d] = fields_.template data<double>(vField_ + d);
         s.f[d] = fields_.template data<real>(fField_ + d);
     }
     for (int c = 0; c < S; ++c)

@@ -99,7 +99,7 @@ TEST_P(DemImpact, OneStepSpringCreeps)
         in.walls.push_back(planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
         addParticle(in, {{-0.3, -0.19 - 0.01*g*std::cos(slope)/1e4, 0}});
         auto scene = createDemScene(c, in);
-        scene->advance(0.2);
+        scene->advance(0.9);                // seven times m/(k_t dt), in which it is approached
         const double speed = scene->particles().velocity[0], creep = 0.01*g*std::sin(slope)/(kappa*1e4*c.timeStep);
         if (kind == TangentialKind::history) EXPECT_NEAR(speed, 0, 1e-4*creep);
         else EXPECT_NEAR(speed, creep, 0.01*creep);
@@ -155,7 +155,8 @@ TEST_P(DemImpact, Groups)
     scene->advance(t);
     const DemState s = scene->particles();
     const double single = mixed() ? 2e-5 : 1e-9;
-    EXPECT_NEAR(s.velocity[3*find(s, 0) + 2], -0.3*10*t, single);
+    // the first half step, from rest, is not damped: a velocity of zero has no sign
+    EXPECT_NEAR(s.velocity[3*find(s, 0) + 2], -0.3*10*t - 0.7*10*0.5e-4, single);
     EXPECT_NEAR(s.velocity[3*find(s, 1) + 2], -2*(1 - std::exp(-5*t)), 5e-4);       // damping of half a step ago
     EXPECT_NEAR(s.velocity[3*find(s, 2) + 2], 0.5, 1e-12);
     EXPECT_NEAR(s.velocity[3*find(s, 2)], 2*t, single);

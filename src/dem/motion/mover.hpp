@@ -31,7 +31,7 @@ struct SolidMotion
     const int* active;
 
     //- v and w changed by forces over dt
-    HD void kick(int i, Vec<D, real>& v, Spin<D, real>& w, real dt) const
+    HD void kick(int i, Vec<D, double>& v, Spin<D, real>& w, real dt) const
     {
         const GroupData<D, real>& g = groups[fields.group[i]];
         const real mass = fields.mass[i], inverse = fields.inverseInertia[i];
@@ -39,8 +39,9 @@ struct SolidMotion
         for (int d = 0; d < D; ++d)
         {
             real f = fields.f[d][i] + g.gravity*mass*gravity[d] + g.force[d] + (more ? more[d] : real(0));
-            f = locallyDamped(f, v.c[d], g.localDamping) - g.viscous*mass*v.c[d];
-            v.c[d] += g.free[d]*dt*f/mass;
+            const real speed = real(v.c[d]);
+            f = locallyDamped(f, speed, g.localDamping) - g.viscous*mass*speed;
+            v.c[d] += double(g.free[d]*dt*f/mass);
         }
         for (int c = 0; c < spins<D>; ++c)
         {
@@ -84,7 +85,7 @@ struct MoveSolids : SolidMotion<D, P>
         if (!t.active || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
         Vec<D, std::int64_t> x = s.position(i);
-        Vec<D, real> v = s.velocity(i);
+        Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
         const bool member = clumps && s.clump[i] >= 0;
         if (member) follow(clumps[s.clump[i]], s.id[i], x, v, w);
@@ -93,21 +94,21 @@ struct MoveSolids : SolidMotion<D, P>
             const int motion = this->groups[s.group[i]].motion;
             if (motion >= 0) prescribe(motion, t.time - 0.5*t.dt, x, v, w);
             else this->kick(i, v, w, real(verlet ? 0.5*t.dt : 0.5*(t.previousDt + t.dt)));
-            for (int d = 0; d < D; ++d) x.c[d] += std::int64_t(rint(double(v.c[d])*t.dt*box.unitsPerMetre[d]));
+            for (int d = 0; d < D; ++d) x.c[d] += std::int64_t(rint(v.c[d]*t.dt*box.unitsPerMetre[d]));
         }
         for (int d = 0; d < D; ++d) { s.x[d][i] = x.c[d]; s.v[d][i] = v.c[d]; }
         for (int c = 0; c < spins<D>; ++c) s.w[c][i] = w.c[c];
         if (s.turn[0]) followTurn(i, w, t.dt);
         Vec<D, position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
-        solids.store(i, p, ContactBody<D, real>{v, w, s.radius[i], s.mass[i]}, s.material[i]);
-        checkSkin(i, p, x, v, member);
+        solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], s.mass[i]}, s.material[i]);
+        checkSkin(i, p, x, convert<real>(v), member);
     }
 
 private:
 
     //- A member of a rigid body is where the body has it
-    HD void follow(const ClumpData& c, int key, Vec<D, std::int64_t>& x, Vec<D, real>& v, Spin<D, real>& w) const
+    HD void follow(const ClumpData& c, int key, Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
     {
         const double* o = offset + 3*(long long)key;
         const Vec<3, double> arm = rotated(c.q, Vec<3, double>{{o[0], o[1], o[2]}}), spin = spinOf(c, c.q);
@@ -115,19 +116,19 @@ private:
         for (int d = 0; d < D; ++d)
         {
             x.c[d] = c.x[d] + std::int64_t(rint(arm.c[d]*box.unitsPerMetre[d]));
-            v.c[d] = real(c.v[d] + u.c[d]);
+            v.c[d] = c.v[d] + u.c[d];
         }
         for (int k = 0; k < spins<D>; ++k) w.c[k] = real(spin.c[D == 2 ? 2 : k]);
     }
 
     //- v = V + W x (x - centre) at time t
-    HD void prescribe(int motion, double t, const Vec<D, std::int64_t>& x, Vec<D, real>& v, Spin<D, real>& w) const
+    HD void prescribe(int motion, double t, const Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
     {
         Vec<3, double> arm{{0, 0, 0}}, spin{{0, 0, 0}};
         for (int d = 0; d < D; ++d) arm.c[d] = box.toMetres(d, x.c[d]) - motions.at(motion, 6 + d, t);
         for (int d = 0; d < 3; ++d) spin.c[d] = motions.at(motion, 3 + d, t);
         const Vec<3, double> u = cross(spin, arm);
-        for (int d = 0; d < D; ++d) v.c[d] = real(motions.at(motion, d, t) + u.c[d]);
+        for (int d = 0; d < D; ++d) v.c[d] = motions.at(motion, d, t) + u.c[d];
         for (int k = 0; k < spins<D>; ++k) w.c[k] = real(spin.c[D == 2 ? 2 : k]);
     }
 
@@ -178,7 +179,7 @@ struct FinishVerlet : SolidMotion<D, P>
         if (!this->clock->active || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
         if ((clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
-        Vec<D, real> v = s.velocity(i);
+        Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
         this->kick(i, v, w, real(0.5*this->clock->dt));
         for (int d = 0; d < D; ++d) s.v[d][i] = v.c[d];
