@@ -71,8 +71,12 @@ void forEach(Context<Cpu>& context, int n, const F& f)
     if (n <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel for schedule(static) if (n > 256)
-        for (int i = 0; i < n; ++i) f(i);
+        #pragma omp parallel if (n > 256)
+        {
+            const F own(f);             // of this thread: nothing that f writes can be thought to alias it
+            #pragma omp for schedule(static)
+            for (int i = 0; i < n; ++i) own(i);
+        }
     });
 }
 
@@ -87,8 +91,12 @@ void forEachTask(Context<Cpu>& context, int tasks, const F& f)
     if (tasks <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel for schedule(dynamic, 1) if (tasks > 1)
-        for (int t = 0; t < tasks; ++t) f(t);
+        #pragma omp parallel if (tasks > 1)
+        {
+            const F own(f);
+            #pragma omp for schedule(dynamic, 1)
+            for (int t = 0; t < tasks; ++t) own(t);
+        }
     });
 }
 

@@ -78,7 +78,7 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     real* sums;                 // words a particle
     real largestGap;
 
-    //- Touching pairs until a register is full
+    //- Touching pairs until a register is full, and where the search for them stands
     struct Batch
     {
         int count = 0;
@@ -87,52 +87,63 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
         bool touched[lanes];
         alignas(32) real dx[D][lanes];
         alignas(32) real r2[lanes];
+        int next = 0, k = 0, nextSlot = 0;
     };
 
     void operator()(int block) const
     {
         if (!this->clock->active) return;
-        const int begin = deferred->begin(block), end = std::min(deferred->begin(block + 1), *this->active);
+        const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1), end = std::min(blockEnd, *this->active);
         for (std::size_t k = std::size_t(begin)*words; k < std::size_t(std::max(end, begin))*words; ++k) sums[k] = 0;
         Batch batch;
-        int slot = deferred->firstSlot[block];
-        const int blockEnd = deferred->begin(block + 1);
-        for (int i = begin; i < end; ++i)
+        batch.next = begin;
+        batch.nextSlot = deferred->firstSlot[block];
+        while (batch.next < end)
         {
+            collect(batch, end, blockEnd);
+            if (batch.count) evaluate(batch);
+        }
+    }
+
+private:
+
+    HD void collect(Batch& b, int end, int blockEnd) const
+    {
+        b.count = 0;
+        for (; b.next < end; ++b.next, b.k = 0)
+        {
+            const int i = b.next, count = this->list.count[i];
+            if (!count) continue;
             const auto xi = this->solids.position(i);
             const real radius = this->solids.radius(i) + largestGap;
             const std::size_t first = this->list.index(i, 0);
-            const int count = this->list.count[i];
-            for (int k = 0; k < count; ++k)
+            while (b.k < count)
             {
-                const std::uint32_t entry = this->list.entry[first + k];
+                const std::size_t e = first + b.k++;
+                const std::uint32_t entry = this->list.entry[e];
                 const int j = List::other(entry);
                 const SolidA<D, P> other = this->solids.a[j];
                 const Vec<D, real> dx = this->line(xi, other);
                 const real r2 = squaredNorm(dx), reach = radius + other.radius;
-                const bool crosses = j >= blockEnd;
-                const int own = crosses ? slot++ : -1;
-                if (crosses) deferred->acts[own] = 0;
-                if (!(r2 < reach*reach) || !touches(i, j, first + k, r2))
+                int slot = -1;
+                if (j >= blockEnd) { slot = b.nextSlot++; deferred->acts[slot] = 0; }
+                if (!(r2 < reach*reach) || !touches(i, j, e, r2))
                 {
-                    if (entry & List::touching) this->list.entry[first + k] = std::uint32_t(j);
+                    if (entry & List::touching) this->list.entry[e] = std::uint32_t(j);
                     continue;
                 }
-                const int l = batch.count++;
-                batch.i[l] = i;
-                batch.j[l] = j;
-                batch.slot[l] = own;
-                batch.entry[l] = first + k;
-                batch.touched[l] = entry & List::touching;
-                for (int d = 0; d < D; ++d) batch.dx[d][l] = dx.c[d];
-                batch.r2[l] = r2;
-                if (batch.count == lanes) flush(batch);
+                const int l = b.count++;
+                b.i[l] = i;
+                b.j[l] = j;
+                b.slot[l] = slot;
+                b.entry[l] = e;
+                b.touched[l] = entry & List::touching;
+                for (int d = 0; d < D; ++d) b.dx[d][l] = dx.c[d];
+                b.r2[l] = r2;
+                if (b.count == lanes) return;
             }
         }
-        if (batch.count) flush(batch);
     }
-
-private:
 
     //- Where gaps and rests vary, nearness is not touching
     bool touches(int i, int j, std::size_t e, real r2) const
@@ -145,21 +156,35 @@ private:
         return reach > 0 && r2 < reach*reach;
     }
 
-    void setBody(ContactBody<D, T>& to, int lane, const ContactBody<D, real>& from) const
+    //- Bodies of a batch, one array a number
+    struct Lanes
     {
-        for (int d = 0; d < D; ++d) to.velocity.c[d].v[lane] = from.velocity.c[d];
-        for (int c = 0; c < S; ++c) to.spin.c[c].v[lane] = from.spin.c[c];
-        to.radius.v[lane] = from.radius;
-        to.mass.v[lane] = from.mass;
-    }
+        static constexpr int numbers = D + S + 2;
+        alignas(32) real value[numbers][lanes];
 
-    void flush(Batch& b) const
+        HD void set(int l, const ContactBody<D, real>& b)
+        {
+            for (int d = 0; d < D; ++d) value[d][l] = b.velocity.c[d];
+            for (int c = 0; c < S; ++c) value[D + c][l] = b.spin.c[c];
+            value[D + S][l] = b.radius;
+            value[D + S + 1][l] = b.mass;
+        }
+        HD ContactBody<D, T> body() const
+        {
+            ContactBody<D, T> b;
+            for (int d = 0; d < D; ++d) b.velocity.c[d] = T::load(value[d]);
+            for (int c = 0; c < S; ++c) b.spin.c[c] = T::load(value[D + c]);
+            b.radius = T::load(value[D + S]);
+            b.mass = T::load(value[D + S + 1]);
+            return b;
+        }
+    };
+
+    HD void evaluate(Batch& b) const
     {
-        ContactBody<D, T> bodyA, bodyB;
-        typename Law::template Parameters<T> parameters;
-        T gap, h[H + 1];
-        T* words = reinterpret_cast<T*>(&parameters);
         constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
+        Lanes laneA, laneB;
+        alignas(32) real memory[H + 1][lanes], gaps[lanes], number[numbers][lanes];
         for (int l = b.count; l < lanes; ++l)       // idle lanes repeat the first pair
         {
             b.i[l] = b.i[0];
@@ -170,58 +195,63 @@ private:
             b.r2[l] = b.r2[0];
         }
         const bool uniform = this->materials == 1;
-        if (uniform)
-        {
-            const real* from = reinterpret_cast<const real*>(this->parameters);
-            for (int k = 0; k < numbers; ++k) words[k] = T(from[k]);
-            gap = T(this->gap[0]);
-        }
         for (int l = 0; l < lanes; ++l)
         {
             int mi, mj;
-            setBody(bodyA, l, this->solids.body(b.i[l], mi));
-            setBody(bodyB, l, this->solids.body(b.j[l], mj));
+            laneA.set(l, this->solids.body(b.i[l], mi));
+            laneB.set(l, this->solids.body(b.j[l], mj));
+            const int pair = uniform ? 0 : this->pairOf(mi, mj);
             if (!uniform)
             {
-                const int pair = this->pairOf(mi, mj);
                 const real* from = reinterpret_cast<const real*>(this->parameters + pair);
-                for (int k = 0; k < numbers; ++k) words[k].v[l] = from[k];
-                gap.v[l] = this->gap[pair];
+                for (int k = 0; k < numbers; ++k) number[k][l] = from[k];
             }
-            if (this->list.rest) gap.v[l] -= this->list.rest[b.entry[l]];
-            for (int c = 0; c < H; ++c) h[c].v[l] = b.touched[l] ? this->list.template remembered<H>(b.entry[l], c) : real(0);
+            gaps[l] = this->gap[pair];
+            if (this->list.rest) gaps[l] -= this->list.rest[b.entry[l]];
+            for (int c = 0; c < H; ++c) memory[c][l] = b.touched[l] ? this->list.template remembered<H>(b.entry[l], c) : real(0);
         }
+        typename Law::template Parameters<T> parameters;
+        T* to = reinterpret_cast<T*>(&parameters);
+        const real* one = reinterpret_cast<const real*>(this->parameters);
+        for (int k = 0; k < numbers; ++k) to[k] = uniform ? T(one[k]) : T::load(number[k]);
+        T h[H + 1];
+        for (int c = 0; c < H; ++c) h[c] = T::load(memory[c]);
         const T distance = squareRoot(maximum(T::load(b.r2), T(real(1e-30)))), inverse = T(real(1))/distance;
         Vec<D, T> n;
         for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(b.dx[d]);
         T armA, armB;
-        const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock->dt)), armA, armB);
+        const auto g = pairGeometry<D, T>
+        (laneA.body(), laneB.body(), n, distance, T::load(gaps), T(real(this->clock->dt)), armA, armB);
         NormalForce<T> fn;
         const ContactForce<D, T> f = Law::template evaluate<D, T>(parameters, g, armA, armB, h, fn);
-        for (int l = 0; l < b.count; ++l) scatter(b, l, f, h);
-        b.count = 0;
+        scatter(b, f, h);
     }
 
-    void scatter(const Batch& b, int l, const ContactForce<D, T>& f, const T* h) const
+    HD void scatter(const Batch& b, const ContactForce<D, T>& f, const T* h) const
     {
-        const std::size_t e = b.entry[l];
-        for (int c = 0; c < H; ++c) this->list.template remembered<H>(e, c) = h[c].v[l];
-        if (!b.touched[l]) this->list.entry[e] |= List::touching;
-        real* onA = sums + std::size_t(b.i[l])*words;
-        for (int d = 0; d < D; ++d) onA[d] += f.force.c[d].v[l];
-        for (int c = 0; c < S; ++c) onA[D + c] += f.momentA.c[c].v[l];
-        const int slot = b.slot[l];
-        if (slot < 0)
+        // vectors in memory: their lanes are read one by one
+        T all[D + 2*S + H + 1];
+        for (int d = 0; d < D; ++d) all[d] = f.force.c[d];
+        for (int c = 0; c < S; ++c) { all[D + c] = f.momentA.c[c]; all[D + S + c] = f.momentB.c[c]; }
+        for (int c = 0; c < H; ++c) all[D + 2*S + c] = h[c];
+        const real* value = reinterpret_cast<const real*>(all);
+        for (int l = 0; l < b.count; ++l)
         {
-            real* onB = sums + std::size_t(b.j[l])*words;
-            for (int d = 0; d < D; ++d) onB[d] -= f.force.c[d].v[l];
-            for (int c = 0; c < S; ++c) onB[D + c] += f.momentB.c[c].v[l];
-            return;
+            const std::size_t e = b.entry[l];
+            for (int c = 0; c < H; ++c) this->list.template remembered<H>(e, c) = value[(D + 2*S + c)*lanes + l];
+            if (!b.touched[l]) this->list.entry[e] |= List::touching;
+            real* onA = sums + std::size_t(b.i[l])*words;
+            for (int k = 0; k < words; ++k) onA[k] += value[k*lanes + l];
+            const int slot = b.slot[l];
+            real* onB = slot < 0 ? sums + std::size_t(b.j[l])*words : &deferred->force[std::size_t(slot)*words];
+            if (slot >= 0)
+            {
+                for (int k = 0; k < words; ++k) onB[k] = 0;
+                deferred->acts[slot] = 1;
+            }
+            for (int d = 0; d < D; ++d) onB[d] -= value[d*lanes + l];
+            for (int c = 0; c < S; ++c) onB[D + c] += value[(D + S + c)*lanes + l];
         }
-        real* later = &deferred->force[std::size_t(slot)*words];
-        for (int d = 0; d < D; ++d) later[d] = -f.force.c[d].v[l];
-        for (int c = 0; c < S; ++c) later[D + c] = f.momentB.c[c].v[l];
-        deferred->acts[slot] = 1;
     }
 };
 

@@ -34,14 +34,14 @@ struct SolidMotion
     HD void kick(int i, Vec<D, double>& v, Spin<D, real>& w, real dt) const
     {
         const GroupData<D, real>& g = groups[fields.group[i]];
-        const real mass = fields.mass[i], inverse = fields.inverseInertia[i];
+        const real mass = fields.mass[i], inverse = fields.inverseInertia[i], perMass = dt/mass;
         const real* more = external ? external + (long long)fields.id[i]*(D + spins<D>) : nullptr;
         for (int d = 0; d < D; ++d)
         {
             real f = fields.f[d][i] + g.gravity*mass*gravity[d] + g.force[d] + (more ? more[d] : real(0));
             const real speed = real(v.c[d]);
             f = locallyDamped(f, speed, g.localDamping) - g.viscous*mass*speed;
-            v.c[d] += double(g.free[d]*dt*f/mass);
+            v.c[d] += double(g.free[d]*perMass*f);
         }
         for (int c = 0; c < spins<D>; ++c)
         {
@@ -63,7 +63,7 @@ struct MoveSolids : SolidMotion<D, P>
     bool verlet;
     position* reference[D];     // where neighbours were found
     real halfSkin;
-    double domainMin[D], domainMax[D];      // above the box's corner [m]
+    std::int64_t domainMin[D], domainMax[D];        // fixed point; everything where periodic
     MotionTable motions;
     const ClumpData* clumps;    // null: there are none
     const double* offset;       // of a clump's member from its centre, in the body: 3 a key
@@ -71,11 +71,7 @@ struct MoveSolids : SolidMotion<D, P>
     HD bool inside(const Vec<D, std::int64_t>& x) const
     {
         bool in = true;
-        for (int d = 0; d < D; ++d)
-        {
-            const double r = box.relative(d, x.c[d]);
-            in = in && (box.periodic[d] || (r >= domainMin[d] && r <= domainMax[d]));
-        }
+        for (int d = 0; d < D; ++d) in = in && x.c[d] >= domainMin[d] && x.c[d] <= domainMax[d];
         return in;
     }
 
