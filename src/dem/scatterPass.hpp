@@ -78,15 +78,17 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     real* sums;                 // words a particle
     real largestGap;
 
-    //- Touching pairs until a register is full, and where the search for them stands
+    //- Touching pairs, some registers full, and where the search for them stands
     struct Batch
     {
+        static constexpr int room = 64;
+
         int count = 0;
-        int i[lanes], j[lanes], slot[lanes];
-        std::size_t entry[lanes];
-        bool touched[lanes];
-        alignas(32) real dx[D][lanes];
-        alignas(32) real r2[lanes];
+        int i[room + 1], j[room + 1], slot[room + 1];
+        std::size_t entry[room + 1];
+        bool touched[room + 1];
+        alignas(32) real dx[D][room + lanes];
+        alignas(32) real r2[room + lanes];
         int next = 0, k = 0, nextSlot = 0;
     };
 
@@ -101,7 +103,7 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
         while (batch.next < end)
         {
             collect(batch, end, blockEnd);
-            if (batch.count) evaluate(batch);
+            for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
         }
     }
 
@@ -110,6 +112,7 @@ private:
     HD void collect(Batch& b, int end, int blockEnd) const
     {
         b.count = 0;
+        const bool simple = this->materials == 1 && !this->list.rest;
         for (; b.next < end; ++b.next, b.k = 0)
         {
             const int i = b.next, count = this->list.count[i];
@@ -127,12 +130,12 @@ private:
                 const real r2 = squaredNorm(dx), reach = radius + other.radius;
                 int slot = -1;
                 if (j >= blockEnd) { slot = b.nextSlot++; deferred->acts[slot] = 0; }
-                if (!(r2 < reach*reach) || !touches(i, j, e, r2))
-                {
-                    if (entry & List::touching) this->list.entry[e] = std::uint32_t(j);
-                    continue;
-                }
-                const int l = b.count++;
+                bool hit = r2 < reach*reach;
+                if (!simple) hit = hit && touches(i, j, e, r2);
+                // whether a near pair touches is anybody's guess: it is written, and counts or not, without a branch
+                const int l = b.count;
+                b.count += hit;
+                if (!hit && (entry & List::touching)) this->list.entry[e] = std::uint32_t(j);
                 b.i[l] = i;
                 b.j[l] = j;
                 b.slot[l] = slot;
@@ -140,7 +143,7 @@ private:
                 b.touched[l] = entry & List::touching;
                 for (int d = 0; d < D; ++d) b.dx[d][l] = dx.c[d];
                 b.r2[l] = r2;
-                if (b.count == lanes) return;
+                if (b.count == Batch::room) return;
             }
         }
     }
@@ -148,7 +151,6 @@ private:
     //- Where gaps and rests vary, nearness is not touching
     bool touches(int i, int j, std::size_t e, real r2) const
     {
-        if (this->materials == 1 && !this->list.rest) return true;
         int mi, mj;
         const real radii = this->solids.body(i, mi).radius + this->solids.body(j, mj).radius;
         real reach = radii + this->gap[this->pairOf(mi, mj)];
@@ -180,26 +182,24 @@ private:
         }
     };
 
-    HD void evaluate(Batch& b) const
+    //- The pairs from `first` on, as many as a register holds
+    HD void evaluate(const Batch& b, int first) const
     {
         constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
         Lanes laneA, laneB;
         alignas(32) real memory[H + 1][lanes], gaps[lanes], number[numbers][lanes];
-        for (int l = b.count; l < lanes; ++l)       // idle lanes repeat the first pair
-        {
-            b.i[l] = b.i[0];
-            b.j[l] = b.j[0];
-            b.entry[l] = b.entry[0];
-            b.touched[l] = b.touched[0];
-            for (int d = 0; d < D; ++d) b.dx[d][l] = b.dx[d][0];
-            b.r2[l] = b.r2[0];
-        }
+        const int used = std::min(lanes, b.count - first);
+        alignas(32) real line[D][lanes], r2[lanes];
         const bool uniform = this->materials == 1;
         for (int l = 0; l < lanes; ++l)
         {
+            const int at = first + (l < used ? l : 0);      // idle lanes repeat the first pair
+            const std::size_t e = b.entry[at];
+            for (int d = 0; d < D; ++d) line[d][l] = b.dx[d][at];
+            r2[l] = b.r2[at];
             int mi, mj;
-            laneA.set(l, this->solids.body(b.i[l], mi));
-            laneB.set(l, this->solids.body(b.j[l], mj));
+            laneA.set(l, this->solids.body(b.i[at], mi));
+            laneB.set(l, this->solids.body(b.j[at], mj));
             const int pair = uniform ? 0 : this->pairOf(mi, mj);
             if (!uniform)
             {
@@ -207,8 +207,8 @@ private:
                 for (int k = 0; k < numbers; ++k) number[k][l] = from[k];
             }
             gaps[l] = this->gap[pair];
-            if (this->list.rest) gaps[l] -= this->list.rest[b.entry[l]];
-            for (int c = 0; c < H; ++c) memory[c][l] = b.touched[l] ? this->list.template remembered<H>(b.entry[l], c) : real(0);
+            if (this->list.rest) gaps[l] -= this->list.rest[e];
+            for (int c = 0; c < H; ++c) memory[c][l] = b.touched[at] ? this->list.template remembered<H>(e, c) : real(0);
         }
         typename Law::template Parameters<T> parameters;
         T* to = reinterpret_cast<T*>(&parameters);
@@ -216,18 +216,18 @@ private:
         for (int k = 0; k < numbers; ++k) to[k] = uniform ? T(one[k]) : T::load(number[k]);
         T h[H + 1];
         for (int c = 0; c < H; ++c) h[c] = T::load(memory[c]);
-        const T distance = squareRoot(maximum(T::load(b.r2), T(real(1e-30)))), inverse = T(real(1))/distance;
+        const T distance = squareRoot(maximum(T::load(r2), T(real(1e-30)))), inverse = T(real(1))/distance;
         Vec<D, T> n;
-        for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(b.dx[d]);
+        for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(line[d]);
         T armA, armB;
         const auto g = pairGeometry<D, T>
         (laneA.body(), laneB.body(), n, distance, T::load(gaps), T(real(this->clock->dt)), armA, armB);
         NormalForce<T> fn;
         const ContactForce<D, T> f = Law::template evaluate<D, T>(parameters, g, armA, armB, h, fn);
-        scatter(b, f, h);
+        scatter(b, first, used, f, h);
     }
 
-    HD void scatter(const Batch& b, const ContactForce<D, T>& f, const T* h) const
+    HD void scatter(const Batch& b, int first, int used, const ContactForce<D, T>& f, const T* h) const
     {
         // vectors in memory: their lanes are read one by one
         T all[D + 2*S + H + 1];
@@ -235,15 +235,16 @@ private:
         for (int c = 0; c < S; ++c) { all[D + c] = f.momentA.c[c]; all[D + S + c] = f.momentB.c[c]; }
         for (int c = 0; c < H; ++c) all[D + 2*S + c] = h[c];
         const real* value = reinterpret_cast<const real*>(all);
-        for (int l = 0; l < b.count; ++l)
+        for (int l = 0; l < used; ++l)
         {
-            const std::size_t e = b.entry[l];
+            const int at = first + l;
+            const std::size_t e = b.entry[at];
             for (int c = 0; c < H; ++c) this->list.template remembered<H>(e, c) = value[(D + 2*S + c)*lanes + l];
-            if (!b.touched[l]) this->list.entry[e] |= List::touching;
-            real* onA = sums + std::size_t(b.i[l])*words;
+            if (!b.touched[at]) this->list.entry[e] |= List::touching;
+            real* onA = sums + std::size_t(b.i[at])*words;
             for (int k = 0; k < words; ++k) onA[k] += value[k*lanes + l];
-            const int slot = b.slot[l];
-            real* onB = slot < 0 ? sums + std::size_t(b.j[l])*words : &deferred->force[std::size_t(slot)*words];
+            const int slot = b.slot[at];
+            real* onB = slot < 0 ? sums + std::size_t(b.j[at])*words : &deferred->force[std::size_t(slot)*words];
             if (slot >= 0)
             {
                 for (int k = 0; k < words; ++k) onB[k] = 0;

@@ -208,6 +208,7 @@ void DemSolver<Backend, D, P>::setGroups()
         r.localDamping = real(g.localDamping);
         r.viscous = real(g.viscousDamping);
         r.viscousSpin = real(g.viscousSpinDamping);
+        r.damped = g.localDamping > 0 || g.viscousDamping > 0 || g.viscousSpinDamping > 0;
         r.motion = g.motion;
         groupMotions_ = std::max(groupMotions_, g.motion + 1);
         groups.push_back(r);
