@@ -84,9 +84,9 @@ int run(const Options& o)
     const double listed = scene->neighboursPerParticle();
     const DemEnergy e = scene->energy();
     std::printf("%s, %d threads, %zu spheres, %lld steps: %.4g s, %.4g particle-steps/s, %.4g a CPU second; rebuilds %lld; at %.6g s "
-        "kinetic energy %.5g J a bed, %.4g contacts and %.4g listed a particle, %zu bytes a particle\n",
+        "kinetic energy (of translation) %.5g J a bed, %.4g contacts and %.4g listed a particle, %zu bytes a particle\n",
         scene->deviceName().c_str(), omp_get_max_threads(), n, (long long)r.steps, wall, work/wall, work/used, (long long)r.rebuilds,
-        r.time, (e.translation + e.rotation)/o.column.copies, 2.0*double(scene->contacts().a.size())/double(n), listed, bytes/n);
+        r.time, e.translation/o.column.copies, 2.0*double(scene->contacts().a.size())/double(n), listed, bytes/n);
     if (o.profile)
         for (const KernelInfo& k : scene->kernels())
             if (k.seconds > 0) std::printf("    %-20s %8lld  %.4g s\n", k.name.c_str(), (long long)k.launches, k.seconds);

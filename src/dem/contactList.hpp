@@ -37,7 +37,10 @@ struct ContactListView : ContactListLayout
     HD std::size_t index(int i, int k) const { return std::size_t(base[i/width]) + std::size_t(k)*width + i % width; }
 
     template<int H>
-    HD R& remembered(std::size_t e, int c) const { return Backend::gpu ? history[c*stride + e] : history[e*H + c]; }
+    HD R& remembered(std::size_t e, int c) const { return Backend::gpu ? history[c*stride + e] : history[e*historyWords(H) + c]; }
+
+    //- Numbers kept of an entry: on the CPU in rows of four, so that rows are loaded whole
+    HD static constexpr int historyWords(int H) { return Backend::gpu ? H : (H + 3)/4*4; }
 };
 
 template<class Backend, class R>
@@ -60,7 +63,8 @@ public:
         {
             const std::size_t room = entries + entries/8 + 64;
             entry_.allocate(context, room);
-            if (histories) history_.allocate(context, room*histories);
+            const int words = ContactListView<Backend, R>::historyWords(histories);
+            if (words) history_.allocate(context, room*words);
             if (rests) rest_.allocate(context, room);
         }
         entries_ = entries;

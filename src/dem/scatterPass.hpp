@@ -21,7 +21,8 @@ namespace riprap
 template<int D, class R>
 struct DeferredForces
 {
-    static constexpr int width = D + spins<D>;
+    //- Numbers kept of a particle: force and moment, in rows of four (3D: one each; 2D: one for both)
+    static constexpr int width = D == 3 ? 8 : 4;
     static constexpr int particlesPerBlock = 4096;
 
     int n = 0, blocks = 1;
@@ -72,7 +73,10 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     using Model = PairModel<Cpu, D, P, Law>;
     using List = ContactListView<Cpu, real>;
     static constexpr const char* name = "contacts";
-    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width, words = D + S;
+    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width, words = DeferredForces<D, real>::width;
+    static constexpr int rows = (H + 3)/4, words4 = words/4;
+    using RowOf = typename Row<real>::vec;
+    using LooseRow = typename Row<real>::loose;
 
     DeferredForces<D, real>* deferred;
     real* sums;                 // words a particle
@@ -88,7 +92,7 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
         std::size_t entry[room + 1];
         bool touched[room + 1];
         alignas(32) real dx[D][room + lanes];
-        alignas(32) real r2[room + lanes];
+        alignas(32) real r2[room + lanes], radiusA[room + lanes], radiusB[room + lanes];
         int next = 0, k = 0, nextSlot = 0;
     };
 
@@ -118,7 +122,7 @@ private:
             const int i = b.next, count = this->list.count[i];
             if (!count) continue;
             const auto xi = this->solids.position(i);
-            const real radius = this->solids.radius(i) + largestGap;
+            const real radius = this->solids.radius(i);
             const std::size_t first = this->list.index(i, 0);
             while (b.k < count)
             {
@@ -127,7 +131,7 @@ private:
                 const int j = List::other(entry);
                 const SolidA<D, P> other = this->solids.a[j];
                 const Vec<D, real> dx = this->line(xi, other);
-                const real r2 = squaredNorm(dx), reach = radius + other.radius;
+                const real r2 = squaredNorm(dx), reach = radius + other.radius + largestGap;
                 int slot = -1;
                 if (j >= blockEnd) { slot = b.nextSlot++; deferred->acts[slot] = 0; }
                 bool hit = r2 < reach*reach;
@@ -143,6 +147,8 @@ private:
                 b.touched[l] = entry & List::touching;
                 for (int d = 0; d < D; ++d) b.dx[d][l] = dx.c[d];
                 b.r2[l] = r2;
+                b.radiusA[l] = radius;
+                b.radiusB[l] = other.radius;
                 if (b.count == Batch::room) return;
             }
         }
@@ -158,70 +164,83 @@ private:
         return reach > 0 && r2 < reach*reach;
     }
 
-    //- Bodies of a batch, one array a number
-    struct Lanes
+    //- The bodies index[at(l)], one a lane
+    template<class At>
+    HD ContactBody<D, T> bodies(const int* index, const At& at, const real* radius) const
     {
-        static constexpr int numbers = D + S + 2;
-        alignas(32) real value[numbers][lanes];
+        ContactBody<D, T> q;
+        T v[4];
+        loadRows([&](int l) { return this->solids.b[index[at(l)]].c; }, v);
+        for (int d = 0; d < D; ++d) q.velocity.c[d] = v[d];
+        q.radius = T::load(radius);
+        if constexpr (D == 2)
+        {
+            q.spin.c[0] = v[2];
+            T first[4];     // the mass ends the record of the position
+            loadRows([&](int l) { return reinterpret_cast<const real*>(this->solids.a + index[at(l)]); }, first);
+            q.mass = first[3];
+        }
+        else
+        {
+            q.mass = v[3];
+            loadRows([&](int l) { return this->solids.c[index[at(l)]].c; }, v);
+            for (int c = 0; c < S; ++c) q.spin.c[c] = v[c];
+        }
+        return q;
+    }
 
-        HD void set(int l, const ContactBody<D, real>& b)
+    //- Parameters and gaps of pairs of several materials
+    template<class At>
+    HD void setPairs(const Batch& b, const At& at, typename Law::template Parameters<T>& parameters, T& gap) const
+    {
+        constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
+        alignas(32) real number[numbers][lanes], gaps[lanes];
+        for (int l = 0; l < lanes; ++l)
         {
-            for (int d = 0; d < D; ++d) value[d][l] = b.velocity.c[d];
-            for (int c = 0; c < S; ++c) value[D + c][l] = b.spin.c[c];
-            value[D + S][l] = b.radius;
-            value[D + S + 1][l] = b.mass;
+            int mi, mj;
+            this->solids.body(b.i[at(l)], mi);
+            this->solids.body(b.j[at(l)], mj);
+            const int pair = this->pairOf(mi, mj);
+            const real* from = reinterpret_cast<const real*>(this->parameters + pair);
+            for (int k = 0; k < numbers; ++k) number[k][l] = from[k];
+            gaps[l] = this->gap[pair];
+            if (this->list.rest) gaps[l] -= this->list.rest[b.entry[at(l)]];
         }
-        HD ContactBody<D, T> body() const
-        {
-            ContactBody<D, T> b;
-            for (int d = 0; d < D; ++d) b.velocity.c[d] = T::load(value[d]);
-            for (int c = 0; c < S; ++c) b.spin.c[c] = T::load(value[D + c]);
-            b.radius = T::load(value[D + S]);
-            b.mass = T::load(value[D + S + 1]);
-            return b;
-        }
-    };
+        T* to = reinterpret_cast<T*>(&parameters);
+        for (int k = 0; k < numbers; ++k) to[k] = T::load(number[k]);
+        gap = T::load(gaps);
+    }
 
     //- The pairs from `first` on, as many as a register holds
     HD void evaluate(const Batch& b, int first) const
     {
-        constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
-        Lanes laneA, laneB;
-        alignas(32) real memory[H + 1][lanes], gaps[lanes], number[numbers][lanes];
         const int used = std::min(lanes, b.count - first);
-        alignas(32) real line[D][lanes], r2[lanes];
-        const bool uniform = this->materials == 1;
-        for (int l = 0; l < lanes; ++l)
-        {
-            const int at = first + (l < used ? l : 0);      // idle lanes repeat the first pair
-            const std::size_t e = b.entry[at];
-            for (int d = 0; d < D; ++d) line[d][l] = b.dx[d][at];
-            r2[l] = b.r2[at];
-            int mi, mj;
-            laneA.set(l, this->solids.body(b.i[at], mi));
-            laneB.set(l, this->solids.body(b.j[at], mj));
-            const int pair = uniform ? 0 : this->pairOf(mi, mj);
-            if (!uniform)
-            {
-                const real* from = reinterpret_cast<const real*>(this->parameters + pair);
-                for (int k = 0; k < numbers; ++k) number[k][l] = from[k];
-            }
-            gaps[l] = this->gap[pair];
-            if (this->list.rest) gaps[l] -= this->list.rest[e];
-            for (int c = 0; c < H; ++c) memory[c][l] = b.touched[at] ? this->list.template remembered<H>(e, c) : real(0);
-        }
+        const auto at = [&](int l) { return first + (l < used ? l : 0); };     // idle lanes repeat the first pair
+        const ContactBody<D, T> bodyA = bodies(b.i, at, b.radiusA + first), bodyB = bodies(b.j, at, b.radiusB + first);
         typename Law::template Parameters<T> parameters;
-        T* to = reinterpret_cast<T*>(&parameters);
-        const real* one = reinterpret_cast<const real*>(this->parameters);
-        for (int k = 0; k < numbers; ++k) to[k] = uniform ? T(one[k]) : T::load(number[k]);
-        T h[H + 1];
-        for (int c = 0; c < H; ++c) h[c] = T::load(memory[c]);
-        const T distance = squareRoot(maximum(T::load(r2), T(real(1e-30)))), inverse = T(real(1))/distance;
+        T gap;
+        if (this->materials == 1 && !this->list.rest)
+        {
+            constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
+            T* to = reinterpret_cast<T*>(&parameters);
+            const real* one = reinterpret_cast<const real*>(this->parameters);
+            for (int k = 0; k < numbers; ++k) to[k] = T(one[k]);
+            gap = T(this->gap[0]);
+        }
+        else setPairs(b, at, parameters, gap);
+        T h[4*rows + 1];
+        alignas(32) real held[lanes];
+        for (int l = 0; l < lanes; ++l) held[l] = real(b.touched[at(l)]);
+        for (int r = 0; r < rows; ++r)
+        {
+            loadRows([&](int l) { return this->list.history + (b.entry[at(l)]*rows + r)*4; }, h + 4*r);
+            for (int c = 4*r; c < 4*r + 4; ++c) h[c] = selectGreater(T::load(held), T(real(0)), h[c], T(real(0)));
+        }
+        const T distance = squareRoot(maximum(T::load(b.r2 + first), T(real(1e-30)))), inverse = T(real(1))/distance;
         Vec<D, T> n;
-        for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(line[d]);
+        for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(b.dx[d] + first);
         T armA, armB;
-        const auto g = pairGeometry<D, T>
-        (laneA.body(), laneB.body(), n, distance, T::load(gaps), T(real(this->clock->dt)), armA, armB);
+        const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock->dt)), armA, armB);
         NormalForce<T> fn;
         const ContactForce<D, T> f = Law::template evaluate<D, T>(parameters, g, armA, armB, h, fn);
         scatter(b, first, used, f, h);
@@ -229,29 +248,47 @@ private:
 
     HD void scatter(const Batch& b, int first, int used, const ContactForce<D, T>& f, const T* h) const
     {
-        // vectors in memory: their lanes are read one by one
-        T all[D + 2*S + H + 1];
-        for (int d = 0; d < D; ++d) all[d] = f.force.c[d];
-        for (int c = 0; c < S; ++c) { all[D + c] = f.momentA.c[c]; all[D + S + c] = f.momentB.c[c]; }
-        for (int c = 0; c < H; ++c) all[D + 2*S + c] = h[c];
-        const real* value = reinterpret_cast<const real*>(all);
+        const T none(real(0));
+        RowOf memory[rows + 1][lanes], onA[words4][lanes], onB[words4][lanes];
+        for (int r = 0; r < rows; ++r) storeRows(h + 4*r, memory[r]);
+        if constexpr (D == 3)
+        {
+            const T force[4] = {f.force.c[0], f.force.c[1], f.force.c[2], none}, back[4] = {-force[0], -force[1], -force[2], none};
+            const T momentA[4] = {f.momentA.c[0], f.momentA.c[1], f.momentA.c[2], none};
+            const T momentB[4] = {f.momentB.c[0], f.momentB.c[1], f.momentB.c[2], none};
+            storeRows(force, onA[0]);
+            storeRows(momentA, onA[1]);
+            storeRows(back, onB[0]);
+            storeRows(momentB, onB[1]);
+        }
+        else
+        {
+            const T a[4] = {f.force.c[0], f.force.c[1], f.momentA.c[0], none};
+            const T c[4] = {-f.force.c[0], -f.force.c[1], f.momentB.c[0], none};
+            storeRows(a, onA[0]);
+            storeRows(c, onB[0]);
+        }
         for (int l = 0; l < used; ++l)
         {
-            const int at = first + l;
+            const int at = first + l, slot = b.slot[at];
             const std::size_t e = b.entry[at];
-            for (int c = 0; c < H; ++c) this->list.template remembered<H>(e, c) = value[(D + 2*S + c)*lanes + l];
+            for (int r = 0; r < rows; ++r) *reinterpret_cast<LooseRow*>(this->list.history + (e*rows + r)*4) = memory[r][l];
             if (!b.touched[at]) this->list.entry[e] |= List::touching;
-            real* onA = sums + std::size_t(b.i[at])*words;
-            for (int k = 0; k < words; ++k) onA[k] += value[k*lanes + l];
-            const int slot = b.slot[at];
-            real* onB = slot < 0 ? sums + std::size_t(b.j[at])*words : &deferred->force[std::size_t(slot)*words];
-            if (slot >= 0)
+            for (int w = 0; w < words4; ++w)
             {
-                for (int k = 0; k < words; ++k) onB[k] = 0;
-                deferred->acts[slot] = 1;
+                LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(b.i[at])*words + 4*w);
+                sum = sum + onA[w][l];
             }
-            for (int d = 0; d < D; ++d) onB[d] -= value[d*lanes + l];
-            for (int c = 0; c < S; ++c) onB[D + c] += value[(D + S + c)*lanes + l];
+            for (int w = 0; w < words4; ++w)
+            {
+                if (slot >= 0) *reinterpret_cast<LooseRow*>(&deferred->force[std::size_t(slot)*words + 4*w]) = onB[w][l];
+                else
+                {
+                    LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(b.j[at])*words + 4*w);
+                    sum = sum + onB[w][l];
+                }
+            }
+            if (slot >= 0) deferred->acts[slot] = 1;
         }
     }
 };
@@ -262,7 +299,7 @@ struct CollectForces
 {
     using real = typename P::real;
     static constexpr const char* name = "collectForces";
-    static constexpr int words = D + spins<D>;
+    static constexpr int words = DeferredForces<D, real>::width;
 
     const DeferredForces<D, real>* deferred;
     const real* sums;
@@ -282,7 +319,7 @@ struct CollectForces
             for (int k = 0; k < words; ++k) total[k] += deferred->force[std::size_t(slot)*words + k];
         }
         for (int d = 0; d < D; ++d) fields.f[d][i] = total[d];
-        for (int c = 0; c < spins<D>; ++c) fields.m[c][i] = total[D + c];
+        for (int c = 0; c < spins<D>; ++c) fields.m[c][i] = total[(D == 3 ? 4 : D) + c];
     }
 };
 
