@@ -32,6 +32,7 @@ struct ContactListView : ContactListLayout
     const int* count;           // of each particle
     R* history;
     R* rest;                    // overlap at which a pair is at rest (after a bond), or null
+    int* owner;                 // on the CPU, of each entry: its particle
     std::size_t stride;
 
     HD std::size_t index(int i, int k) const { return std::size_t(base[i/width]) + std::size_t(k)*width + i % width; }
@@ -63,6 +64,7 @@ public:
         {
             const std::size_t room = entries + entries/8 + 64;
             entry_.allocate(context, room);
+            if (!Backend::gpu) owner_.allocate(context, room);
             const int words = ContactListView<Backend, R>::historyWords(histories);
             if (words) history_.allocate(context, room*words);
             if (rests) rest_.allocate(context, room);
@@ -78,6 +80,7 @@ public:
         v.count = count_.data();
         v.history = history_.data();
         v.rest = rest_.size() ? rest_.data() : nullptr;
+        v.owner = owner_.data();
         v.stride = entry_.size();
         return v;
     }
@@ -86,12 +89,13 @@ public:
     int* count() { return count_.data(); }
     int blocks() const { return blocks_; }
     std::size_t entries() const { return entries_; }
-    std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes(); }
+    std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes() + owner_.bytes(); }
 
     void swap(ContactList& o)
     {
         entry_.swap(o.entry_);
         base_.swap(o.base_);
+        owner_.swap(o.owner_);
         count_.swap(o.count_);
         history_.swap(o.history_);
         rest_.swap(o.rest_);
@@ -101,7 +105,7 @@ public:
 
 private:
     Array<Backend, std::uint32_t> entry_;
-    Array<Backend, int> base_, count_;
+    Array<Backend, int> base_, count_, owner_;
     Array<Backend, R> history_, rest_;
     int blocks_ = 0;
     std::size_t entries_ = 0;

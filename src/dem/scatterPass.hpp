@@ -12,6 +12,7 @@
 
 #include <vector>
 #include "core/pack.hpp"
+#include "core/records.hpp"
 #include "dem/pairModel.hpp"
 
 namespace riprap
@@ -82,74 +83,91 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     real* sums;                 // words a particle
     real largestGap;
 
-    //- Touching pairs, some registers full, and where the search for them stands
+    //- Entries that touch, some registers full, and where the search for them stands
     struct Batch
     {
         static constexpr int room = 64;
 
         int count = 0;
-        int i[room + 1], j[room + 1], slot[room + 1];
-        std::size_t entry[room + 1];
-        bool touched[room + 1];
-        alignas(32) real dx[D][room + lanes];
-        alignas(32) real r2[room + lanes], radiusA[room + lanes], radiusB[room + lanes];
-        int next = 0, k = 0, nextSlot = 0;
+        int entry[room + lanes], slot[room + lanes];
+        int next = 0, nextSlot = 0;
     };
 
     void operator()(int block) const
     {
         if (!this->clock->active) return;
         const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1), end = std::min(blockEnd, *this->active);
-        for (std::size_t k = std::size_t(begin)*words; k < std::size_t(std::max(end, begin))*words; ++k) sums[k] = 0;
+        if (end <= begin) return;
+        for (std::size_t k = std::size_t(begin)*words; k < std::size_t(end)*words; ++k) sums[k] = 0;
+        for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k) deferred->acts[k] = 0;
         Batch batch;
-        batch.next = begin;
+        batch.next = this->list.base[begin];
         batch.nextSlot = deferred->firstSlot[block];
-        while (batch.next < end)
+        const int last = this->list.base[end];
+        while (batch.next < last)
         {
-            collect(batch, end, blockEnd);
+            collect(batch, last, blockEnd);
             for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
         }
     }
 
 private:
 
-    HD void collect(Batch& b, int end, int blockEnd) const
+    //- Positions and radii, and in 2D masses, of the particles index(l), one a lane
+    struct Places { Vec<D, typename PositionPack<P>::type> x; T radius, mass; };
+
+    template<class Index>
+    HD Places places(const Index& index) const
+    {
+        T v[4];
+        loadRows([&](int l) { return reinterpret_cast<const real*>(this->solids.a + index(l)); }, v);
+        Places p;
+        for (int d = 0; d < D; ++d)
+        {
+            if constexpr (sizeof(real) == 4) p.x.c[d].v = PackInt32::vec(v[d].v);
+            else p.x.c[d] = v[d];
+        }
+        p.radius = v[D];
+        p.mass = v[3];
+        return p;
+    }
+
+    //- From a to b, nearest image
+    HD Vec<D, T> line(const Places& a, const Places& b) const
+    {
+        Vec<D, T> dx;
+        for (int d = 0; d < D; ++d) dx.c[d] = this->box.template separation<T>(d, b.x.c[d], a.x.c[d]);
+        return dx;
+    }
+
+    //- The next entries that touch, a register of candidates at a time. Whether a near pair touches is anybody's guess: it is
+    //  written, and counts or not, without a branch
+    HD void collect(Batch& b, int last, int blockEnd) const
     {
         b.count = 0;
         const bool simple = this->materials == 1 && !this->list.rest;
-        for (; b.next < end; ++b.next, b.k = 0)
+        const T gap(largestGap);
+        for (; b.next < last && b.count <= Batch::room - lanes; b.next += lanes)
         {
-            const int i = b.next, count = this->list.count[i];
-            if (!count) continue;
-            const auto xi = this->solids.position(i);
-            const real radius = this->solids.radius(i);
-            const std::size_t first = this->list.index(i, 0);
-            while (b.k < count)
+            const int used = std::min(lanes, last - b.next);
+            const auto at = [&](int l) { return b.next + (l < used ? l : 0); };
+            const Places pi = places([&](int l) { return this->list.owner[at(l)]; });
+            const Places pj = places([&](int l) { return List::other(this->list.entry[at(l)]); });
+            const T reach = pi.radius + pj.radius + gap, r2 = squaredNorm(line(pi, pj));
+            const T near = selectGreater(reach*reach, r2, T(real(1)), T(real(0)));
+            for (int l = 0; l < used; ++l)
             {
-                const std::size_t e = first + b.k++;
+                const int e = b.next + l;
                 const std::uint32_t entry = this->list.entry[e];
                 const int j = List::other(entry);
-                const SolidA<D, P> other = this->solids.a[j];
-                const Vec<D, real> dx = this->line(xi, other);
-                const real r2 = squaredNorm(dx), reach = radius + other.radius + largestGap;
-                int slot = -1;
-                if (j >= blockEnd) { slot = b.nextSlot++; deferred->acts[slot] = 0; }
-                bool hit = r2 < reach*reach;
-                if (!simple) hit = hit && touches(i, j, e, r2);
-                // whether a near pair touches is anybody's guess: it is written, and counts or not, without a branch
-                const int l = b.count;
+                bool hit = near.v[l] != 0;
+                if (!simple) hit = hit && touches(this->list.owner[e], j, e, r2.v[l]);
+                const bool crosses = j >= blockEnd;
+                b.entry[b.count] = e;
+                b.slot[b.count] = crosses ? b.nextSlot : -1;
+                b.nextSlot += crosses;
                 b.count += hit;
                 if (!hit && (entry & List::touching)) this->list.entry[e] = std::uint32_t(j);
-                b.i[l] = i;
-                b.j[l] = j;
-                b.slot[l] = slot;
-                b.entry[l] = e;
-                b.touched[l] = entry & List::touching;
-                for (int d = 0; d < D; ++d) b.dx[d][l] = dx.c[d];
-                b.r2[l] = r2;
-                b.radiusA[l] = radius;
-                b.radiusB[l] = other.radius;
-                if (b.count == Batch::room) return;
             }
         }
     }
@@ -164,47 +182,46 @@ private:
         return reach > 0 && r2 < reach*reach;
     }
 
-    //- The bodies index[at(l)], one a lane
-    template<class At>
-    HD ContactBody<D, T> bodies(const int* index, const At& at, const real* radius) const
+    //- The bodies index(l), one a lane
+    template<class Index>
+    HD ContactBody<D, T> bodies(const Index& index, const Places& place) const
     {
         ContactBody<D, T> q;
         T v[4];
-        loadRows([&](int l) { return this->solids.b[index[at(l)]].c; }, v);
+        loadRows([&](int l) { return this->solids.b[index(l)].c; }, v);
         for (int d = 0; d < D; ++d) q.velocity.c[d] = v[d];
-        q.radius = T::load(radius);
+        q.radius = place.radius;
         if constexpr (D == 2)
         {
             q.spin.c[0] = v[2];
-            T first[4];     // the mass ends the record of the position
-            loadRows([&](int l) { return reinterpret_cast<const real*>(this->solids.a + index[at(l)]); }, first);
-            q.mass = first[3];
+            q.mass = place.mass;
         }
         else
         {
             q.mass = v[3];
-            loadRows([&](int l) { return this->solids.c[index[at(l)]].c; }, v);
+            loadRows([&](int l) { return this->solids.c[index(l)].c; }, v);
             for (int c = 0; c < S; ++c) q.spin.c[c] = v[c];
         }
         return q;
     }
 
     //- Parameters and gaps of pairs of several materials
-    template<class At>
-    HD void setPairs(const Batch& b, const At& at, typename Law::template Parameters<T>& parameters, T& gap) const
+    template<class Entry>
+    HD void setPairs(const Entry& entry, typename Law::template Parameters<T>& parameters, T& gap) const
     {
         constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
         alignas(32) real number[numbers][lanes], gaps[lanes];
         for (int l = 0; l < lanes; ++l)
         {
             int mi, mj;
-            this->solids.body(b.i[at(l)], mi);
-            this->solids.body(b.j[at(l)], mj);
+            const int e = entry(l);
+            this->solids.body(this->list.owner[e], mi);
+            this->solids.body(List::other(this->list.entry[e]), mj);
             const int pair = this->pairOf(mi, mj);
             const real* from = reinterpret_cast<const real*>(this->parameters + pair);
             for (int k = 0; k < numbers; ++k) number[k][l] = from[k];
             gaps[l] = this->gap[pair];
-            if (this->list.rest) gaps[l] -= this->list.rest[b.entry[at(l)]];
+            if (this->list.rest) gaps[l] -= this->list.rest[e];
         }
         T* to = reinterpret_cast<T*>(&parameters);
         for (int k = 0; k < numbers; ++k) to[k] = T::load(number[k]);
@@ -215,8 +232,11 @@ private:
     HD void evaluate(const Batch& b, int first) const
     {
         const int used = std::min(lanes, b.count - first);
-        const auto at = [&](int l) { return first + (l < used ? l : 0); };     // idle lanes repeat the first pair
-        const ContactBody<D, T> bodyA = bodies(b.i, at, b.radiusA + first), bodyB = bodies(b.j, at, b.radiusB + first);
+        const auto entry = [&](int l) { return b.entry[first + (l < used ? l : 0)]; };     // idle lanes repeat the first pair
+        const auto owner = [&](int l) { return this->list.owner[entry(l)]; };
+        const auto other = [&](int l) { return List::other(this->list.entry[entry(l)]); };
+        const Places placeA = places(owner), placeB = places(other);
+        const ContactBody<D, T> bodyA = bodies(owner, placeA), bodyB = bodies(other, placeB);
         typename Law::template Parameters<T> parameters;
         T gap;
         if (this->materials == 1 && !this->list.rest)
@@ -227,18 +247,18 @@ private:
             for (int k = 0; k < numbers; ++k) to[k] = T(one[k]);
             gap = T(this->gap[0]);
         }
-        else setPairs(b, at, parameters, gap);
+        else setPairs(entry, parameters, gap);
         T h[4*rows + 1];
         alignas(32) real held[lanes];
-        for (int l = 0; l < lanes; ++l) held[l] = real(b.touched[at(l)]);
+        for (int l = 0; l < lanes; ++l) held[l] = real((this->list.entry[entry(l)] & List::touching) != 0);
         for (int r = 0; r < rows; ++r)
         {
-            loadRows([&](int l) { return this->list.history + (b.entry[at(l)]*rows + r)*4; }, h + 4*r);
+            loadRows([&](int l) { return this->list.history + (std::size_t(entry(l))*rows + r)*4; }, h + 4*r);
             for (int c = 4*r; c < 4*r + 4; ++c) h[c] = selectGreater(T::load(held), T(real(0)), h[c], T(real(0)));
         }
-        const T distance = squareRoot(maximum(T::load(b.r2 + first), T(real(1e-30)))), inverse = T(real(1))/distance;
-        Vec<D, T> n;
-        for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(b.dx[d] + first);
+        const Vec<D, T> dx = line(placeA, placeB);
+        const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))), inverse = T(real(1))/distance;
+        const Vec<D, T> n = inverse*dx;
         T armA, armB;
         const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock->dt)), armA, armB);
         NormalForce<T> fn;
@@ -273,10 +293,11 @@ private:
             const int at = first + l, slot = b.slot[at];
             const std::size_t e = b.entry[at];
             for (int r = 0; r < rows; ++r) *reinterpret_cast<LooseRow*>(this->list.history + (e*rows + r)*4) = memory[r][l];
-            if (!b.touched[at]) this->list.entry[e] |= List::touching;
+            const int i = this->list.owner[e], j = List::other(this->list.entry[e]);
+            this->list.entry[e] |= List::touching;
             for (int w = 0; w < words4; ++w)
             {
-                LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(b.i[at])*words + 4*w);
+                LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(i)*words + 4*w);
                 sum = sum + onA[w][l];
             }
             for (int w = 0; w < words4; ++w)
@@ -284,7 +305,7 @@ private:
                 if (slot >= 0) *reinterpret_cast<LooseRow*>(&deferred->force[std::size_t(slot)*words + 4*w]) = onB[w][l];
                 else
                 {
-                    LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(b.j[at])*words + 4*w);
+                    LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(j)*words + 4*w);
                     sum = sum + onB[w][l];
                 }
             }
