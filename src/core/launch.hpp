@@ -71,7 +71,13 @@ void forEach(Context<Cpu>& context, int n, const F& f)
     if (n <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel if (n > 256)
+        if (n <= 256)                   // a team, even of one, costs more than these
+        {
+            const F own(f);
+            for (int i = 0; i < n; ++i) own(i);
+            return;
+        }
+        #pragma omp parallel
         {
             const F own(f);             // of this thread: nothing that f writes can be thought to alias it
             #pragma omp for schedule(static)
@@ -91,7 +97,8 @@ void forEachTask(Context<Cpu>& context, int tasks, const F& f)
     if (tasks <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel if (tasks > 1)
+        if (tasks == 1) { const F own(f); own(0); return; }
+        #pragma omp parallel
         {
             const F own(f);
             #pragma omp for schedule(dynamic, 1)
