@@ -71,8 +71,39 @@ void forEach(Context<Cpu>& context, int n, const F& f)
     if (n <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel for schedule(static) if (n > 256)
-        for (int i = 0; i < n; ++i) f(i);
+        if (n <= 256)                   // a team, even of one, costs more than these
+        {
+            const F own(f);
+            for (int i = 0; i < n; ++i) own(i);
+            return;
+        }
+        #pragma omp parallel
+        {
+            const F own(f);             // of this thread: nothing that f writes can be thought to alias it
+            #pragma omp for schedule(static)
+            for (int i = 0; i < n; ++i) own(i);
+        }
+    });
+}
+
+#endif
+
+#ifndef __CUDACC__
+
+//- f(t) for a few large tasks, whichever thread is free. What a task writes must not depend on the others
+template<class F>
+void forEachTask(Context<Cpu>& context, int tasks, const F& f)
+{
+    if (tasks <= 0) return;
+    profiled(context, F::name, [&]
+    {
+        if (tasks == 1) { const F own(f); own(0); return; }
+        #pragma omp parallel
+        {
+            const F own(f);
+            #pragma omp for schedule(dynamic, 1)
+            for (int t = 0; t < tasks; ++t) own(t);
+        }
     });
 }
 

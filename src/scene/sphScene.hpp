@@ -6,20 +6,12 @@
 */
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
 #include <memory>
-#include <string>
-#include <vector>
+#include "scene/sceneTypes.hpp"
 
 namespace riprap
 {
 
-using Vector3 = std::array<double, 3>;
-
-enum class DeviceKind {automatic, cpu, gpu};
-enum class PrecisionKind {mixed, doubled};
 enum class KernelKind {wendlandC2, cubicSpline};
 enum class EosKind {Tait, linear};
 enum class ViscosityKind {none, laminar, artificial, laminarAndArtificial};
@@ -116,16 +108,6 @@ struct WallInput
     std::size_t size() const { return position.size()/3; }
 };
 
-//- Pose of a moving wall group: x(t) = centre(t) + R(t) (X - X0)
-struct WallPose
-{
-    std::array<double, 9> rotation{{1, 0, 0, 0, 1, 0, 0, 0, 1}};   // row-major
-    Vector3 translation{{0, 0, 0}};         // x = R X + translation, X the reference position
-};
-
-//- Pose of moving wall group `body` at time t; called on the host, a few times a call of advance
-using WallMotion = std::function<WallPose(int body, double t)>;
-
 enum class StopReason {none, notANumber, density, speed, listOverflow};
 
 //- What one call of advance did
@@ -153,11 +135,6 @@ struct SphEnergy                            // [J] (2D: per metre of depth)
     double kinetic = 0, potential = 0, elastic = 0;
     double wallWork = 0;                    // done by moving walls since the start
 };
-
-//- A device array as the user sees it in the report of what a scene holds
-struct ArrayInfo { std::string set, name; std::size_t bytesPerParticle = 0, bytes = 0; };
-
-struct KernelInfo { std::string name; std::int64_t launches = 0; double seconds = 0; };
 
 //- Fluid on the host, in the device's order
 struct FluidState

@@ -1,0 +1,47 @@
+/*  Linear spring and dashpot by overlap (paper 1, Eqs. 5, 9; Cundall & Strack 1979).
+
+        f_n = k delta + 2 zeta sqrt(m* k) V_n
+
+    k [N/m] (2D: per metre of depth, [N/m2]); zeta from the restitution coefficient, see restitution.hpp. `floor` is 0 where
+    the dashpot must not pull, and very low where it may.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/contact/geometry.hpp"
+#include "dem/contact/pairProperties.hpp"
+
+namespace riprap
+{
+
+struct LinearSpring
+{
+    static constexpr int history = 0;
+
+    template<class T>
+    struct Parameters { T k, twoZeta, floor; };
+
+    static Parameters<double> make(const PairProperties& p)
+    {
+        return {p.normalStiffness, 2*linearDampingRatio(p.restitution, p.attraction), p.attraction ? -1e30 : 0.0};
+    }
+
+    template<int D, class T>
+    HD static NormalForce<T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, T*)
+    {
+        NormalForce<T> f;
+        f.stiffness = p.k;
+        f.damping = p.twoZeta*squareRoot(g.reducedMass*p.k);
+        f.elastic = p.k*g.overlap;
+        f.force = maximum(f.elastic + f.damping*g.approach, p.floor);
+        return f;
+    }
+
+    //- Elastic energy [J]
+    template<int D, class T>
+    HD static T energy(const Parameters<T>& p, const ContactGeometry<D, T>& g, const T*)
+    { return T(0.5f)*p.k*g.overlap*g.overlap; }
+};
+
+} // namespace riprap

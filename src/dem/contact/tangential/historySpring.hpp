@@ -1,0 +1,60 @@
+/*  Tangential spring that remembers its stretch, with Coulomb's limit (paper 1, Eqs. 7, 10, 12, 13; Cundall & Strack 1979;
+    the accumulated form of paper 2's Eq. 8 as in Zhang et al. 2009). For normal laws of constant stiffness.
+
+        s <- s + V_s dt,    f_t = k_t s + c_t V_s,    |f_t| <= mu f_n, else s is what the limit allows
+        k_t = kappa k_n,    c_t = sqrt(kappa) c_n
+
+    s [m] is the history. kappa: given (paper 1's k_s/k_n), or (1 - nu)/(1 - nu/2), the ratio of two spheres pressed together
+    (Mindlin 1949), with the mean nu of the pair.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/contact/tangential/coulomb.hpp"
+#include "dem/contact/pairProperties.hpp"
+
+namespace riprap
+{
+
+struct HistorySpring
+{
+    template<int D> static constexpr int history = spins<D>;
+    static constexpr bool acts = true;
+    static constexpr bool vectorHistory = true;
+
+    template<class T> struct Parameters { T kappa, rootKappa, mu; };
+
+    static Parameters<double> make(const PairProperties& p)
+    {
+        const double nu = 0.5*(p.poissonA + p.poissonB);
+        const double kappa = p.stiffnessRatio >= 0 ? p.stiffnessRatio : (1 - nu)/(1 - 0.5*nu);
+        return {kappa, p.tangentialDamping ? std::sqrt(kappa) : 0, p.friction};
+    }
+
+    template<int D, class T>
+    HD static Tangent<D, T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T* h)
+    {
+        Tangent<D, T> s;
+        for (int c = 0; c < spins<D>; ++c) s.c[c] = h[c];
+        s = turned(g.n, s) + g.dt*g.slip;
+        const T k = p.kappa*fn.stiffness;
+        const Tangent<D, T> dashpot = (p.rootKappa*fn.damping)*g.slip;
+        Tangent<D, T> f = k*s + dashpot;
+        const T share = coulombShare(squaredNorm(f), p.mu, fn.force);
+        f = share*f;
+        const T inverse = T(1.0f)/maximum(k, T(1e-30f));
+        for (int c = 0; c < spins<D>; ++c) h[c] = selectGreater(T(1.0f), share, inverse*(f.c[c] - dashpot.c[c]), s.c[c]);
+        return f;
+    }
+
+    template<int D, class T>
+    HD static T energy(const Parameters<T>& p, const NormalForce<T>& fn, const T* h)
+    {
+        T s2(0.0f);
+        for (int c = 0; c < spins<D>; ++c) s2 = s2 + h[c]*h[c];
+        return T(0.5f)*p.kappa*fn.stiffness*s2;
+    }
+};
+
+} // namespace riprap

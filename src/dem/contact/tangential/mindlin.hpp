@@ -1,0 +1,66 @@
+/*  Tangential spring of Mindlin (1949) for Hertz contacts, k_t = 8 G* a with a = sqrt(R* delta), in a form that creates no energy.
+
+    k_t varies with the overlap, so that a force F kept by increments, dF = k_t V_s dt, has F^2/(2 k_t) stored in it that grows
+    while the contact unloads: out of nothing (Elata & Berryman 1996). Scaling F with k_t on unloading throws more away than
+    that. Here the history is the root of the stored energy,
+
+        q <- q + sqrt(k_t) V_s dt,    f_t = sqrt(k_t) q + c_t V_s,    |f_t| <= mu f_n, else q is what the limit allows
+
+    so that d(q^2/2) = q.sqrt(k_t) V_s dt = f_t.V_s dt, whatever the overlap does meanwhile: what is stored is exactly the work
+    that was done on the spring. No path gains energy, stuck or slipping, and nothing is lost but to slip. While the
+    overlap stays it is Mindlin's spring, f_t = k_t s. docs/solids.md has it beside the other two forms.
+
+        k_t = kappa S_n, kappa = 4 G* / E*; c_t = sqrt(kappa) c_n (damping as of the normal dashpot)
+
+    q [J^(1/2)] is the history.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/contact/tangential/coulomb.hpp"
+#include "dem/contact/pairProperties.hpp"
+
+namespace riprap
+{
+
+struct Mindlin
+{
+    template<int D> static constexpr int history = spins<D>;
+    static constexpr bool acts = true;
+    static constexpr bool vectorHistory = true;
+
+    template<class T> struct Parameters { T kappa, rootKappa, mu; };
+
+    static Parameters<double> make(const PairProperties& p)
+    {
+        const double kappa = p.stiffnessRatio >= 0 ? p.stiffnessRatio : 4*p.effectiveShear()/p.effectiveYoung();
+        return {kappa, p.tangentialDamping ? std::sqrt(kappa) : 0, p.friction};
+    }
+
+    template<int D, class T>
+    HD static Tangent<D, T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T* h)
+    {
+        const T root = squareRoot(p.kappa*fn.stiffness);
+        Tangent<D, T> q;
+        for (int c = 0; c < spins<D>; ++c) q.c[c] = h[c];
+        q = turned(g.n, q) + (root*g.dt)*g.slip;
+        const Tangent<D, T> dashpot = (p.rootKappa*fn.damping)*g.slip;
+        Tangent<D, T> f = root*q + dashpot;
+        const T share = coulombShare(squaredNorm(f), p.mu, fn.force);
+        f = share*f;
+        const T inverse = T(1.0f)/maximum(root, T(1e-18f));
+        for (int c = 0; c < spins<D>; ++c) h[c] = selectGreater(T(1.0f), share, inverse*(f.c[c] - dashpot.c[c]), q.c[c]);
+        return f;
+    }
+
+    template<int D, class T>
+    HD static T energy(const Parameters<T>&, const NormalForce<T>&, const T* h)
+    {
+        T q2(0.0f);
+        for (int c = 0; c < spins<D>; ++c) q2 = q2 + h[c]*h[c];
+        return T(0.5f)*q2;
+    }
+};
+
+} // namespace riprap

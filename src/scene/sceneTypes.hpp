@@ -1,0 +1,36 @@
+/*  What the facades of all scenes share. SI, double, host memory; no types of either side of the facade.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace riprap
+{
+
+using Vector3 = std::array<double, 3>;
+
+enum class DeviceKind {automatic, cpu, gpu};
+enum class PrecisionKind {mixed, doubled};
+
+//- Pose of a moving wall group: x(t) = R(t) X + translation(t), X the reference position
+struct WallPose
+{
+    std::array<double, 9> rotation{{1, 0, 0, 0, 1, 0, 0, 0, 1}};   // row-major
+    Vector3 translation{{0, 0, 0}};
+};
+
+//- Pose of moving wall group `body` at time t; called on the host, a few times a call of advance
+using WallMotion = std::function<WallPose(int body, double t)>;
+
+//- A device array as the user sees it in the report of what a scene holds
+struct ArrayInfo { std::string set, name; std::size_t bytesPerParticle = 0, bytes = 0; };
+
+struct KernelInfo { std::string name; std::int64_t launches = 0; double seconds = 0; };
+
+} // namespace riprap
