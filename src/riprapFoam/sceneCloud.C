@@ -43,7 +43,7 @@ vectorField toVectors(const std::vector<double>& xyz)
 
 Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
 {
-    const labelField& id = particles.labels["id"];
+    const labelField& id = particles.labels[idField()];
 
     // setParticles numbers from 0: one label a particle that ever was
     cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
@@ -81,6 +81,13 @@ Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+const Foam::word& Foam::sceneCloud::idField() const
+{
+    static const word name("id");
+    return name;
+}
+
 
 const Foam::particleCloud& Foam::sceneCloud::fetch() const
 {
