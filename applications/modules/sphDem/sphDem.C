@@ -26,6 +26,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
     settings_(asRead_),
     bodies_(runTime, asRead_.walls.motion),
     boundary_(mesh),
+    escaped_(boundary_),
     interrupted_(false)
 {
     try

@@ -260,14 +260,14 @@ static solidRegion readRegion(const entry& e, const dictionary& all, const solid
 void Foam::solidRegion::keep(const boolList& those)
 {
     // A clump stays whole: it goes if one of its spheres does
-    boolList clumpStays(clumps.size(), true);
-    forAll(those, i) if (!those[i] && clump[i] >= 0) clumpStays[clump[i]] = false;
+    labelHashSet clumpGoes;
+    forAll(those, i) if (!those[i] && clump[i] >= 0) clumpGoes.insert(clump[i]);
 
     labelList newClump(clumps.size(), -1);
     DynamicList<riprap::DemClump> left;
     forAll(clumps, c)
     {
-        if (!clumpStays[c]) continue;
+        if (clumpGoes.found(c)) continue;
         newClump[c] = left.size();
         left.append(clumps[c]);
     }
@@ -276,7 +276,7 @@ void Foam::solidRegion::keep(const boolList& those)
     label n = 0;
     forAll(those, i)
     {
-        const bool stays = clump[i] >= 0 ? clumpStays[clump[i]] : those[i];
+        const bool stays = clump[i] >= 0 ? !clumpGoes.found(clump[i]) : those[i];
         if (!stays) continue;
         position[n] = position[i];
         velocity[n] = velocity[i];
