@@ -69,21 +69,37 @@ struct CellGrid
     template<class F>
     HD void forEachRange(const Vec<D, real>& x, const int* start, const F& f) const
     {
-        const real r2 = radius*radius;
+        forEachRange(x, radius, reach, reach, start, f);
+    }
+
+    //- The same within another distance: for particles that look for others of another size
+    template<class F>
+    HD void forEachRangeWithin(const Vec<D, real>& x, real distance, const int* start, const F& f) const
+    {
+        const int y = int(distance*inverse[1]) + 1, z = D == 3 ? int(distance*inverse[D - 1]) + 1 : 0;
+        forEachRange(x, distance, y, z, start, f);
+    }
+
+private:
+
+    template<class F>
+    HD void forEachRange(const Vec<D, real>& x, real distance, int reachY, int reachZ, const int* start, const F& f) const
+    {
+        const real r2 = distance*distance;
         const int cy = floorInt(x.c[1]*inverse[1]);
         if constexpr (D == 2)
         {
-            for (int dy = -reach; dy <= reach; ++dy) row(x, wrap(cy + dy, 1), r2 - square(gap(x, cy, dy, 1)), start, f);
+            for (int dy = -reachY; dy <= reachY; ++dy) row(x, wrap(cy + dy, 1), r2 - square(gap(x, cy, dy, 1)), start, f);
         }
         else
         {
             const int cz = floorInt(x.c[2]*inverse[2]);
-            for (int dz = -reach; dz <= reach; ++dz)
+            for (int dz = -reachZ; dz <= reachZ; ++dz)
             {
                 const int z = wrap(cz + dz, 2);
                 const real rz2 = r2 - square(gap(x, cz, dz, 2));
                 if (z < 0 || rz2 <= 0) continue;
-                for (int dy = -reach; dy <= reach; ++dy)
+                for (int dy = -reachY; dy <= reachY; ++dy)
                 {
                     const int y = wrap(cy + dy, 1);
                     row(x, y < 0 ? -1 : z*n[1] + y, rz2 - square(gap(x, cy, dy, 1)), start, f);
@@ -91,8 +107,6 @@ struct CellGrid
             }
         }
     }
-
-private:
 
     HD static real square(real a) { return a*a; }
 

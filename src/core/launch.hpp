@@ -78,6 +78,22 @@ void forEach(Context<Cpu>& context, int n, const F& f)
 
 #endif
 
+#ifndef __CUDACC__
+
+//- f(t) for a few large tasks, whichever thread is free. What a task writes must not depend on the others
+template<class F>
+void forEachTask(Context<Cpu>& context, int tasks, const F& f)
+{
+    if (tasks <= 0) return;
+    profiled(context, F::name, [&]
+    {
+        #pragma omp parallel for schedule(dynamic, 1) if (tasks > 1)
+        for (int t = 0; t < tasks; ++t) f(t);
+    });
+}
+
+#endif
+
 //- Sums of N doubles over particles: f.add(i, sums). Fixed chunks, so that the result does not depend on
 //  the number of threads; up to 256 partial sums are added on the host in order.
 static constexpr int sumChunks = 256;

@@ -45,8 +45,8 @@ struct DemConfig
     // Time
     double startTime = 0;
     DemIntegratorKind integrator = DemIntegratorKind::leapfrog;
-    double timeStep = 0;                    // [s]; 0: stepFraction of the smallest limit of DemPlan
-    double stepFraction = 0.2;              // of each limit's own critical step; of paper 2's 2 pi sqrt(m/k) it is 1/gamma
+    double timeStep = 0;                    // [s]; 0: stepFraction of the smallest limit (DemPlan::limits)
+    double stepFraction = 0.2;              // of sqrt(m/k), or Rayleigh's time; paper 2's Eq. 18 is 2 pi/gamma of sqrt(m/k)
     bool allowLargeStep = false;            // else a step above 0.5 sqrt(m/k) is refused
 
     // Neighbours: what the search adds to contact, as a fraction of the smallest diameter; < 0: chosen by the scene
@@ -161,7 +161,9 @@ struct DemInput
 //- Neighbouring particles of a group whose surfaces are no further apart than `tolerance` [m]: what to bond at seeding
 DemBonds bondsWithin(const DemConfig&, const DemParticles&, int group, double tolerance);
 
-//- A limit of the time step, and what it comes from
+//- A time that limits the step, and what it comes from: sqrt(m/k) of contacts and bonds, Rayleigh's time of spheres
+//  pi R sqrt(rho/G)/(0.1631 nu + 0.8766). Hertz contacts: k at the overlap of an impact at the speed that particles have or can
+//  fall to in the domain
 struct StepLimit { std::string name; double critical = 0; std::string cause; };
 
 //- What a scene would take, before it is made

@@ -27,7 +27,7 @@ struct Contact
     template<int D> static constexpr int tangentialAt = Normal::history;
     template<int D> static constexpr int rollingAt = Normal::history + Tangential::template history<D>;
     template<int D> static constexpr int history = rollingAt<D> + Rolling::template history<D>;
-    static constexpr bool usesSpin = Tangential::acts;
+    static constexpr bool remembers = Tangential::vectorHistory || !Tangential::acts;
 
     //- Reals only, so that a lane of a pack is filled by copying them one by one
     template<class T>

@@ -1,0 +1,152 @@
+/*  Bond forces: one thread a bond computes and keeps them, then each particle gathers its own, in order. No atomics.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/bond/parallelBond.hpp"
+#include "dem/clock.hpp"
+#include "dem/listBuild.hpp"
+#include "dem/solidFields.hpp"
+
+namespace riprap
+{
+
+template<int D, class P>
+struct BondFields
+{
+    using real = typename P::real;
+
+    int n;
+    const std::int32_t* ids[2];         // keys of the ends
+    const std::int32_t* type;
+    double* rest;                       // unstressed gap [m]
+    real* history;                      // bondHistory a bond
+    std::int32_t* broken;               // BondBreak
+    BondForce<D, real>* force;          // of the last step
+    const BondParameters<real>* types;
+    const int* slotOf;                  // where a key is
+};
+
+template<int D, class P>
+struct BondPass
+{
+    using real = typename P::real;
+    static constexpr const char* name = "bonds";
+
+    BondFields<D, P> bonds;
+    Box<D, P> box;
+    SolidFields<D, P> fields;
+    SolidRecords<D, P> solids;
+    DemClockData* clock;
+
+    HD void operator()(int k) const
+    {
+        if (!clock->active) return;
+        BondForce<D, real>& stored = bonds.force[k];
+        if (bonds.broken[k])
+        {
+            stored = BondForce<D, real>{};
+            return;
+        }
+        const int i = bonds.slotOf[bonds.ids[0][k]], j = bonds.slotOf[bonds.ids[1][k]];
+        int unused;
+        const ContactBody<D, real> a = solids.body(i, unused), b = solids.body(j, unused);
+        double line[D], d2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            // 64 bits and double: a bond's stretch is far smaller than its length
+            line[d] = double(std::int64_t(std::uint64_t(fields.x[d][j]) - std::uint64_t(fields.x[d][i])))*box.unit[d];
+            d2 += line[d]*line[d];
+        }
+        const double distance = sqrt(d2);
+        Vec<D, real> n;
+        for (int d = 0; d < D; ++d) n.c[d] = real(line[d]/distance);
+        const double stretch = distance - (double(a.radius) + double(b.radius)) - bonds.rest[k];
+        BondForce<D, real> f = bondForce
+        (bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock->dt), bonds.history + k*bondHistory<D>);
+        if (f.broken != BondBreak::none)
+        {
+            bonds.broken[k] = int(f.broken);
+            clock->bondBroke = 1;
+            clock->needRebuild = 1;             // the two may touch from now on
+            f = BondForce<D, real>{};
+        }
+        stored = f;
+    }
+};
+
+template<int D, class P>
+struct GatherBonds
+{
+    using real = typename P::real;
+    static constexpr const char* name = "gatherBonds";
+
+    BondTable table;
+    const BondForce<D, real>* force;
+    SolidFields<D, P> fields;
+    const DemClockData* clock;
+    const int* active;
+
+    HD void operator()(int i) const
+    {
+        if (!clock->active || i >= *active) return;
+        const int key = fields.id[i], first = table.first[key], last = table.first[key + 1];
+        if (first == last) return;
+        Vec<D, real> f = filled<D>(real(0));
+        Spin<D, real> m = filled<spins<D>>(real(0));
+        for (int k = first; k < last; ++k)
+        {
+            const BondForce<D, real>& b = force[table.reference[k] >> 1];
+            const bool second = table.reference[k] & 1;
+            f = second ? f - b.force : f + b.force;
+            m = m + (second ? b.momentB : b.momentA);
+        }
+        fields.addForce(i, f, m);
+    }
+};
+
+//- After a sort: bonds of particles that left are lost
+template<int D, class P>
+struct LoseBonds
+{
+    static constexpr const char* name = "loseBonds";
+    BondFields<D, P> bonds;
+
+    HD void operator()(int k) const
+    {
+        if (!bonds.broken[k] && (bonds.slotOf[bonds.ids[0][k]] < 0 || bonds.slotOf[bonds.ids[1][k]] < 0))
+            bonds.broken[k] = int(BondBreak::lost);
+    }
+};
+
+//- Bonded pairs that overlapped when they were bonded touch only beyond that overlap
+template<class Backend, int D, class P>
+struct RestBonds
+{
+    static constexpr const char* name = "restBonds";
+    BondFields<D, P> bonds;
+    ContactListView<Backend, typename P::real> list;
+
+    HD void operator()(int k) const
+    {
+        if (!(bonds.rest[k] < 0)) return;
+        const int a = bonds.slotOf[bonds.ids[0][k]], b = bonds.slotOf[bonds.ids[1][k]];
+        if (a < 0 || b < 0) return;
+        set(a < b ? a : b, a < b ? b : a, k);
+        if (Backend::gpu) set(a < b ? b : a, a < b ? a : b, k);
+    }
+
+private:
+
+    HD void set(int owner, int partner, int k) const
+    {
+        for (int l = 0; l < list.count[owner]; ++l)
+        {
+            const std::size_t e = list.index(owner, l);
+            if (list.other(list.entry[e]) == partner) list.rest[e] = typename P::real(-bonds.rest[k]);
+        }
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,59 @@
+/*  The clock of a DEM scene, on the device: steps follow one another without the host, and switch themselves off when
+    neighbours have aged, a motion table ends, the target is reached or a guard fires.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <cstdint>
+#include "core/macros.hpp"
+
+namespace riprap
+{
+
+enum class DemHalt : int {none = 0, tooFar, clumpEscaped, wallTooFar};
+
+struct DemClockData
+{
+    double time = 0, target = 0;
+    double dt = 0, previousDt = 0;          // of this step and the one before [s]
+    double windowEnd = 1e300;               // motion tables reach so far
+    double fullDt = 0;                      // of a step that no target shortens
+    std::int64_t step = 0, lastStep = 0;
+    int active = 0;
+    int needRebuild = 0;
+    int needWindow = 0;
+    int bondBroke = 0;
+    DemHalt halt = DemHalt::none;
+    int padding = 0;
+};
+
+static_assert(sizeof(DemClockData) == 8*8 + 6*4, "DemClockData has padding");
+
+struct DemTick
+{
+    static constexpr const char* name = "clock";
+
+    DemClockData* clock;
+
+    HD void operator()(int) const
+    {
+        DemClockData& c = *clock;
+        c.active = 0;
+        if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep) return;
+        if (c.time + 0.5*c.fullDt > c.windowEnd) { c.needWindow = 1; return; }
+        const double remaining = c.target - c.time;
+        double dt = c.fullDt;
+        bool last = false;
+        // the last two steps share what is left, so that none is tiny
+        if (dt >= remaining*(1 - 1e-9)) { last = true; dt = remaining; }
+        else if (2*dt > remaining*(1 + 1e-9)) dt = 0.5*remaining;
+        c.previousDt = c.dt;
+        c.dt = dt;
+        c.time = last ? c.target : c.time + dt;
+        c.step += 1;
+        c.active = 1;
+    }
+};
+
+} // namespace riprap

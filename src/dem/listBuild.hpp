@@ -1,0 +1,187 @@
+/*  Building contact lists: candidates of a particle over all size classes, counting, writing, and handing histories over.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/contactList.hpp"
+#include "dem/sizeClasses.hpp"
+#include "dem/solidRecords.hpp"
+
+namespace riprap
+{
+
+//- Bonds of a particle: its id's references, bond << 1 | end. What is bonded does not touch, unless it shall
+struct BondTable
+{
+    const int* first;           // of an id; null: there are no bonds
+    const int* reference;
+    const std::int32_t* ids[2]; // of the ends
+    const std::int32_t* broken;
+    bool contactWithin;
+
+    HD bool keepsApart(std::int32_t a, std::int32_t b) const
+    {
+        if (!first || contactWithin) return false;
+        for (int k = first[a]; k < first[a + 1]; ++k)
+        {
+            const int bond = reference[k] >> 1;
+            if (!broken[bond] && ids[1 - (reference[k] & 1)][bond] == b) return true;
+        }
+        return false;
+    }
+};
+
+template<class Backend, int D, class P>
+struct ContactSearch
+{
+    using real = typename P::real;
+
+    Box<D, P> box;
+    SizeClasses<D, P> classes;
+    SolidRecords<D, P> solids;
+    const int* start;           // first particle of each cell of all classes
+    const std::int32_t* clump;  // null: none
+    const std::int32_t* id;
+    BondTable bonds;
+    real reach;                 // skin and gap: listed when the surfaces are no further apart
+
+    //- f(j) for every j that may touch i: all of them, or on the CPU those sorted after i
+    template<class F>
+    HD void forEachCandidate(int i, const F& f) const
+    {
+        const auto xi = solids.position(i);
+        const real radius = solids.radius(i);
+        Vec<D, real> relative;
+        for (int d = 0; d < D; ++d) relative.c[d] = box.pairRelative(d, xi.c[d]);
+        for (int k = Backend::gpu ? 0 : classes.classOf(radius); k < classes.classes; ++k)
+        {
+            const real distance = radius + classes.largest[k] + reach;
+            classes.grid[k].forEachRangeWithin(relative, distance, start + classes.firstCell[k], [&](int begin, int end)
+            {
+                if (!Backend::gpu && begin <= i) begin = i + 1;
+                for (int j = begin; j < end; ++j)
+                {
+                    const SolidA<D, P> other = solids.a[j];
+                    Vec<D, real> dx;
+                    for (int d = 0; d < D; ++d) dx.c[d] = box.template separation<real>(d, xi.c[d], other.x[d]);
+                    const real most = radius + other.radius + reach;
+                    if (squaredNorm(dx) < most*most && j != i && !apart(i, j)) f(j);
+                }
+            });
+        }
+    }
+
+private:
+
+    //- Members of one rigid body, and bonded pairs
+    HD bool apart(int i, int j) const
+    {
+        if (clump && clump[i] >= 0 && clump[i] == clump[j]) return true;
+        return bonds.first && bonds.keepsApart(id[i], id[j]);
+    }
+};
+
+template<class Backend, int D, class P>
+struct CountContacts
+{
+    static constexpr const char* name = "countContacts";
+    ContactSearch<Backend, D, P> search;
+    const int* active;
+    int* count;
+
+    HD void operator()(int i) const
+    {
+        int k = 0;
+        if (i < *active) search.forEachCandidate(i, [&](int) { ++k; });
+        count[i] = k;
+    }
+};
+
+//- Entries a block of 32 particles takes: the longest list, 32 times
+struct BlockEntries
+{
+    static constexpr const char* name = "blockEntries";
+    const int* count;
+    int* base;
+    int width;
+
+    HD void operator()(int block) const
+    {
+        int longest = 0;
+        for (int l = 0; l < width; ++l) { const int k = count[block*width + l]; longest = k > longest ? k : longest; }
+        base[block] = longest*width;
+    }
+};
+
+template<class Backend, int D, class P>
+struct WriteContacts
+{
+    static constexpr const char* name = "writeContacts";
+    ContactSearch<Backend, D, P> search;
+    const int* active;
+    ContactListView<Backend, typename P::real> list;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *active) return;
+        int k = 0;
+        search.forEachCandidate(i, [&](int j)
+        {
+            const std::size_t e = list.index(i, k++);
+            list.entry[e] = std::uint32_t(j);
+            if (list.rest) list.rest[e] = 0;
+        });
+    }
+};
+
+struct InvertOrder
+{
+    static constexpr const char* name = "invertOrder";
+    const std::uint32_t* order;
+    int* inverse;
+    HD void operator()(int i) const { inverse[order[i]] = i; }
+};
+
+//- What contacts remember, from the lists of before the sort to those of after it
+template<class Backend, class Law, int D, class R>
+struct HandOver
+{
+    static constexpr const char* name = "handOver";
+    using List = ContactListView<Backend, R>;
+
+    List from, to;
+    const std::uint32_t* order;
+    const int* inverse;
+    const int* active;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *active) return;
+        const int before = int(order[i]);
+        for (int k = 0; k < from.count[before]; ++k)
+        {
+            const std::size_t e = from.index(before, k);
+            if (!(from.entry[e] & List::touching)) continue;
+            const int j = inverse[List::other(from.entry[e])];
+            if (j >= *active) continue;
+            const bool turn = !Backend::gpu && j < i;
+            const int owner = turn ? j : i, partner = turn ? i : j;
+            for (int l = 0; l < to.count[owner]; ++l)
+            {
+                const std::size_t n = to.index(owner, l);
+                if (List::other(to.entry[n]) != partner) continue;
+                to.entry[n] |= List::touching;
+                constexpr int H = Law::template history<D>;
+                for (int c = 0; c < H; ++c)
+                {
+                    const R h = from.template remembered<H>(e, c);
+                    to.template remembered<H>(n, c) = turn && Law::template turnsOver<D>(c) ? -h : h;
+                }
+                break;
+            }
+        }
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,190 @@
+/*  Motion of particles. Forces are known at the positions at hand; a step is kick and drift, then the pass over contacts:
+
+        leapfrog  v_{n+1/2} = v_{n-1/2} + a_n (dt_{n-1} + dt_n)/2,    x_{n+1} = x_n + v_{n+1/2} dt_n
+        Verlet    v_{n+1/2} = v_n + a_n dt/2,  x_{n+1} likewise,  v_{n+1} = v_{n+1/2} + a_{n+1} dt/2 after the pass
+
+    spins alike. Contacts see half-step velocities with the new positions, so that a spring's stretch is exactly what the bodies
+    did. Local damping (paper 1, Eq. 25) acts on each component of the unbalanced force and moment, viscous damping is -c m v.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/motion/clump.hpp"
+#include "dem/motion/motionTable.hpp"
+#include "dem/solidRecords.hpp"
+
+namespace riprap
+{
+
+//- Accelerations of a particle
+template<int D, class P>
+struct SolidMotion
+{
+    using real = typename P::real;
+
+    SolidFields<D, P> fields;
+    const GroupData<D, real>* groups;
+    real gravity[D];
+    const real* external;       // by key: D + spins numbers; null: none
+    DemClockData* clock;
+    const int* active;
+
+    //- v and w changed by forces over dt
+    HD void kick(int i, Vec<D, double>& v, Spin<D, real>& w, real dt) const
+    {
+        const GroupData<D, real>& g = groups[fields.group[i]];
+        const real mass = fields.mass[i], inverse = fields.inverseInertia[i];
+        const real* more = external ? external + (long long)fields.id[i]*(D + spins<D>) : nullptr;
+        for (int d = 0; d < D; ++d)
+        {
+            real f = fields.f[d][i] + g.gravity*mass*gravity[d] + g.force[d] + (more ? more[d] : real(0));
+            const real speed = real(v.c[d]);
+            f = locallyDamped(f, speed, g.localDamping) - g.viscous*mass*speed;
+            v.c[d] += double(g.free[d]*dt*f/mass);
+        }
+        for (int c = 0; c < spins<D>; ++c)
+        {
+            const real m = locallyDamped(fields.m[c][i] + g.moment[c] + (more ? more[D + c] : real(0)), w.c[c], g.localDamping);
+            w.c[c] += g.freeSpin*dt*(m*inverse - g.viscousSpin*w.c[c]);
+        }
+    }
+};
+
+template<int D, class P>
+struct MoveSolids : SolidMotion<D, P>
+{
+    using real = typename P::real;
+    using position = typename P::position;
+    static constexpr const char* name = "moveSolids";
+
+    Box<D, P> box;
+    SolidRecords<D, P> solids;
+    bool verlet;
+    position* reference[D];     // where neighbours were found
+    real halfSkin;
+    double domainMin[D], domainMax[D];      // above the box's corner [m]
+    MotionTable motions;
+    const ClumpData* clumps;    // null: there are none
+    const double* offset;       // of a clump's member from its centre, in the body: 3 a key
+
+    HD bool inside(const Vec<D, std::int64_t>& x) const
+    {
+        bool in = true;
+        for (int d = 0; d < D; ++d)
+        {
+            const double r = box.relative(d, x.c[d]);
+            in = in && (box.periodic[d] || (r >= domainMin[d] && r <= domainMax[d]));
+        }
+        return in;
+    }
+
+    HD void operator()(int i) const
+    {
+        const DemClockData& t = *this->clock;
+        if (!t.active || i >= *this->active) return;
+        const SolidFields<D, P>& s = this->fields;
+        Vec<D, std::int64_t> x = s.position(i);
+        Vec<D, double> v = s.velocity(i);
+        Spin<D, real> w = s.spin(i);
+        const bool member = clumps && s.clump[i] >= 0;
+        if (member) follow(clumps[s.clump[i]], s.id[i], x, v, w);
+        else
+        {
+            const int motion = this->groups[s.group[i]].motion;
+            if (motion >= 0) prescribe(motion, t.time - 0.5*t.dt, x, v, w);
+            else this->kick(i, v, w, real(verlet ? 0.5*t.dt : 0.5*(t.previousDt + t.dt)));
+            for (int d = 0; d < D; ++d) x.c[d] += std::int64_t(rint(v.c[d]*t.dt*box.unitsPerMetre[d]));
+        }
+        for (int d = 0; d < D; ++d) { s.x[d][i] = x.c[d]; s.v[d][i] = v.c[d]; }
+        for (int c = 0; c < spins<D>; ++c) s.w[c][i] = w.c[c];
+        if (s.turn[0]) followTurn(i, w, t.dt);
+        Vec<D, position> p;
+        for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
+        solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], s.mass[i]}, s.material[i]);
+        checkSkin(i, p, x, convert<real>(v), member);
+    }
+
+private:
+
+    //- A member of a rigid body is where the body has it
+    HD void follow(const ClumpData& c, int key, Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
+    {
+        const double* o = offset + 3*(long long)key;
+        const Vec<3, double> arm = rotated(c.q, Vec<3, double>{{o[0], o[1], o[2]}}), spin = spinOf(c, c.q);
+        const Vec<3, double> u = cross(spin, arm);
+        for (int d = 0; d < D; ++d)
+        {
+            x.c[d] = c.x[d] + std::int64_t(rint(arm.c[d]*box.unitsPerMetre[d]));
+            v.c[d] = c.v[d] + u.c[d];
+        }
+        for (int k = 0; k < spins<D>; ++k) w.c[k] = real(spin.c[D == 2 ? 2 : k]);
+    }
+
+    //- v = V + W x (x - centre) at time t
+    HD void prescribe(int motion, double t, const Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
+    {
+        Vec<3, double> arm{{0, 0, 0}}, spin{{0, 0, 0}};
+        for (int d = 0; d < D; ++d) arm.c[d] = box.toMetres(d, x.c[d]) - motions.at(motion, 6 + d, t);
+        for (int d = 0; d < 3; ++d) spin.c[d] = motions.at(motion, 3 + d, t);
+        const Vec<3, double> u = cross(spin, arm);
+        for (int d = 0; d < D; ++d) v.c[d] = motions.at(motion, d, t) + u.c[d];
+        for (int k = 0; k < spins<D>; ++k) w.c[k] = real(spin.c[D == 2 ? 2 : k]);
+    }
+
+    HD void followTurn(int i, const Spin<D, real>& w, double dt) const
+    {
+        const SolidFields<D, P>& s = this->fields;
+        if constexpr (D == 2) s.turn[0][i] += real(double(w.c[0])*dt);
+        else
+        {
+            double q[4], r[4];
+            for (int k = 0; k < 4; ++k) q[k] = double(s.turn[k][i]);
+            turn(q, convert<double>(w), dt, r);
+            for (int k = 0; k < 4; ++k) s.turn[k][i] = real(r[k]);
+        }
+    }
+
+    //- Ask for new neighbours before the next step could carry the particle past half the skin; refuse a step that already did
+    HD void checkSkin(int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, bool member) const
+    {
+        DemClockData& t = *this->clock;
+        real distance2 = 0, speed2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const real s = box.template separation<real>(d, p.c[d], reference[d][i]);
+            distance2 += s*s;
+            speed2 += v.c[d]*v.c[d];
+        }
+        const real distance = squareRoot(distance2), margin = real(1.25)*squareRoot(speed2)*real(t.fullDt);
+        const bool in = inside(x);
+        if (!(distance + margin <= halfSkin) || !in) t.needRebuild = 1;
+        // not so written that a number which is none slips through
+        if (!(distance <= halfSkin)) t.halt = DemHalt::tooFar;
+        else if (member && !in) t.halt = DemHalt::clumpEscaped;
+    }
+};
+
+//- Verlet's second half of the kick
+template<int D, class P>
+struct FinishVerlet : SolidMotion<D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "finishVerlet";
+
+    bool clumps;
+
+    HD void operator()(int i) const
+    {
+        if (!this->clock->active || i >= *this->active) return;
+        const SolidFields<D, P>& s = this->fields;
+        if ((clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
+        Vec<D, double> v = s.velocity(i);
+        Spin<D, real> w = s.spin(i);
+        this->kick(i, v, w, real(0.5*this->clock->dt));
+        for (int d = 0; d < D; ++d) s.v[d][i] = v.c[d];
+        for (int c = 0; c < spins<D>; ++c) s.w[c][i] = w.c[c];
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,42 @@
+/*  What the passes over contacts share: positions, records, and the parameters of each pair of materials.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/clock.hpp"
+#include "dem/contactList.hpp"
+#include "dem/solidFields.hpp"
+#include "dem/solidRecords.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P, class Law>
+struct PairModel
+{
+    using real = typename P::real;
+    using Parameters = typename Law::template Parameters<real>;
+    static constexpr int histories = Law::template history<D>;
+
+    Box<D, P> box;
+    SolidRecords<D, P> solids;
+    ContactListView<Backend, real> list;
+    const Parameters* parameters;       // of materials a, b: [a*materials + b]
+    const real* gap;                    // likewise
+    int materials;
+    const DemClockData* clock;
+    const int* active;
+
+    HD int pairOf(int a, int b) const { return a*materials + b; }
+
+    //- From i to j, nearest image
+    HD Vec<D, real> line(const Vec<D, typename P::position>& xi, const SolidA<D, P>& j) const
+    {
+        Vec<D, real> dx;
+        for (int d = 0; d < D; ++d) dx.c[d] = -box.template separation<real>(d, xi.c[d], j.x[d]);
+        return dx;
+    }
+};
+
+} // namespace riprap

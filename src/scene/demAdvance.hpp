@@ -1,0 +1,203 @@
+/*  DemSolver: the loop over steps, and its guards.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <limits>
+#include <sstream>
+#include "scene/demSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+bool DemSolver<Backend, D, P>::finished() const
+{
+    return host_.halt != DemHalt::none || host_.time >= host_.target || host_.step >= host_.lastStep || interrupted_;
+}
+
+//- Motions sampled over the steps to come; the host's clock must be current
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setWindow()
+{
+    host_.needWindow = 0;
+    host_.windowEnd = 1e300;
+    if (!groupMotions_ && !wallMotions_) return;
+    const double dt = host_.fullDt;
+    windowStep_ = 0.5*dt;
+    windowBegin_ = host_.time - dt;
+    host_.windowEnd = host_.time + windowSteps*dt;
+    if (groupMotions_)
+    {
+        motionSamples_.resize(std::size_t(groupMotions_)*samples*rigidMotionNumbers);
+        double* to = motionSamples_.data();
+        for (int m = 0; m < groupMotions_; ++m)
+            for (int k = 0; k < samples; ++k, to += rigidMotionNumbers)
+            {
+                const RigidMotion r = input_.groupMotion(m, windowBegin_ + k*windowStep_);
+                for (int d = 0; d < 3; ++d)
+                {
+                    const int axis = config_.axes[d];
+                    to[d] = r.velocity[axis];
+                    to[3 + d] = D == 2 && d == 2 ? spinSign()*r.spin[axis] : (D == 2 ? 0 : r.spin[axis]);
+                    to[6 + d] = r.centre[axis];
+                }
+            }
+        context_.toDevice(motions_.data(), motionSamples_.data(), motionSamples_.size()*sizeof(double));
+    }
+    if (!wallMotions_) return;
+    poseSamples_.resize(std::size_t(wallMotions_)*samples*poseNumbers);
+    double* to = poseSamples_.data();
+    const auto pose = [&](int m, double t)
+    {
+        const WallPose p = input_.wallMotion(m, t);
+        std::array<double, 12> r;
+        for (int a = 0; a < 3; ++a)
+        {
+            for (int b = 0; b < 3; ++b) r[3*a + b] = p.rotation[3*config_.axes[a] + config_.axes[b]];
+            r[9 + a] = p.translation[config_.axes[a]];
+        }
+        return r;
+    };
+    for (int m = 0; m < wallMotions_; ++m)
+        for (int k = 0; k < samples; ++k, to += poseNumbers)
+        {
+            const double t = windowBegin_ + k*windowStep_, e = 0.5*dt;
+            const auto now = pose(m, t), before = pose(m, t - e), after = pose(m, t + e);
+            for (int c = 0; c < 12; ++c)
+            {
+                to[c] = now[c];
+                to[12 + c] = (after[c] - before[c])/(2*e);
+            }
+        }
+    context_.toDevice(poses_.data(), poseSamples_.data(), poseSamples_.size()*sizeof(double));
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
+{
+    while (!finished())
+    {
+        if (host_.needRebuild) { rebuild(); ++rebuilds; readClock(); }
+        if (host_.needWindow || host_.time + 0.5*host_.fullDt > host_.windowEnd) { setWindow(); writeClock(); }
+        const std::int64_t before = host_.step;
+        if constexpr (!Backend::gpu) do step(); while (clock_.data()->active && !interrupted_);
+        else for (int k = 0; k < stepsPerBatch_; ++k) step();
+        readClock();
+        if constexpr (Backend::gpu)
+        {
+            // as many steps as the last neighbours lasted: those beyond switch themselves off
+            const int taken = int(host_.step - before);
+            if (taken == stepsPerBatch_ && !host_.needRebuild) stepsPerBatch_ = std::min(windowSteps, 2*stepsPerBatch_);
+            else if (host_.needRebuild) stepsPerBatch_ = std::max(2, std::min(windowSteps, taken + 1));
+        }
+    }
+}
+
+template<class Backend, int D, class P>
+DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
+{
+    interrupted_ = false;
+    DemReport report;
+    readClock();
+    const std::int64_t before = host_.step;
+    host_.target = t;
+    host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
+    writeClock();
+    runToTarget(report.rebuilds);
+    if (host_.needRebuild && host_.halt == DemHalt::none) { rebuild(); ++report.rebuilds; readClock(); }
+    report.time = host_.time;
+    report.lastTimeStep = host_.dt;
+    report.steps = host_.step - before;
+    report.totalSteps = host_.step;
+    report.maxSpeed = largestSpeed();
+    report.brokenBonds = brokenBonds();
+    collectEscaped(report);
+    if (host_.halt != DemHalt::none) findOffender(report);
+    return report;
+}
+
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::largestSpeed()
+{
+    using Kernel = LargestSpeed<D, P>;
+    Array<Backend, float> largest;
+    largest.allocate(context_, Kernel::shares);
+    forEach(context_, Kernel::shares, Kernel{fields(), sort_.active(), largest.data()});
+    float most = 0;
+    for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
+    return std::sqrt(double(most));
+}
+
+template<class Backend, int D, class P>
+std::size_t DemSolver<Backend, D, P>::brokenBonds()
+{
+    std::size_t count = 0;
+    if (nBonds_) for (const std::int32_t b : bondBroken_.download()) count += b != 0;
+    return count;
+}
+
+//- Particles that left: sorted to the end by the last rebuild, reported once
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
+{
+    const int active = activeSolids();
+    report.particles = active;
+    if (active >= reported_) return;
+    const std::vector<double> x = positions(reported_);
+    const auto key = field<std::int32_t>(idField_);
+    for (int i = active; i < reported_; ++i)
+    {
+        report.escaped.push_back(Vector3{{x[3*i], x[3*i + 1], x[3*i + 2]}});
+        report.escapedId.push_back(ids_[key[i]]);
+    }
+    reported_ = active;
+}
+
+//- Which particle made a guard fire
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::findOffender(DemReport& report)
+{
+    const int n = activeSolids();
+    std::ostringstream s;
+    s.precision(6);
+    if (host_.halt == DemHalt::wallTooFar)
+    {
+        report.stop = DemStop::tooFast;
+        s << "at t = " << host_.time << " s a wall moved by more than " << double(halfSkin_) << " m in a step of " << host_.dt
+          << " s, farther than contacts are detected: take a smaller step or a larger skin";
+        report.stopMessage = s.str();
+        return;
+    }
+    std::vector<double> v[D];
+    for (int d = 0; d < D; ++d) v[d] = field<double>(vField_ + d);
+    const std::vector<double> x = positions(n);
+    const auto key = field<std::int32_t>(idField_);
+    double worst = -1;
+    for (int i = 0; i < n; ++i)
+    {
+        double speed2 = 0;
+        for (int d = 0; d < D; ++d) speed2 += v[d][i]*v[d][i];
+        const double value = std::isfinite(speed2) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
+        if (value <= worst) continue;
+        worst = value;
+        report.stopId = ids_[key[i]];
+        report.stopPosition = Vector3{{x[3*i], x[3*i + 1], x[3*i + 2]}};
+    }
+    report.stopValue = worst;
+    report.stop = !std::isfinite(worst) ? DemStop::notANumber
+        : (host_.halt == DemHalt::clumpEscaped ? DemStop::clumpEscaped : DemStop::tooFast);
+    s << "at t = " << host_.time << " s ";
+    if (report.stop == DemStop::clumpEscaped) s << "a member of a clump left the domain; the fastest particle is ";
+    s << "particle " << report.stopId << " at (" << report.stopPosition[0] << " " << report.stopPosition[1] << " "
+      << report.stopPosition[2] << ")";
+    if (report.stop == DemStop::notANumber) s << " has a velocity that is not a number";
+    else s << ", " << worst << " m/s";
+    if (report.stop == DemStop::tooFast)
+        s << ", moved by more than " << double(halfSkin_) << " m in a step of " << host_.dt
+          << " s, farther than contacts are detected: take a smaller step or a larger skin";
+    report.stopMessage = s.str();
+}
+
+} // namespace riprap

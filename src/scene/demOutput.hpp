@@ -1,0 +1,410 @@
+/*  DemSolver: everything that is read back.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/contactProbe.hpp"
+#include "scene/demSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+int DemSolver<Backend, D, P>::activeSolids()
+{
+    int active = 0;
+    context_.toHost(&active, sort_.active(), sizeof(int));
+    return active;
+}
+
+//- Positions of the first n, in metres
+template<class Backend, int D, class P>
+std::vector<double> DemSolver<Backend, D, P>::positions(int n)
+{
+    std::vector<double> out(3*std::size_t(n), 0.0);
+    const auto key = field<std::int32_t>(idField_);
+    if (D == 2) for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[2]] = emptyCoordinate_[key[i]];
+    for (int d = 0; d < D; ++d)
+    {
+        const auto x = field<std::int64_t>(xField_ + d);
+        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[d]] = box_.toMetres(d, x[i]);
+    }
+    return out;
+}
+
+template<class Backend, int D, class P>
+template<class T>
+void DemSolver<Backend, D, P>::putVector(int n, int field, int components, bool spin, std::vector<double>& out)
+{
+    out.assign(3*std::size_t(n), 0.0);
+    for (int d = 0; d < components; ++d)
+    {
+        const auto v = this->field<T>(field + d);
+        const bool one = spin && D == 2;
+        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[one ? 2 : d]] = (one ? spinSign() : 1)*double(v[i]);
+    }
+}
+
+template<class Backend, int D, class P>
+DemState DemSolver<Backend, D, P>::particles()
+{
+    readClock();
+    const int n = activeSolids();
+    DemState s;
+    s.position = positions(n);
+    putVector<double>(n, vField_, D, false, s.velocity);
+    putVector<real>(n, wField_, S, true, s.spin);
+    putVector<real>(n, fField_, D, false, s.force);
+    putVector<real>(n, mField_, S, true, s.moment);
+    const auto key = field<std::int32_t>(idField_);
+    const auto radius = field<real>(radiusField_), mass = field<real>(massField_), inverse = field<real>(inertiaField_);
+    s.material = field<std::int32_t>(materialField_);
+    s.group = field<std::int32_t>(groupField_);
+    s.clump = clumpField_ < 0 ? std::vector<std::int32_t>(n, -1) : field<std::int32_t>(clumpField_);
+    for (auto* v : {&s.material, &s.group, &s.clump}) v->resize(n);
+    const std::vector<real> external = external_.download();
+    // leapfrog keeps velocities of half a step ago: forces are of now
+    const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
+    for (int i = 0; i < n; ++i)
+    {
+        s.id.push_back(ids_[key[i]]);
+        s.radius.push_back(double(radius[i]));
+        s.mass.push_back(double(mass[i]));
+        const DemGroup& g = input_.groups[s.group[i]];
+        const bool kicked = g.motion < 0 && s.clump[i] < 0;
+        const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
+        for (int d = 0; d < D; ++d)
+        {
+            const std::size_t at = 3*std::size_t(i) + config_.axes[d];
+            double& f = s.force[at];
+            double& v = s.velocity[at];
+            f += (g.gravity ? s.mass[i]*config_.gravity[config_.axes[d]] : 0) + g.force[config_.axes[d]] + (more ? double(more[d]) : 0);
+            const double damped = locallyDamped(f, v, g.localDamping) - g.viscousDamping*s.mass[i]*v;
+            if (kicked && !g.held[config_.axes[d]]) v += half*damped/s.mass[i];
+        }
+        for (int c = 0; c < S; ++c)
+        {
+            const int axis = D == 2 ? config_.axes[2] : c;
+            const std::size_t at = 3*std::size_t(i) + axis;
+            double& m = s.moment[at];
+            double& w = s.spin[at];
+            m += g.moment[axis] + (more ? (D == 2 ? spinSign() : 1)*double(more[D + c]) : 0);
+            const double rate = locallyDamped(m, w, g.localDamping)*double(inverse[i]) - g.viscousSpinDamping*w;
+            if (kicked && !g.heldSpin) w += half*rate;
+        }
+    }
+    s.contacts.assign(n, 0);
+    s.brokenBonds.assign(n, 0);
+    const std::vector<int> slotOf = slotOf_.download();
+    std::vector<int> at(ids_.empty() ? 0 : *std::max_element(ids_.begin(), ids_.end()) + 1, -1);
+    for (int i = 0; i < n; ++i) at[s.id[i]] = i;
+    const DemContacts touching = contacts();
+    for (std::size_t k = 0; k < touching.a.size(); ++k)
+    {
+        ++s.contacts[at[touching.a[k]]];
+        if (touching.b[k] >= 0) ++s.contacts[at[touching.b[k]]];
+    }
+    if (nBonds_)
+    {
+        const auto a = bondIds_[0].download(), b = bondIds_[1].download(), broken = bondBroken_.download();
+        for (int k = 0; k < nBonds_; ++k)
+            if (broken[k]) for (const int key : {a[k], b[k]}) if (slotOf[key] >= 0) ++s.brokenBonds[slotOf[key]];
+    }
+    if (turnField_ >= 0)
+    {
+        s.orientation.assign(4*std::size_t(n), 0.0);
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+        {
+            const auto q = field<real>(turnField_ + k);
+            for (int i = 0; i < n; ++i)
+            {
+                if (D == 3) { s.orientation[4*std::size_t(i) + k] = double(q[i]); continue; }
+                s.orientation[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
+                s.orientation[4*std::size_t(i) + 1 + config_.axes[2]] = spinSign()*std::sin(0.5*double(q[i]));
+            }
+        }
+    }
+    return s;
+}
+
+template<class Backend, int D, class P>
+DemContacts DemSolver<Backend, D, P>::contacts()
+{
+    DemContacts out;
+    const int n = activeSolids();
+    const std::vector<double> x = positions(n);
+    const auto key = field<std::int32_t>(idField_);
+    Array<Backend, ProbedContact<D, real>> probed;
+    probed.allocate(context_, list_.entries() + 1);
+    withLaw(config_, [&](auto law)
+    {
+        ContactProbe<Backend, D, P, decltype(law)> probe;
+        setModel(probe);
+        forEach(context_, n_, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
+    });
+    const auto all = probed.download();
+    std::vector<int> base(list_.blocks() + 1), count(std::size_t(list_.blocks())*list_.width);
+    context_.toHost(base.data(), list_.base(), base.size()*sizeof(int));
+    context_.toHost(count.data(), list_.count(), count.size()*sizeof(int));
+    const auto put = [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
+    {
+        out.a.push_back(ids_[key[i]]);
+        out.b.push_back(b);
+        out.overlap.push_back(overlap);
+        const std::size_t at = out.force.size();
+        out.force.resize(at + 3, 0.0);
+        out.point.insert(out.point.end(), x.begin() + 3*i, x.begin() + 3*i + 3);
+        for (int d = 0; d < D; ++d)
+        {
+            out.force[at + config_.axes[d]] = double(force[d]);
+            out.point[at + config_.axes[d]] += double(n[d])*arm;
+        }
+    };
+    constexpr int width = ContactList<Backend, real>::width;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < count[i]; ++k)
+        {
+            const auto& c = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
+            if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
+            put(i, ids_[key[c.other]], c.force, double(c.overlap), c.n, double(c.arm));
+        }
+    if (!nWalls_ || !wallMemory_.entries) return out;
+    const auto first = wallMemory_.entryFirst.download();
+    const auto entry = wallMemory_.entry.download();
+    const auto on = wallMemory_.on.download();
+    const auto force = wallMemory_.force.download();
+    const auto normal = wallMemory_.normal.download();
+    const auto radius = field<real>(radiusField_);
+    const std::vector<WallData> walls = walls_.download();
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e)
+        {
+            const int slot = e*wallTouches;
+            if (!on[slot]) continue;
+            Vec<D, double> local, f;
+            for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
+            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]), outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
+        }
+    return out;
+}
+
+template<class Backend, int D, class P>
+DemBondState DemSolver<Backend, D, P>::bonds()
+{
+    DemBondState s;
+    if (!nBonds_) return s;
+    const auto a = bondIds_[0].download(), b = bondIds_[1].download();
+    s.type = bondType_.download();
+    s.broken = bondBroken_.download();
+    s.restGap = bondRest_.download();
+    const auto force = bondForce_.download();
+    const auto slotOf = slotOf_.download();
+    const auto radius = field<real>(radiusField_);
+    std::vector<std::int64_t> x[D];
+    for (int d = 0; d < D; ++d) x[d] = field<std::int64_t>(xField_ + d);
+    s.force.assign(3*std::size_t(nBonds_), 0.0);
+    s.moment = s.force;
+    for (int k = 0; k < nBonds_; ++k)
+    {
+        s.a.push_back(ids_[a[k]]);
+        s.b.push_back(ids_[b[k]]);
+        double d2 = 0;
+        const int i = slotOf[a[k]], j = slotOf[b[k]];
+        for (int d = 0; d < D; ++d)
+        {
+            s.force[3*std::size_t(k) + config_.axes[d]] = double(force[k].force.c[d]);
+            if (i < 0 || j < 0) continue;
+            const double r = double(std::int64_t(std::uint64_t(x[d][j]) - std::uint64_t(x[d][i])))*box_.unit[d];
+            d2 += r*r;
+        }
+        for (int c = 0; c < S; ++c)
+            s.moment[3*std::size_t(k) + (D == 2 ? config_.axes[2] : c)] = (D == 2 ? spinSign() : 1)*double(force[k].bending.c[c]);
+        s.gap.push_back(i < 0 || j < 0 ? 0 : std::sqrt(d2) - double(radius[i]) - double(radius[j]));
+    }
+    return s;
+}
+
+template<class Backend, int D, class P>
+DemClumpState DemSolver<Backend, D, P>::clumps()
+{
+    readClock();
+    DemClumpState s;
+    const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
+    std::vector<ClumpData> all;
+    if (nClumps_) all = clumps_.download();
+    for (ClumpData& c : all)
+    {
+        const DemGroup& g = input_.groups[c.group];
+        const Vec<3, double> w = spinOf(c, c.q);
+        double v[3] = {}, x[3] = {}, f[3] = {}, m[3] = {}, q[4] = {c.q[0], 0, 0, 0}, spin[3] = {};
+        for (int d = 0; d < 3; ++d)
+        {
+            const int axis = config_.axes[d];
+            if (d < D)
+            {
+                x[axis] = box_.toMetres(d, c.x[d]);
+                f[axis] = c.f[d] + (g.gravity ? c.mass*config_.gravity[axis] : 0) + g.force[axis];
+                const double damped = locallyDamped(f[axis], c.v[d], g.localDamping) - g.viscousDamping*c.mass*c.v[d];
+                v[axis] = c.v[d] + (g.held[axis] ? 0 : half*damped/c.mass);
+            }
+            const double sign = D == 2 ? spinSign() : 1;
+            m[axis] = sign*c.m[d] + g.moment[axis];
+            spin[axis] = sign*w.c[d];
+            q[1 + axis] = sign*c.q[1 + d];
+        }
+        for (int d = 0; d < 3; ++d)
+        {
+            s.position.push_back(x[d]);
+            s.velocity.push_back(v[d]);
+            s.spin.push_back(spin[d]);
+            s.force.push_back(f[d]);
+            s.moment.push_back(m[d]);
+        }
+        s.orientation.insert(s.orientation.end(), q, q + 4);
+    }
+    return s;
+}
+
+template<class Backend, int D, class P>
+DemEnergy DemSolver<Backend, D, P>::energy()
+{
+    DemEnergy e;
+    const DemState s = particles();
+    const DemClumpState c = clumps();
+    const auto potential = [&](double m, const double* x)
+    {
+        double sum = 0;
+        for (int d = 0; d < D; ++d) sum -= m*config_.gravity[config_.axes[d]]*x[config_.axes[d]];
+        return sum;
+    };
+    const auto inverse = field<real>(inertiaField_);
+    for (std::size_t i = 0; i < s.id.size(); ++i)
+    {
+        if (s.clump[i] >= 0) continue;
+        for (int d = 0; d < 3; ++d)
+        {
+            e.translation += 0.5*s.mass[i]*s.velocity[3*i + d]*s.velocity[3*i + d];
+            e.rotation += 0.5*s.spin[3*i + d]*s.spin[3*i + d]/double(inverse[i]);
+        }
+        if (input_.groups[s.group[i]].gravity) e.potential += potential(s.mass[i], &s.position[3*i]);
+    }
+    for (int k = 0; k < nClumps_; ++k)
+    {
+        const DemClump& in = input_.clumps[k];
+        for (int d = 0; d < 3; ++d) e.translation += 0.5*in.mass*c.velocity[3*k + d]*c.velocity[3*k + d];
+        Vec<3, double> w{{c.spin[3*k], c.spin[3*k + 1], c.spin[3*k + 2]}};
+        if (D == 2) e.rotation += 0.5*in.inertia[2]*squaredNorm(w);
+        else
+        {
+            w = rotated(&c.orientation[4*k], w, true);
+            for (int d = 0; d < 3; ++d) e.rotation += 0.5*in.inertia[d]*w.c[d]*w.c[d];
+        }
+        if (input_.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
+    }
+    withLaw(config_, [&](auto law)
+    {
+        SumContactEnergy<Backend, D, P, decltype(law)> sum;
+        setModel(sum.probe);
+        e.contact = sumOver<1>(context_, n_, sum)[0];
+    });
+    const auto wall = wallMemory_.entries ? wallMemory_.force.download() : std::vector<real>();
+    for (int k = 0; k < wallMemory_.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
+    if (!nBonds_) return e;
+    const DemBondState b = bonds();
+    const auto history = bondHistory_.download();
+    const auto types = bondTypes_.download();
+    const auto slots = slotOf_.download();
+    const auto ends = std::array<std::vector<std::int32_t>, 2>{bondIds_[0].download(), bondIds_[1].download()};
+    for (int k = 0; k < nBonds_; ++k)
+    {
+        if (b.broken[k]) continue;
+        const double ra = s.radius[slots[ends[0][k]]], rb = s.radius[slots[ends[1][k]]];
+        e.bond += double(bondEnergy<D, real>
+        (types[b.type[k]], real(ra), real(rb), real(b.gap[k] - b.restGap[k]), &history[std::size_t(k)*bondHistory<D>]));
+    }
+    return e;
+}
+
+template<class Backend, int D, class P>
+std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
+{
+    std::vector<DemWallForce> out(nWalls_);
+    if (!nWalls_ || !wallMemory_.entries) return out;
+    const int n = activeSolids();
+    const auto first = wallMemory_.entryFirst.download();
+    const auto entry = wallMemory_.entry.download();
+    const auto force = wallMemory_.force.download();
+    const std::vector<double> x = positions(n);
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e)
+        {
+            Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
+            for (int d = 0; d < D; ++d) f.c[config_.axes[d]] = -double(force[e*wallWords<D> + d]);
+            for (int c = 0; c < S; ++c)
+                m.c[D == 2 ? config_.axes[2] : c] = -(D == 2 ? spinSign() : 1)*double(force[e*wallWords<D> + D + c]);
+            m = m + cross(Vec<3, double>{{x[3*i], x[3*i + 1], x[3*i + 2]}}, f);
+            DemWallForce& w = out[entry[e].wall];
+            for (int d = 0; d < 3; ++d) { w.force[d] += f.c[d]; w.moment[d] += m.c[d]; }
+        }
+    return out;
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& force, const std::vector<double>& moment)
+{
+    std::vector<real> all(std::size_t(n_)*(D + S), real(0));
+    for (int i = 0; i < n_; ++i)
+    {
+        const std::size_t at = 3*std::size_t(ids_[i]);
+        if (!force.empty() && at + 3 > force.size()) throw std::invalid_argument("external forces: too few for the ids");
+        if (!moment.empty() && at + 3 > moment.size()) throw std::invalid_argument("external moments: too few for the ids");
+        real* to = &all[std::size_t(i)*(D + S)];
+        if (!force.empty()) for (int d = 0; d < D; ++d) to[d] = real(force[at + config_.axes[d]]);
+        if (!moment.empty())
+            for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? spinSign()*moment[at + config_.axes[2]] : moment[at + c]);
+    }
+    external_.upload(context_, all);
+}
+
+template<class Backend, int D, class P>
+std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
+{
+    std::vector<ArrayInfo> r;
+    const std::size_t n = std::max(n_, 1);
+    const auto put = [&](const char* set, const std::string& name, std::size_t bytes)
+    { if (bytes) r.push_back(ArrayInfo{set, name, bytes/n, bytes}); };
+    for (const auto& f : fields_.info()) put("solids", f.name, f.bytes);
+    put("solids", "records", records_.bytes());
+    put("solids", "reference", reference_.bytes());
+    put("solids", "sort", sort_.bytes() + inverse_.bytes() + slotOf_.bytes());
+    put("contacts", "lists and histories", list_.bytes() + oldList_.bytes());
+    put("bonds", "bonds", bondIds_[0].bytes() + bondIds_[1].bytes() + bondType_.bytes() + bondBroken_.bytes() + bondRest_.bytes()
+      + bondHistory_.bytes() + bondForce_.bytes() + bondFirst_.bytes() + bondReference_.bytes());
+    put("clumps", "clumps", clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes());
+    put("walls", "surfaces", walls_.bytes() + vertices_.bytes() + elements_.bytes() + sharedFirst_.bytes() + shared_.bytes()
+      + cellFirst_.bytes() + cellElement_.bytes());
+    put("walls", "contacts", wallMemory_.bytes() + oldWallMemory_.bytes());
+    return r;
+}
+
+template<class Backend, int D, class P>
+std::vector<KernelInfo> DemSolver<Backend, D, P>::kernels() const
+{
+    std::vector<KernelInfo> r;
+    for (const auto& e : context_.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    return r;
+}
+
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::neighboursPerParticle()
+{
+    std::vector<int> count(std::size_t(list_.blocks())*list_.width);
+    context_.toHost(count.data(), list_.count(), count.size()*sizeof(int));
+    double sum = 0;
+    const int n = activeSolids();
+    for (int i = 0; i < n; ++i) sum += count[i];
+    return n ? sum*(Backend::gpu ? 1 : 2)/n : 0;
+}
+
+} // namespace riprap

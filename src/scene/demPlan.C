@@ -1,0 +1,192 @@
+/*  The time step of a DEM scene and the memory it takes, before it is made.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include "dem/bond/parallelBond.hpp"
+#include "scene/demScene.hpp"
+
+namespace riprap
+{
+
+namespace
+{
+
+//- Smallest mass and radius of a material's particles, and their highest speed
+struct Lightest { double mass = 1e300, radius = 1e300, speed = 0, top = -1e300; bool any = false; };
+
+std::vector<Lightest> lightest(const DemConfig& c, const DemInput& in)
+{
+    std::vector<Lightest> r(in.materials.size());
+    const DemParticles& p = in.particles;
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        Lightest& l = r[p.material.empty() ? 0 : p.material[i]];
+        const int clump = p.clump.empty() ? -1 : p.clump[i];
+        l.any = true;
+        l.mass = std::min(l.mass, clump < 0 ? p.mass[i] : in.clumps[clump].mass);
+        l.radius = std::min(l.radius, p.radius[i]);
+        double v2 = 0;
+        for (int d = 0; d < c.dimensions; ++d)
+            if (!p.velocity.empty()) v2 += p.velocity[3*i + c.axes[d]]*p.velocity[3*i + c.axes[d]];
+        l.speed = std::max(l.speed, std::sqrt(v2));
+    }
+    return r;
+}
+
+double fallSpeed(const DemConfig& c)
+{
+    double v2 = 0;
+    for (int d = 0; d < c.dimensions; ++d)
+    {
+        const int axis = c.axes[d];
+        if (!c.periodic[axis]) v2 += 2*std::abs(c.gravity[axis])*(c.domainMax[axis] - c.domainMin[axis]);
+    }
+    return std::sqrt(v2);
+}
+
+std::string words(const std::string& name, double a, const char* unit)
+{
+    std::ostringstream s;
+    s.precision(4);
+    s << name << " " << a << " " << unit;
+    return s.str();
+}
+
+//- sqrt(m/k) of the contacts of a pair
+void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, const std::vector<Lightest>& all, DemPlan& plan)
+{
+    const PairProperties& q = pair.properties;
+    const std::string between = in.materials[pair.a].name + "-" + in.materials[pair.b].name;
+    for (int end = 0; end < (pair.a == pair.b ? 1 : 2); ++end)
+    {
+        const Lightest& l = all[end ? pair.b : pair.a];
+        if (!l.any) continue;
+        double k = q.normalStiffness;
+        std::string how = "k = ";
+        if (c.normal == NormalKind::cellSpring) k = l.mass*q.gravity/(q.theta*q.cellSize);
+        if (c.normal == NormalKind::hertz)
+        {
+            PairProperties e = q;
+            e.youngA = in.materials[pair.a].young;
+            e.youngB = in.materials[pair.b].young;
+            e.poissonA = in.materials[pair.a].poisson;
+            e.poissonB = in.materials[pair.b].poisson;
+            // two equal ones meet at twice the speed: m*/2, R*/2; against a wall the same overlap ensues within 15 %
+            const double speed = std::max({l.speed, fallSpeed(c), 1e-3}), E = e.effectiveYoung();
+            const double overlap = std::pow(15*l.mass*speed*speed/(16*E*std::sqrt(l.radius)), 0.4);
+            k = 2*E*std::sqrt(l.radius*overlap);
+            how = words("impact at", speed, "m/s, k = ");
+        }
+        plan.limits.push_back(StepLimit{"contact " + between, std::sqrt(l.mass/k), words(how, k, "N/m") + words(", m =", l.mass, "kg")});
+    }
+}
+
+//- sqrt(m/k) of bonds, of translation and of rotation
+void addBonds(const DemConfig& c, const DemInput& in, DemPlan& plan)
+{
+    const DemParticles& p = in.particles;
+    std::vector<std::size_t> at;
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        const std::size_t id = p.id.empty() ? i : p.id[i];
+        if (id >= at.size()) at.resize(id + 1, 0);
+        at[id] = i;
+    }
+    std::vector<double> stretch(p.size(), 0), turn(p.size(), 0);
+    for (std::size_t k = 0; k < in.bonds.size(); ++k)
+    {
+        const DemBondType& t = in.bondTypes[in.bonds.type.empty() ? 0 : in.bonds.type[k]];
+        const std::size_t a = at[in.bonds.a[k]], b = at[in.bonds.b[k]];
+        const BondParameters<double> q
+        {
+            t.normalStiffness, t.shearStiffness, 0, 0, 0, t.radiusFactor, t.radiusKind == BondRadiusKind::harmonic,
+            c.dimensions == 3 || t.cylinder
+        };
+        const BondSection<double> s = bondSection(q, p.radius[a], p.radius[b]);
+        for (const std::size_t i : {a, b})
+        {
+            stretch[i] += std::max(t.normalStiffness, t.shearStiffness)*s.area;
+            turn[i] += t.normalStiffness*s.inertia + t.shearStiffness*s.area*p.radius[i]*p.radius[i];
+        }
+    }
+    double least = 1e300, leastTurn = 1e300;
+    std::size_t worst = 0, worstTurn = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        const double inertia = p.inertia.empty() ? (c.dimensions == 2 ? 0.5 : 0.4)*p.mass[i]*p.radius[i]*p.radius[i] : p.inertia[i];
+        const double s = stretch[i] > 0 ? std::sqrt(p.mass[i]/stretch[i]) : 1e300, r = turn[i] > 0 ? std::sqrt(inertia/turn[i]) : 1e300;
+        if (s < least) { least = s; worst = i; }
+        if (r < leastTurn) { leastTurn = r; worstTurn = i; }
+    }
+    const auto cause = [](std::size_t i) { return "all bonds of particle " + std::to_string(i); };
+    if (least < 1e300) plan.limits.push_back(StepLimit{"bond", least, cause(worst)});
+    if (leastTurn < 1e300) plan.limits.push_back(StepLimit{"bond rotation", leastTurn, cause(worstTurn)});
+}
+
+void addRayleigh(const DemInput& in, const std::vector<Lightest>& all, DemPlan& plan)
+{
+    for (std::size_t m = 0; m < all.size(); ++m)
+    {
+        const double nu = in.materials[m].poisson, G = in.materials[m].young/(2*(1 + nu)), R = all[m].radius;
+        if (!all[m].any || !(G > 0)) continue;
+        const double density = all[m].mass/(4.0/3*M_PI*R*R*R);
+        plan.limits.push_back(StepLimit
+        {"Rayleigh " + in.materials[m].name, M_PI*R*std::sqrt(density/G)/(0.1631*nu + 0.8766), words("R =", R, "m")});
+    }
+}
+
+//- Paper 2: an impact at speed v sinks in by v sqrt(theta dx/|g|), and the gap is all there is
+void warnOfGap(const DemConfig& c, const DemInput& in, DemPlan& plan)
+{
+    if (c.normal != NormalKind::cellSpring) return;
+    for (const DemPair& pair : in.pairs)
+    {
+        const PairProperties& q = pair.properties;
+        const double eats = q.gap/std::sqrt(q.theta*q.cellSize/q.gravity), fall = fallSpeed(c);
+        if (!(q.gap > 0) || fall <= eats) continue;
+        std::ostringstream s;
+        s.precision(4);
+        s << in.materials[pair.a].name << "-" << in.materials[pair.b].name << ": solids that meet at " << eats
+          << " m/s go through the whole gap of " << q.gap << " m, and in this domain they can fall to " << fall
+          << " m/s; theta = " << q.gap*q.gap*q.gravity/(fall*fall*q.cellSize) << " would hold";
+        plan.warnings.push_back(s.str());
+    }
+}
+
+} // namespace
+
+DemPlan planDemScene(const DemConfig& c, const DemInput& in)
+{
+    DemPlan plan;
+    plan.particles = in.particles.size();
+    plan.clumps = in.clumps.size();
+    plan.bonds = in.bonds.size();
+    for (const DemWall& w : in.walls) plan.wallElements += w.plane ? 1 : w.elements.size()/c.dimensions;
+    const std::vector<Lightest> all = lightest(c, in);
+    for (const DemPair& pair : in.pairs) addContact(c, in, pair, all, plan);
+    addBonds(c, in, plan);
+    double hard = 1e300;
+    for (const StepLimit& l : plan.limits) hard = std::min(hard, 0.5*l.critical);
+    plan.hardStop = hard;
+    if (c.normal == NormalKind::hertz) addRayleigh(in, all, plan);
+    warnOfGap(c, in, plan);
+    double least = 1e300;
+    for (const StepLimit& l : plan.limits)
+        if (l.critical < least) { least = l.critical; plan.cause = l.name + ": " + l.cause; }
+    plan.timeStep = c.timeStep > 0 ? c.timeStep : c.stepFraction*least;
+    if (c.timeStep > 0) plan.cause = "given";
+
+    // state, records, sorting; lists at both ends with histories, twice (before and after a rebuild)
+    const std::size_t real = c.precision == PrecisionKind::mixed ? 4 : 8, D = c.dimensions, S = D == 2 ? 1 : 3;
+    const std::size_t histories = (c.normal == NormalKind::incremental) + (c.tangential == TangentialKind::history ? S : 0)
+      + (c.rolling == RollingKind::spring ? S : 0), neighbours = D == 2 ? 7 : 16;
+    const std::size_t state = 2*(16*D + real*(D + 2*S + 3) + 12) + 12*real + 40;
+    plan.bytes = plan.particles*(state + 2*neighbours*(4 + real*histories))
+      + plan.bonds*(40 + real*(8 + D + 3*S)) + plan.clumps*200 + plan.wallElements*(D*12 + 64);
+    return plan;
+}
+
+} // namespace riprap

@@ -1,0 +1,81 @@
+/*  The kernels of a DEM rebuild: keys of particles, and what follows from their new order.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/motion/mover.hpp"
+#include "dem/sizeClasses.hpp"
+
+namespace riprap
+{
+
+template<int D, class P>
+struct SolidKeys
+{
+    static constexpr const char* name = "solidKeys";
+
+    MoveSolids<D, P> mover;
+    SizeClasses<D, P> classes;
+    std::uint32_t* keys;
+    std::uint32_t* indices;
+
+    HD void operator()(int i) const
+    {
+        const Vec<D, std::int64_t> x = mover.fields.position(i);
+        Vec<D, typename P::real> r;
+        for (int d = 0; d < D; ++d) r.c[d] = mover.box.pairRelative(d, mover.box.pairPosition(d, x.c[d]));
+        const bool in = i < *mover.active && mover.inside(x);
+        keys[i] = std::uint32_t(in ? classes.cellOf(r, mover.fields.radius[i]) : classes.cells());
+        indices[i] = std::uint32_t(i);
+    }
+};
+
+//- Records and reference positions of sorted particles, and where each key is
+template<int D, class P>
+struct PlaceSolids
+{
+    static constexpr const char* name = "placeSolids";
+
+    MoveSolids<D, P> mover;
+    int* slotOf;
+
+    HD void operator()(int i) const
+    {
+        const SolidFields<D, P>& s = mover.fields;
+        if (i == 0) mover.clock->needRebuild = 0;
+        const bool in = i < *mover.active;
+        slotOf[s.id[i]] = in ? i : -1;
+        if (!in) return;
+        Vec<D, typename P::position> p;
+        for (int d = 0; d < D; ++d) mover.reference[d][i] = p.c[d] = mover.box.pairPosition(d, s.x[d][i]);
+        mover.solids.store
+        (i, p, ContactBody<D, typename P::real>{convert<typename P::real>(s.velocity(i)), s.spin(i), s.radius[i], s.mass[i]}, s.material[i]);
+    }
+};
+
+//- Largest of a strided share of particles: |v|^2
+template<int D, class P>
+struct LargestSpeed
+{
+    static constexpr const char* name = "largestSpeed";
+    static constexpr int shares = 4096;
+
+    SolidFields<D, P> fields;
+    const int* active;
+    float* largest;
+
+    HD void operator()(int k) const
+    {
+        float most = 0;
+        for (int i = k; i < *active; i += shares)
+        {
+            float v2 = 0;
+            for (int d = 0; d < D; ++d) v2 += float(fields.v[d][i])*float(fields.v[d][i]);
+            most = v2 > most ? v2 : most;
+        }
+        largest[k] = most;
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,401 @@
+/*  DemSolver: construction from a configuration and its input.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/demSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& input, const DemPlan& plan)
+:
+    config_(config), input_(input), plan_(plan)
+{
+    clock_.allocate(context_, 1);
+    n_ = reported_ = int(input_.particles.size());
+    setPairs();
+    setBox();
+    setFields();
+    setGroups();
+    setBonds();
+    setClumps();
+    setWalls();
+    prime();
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setPairs()
+{
+    const int m = int(input_.materials.size());
+    std::vector<real> gaps(std::size_t(m)*m, real(0));
+    std::vector<PairProperties> pairs(std::size_t(m)*m);
+    for (DemPair& p : input_.pairs)
+        for (const bool turned : {false, true})
+        {
+            const int a = turned ? p.b : p.a, b = turned ? p.a : p.b;
+            PairProperties q = p.properties;
+            q.youngA = input_.materials[a].young;
+            q.youngB = input_.materials[b].young;
+            q.poissonA = input_.materials[a].poisson;
+            q.poissonB = input_.materials[b].poisson;
+            pairs[std::size_t(a)*m + b] = q;
+            gaps[std::size_t(a)*m + b] = real(q.gap);
+            largestGap_ = std::max(largestGap_, q.gap);
+        }
+    gaps_.upload(context_, gaps);
+    withLaw(config_, [&](auto law)
+    {
+        using Law = decltype(law);
+        using Parameters = typename Law::template Parameters<real>;
+        std::vector<real> all;
+        for (const PairProperties& q : pairs)
+        {
+            // a pair that cannot meet was not given: its numbers are never used
+            const bool given = q.youngA > 0 || q.normalStiffness > 0 || q.cellSize > 0;
+            const Parameters one = given ? Law::template make<real>(q) : Parameters{};
+            const real* from = reinterpret_cast<const real*>(&one);
+            all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
+        }
+        parameters_.upload(context_, all);
+        histories_ = Law::template history<D>;
+    });
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setBox()
+{
+    const DemConfig& c = config_;
+    const std::vector<double>& radius = input_.particles.radius;
+    const double smallest = *std::min_element(radius.begin(), radius.end());
+    const double largest = *std::max_element(radius.begin(), radius.end());
+    const double ratio = c.skin >= 0 ? c.skin : (Backend::gpu ? 0.1 : 0.15);
+    const double skin = ratio*2*smallest;
+    halfSkin_ = real(0.5*skin);
+    reach_ = skin + largestGap_;
+    const double margin = 2*largest + reach_;
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = c.axes[d];
+        const double lo = c.domainMin[axis], hi = c.domainMax[axis];
+        if (c.periodic[axis])
+        {
+            if (hi - lo < 3.001*margin)
+                throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
+                  + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
+            box_.set(d, lo, hi - lo, true);
+            domainMin_[d] = -1e300;
+            domainMax_[d] = 1e300;
+        }
+        else
+        {
+            // a margin, so that fixed-point differences across it are never mistaken for near ones
+            box_.set(d, lo - margin, hi - lo + 2*margin, false);
+            domainMin_[d] = margin;
+            domainMax_[d] = margin + hi - lo;
+        }
+    }
+    classes_.set(box_, radius, reach_);
+}
+
+//- Components of vectors in the solver's axes, or the one spin of 2D
+template<class Backend, int D, class P>
+template<class T>
+void DemSolver<Backend, D, P>::uploadVector(int field, int components, const std::vector<double>& from, bool spin)
+{
+    std::vector<T> value(n_, T(0));
+    for (int d = 0; d < components; ++d)
+    {
+        const int axis = spin && D == 2 ? config_.axes[2] : config_.axes[d];
+        const double sign = spin && D == 2 ? spinSign() : 1;
+        if (!from.empty()) for (int i = 0; i < n_; ++i) value[i] = T(sign*from[3*std::size_t(i) + axis]);
+        fields_.upload(context_, field + d, value);
+    }
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setFields()
+{
+    const DemParticles& in = input_.particles;
+    static const char* axis[3] = {"x", "y", "z"};
+    const auto addVector = [&](const char* name, int components)
+    {
+        const int first = fields_.fields();
+        for (int d = 0; d < components; ++d) fields_.template add<real>(std::string(name) + "." + axis[components == 1 ? 2 : d]);
+        return first;
+    };
+    xField_ = fields_.fields();
+    for (int d = 0; d < D; ++d) fields_.template add<std::int64_t>(std::string("position.") + axis[d]);
+    vField_ = fields_.fields();
+    for (int d = 0; d < D; ++d) fields_.template add<double>(std::string("velocity.") + axis[d]);
+    wField_ = addVector("spin", S);
+    fField_ = addVector("force", D);
+    mField_ = addVector("moment", S);
+    radiusField_ = fields_.template add<real>("radius");
+    massField_ = fields_.template add<real>("mass");
+    inertiaField_ = fields_.template add<real>("inverseInertia");
+    materialField_ = fields_.template add<std::int32_t>("material");
+    groupField_ = fields_.template add<std::int32_t>("group");
+    if (!input_.clumps.empty()) clumpField_ = fields_.template add<std::int32_t>("clump");
+    if (config_.orientation)
+    {
+        turnField_ = fields_.fields();
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k) fields_.template add<real>("orientation." + std::to_string(k));
+    }
+    idField_ = fields_.template add<std::int32_t>("key");
+    fields_.allocate(context_, n_);
+    records_.allocate(context_, n_);
+    reference_.allocate(context_, std::size_t(n_)*D);
+    sort_.allocate(context_, n_, classes_.cells());
+    inverse_.allocate(context_, n_);
+    slotOf_.allocate(context_, n_);
+
+    std::vector<std::int64_t> x(n_);
+    for (int d = 0; d < D; ++d)
+    {
+        for (int i = 0; i < n_; ++i) x[i] = box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]);
+        fields_.upload(context_, xField_ + d, x);
+    }
+    uploadVector<double>(vField_, D, in.velocity, false);
+    uploadVector<real>(wField_, S, in.spin, true);
+    uploadVector<real>(fField_, D, {}, false);
+    uploadVector<real>(mField_, S, {}, true);
+    std::vector<real> radius(n_), mass(n_), inverse(n_);
+    for (int i = 0; i < n_; ++i)
+    {
+        const double own = (D == 2 ? 0.5 : 0.4)*in.mass[i]*in.radius[i]*in.radius[i];
+        radius[i] = real(in.radius[i]);
+        mass[i] = real(in.mass[i]);
+        inverse[i] = real(1/(in.inertia.empty() ? own : in.inertia[i]));
+    }
+    fields_.upload(context_, radiusField_, radius);
+    fields_.upload(context_, massField_, mass);
+    fields_.upload(context_, inertiaField_, inverse);
+    std::vector<std::int32_t> keys(n_), none(n_, 0);
+    for (int i = 0; i < n_; ++i) keys[i] = i;
+    ids_ = in.id.empty() ? keys : in.id;
+    fields_.upload(context_, idField_, keys);
+    fields_.upload(context_, materialField_, in.material.empty() ? none : in.material);
+    fields_.upload(context_, groupField_, in.group.empty() ? none : in.group);
+    if (clumpField_ >= 0)
+        fields_.upload(context_, clumpField_, in.clump.empty() ? std::vector<std::int32_t>(n_, -1) : in.clump);
+    if (turnField_ >= 0)
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+            fields_.upload(context_, turnField_ + k, std::vector<real>(n_, real(D == 3 && k == 0)));
+    emptyCoordinate_.assign(n_, 0);
+    if (D == 2) for (int i = 0; i < n_; ++i) emptyCoordinate_[i] = in.position[3*std::size_t(i) + config_.axes[2]];
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setGroups()
+{
+    if (input_.groups.empty()) input_.groups.emplace_back();
+    std::vector<GroupData<D, real>> groups;
+    for (const DemGroup& g : input_.groups)
+    {
+        GroupData<D, real> r{};
+        for (int d = 0; d < D; ++d)
+        {
+            r.free[d] = real(!g.held[config_.axes[d]]);
+            r.force[d] = real(g.force[config_.axes[d]]);
+        }
+        for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? spinSign()*g.moment[config_.axes[2]] : g.moment[c]);
+        r.freeSpin = real(!g.heldSpin);
+        r.gravity = real(g.gravity);
+        r.localDamping = real(g.localDamping);
+        r.viscous = real(g.viscousDamping);
+        r.viscousSpin = real(g.viscousSpinDamping);
+        r.motion = g.motion;
+        groupMotions_ = std::max(groupMotions_, g.motion + 1);
+        groups.push_back(r);
+    }
+    groups_.upload(context_, groups);
+    if (groupMotions_) motions_.allocate(context_, std::size_t(groupMotions_)*samples*rigidMotionNumbers);
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setBonds()
+{
+    const DemBonds& in = input_.bonds;
+    nBonds_ = int(in.size());
+    if (!nBonds_) return;
+    const DemParticles& q = input_.particles;
+    std::vector<int> keyOf;
+    for (int i = 0; i < n_; ++i)
+    {
+        if (std::size_t(ids_[i]) >= keyOf.size()) keyOf.resize(std::size_t(ids_[i]) + 1, -1);
+        keyOf[ids_[i]] = i;
+    }
+    std::vector<std::int32_t> end[2], type(in.type);
+    std::vector<double> rest(in.gap);
+    std::vector<int> first(n_ + 1, 0);
+    type.resize(nBonds_, 0);
+    for (int k = 0; k < nBonds_; ++k)
+    {
+        const int a = keyOf[in.a[k]], b = keyOf[in.b[k]];
+        end[0].push_back(a);
+        end[1].push_back(b);
+        ++first[a + 1];
+        ++first[b + 1];
+        if (!in.gap.empty()) continue;
+        double d2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const int axis = config_.axes[d];
+            const std::int64_t xa = box_.toFixed(d, q.position[3*std::size_t(a) + axis]), xb = box_.toFixed(d, q.position[3*std::size_t(b) + axis]);
+            const double s = double(std::int64_t(std::uint64_t(xb) - std::uint64_t(xa)))*box_.unit[d];
+            d2 += s*s;
+        }
+        rest.push_back(std::sqrt(d2) - double(real(q.radius[a])) - double(real(q.radius[b])));
+    }
+    for (int i = 0; i < n_; ++i) first[i + 1] += first[i];
+    std::vector<int> next(first.begin(), first.end() - 1), reference(2*std::size_t(nBonds_));
+    for (int k = 0; k < nBonds_; ++k)
+        for (int e = 0; e < 2; ++e) reference[next[end[e][k]]++] = 2*k + e;
+    std::vector<BondParameters<real>> types;
+    for (const DemBondType& t : input_.bondTypes)
+    {
+        const auto strength = [](double s) { return real(std::min(s, 1e30)); };
+        types.push_back(BondParameters<real>
+        {
+            real(t.normalStiffness), real(t.shearStiffness), strength(t.tensileStrength), strength(t.shearStrength),
+            real(2*t.dampingRatio), real(t.radiusFactor), t.radiusKind == BondRadiusKind::harmonic, D == 3 || t.cylinder
+        });
+    }
+    for (int e = 0; e < 2; ++e) bondIds_[e].upload(context_, end[e]);
+    bondType_.upload(context_, type);
+    bondRest_.upload(context_, rest);
+    bondTypes_.upload(context_, types);
+    bondBroken_.upload(context_, std::vector<std::int32_t>(nBonds_, 0));
+    bondHistory_.upload(context_, std::vector<real>(std::size_t(nBonds_)*bondHistory<D>, real(0)));
+    bondForce_.allocate(context_, nBonds_);
+    bondFirst_.upload(context_, first);
+    bondReference_.upload(context_, reference);
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setClumps()
+{
+    nClumps_ = int(input_.clumps.size());
+    if (!nClumps_) return;
+    std::vector<ClumpData> clumps(nClumps_);
+    for (int k = 0; k < nClumps_; ++k)
+    {
+        const DemClump& in = input_.clumps[k];
+        ClumpData& c = clumps[k];
+        c = ClumpData{};
+        for (int e = 0; e < 4; ++e) c.q[e] = in.orientation[e];
+        for (int d = 0; d < D; ++d)
+        {
+            c.x[d] = box_.toFixed(d, in.position[config_.axes[d]]);
+            c.v[d] = in.velocity[config_.axes[d]];
+        }
+        c.mass = in.mass;
+        for (int d = 0; d < 3; ++d) c.inertia[d] = in.inertia[d];
+        c.group = in.group;
+        if (D == 2) c.L[2] = in.inertia[2]*spinSign()*in.spin[config_.axes[2]];
+        else
+        {
+            Vec<3, double> w = rotated(c.q, Vec<3, double>{{in.spin[0], in.spin[1], in.spin[2]}}, true);
+            for (int d = 0; d < 3; ++d) w.c[d] *= c.inertia[d];
+            const Vec<3, double> L = rotated(c.q, w);
+            for (int d = 0; d < 3; ++d) c.L[d] = L.c[d];
+        }
+    }
+    std::vector<double> offset(3*std::size_t(n_), 0.0);
+    std::vector<int> first(nClumps_ + 1, 0), member;
+    const auto& of = input_.particles.clump;
+    for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
+    for (int k = 0; k < nClumps_; ++k) first[k + 1] += first[k];
+    member.resize(std::max(1, first[nClumps_]));
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (int i = 0; i < n_ && !of.empty(); ++i)
+    {
+        if (of[i] < 0) continue;
+        member[next[of[i]]++] = i;
+        Vec<3, double> arm{{0, 0, 0}};
+        for (int d = 0; d < D; ++d)
+        {
+            const std::int64_t x = box_.toFixed(d, input_.particles.position[3*std::size_t(i) + config_.axes[d]]);
+            arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))*box_.unit[d];
+        }
+        arm = rotated(clumps[of[i]].q, arm, true);
+        for (int d = 0; d < 3; ++d) offset[3*std::size_t(i) + d] = arm.c[d];
+    }
+    clumps_.upload(context_, clumps);
+    offset_.upload(context_, offset);
+    memberFirst_.upload(context_, first);
+    member_.upload(context_, member);
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setWalls()
+{
+    nWalls_ = int(input_.walls.size());
+    if (!nWalls_) return;
+    const std::vector<double>& radius = input_.particles.radius;
+    const double cell = *std::max_element(radius.begin(), radius.end()) + reach_;
+    SurfaceBuilder<D> builder;
+    std::vector<WallData> walls;
+    for (const DemWall& in : input_.walls)
+    {
+        WallData w{};
+        w.material = in.material;
+        w.plane = in.plane;
+        w.motion = in.motion;
+        wallMotions_ = std::max(wallMotions_, in.motion + 1);
+        for (int d = 0; d < 3; ++d) w.frame.R[4*d] = 1;
+        double length = 0;
+        for (int d = 0; d < D; ++d) length += in.normal[config_.axes[d]]*in.normal[config_.axes[d]];
+        for (int d = 0; d < D; ++d)
+        {
+            const int axis = config_.axes[d];
+            w.point[d] = in.point[axis];
+            w.normal[d] = in.normal[axis]/std::sqrt(std::max(length, 1e-300));
+            w.low[d] = config_.domainMin[axis];
+            w.high[d] = config_.domainMax[axis];
+        }
+        if (!in.plane)
+        {
+            std::vector<double> vertices;
+            for (std::size_t v = 0; v < in.vertices.size(); v += 3)
+                for (int d = 0; d < D; ++d) vertices.push_back(in.vertices[v + config_.axes[d]]);
+            builder.add(vertices, std::vector<int>(in.elements.begin(), in.elements.end()), cell, w);
+        }
+        walls.push_back(w);
+    }
+    walls_.upload(context_, walls);
+    vertices_.upload(context_, builder.vertex);
+    elements_.upload(context_, builder.element);
+    sharedFirst_.upload(context_, builder.sharedFirst);
+    shared_.upload(context_, builder.shared);
+    cellFirst_.upload(context_, builder.cellFirst);
+    cellElement_.upload(context_, builder.cellElement);
+    if (wallMotions_) poses_.allocate(context_, std::size_t(wallMotions_)*samples*poseNumbers);
+}
+
+//- First neighbours and forces, with a step of no length
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::prime()
+{
+    const int all = n_;
+    context_.toDevice(const_cast<int*>(sort_.active()), &all, sizeof(int));
+    host_.time = config_.startTime;
+    host_.fullDt = plan_.timeStep;
+    setWindow();
+    host_.active = 1;
+    writeClock();
+    // moving walls take their places; no step has any length yet
+    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), 1e300});
+    rebuild(true);
+    forces();
+    readClock();
+    host_.active = 0;
+    writeClock();
+    if (host_.needRebuild) rebuild();
+    context_.synchronise();
+}
+
+} // namespace riprap

@@ -1,0 +1,207 @@
+/*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction),
+    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demOutput.hpp (what is read back)
+    and demState.hpp (save and load).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <atomic>
+#include "core/cellSort.hpp"
+#include "dem/bond/bondPass.hpp"
+#include "dem/gatherPass.hpp"
+#include "dem/scatterPass.hpp"
+#include "dem/walls/moveWalls.hpp"
+#include "dem/walls/wallPass.hpp"
+#include "scene/demFamilies.hpp"
+#include "scene/demRebuild.hpp"
+
+namespace riprap
+{
+
+//- What only one backend has
+template<class Backend, int D, class R> struct DemParts { };
+
+#ifndef __CUDACC__
+template<int D, class R>
+struct DemParts<Cpu, D, R>
+{
+    DeferredForces<D, R> deferred;
+    Array<Cpu, R> sums;
+};
+#endif
+
+//- Memory of wall contacts
+template<class Backend, class R>
+struct WallMemoryArrays
+{
+    Array<Backend, int> entryFirst, elementFirst;
+    Array<Backend, WallEntry> entry;
+    Array<Backend, int> element, on;
+    Array<Backend, R> normal, history, force;
+    int entries = 0;
+
+    std::size_t bytes() const
+    {
+        return entryFirst.bytes() + elementFirst.bytes() + entry.bytes() + element.bytes() + on.bytes() + normal.bytes()
+          + history.bytes() + force.bytes();
+    }
+};
+
+template<class Backend, int D, class P>
+class DemSolver : public DemScene
+{
+public:
+
+    using real = typename P::real;
+    using position = typename P::position;
+    static constexpr int S = spins<D>;
+
+    DemSolver(const DemConfig&, const DemInput&, const DemPlan&);
+
+    DemReport advance(double t, std::int64_t maxSteps) override;
+    void interrupt() override { interrupted_ = true; }
+    double time() const override { return host_.time; }
+    DemState particles() override;
+    DemContacts contacts() override;
+    DemBondState bonds() override;
+    DemClumpState clumps() override;
+    DemEnergy energy() override;
+    std::vector<DemWallForce> wallForces() override;
+    void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;
+    std::vector<std::int32_t> saveState() override;
+    void loadState(const std::vector<std::int32_t>&) override;
+    DemPlan plan() const override { return plan_; }
+    std::vector<ArrayInfo> arrays() const override;
+    std::vector<KernelInfo> kernels() const override;
+    void timeKernels(bool on) override { context_.profile.timing = on; }
+    double neighboursPerParticle() override;
+    std::string deviceName() const override;
+    DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
+
+private:
+
+    // demSetup.hpp
+    void setBox();
+    void setFields();
+    void setGroups();
+    void setPairs();
+    void setBonds();
+    void setClumps();
+    void setWalls();
+    void prime();
+    template<class T> void uploadVector(int field, int components, const std::vector<double>& from, bool spin);
+
+    // demStep.hpp
+    SolidFields<D, P> fields();
+    BondFields<D, P> bondFields();
+    BondTable bondTable();
+    WallMemory<D, real> wallMemory(WallMemoryArrays<Backend, real>&);
+    SurfaceView<D> surface();
+    MotionTable groupMotions() const;
+    MotionTable wallPoses() const;
+    template<class M> void setMotion(M&);
+    MoveSolids<D, P> mover();
+    template<class Law> void setModel(PairModel<Backend, D, P, Law>&);
+    template<class Law> void contactPass();
+    template<class Law> void wallPass();
+    void forces();
+    void step();
+
+    // demLists.hpp
+    void rebuild(bool fresh = false);
+    ContactSearch<Backend, D, P> search();
+    void buildContacts();
+    void buildWalls(bool fresh);
+    void blockContacts();
+
+    // demState.hpp
+    template<class F> void forEachMemory(F f);
+    template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
+
+    // demAdvance.hpp
+    void readClock() { context_.toHost(&host_, clock_.data(), sizeof(DemClockData)); }
+    void writeClock() { context_.toDevice(clock_.data(), &host_, sizeof(DemClockData)); }
+    bool finished() const;
+    void setWindow();
+    void runToTarget(std::int64_t& rebuilds);
+    void collectEscaped(DemReport&);
+    void findOffender(DemReport&);
+    double largestSpeed();
+    std::size_t brokenBonds();
+
+    // demOutput.hpp
+    int activeSolids();
+    std::vector<double> positions(int n);
+    template<class T> std::vector<T> field(int f) { return fields_.template download<T>(context_, f); }
+    template<class T> void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
+
+    //- Sign of a spin about axes[2] when axes[0], axes[1] are the plane
+    double spinSign() const
+    {
+        const int* a = config_.axes;
+        return (a[1] - a[0] + 3) % 3 == 1 ? 1 : -1;
+    }
+
+    DemConfig config_;
+    DemInput input_;
+    DemPlan plan_;
+    Context<Backend> context_;
+
+    Box<D, P> box_;
+    SizeClasses<D, P> classes_;
+    double domainMin_[D], domainMax_[D];
+    real halfSkin_ = 0;
+    double reach_ = 0, largestGap_ = 0;
+    std::vector<double> emptyCoordinate_;
+
+    int n_ = 0;                 // particles with memory
+    int reported_ = 0;          // of them known to be in the scene
+    std::vector<std::int32_t> ids_;         // of keys
+    FieldSet<Backend> fields_;
+    int xField_ = 0, vField_ = 0, wField_ = 0, fField_ = 0, mField_ = 0, radiusField_ = 0, massField_ = 0, inertiaField_ = 0;
+    int materialField_ = 0, groupField_ = 0, clumpField_ = -1, turnField_ = -1, idField_ = 0;
+    SolidRecordMemory<Backend, D, P> records_;
+    Array<Backend, position> reference_;
+    CellSort<Backend> sort_;
+    SortScratch<Backend> scan_;
+    Array<Backend, int> inverse_, slotOf_;
+    ContactList<Backend, real> list_, oldList_;
+    int histories_ = 0;
+
+    Array<Backend, GroupData<D, real>> groups_;
+    Array<Backend, real> parameters_, gaps_;
+    Array<Backend, real> external_;
+    std::vector<double> motionSamples_, poseSamples_;
+    Array<Backend, double> motions_, poses_;
+    double windowBegin_ = 0, windowStep_ = 1;
+    int groupMotions_ = 0, wallMotions_ = 0;
+    static constexpr int windowSteps = 64, samples = 2*windowSteps + 5;
+
+    int nBonds_ = 0;
+    Array<Backend, std::int32_t> bondIds_[2], bondType_, bondBroken_;
+    Array<Backend, double> bondRest_;
+    Array<Backend, real> bondHistory_;
+    Array<Backend, BondForce<D, real>> bondForce_;
+    Array<Backend, BondParameters<real>> bondTypes_;
+    Array<Backend, int> bondFirst_, bondReference_;
+
+    int nClumps_ = 0;
+    Array<Backend, ClumpData> clumps_;
+    Array<Backend, double> offset_;
+    Array<Backend, int> memberFirst_, member_;
+
+    int nWalls_ = 0;
+    Array<Backend, WallData> walls_;
+    Array<Backend, double> vertices_;
+    Array<Backend, int> elements_, sharedFirst_, shared_, cellFirst_, cellElement_;
+    WallMemoryArrays<Backend, real> wallMemory_, oldWallMemory_;
+
+    Array<Backend, DemClockData> clock_;
+    DemClockData host_;
+    DemParts<Backend, D, real> parts_;
+    int stepsPerBatch_ = 16;
+    std::atomic<bool> interrupted_{false};
+};
+
+} // namespace riprap

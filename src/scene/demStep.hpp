@@ -1,0 +1,220 @@
+/*  DemSolver: the parts of a step.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/demSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+SolidFields<D, P> DemSolver<Backend, D, P>::fields()
+{
+    SolidFields<D, P> s{};
+    for (int d = 0; d < D; ++d)
+    {
+        s.x[d] = fields_.template data<std::int64_t>(xField_ + d);
+        s.v[d] = fields_.template data<double>(vField_ + d);
+        s.f[d] = fields_.template data<real>(fField_ + d);
+    }
+    for (int c = 0; c < S; ++c)
+    {
+        s.w[c] = fields_.template data<real>(wField_ + c);
+        s.m[c] = fields_.template data<real>(mField_ + c);
+    }
+    s.radius = fields_.template data<real>(radiusField_);
+    s.mass = fields_.template data<real>(massField_);
+    s.inverseInertia = fields_.template data<real>(inertiaField_);
+    s.material = fields_.template data<std::int32_t>(materialField_);
+    s.group = fields_.template data<std::int32_t>(groupField_);
+    s.clump = clumpField_ < 0 ? nullptr : fields_.template data<std::int32_t>(clumpField_);
+    s.id = fields_.template data<std::int32_t>(idField_);
+    if (turnField_ >= 0)
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k) s.turn[k] = fields_.template data<real>(turnField_ + k);
+    return s;
+}
+
+template<class Backend, int D, class P>
+BondFields<D, P> DemSolver<Backend, D, P>::bondFields()
+{
+    return BondFields<D, P>
+    {
+        nBonds_, {bondIds_[0].data(), bondIds_[1].data()}, bondType_.data(), bondRest_.data(), bondHistory_.data(),
+        bondBroken_.data(), bondForce_.data(), bondTypes_.data(), slotOf_.data()
+    };
+}
+
+template<class Backend, int D, class P>
+BondTable DemSolver<Backend, D, P>::bondTable()
+{
+    if (!nBonds_) return BondTable{};
+    return BondTable
+    {
+        bondFirst_.data(), bondReference_.data(), {bondIds_[0].data(), bondIds_[1].data()}, bondBroken_.data(),
+        config_.contactWithinBonds
+    };
+}
+
+template<class Backend, int D, class P>
+WallMemory<D, typename P::real> DemSolver<Backend, D, P>::wallMemory(WallMemoryArrays<Backend, real>& m)
+{
+    return WallMemory<D, real>
+    {
+        m.entryFirst.data(), m.entry.data(), m.element.data(), m.on.data(), m.normal.data(), m.history.data(), m.force.data()
+    };
+}
+
+template<class Backend, int D, class P>
+SurfaceView<D> DemSolver<Backend, D, P>::surface()
+{
+    return SurfaceView<D>
+    {vertices_.data(), elements_.data(), sharedFirst_.data(), shared_.data(), cellFirst_.data(), cellElement_.data()};
+}
+
+template<class Backend, int D, class P>
+MotionTable DemSolver<Backend, D, P>::groupMotions() const
+{ return MotionTable{motions_.data(), samples, rigidMotionNumbers, windowBegin_, windowStep_}; }
+
+template<class Backend, int D, class P>
+MotionTable DemSolver<Backend, D, P>::wallPoses() const
+{ return MotionTable{poses_.data(), samples, poseNumbers, windowBegin_, windowStep_}; }
+
+template<class Backend, int D, class P>
+template<class M>
+void DemSolver<Backend, D, P>::setMotion(M& m)
+{
+    m.fields = fields();
+    m.groups = groups_.data();
+    for (int d = 0; d < D; ++d) m.gravity[d] = real(config_.gravity[config_.axes[d]]);
+    m.external = external_.size() ? external_.data() : nullptr;
+    m.clock = clock_.data();
+    m.active = sort_.active();
+}
+
+template<class Backend, int D, class P>
+MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
+{
+    MoveSolids<D, P> m{};
+    setMotion(m);
+    m.box = box_;
+    m.solids = records_.view();
+    m.verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
+    for (int d = 0; d < D; ++d)
+    {
+        m.reference[d] = reference_.data() + std::size_t(d)*n_;
+        m.domainMin[d] = domainMin_[d];
+        m.domainMax[d] = domainMax_[d];
+    }
+    m.halfSkin = halfSkin_;
+    m.motions = groupMotions();
+    m.clumps = nClumps_ ? clumps_.data() : nullptr;
+    m.offset = offset_.data();
+    return m;
+}
+
+template<class Backend, int D, class P>
+template<class Law>
+void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
+{
+    m.box = box_;
+    m.solids = records_.view();
+    m.list = list_.view();
+    m.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
+    m.gap = gaps_.data();
+    m.materials = int(input_.materials.size());
+    m.clock = clock_.data();
+    m.active = sort_.active();
+}
+
+template<class Backend, int D, class P>
+template<class Law>
+void DemSolver<Backend, D, P>::contactPass()
+{
+    if constexpr (Backend::gpu)
+    {
+        GatherPass<Backend, D, P, Law> pass;
+        setModel(pass);
+        pass.fields = fields();
+        pass.largestGap = real(largestGap_);
+        forEach(context_, n_, pass);
+    }
+#ifndef __CUDACC__
+    else
+    {
+        ScatterPass<D, P, Law> pass;
+        setModel(pass);
+        pass.deferred = &parts_.deferred;
+        pass.sums = parts_.sums.data();
+        pass.largestGap = real(largestGap_);
+        forEachTask(context_, parts_.deferred.blocks, pass);
+        forEach(context_, n_, CollectForces<D, P>{&parts_.deferred, parts_.sums.data(), fields(), clock_.data(), sort_.active()});
+    }
+#endif
+}
+
+template<class Backend, int D, class P>
+template<class Law>
+void DemSolver<Backend, D, P>::wallPass()
+{
+    WallPass<D, P, Law> pass;
+    pass.box = box_;
+    pass.fields = fields();
+    pass.walls = walls_.data();
+    pass.wallCount = nWalls_;
+    pass.surface = surface();
+    pass.reach = reach_;
+    pass.active = sort_.active();
+    pass.solids = records_.view();
+    pass.memory = wallMemory(wallMemory_);
+    pass.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
+    pass.gap = gaps_.data();
+    pass.materials = int(input_.materials.size());
+    pass.clock = clock_.data();
+    forEach(context_, n_, pass);
+}
+
+//- All forces at the positions at hand
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::forces()
+{
+    withLaw(config_, [&](auto law)
+    {
+        contactPass<decltype(law)>();
+        if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>();
+    });
+    if (nBonds_)
+    {
+        forEach(context_, nBonds_, BondPass<D, P>{bondFields(), box_, fields(), records_.view(), clock_.data()});
+        forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), clock_.data(), sort_.active()});
+    }
+    if (nClumps_)
+        forEach(context_, nClumps_, GatherClumps<D, P>
+        {
+            clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(),
+            external_.size() ? external_.data() : nullptr, clock_.data()
+        });
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::step()
+{
+    forEach(context_, 1, DemTick{clock_.data()});
+    if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
+    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), double(halfSkin_)});
+    ClumpKick<D, P> kick{groups_.data(), {}};
+    for (int d = 0; d < D; ++d) kick.gravity[d] = config_.gravity[config_.axes[d]];
+    const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
+    if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), box_, kick, verlet, clock_.data()});
+    forEach(context_, n_, mover());
+    forces();
+    if (!verlet) return;
+    FinishVerlet<D, P> finish{};
+    setMotion(finish);
+    finish.clumps = nClumps_;
+    forEach(context_, n_, finish);
+    if (nClumps_) forEach(context_, nClumps_, FinishClumps<D, P>{clumps_.data(), kick, clock_.data()});
+}
+
+} // namespace riprap
