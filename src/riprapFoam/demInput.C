@@ -113,28 +113,40 @@ static void setBonds
         radiusOfId.insert(particles.id[i], particles.radius[i]);
     }
 
-    // As float: sums that differ by round-off are one
+    // As float: sums that differ by round-off are one. In the order of their
+    // keys, so that a continued run numbers them alike
     std::map<std::pair<label, float>, int> typeOf;
-    DynamicList<label> kinds;
-    for (std::size_t i = 0; i < bonds.size(); ++i)
+    auto keyOf = [&](std::size_t i)
     {
         const label kind = bonds.type[i];
-        const demBondType& bond = settings.bondTypes[kind];
-        const bool direct = bond.calibration == calibrationKind::direct;
-        const scalar sum =
-            direct ? 1 : radiusOfId[bonds.a[i]] + radiusOfId[bonds.b[i]];
+        const bool direct =
+            settings.bondTypes[kind].calibration == calibrationKind::direct;
+        return std::make_pair
+        (
+            kind,
+            direct ? 1.0f : float(radiusOfId[bonds.a[i]] + radiusOfId[bonds.b[i]])
+        );
+    };
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+    {
+        typeOf[keyOf(i)] = 0;
+    }
 
-        const auto key = std::make_pair(kind, float(sum));
-        if (typeOf.find(key) == typeOf.end())
-        {
-            riprap::DemBondType type(bond.type);
-            type.normalStiffness /= sum;
-            type.shearStiffness /= sum;
-            typeOf[key] = input.bondTypes.size();
-            input.bondTypes.push_back(type);
-            kinds.append(kind);
-        }
-        bonds.type[i] = typeOf[key];
+    DynamicList<label> kinds;
+    for (auto& entry : typeOf)
+    {
+        const label kind = entry.first.first;
+        const scalar sum = entry.first.second;
+        riprap::DemBondType type(settings.bondTypes[kind].type);
+        type.normalStiffness /= sum;
+        type.shearStiffness /= sum;
+        entry.second = input.bondTypes.size();
+        input.bondTypes.push_back(type);
+        kinds.append(kind);
+    }
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+    {
+        bonds.type[i] = typeOf[keyOf(i)];
     }
 
     if (input.bondTypes.size() > 100000)

@@ -9,6 +9,30 @@ Description
 #include "solidFiles.H"
 #include "solidFileFields.H"
 
+//- DemBondState::broken of a bond whose particle has left the scene
+static const Foam::label lostBond = 3;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidSet::dropBroken()
+{
+    riprap::DemBonds left;
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+    {
+        if (brokenBond[i]) continue;
+        left.a.push_back(bonds.a[i]);
+        left.b.push_back(bonds.b[i]);
+        left.type.push_back(bonds.type[i]);
+        left.gap.push_back(bonds.gap[i]);
+    }
+    const label dropped = bonds.size() - left.size();
+    bonds = left;
+    brokenBond.assign(left.size(), false);
+    return dropped;
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 void Foam::writeBondFiles(const Time& time, const riprap::DemBondState& bonds)
@@ -47,11 +71,7 @@ void Foam::readBondFiles
     }
     forAll(a, i)
     {
-        if (broken[i])
-        {
-            ++solids.brokenBonds;
-            continue;
-        }
+        if (broken[i] == lostBond) continue;
         if (!ids.found(a[i]) || !ids.found(b[i]) || a[i] == b[i])
         {
             FatalErrorInFunction
@@ -64,6 +84,7 @@ void Foam::readBondFiles
         solids.bonds.b.push_back(b[i]);
         solids.bonds.type.push_back(typeOfFile[type[i]]);
         solids.bonds.gap.push_back(gap[i]);
+        solids.brokenBond.push_back(broken[i]);
     }
 }
 

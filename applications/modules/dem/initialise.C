@@ -68,8 +68,11 @@ void Foam::solverModules::dem::coverMotion()
 }
 
 
-void Foam::solverModules::dem::buildScene(const solidSet& solids, bool continued)
+void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
 {
+    // The state that is loaded says which bonds are broken
+    const label broken = continued ? 0 : solids.dropBroken();
+
     settings_ = asRead_;
     settings_.config.startTime = runTime_.value();
     buildInput(solids);
@@ -88,7 +91,7 @@ void Foam::solverModules::dem::buildScene(const solidSet& solids, bool continued
     {
         run_ = demRun();
         run_.initialParticles = solids.particles.size();
-        run_.brokenBefore = solids.brokenBonds;
+        run_.brokenBefore = broken;
     }
     run_.time = runTime_.value();
     run_.particles = solids.particles.size();
