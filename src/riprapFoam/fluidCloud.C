@@ -6,103 +6,9 @@
 #include "fluidCloud.H"
 #include "Time.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
 namespace Foam
 {
     defineTypeNameAndDebug(fluidCloud, 0);
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static vectorField toVectors(const std::vector<double>& xyz)
-{
-    vectorField v(label(xyz.size()/3));
-    forAll(v, i)
-    {
-        v[i] = vector(xyz[3*i], xyz[3*i + 1], xyz[3*i + 2]);
-    }
-    return v;
-}
-
-
-template<class T, class S>
-static Field<T> toField(const std::vector<S>& values)
-{
-    Field<T> field(label(values.size()));
-    std::copy(values.begin(), values.end(), field.begin());
-    return field;
-}
-
-
-template<class T>
-static void addFields(const HashTable<Field<T>>& fields, objectRegistry& obr)
-{
-    forAllConstIters(fields, iter)
-    {
-        cloud::createIOField<T>(iter.key(), iter.val().size(), obr) = iter.val();
-    }
-}
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-const Foam::particleCloud& Foam::fluidCloud::fetch() const
-{
-    if (!fetched_)
-    {
-        const riprap::FluidState fluid(scene_.fluid());
-
-        particles_.position = toVectors(fluid.position);
-        particles_.vectors.set("U", toVectors(fluid.velocity));
-        particles_.scalars.set("rho", toField<scalar>(fluid.density));
-        particles_.scalars.set("p", toField<scalar>(fluid.pressure));
-        particles_.scalars.set("h", toField<scalar>(fluid.smoothingLength));
-        particles_.labels.set("id", toField<label>(fluid.id));
-        particles_.cell.clear();
-        fetched_ = true;
-    }
-    return particles_;
-}
-
-
-Foam::label Foam::fluidCloud::locate(particleCloud& particles) const
-{
-    const labelField& id = particles.labels["id"];
-
-    // setParticles numbers from 0: one label a particle that ever was
-    cellOfId_.resize(max(cellOfId_.size(), max(id) + 1), -1);
-    labelList& cell = particles.cell;
-    cell = locateParticles(mesh_, particles.position, labelList(cellOfId_, id), false);
-
-    DynamicList<label> outside;
-    forAll(cell, i)
-    {
-        cellOfId_[id[i]] = cell[i];
-        if (cell[i] < 0)
-        {
-            outside.append(i);
-        }
-    }
-
-    // OpenFOAM's utilities do not accept a particle that is in no cell
-    const labelList nearest
-    (
-        locateParticles
-        (
-            mesh_,
-            pointField(particles.position, outside),
-            labelList(),
-            true
-        )
-    );
-    forAll(outside, i)
-    {
-        cell[outside[i]] = nearest[i];
-    }
-
-    return outside.size();
 }
 
 
@@ -115,63 +21,37 @@ Foam::fluidCloud::fluidCloud
     const sphRun& run
 )
 :
-    cloud(mesh, "fluid"),
-    mesh_(mesh),
+    sceneCloud(mesh, "fluid"),
     scene_(scene),
-    run_(run),
-    particles_("fluid")
+    run_(run)
 {}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::fluidCloud::nParcels() const
+void Foam::fluidCloud::fill(particleCloud& particles) const
 {
-    return fetch().size();
+    const riprap::FluidState fluid(scene_.fluid());
+
+    particles.position = toVectors(fluid.position);
+    particles.vectors.set("U", toVectors(fluid.velocity));
+    particles.scalars.set("rho", toField<scalar>(fluid.density));
+    particles.scalars.set("p", toField<scalar>(fluid.pressure));
+    particles.scalars.set("h", toField<scalar>(fluid.smoothingLength));
+    particles.labels.set("id", toField<label>(fluid.id));
 }
 
 
-void Foam::fluidCloud::writeObjects(objectRegistry& obr) const
+void Foam::fluidCloud::addProperties(dictionary& properties) const
 {
-    const particleCloud& particles = fetch();
-
-    cloud::createIOField<point>("position", particles.size(), obr) =
-        particles.position;
-    addFields(particles.labels, obr);
-    addFields(particles.scalars, obr);
-    addFields(particles.vectors, obr);
+    properties.add("spacing", run_.spacing);
 }
 
 
-bool Foam::fluidCloud::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+void Foam::fluidCloud::writeState() const
 {
-    // First, since the scene then goes on as one that was given this state
-    const std::vector<std::int32_t> state(scene_.saveState());
-    fetched_ = false;
-
-    particleCloud particles(fetch());
-    particles.properties.add("spacing", run_.spacing);
-    const label nOutside = locate(particles);
-    writeParticleCloud(mesh_, particles);
-
-    writeSphState(time(), state);
+    writeSphState(time(), scene_.saveState());
     writeSphRun(time(), run_);
-
-    Info<< "Written " << time().timeName() << ": " << particles.size()
-        << " particles";
-    if (nOutside)
-    {
-        Info<< ", " << nOutside << " of them outside the mesh";
-    }
-    Info<< nl << endl;
-
-    return true;
 }
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Points with fields as VTK XML polydata, one vertex a point, base64 inline. */
+/*  VTK XML polydata, base64 inline: points with fields, one vertex a point; or lines with fields. */
 
 #include "particleCloudIO.H"
 #include "foamVtkOutput.H"
@@ -52,6 +52,42 @@ static void writeVertices(vtk::formatter& format, label n)
     format.endTag(vtk::fileTag::VERTS);
 }
 
+
+static void writeLineEnds(vtk::formatter& format, const edgeList& lines)
+{
+    format.tag(vtk::fileTag::LINES);
+    format.beginDataArray<label>(vtk::dataArrayAttr::CONNECTIVITY);
+    format.writeSize(vtk::sizeofData<label>(2*lines.size()));
+    for (const edge& line : lines)
+    {
+        format.write(line.start());
+        format.write(line.end());
+    }
+    format.flush();
+    format.endDataArray();
+
+    format.beginDataArray<label>(vtk::dataArrayAttr::OFFSETS);
+    format.writeSize(vtk::sizeofData<label>(lines.size()));
+    forAll(lines, i)
+    {
+        format.write(label(2*(i + 1)));
+    }
+    format.flush();
+    format.endDataArray();
+    format.endTag(vtk::fileTag::LINES);
+}
+
+
+static void writePoints(vtk::formatter& format, const pointField& points)
+{
+    format.tag(vtk::fileTag::POINTS).beginDataArray<float, 3>(vtk::dataArrayAttr::POINTS);
+    format.writeSize(vtk::sizeofData<float, 3>(points.size()));
+    vtk::writeList(format, points);
+    format.flush();
+    format.endDataArray();
+    format.endTag(vtk::fileTag::POINTS);
+}
+
 } // namespace Foam
 
 
@@ -77,13 +113,7 @@ void Foam::writePolyData
         vtk::fileAttr::NUMBER_OF_VERTS, points.size()
     );
 
-    format.tag(vtk::fileTag::POINTS).beginDataArray<float, 3>(vtk::dataArrayAttr::POINTS);
-    format.writeSize(vtk::sizeofData<float, 3>(points.size()));
-    vtk::writeList(format, points);
-    format.flush();
-    format.endDataArray();
-    format.endTag(vtk::fileTag::POINTS);
-
+    writePoints(format, points);
     writeVertices(format, points.size());
 
     format.beginPointData();
@@ -91,6 +121,48 @@ void Foam::writePolyData
     writeArrays(format, scalars);
     writeArrays(format, vectors);
     format.endPointData();
+
+    format.endPiece();
+    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
+
+    if (!os.good())
+    {
+        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
+    }
+}
+
+
+void Foam::writePolyLines
+(
+    const fileName& file,
+    const pointField& points,
+    const edgeList& lines,
+    const HashTable<labelField>& labels,
+    const HashTable<scalarField>& scalars,
+    const HashTable<vectorField>& vectors
+)
+{
+    mkDir(file.path());
+    std::ofstream os(file);
+    autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
+    vtk::formatter& format = *formatter;
+
+    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
+    format.tag
+    (
+        vtk::fileTag::PIECE,
+        vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
+        vtk::fileAttr::NUMBER_OF_LINES, lines.size()
+    );
+
+    writePoints(format, points);
+    writeLineEnds(format, lines);
+
+    format.beginCellData();
+    writeArrays(format, labels);
+    writeArrays(format, scalars);
+    writeArrays(format, vectors);
+    format.endCellData();
 
     format.endPiece();
     format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();

@@ -108,29 +108,6 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
 }
 
 
-static void readMotion(const dictionary& dict, List<sphWallMotion>& motion)
-{
-    motion.resize(dict.size());
-
-    label i = 0;
-    for (const entry& e : dict)
-    {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << e.keyword() << " is no dictionary: motion"
-                << " holds one for each group of patches that moves"
-                << exit(FatalIOError);
-        }
-        sphWallMotion& group = motion[i++];
-        group.name = e.keyword();
-        group.dict = e.dict();
-        group.patches = wordRes(group.dict.get<wordRes>("patches"));
-        group.dict.get<word>("solidBodyMotionFunction");
-    }
-}
-
-
 static void readWalls(checkedDictionary& sph, sphSettings& settings)
 {
     sphWalls& walls = settings.walls;
@@ -160,7 +137,7 @@ static void readWalls(checkedDictionary& sph, sphSettings& settings)
         walls.patches = walls.dict.get<wordRes>("patches");
     }
 
-    readMotion(dict.subDict("motion"), walls.motion);
+    walls.motion = readWallMotion(dict.subDict("motion"));
     dict.end();
 }
 

@@ -8,9 +8,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDictionaries.H"
-#include "sphDomain.H"
+#include "particleDomain.H"
 #include "checkedDictionary.H"
-#include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
 #include "Switch.H"
 #include "Time.H"
@@ -21,61 +20,6 @@ namespace Foam
 void readSphProperties(checkedDictionary, sphSettings&);
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static IOdictionary readConstant(const word& file, const Time& time)
-{
-    return IOdictionary
-    (
-        IOobject
-        (
-            file,
-            time.constant(),
-            time,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-}
-
-
-static void readGravity(const polyMesh& mesh, riprap::SphConfig& config)
-{
-    const uniformDimensionedVectorField g
-    (
-        IOobject
-        (
-            "g",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-
-    if (g.dimensions() != dimAcceleration)
-    {
-        FatalErrorInFunction
-            << "constant/g has the dimensions " << g.dimensions()
-            << ": they must be " << dimAcceleration << exit(FatalError);
-    }
-
-    for (direction d = 0; d < vector::nComponents; ++d)
-    {
-        config.gravity[d] = g.value()[d];
-    }
-
-    const int empty = config.axes[2];
-    if (config.dimensions == 2 && config.gravity[empty] != 0)
-    {
-        WarningInFunction
-            << "constant/g has a component along the empty direction "
-            << vector::componentNames[empty] << ", which is ignored" << endl;
-        config.gravity[empty] = 0;
-    }
-}
-
 
 static void readFluid(const dictionary& dict, riprap::SphConfig& config)
 {
@@ -128,8 +72,7 @@ sphSettings readSphSettings(const polyMesh& mesh)
     riprap::SphConfig& config = settings.config;
     const Time& time = mesh.time();
 
-    readSphDomain(mesh, config);
-    readGravity(mesh, config);
+    setDomain(config, readParticleDomain(mesh));
     readFluid(readConstant("fluidProperties", time), config);
 
     settings.dict = readConstant("sphProperties", time);

@@ -48,6 +48,33 @@ static point moved(const riprap::WallPose& pose, const point& x)
     );
 }
 
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+List<wallMotion> readWallMotion(const dictionary& dict)
+{
+    List<wallMotion> motion(dict.size());
+
+    label i = 0;
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << e.keyword() << " is no dictionary: motion"
+                << " holds one for each group of patches that moves"
+                << exit(FatalIOError);
+        }
+        wallMotion& group = motion[i++];
+        group.name = e.keyword();
+        group.dict = e.dict();
+        group.patches = wordRes(group.dict.get<wordRes>("patches"));
+        group.dict.get<word>("solidBodyMotionFunction");
+    }
+
+    return motion;
+}
+
 } // End namespace Foam
 
 
@@ -56,7 +83,7 @@ static point moved(const riprap::WallPose& pose, const point& x)
 Foam::wallBodies::wallBodies
 (
     const Time& time,
-    const List<sphWallMotion>& groups
+    const List<wallMotion>& groups
 )
 :
     time_(time),
@@ -104,7 +131,7 @@ Foam::labelList Foam::wallBodies::bodyOf(const wordList& surfaces) const
 
     forAll(groups_, groupi)
     {
-        const sphWallMotion& group = groups_[groupi];
+        const wallMotion& group = groups_[groupi];
         const labelList selected(group.patches.matching(surfaces));
 
         if (selected.empty())

@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "sweptDomain.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -55,58 +56,25 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls()
 }
 
 
-//- A wall that retreats beyond the mesh takes its fluid along: widen the
-//  domain to all that the bodies reach until endTime
 void Foam::solverModules::sphDem::coverMotion(const labelList& bodyOfPoint)
 {
-    riprap::SphConfig& config = settings_.config;
-    const scalar margin = wallThickness(settings_);
-
-    // stopAt other than endTime: endTime is not known
-    const scalar begin = runTime_.value();
-    const scalar end =
-        max(begin, runTime_.controlDict().getOrDefault<scalar>("endTime", begin));
-
-    for (label body = 0; body < bodies_.size(); ++body)
+    List<boundBox> reference(bodies_.size());
+    forAll(bodyOfPoint, i)
     {
-        boundBox reference;
-        forAll(bodyOfPoint, i)
+        if (bodyOfPoint[i] >= 0)
         {
-            if (bodyOfPoint[i] == body)
-            {
-                reference.add(walls_.position[i]);
-            }
-        }
-
-        boundBox swept;
-        bodies_.sweep(body, reference, begin, end, swept);
-
-        const direction empty = config.axes[2];
-        if
-        (
-            config.dimensions == 2
-         && mag(swept.span()[empty] - reference.span()[empty])
-          > 1e-6*mesh_.bounds().mag()
-        )
-        {
-            FatalIOErrorInFunction(settings_.walls.dict)
-                << "Motion " << bodies_.name(body) << " leaves the plane of"
-                << " this 2D case: " << vector::componentNames[empty]
-                << " is its empty direction" << exit(FatalIOError);
-        }
-
-        for (int i = 0; i < config.dimensions; ++i)
-        {
-            const int axis = config.axes[i];
-            if (!config.periodic[axis])
-            {
-                config.domainMin[axis] =
-                    min(config.domainMin[axis], swept.min()[axis] - margin);
-                config.domainMax[axis] =
-                    max(config.domainMax[axis], swept.max()[axis] + margin);
-            }
+            reference[bodyOfPoint[i]].add(walls_.position[i]);
         }
     }
+    Foam::coverMotion
+    (
+        mesh_,
+        bodies_,
+        reference,
+        wallThickness(settings_),
+        settings_.walls.dict,
+        settings_.config
+    );
 }
 
 

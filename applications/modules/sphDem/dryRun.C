@@ -10,52 +10,10 @@ Description
 
 #include "sphDem.H"
 #include "logPrecision.H"
+#include "moduleLog.H"
 #include "clockTime.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static std::string bytes(scalar n)
-{
-    static const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
-    int unit = 0;
-    while (n >= 1000 && unit < 4)
-    {
-        n /= 1000;
-        ++unit;
-    }
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.4g %s", double(n), units[unit]);
-    return text;
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-void Foam::solverModules::sphDem::logMemory() const
-{
-    HashTable<scalar> bySet;
-    for (const riprap::ArrayInfo& array : scene_->arrays())
-    {
-        bySet(word(array.set, false), 0) += array.bytes;
-    }
-
-    scalar total = 0;
-    Info<< "Memory on the device" << nl;
-    for (const word& set : bySet.sortedToc())
-    {
-        Info<< "    " << set << ": " << bytes(bySet[set]).c_str() << nl;
-        total += bySet[set];
-    }
-    Info<< "    all: " << bytes(total).c_str() << ", "
-        << bytes(total/(run_.particles + walls_.size())).c_str()
-        << " a particle" << nl << endl;
-}
-
 
 //- Wall time of a particle step [s], 0 if none could be taken
 Foam::scalar Foam::solverModules::sphDem::secondsPerStep()
@@ -135,7 +93,7 @@ void Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
     Info<< "Neighbours: " << scene_->neighboursPerParticle()
         << " a particle" << nl << endl;
 
-    logMemory();
+    Foam::logMemory(scene_->arrays(), run_.particles + walls_.size());
     logEffort(sampleInterval);
 
     Info<< "Nothing was run and nothing written" << nl << endl;

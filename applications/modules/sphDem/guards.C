@@ -97,10 +97,7 @@ void Foam::solverModules::sphDem::countEscaped()
         return;
     }
 
-    for (const riprap::Vector3& x : report_.escaped)
-    {
-        ++escapedBy_(boundary_.patch(toPoint(x)), 0);
-    }
+    escaped_.add(report_.escaped);
     run_.escaped += report_.escaped.size();
 
     const scalar fraction = scalar(run_.escaped)/run_.initialParticles;
@@ -109,7 +106,7 @@ void Foam::solverModules::sphDem::countEscaped()
 
     if (fraction > allowed)
     {
-        logEscaped();
+        escaped_.log(report_.escaped.size(), run_.escaped);
 
         FatalErrorInFunction
             << "Guard at time " << report_.time << " s, particle step "

@@ -8,36 +8,8 @@ Description
 
 #include "sphDem.H"
 #include "logPrecision.H"
+#include "moduleLog.H"
 #include "listed.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static std::string axesOf(const riprap::SphConfig& config, bool periodic)
-{
-    std::string text;
-    for (int i = 0; i < config.dimensions; ++i)
-    {
-        const int axis = config.axes[i];
-        if (!periodic || config.periodic[axis])
-        {
-            text += std::string(text.empty() ? "" : " ") + "xyz"[axis];
-        }
-    }
-    return text.empty() ? "none" : text;
-}
-
-
-static Ostream& item(std::string what)
-{
-    what.resize(16, ' ');
-    return static_cast<OSstream&>(Info) << "    " << what.c_str() << ' ';
-}
-
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -74,7 +46,7 @@ void Foam::solverModules::sphDem::logTerms() const
     const riprap::SphConfig& c = settings_.config;
     using namespace riprap;
 
-    item("viscosity")
+    logItem("viscosity")
         << sphNames::viscosity[c.viscosityModel]
         << ", mu " << c.viscosity << " Pa s, nu " << c.viscosity/c.density
         << " m2/s";
@@ -94,21 +66,21 @@ void Foam::solverModules::sphDem::logTerms() const
 
     if (c.antiClump > 0)
     {
-        item("antiClump") << c.antiClump << nl;
+        logItem("antiClump") << c.antiClump << nl;
     }
     if (c.xsph > 0)
     {
-        item("XSPH") << c.xsph << nl;
+        logItem("XSPH") << c.xsph << nl;
     }
     if (c.diffusion != DiffusionKind::none)
     {
-        item("densityDiffusion")
+        logItem("densityDiffusion")
             << sphNames::densityDiffusion[c.diffusion]
             << ", delta " << c.diffusionDelta << nl;
     }
     if (c.shifting != ShiftingKind::none)
     {
-        item("shifting")
+        logItem("shifting")
             << sphNames::shifting[c.shifting] << ", A "
             << c.shiftingCoefficient << ", surfaceThreshold "
             << c.shiftingSurfaceThreshold << nl;
@@ -125,16 +97,16 @@ void Foam::solverModules::sphDem::logModels() const
         riprap::chooseDevice(c.device, run_.particles, c.dimensions);
 
     Info<< nl << "Smoothed particle hydrodynamics" << nl;
-    item("particles") << "fluid " << run_.particles << ", walls "
+    logItem("particles") << "fluid " << run_.particles << ", walls "
         << walls_.size() << nl;
-    item("space") << c.dimensions << "D: " << axesOf(c, false).c_str()
-        << "; periodic: " << axesOf(c, true).c_str() << nl;
-    item("device") << scene_->deviceName().c_str() << " ("
+    logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
+        << "; periodic: " << axesText(c, true).c_str() << nl;
+    logItem("device") << scene_->deviceName().c_str() << " ("
         << choice.reason.c_str() << ')' << nl;
-    item("precision") << sphNames::precision[c.precision] << nl;
+    logItem("precision") << sphNames::precision[c.precision] << nl;
 
-    item("kernel") << sphNames::kernel[c.kernel] << nl;
-    item("smoothingLength") << (c.variableSmoothing ? "variable" : "constant")
+    logItem("kernel") << sphNames::kernel[c.kernel] << nl;
+    logItem("smoothingLength") << (c.variableSmoothing ? "variable" : "constant")
         << ", h0 " << c.smoothingRatio*c.spacing << " m = "
         << c.smoothingRatio << " x spacing " << c.spacing << " m";
     if (c.variableSmoothing)
@@ -143,7 +115,7 @@ void Foam::solverModules::sphDem::logModels() const
     }
     Info<< nl;
 
-    item("equationOfState") << sphNames::equationOfState[c.eos];
+    logItem("equationOfState") << sphNames::equationOfState[c.eos];
     if (c.eos == riprap::EosKind::Tait)
     {
         Info<< ", gamma " << c.gamma;
@@ -156,7 +128,7 @@ void Foam::solverModules::sphDem::logModels() const
 
     if (walls_.size())
     {
-        item("walls") << sphNames::wallModel[c.wallModel] << ", "
+        logItem("walls") << sphNames::wallModel[c.wallModel] << ", "
             << (c.noSlip ? "noSlip" : "freeSlip") << ", " << walls_.layers
             << " layers of spacing " << walls_.spacing << " m" << nl;
     }
@@ -166,11 +138,11 @@ void Foam::solverModules::sphDem::logModels() const
     }
     for (label i = 0; i < bodies_.size(); ++i)
     {
-        item("moving walls") << bodies_.name(i) << ": " << bodies_.function(i)
+        logItem("moving walls") << bodies_.name(i) << ": " << bodies_.function(i)
             << nl;
     }
 
-    item("timeIntegration") << sphNames::timeIntegration[c.integrator];
+    logItem("timeIntegration") << sphNames::timeIntegration[c.integrator];
     if (c.adjustTimeStep)
     {
         Info<< ", acousticCourant " << c.acousticCourant << ", forceCourant "
@@ -182,11 +154,11 @@ void Foam::solverModules::sphDem::logModels() const
     }
     Info<< nl;
 
-    item("guards") << "densityDeviation " << c.maxDensityDeviation
+    logItem("guards") << "densityDeviation " << c.maxDensityDeviation
         << ", speedRatio " << c.maxSpeedRatio << ", escape "
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
-    item("off") << listed(modelsOff()).c_str() << nl << endl;
+    logItem("off") << listed(modelsOff()).c_str() << nl << endl;
 }
 
 

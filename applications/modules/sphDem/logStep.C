@@ -11,20 +11,6 @@ Description
 #include "sphDem.H"
 #include "logPrecision.H"
 
-// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-void Foam::solverModules::sphDem::logEscaped() const
-{
-    Info<< "Escaped " << label(report_.escaped.size()) << " particles ("
-        << run_.escaped << " in all), by nearest patch:";
-    for (const word& patch : escapedBy_.sortedToc())
-    {
-        Info<< ' ' << patch << ' ' << escapedBy_[patch];
-    }
-    Info<< endl;
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solverModules::sphDem::report()
@@ -52,7 +38,7 @@ void Foam::solverModules::sphDem::report()
 
     if (report_.escaped.size())
     {
-        logEscaped();
+        escaped_.log(report_.escaped.size(), run_.escaped);
     }
     if (report_.skinExceeded)
     {

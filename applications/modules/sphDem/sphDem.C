@@ -25,7 +25,8 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
     asRead_(readSphSettings(mesh)),
     settings_(asRead_),
     bodies_(runTime, asRead_.walls.motion),
-    boundary_(mesh)
+    boundary_(mesh),
+    escaped_(boundary_)
 {
     try
     {

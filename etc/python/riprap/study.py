@@ -30,13 +30,16 @@ class Run:
         self.name = name or os.path.basename(self.path)
         self.control = self.dictionary('system/controlDict')
         self.sph = self.dictionary('constant/sphProperties')
+        self.solid = self.dictionary('constant/solidProperties')
         self.fluid = self.dictionary('constant/fluidProperties')
         self.particles = self.dictionary('system/setParticlesDict')
         self.spacing = numberOf(self.particles.get('spacing'))
         self._log = None
 
     def dictionary(self, name):
-        return readDictionary(os.path.join(self.path, name))
+        """Empty where the case has no such file"""
+        path = os.path.join(self.path, name)
+        return readDictionary(path) if os.path.exists(path) else {}
 
     @property
     def log(self):
@@ -65,6 +68,12 @@ class Run:
 
     def settings(self):
         """The choices that tell one model from another, in one word each"""
+        if not self.sph:
+            return ' '.join(f'{key}={entry(self.solid, path, default)}' for key, path, default in (
+                ('normal', 'contact/normal', 'hertz'), ('tangential', 'contact/tangential', 'history'),
+                ('rolling', 'contact/rolling', 'none'), ('timeIntegration', 'timeIntegration', 'leapfrog'),
+                ('stepFraction', 'stepFraction', '0.2')))
+
         def of(key, default):
             return f'{key}={self.sphEntry(key, default)}'.replace('/model', '').replace('/type', '')
         return ' '.join([of('kernel', 'wendlandC2'), of('smoothingLength/model', 'constant'),
@@ -78,6 +87,9 @@ class Run:
         plus elastic energy and the change of potential energy (dissipation included)"""
         if not hasTable(self.path, 'energy'):
             return None
+        if not self.sph:
+            e = self.table('energy', 'solidEnergies.dat')['total']
+            return float((e[-1] - e[0])/abs(e).max()) if abs(e).max() > 0 else 0.0
         e = self.table('energy', 'energyBalance.dat')
         scale = max((e['kinetic'] + e['elastic']).max(), abs(e['potential'] - e['potential'][0]).max())
         return float(e['dissipated'][-1]/scale) if scale > 0 else 0.0

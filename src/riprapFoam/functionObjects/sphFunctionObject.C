@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphFunctionObject.H"
+#include "gravityMeshObject.H"
 
 namespace Foam
 {
@@ -11,12 +12,6 @@ namespace functionObjects
 {
     defineTypeNameAndDebug(sphFunctionObject, 0);
 }
-}
-
-
-namespace
-{
-    constexpr Foam::label leastPrecision = 10;
 }
 
 
@@ -75,108 +70,40 @@ Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
 }
 
 
-// * * * * * * * * * * * * * * * *  Tables * * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * *  Entries * * * * * * * * * * * * * * * * //
 
-Foam::OFstream& Foam::functionObjects::sphFunctionObject::row
+Foam::vector Foam::functionObjects::sphFunctionObject::upDirection
 (
-    const word& name,
-    const wordList& columns,
-    const UList<string>& comments
-)
-{
-    if (!writeToFile())
-    {
-        return Snull;
-    }
-
-    const bool begun = tables_.found(name);
-
-    if (!begun || tables_[name]->columns != columns)
-    {
-        autoPtr<table> fresh(new table);
-
-        fresh->columns = columns;
-        fresh->file =
-            begun ? createFile(name, time_.value()) : createFile(name);
-
-        OFstream& os = *fresh->file;
-
-        for (const string& comment : comments)
-        {
-            writeHeader(os, comment);
-        }
-        writeCommented(os, "Time");
-        for (const word& column : columns)
-        {
-            writeTabbed(os, column);
-        }
-        os  << endl;
-
-        tables_.set(name, fresh.ptr());
-    }
-
-    OFstream& os = *tables_[name]->file;
-    os  << setw(charWidth()) << time_.timeOutputValue();
-
-    return os;
-}
-
-
-void Foam::functionObjects::sphFunctionObject::add
-(
-    OFstream& os,
-    const scalar value
+    const dictionary& dict
 ) const
 {
-    os  << tab << setw(charWidth()) << value;
+    const vector g
+    (
+        hasScene()
+      ? toVector(sph().config().gravity)
+      : vector(meshObjects::gravity::New(time_).value())
+    );
+
+    return direction(dict, "up", mag(g) < VSMALL ? vector(0, 1, 0) : -g);
 }
 
 
-void Foam::functionObjects::sphFunctionObject::writeAtStart()
-{
-    if (!postProcess && time_.timeIndex() == time_.startTimeIndex())
-    {
-        write();
-    }
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::functionObjects::sphFunctionObject::sphFunctionObject
+Foam::pointField Foam::functionObjects::sphFunctionObject::points
 (
-    const word& name,
-    const Time& runTime,
-    const dictionary& dict
-)
-:
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(obr_, name),
-    dict_(dict)
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool Foam::functionObjects::sphFunctionObject::read(const dictionary& dict)
+    const dictionary& dict,
+    const word& key
+) const
 {
-    fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
+    const pointField list(dict.get<pointField>(key));
 
-    dict_ = dict;
-
-    if (!dict.found("writePrecision"))
+    if (list.empty())
     {
-        writePrecision_ = max(writePrecision_, leastPrecision);
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " of function object " << name()
+            << " is empty: it is a list of points" << exit(FatalIOError);
     }
 
-    return true;
-}
-
-
-bool Foam::functionObjects::sphFunctionObject::execute()
-{
-    return true;
+    return list;
 }
 
 
@@ -193,16 +120,4 @@ std::vector<double> Foam::functionObjects::flatPoints(const pointField& points)
     }
 
     return flat;
-}
-
-
-riprap::Vector3 Foam::functionObjects::toVector3(const vector& v)
-{
-    return {{v.x(), v.y(), v.z()}};
-}
-
-
-Foam::vector Foam::functionObjects::toVector(const riprap::Vector3& v)
-{
-    return vector(v[0], v[1], v[2]);
 }

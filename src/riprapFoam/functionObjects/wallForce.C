@@ -37,7 +37,7 @@ bool Foam::functionObjects::wallForce::read(const dictionary& dict)
     sph();
 
     groups_ = wordList(1, "fixed");
-    for (const sphWallMotion& motion : readSphSettings(mesh_).walls.motion)
+    for (const wallMotion& motion : readSphSettings(mesh_).walls.motion)
     {
         groups_.append(motion.name);
     }

@@ -73,7 +73,7 @@ static void readSet(checkedDictionary& dict)
 {
     dict.found("set");
     const word set(dict.dict().get<word>("set"));
-    if (set != "fluid") dict.unknownWord("set", set, wordList(1, word("fluid")));
+    if (set != "fluid") dict.unknownWord("set", set, wordList({"fluid", "solids"}));
 }
 
 
@@ -86,19 +86,6 @@ static void checkCount(const dictionary& dict, const word& name, scalar n)
             << "Region " << name << " would hold about " << n
             << " particles: is the spacing meant?" << exit(FatalIOError);
     }
-}
-
-
-// Entries of a list do not know their file: messages shall
-static dictionary named(const dictionary& region, const word& name, const dictionary& all)
-{
-    dictionary d(region);
-    d.name() = all.name() + ".regions." + name;
-    for (entry& e : d)
-    {
-        if (e.isStream()) e.stream().name() = d.name() + '.' + e.keyword();
-    }
-    return d;
 }
 
 
@@ -118,7 +105,7 @@ static particleRegion readRegion
 
     particleRegion region;
     region.name = e.keyword();
-    region.dict = named(e.dict(), region.name, all);
+    region.dict = namedRegion(e.dict(), region.name, all);
     checkedDictionary dict(region.dict);
 
     readSet(dict);
@@ -183,6 +170,18 @@ void Foam::particleRegion::keep(const boolList& those)
 }
 
 
+Foam::dictionary Foam::namedRegion(const dictionary& region, const word& name, const dictionary& all)
+{
+    dictionary d(region);
+    d.name() = all.name() + ".regions." + name;
+    for (entry& e : d)
+    {
+        if (e.isStream()) e.stream().name() = d.name() + '.' + e.keyword();
+    }
+    return d;
+}
+
+
 Foam::particlePacking Foam::readPacking
 (
     const dictionary& all,
@@ -193,7 +192,7 @@ Foam::particlePacking Foam::readPacking
     checkedDictionary dict(all);
     const scalar spacing = dict.positive("spacing");
     const auto kind = dict.choice("packing", particlePacking::names, particlePacking::kind::square);
-    dict.found("regions");
+    for (const char* other : {"regions", "bonds", "overlapTolerance"}) dict.found(other);
     dict.endButMacros();
     return particlePacking(mesh, kind, spacing, gravity);
 }
@@ -212,16 +211,20 @@ Foam::List<Foam::particleRegion> Foam::readRegions
         FatalIOErrorInFunction(all) << "Entry regions is empty" << exit(FatalIOError);
     }
 
-    List<particleRegion> regions(entries.size());
-    forAll(entries, i)
+    DynamicList<particleRegion> regions;
+    for (const entry& e : entries)
     {
-        regions[i] = readRegion(entries[i], all, packing, space);
-        for (label j = 0; j < i; ++j)
+        // Those are read elsewhere (solidRegions)
+        if (e.isDict() && e.dict().getOrDefault<word>("set", word::null) == "solids") continue;
+
+        const particleRegion region(readRegion(e, all, packing, space));
+        for (const particleRegion& other : regions)
         {
-            if (regions[j].name != regions[i].name) continue;
+            if (other.name != region.name) continue;
             FatalIOErrorInFunction(all)
-                << "Entry regions: two are named " << regions[i].name << exit(FatalIOError);
+                << "Entry regions: two are named " << region.name << exit(FatalIOError);
         }
+        regions.append(region);
     }
     checkOverlap(regions, packing);
     return regions;

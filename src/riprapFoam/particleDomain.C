@@ -3,19 +3,20 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "sphDomain.H"
+#include "particleDomain.H"
 #include "cyclicPolyPatch.H"
 #include "SubField.H"
 #include "emptyPolyPatch.H"
 #include "wallPolyPatch.H"
-#include "processorPolyPatch.H"
+#include "uniformDimensionedFields.H"
+#include "Time.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static void readDimensions(const polyMesh& mesh, riprap::SphConfig& config)
+static void readDimensions(const polyMesh& mesh, particleDomain& config)
 {
     const Vector<label>& solved = mesh.solutionD();
 
@@ -109,10 +110,50 @@ static void checkPatch(const polyPatch& patch)
 }
 
 
+static void readGravity(const polyMesh& mesh, particleDomain& config)
+{
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    if (g.dimensions() != dimAcceleration)
+    {
+        FatalErrorInFunction
+            << "constant/g has the dimensions " << g.dimensions()
+            << ": they must be " << dimAcceleration << exit(FatalError);
+    }
+
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        config.gravity[d] = g.value()[d];
+    }
+
+    const int empty = config.axes[2];
+    if (config.dimensions == 2 && config.gravity[empty] != 0)
+    {
+        WarningInFunction
+            << "constant/g has a component along the empty direction "
+            << vector::componentNames[empty] << ", which is ignored" << endl;
+        config.gravity[empty] = 0;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void readSphDomain(const polyMesh& mesh, riprap::SphConfig& config)
+particleDomain readParticleDomain(const polyMesh& mesh)
 {
+    particleDomain config;
+
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         checkPatch(patch);
@@ -135,6 +176,26 @@ void readSphDomain(const polyMesh& mesh, riprap::SphConfig& config)
             config.periodic[periodicAxis(*cyclic, mesh.bounds())] = true;
         }
     }
+
+    readGravity(mesh, config);
+    return config;
+}
+
+
+IOdictionary readConstant(const word& file, const Time& time)
+{
+    return IOdictionary
+    (
+        IOobject
+        (
+            file,
+            time.constant(),
+            time,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
 }
 
 } // End namespace Foam

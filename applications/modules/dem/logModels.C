@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Every model in use, once, and what is off.
+\*---------------------------------------------------------------------------*/
+
+#include "dem.H"
+#include "listed.H"
+#include "logPrecision.H"
+#include "moduleLog.H"
+#include "scene/sphScene.hpp"
+#include "sphNames.H"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::wordList Foam::solverModules::dem::modelsOff() const
+{
+    const riprap::DemConfig& c = settings_.config;
+    using namespace riprap;
+
+    DynamicList<word> off;
+    if (c.tangential == TangentialKind::none) off.append("tangential");
+    if (c.rolling == RollingKind::none) off.append("rolling");
+    if (input_.bonds.size() == 0) off.append("bonds");
+    if (input_.clumps.empty()) off.append("clumps");
+    if (input_.walls.empty()) off.append("walls");
+    if (movingWalls_.size() == 0) off.append("movingWalls");
+    if (movingGroups_.size() == 0) off.append("movingGroups");
+    if (!c.orientation) off.append("orientation");
+    return wordList(off);
+}
+
+
+void Foam::solverModules::dem::logPairs() const
+{
+    const riprap::DemConfig& c = settings_.config;
+    const wordList names(settings_.materialNames());
+
+    for (const riprap::DemPair& pair : input_.pairs)
+    {
+        const riprap::PairProperties& p = pair.properties;
+        logItem("pair") << names[pair.a] << '-' << names[pair.b] << ": ";
+        switch (c.normal)
+        {
+            case riprap::NormalKind::cellSpring:
+                Info<< "theta " << p.theta << ", alpha " << p.alpha
+                    << ", cellSize " << p.cellSize << " m";
+                break;
+
+            case riprap::NormalKind::hertz:
+                Info<< "E* " << p.effectiveYoung() << " Pa, restitution "
+                    << p.restitution;
+                break;
+
+            default:
+                Info<< "stiffness " << p.normalStiffness << " N/m"
+                    << (c.dimensions == 2 ? " per metre" : "")
+                    << ", restitution " << p.restitution;
+        }
+        if (c.tangential != riprap::TangentialKind::none)
+        {
+            Info<< ", friction " << p.friction;
+        }
+        if (c.rolling != riprap::RollingKind::none)
+        {
+            Info<< ", rollingFriction " << p.rollingFriction;
+        }
+        if (p.gap > 0)
+        {
+            Info<< ", gap " << p.gap << " m";
+        }
+        if (p.attraction)
+        {
+            Info<< ", attraction";
+        }
+        Info<< nl;
+    }
+}
+
+
+void Foam::solverModules::dem::logGroups() const
+{
+    labelList members(settings_.groups.size(), Zero);
+    for (const std::int32_t g : input_.particles.group)
+    {
+        ++members[g];
+    }
+
+    forAll(members, i)
+    {
+        const riprap::DemGroup& g = input_.groups[i];
+        if (members[i] == 0 && input_.clumps.empty()) continue;
+
+        logItem("group") << g.name.c_str() << ": " << members[i] << " particles";
+        for (int d = 0; d < 3; ++d)
+        {
+            if (g.held[d]) Info<< ", fixed " << "xyz"[d];
+        }
+        if (g.heldSpin) Info<< ", fixed spin";
+        if (g.motion >= 0) Info<< ", motion " << movingGroups_.function(g.motion);
+        if (!g.gravity) Info<< ", no gravity";
+        if (g.force != riprap::Vector3{{0, 0, 0}})
+        {
+            Info<< ", force " << vector(g.force[0], g.force[1], g.force[2])
+                << " N on each";
+        }
+        if (g.moment != riprap::Vector3{{0, 0, 0}})
+        {
+            Info<< ", moment " << vector(g.moment[0], g.moment[1], g.moment[2])
+                << " N m on each";
+        }
+        if (g.localDamping > 0) Info<< ", localDamping " << g.localDamping;
+        if (g.viscousDamping > 0)
+        {
+            Info<< ", viscousDamping " << g.viscousDamping << " 1/s";
+        }
+        if (g.viscousSpinDamping > 0)
+        {
+            Info<< ", viscousSpinDamping " << g.viscousSpinDamping << " 1/s";
+        }
+        Info<< nl;
+    }
+}
+
+
+void Foam::solverModules::dem::logBonds() const
+{
+    labelList count(settings_.bondTypes.size(), Zero);
+    for (const std::int32_t type : input_.bonds.type)
+    {
+        ++count[typeOfBondType_[type]];
+    }
+
+    forAll(count, i)
+    {
+        if (count[i] == 0) continue;
+
+        const demBondType& bond = settings_.bondTypes[i];
+        logItem("bonds") << bond.name << ": " << count[i] << ", calibration "
+            << demNames::calibration[bond.calibration] << ", radius "
+            << bond.type.radiusFactor << " x "
+            << demNames::bondRadius[bond.type.radiusKind];
+        if (bond.type.tensileStrength < 1e299)
+        {
+            Info<< ", tensileStrength " << bond.type.tensileStrength << " Pa";
+        }
+        if (bond.type.shearStrength < 1e299)
+        {
+            Info<< ", shearStrength " << bond.type.shearStrength << " Pa";
+        }
+        if (bond.type.dampingRatio > 0)
+        {
+            Info<< ", dampingRatio " << bond.type.dampingRatio;
+        }
+        Info<< nl;
+    }
+}
+
+
+void Foam::solverModules::dem::logTimeStep() const
+{
+    const riprap::DemConfig& c = settings_.config;
+    const riprap::DemPlan plan(scene_->plan());
+
+    logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
+        << ", deltaT " << plan.timeStep << " s, limit: " << plan.cause.c_str()
+        << nl;
+    logItem("") << "hard stop " << plan.hardStop << " s = 0.5 sqrt(m/k)"
+        << (c.allowLargeStep ? ", overridden by allowLargeStep" : "") << nl;
+    for (const std::string& warning : plan.warnings)
+    {
+        logItem("warning") << warning.c_str() << nl;
+    }
+}
+
+
+void Foam::solverModules::dem::logModels() const
+{
+    const logPrecision digits;
+
+    const riprap::DemConfig& c = settings_.config;
+    const riprap::DeviceChoice choice =
+        riprap::chooseDevice(c.device, run_.particles, c.dimensions);
+
+    Info<< nl << "Discrete elements" << nl;
+    logItem("particles") << "solids " << run_.particles << ", clumps "
+        << label(input_.clumps.size()) << nl;
+    logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
+        << "; periodic: " << axesText(c, true).c_str() << nl;
+    logItem("device") << scene_->deviceName().c_str() << " ("
+        << choice.reason.c_str() << ')' << nl;
+    logItem("precision") << sphNames::precision[c.precision] << nl;
+    logItem("contact") << "normal " << demNames::normal[c.normal]
+        << ", tangential " << demNames::tangential[c.tangential]
+        << ", rolling " << demNames::rolling[c.rolling];
+    if (input_.bonds.size())
+    {
+        Info<< ", within bonds: " << (c.contactWithinBonds ? "yes" : "no");
+    }
+    Info<< nl;
+
+    logPairs();
+    logGroups();
+    logBonds();
+
+    for (const riprap::DemWall& wall : input_.walls)
+    {
+        logItem("wall") << wall.name.c_str() << ": "
+            << settings_.materialNames()[wall.material] << ", ";
+        if (wall.plane)
+        {
+            Info<< "plane";
+        }
+        else
+        {
+            Info<< label(wall.elements.size()/c.dimensions) << " elements";
+        }
+        if (wall.motion >= 0)
+        {
+            Info<< ", " << movingWalls_.name(wall.motion) << ": "
+                << movingWalls_.function(wall.motion);
+        }
+        Info<< nl;
+    }
+
+    logTimeStep();
+
+    logItem("guards") << "escape "
+        << (settings_.guards.stopAtEscape ? "stop" : "warn")
+        << ", maxEscaped " << settings_.guards.maxEscaped << nl;
+    if (settings_.unused.size())
+    {
+        logItem("not used") << listed(settings_.unused).c_str()
+            << " of pairs: they are other laws'" << nl;
+    }
+    logItem("off") << listed(modelsOff()).c_str() << nl << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,44 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The log of an OpenFOAM time step.
+\*---------------------------------------------------------------------------*/
+
+#include "dem.H"
+#include "logPrecision.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverModules::dem::report()
+{
+    const logPrecision digits;
+
+    Info<< "Particle steps = " << report_.steps << " (" << run_.steps
+        << "), deltaT = " << scene_->plan().timeStep << " s, limit: "
+        << scene_->plan().cause.c_str() << nl
+        << "max(mag(U)) = " << report_.maxSpeed << " m/s, neighbour lists = "
+        << report_.rebuilds;
+    if (input_.bonds.size())
+    {
+        Info<< ", broken bonds = "
+            << int64_t(report_.brokenBonds) + run_.brokenBefore;
+    }
+    Info<< endl;
+
+    if (report_.escaped.size())
+    {
+        escaped_.log(report_.escaped.size(), run_.escaped);
+    }
+
+    progress_.log
+    (
+        runTime_.value(),
+        runTime_.startTime().value(),
+        runTime_.endTime().value()
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  The fluid's cloud, and the wall points that it will have. */
+
+#include "setParticles.H"
+#include "checkWalls.H"
+#include "OSspecific.H"
+#include "particleCloudIO.H"
+#include "particleRegions.H"
+#include "sphDictionaries.H"
+
+namespace Foam
+{
+
+static wallPoints makeWalls
+(
+    const polyMesh& mesh,
+    const sphSettings& settings,
+    const labelList& patches,
+    const geometryWalls* bodies
+)
+{
+    wallPointsControls controls;
+    controls.spacing = settings.config.wallSpacing;
+    controls.layers = wallLayers(settings);
+    return generateWallPoints(mesh, patches, bodies, controls);
+}
+
+
+// One after the other, numbered from 0; densities by the equation of state
+static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings& settings)
+{
+    particleCloud c("fluid");
+    vectorField U;
+    scalarField p;
+    for (const particleRegion& region : regions)
+    {
+        c.position.append(region.position);
+        U.append(region.velocity);
+        p.append(region.pressure);
+    }
+
+    setMaxVelocity(settings, c.position, U);
+    const riprap::SphConfig& config = settings.config;
+
+    scalarField rho(c.size());
+    forAll(rho, i) rho[i] = densityOfPressure(config, p[i]);
+
+    c.vectors.set("U", U);
+    c.scalars.set("p", p);
+    c.scalars.set("rho", rho);
+    c.scalars.set("h", scalarField(c.size(), config.smoothingRatio*config.spacing));
+    c.labels.set("id", labelField(identity(c.size())));
+    c.properties.add("spacing", config.spacing);
+    return c;
+}
+
+
+static void reportRegions(const List<particleRegion>& regions, const particlePacking& packing, scalar density)
+{
+    const char* metre = packing.planar() ? " per metre" : "";
+    label total = 0;
+    Info<< nl << "Fluid: spacing " << packing.spacing() << " m" << nl;
+    for (const particleRegion& region : regions)
+    {
+        const scalar volume = region.size()*packing.volume();
+        Info<< "    " << region.name << ": " << region.size() << " particles, volume " << volume
+            << " m3" << metre << ", mass " << density*volume << " kg" << metre;
+        if (region.clipped) Info<< ", " << region.clipped << " clipped";
+        Info<< nl;
+        total += region.size();
+    }
+    Info<< "    total: " << total << " particles, volume " << total*packing.volume() << " m3" << metre
+        << ", mass " << density*total*packing.volume() << " kg" << metre << nl << endl;
+}
+
+
+static void reportShepard(const shepardRange& range)
+{
+    Info<< "Walls and fluid: Shepard sum over that of a lattice (" << range.lattice << ") at " << range.checked << " particles near walls ("
+        << range.leftOut << " more at free surfaces or open patches)" << nl;
+    if (range.checked)
+    {
+        Info<< "    least " << range.least << " at " << range.leastAt << nl
+            << "    most " << range.most << " at " << range.mostAt << nl
+            << "    rms difference from 1: " << Foam::sqrt(range.meanSquare) << nl;
+    }
+    Info<< endl;
+}
+
+
+static void write(const Time& time, const polyMesh& mesh, const particleCloud& cloud, const wallPoints& walls)
+{
+    // Of an earlier run: the state there would not fit these particles
+    rmDir(time.timePath()/"uniform"/"riprap", true);
+    rmDir(time.timePath()/"lagrangian"/cloud.name, true);
+    writeParticleCloud(mesh, cloud);
+    writeWallPoints(walls, time.path()/"VTK"/"walls.vtp");
+
+    Info<< "Written " << cloud.size() << " particles to " << time.timeName() << "/lagrangian/" << cloud.name
+        << ", " << walls.size() << " wall points to VTK/walls.vtp" << nl << endl;
+}
+
+} // namespace Foam
+
+
+void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+{
+    sphSettings settings(readSphSettings(mesh));
+    riprap::SphConfig& config = settings.config;
+    const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
+
+    const particlePacking packing(readPacking(dict, mesh, gravity));
+    setSpacing(settings, packing.spacing());
+
+    const labelList patches
+    (
+        settings.walls.everyWallPatch
+      ? wallPatches(mesh)
+      : wallPatches(mesh, settings.walls.patches, settings.walls.dict)
+    );
+    const auto bodies(wallGeometry(mesh.time()));
+    const wallPoints walls(makeWalls(mesh, settings, patches, bodies.get()));
+
+    const List<particleRegion> regions
+    (
+        readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density})
+    );
+    const particleCloud cloud(makeCloud(regions, settings));
+
+    reportRegions(regions, packing, config.density);
+    reportWallPoints(walls, Info());
+    Info<< nl << "Sound speed " << config.soundSpeed << " m/s, highest pressure "
+        << max(cloud.scalars["p"]) << " Pa, density up to " << max(cloud.scalars["rho"]) << " kg/m3"
+        << nl << endl;
+
+    if (options.checkWalls)
+    {
+        reportShepard
+        (
+            checkWalls
+            (
+                mesh, bodies.get(), patches, walls, cloud.position, config.spacing,
+                config.smoothingRatio*config.spacing
+            )
+        );
+    }
+    if (!options.dryRun) write(mesh.time(), mesh, cloud, walls);
+}

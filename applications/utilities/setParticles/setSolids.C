@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  The cloud of solids, their bonds and rigid bodies. */
+
+#include "setParticles.H"
+#include "OSspecific.H"
+#include "sceneCloud.H"
+#include "solidRegions.H"
+#include "wallPoints.H"
+
+namespace Foam
+{
+
+static void reportRegions(const List<solidRegion>& regions, const demSettings& settings)
+{
+    const char* metre = settings.config.dimensions == 2 ? " per metre" : "";
+    label total = 0;
+    scalar all = 0;
+    for (const solidRegion& region : regions)
+    {
+        scalar mass = 0;
+        forAll(region.mass, i) if (region.clump[i] < 0) mass += region.mass[i];
+        for (const riprap::DemClump& clump : region.clumps) mass += clump.mass;
+
+        Info<< "    " << region.name << ": " << region.size() << " particles, radius " << min(region.radius);
+        if (max(region.radius) > min(region.radius)) Info<< " to " << max(region.radius);
+        Info<< " m, mass " << mass << " kg" << metre;
+        if (region.clumps.size()) Info<< ", " << region.clumps.size() << " clumps";
+        if (region.clipped) Info<< ", " << region.clipped << " clipped";
+        Info<< nl;
+        total += region.size();
+        all += mass;
+    }
+    Info<< "    total: " << total << " particles, mass " << all << " kg" << metre << nl;
+}
+
+
+static void write
+(
+    const polyMesh& mesh,
+    const demSettings& settings,
+    const solidSet& solids,
+    const riprap::DemBondState& bonds
+)
+{
+    const Time& time = mesh.time();
+    // Of an earlier run: what is there would not fit these particles
+    rmDir(time.timePath()/"uniform"/"riprap", true);
+    rmDir(time.timePath()/"uniform"/"lagrangian"/"solids", true);
+    rmDir(time.timePath()/"lagrangian"/"solids", true);
+
+    particleCloud cloud(solidCloudOf(solids.particles));
+    addSolidNames(cloud.properties, settings);
+    writeParticleCloud(mesh, cloud);
+    writeBondFiles(time, bonds);
+    writeClumpFiles(time, solids.clumps);
+    Info<< "Written " << cloud.size() << " particles, " << label(bonds.a.size()) << " bonds and "
+        << label(solids.clumps.size()) << " clumps to " << time.timeName() << "/lagrangian/solids" << nl << endl;
+}
+
+} // namespace Foam
+
+
+void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+{
+    checkedDictionary entries(dict);
+    const scalar tolerance = entries.notNegative("overlapTolerance", 1e-4);
+    for (const char* other : {"regions", "bonds", "spacing", "packing"}) entries.found(other);
+    entries.endButNumbers();
+
+    const demSettings settings(readDemSettings(mesh));
+    const auto bodies(wallGeometry(mesh.time()));
+
+    Info<< nl << "Solids" << nl;
+    const List<solidRegion> regions(readSolidRegions(dict, {mesh, settings, bodies.get()}));
+    const solidSet solids(joined(regions));
+    reportRegions(regions, settings);
+    const riprap::DemBondState bonds(bondSolids(dict, solids, settings));
+    Info<< endl;
+    checkSolidOverlap(regions, solids, bonds, tolerance);
+
+    if (!options.dryRun) write(mesh, settings, solids, bonds);
+}

@@ -1,0 +1,67 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Bonds for ParaView: a line each with force, moment, tension (along the
+    line, positive when pulled), gap beyond its unstressed one, type, broken.
+\*---------------------------------------------------------------------------*/
+
+#include "solidCloud.H"
+#include "lineSeries.H"
+#include "Map.H"
+#include "Time.H"
+
+void Foam::writeBondLines
+(
+    const Time& time,
+    const riprap::DemState& particles,
+    const riprap::DemBondState& bonds
+)
+{
+    Map<label> entryOfId(2*label(particles.id.size()));
+    for (std::size_t i = 0; i < particles.id.size(); ++i)
+    {
+        entryOfId.insert(particles.id[i], i);
+    }
+
+    const vectorField position(toVectors(particles.position));
+    const vectorField force(toVectors(bonds.force));
+    const vectorField moment(toVectors(bonds.moment));
+
+    DynamicList<label> drawn;
+    DynamicList<edge> lines;
+    forAll(force, i)
+    {
+        // One whose particle has left the scene has no line
+        const label a = entryOfId.lookup(bonds.a[i], -1);
+        const label b = entryOfId.lookup(bonds.b[i], -1);
+        if (a >= 0 && b >= 0)
+        {
+            drawn.append(i);
+            lines.append(edge(a, b));
+        }
+    }
+
+    lineFields fields;
+    scalarField tension(drawn.size());
+    scalarField stretch(drawn.size());
+    forAll(drawn, k)
+    {
+        const label i = drawn[k];
+        // The force on a, which is pulled towards b
+        tension[k] = force[i] & lines[k].unitVec(position);
+        stretch[k] = bonds.gap[i] - bonds.restGap[i];
+    }
+    fields.scalars.set("tension", tension);
+    fields.scalars.set("stretch", stretch);
+    fields.vectors.set("force", vectorField(force, drawn));
+    fields.vectors.set("moment", vectorField(moment, drawn));
+    fields.labels.set("type", labelField(toField<label>(bonds.type), drawn));
+    fields.labels.set("broken", labelField(toField<label>(bonds.broken), drawn));
+
+    writeLineSeries(time, "bonds", position, edgeList(lines), fields);
+}
+
+
+// ************************************************************************* //

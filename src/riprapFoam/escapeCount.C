@@ -1,0 +1,31 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "escapeCount.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::escapeCount::add(const std::vector<riprap::Vector3>& positions)
+{
+    for (const riprap::Vector3& x : positions)
+    {
+        ++byPatch_(boundary_.patch(point(x[0], x[1], x[2])), 0);
+    }
+}
+
+
+void Foam::escapeCount::log(label now, int64_t inAll) const
+{
+    Info<< "Escaped " << now << " particles (" << inAll
+        << " in all), by nearest patch:";
+    for (const word& patch : byPatch_.sortedToc())
+    {
+        Info<< ' ' << patch << ' ' << byPatch_[patch];
+    }
+    Info<< endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,94 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "contactChains.H"
+#include "addToRunTimeSelectionTable.H"
+#include "lineSeries.H"
+#include "Map.H"
+#include "sceneCloud.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(contactChains, 0);
+    addToRunTimeSelectionTable(functionObject, contactChains, dictionary);
+}
+}
+
+
+Foam::functionObjects::contactChains::contactChains
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    demFunctionObject(name, runTime, dict)
+{
+    read(dict);
+    writeAtStart();
+}
+
+
+void Foam::functionObjects::contactChains::writeLines(const riprap::DemContacts& contacts) const
+{
+    const riprap::DemState now(dem().scene().particles());
+    Map<label> entryOfId(2*label(now.id.size()));
+    DynamicList<point> points;
+    for (std::size_t i = 0; i < now.id.size(); ++i)
+    {
+        entryOfId.insert(now.id[i], i);
+        points.append(point(now.position[3*i], now.position[3*i + 1], now.position[3*i + 2]));
+    }
+
+    const label n = contacts.a.size();
+    edgeList lines(n);
+    lineFields fields;
+    labelField wall(n);
+    scalarField normal(n);
+    const vectorField force(toVectors(contacts.force)), at(toVectors(contacts.point));
+    forAll(lines, i)
+    {
+        wall[i] = contacts.b[i] < 0;
+        const label a = entryOfId[contacts.a[i]];
+        const label b = wall[i] ? points.size() : entryOfId[contacts.b[i]];
+        if (wall[i]) points.append(at[i]);
+        lines[i] = edge(a, b);
+        const vector way(normalised(vector(points[b] - points[a])));
+        normal[i] = -(force[i] & way);
+    }
+    fields.labels.set("wall", wall);
+    fields.scalars.set("normalForce", normal);
+    fields.scalars.set("overlap", toField<scalar>(contacts.overlap));
+    fields.vectors.set("force", force);
+    writeLineSeries(time_, name(), pointField(points), lines, fields);
+}
+
+
+bool Foam::functionObjects::contactChains::write()
+{
+    const riprap::DemContacts contacts(dem().scene().contacts());
+    writeLines(contacts);
+
+    const vectorField force(toVectors(contacts.force));
+    label walls = 0;
+    scalar deepest = 0;
+    forAll(force, i)
+    {
+        walls += contacts.b[i] < 0;
+        deepest = max(deepest, scalar(contacts.overlap[i]));
+    }
+    const bool any = force.size();
+
+    OFstream& os = row(typeName, {"contacts", "wallContacts", "maxForce", "meanForce", "maxOverlap"});
+    add(os, force.size());
+    add(os, walls);
+    add(os, any ? max(mag(force)) : 0);
+    add(os, any ? average(mag(force)) : 0);
+    add(os, deepest);
+    os  << endl;
+    return true;
+}

@@ -1,0 +1,82 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "lineSeries.H"
+#include "OSspecific.H"
+#include "SortableList.H"
+#include "Time.H"
+#include <fstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Made anew from what is there: a run that was continued has earlier files
+static void writeSeries(const fileName& folder, const word& name)
+{
+    const std::string head(name + "_");
+    const std::string tail(".vtp");
+
+    DynamicList<fileName> files;
+    DynamicList<scalar> times;
+    for (const fileName& file : readDir(folder/name, fileName::FILE))
+    {
+        scalar t = 0;
+        if
+        (
+            file.size() > head.size() + tail.size()
+         && file.starts_with(head)
+         && file.ends_with(tail)
+         && readScalar(file.substr(head.size(), file.size() - head.size() - tail.size()), t)
+        )
+        {
+            files.append(file);
+            times.append(t);
+        }
+    }
+
+    std::ofstream os(folder/name + ".vtp.series");
+    os.precision(12);
+    os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
+    const SortableList<scalar> order(times);
+    forAll(order, i)
+    {
+        os  << "    { \"name\" : \"" << std::string(name) << '/'
+            << std::string(files[order.indices()[i]]) << "\", \"time\" : "
+            << order[i] << " }" << (i + 1 < order.size() ? ",\n" : "\n");
+    }
+    os  << "  ]\n}\n";
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::writeLineSeries
+(
+    const Time& time,
+    const word& name,
+    const pointField& points,
+    const edgeList& lines,
+    const lineFields& fields
+)
+{
+    const fileName folder(time.globalPath()/"VTK");
+    writePolyLines
+    (
+        folder/name/(name + '_' + time.timeName() + ".vtp"),
+        points,
+        lines,
+        fields.labels,
+        fields.scalars,
+        fields.vectors
+    );
+    writeSeries(folder, name);
+}
+
+
+// ************************************************************************* //

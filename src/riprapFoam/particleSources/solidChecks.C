@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  Are bodies where they can be, and clear of walls and of each other? */
+
+#include "solidRegions.H"
+#include "HashSet.H"
+#include "labelPair.H"
+#include "listed.H"
+#include "pointGrid.H"
+#include "sceneCloud.H"
+#include "wallPoints.H"
+#include "wallSurface.H"
+
+namespace Foam
+{
+
+// Drop those that are not good if the region may be clipped, else stop
+static void clipOrStop(solidRegion& region, const boolList& good, const string& what)
+{
+    label bad = 0, first = -1;
+    forAll(good, i)
+    {
+        if (good[i]) continue;
+        ++bad;
+        if (first < 0) first = i;
+    }
+    if (!bad) return;
+
+    if (!region.clip)
+    {
+        FatalIOErrorInFunction(region.dict)
+            << "Region " << region.name << ": " << bad << " of " << region.size() << " particles are "
+            << what.c_str() << ", the first at " << region.position[first]
+            << "; `clip yes;` drops such particles" << exit(FatalIOError);
+    }
+    region.keep(good);
+}
+
+
+// Deeper in a wall than the tolerance allows?
+static boolList clearOf
+(
+    const solidRegion& region,
+    const wallSpace& space,
+    const wallElements& elements,
+    scalar tolerance
+)
+{
+    boolList good(region.size(), true);
+    if (elements.elements.empty() || good.empty()) return good;
+
+    const wallSurface surface(space, elements, 1);
+    const scalarField distance(surface.distance(region.position));
+    forAll(good, i) good[i] = distance[i] > (1 - tolerance)*region.radius[i];
+    return good;
+}
+
+} // namespace Foam
+
+
+void Foam::checkSolidPlace(solidRegion& region, const solidSpace& space, scalar tolerance)
+{
+    const demWalls& walls = space.settings.walls;
+    if (region.size() == 0) return;
+
+    {
+        const labelList cell(locateParticles(space.mesh, region.position, labelList(), false));
+        boolList good(cell.size());
+        forAll(good, i) good[i] = cell[i] >= 0;
+        clipOrStop(region, good, "outside the mesh");
+    }
+
+    for (label b = 0; space.bodies && b < space.bodies->size() && region.size(); ++b)
+    {
+        boolList good(space.bodies->inSolid(b, region.position));
+        for (bool& g : good) g = !g;
+        clipOrStop(region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
+    }
+
+    const labelList patches
+    (
+        walls.everyWallPatch
+      ? wallPatches(space.mesh)
+      : wallPatches(space.mesh, walls.patches, walls.dict)
+    );
+    wallPointsControls controls;
+    controls.spacing = region.size() ? 2*min(region.radius) : 1;
+    const wallSpace surfaces(space.mesh, controls);
+    clipOrStop
+    (
+        region,
+        clearOf(region, surfaces, patchElements(surfaces, patches), tolerance),
+        "in the mesh's walls by more than overlapTolerance"
+    );
+    for (label b = 0; space.bodies && b < space.bodies->size(); ++b)
+    {
+        clipOrStop
+        (
+            region,
+            clearOf(region, surfaces, bodyElements(surfaces, *space.bodies, b, 0), tolerance),
+            "in the surface " + space.bodies->names()[b] + " by more than overlapTolerance"
+        );
+    }
+    for (const auto& plane : walls.planes)
+    {
+        const point x(plane.second().get<point>("point"));
+        const vector n(normalised(plane.second().get<vector>("normal")));
+        boolList good(region.size());
+        forAll(good, i) good[i] = ((region.position[i] - x) & n) > (1 - tolerance)*region.radius[i];
+        clipOrStop(region, good, "behind the plane " + plane.first() + " or in it");
+    }
+}
+
+
+void Foam::checkSolidOverlap
+(
+    const List<solidRegion>& regions,
+    const solidSet& all,
+    const riprap::DemBondState& bonds,
+    scalar tolerance
+)
+{
+    HashSet<labelPair, labelPair::Hash<>> bonded;
+    for (std::size_t i = 0; i < bonds.a.size(); ++i)
+    {
+        bonded.insert(labelPair(min(bonds.a[i], bonds.b[i]), max(bonds.a[i], bonds.b[i])));
+    }
+
+    DynamicList<label> owner;
+    forAll(regions, r) owner.append(labelList(regions[r].size(), r));
+
+    const auto& p = all.particles;
+    const vectorField x(toVectors(p.position));
+    scalar largest = 0;
+    for (const double R : p.radius) largest = max(largest, R);
+    const pointGrid grid(2*largest, x);
+
+    forAll(x, i)
+    {
+        label other = -1;
+        grid.near
+        (
+            x[i],
+            [&](label j, const vector&, scalar distance)
+            {
+                const scalar allowed = tolerance*min(p.radius[i], p.radius[j]);
+                const bool together = p.clump.size() && p.clump[i] >= 0 && p.clump[i] == p.clump[j];
+                if (j < i && distance < p.radius[i] + p.radius[j] - allowed && !together && !bonded.found(labelPair(j, i)))
+                {
+                    other = j;
+                }
+            }
+        );
+        if (other < 0) continue;
+        FatalIOErrorInFunction(regions[owner[i]].dict)
+            << "Particles overlap at the start: one of region " << regions[owner[other]].name << " at " << x[other]
+            << " and one of region " << regions[owner[i]].name << " at " << x[i] << ", by "
+            << p.radius[i] + p.radius[other] - mag(x[i] - x[other]) << " m; overlapTolerance allows "
+            << tolerance << " of the smaller radius" << exit(FatalIOError);
+    }
+}
+
+

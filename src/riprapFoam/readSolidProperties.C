@@ -1,0 +1,135 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    constant/solidProperties: laws, time integration, guards. The default of
+    each entry is the one that is set in riprap::DemConfig.
+\*---------------------------------------------------------------------------*/
+
+#include "readSolidProperties.H"
+#include "sphNames.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static void readContact(checkedDictionary& solids, riprap::DemConfig& config)
+{
+    checkedDictionary dict(solids.subDict("contact"));
+    config.normal = dict.choice("normal", demNames::normal, config.normal);
+    config.tangential =
+        dict.choice("tangential", demNames::tangential, config.tangential);
+    config.rolling = dict.choice("rolling", demNames::rolling, config.rolling);
+    config.contactWithinBonds =
+        dict.either("withinBonds", "yes", "no", config.contactWithinBonds);
+    dict.end();
+}
+
+
+static void readTimeIntegration
+(
+    checkedDictionary& solids,
+    riprap::DemConfig& config
+)
+{
+    config.integrator = solids.choice
+    (
+        "timeIntegration",
+        demNames::timeIntegration,
+        config.integrator
+    );
+    config.stepFraction = solids.positive("stepFraction", config.stepFraction);
+    config.allowLargeStep =
+        solids.either("allowLargeStep", "yes", "no", config.allowLargeStep);
+
+    const scalar skin = solids.positiveOrAuto("skin");
+    if (skin > 0)
+    {
+        config.skin = skin;
+    }
+    config.orientation =
+        solids.either("orientation", "yes", "no", config.orientation);
+}
+
+
+static void readGuards(checkedDictionary& solids, demGuards& guards)
+{
+    checkedDictionary dict(solids.subDict("guards"));
+    guards.stopAtEscape =
+        dict.either("escape", "stop", "warn", guards.stopAtEscape);
+    guards.maxEscaped = dict.between("maxEscaped", guards.maxEscaped, 0, 1);
+    dict.end();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+const Foam::dictionary& Foam::namedDict
+(
+    const dictionary& all,
+    const entry& e
+)
+{
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(all)
+            << "Entry " << e.keyword() << " is no dictionary: " << e.keyword()
+            << " { ... }" << exit(FatalIOError);
+    }
+    return e.dict();
+}
+
+
+void Foam::readCalibration
+(
+    checkedDictionary& dict,
+    calibrationKind kind,
+    scalar& normal,
+    scalar& shear
+)
+{
+    const scalar E = dict.positive("E");
+
+    if (kind == calibrationKind::moduli)
+    {
+        normal = E;
+        shear = dict.positive("G");
+    }
+    else
+    {
+        dict.number("nu");
+        // At 0.5 the stiffness is infinite
+        const scalar nu = dict.between("nu", 0, 0, 0.4999);
+        normal = E*(1 - nu)/((1 + nu)*(1 - 2*nu));
+        shear = normal/2;
+    }
+}
+
+
+void Foam::readSolidProperties(const dictionary& all, demSettings& settings)
+{
+    riprap::DemConfig& config = settings.config;
+    checkedDictionary solids(all);
+
+    config.precision =
+        solids.choice("precision", sphNames::precision, config.precision);
+    config.device = solids.choice("device", sphNames::device, config.device);
+
+    readContact(solids, config);
+    readSolidMaterials(solids, settings);
+    readSolidPairs(solids, settings);
+    readSolidGroups(solids, settings);
+    readSolidBonds(solids, settings);
+    readSolidWalls(solids, settings);
+    readTimeIntegration(solids, config);
+    readGuards(solids, settings.guards);
+
+    solids.end();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sceneCloud.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(sceneCloud, 0);
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+template<class T>
+static void addFields(const HashTable<Field<T>>& fields, objectRegistry& obr)
+{
+    forAllConstIters(fields, iter)
+    {
+        cloud::createIOField<T>(iter.key(), iter.val().size(), obr) = iter.val();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+vectorField toVectors(const std::vector<double>& xyz)
+{
+    vectorField v(label(xyz.size()/3));
+    forAll(v, i)
+    {
+        v[i] = vector(xyz[3*i], xyz[3*i + 1], xyz[3*i + 2]);
+    }
+    return v;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
+{
+    const labelField& id = particles.labels[idField()];
+
+    // setParticles numbers from 0: one label a particle that ever was
+    cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
+    labelList& cell = particles.cell;
+    cell = locateParticles(mesh_, particles.position, labelList(cellOfId_, id), false);
+
+    DynamicList<label> outside;
+    forAll(cell, i)
+    {
+        cellOfId_[id[i]] = cell[i];
+        if (cell[i] < 0)
+        {
+            outside.append(i);
+        }
+    }
+
+    // OpenFOAM's utilities do not accept a particle that is in no cell
+    const labelList nearest
+    (
+        locateParticles
+        (
+            mesh_,
+            pointField(particles.position, outside),
+            labelList(),
+            true
+        )
+    );
+    forAll(outside, i)
+    {
+        cell[outside[i]] = nearest[i];
+    }
+
+    return outside.size();
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+const Foam::word& Foam::sceneCloud::idField() const
+{
+    static const word name("id");
+    return name;
+}
+
+
+const Foam::particleCloud& Foam::sceneCloud::fetch() const
+{
+    if (!fetched_)
+    {
+        fill(particles_);
+        particles_.cell.clear();
+        fetched_ = true;
+    }
+    return particles_;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
+:
+    cloud(mesh, name),
+    mesh_(mesh),
+    particles_(name)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::sceneCloud::nParcels() const
+{
+    return fetch().size();
+}
+
+
+void Foam::sceneCloud::writeObjects(objectRegistry& obr) const
+{
+    const particleCloud& particles = fetch();
+
+    cloud::createIOField<point>("position", particles.size(), obr) =
+        particles.position;
+    addFields(particles.labels, obr);
+    addFields(particles.scalars, obr);
+    addFields(particles.vectors, obr);
+}
+
+
+bool Foam::sceneCloud::writeObject
+(
+    IOstream::streamFormat,
+    IOstream::versionNumber,
+    IOstream::compressionType,
+    const bool
+) const
+{
+    // First, since the scene then goes on as one that was given this state
+    writeState();
+    fetched_ = false;
+
+    particleCloud particles(fetch());
+    addProperties(particles.properties);
+    const label nOutside = locate(particles);
+    writeParticleCloud(mesh_, particles);
+
+    Info<< "Written " << time().timeName() << ": " << particles.size()
+        << " particles";
+    if (nOutside)
+    {
+        Info<< ", " << nOutside << " of them outside the mesh";
+    }
+    Info<< nl << endl;
+
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sceneState.H"
+#include "labelIOList.H"
+#include "Hasher.H"
+#include "OSspecific.H"
+#include <cstdio>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static label hashOf(const std::vector<std::int32_t>& words)
+{
+    return label(Hasher(words.data(), words.size()*sizeof(words[0]), 0));
+}
+
+
+static void damaged(const IOobject& file)
+{
+    FatalIOErrorInFunction(file.objectPath())
+        << "The exact state of the particles is damaged: remove the folder "
+        << file.path() << " to continue from the fields of the cloud"
+        << exit(FatalIOError);
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+IOobject stateObject
+(
+    const Time& time,
+    const word& name,
+    IOobject::readOption read
+)
+{
+    return IOobject
+    (
+        name,
+        time.timeName(),
+        "uniform/riprap",
+        time,
+        read,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+word exact(scalar value)
+{
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.17g", double(value));
+    return word(text, false);
+}
+
+
+int64_t count(const dictionary& dict, const word& entry)
+{
+    return int64_t(dict.get<scalar>(entry));
+}
+
+
+bool hasState
+(
+    const Time& time,
+    const word& runFile,
+    const word& wordsFile
+)
+{
+    IOobject run(stateObject(time, runFile));
+    IOobject state(stateObject(time, wordsFile));
+
+    if (!isFile(run.objectPath()) && !isFile(state.objectPath()))
+    {
+        return false;
+    }
+
+    if
+    (
+        !run.typeHeaderOk<IOdictionary>(false)
+     || !state.typeHeaderOk<labelIOList>(false)
+    )
+    {
+        damaged(state);
+    }
+    return true;
+}
+
+
+void writeState(const IOdictionary& dict)
+{
+    dict.regIOobject::writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+}
+
+
+std::vector<std::int32_t> readStateWords
+(
+    const Time& time,
+    const word& name
+)
+{
+    const labelIOList file(stateObject(time, name, IOobject::MUST_READ));
+
+    std::vector<std::int32_t> words;
+    if (file.size() >= 2)
+    {
+        words.assign(file.begin() + 2, file.end());
+    }
+
+    if
+    (
+        file.size() < 2
+     || file[0] != label(words.size())
+     || file[1] != hashOf(words)
+    )
+    {
+        damaged(file);
+    }
+    return words;
+}
+
+
+void writeStateWords
+(
+    const Time& time,
+    const word& name,
+    const std::vector<std::int32_t>& words
+)
+{
+    labelIOList file(stateObject(time, name), label(words.size()) + 2);
+    file[0] = words.size();
+    file[1] = hashOf(words);
+    std::copy(words.begin(), words.end(), file.begin() + 2);
+
+    file.regIOobject::writeObject
+    (
+        IOstream::BINARY,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

@@ -1,0 +1,179 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidCloud.H"
+#include "quaternion.H"
+#include "sceneState.H"
+#include "solidFiles.H"
+#include <algorithm>
+
+namespace Foam
+{
+    defineTypeNameAndDebug(solidCloud, 0);
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Axis times angle, from 0 to pi
+static vectorField rotationVectors(const std::vector<double>& wxyz)
+{
+    vectorField turned(label(wxyz.size()/4));
+    forAll(turned, i)
+    {
+        const double* q = &wxyz[4*i];
+        const vector imaginary(sign(q[0])*vector(q[1], q[2], q[3]));
+        const scalar length = mag(imaginary);
+        turned[i] = length > VSMALL
+          ? vector(2*atan2(length, mag(q[0]))/length*imaginary)
+          : vector(Zero);
+    }
+    return turned;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidCloud::solidCloud
+(
+    const polyMesh& mesh,
+    riprap::DemScene& scene,
+    const demSettings& settings,
+    const riprap::DemInput& input,
+    const labelList& typeOfBondType,
+    const demRun& run
+)
+:
+    sceneCloud(mesh, "solids"),
+    scene_(scene),
+    settings_(settings),
+    input_(input),
+    typeOfBondType_(typeOfBondType),
+    run_(run)
+{}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+riprap::DemBondState Foam::solidCloud::bonds() const
+{
+    riprap::DemBondState bonds(scene_.bonds());
+    for (std::int32_t& type : bonds.type)
+    {
+        type = typeOfBondType_[type];
+    }
+    return bonds;
+}
+
+
+//- What never changes as it was given, not as the scene's precision has
+//  rounded it: a continued run must be given the same
+void Foam::solidCloud::setConstants
+(
+    const riprap::DemState& now,
+    particleCloud& particles
+) const
+{
+    const riprap::DemParticles& given = input_.particles;
+    const label n = particles.size();
+    const bool inertias = given.inertia.size();
+    scalarField radius(n), mass(n), inertia(inertias ? n : 0);
+    forAll(radius, i)
+    {
+        // The input is in the order of ids
+        const std::size_t j =
+            std::lower_bound(given.id.begin(), given.id.end(), now.id[i])
+          - given.id.begin();
+        radius[i] = given.radius[j];
+        mass[i] = given.mass[j];
+        if (inertias) inertia[i] = given.inertia[j];
+    }
+    particles.scalars.set("radius", radius);
+    particles.scalars.set("mass", mass);
+    if (inertias) particles.scalars.set("inertia", inertia);
+}
+
+
+void Foam::solidCloud::writeClumps() const
+{
+    const riprap::DemClumpState now(scene_.clumps());
+    std::vector<riprap::DemClump> clumps(input_.clumps);
+    for (std::size_t i = 0; i < clumps.size(); ++i)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            clumps[i].position[d] = now.position[3*i + d];
+            clumps[i].velocity[d] = now.velocity[3*i + d];
+            clumps[i].spin[d] = now.spin[3*i + d];
+        }
+        for (int d = 0; d < 4; ++d)
+        {
+            clumps[i].orientation[d] = now.orientation[4*i + d];
+        }
+    }
+    writeClumpFiles(time(), clumps);
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+const Foam::word& Foam::solidCloud::idField() const
+{
+    static const word name("origId");
+    return name;
+}
+
+
+void Foam::solidCloud::fill(particleCloud& particles) const
+{
+    const riprap::DemState now(scene_.particles());
+
+    particles.position = toVectors(now.position);
+    particles.vectors.set("U", toVectors(now.velocity));
+    particles.vectors.set("omega", toVectors(now.spin));
+    particles.vectors.set("force", toVectors(now.force));
+    particles.vectors.set("moment", toVectors(now.moment));
+    setConstants(now, particles);
+    particles.labels.set("material", toField<label>(now.material));
+    particles.labels.set("group", toField<label>(now.group));
+    particles.labels.set("contacts", toField<label>(now.contacts));
+    particles.labels.set("brokenBonds", toField<label>(now.brokenBonds));
+    particles.labels.set("origId", toField<label>(now.id));
+    if (input_.clumps.size())
+    {
+        particles.labels.set("clump", toField<label>(now.clump));
+    }
+    if (now.orientation.size())
+    {
+        particles.vectors.set("turned", rotationVectors(now.orientation));
+    }
+}
+
+
+void Foam::solidCloud::addProperties(dictionary& properties) const
+{
+    addSolidNames(properties, settings_);
+}
+
+
+void Foam::solidCloud::writeState() const
+{
+    writeStateWords(time(), demRun::stateFile, scene_.saveState());
+    writeDemRun(time(), run_);
+
+    if (input_.clumps.size())
+    {
+        writeClumps();
+    }
+    if (input_.bonds.size())
+    {
+        const riprap::DemBondState now(bonds());
+        writeBondFiles(time(), now);
+        writeBondLines(time(), scene_.particles(), now);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,171 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Bonds and clumps of a time directory: written and read.
+\*---------------------------------------------------------------------------*/
+
+#include "solidFiles.H"
+#include "solidFileFields.H"
+
+//- DemBondState::broken of a bond whose particle has left the scene
+static const Foam::label lostBond = 3;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidSet::dropBroken()
+{
+    riprap::DemBonds left;
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+    {
+        if (brokenBond[i]) continue;
+        left.a.push_back(bonds.a[i]);
+        left.b.push_back(bonds.b[i]);
+        left.type.push_back(bonds.type[i]);
+        left.gap.push_back(bonds.gap[i]);
+    }
+    const label dropped = bonds.size() - left.size();
+    bonds = left;
+    brokenBond.assign(left.size(), false);
+    return dropped;
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::writeBondFiles(const Time& time, const riprap::DemBondState& bonds)
+{
+    if (bonds.a.empty()) return;
+
+    const word folder("bonds");
+    writeSolidField(time, folder, "a", toField<label>(bonds.a));
+    writeSolidField(time, folder, "b", toField<label>(bonds.b));
+    writeSolidField(time, folder, "type", toField<label>(bonds.type));
+    writeSolidField(time, folder, "broken", toField<label>(bonds.broken));
+    writeSolidField(time, folder, "gap", toField<scalar>(bonds.restGap));
+}
+
+
+void Foam::readBondFiles
+(
+    const Time& time,
+    const labelList& typeOfFile,
+    solidSet& solids
+)
+{
+    const word folder("bonds");
+    if (!hasSolidField(time, folder, "a")) return;
+
+    const labelField a(readSolidField<label>(time, folder, "a", -1));
+    const labelField b(readSolidField<label>(time, folder, "b", a.size()));
+    const labelField type(readSolidField<label>(time, folder, "type", a.size()));
+    const labelField broken(readSolidField<label>(time, folder, "broken", a.size()));
+    const scalarField gap(readSolidField<scalar>(time, folder, "gap", a.size()));
+
+    labelHashSet ids;
+    for (const std::int32_t id : solids.particles.id)
+    {
+        ids.insert(id);
+    }
+    forAll(a, i)
+    {
+        if (broken[i] == lostBond) continue;
+        if (!ids.found(a[i]) || !ids.found(b[i]) || a[i] == b[i])
+        {
+            FatalErrorInFunction
+                << solidFile(time, folder, "a").objectPath() << ": bond " << i
+                << " joins the particles " << a[i] << " and " << b[i]
+                << ", which are not two of lagrangian/solids"
+                << exit(FatalError);
+        }
+        solids.bonds.a.push_back(a[i]);
+        solids.bonds.b.push_back(b[i]);
+        solids.bonds.type.push_back(typeOfFile[type[i]]);
+        solids.bonds.gap.push_back(gap[i]);
+        solids.brokenBond.push_back(broken[i]);
+    }
+}
+
+
+void Foam::writeClumpFiles
+(
+    const Time& time,
+    const std::vector<riprap::DemClump>& clumps
+)
+{
+    if (clumps.empty()) return;
+
+    const label n = clumps.size();
+    vectorField position(n), U(n), omega(n), inertia(n), axis(n);
+    scalarField real(n), mass(n);
+    labelField group(n);
+    forAll(position, i)
+    {
+        const riprap::DemClump& c = clumps[i];
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            position[i][d] = c.position[d];
+            U[i][d] = c.velocity[d];
+            omega[i][d] = c.spin[d];
+            inertia[i][d] = c.inertia[d];
+            axis[i][d] = c.orientation[d + 1];
+        }
+        real[i] = c.orientation[0];
+        mass[i] = c.mass;
+        group[i] = c.group;
+    }
+
+    const word folder("clumps");
+    writeSolidField(time, folder, "position", position);
+    writeSolidField(time, folder, "U", U);
+    writeSolidField(time, folder, "omega", omega);
+    writeSolidField(time, folder, "orientationReal", real);
+    writeSolidField(time, folder, "orientationImaginary", axis);
+    writeSolidField(time, folder, "mass", mass);
+    writeSolidField(time, folder, "inertia", inertia);
+    writeSolidField(time, folder, "group", group);
+}
+
+
+void Foam::readClumpFiles
+(
+    const Time& time,
+    const labelList& groupOfFile,
+    solidSet& solids
+)
+{
+    const word folder("clumps");
+    if (!hasSolidField(time, folder, "position")) return;
+
+    const vectorField position(readSolidField<vector>(time, folder, "position", -1));
+    const label n = position.size();
+    const vectorField U(readSolidField<vector>(time, folder, "U", n));
+    const vectorField omega(readSolidField<vector>(time, folder, "omega", n));
+    const scalarField real(readSolidField<scalar>(time, folder, "orientationReal", n));
+    const vectorField axis(readSolidField<vector>(time, folder, "orientationImaginary", n));
+    const scalarField mass(readSolidField<scalar>(time, folder, "mass", n));
+    const vectorField inertia(readSolidField<vector>(time, folder, "inertia", n));
+    const labelField group(readSolidField<label>(time, folder, "group", n));
+
+    solids.clumps.resize(n);
+    forAll(position, i)
+    {
+        riprap::DemClump& c = solids.clumps[i];
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            c.position[d] = position[i][d];
+            c.velocity[d] = U[i][d];
+            c.spin[d] = omega[i][d];
+            c.inertia[d] = inertia[i][d];
+            c.orientation[d + 1] = axis[i][d];
+        }
+        c.orientation[0] = real[i];
+        c.mass = mass[i];
+        c.group = groupOfFile[group[i]];
+    }
+}
+
+
+// ************************************************************************* //

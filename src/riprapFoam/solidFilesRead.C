@@ -1,0 +1,228 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The cloud of solids of a time directory, as a scene is given it.
+\*---------------------------------------------------------------------------*/
+
+#include "solidFileFields.H"
+#include "listed.H"
+#include "mathematicalConstants.H"
+#include "packedFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- What the numbers in the files mean, as indices of the settings
+template<class IndexOf>
+static labelList meaning
+(
+    const dictionary& properties,
+    const word& entry,
+    const IndexOf& indexOf
+)
+{
+    labelList index;
+    if (properties.found(entry))
+    {
+        const wordList names(properties.get<wordList>(entry));
+        index.resize(names.size());
+        forAll(names, i)
+        {
+            index[i] = indexOf(names[i], properties);
+        }
+    }
+    return index;
+}
+
+
+//- Field of indices, 0 where the cloud has none
+static std::vector<std::int32_t> indices
+(
+    const particleCloud& cloud,
+    const word& field,
+    const labelList& meaningOf,
+    const wordList& valid
+)
+{
+    std::vector<std::int32_t> index(cloud.size(), 0);
+    if (!cloud.labels.found(field)) return index;
+
+    const labelField& values = cloud.labels[field];
+    forAll(values, i)
+    {
+        const bool named = meaningOf.size();
+        if (values[i] < 0 || values[i] >= (named ? meaningOf.size() : valid.size()))
+        {
+            FatalErrorInFunction
+                << "lagrangian/solids/" << field << " has the value "
+                << values[i] << " at entry " << i << ": it counts from 0 in "
+                << listed(valid).c_str() << exit(FatalError);
+        }
+        index[i] = named ? meaningOf[values[i]] : values[i];
+    }
+    return index;
+}
+
+
+//- rho times the volume of a sphere, or of a disk per metre
+static std::vector<double> masses
+(
+    const demSettings& settings,
+    const riprap::DemParticles& particles
+)
+{
+    using constant::mathematical::pi;
+
+    std::vector<double> mass(particles.size());
+    for (std::size_t i = 0; i < mass.size(); ++i)
+    {
+        const scalar R = particles.radius[i];
+        const scalar volume =
+            settings.config.dimensions == 2 ? pi*R*R : 4*pi/3*R*R*R;
+        mass[i] = settings.materials[particles.material[i]].density*volume;
+    }
+    return mass;
+}
+
+
+//- Particles in the order of their ids: that of a scene's input, by which a
+//  saved state knows them, whatever the order in which they were written
+static void sortById(particleCloud& cloud)
+{
+    labelList order;
+    sortedOrder(cloud.labels["origId"], order);
+
+    cloud.position = pointField(cloud.position, order);
+    forAllIters(cloud.labels, iter)
+    {
+        iter.val() = labelField(iter.val(), order);
+    }
+    forAllIters(cloud.scalars, iter)
+    {
+        iter.val() = scalarField(iter.val(), order);
+    }
+    forAllIters(cloud.vectors, iter)
+    {
+        iter.val() = vectorField(iter.val(), order);
+    }
+    cloud.cell.clear();
+}
+
+
+static void requirePositive(const word& field, const std::vector<double>& values)
+{
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        if (!(values[i] > 0))
+        {
+            FatalErrorInFunction
+                << "lagrangian/solids/" << field << " has the value "
+                << values[i] << " at entry " << label(i)
+                << ": it must be positive" << exit(FatalError);
+        }
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::solidSet Foam::readSolids
+(
+    const polyMesh& mesh,
+    const demSettings& settings
+)
+{
+    const word name("solids");
+    requireCloud(mesh, name);
+    particleCloud cloud(readParticleCloud(mesh, name));
+    if (!cloud.labels.found("origId"))
+    {
+        cloud.labels.set("origId", labelField(identity(cloud.size())));
+    }
+
+    sortById(cloud);
+
+    const dictionary properties(readCloudProperties(mesh.time(), name));
+    auto materialOf = [&](const word& w, const dictionary& d) { return settings.material(w, d); };
+    auto groupOf = [&](const word& w, const dictionary& d) { return settings.group(w, d); };
+    auto typeOf = [&](const word& w, const dictionary& d) { return settings.bondType(w, d); };
+    const labelList groups(meaning(properties, "groups", groupOf));
+
+    solidSet solids;
+    riprap::DemParticles& p = solids.particles;
+    p.position = packed(name, "positions", cloud.position);
+    p.velocity = packed(name, "U", requiredVectors(mesh, cloud, "U"));
+    p.spin.assign(3*cloud.size(), 0);
+    if (cloud.vectors.found("omega"))
+    {
+        p.spin = packed(name, "omega", cloud.vectors["omega"]);
+    }
+    p.radius = packed(name, "radius", requiredScalars(mesh, cloud, "radius"));
+    p.material = indices
+    (
+        cloud, "material",
+        meaning(properties, "materials", materialOf),
+        settings.materialNames()
+    );
+    p.group = indices(cloud, "group", groups, settings.groupNames());
+    p.id = uniqueIds(name, "origId", cloud.labels["origId"]);
+    p.mass =
+        cloud.scalars.found("mass")
+      ? packed(name, "mass", cloud.scalars["mass"])
+      : masses(settings, p);
+    if (cloud.scalars.found("inertia"))
+    {
+        p.inertia = packed(name, "inertia", cloud.scalars["inertia"]);
+    }
+    requirePositive("radius", p.radius);
+    requirePositive("mass", p.mass);
+
+    readBondFiles(mesh.time(), meaning(properties, "bondTypes", typeOf), solids);
+    readClumpFiles(mesh.time(), groups, solids);
+    if (solids.clumps.size() && cloud.labels.found("clump"))
+    {
+        const labelField& clump = cloud.labels["clump"];
+        p.clump.assign(clump.begin(), clump.end());
+    }
+    return solids;
+}
+
+
+Foam::particleCloud Foam::solidCloudOf(const riprap::DemParticles& p)
+{
+    particleCloud cloud("solids");
+    cloud.position = toVectors(p.position);
+    cloud.vectors.set("U", toVectors(p.velocity));
+    cloud.vectors.set("omega", toVectors(p.spin));
+    cloud.scalars.set("radius", toField<scalar>(p.radius));
+    cloud.scalars.set("mass", toField<scalar>(p.mass));
+    if (p.inertia.size())
+    {
+        cloud.scalars.set("inertia", toField<scalar>(p.inertia));
+    }
+    cloud.labels.set("material", toField<label>(p.material));
+    cloud.labels.set("group", toField<label>(p.group));
+    cloud.labels.set("origId", toField<label>(p.id));
+    if (p.clump.size())
+    {
+        cloud.labels.set("clump", toField<label>(p.clump));
+    }
+    return cloud;
+}
+
+
+void Foam::addSolidNames(dictionary& properties, const demSettings& settings)
+{
+    properties.add("materials", settings.materialNames(), true);
+    properties.add("groups", settings.groupNames(), true);
+    properties.add("bondTypes", settings.bondNames(), true);
+}
+
+
+// ************************************************************************* //
