@@ -23,20 +23,32 @@ from .tables import hasTable, readTable
 
 
 class Run:
-    """A finished run: its directory, dictionaries, log and tables"""
+    """A finished run: its directory, dictionaries, log and tables. What a case does not have (sphProperties
+    in one of solids alone, solidProperties in one of fluid) is an empty dictionary"""
 
     def __init__(self, path, name=None):
         self.path = os.path.abspath(path)
         self.name = name or os.path.basename(self.path)
         self.control = self.dictionary('system/controlDict')
         self.sph = self.dictionary('constant/sphProperties')
+        self.solids = self.dictionary('constant/solidProperties')
         self.fluid = self.dictionary('constant/fluidProperties')
         self.particles = self.dictionary('system/setParticlesDict')
         self.spacing = numberOf(self.particles.get('spacing'))
         self._log = None
 
     def dictionary(self, name):
-        return readDictionary(os.path.join(self.path, name))
+        path = os.path.join(self.path, name)
+        return readDictionary(path) if os.path.exists(path) else {}
+
+    @property
+    def model(self):
+        return self.control.get('solver', 'sphDem')
+
+    @property
+    def properties(self):
+        """Of the solver: where precision and device are"""
+        return self.solids if self.model == 'dem' else self.sph
 
     @property
     def log(self):
@@ -50,8 +62,11 @@ class Run:
     def sphEntry(self, path, default=None):
         return entry(self.sph, path, default)
 
+    def solidEntry(self, path, default=None):
+        return entry(self.solids, path, default)
+
     def number(self, path, default=None):
-        return numberOf(self.sphEntry(path), default)
+        return numberOf(entry(self.properties, path), default)
 
     @property
     def density(self):
@@ -65,6 +80,11 @@ class Run:
 
     def settings(self):
         """The choices that tell one model from another, in one word each"""
+        if self.model == 'dem':
+            return ' '.join(f'{key}={self.solidEntry(key, default)}'.replace('contact/', '') for key, default in
+                            [('contact/normal', 'hertz'), ('contact/tangential', 'history'), ('contact/rolling', 'none'),
+                             ('timeIntegration', 'leapfrog'), ('stepFraction', '0.2')])
+
         def of(key, default):
             return f'{key}={self.sphEntry(key, default)}'.replace('/model', '').replace('/type', '')
         return ' '.join([of('kernel', 'wendlandC2'), of('smoothingLength/model', 'constant'),
@@ -76,7 +96,7 @@ class Run:
     def energyDrift(self):
         """Energy that left the particles' balance over the run, relative to the largest kinetic
         plus elastic energy and the change of potential energy (dissipation included)"""
-        if not hasTable(self.path, 'energy'):
+        if not self.sph or not hasTable(self.path, 'energy'):
             return None
         e = self.table('energy', 'energyBalance.dat')
         scale = max((e['kinetic'] + e['elastic']).max(), abs(e['potential'] - e['potential'][0]).max())
