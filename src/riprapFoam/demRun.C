@@ -31,6 +31,8 @@ demRun readDemRun(const Time& time)
     run.escaped = count(dict, "escaped");
     run.brokenBefore = count(dict, "brokenBefore");
     run.steps = count(dict, "steps");
+    run.timeStep = dict.get<scalar>("timeStep");
+    run.stepFraction = dict.get<scalar>("stepFraction");
     run.device = dict.get<word>("device");
     run.precision = dict.get<word>("precision");
 
@@ -55,6 +57,8 @@ void writeDemRun(const Time& time, const demRun& run)
     dict.add("escaped", exact(run.escaped));
     dict.add("brokenBefore", exact(run.brokenBefore));
     dict.add("steps", exact(run.steps));
+    dict.add("timeStep", exact(run.timeStep));
+    dict.add("stepFraction", exact(run.stepFraction));
     dict.add("device", run.device);
     dict.add("precision", run.precision);
     writeState(dict);

@@ -7,6 +7,7 @@
 #include "quaternion.H"
 #include "sceneState.H"
 #include "solidFiles.H"
+#include <algorithm>
 
 namespace Foam
 {
@@ -67,6 +68,34 @@ riprap::DemBondState Foam::solidCloud::bonds() const
 }
 
 
+//- What never changes as it was given, not as the scene's precision has
+//  rounded it: a continued run must be given the same
+void Foam::solidCloud::setConstants
+(
+    const riprap::DemState& now,
+    particleCloud& particles
+) const
+{
+    const riprap::DemParticles& given = input_.particles;
+    const label n = particles.size();
+    const bool inertias = given.inertia.size();
+    scalarField radius(n), mass(n), inertia(inertias ? n : 0);
+    forAll(radius, i)
+    {
+        // The input is in the order of ids
+        const std::size_t j =
+            std::lower_bound(given.id.begin(), given.id.end(), now.id[i])
+          - given.id.begin();
+        radius[i] = given.radius[j];
+        mass[i] = given.mass[j];
+        if (inertias) inertia[i] = given.inertia[j];
+    }
+    particles.scalars.set("radius", radius);
+    particles.scalars.set("mass", mass);
+    if (inertias) particles.scalars.set("inertia", inertia);
+}
+
+
 void Foam::solidCloud::writeClumps() const
 {
     const riprap::DemClumpState now(scene_.clumps());
@@ -106,8 +135,7 @@ void Foam::solidCloud::fill(particleCloud& particles) const
     particles.vectors.set("omega", toVectors(now.spin));
     particles.vectors.set("force", toVectors(now.force));
     particles.vectors.set("moment", toVectors(now.moment));
-    particles.scalars.set("radius", toField<scalar>(now.radius));
-    particles.scalars.set("mass", toField<scalar>(now.mass));
+    setConstants(now, particles);
     particles.labels.set("material", toField<label>(now.material));
     particles.labels.set("group", toField<label>(now.group));
     particles.labels.set("contacts", toField<label>(now.contacts));
@@ -120,21 +148,6 @@ void Foam::solidCloud::fill(particleCloud& particles) const
     if (now.orientation.size())
     {
         particles.vectors.set("turned", rotationVectors(now.orientation));
-    }
-    if (input_.particles.inertia.size())
-    {
-        // Never changes: by id
-        Map<scalar> inertia(2*label(input_.particles.size()));
-        for (std::size_t i = 0; i < input_.particles.size(); ++i)
-        {
-            inertia.insert(input_.particles.id[i], input_.particles.inertia[i]);
-        }
-        scalarField values(particles.size());
-        forAll(values, i)
-        {
-            values[i] = inertia[now.id[i]];
-        }
-        particles.scalars.set("inertia", values);
     }
 }
 

@@ -74,13 +74,19 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
     const label broken = continued ? 0 : solids.dropBroken();
 
     settings_ = asRead_;
-    settings_.config.startTime = runTime_.value();
+    riprap::DemConfig& config = settings_.config;
+    config.startTime = runTime_.value();
+    if (continued && config.timeStep == 0 && config.stepFraction == run_.stepFraction)
+    {
+        // That of the start, not an estimate from where the solids are now
+        config.timeStep = run_.timeStep;
+    }
     buildInput(solids);
     coverMotion();
 
     try
     {
-        scene_ = riprap::createDemScene(settings_.config, input_);
+        scene_ = riprap::createDemScene(config, input_);
     }
     catch (const std::invalid_argument& e)
     {
@@ -93,10 +99,12 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
         run_.initialParticles = solids.particles.size();
         run_.brokenBefore = broken;
     }
+    run_.timeStep = scene_->plan().timeStep;
+    run_.stepFraction = config.stepFraction;
     run_.time = runTime_.value();
     run_.particles = solids.particles.size();
     run_.device = sphNames::device[scene_->device()];
-    run_.precision = sphNames::precision[settings_.config.precision];
+    run_.precision = sphNames::precision[config.precision];
 }
 
 
