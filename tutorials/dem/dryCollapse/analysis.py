@@ -11,7 +11,8 @@ from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
 shown = [0, 0.1, 0.3, 0.5]      # times of the experiment's photographs [s]
-noGap = 'system/tank:tank 0.26; system/tank:gap 0; system/tank:pitch 0.01; system/tank:stackWidth 0.06'
+noGap = ('system/tank:tank 0.26; system/tank:gap 0; system/tank:pitch 0.01; system/tank:stackWidth 0.06; '
+         'pairs/default/gap 0')
 fractions = [0.02, 0.03, 0.05, 0.06]
 
 
