@@ -115,38 +115,37 @@ static void setBonds
 
     // As float: sums that differ by round-off are one. In the order of their
     // keys, so that a continued run numbers them alike
-    std::map<std::pair<label, float>, int> typeOf;
+    std::map<std::pair<label, float>, std::pair<int, scalar>> typeOf;
+    auto sumOf = [&](std::size_t i) -> scalar
+    {
+        const bool direct = settings.bondTypes[bonds.type[i]].calibration
+         == calibrationKind::direct;
+        return direct ? 1 : radiusOfId[bonds.a[i]] + radiusOfId[bonds.b[i]];
+    };
     auto keyOf = [&](std::size_t i)
     {
-        const label kind = bonds.type[i];
-        const bool direct =
-            settings.bondTypes[kind].calibration == calibrationKind::direct;
-        return std::make_pair
-        (
-            kind,
-            direct ? 1.0f : float(radiusOfId[bonds.a[i]] + radiusOfId[bonds.b[i]])
-        );
+        return std::make_pair(label(bonds.type[i]), float(sumOf(i)));
     };
     for (std::size_t i = 0; i < bonds.size(); ++i)
     {
-        typeOf[keyOf(i)] = 0;
+        typeOf.insert({keyOf(i), {0, sumOf(i)}});
     }
 
     DynamicList<label> kinds;
     for (auto& entry : typeOf)
     {
         const label kind = entry.first.first;
-        const scalar sum = entry.first.second;
+        const scalar sum = entry.second.second;
         riprap::DemBondType type(settings.bondTypes[kind].type);
         type.normalStiffness /= sum;
         type.shearStiffness /= sum;
-        entry.second = input.bondTypes.size();
+        entry.second.first = input.bondTypes.size();
         input.bondTypes.push_back(type);
         kinds.append(kind);
     }
     for (std::size_t i = 0; i < bonds.size(); ++i)
     {
-        bonds.type[i] = typeOf[keyOf(i)];
+        bonds.type[i] = typeOf[keyOf(i)].first;
     }
 
     if (input.bondTypes.size() > 100000)

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Quick verification of every SPH tutorial: one coarse run each against its own bounds (tests/regression/tolerances.csv, level quick)
+# Quick verification of every tutorial: one coarse run each against its own bounds (tests/regression/tolerances.csv, level quick)
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

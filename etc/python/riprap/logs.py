@@ -7,7 +7,7 @@ _items = {
     'version': r'^\s*riprap(?: version)?\s*:\s*(\S+)',
     'device': r'^\s*device[\s:]\s*([^(\n]+)',
     'precision': r'^\s*precision[\s:]\s*(\w+)',
-    'particles': rf'^\s*particles\s+(?:fluid|solids) {_number}',
+    'fluidParticles': rf'^\s*particles\s+(?:fluid|solids) {_number}',
     'wallParticles': rf'^\s*particles\s+fluid {_number[1:-1]}, walls {_number}',
     'memory': rf'^\s*memory[\s:].*?{_number} bytes',
     'steps': rf'^Particle steps = \d+ \((?:total )?{_number}',
@@ -28,7 +28,7 @@ def readLog(path):
         found = re.findall(pattern, text, re.M)
         value = found[-1].strip() if found else None
         result[name] = value if name in _words or value is None else float(value)
-    steps, particles = result['steps'], result['particles']
+    steps, particles = result['steps'], result['fluidParticles']
     result['particleSteps'] = steps*particles if steps and particles else None
     result['ended'] = bool(re.search(r'^End\s*$', text, re.M))
     result['warnings'] = len(re.findall(r'FOAM Warning', text))

@@ -21,9 +21,9 @@ def append(scene, run, quantity, error):
     log = run.log
     row = {
         'date': datetime.date.today().isoformat(), 'scene': scene, 'run': run.name,
-        'model': run.model, 'settings': run.settings(),
-        'spacing': _show(run.spacing), 'particles': _count(log['particles']),
-        'precision': log['precision'] or run.properties.get('precision', ''), 'device': log['device'],
+        'model': run.control.get('solver', 'sphDem'), 'settings': run.settings(),
+        'spacing': _show(run.spacing), 'particles': _count(log['fluidParticles']),
+        'precision': log['precision'] or (run.sph or run.solid).get('precision', ''), 'device': log['device'],
         'quantity': quantity, 'error': _show(error), 'wallTime': log['clockTime'] or log['executionTime'],
         'deviceTime': log['deviceTime'], 'steps': _count(log['steps']),
         'particleSteps': _show(log['particleSteps']), 'memory': _count(log['memory']),

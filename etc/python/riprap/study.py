@@ -23,32 +23,23 @@ from .tables import hasTable, readTable
 
 
 class Run:
-    """A finished run: its directory, dictionaries, log and tables. What a case does not have (sphProperties
-    in one of solids alone, solidProperties in one of fluid) is an empty dictionary"""
+    """A finished run: its directory, dictionaries, log and tables"""
 
     def __init__(self, path, name=None):
         self.path = os.path.abspath(path)
         self.name = name or os.path.basename(self.path)
         self.control = self.dictionary('system/controlDict')
         self.sph = self.dictionary('constant/sphProperties')
-        self.solids = self.dictionary('constant/solidProperties')
+        self.solid = self.dictionary('constant/solidProperties')
         self.fluid = self.dictionary('constant/fluidProperties')
         self.particles = self.dictionary('system/setParticlesDict')
         self.spacing = numberOf(self.particles.get('spacing'))
         self._log = None
 
     def dictionary(self, name):
+        """Empty where the case has no such file"""
         path = os.path.join(self.path, name)
         return readDictionary(path) if os.path.exists(path) else {}
-
-    @property
-    def model(self):
-        return self.control.get('solver', 'sphDem')
-
-    @property
-    def properties(self):
-        """Of the solver: where precision and device are"""
-        return self.solids if self.model == 'dem' else self.sph
 
     @property
     def log(self):
@@ -62,11 +53,8 @@ class Run:
     def sphEntry(self, path, default=None):
         return entry(self.sph, path, default)
 
-    def solidEntry(self, path, default=None):
-        return entry(self.solids, path, default)
-
     def number(self, path, default=None):
-        return numberOf(entry(self.properties, path), default)
+        return numberOf(self.sphEntry(path), default)
 
     @property
     def density(self):
@@ -80,10 +68,11 @@ class Run:
 
     def settings(self):
         """The choices that tell one model from another, in one word each"""
-        if self.model == 'dem':
-            return ' '.join(f'{key}={self.solidEntry(key, default)}'.replace('contact/', '') for key, default in
-                            [('contact/normal', 'hertz'), ('contact/tangential', 'history'), ('contact/rolling', 'none'),
-                             ('timeIntegration', 'leapfrog'), ('stepFraction', '0.2')])
+        if not self.sph:
+            return ' '.join(f'{key}={entry(self.solid, path, default)}' for key, path, default in (
+                ('normal', 'contact/normal', 'hertz'), ('tangential', 'contact/tangential', 'history'),
+                ('rolling', 'contact/rolling', 'none'), ('timeIntegration', 'timeIntegration', 'leapfrog'),
+                ('stepFraction', 'stepFraction', '0.2')))
 
         def of(key, default):
             return f'{key}={self.sphEntry(key, default)}'.replace('/model', '').replace('/type', '')
@@ -96,8 +85,11 @@ class Run:
     def energyDrift(self):
         """Energy that left the particles' balance over the run, relative to the largest kinetic
         plus elastic energy and the change of potential energy (dissipation included)"""
-        if not self.sph or not hasTable(self.path, 'energy'):
+        if not hasTable(self.path, 'energy'):
             return None
+        if not self.sph:
+            e = self.table('energy', 'solidEnergies.dat')['total']
+            return float((e[-1] - e[0])/abs(e).max()) if abs(e).max() > 0 else 0.0
         e = self.table('energy', 'energyBalance.dat')
         scale = max((e['kinetic'] + e['elastic']).max(), abs(e['potential'] - e['potential'][0]).max())
         return float(e['dissipated'][-1]/scale) if scale > 0 else 0.0

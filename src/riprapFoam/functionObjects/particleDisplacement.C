@@ -65,7 +65,17 @@ bool Foam::functionObjects::particleDisplacement::read(const dictionary& dict)
     }
     if (dict.found("origIds"))
     {
-        ids_ = dict.get<labelList>("origIds");
+        const token first(dict.lookup("origIds"));
+        if (first.isWord() && first.wordToken() == "all")
+        {
+            const auto& all = dem().input().particles.id;
+            ids_.setSize(label(all.size()));
+            std::copy(all.begin(), all.end(), ids_.begin());
+        }
+        else
+        {
+            ids_ = dict.get<labelList>("origIds");
+        }
     }
     else if (foundProperty("particles"))
     {

@@ -6,7 +6,7 @@ import numpy as np
 
 from riprap import clouds, plotting
 from riprap.bounds import Quantity
-from riprap.dictionaries import numberOf, readDictionary
+from riprap.dictionaries import entry, numberOf, readDictionary
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
@@ -80,7 +80,7 @@ def tip(run):
 
 
 def isFree(run):
-    return numberOf(run.solidEntry('groups/tip/viscousDamping')) == 0
+    return numberOf(entry(run.solid, 'groups/tip/viscousDamping')) == 0
 
 
 def frequency(t, u):

@@ -1,0 +1,217 @@
+#!/bin/bash
+# Solids: counts of setParticles that can be computed by hand, a run, its files, exact restart, function objects, and one message for every
+# entry that can be wrong.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL dem no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam
+do
+    command -v $program >/dev/null || { echo "FAIL dem no $program"; exit 1; }
+done
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+. "$root/tests/regression/setParticlesCases"
+
+pass() { echo "PASS dem.$1"; }
+fail() { echo "FAIL dem.$1 $2"; }
+says() { grep -qE -- "$2" log && pass "$1" || fail "$1" "the log does not say: $2"; }
+# Last value of a column of a table, to be within LOW..HIGH
+column()    # NAME OBJECT COLUMN LOW HIGH
+{
+    local value
+    value=$(awk -v c="$3" '/^#/ {for (i = 2; i <= NF; ++i) if ($i == c) k = i - 1; next} {x = $k} END {print x}' postProcessing/"$2"/*/*.dat)
+    awk -v x="${value:-nan}" -v a="$4" -v b="$5" 'BEGIN {exit !(x + 0 == x && x >= a && x <= b)}' && pass "$1" || fail "$1" "$3 is '$value', not within $4 and $5"
+}
+# One message, with the file and what is wrong
+wrongRun()  # NAME MESSAGE PROGRAM...
+{
+    local name=$1 message=$2 status said
+    shift 2
+    "$@" >log 2>&1; status=$?
+    said=$(tr '\n' ' ' <log | tr -s ' ')
+    if ((status == 0)); then fail "bad.$name" "was accepted"
+    elif [[ $(grep -c 'FOAM FATAL' log) != 1 ]]; then fail "bad.$name" "not one message: ${said:${#said}<400?0:-400}"
+    elif ! grep -qE -- "$message" <<<"$said"; then fail "bad.$name" "the message is not '$message': ${said:${#said}<400?0:-400}"
+    else pass "bad.$name"
+    fi
+}
+
+solids()    # MORE ENTRIES of solidProperties
+{
+    dictionary constant/solidProperties <<<"device cpu;
+materials { glass { rho 2500; E 1e7; nu 0.25; } steel { rho 7800; E 1e8; nu 0.3; } }
+pairs { default { restitution 0.9; friction 0.3; stiffness 1e4; } } walls { material steel; } $1"
+}
+control()   # ENTRIES
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver dem; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.1;
+deltaT 1e-5; adjustTimeStep yes; sampleInterval 0.01; writeControl adjustableRunTime; writeInterval 0.05; writeFormat ascii; writePrecision 12; $1"
+}
+set2() { dictionary system/setParticlesDict <<<"regions ( $1 ); ${2:-}"; }
+fill() { set2 "$@"; setParticles >log 2>&1; }
+
+# Counts. 2D: tank 0.2 x 0.1 m
+tank2; solids ''; control ''
+glass='set solids; material glass; radius 0.005;'
+fill "pile { $glass source box; box (0 0 0) (0.06 0.06 0.01); }"
+says square2 'pile: 36 particles, radius 0.005 m, mass 7\.068[0-9]* kg per metre'
+fill "pile { $glass source box; box (0 0 0) (0.06 0.06 0.01); packing layers; }"
+says layers2 'pile: 33 particles'                       # 6 + 5 + 6 + 5 + 6 + 5
+fill "pile { $glass source box; box (0 0 0) (0.065 0.06 0.01); packing hexagonal; }"
+says hexagonal2 'pile: 36 particles'                    # room for 6 in shifted rows as well
+fill "pile { $glass source box; box (0 0 0) (0.065 0.06 0.01); packing layers; }"
+says layersAlternate2 'pile: 33 particles'
+fill "pile { $glass source box; box (0 0 0) (0.06 0.06 0.01); mass cell; }"
+says massCell2 'mass 9 kg per metre'                    # rho times the box
+fill "pile { $glass source box; box (0 0 0) (0.06 0.06 0.01); spacing 0.011; }"
+says spacing2 'pile: 25 particles'
+fill "pile { $glass source cylinder; p1 (0.1 0.05 -1); p2 (0.1 0.05 1); radius 0.03; }"
+says cylinderRadius2 'pile: [0-9]+ particles, radius 0.03 m'
+fill "pile { set solids; material glass; source box; box (0 0 0) (0.1 0.1 0.01); radius 0.003; largestRadius 0.005; packing random; solidFraction 0.7; }"
+says random2 'pile: 1[0-9][0-9] particles, radius 0.003'
+cp 0/lagrangian/solids/positions first; setParticles >log 2>&1; cmp -s first 0/lagrangian/solids/positions && pass randomRepeats || fail randomRepeats "another packing with the same seed"
+printf 'x,y,z,radius,material,group\n0.05,0.05,0,0.01,steel,held\n0.1,0.05,0,0.02,glass,free\n' >list.csv
+solids 'groups { held { fixed all; } }'
+fill 'list { set solids; source csv; file "list.csv"; material glass; }'
+says csv 'list: 2 particles, radius 0.01 to 0.02 m, mass 5\.59[0-9]* kg'     # pi (7800 1e-4 + 2500 4e-4)
+grep -q '(0.1 0.05 0.005' 0/lagrangian/solids/positions && pass csvMidPlane || fail csvMidPlane "particles are not in the mid-plane"
+solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
+fill "bar { $glass source box; box (0 0 0) (0.06 0.02 0.01); }" 'bonds ( bar { type cement; groups (free); gapTolerance 1e-6; } );'
+says bonds2 'bonds bar: 16'                             # 2 x 5 + 6
+[[ -s 0/uniform/lagrangian/solids/bonds/a ]] && pass bondFiles || fail bondFiles "no bonds in 0/uniform/lagrangian/solids"
+tank3; solids ''; control ''
+fill 'cube { set solids; material glass; radius 0.005; source box; box (0 0 0) (0.04 0.04 0.04); }'
+says square3 'cube: 64 particles'
+fill 'cube { set solids; material glass; radius 0.005; source box; box (0 0 0) (0.04 0.04 0.04); packing layers; }'
+says layers3 'cube: [0-9]+ particles'
+octahedron constant/triSurface/octa.stl 1
+fill 'rock { set solids; material glass; source clumpsFromSurface; file "octa.stl"; centres ((0.025 0.03 0.02) (0.075 0.03 0.02)); }'
+says clumps 'rock: 2 clumps of [0-9]+ spheres'
+says clumpMass 'mass 0\.0533333 kg, 2 clumps'          # rho 4/3 r^3 twice, r = 0.02
+
+# A run: files, restart to the bit, function objects
+tank2
+library='libs ("libriprapFoam.so");'
+objects="functions { motion { type groupMotion; $library } one { type particleDisplacement; $library origIds (0); } energy { type solidEnergies; $library }
+forces { type solidWallForce; $library } chains { type contactChains; $library writeControl writeTime; } broken { type brokenBonds; $library } }"
+solids 'bonds { cement { calibration moduli; E 1e7; G 4e6; } } groups { bar { } lone { viscousDamping 20; } }'
+control "$objects"
+rm -rf 0
+fill "bar { $glass group bar; source box; box (0.1 0.05 0) (0.16 0.06 0.01); } lone { $glass group lone; source box; box (0.02 0 0) (0.03 0.01 0.01); }
+pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; velocity (0.1 0 0); }" 'bonds ( bar { type cement; groups (bar); gapTolerance 1e-6; } );'
+riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
+says models 'contact +normal hertz, tangential history, rolling none, within bonds: no'
+says off 'off +\(rolling clumps movingWalls movingGroups orientation\)'
+says unused 'not used +\(stiffness\)'
+for field in U omega radius mass material group force contacts brokenBonds origId
+do
+    [[ -s 0.1/lagrangian/solids/$field ]] || fail "field.$field" "not written"
+done
+[[ -s VTK/bonds/bonds_0.1.vtp && -s VTK/bonds.vtp.series && -s VTK/chains/chains_0.1.vtp ]] && pass vtp || fail vtp "no lines for ParaView"
+# Its weight of 1.926 N/m sinks into the floor by 0.164 mm (Hertz, E* = 9.72 MPa); it still swings a little
+column centre motion loneCentreY 0.0048 0.00487
+column mass motion loneMass 0.19634 0.19636
+column whole broken whole 5 5
+column noneBroken broken broken 0 0
+mv 0.1 whole; mv postProcessing whole/
+riprapFoam >log 2>&1
+says continues 'Continuing exactly from time 0.05'
+same=yes
+for file in lagrangian/solids/{positions,U,omega,force,moment} uniform/riprap/demState
+do
+    cmp -s 0.1/$file whole/$file || same="$file differs"
+done
+[[ $same == yes ]] && pass restart || fail restart "$same"
+rm -r 0.1; cp -r 0.05 kept
+sed -i '0,/^(0\./s/^(0\./(0.00/' 0.05/lagrangian/solids/positions; riprapFoam >log 2>&1
+says edited 'State in uniform/riprap is not used: the cloud has been changed|overlap'
+rm -rf 0.05 0.1; mv kept 0.05
+foamToVTK -time 0.05 >log 2>&1; grep -q 'Lagrangian: .*solids_' log && pass foamToVTK || fail foamToVTK "$(grep -m1 -A2 ERROR log)"
+rm -rf 0.05 0.1 VTK postProcessing whole
+riprapFoam -dry-run >log 2>&1
+says dryRun 'Particle steps to time 0.1'
+[[ ! -e 0.05 ]] && pass dryRunWritesNothing || fail dryRunWritesNothing "-dry-run wrote"
+
+# Wrong regions
+control ''; solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
+bad() { set2 "$3" "${4:-}"; wrongRun "$1" "$2" setParticles; }
+box='source box; box (0 0 0) (0.06 0.06 0.01);'
+bad noMaterial "material' not found" "a { set solids; radius 0.005; $box }"
+bad unknownMaterial 'Unknown material wood; constant/solidProperties has \(glass steel\)' "a { set solids; material wood; radius 0.005; $box }"
+bad unknownGroup 'Unknown group beam; constant/solidProperties has \(free\)' "a { $glass group beam; $box }"
+bad noRadius "radius' not found" "a { set solids; material glass; $box }"
+bad radius 'Entry radius is 0: it must be positive' "a { set solids; material glass; radius 0; $box }"
+bad packing 'packing has the unknown word loose; valid are .*square hexagonal layers random' "a { $glass $box packing loose; }"
+bad source 'source has the unknown word cone; valid are .*clumpsFromSurface' "a { $glass source cone; }"
+bad set 'set has the unknown word solid; valid are \(fluid solids\)' "a { $glass $box } b { set solid; }"
+bad mass 'mass has the unknown word heavy; valid are \(cell particle\)' "a { $glass $box mass heavy; }"
+bad entry 'Unknown entry colour' "a { $glass $box colour red; }"
+bad overlap 'Particles overlap at the start: one of region a at \(.* and one of region b' "a { $glass $box } b { $glass source box; box (0.055 0 0) (0.1 0.06 0.01); }"
+bad squeezed 'Particles overlap at the start' "a { $glass $box spacing 0.009; }"
+bad outside 'particles are outside the mesh' "a { $glass source box; box (0.15 0 0) (0.25 0.05 0.01); }"
+bad inWall "in the mesh's walls by more than overlapTolerance" "a { $glass source box; box (-0.002 0 0) (0.05 0.05 0.01); }"
+bad small 'Region a holds no particle' "a { $glass source box; box (0 0 0) (0.005 0.05 0.01); }"
+bad full 'cannot be brought apart at solidFraction 0.95' "a { $glass source box; box (0 0 0) (0.03 0.03 0.01); packing random; solidFraction 0.95; }"
+bad twice 'two are named a' "a { $glass $box } a { $glass source box; box (0.1 0 0) (0.16 0.06 0.01); }"
+bad bondType 'Unknown bond type glue; constant/solidProperties has \(cement\)' "a { $glass $box }" 'bonds ( a { type glue; groups (free); gapTolerance 0; } );'
+bad bondGroup 'Unknown group beam' "a { $glass $box }" 'bonds ( a { type cement; groups (beam); gapTolerance 0; } );'
+bad noBonds 'bonds nothing: no two particles of these groups are nearer than gapTolerance 0.0001' "a { $glass $box spacing 0.012; }" 'bonds ( a { type cement; groups (free); gapTolerance 1e-4; } );'
+bad bondTolerance 'Entry gapTolerance is -1' "a { $glass $box }" 'bonds ( a { type cement; groups (free); gapTolerance -1; } );'
+csv() { printf "$2" >bad.csv; bad "$1" "$3" 'a { set solids; material glass; source csv; file "bad.csv"; }'; }
+csv csvHeader 'x,y,colour\n' "unknown column 'colour'"
+csv csvShort 'x,y,radius\n' 'the columns \(x y z\) must be there'
+csv csvRadius 'x,y,z,radius\n0.1,0.05,0,-1\n' 'radius is -1: it must be positive'
+csv csvMaterial 'x,y,z,radius,material\n0.1,0.05,0,0.01,wood\n' 'Unknown material wood'
+
+# Wrong properties: said by setParticles already, which reads them all
+set2 "a { $glass $box }"
+properties_()   # NAME MESSAGE PROPERTIES
+{
+    dictionary constant/solidProperties <<<"$3"
+    wrongRun "$1" "$2" setParticles
+}
+m='materials { glass { rho 2500; E 1e7; nu 0.25; } }' w='walls { material glass; }'
+p='pairs { glass-glass { restitution 0.9; friction 0.3; stiffness 1e4; } }'
+properties_ noMaterials 'Entry materials is missing or empty' "$p $w"
+properties_ density 'Entry rho is -1: it must be positive' "materials { glass { rho -1; E 1e7; nu 0.25; } } $p $w"
+properties_ zeroE 'Entry E is 0: it must be positive' "materials { glass { rho 1; E 0; nu 0.25; } } $p $w"
+properties_ nu 'Entry nu is 0.7: it must be from' "materials { glass { rho 1; E 1; nu 0.7; } } $p $w"
+properties_ zeroStiffness 'Entry stiffness is 0: it must be positive.*solidProperties' "$m $w contact { normal linear; } pairs { default { restitution 1; friction 0; stiffness 0; } }"
+properties_ noStiffness "stiffness.*solidProperties" "$m $w contact { normal linear; } pairs { default { restitution 1; friction 0; } }"
+properties_ pairName 'Entry glass names no pair' "$m $w pairs { glass { } }"
+properties_ pairMaterial 'Unknown material wood; constant/solidProperties has \(glass\)' "$m $w pairs { glass-wood { } }"
+properties_ pairTwice 'this pair is there twice' "materials { glass { rho 1; E 1; nu 0; } steel { rho 1; E 1; nu 0; } } $w
+pairs { glass-steel { restitution 1; friction 0; } steel-glass { restitution 1; friction 0; } }"
+properties_ friction 'Entry friction is -1' "$m $w pairs { default { restitution 1; friction -1; } }"
+properties_ restitution 'Entry restitution is 2: it must be from' "$m $w pairs { default { restitution 2; friction 0; } }"
+properties_ normal 'normal has the unknown word soft; valid are .*linear incremental cellSpring hertz' "$m $p $w contact { normal soft; }"
+properties_ tangential 'tangential has the unknown word all; valid are .*none history oneStep' "$m $p $w contact { tangential all; }"
+properties_ rolling 'rolling has the unknown word all; valid are .*none constantTorque spring' "$m $p $w contact { rolling all; }"
+properties_ rollingFriction "rollingFriction.*solidProperties" "$m $p $w contact { rolling spring; }"
+properties_ fixed 'fixed has the unknown word w; valid are .*x y z spin' "$m $p $w groups { a { fixed (w); } }"
+properties_ damping 'Entry localDamping is 2: it must be from 0 to 1' "$m $p $w groups { a { localDamping 2; } }"
+properties_ bondE 'Entry E is -1' "$m $p $w bonds { a { calibration moduli; E -1; G 1; } }"
+properties_ calibration 'calibration has the unknown word best; valid are .*direct moduli planeStrain' "$m $p $w bonds { a { calibration best; } }"
+properties_ strength 'tensileStrength has the unknown word much; valid are .*none <number>' "$m $p $w bonds { a { normalStiffness 1; shearStiffness 1; tensileStrength much; } }"
+properties_ entry 'Unknown entry contacts; valid are .*contact.*solidProperties' "$m $p $w contacts { }"
+
+# Wrong only when a scene is made
+solids ''; fill "a { $glass $box }"
+properties2()   # NAME MESSAGE PROPERTIES [CONTROL]
+{
+    dictionary constant/solidProperties <<<"$3"
+    control "${4:-}"
+    wrongRun "$1" "$2" riprapFoam
+}
+two='materials { glass { rho 2500; E 1e7; nu 0.25; } steel { rho 7800; E 1e8; nu 0.3; } }'
+properties2 missingPair 'Entry pairs: missing are \(glass-steel\), which can meet' "$two pairs { glass-glass { restitution 1; friction 0; } } walls { material steel; }"
+properties2 wallMaterial 'wall tank has no material|wall [a-z]+ has no material' "$two pairs { default { restitution 1; friction 0; } }"
+properties2 wallWood 'Unknown material wood' "$two pairs { default { restitution 1; friction 0; } } walls { material wood; }"
+properties2 wallName 'nowhere selects no wall; valid are' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; materials { nowhere glass; } }"
+properties2 planeNormal 'needs a length' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; planes { a { point (0 0 0); normal (0 0 0); } } }"
+properties2 largeStep '0\.5 sqrt\(m/k\)|allowLargeStep' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; }" 'adjustTimeStep no; deltaT 0.01;'
+solids ''; control ''
+rm -r 0/lagrangian; wrongRun noParticles 'There are no particles at time 0' riprapFoam
