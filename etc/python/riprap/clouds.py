@@ -2,7 +2,7 @@
 """Particles of a time directory: <time>/lagrangian/<cloud>/{positions,U,p,...}
 
 Ascii, binary and compressed (.gz) files of OpenFOAM. Binary positions are `(` three doubles and an
-int32 `)` for each particle, binary fields are one block; labels are int32.
+int32 `)` for each particle, a line each, binary fields are one block; labels are int32.
 """
 import gzip
 import os
@@ -44,7 +44,7 @@ def readPositions(path):
         values = np.array(_numbers(body)).reshape(count, -1)
         return values[:, :3]
     record = np.dtype([('open', 'S1'), ('x', '<f8', 3), ('cell', '<i4'), ('close', 'S1'), ('end', 'S1')])
-    return np.frombuffer(_afterBracket(body), record, count)['x'].copy()
+    return np.frombuffer(_afterBracket(body).lstrip(b'\n'), record, count)['x'].copy()
 
 
 def readField(path):

@@ -4,6 +4,8 @@ import matplotlib
 
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
+import numpy as np  # noqa: E402
+from matplotlib.collections import EllipseCollection  # noqa: E402
 
 # Okabe & Ito (2008)
 colours = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000']
@@ -27,6 +29,17 @@ def measured(axis, x, y, label, index=0):
     """Experimental points"""
     axis.plot(x, y, linestyle='none', marker=markers[index % len(markers)], markerfacecolor='none',
               markeredgecolor='#444444', markersize=5, label=label)
+
+
+def discs(axis, positions, radii, colour=None, **options):
+    """Bodies to scale in the plane of the first two components, all of one colour or by a value each"""
+    size = 2*np.broadcast_to(radii, len(positions))
+    flat = np.ndim(colour) > 0
+    drawn = EllipseCollection(size, size, np.zeros(len(size)), units='xy', offsets=np.asarray(positions)[:, :2],
+                              transOffset=axis.transData, array=colour if flat else None,
+                              facecolor=None if flat else colour or '#56B4E9', edgecolor='#222222', linewidth=0.3, **options)
+    axis.add_collection(drawn)
+    return drawn
 
 
 def save(fig, path):

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Collapse of granular columns of several aspect ratios against published scaling laws of the run-out"""
+import os
+
+import numpy as np
+
+from riprap import clouds, plotting
+from riprap.bounds import Quantity
+from riprap.dictionaries import numberOf, readDictionary
+from riprap.study import Study, Variant
+
+here = os.path.dirname(os.path.abspath(__file__))
+opens = 0.5             # [s] when the gate moves
+d = 0.005               # [m] mean diameter
+g, rho = 9.81, 2500.0
+
+
+def staronHinch(a):
+    """Disks by contact dynamics, 2005"""
+    return np.where(a < 2, 2.5*a, 3.25*a**0.7)
+
+
+def lagree(a):
+    """mu(I) continuum, 2011"""
+    return np.where(a < 7, 2.2*a, 3.9*a**0.7)
+
+
+def lube(a):
+    """Sand, rice, sugar, 2005"""
+    return np.where(a < 2.3, 1.2*a, 1.9*a**(2/3))
+
+
+def lajeunesse(a):
+    """Glass beads, 2005"""
+    return np.where(a < 3, 1.8*a, 2.3*a**(2/3))
+
+
+def column(run):
+    return {k: numberOf(v) for k, v in readDictionary(os.path.join(run.path, 'system', 'column')).items() if k != 'FoamFile'}
+
+
+def isSpheres(run):
+    return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] == 'cyclic'
+
+
+def grains(run, time):
+    cloud = clouds.readCloud(run.path, clouds.nearestTime(run.path, time), ('radius', 'U'), 'solids')
+    return cloud['positions'], cloud['radius'], cloud['U']
+
+
+def aspectRatio(run):
+    """Of the column at rest: as high as twice its centre of mass is"""
+    table = run.table('grains', 'groupMotion.dat')
+    return 2*np.interp(opens, table['Time'], table['freeCentreY'])/column(run)['width']
+
+
+def heap(x, r, reach):
+    """Grains that hang together with those at the wall, neighbours being nearer than `reach` between surfaces"""
+    order = np.argsort(x[:, 0])
+    x, r = x[order], r[order]
+    joined = np.zeros(len(x), bool)
+    front = [i for i in range(len(x)) if x[i, 0] < 4*r[i]]
+    joined[front] = True
+    while front:
+        i = front.pop()
+        low, high = np.searchsorted(x[:, 0], [x[i, 0] - 2*d - reach, x[i, 0] + 2*d + reach])
+        near = np.arange(low, high)
+        near = near[~joined[near]]
+        near = near[np.linalg.norm(x[near, :] - x[i], axis=1) < r[near] + r[i] + reach]
+        joined[near] = True
+        front.extend(near)
+    return x[joined], r[joined]
+
+
+def runOut(run, time, reach=0.5*d):
+    """(L - L0)/L0 of the heap without grains that rolled off alone"""
+    x, r, _ = grains(run, time)
+    if not isSpheres(run):
+        x = x[:, :2]
+    x, r = heap(x, r, reach)
+    width = column(run)['width']
+    return float((x[:, 0] + r).max()/width - 1)
+
+
+def lastTime(run):
+    return float(clouds.times(run.path)[-1])
+
+
+def analyse(run):
+    a, end = aspectRatio(run), lastTime(run)
+    far = runOut(run, end)
+    x, r, U = grains(run, end)
+    energy = run.table('energy', 'solidEnergies.dat')
+    moving = (energy['translation'] + energy['rotation'])[-1]/energy['potential'][0]
+    result = [Quantity('aspect ratio', a)]
+    laws = [('Lube', lube), ('Lajeunesse', lajeunesse)]
+    if not isSpheres(run):
+        laws = [('Staron & Hinch', staronHinch), ('Lagree', lagree)] + laws
+    for name, law in laws:
+        result.append(Quantity(f'run-out, {name}', far, float(law(a)), abs(far/float(law(a)) - 1)))
+    before = runOut(run, end - 0.2)
+    result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
+               Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
+               Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
+               Quantity('change of the run-out in the last 0.2 s', far - before),
+               Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),
+               Quantity('kinetic energy at the end / potential at the start', float(moving))]
+    return result
+
+
+def exponent(runs, names):
+    known = [(aspectRatio(runs[n]), runOut(runs[n], lastTime(runs[n]))) for n in names if n in runs]
+    known = [k for k in known if k[0] > 2]
+    return float(np.polyfit(*np.log(np.array(known)).T, 1)[0]) if len(known) > 2 else None
+
+
+def compare(runs, results):
+    result = []
+    for kind, expected in (('disks', 0.7), ('spheres', 2/3)):
+        value = exponent(runs, [n for n in runs if n.startswith(kind) and n.count('-') == 1])
+        if value is not None:
+            result.append(Quantity(f'exponent above a = 2, {kind}', value, expected, abs(value - expected)))
+    return result
+
+
+def drawHeap(axis, run, time):
+    x, r, U = grains(run, time)
+    plotting.discs(axis, 100*x, 100*r, np.linalg.norm(U, axis=1) if isSpheres(run) else None)
+    size = column(run)
+    axis.set(xlim=(0, 100*min(size['length'], 5*size['width'] + 0.3)), ylim=(0, 100*1.05*size['height']), aspect='equal',
+             title=f'{run.name}, {time - opens:.1f} s', xlabel='x [cm]')
+    axis.grid(False)
+
+
+def plot(runs, path):
+    shown = next((r for r in runs if r.name == 'disks-2'), runs[0])
+    fig, axes = plotting.figure(3, 2, width=4.8, height=3.4)
+    a = np.geomspace(0.3, 15, 100)
+    for axis, kind, laws in ((axes[0], 'disks', (('Staron & Hinch 2005, disks', staronHinch), ('Lagrée et al. 2011', lagree))),
+                             (axes[1], 'spheres', (('Lube et al. 2005, sand', lube), ('Lajeunesse et al. 2005, glass', lajeunesse)))):
+        for label, law in laws:
+            line, = axis.loglog(a, law(a), linewidth=1, label=label)
+            axis.fill_between(a, 0.9*law(a), 1.1*law(a), alpha=0.15, color=line.get_color())
+        ours = [r for r in runs if isSpheres(r) == (kind == 'spheres')]
+        for style, chosen in (('o', [r for r in ours if r.name.count('-') == 1]), ('x', [r for r in ours if r.name.count('-') > 1])):
+            if chosen:
+                axis.plot([aspectRatio(r) for r in chosen], [runOut(r, lastTime(r)) for r in chosen], style, color='#000000',
+                          markersize=5, label='riprap' + ('' if style == 'o' else ', variants'))
+        axis.set(title=kind, xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$')
+        axis.legend(fontsize=6)
+    for run in runs:
+        if run.name.count('-') > 1:
+            continue
+        t = np.array([float(n) for n in clouds.times(run.path) if float(n) >= opens])
+        H = aspectRatio(run)*column(run)['width']
+        axes[2].plot((t - opens)/np.sqrt(H/g), [runOut(run, s) for s in t], linewidth=1, label=run.name)
+    axes[2].set(xlabel='$t / \\sqrt{H/g}$', ylabel='run-out')
+    axes[2].legend(fontsize=6)
+    for axis, t in zip(axes[3:], (opens, opens + 0.3, lastTime(shown))):
+        drawHeap(axis, shown, t)
+    plotting.save(fig, path)
+
+
+def settings(width, height, duration, spheres=False):
+    """height: of the settled column. Random packings are filled loosely and settle"""
+    a = height/width
+    filled = height*(0.82/0.65 if not spheres else 0.60/0.45)
+    reach = float(staronHinch(a))
+    numbers = {'width': width, 'height': filled, 'length': width*(1 + 1.3*reach) + 0.3, 'top': filled + 0.1,
+               'solidFraction': 0.45 if spheres else 0.65}
+    text = '; '.join(f'system/column:{k} {v:.5g}' for k, v in numbers.items())
+    # overlaps of a thousandth of a grain under the column's weight
+    stiffness = 1000*rho*g*height*(d if spheres else 1)
+    text += f'; constant/geometry:gate/origin ({width:g} -0.01 -1); constant/geometry:gate/span (0 {filled + 0.02:.5g} 2)'
+    text += ''.join(f'; pairs/{p}/stiffness {stiffness:.5g}' for p in ('grain-grain', 'grain-smooth'))
+    if spheres:
+        text += '; system/column:depth 0.03; system/sides:sides cyclic; pairs/grain-grain/friction 0.5'
+    return ['-set', text, '-endTime', f'{opens + duration:g}']
+
+
+def variant(name, *size, extra='', **more):
+    options = settings(*size, **more)
+    options[1] += extra
+    return Variant(name, options)
+
+
+Study(
+    scene='columnCollapse',
+    variants=[variant('disks-0.5', 0.3, 0.15, 1.0), variant('disks-1', 0.2, 0.2, 1.2), variant('disks-2', 0.15, 0.3, 1.4),
+              variant('disks-4', 0.1, 0.4, 1.6), variant('disks-7', 0.08, 0.56, 1.8), variant('disks-10', 0.07, 0.7, 2.0),
+              variant('disks-2-seed2', 0.15, 0.3, 1.4, extra='; system/column:seed 2'),
+              variant('disks-2-friction0.5', 0.15, 0.3, 1.4, extra='; pairs/grain-grain/friction 0.5'),
+              variant('spheres-0.5', 0.15, 0.075, 1.0, spheres=True), variant('spheres-1', 0.1, 0.1, 1.2, spheres=True),
+              variant('spheres-2', 0.08, 0.16, 1.2, spheres=True), variant('spheres-4', 0.06, 0.24, 1.4, spheres=True),
+              variant('spheres-7', 0.05, 0.35, 1.4, spheres=True), variant('spheres-10', 0.05, 0.5, 1.6, spheres=True)],
+    quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
+    analyse=analyse,
+    plot=plot,
+    compare=compare,
+    headline='run-out, Staron & Hinch',
+).main(here)
