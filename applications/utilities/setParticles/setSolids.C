@@ -65,7 +65,7 @@ void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOpti
     checkedDictionary entries(dict);
     const scalar tolerance = entries.notNegative("overlapTolerance", 1e-4);
     for (const char* other : {"regions", "bonds", "spacing", "packing"}) entries.found(other);
-    entries.endButNumbers();
+    entries.endButMacros();
 
     const demSettings settings(readDemSettings(mesh));
     const auto bodies(wallGeometry(mesh.time()));
