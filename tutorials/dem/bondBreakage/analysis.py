@@ -31,7 +31,7 @@ def plot(runs, path):
         if run.name.startswith('bar'):
             table = run.table('broken')
             axes[0].plot(table['Time'], table['maxTension'], label=f'{run.name}: largest tension of whole bonds')
-            axes[0].plot(table['Time'], table['broken']*1e3, label=f'{run.name}: broken bonds x 1000')
+            axes[0].plot(table['Time'], table['broken']*1e2, label=f'{run.name}: broken bonds x 100')
     axes[0].set(xlabel='t [s]', ylabel='[N]')
     if axes[0].lines:
         axes[0].legend(fontsize=7)
@@ -42,18 +42,18 @@ def plot(runs, path):
 turned = ('groups/moved/motion/solidBodyMotionFunction rotatingMotion',)
 ways = {
     'tension': (),
-    'shear': ('groups/moved/motion/linearMotionCoeffs/velocity (0 1e-3 0)', 'bonds/weak/tensileStrength none',
-              'bonds/weak/shearStrength 5e4'),
+    'shear': ('groups/moved/motion/linearMotionCoeffs/velocity (0 1e-4 0)', 'bonds/weak/tensileStrength none',
+              'bonds/weak/shearStrength 5e3'),
     'bending': turned,
 }
 
 
 def single(way, mesh, side):
-    """To 1e-6 below or above 0.1 s; a step adds 4e-7 of the strength"""
+    """To 1e-6 below or above 0.1 s; a step adds 2e-7 of the strength"""
     end = 0.1*(1 - 1e-6) if side == 'below' else 0.1*(1 + 1e-6)
     sets = ('system/bar:n 4', 'system/bar:rigid yes', f'system/bar:frontAndBack {mesh}', f'system/controlDict:writeInterval {end:.10g}',
             f'system/controlDict:sampleInterval {end/10:.10g}', 'system/controlDict:adjustTimeStep no',
-            'system/controlDict:deltaT 4e-8', *ways[way])
+            'system/controlDict:deltaT 2e-8', *ways[way])
     name = f'{way}-{"2D" if mesh == "empty" else "3D"}-{side}'
     return Variant(name, ['-endTime', f'{end:.10g}', *(option for s in sets for option in ('-set', s))])
 
