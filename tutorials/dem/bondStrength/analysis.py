@@ -86,7 +86,7 @@ def variants():
 
 
 Study(
-    scene='bondBreakage',
+    scene='bondStrength',
     variants=list(variants()),
     quick=[v for v in variants() if v.name.startswith('bending2D')],
     analyse=analyse,
