@@ -71,8 +71,18 @@ void forEach(Context<Cpu>& context, int n, const F& f)
     if (n <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel for schedule(static) if (n > 256)
-        for (int i = 0; i < n; ++i) f(i);
+        if (n <= 256)                   // a team, even of one, costs more than these
+        {
+            const F own(f);
+            for (int i = 0; i < n; ++i) own(i);
+            return;
+        }
+        #pragma omp parallel
+        {
+            const F own(f);             // of this thread: nothing that f writes can be thought to alias it
+            #pragma omp for schedule(static)
+            for (int i = 0; i < n; ++i) own(i);
+        }
     });
 }
 
@@ -87,8 +97,13 @@ void forEachTask(Context<Cpu>& context, int tasks, const F& f)
     if (tasks <= 0) return;
     profiled(context, F::name, [&]
     {
-        #pragma omp parallel for schedule(dynamic, 1) if (tasks > 1)
-        for (int t = 0; t < tasks; ++t) f(t);
+        if (tasks == 1) { const F own(f); own(0); return; }
+        #pragma omp parallel
+        {
+            const F own(f);
+            #pragma omp for schedule(dynamic, 1)
+            for (int t = 0; t < tasks; ++t) own(t);
+        }
     });
 }
 

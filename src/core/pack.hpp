@@ -107,6 +107,84 @@ HD R sumLanes(Pack<R> a)
     return r;
 }
 
+//- Four registers as a matrix, transposed: rows of four numbers, one a lane, become one register a number, and back.
+//  Eight lanes: lane l stands in the lower half of v[l % 4], or for l >= 4 in its upper half.
+HD void transposeRows(Pack<float>* v)
+{
+    using vec = Pack<float>::vec;
+    const vec t0 = __builtin_shufflevector(v[0].v, v[1].v, 0, 8, 1, 9, 4, 12, 5, 13);
+    const vec t1 = __builtin_shufflevector(v[0].v, v[1].v, 2, 10, 3, 11, 6, 14, 7, 15);
+    const vec t2 = __builtin_shufflevector(v[2].v, v[3].v, 0, 8, 1, 9, 4, 12, 5, 13);
+    const vec t3 = __builtin_shufflevector(v[2].v, v[3].v, 2, 10, 3, 11, 6, 14, 7, 15);
+    v[0].v = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13);
+    v[1].v = __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15);
+    v[2].v = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13);
+    v[3].v = __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+HD void transposeRows(Pack<double>* v)
+{
+    using vec = Pack<double>::vec;
+    const vec t0 = __builtin_shufflevector(v[0].v, v[1].v, 0, 4, 2, 6), t1 = __builtin_shufflevector(v[0].v, v[1].v, 1, 5, 3, 7);
+    const vec t2 = __builtin_shufflevector(v[2].v, v[3].v, 0, 4, 2, 6), t3 = __builtin_shufflevector(v[2].v, v[3].v, 1, 5, 3, 7);
+    v[0].v = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
+    v[1].v = __builtin_shufflevector(t1, t3, 0, 1, 4, 5);
+    v[2].v = __builtin_shufflevector(t0, t2, 2, 3, 6, 7);
+    v[3].v = __builtin_shufflevector(t1, t3, 2, 3, 6, 7);
+}
+
+//- Four numbers as one lane's row
+template<class R> struct Row;
+template<> struct Row<float>
+{
+    typedef float vec __attribute__((vector_size(16)));
+    typedef float loose __attribute__((vector_size(16), aligned(4), may_alias));
+};
+template<> struct Row<double>
+{
+    typedef double vec __attribute__((vector_size(32)));
+    typedef double loose __attribute__((vector_size(32), aligned(8), may_alias));
+};
+
+//- The rows that row(l) points at, one register a number
+template<class F>
+HD void loadRows(const F& row, Pack<float>* v)
+{
+    using vec = Row<float>::vec;
+    for (int l = 0; l < 4; ++l)
+    {
+        const vec low = *reinterpret_cast<const Row<float>::loose*>(row(l)), high = *reinterpret_cast<const Row<float>::loose*>(row(l + 4));
+        v[l].v = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    transposeRows(v);
+}
+
+template<class F>
+HD void loadRows(const F& row, Pack<double>* v)
+{
+    for (int l = 0; l < 4; ++l) v[l].v = *reinterpret_cast<const Row<double>::loose*>(row(l));
+    transposeRows(v);
+}
+
+//- Registers of four numbers as rows: lane l's is row[l]
+HD void storeRows(const Pack<float>* v, Row<float>::vec* row)
+{
+    Pack<float> r[4] = {v[0], v[1], v[2], v[3]};
+    transposeRows(r);
+    for (int l = 0; l < 4; ++l)
+    {
+        row[l] = __builtin_shufflevector(r[l].v, r[l].v, 0, 1, 2, 3);
+        row[l + 4] = __builtin_shufflevector(r[l].v, r[l].v, 4, 5, 6, 7);
+    }
+}
+
+HD void storeRows(const Pack<double>* v, Row<double>::vec* row)
+{
+    Pack<double> r[4] = {v[0], v[1], v[2], v[3]};
+    transposeRows(r);
+    for (int l = 0; l < 4; ++l) row[l] = r[l].v;
+}
+
 //- Fixed-point difference a - b (wrapping) as a number of units
 HD Pack<float> wrappedDifference(PackInt32 a, PackInt32 b)
 {

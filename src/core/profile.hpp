@@ -20,6 +20,16 @@ public:
 
     Entry& entry(const char* name)
     {
+        // a kernel's name is mostly the same characters in memory: no string is made of it then
+        const auto known = known_.find(name);
+        if (known != known_.end()) return entries_[known->second];
+        Entry& e = entryCalled(name);
+        known_.emplace(name, std::size_t(&e - entries_.data()));
+        return e;
+    }
+
+    Entry& entryCalled(const char* name)
+    {
         const auto found = index_.find(name);
         if (found != index_.end()) return entries_[found->second];
         index_.emplace(name, entries_.size());
@@ -49,6 +59,7 @@ private:
 
     std::vector<Entry> entries_;
     std::unordered_map<std::string, std::size_t> index_;
+    std::unordered_map<const void*, std::size_t> known_;
     std::vector<std::size_t> captured_;
 };
 

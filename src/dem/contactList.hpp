@@ -32,12 +32,16 @@ struct ContactListView : ContactListLayout
     const int* count;           // of each particle
     R* history;
     R* rest;                    // overlap at which a pair is at rest (after a bond), or null
+    int* owner;                 // on the CPU, of each entry: its particle
     std::size_t stride;
 
     HD std::size_t index(int i, int k) const { return std::size_t(base[i/width]) + std::size_t(k)*width + i % width; }
 
     template<int H>
-    HD R& remembered(std::size_t e, int c) const { return Backend::gpu ? history[c*stride + e] : history[e*H + c]; }
+    HD R& remembered(std::size_t e, int c) const { return Backend::gpu ? history[c*stride + e] : history[e*historyWords(H) + c]; }
+
+    //- Numbers kept of an entry: on the CPU in rows of four, so that rows are loaded whole
+    HD static constexpr int historyWords(int H) { return Backend::gpu ? H : (H + 3)/4*4; }
 };
 
 template<class Backend, class R>
@@ -60,7 +64,9 @@ public:
         {
             const std::size_t room = entries + entries/8 + 64;
             entry_.allocate(context, room);
-            if (histories) history_.allocate(context, room*histories);
+            if (!Backend::gpu) owner_.allocate(context, room);
+            const int words = ContactListView<Backend, R>::historyWords(histories);
+            if (words) history_.allocate(context, room*words);
             if (rests) rest_.allocate(context, room);
         }
         entries_ = entries;
@@ -74,6 +80,7 @@ public:
         v.count = count_.data();
         v.history = history_.data();
         v.rest = rest_.size() ? rest_.data() : nullptr;
+        v.owner = owner_.data();
         v.stride = entry_.size();
         return v;
     }
@@ -82,12 +89,13 @@ public:
     int* count() { return count_.data(); }
     int blocks() const { return blocks_; }
     std::size_t entries() const { return entries_; }
-    std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes(); }
+    std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes() + owner_.bytes(); }
 
     void swap(ContactList& o)
     {
         entry_.swap(o.entry_);
         base_.swap(o.base_);
+        owner_.swap(o.owner_);
         count_.swap(o.count_);
         history_.swap(o.history_);
         rest_.swap(o.rest_);
@@ -97,7 +105,7 @@ public:
 
 private:
     Array<Backend, std::uint32_t> entry_;
-    Array<Backend, int> base_, count_;
+    Array<Backend, int> base_, count_, owner_;
     Array<Backend, R> history_, rest_;
     int blocks_ = 0;
     std::size_t entries_ = 0;

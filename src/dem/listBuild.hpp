@@ -130,6 +130,7 @@ struct WriteContacts
         {
             const std::size_t e = list.index(i, k++);
             list.entry[e] = std::uint32_t(j);
+            if (!Backend::gpu) list.owner[e] = i;
             if (list.rest) list.rest[e] = 0;
         });
     }

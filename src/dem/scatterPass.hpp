@@ -12,6 +12,7 @@
 
 #include <vector>
 #include "core/pack.hpp"
+#include "core/records.hpp"
 #include "dem/pairModel.hpp"
 
 namespace riprap
@@ -21,7 +22,8 @@ namespace riprap
 template<int D, class R>
 struct DeferredForces
 {
-    static constexpr int width = D + spins<D>;
+    //- Numbers kept of a particle: force and moment, in rows of four (3D: one each; 2D: one for both)
+    static constexpr int width = D == 3 ? 8 : 4;
     static constexpr int particlesPerBlock = 4096;
 
     int n = 0, blocks = 1;
@@ -72,72 +74,107 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     using Model = PairModel<Cpu, D, P, Law>;
     using List = ContactListView<Cpu, real>;
     static constexpr const char* name = "contacts";
-    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width, words = D + S;
+    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width, words = DeferredForces<D, real>::width;
+    static constexpr int rows = (H + 3)/4, words4 = words/4;
+    using RowOf = typename Row<real>::vec;
+    using LooseRow = typename Row<real>::loose;
 
     DeferredForces<D, real>* deferred;
     real* sums;                 // words a particle
     real largestGap;
 
-    //- Touching pairs until a register is full
+    //- Entries that touch, some registers full, and where the search for them stands
     struct Batch
     {
+        static constexpr int room = 64;
+
         int count = 0;
-        int i[lanes], j[lanes], slot[lanes];
-        std::size_t entry[lanes];
-        bool touched[lanes];
-        alignas(32) real dx[D][lanes];
-        alignas(32) real r2[lanes];
+        int entry[room + lanes], slot[room + lanes];
+        int next = 0, nextSlot = 0;
     };
 
     void operator()(int block) const
     {
         if (!this->clock->active) return;
-        const int begin = deferred->begin(block), end = std::min(deferred->begin(block + 1), *this->active);
-        for (std::size_t k = std::size_t(begin)*words; k < std::size_t(std::max(end, begin))*words; ++k) sums[k] = 0;
+        const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1), end = std::min(blockEnd, *this->active);
+        if (end <= begin) return;
+        for (std::size_t k = std::size_t(begin)*words; k < std::size_t(end)*words; ++k) sums[k] = 0;
+        for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k) deferred->acts[k] = 0;
         Batch batch;
-        int slot = deferred->firstSlot[block];
-        const int blockEnd = deferred->begin(block + 1);
-        for (int i = begin; i < end; ++i)
+        batch.next = this->list.base[begin];
+        batch.nextSlot = deferred->firstSlot[block];
+        const int last = this->list.base[end];
+        while (batch.next < last)
         {
-            const auto xi = this->solids.position(i);
-            const real radius = this->solids.radius(i) + largestGap;
-            const std::size_t first = this->list.index(i, 0);
-            const int count = this->list.count[i];
-            for (int k = 0; k < count; ++k)
-            {
-                const std::uint32_t entry = this->list.entry[first + k];
-                const int j = List::other(entry);
-                const SolidA<D, P> other = this->solids.a[j];
-                const Vec<D, real> dx = this->line(xi, other);
-                const real r2 = squaredNorm(dx), reach = radius + other.radius;
-                const bool crosses = j >= blockEnd;
-                const int own = crosses ? slot++ : -1;
-                if (crosses) deferred->acts[own] = 0;
-                if (!(r2 < reach*reach) || !touches(i, j, first + k, r2))
-                {
-                    if (entry & List::touching) this->list.entry[first + k] = std::uint32_t(j);
-                    continue;
-                }
-                const int l = batch.count++;
-                batch.i[l] = i;
-                batch.j[l] = j;
-                batch.slot[l] = own;
-                batch.entry[l] = first + k;
-                batch.touched[l] = entry & List::touching;
-                for (int d = 0; d < D; ++d) batch.dx[d][l] = dx.c[d];
-                batch.r2[l] = r2;
-                if (batch.count == lanes) flush(batch);
-            }
+            collect(batch, last, blockEnd);
+            for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
         }
-        if (batch.count) flush(batch);
     }
 
 private:
 
+    //- Positions and radii, and in 2D masses, of the particles index(l), one a lane
+    struct Places { Vec<D, typename PositionPack<P>::type> x; T radius, mass; };
+
+    template<class Index>
+    HD Places places(const Index& index) const
+    {
+        T v[4];
+        loadRows([&](int l) { return reinterpret_cast<const real*>(this->solids.a + index(l)); }, v);
+        Places p;
+        for (int d = 0; d < D; ++d)
+        {
+            if constexpr (sizeof(real) == 4) p.x.c[d].v = PackInt32::vec(v[d].v);
+            else p.x.c[d] = v[d];
+        }
+        p.radius = v[D];
+        p.mass = v[3];
+        return p;
+    }
+
+    //- From a to b, nearest image
+    HD Vec<D, T> line(const Places& a, const Places& b) const
+    {
+        Vec<D, T> dx;
+        for (int d = 0; d < D; ++d) dx.c[d] = this->box.template separation<T>(d, b.x.c[d], a.x.c[d]);
+        return dx;
+    }
+
+    //- The next entries that touch, a register of candidates at a time. Whether a near pair touches is anybody's guess: it is
+    //  written, and counts or not, without a branch
+    HD void collect(Batch& b, int last, int blockEnd) const
+    {
+        b.count = 0;
+        const bool simple = this->materials == 1 && !this->list.rest;
+        const T gap(largestGap);
+        for (; b.next < last && b.count <= Batch::room - lanes; b.next += lanes)
+        {
+            const int used = std::min(lanes, last - b.next);
+            const auto at = [&](int l) { return b.next + (l < used ? l : 0); };
+            const Places pi = places([&](int l) { return this->list.owner[at(l)]; });
+            const Places pj = places([&](int l) { return List::other(this->list.entry[at(l)]); });
+            const T reach = pi.radius + pj.radius + gap, r2 = squaredNorm(line(pi, pj));
+            const T near = selectGreater(reach*reach, r2, T(real(1)), T(real(0)));
+            for (int l = 0; l < used; ++l)
+            {
+                const int e = b.next + l;
+                const std::uint32_t entry = this->list.entry[e];
+                const int j = List::other(entry);
+                bool hit = near.v[l] != 0;
+                if (!simple) hit = hit && touches(this->list.owner[e], j, e, r2.v[l]);
+                const bool crosses = j >= blockEnd;
+                b.entry[b.count] = e;
+                b.slot[b.count] = crosses ? b.nextSlot : -1;
+                b.nextSlot += crosses;
+                b.count += hit;
+                if (!hit && (entry & List::touching)) this->list.entry[e] = std::uint32_t(j);
+            }
+        }
+    }
+
     //- Where gaps and rests vary, nearness is not touching
     bool touches(int i, int j, std::size_t e, real r2) const
     {
-        if (this->materials == 1 && !this->list.rest) return true;
         int mi, mj;
         const real radii = this->solids.body(i, mi).radius + this->solids.body(j, mj).radius;
         real reach = radii + this->gap[this->pairOf(mi, mj)];
@@ -145,83 +182,135 @@ private:
         return reach > 0 && r2 < reach*reach;
     }
 
-    void setBody(ContactBody<D, T>& to, int lane, const ContactBody<D, real>& from) const
+    //- The bodies index(l), one a lane
+    template<class Index>
+    HD ContactBody<D, T> bodies(const Index& index, const Places& place) const
     {
-        for (int d = 0; d < D; ++d) to.velocity.c[d].v[lane] = from.velocity.c[d];
-        for (int c = 0; c < S; ++c) to.spin.c[c].v[lane] = from.spin.c[c];
-        to.radius.v[lane] = from.radius;
-        to.mass.v[lane] = from.mass;
+        ContactBody<D, T> q;
+        T v[4];
+        loadRows([&](int l) { return this->solids.b[index(l)].c; }, v);
+        for (int d = 0; d < D; ++d) q.velocity.c[d] = v[d];
+        q.radius = place.radius;
+        if constexpr (D == 2)
+        {
+            q.spin.c[0] = v[2];
+            q.mass = place.mass;
+        }
+        else
+        {
+            q.mass = v[3];
+            loadRows([&](int l) { return this->solids.c[index(l)].c; }, v);
+            for (int c = 0; c < S; ++c) q.spin.c[c] = v[c];
+        }
+        return q;
     }
 
-    void flush(Batch& b) const
+    //- Parameters and gaps of pairs of several materials
+    template<class Entry>
+    HD void setPairs(const Entry& entry, typename Law::template Parameters<T>& parameters, T& gap) const
     {
-        ContactBody<D, T> bodyA, bodyB;
-        typename Law::template Parameters<T> parameters;
-        T gap, h[H + 1];
-        T* words = reinterpret_cast<T*>(&parameters);
         constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
-        for (int l = b.count; l < lanes; ++l)       // idle lanes repeat the first pair
-        {
-            b.i[l] = b.i[0];
-            b.j[l] = b.j[0];
-            b.entry[l] = b.entry[0];
-            b.touched[l] = b.touched[0];
-            for (int d = 0; d < D; ++d) b.dx[d][l] = b.dx[d][0];
-            b.r2[l] = b.r2[0];
-        }
-        const bool uniform = this->materials == 1;
-        if (uniform)
-        {
-            const real* from = reinterpret_cast<const real*>(this->parameters);
-            for (int k = 0; k < numbers; ++k) words[k] = T(from[k]);
-            gap = T(this->gap[0]);
-        }
+        alignas(32) real number[numbers][lanes], gaps[lanes];
         for (int l = 0; l < lanes; ++l)
         {
             int mi, mj;
-            setBody(bodyA, l, this->solids.body(b.i[l], mi));
-            setBody(bodyB, l, this->solids.body(b.j[l], mj));
-            if (!uniform)
-            {
-                const int pair = this->pairOf(mi, mj);
-                const real* from = reinterpret_cast<const real*>(this->parameters + pair);
-                for (int k = 0; k < numbers; ++k) words[k].v[l] = from[k];
-                gap.v[l] = this->gap[pair];
-            }
-            if (this->list.rest) gap.v[l] -= this->list.rest[b.entry[l]];
-            for (int c = 0; c < H; ++c) h[c].v[l] = b.touched[l] ? this->list.template remembered<H>(b.entry[l], c) : real(0);
+            const int e = entry(l);
+            this->solids.body(this->list.owner[e], mi);
+            this->solids.body(List::other(this->list.entry[e]), mj);
+            const int pair = this->pairOf(mi, mj);
+            const real* from = reinterpret_cast<const real*>(this->parameters + pair);
+            for (int k = 0; k < numbers; ++k) number[k][l] = from[k];
+            gaps[l] = this->gap[pair];
+            if (this->list.rest) gaps[l] -= this->list.rest[e];
         }
-        const T distance = squareRoot(maximum(T::load(b.r2), T(real(1e-30)))), inverse = T(real(1))/distance;
-        Vec<D, T> n;
-        for (int d = 0; d < D; ++d) n.c[d] = inverse*T::load(b.dx[d]);
+        T* to = reinterpret_cast<T*>(&parameters);
+        for (int k = 0; k < numbers; ++k) to[k] = T::load(number[k]);
+        gap = T::load(gaps);
+    }
+
+    //- The pairs from `first` on, as many as a register holds
+    HD void evaluate(const Batch& b, int first) const
+    {
+        const int used = std::min(lanes, b.count - first);
+        const auto entry = [&](int l) { return b.entry[first + (l < used ? l : 0)]; };     // idle lanes repeat the first pair
+        const auto owner = [&](int l) { return this->list.owner[entry(l)]; };
+        const auto other = [&](int l) { return List::other(this->list.entry[entry(l)]); };
+        const Places placeA = places(owner), placeB = places(other);
+        const ContactBody<D, T> bodyA = bodies(owner, placeA), bodyB = bodies(other, placeB);
+        typename Law::template Parameters<T> parameters;
+        T gap;
+        if (this->materials == 1 && !this->list.rest)
+        {
+            constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
+            T* to = reinterpret_cast<T*>(&parameters);
+            const real* one = reinterpret_cast<const real*>(this->parameters);
+            for (int k = 0; k < numbers; ++k) to[k] = T(one[k]);
+            gap = T(this->gap[0]);
+        }
+        else setPairs(entry, parameters, gap);
+        T h[4*rows + 1];
+        alignas(32) real held[lanes];
+        for (int l = 0; l < lanes; ++l) held[l] = real((this->list.entry[entry(l)] & List::touching) != 0);
+        for (int r = 0; r < rows; ++r)
+        {
+            loadRows([&](int l) { return this->list.history + (std::size_t(entry(l))*rows + r)*4; }, h + 4*r);
+            for (int c = 4*r; c < 4*r + 4; ++c) h[c] = selectGreater(T::load(held), T(real(0)), h[c], T(real(0)));
+        }
+        const Vec<D, T> dx = line(placeA, placeB);
+        const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))), inverse = T(real(1))/distance;
+        const Vec<D, T> n = inverse*dx;
         T armA, armB;
         const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock->dt)), armA, armB);
         NormalForce<T> fn;
         const ContactForce<D, T> f = Law::template evaluate<D, T>(parameters, g, armA, armB, h, fn);
-        for (int l = 0; l < b.count; ++l) scatter(b, l, f, h);
-        b.count = 0;
+        scatter(b, first, used, f, h);
     }
 
-    void scatter(const Batch& b, int l, const ContactForce<D, T>& f, const T* h) const
+    HD void scatter(const Batch& b, int first, int used, const ContactForce<D, T>& f, const T* h) const
     {
-        const std::size_t e = b.entry[l];
-        for (int c = 0; c < H; ++c) this->list.template remembered<H>(e, c) = h[c].v[l];
-        if (!b.touched[l]) this->list.entry[e] |= List::touching;
-        real* onA = sums + std::size_t(b.i[l])*words;
-        for (int d = 0; d < D; ++d) onA[d] += f.force.c[d].v[l];
-        for (int c = 0; c < S; ++c) onA[D + c] += f.momentA.c[c].v[l];
-        const int slot = b.slot[l];
-        if (slot < 0)
+        const T none(real(0));
+        RowOf memory[rows + 1][lanes], onA[words4][lanes], onB[words4][lanes];
+        for (int r = 0; r < rows; ++r) storeRows(h + 4*r, memory[r]);
+        if constexpr (D == 3)
         {
-            real* onB = sums + std::size_t(b.j[l])*words;
-            for (int d = 0; d < D; ++d) onB[d] -= f.force.c[d].v[l];
-            for (int c = 0; c < S; ++c) onB[D + c] += f.momentB.c[c].v[l];
-            return;
+            const T force[4] = {f.force.c[0], f.force.c[1], f.force.c[2], none}, back[4] = {-force[0], -force[1], -force[2], none};
+            const T momentA[4] = {f.momentA.c[0], f.momentA.c[1], f.momentA.c[2], none};
+            const T momentB[4] = {f.momentB.c[0], f.momentB.c[1], f.momentB.c[2], none};
+            storeRows(force, onA[0]);
+            storeRows(momentA, onA[1]);
+            storeRows(back, onB[0]);
+            storeRows(momentB, onB[1]);
         }
-        real* later = &deferred->force[std::size_t(slot)*words];
-        for (int d = 0; d < D; ++d) later[d] = -f.force.c[d].v[l];
-        for (int c = 0; c < S; ++c) later[D + c] = f.momentB.c[c].v[l];
-        deferred->acts[slot] = 1;
+        else
+        {
+            const T a[4] = {f.force.c[0], f.force.c[1], f.momentA.c[0], none};
+            const T c[4] = {-f.force.c[0], -f.force.c[1], f.momentB.c[0], none};
+            storeRows(a, onA[0]);
+            storeRows(c, onB[0]);
+        }
+        for (int l = 0; l < used; ++l)
+        {
+            const int at = first + l, slot = b.slot[at];
+            const std::size_t e = b.entry[at];
+            for (int r = 0; r < rows; ++r) *reinterpret_cast<LooseRow*>(this->list.history + (e*rows + r)*4) = memory[r][l];
+            const int i = this->list.owner[e], j = List::other(this->list.entry[e]);
+            this->list.entry[e] |= List::touching;
+            for (int w = 0; w < words4; ++w)
+            {
+                LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(i)*words + 4*w);
+                sum = sum + onA[w][l];
+            }
+            for (int w = 0; w < words4; ++w)
+            {
+                if (slot >= 0) *reinterpret_cast<LooseRow*>(&deferred->force[std::size_t(slot)*words + 4*w]) = onB[w][l];
+                else
+                {
+                    LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(j)*words + 4*w);
+                    sum = sum + onB[w][l];
+                }
+            }
+            if (slot >= 0) deferred->acts[slot] = 1;
+        }
     }
 };
 
@@ -231,7 +320,7 @@ struct CollectForces
 {
     using real = typename P::real;
     static constexpr const char* name = "collectForces";
-    static constexpr int words = D + spins<D>;
+    static constexpr int words = DeferredForces<D, real>::width;
 
     const DeferredForces<D, real>* deferred;
     const real* sums;
@@ -251,7 +340,7 @@ struct CollectForces
             for (int k = 0; k < words; ++k) total[k] += deferred->force[std::size_t(slot)*words + k];
         }
         for (int d = 0; d < D; ++d) fields.f[d][i] = total[d];
-        for (int c = 0; c < spins<D>; ++c) fields.m[c][i] = total[D + c];
+        for (int c = 0; c < spins<D>; ++c) fields.m[c][i] = total[(D == 3 ? 4 : D) + c];
     }
 };
 

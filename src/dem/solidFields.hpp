@@ -78,6 +78,7 @@ struct GroupData
     R force[D];
     R moment[spins<D>];
     R localDamping, viscous, viscousSpin;
+    int damped;                 // is any of these not zero?
     int motion;                 // prescribed motion, -1: none
 };
 

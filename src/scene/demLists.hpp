@@ -96,7 +96,7 @@ void DemSolver<Backend, D, P>::blockContacts()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        parts_.sums.allocate(context_, std::size_t(n_)*(D + S));
+        parts_.sums.allocate(context_, std::size_t(n_)*DeferredForces<D, real>::width);
         parts_.deferred.set(n_, list_.view());
     }
 #endif

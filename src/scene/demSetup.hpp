@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include <limits>
 #include "scene/demSolver.hpp"
 
 namespace riprap
@@ -86,15 +87,15 @@ void DemSolver<Backend, D, P>::setBox()
                 throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
                   + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
             box_.set(d, lo, hi - lo, true);
-            domainMin_[d] = -1e300;
-            domainMax_[d] = 1e300;
+            domainMin_[d] = std::numeric_limits<std::int64_t>::min();
+            domainMax_[d] = std::numeric_limits<std::int64_t>::max();
         }
         else
         {
             // a margin, so that fixed-point differences across it are never mistaken for near ones
             box_.set(d, lo - margin, hi - lo + 2*margin, false);
-            domainMin_[d] = margin;
-            domainMax_[d] = margin + hi - lo;
+            domainMin_[d] = box_.toFixed(d, lo);
+            domainMax_[d] = box_.toFixed(d, hi);
         }
     }
     classes_.set(box_, radius, reach_);
@@ -207,6 +208,7 @@ void DemSolver<Backend, D, P>::setGroups()
         r.localDamping = real(g.localDamping);
         r.viscous = real(g.viscousDamping);
         r.viscousSpin = real(g.viscousSpinDamping);
+        r.damped = g.localDamping > 0 || g.viscousDamping > 0 || g.viscousSpinDamping > 0;
         r.motion = g.motion;
         groupMotions_ = std::max(groupMotions_, g.motion + 1);
         groups.push_back(r);

@@ -150,7 +150,7 @@ private:
 
     Box<D, P> box_;
     SizeClasses<D, P> classes_;
-    double domainMin_[D], domainMax_[D];
+    std::int64_t domainMin_[D], domainMax_[D];
     real halfSkin_ = 0;
     double reach_ = 0, largestGap_ = 0;
     std::vector<double> emptyCoordinate_;

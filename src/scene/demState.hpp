@@ -67,7 +67,7 @@ void DemSolver<Backend, D, P>::forEachMemory(F f)
     const std::size_t entries = list_.entries();
     f(list.entry, entries*sizeof(std::uint32_t));
     if (Backend::gpu) for (int c = 0; c < histories_; ++c) f(list.history + c*list.stride, entries*sizeof(real));
-    else f(list.history, entries*histories_*sizeof(real));
+    else f(list.history, entries*list.historyWords(histories_)*sizeof(real));
     if (nBonds_)
     {
         f(bondRest_.data(), nBonds_*sizeof(double));
@@ -145,7 +145,7 @@ void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int 
     // bonds and walls' poses stand behind the lists of contacts in the words: read them ahead
     Reader ahead = read;
     ahead.at += std::size_t(entries) + (Backend::gpu ? std::size_t(histories_)*((entries*sizeof(real) + 3)/4)
-        : (std::size_t(entries)*histories_*sizeof(real) + 3)/4);
+        : (std::size_t(entries)*ContactListView<Backend, real>::historyWords(histories_)*sizeof(real) + 3)/4);
     if (nBonds_)
     {
         ahead(bondRest_.data(), nBonds_*sizeof(double));

@@ -90,7 +90,15 @@ says layers3 'cube: [0-9]+ particles'
 octahedron constant/triSurface/octa.stl 1
 fill 'rock { set solids; material glass; source clumpsFromSurface; file "octa.stl"; centres ((0.025 0.03 0.02) (0.075 0.03 0.02)); }'
 says clumps 'rock: 2 clumps of [0-9]+ spheres'
+says clumpInertia 'moments of inertia per density \(8\.53333e-10 8\.53333e-10 8\.53333e-10\)'      # m r^2/5
 says clumpMass 'mass 0\.0533333 kg, 2 clumps'          # rho 4/3 r^3 twice, r = 0.02
+
+control 'writeFormat binary; functions { energy { type solidEnergies; libs ("libriprapFoam.so"); } }'
+riprapFoam >log 2>&1 && pass clumpsRun || fail clumpsRun "$(grep -m1 -A3 ERROR log)"
+[[ -s 0.1/uniform/lagrangian/solids/clumps/orientationReal ]] && pass clumpFiles || fail clumpFiles "no clumps in 0.1/uniform/lagrangian/solids"
+rm -r 0.1; riprapFoam >log 2>&1
+says clumpsRestart 'Continuing exactly from time 0.05, clumps to round-off'
+rm -rf 0.05 0.1 postProcessing
 
 # A run: files, restart to the bit, function objects
 tank2

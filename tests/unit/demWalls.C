@@ -266,8 +266,9 @@ TEST_P(DemWalls, ClumpOfOneIsASphere)
     }
     for (int d = 0; d < 3; ++d)
     {
-        EXPECT_NEAR(x[0][d], x[1][d], mixed() ? 1e-6 : 1e-10);
-        EXPECT_NEAR(w[0][d], w[1][d], mixed() ? 1e-2 : 1e-6);
+        // after several bounces; a clump turns in double, a particle in single precision
+        EXPECT_NEAR(x[0][d], x[1][d], mixed() ? 1e-5 : 1e-10);
+        EXPECT_NEAR(w[0][d], w[1][d], mixed() ? 2e-2 : 1e-6);
     }
 }
 

@@ -150,5 +150,19 @@ TYPED_TEST(PackTest, Powers)
     EXPECT_EQ(floorInt(TypeParam(3.75)), 3);
 }
 
+//- Rows of four numbers, one a lane, as registers, and back
+TYPED_TEST(PackTest, Rows)
+{
+    constexpr int width = Pack<TypeParam>::width;
+    TypeParam table[width][6];
+    for (int l = 0; l < width; ++l) for (int c = 0; c < 6; ++c) table[l][c] = TypeParam(10*l + c);
+    Pack<TypeParam> v[4];
+    loadRows([&](int l) { return table[width - 1 - l] + 1; }, v);
+    for (int l = 0; l < width; ++l) for (int c = 0; c < 4; ++c) EXPECT_EQ(v[c].v[l], 10*(width - 1 - l) + c + 1);
+    typename Row<TypeParam>::vec row[width];
+    storeRows(v, row);
+    for (int l = 0; l < width; ++l) for (int c = 0; c < 4; ++c) EXPECT_EQ(row[l][c], 10*(width - 1 - l) + c + 1);
+}
+
 } // namespace
 } // namespace riprap

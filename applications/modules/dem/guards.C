@@ -56,23 +56,13 @@ void Foam::solverModules::dem::countEscaped()
     escaped_.add(report_.escaped);
     run_.escaped += report_.escaped.size();
 
-    const scalar fraction = scalar(run_.escaped)/run_.initialParticles;
-    const scalar allowed =
-        settings_.guards.stopAtEscape ? 0 : settings_.guards.maxEscaped;
-
-    if (fraction > allowed)
-    {
-        escaped_.log(report_.escaped.size(), run_.escaped);
-
-        FatalErrorInFunction
-            << "Guard at time " << report_.time << " s, particle step "
-            << run_.steps << ": " << run_.escaped << " particles of "
-            << run_.initialParticles << " have left the domain, the last one, "
-            << report_.escapedId.back() << ", at "
-            << toPoint(report_.escaped.back()) << "; guards/escape and"
-            << " guards/maxEscaped allow " << 100*allowed << " %" << nl
-            << advice << exit(FatalError);
-    }
+    escaped_.stopAbove
+    (
+        settings_.guards.stopAtEscape ? 0 : settings_.guards.maxEscaped,
+        report_,
+        run_,
+        advice
+    );
 }
 
 

@@ -34,20 +34,29 @@ struct SolidMotion
     HD void kick(int i, Vec<D, double>& v, Spin<D, real>& w, real dt) const
     {
         const GroupData<D, real>& g = groups[fields.group[i]];
-        const real mass = fields.mass[i], inverse = fields.inverseInertia[i];
+        const real mass = fields.mass[i], inverse = fields.inverseInertia[i], perMass = dt/mass;
         const real* more = external ? external + (long long)fields.id[i]*(D + spins<D>) : nullptr;
-        for (int d = 0; d < D; ++d)
+        Vec<D, real> f = fields.force(i);
+        Spin<D, real> m = fields.momentOn(i);
+        for (int d = 0; d < D; ++d) f.c[d] += g.gravity*mass*gravity[d] + g.force[d];
+        for (int c = 0; c < spins<D>; ++c) m.c[c] += g.moment[c];
+        if (more)
         {
-            real f = fields.f[d][i] + g.gravity*mass*gravity[d] + g.force[d] + (more ? more[d] : real(0));
-            const real speed = real(v.c[d]);
-            f = locallyDamped(f, speed, g.localDamping) - g.viscous*mass*speed;
-            v.c[d] += double(g.free[d]*dt*f/mass);
+            for (int d = 0; d < D; ++d) f.c[d] += more[d];
+            for (int c = 0; c < spins<D>; ++c) m.c[c] += more[D + c];
         }
-        for (int c = 0; c < spins<D>; ++c)
+        if (g.damped)
         {
-            const real m = locallyDamped(fields.m[c][i] + g.moment[c] + (more ? more[D + c] : real(0)), w.c[c], g.localDamping);
-            w.c[c] += g.freeSpin*dt*(m*inverse - g.viscousSpin*w.c[c]);
+            for (int d = 0; d < D; ++d)
+            {
+                const real speed = real(v.c[d]);
+                f.c[d] = locallyDamped(f.c[d], speed, g.localDamping) - g.viscous*mass*speed;
+            }
+            for (int c = 0; c < spins<D>; ++c)
+                m.c[c] = locallyDamped(m.c[c], w.c[c], g.localDamping) - g.viscousSpin/inverse*w.c[c];
         }
+        for (int d = 0; d < D; ++d) v.c[d] += double(g.free[d]*perMass*f.c[d]);
+        for (int c = 0; c < spins<D>; ++c) w.c[c] += g.freeSpin*dt*inverse*m.c[c];
     }
 };
 
@@ -63,7 +72,7 @@ struct MoveSolids : SolidMotion<D, P>
     bool verlet;
     position* reference[D];     // where neighbours were found
     real halfSkin;
-    double domainMin[D], domainMax[D];      // above the box's corner [m]
+    std::int64_t domainMin[D], domainMax[D];        // fixed point; everything where periodic
     MotionTable motions;
     const ClumpData* clumps;    // null: there are none
     const double* offset;       // of a clump's member from its centre, in the body: 3 a key
@@ -71,11 +80,7 @@ struct MoveSolids : SolidMotion<D, P>
     HD bool inside(const Vec<D, std::int64_t>& x) const
     {
         bool in = true;
-        for (int d = 0; d < D; ++d)
-        {
-            const double r = box.relative(d, x.c[d]);
-            in = in && (box.periodic[d] || (r >= domainMin[d] && r <= domainMax[d]));
-        }
+        for (int d = 0; d < D; ++d) in = in && x.c[d] >= domainMin[d] && x.c[d] <= domainMax[d];
         return in;
     }
 
@@ -156,9 +161,10 @@ private:
             distance2 += s*s;
             speed2 += v.c[d]*v.c[d];
         }
-        const real distance = squareRoot(distance2), margin = real(1.25)*squareRoot(speed2)*real(t.fullDt);
-        const bool in = inside(x);
-        if (!(distance + margin <= halfSkin) || !in) t.needRebuild = 1;
+        // 5/4 of a step's way must be left
+        const real distance = squareRoot(distance2), left = halfSkin - distance, way = real(1.25*t.fullDt);
+        const bool in = inside(x), enough = left >= 0 && way*way*speed2 <= left*left;
+        if (!enough || !in) t.needRebuild = 1;
         // not so written that a number which is none slips through
         if (!(distance <= halfSkin)) t.halt = DemHalt::tooFar;
         else if (member && !in) t.halt = DemHalt::clumpEscaped;

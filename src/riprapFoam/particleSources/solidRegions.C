@@ -257,45 +257,6 @@ static solidRegion readRegion(const entry& e, const dictionary& all, const solid
 } // namespace Foam
 
 
-void Foam::solidRegion::keep(const boolList& those)
-{
-    // A clump stays whole: it goes if one of its spheres does
-    labelHashSet clumpGoes;
-    forAll(those, i) if (!those[i] && clump[i] >= 0) clumpGoes.insert(clump[i]);
-
-    labelList newClump(clumps.size(), -1);
-    DynamicList<riprap::DemClump> left;
-    forAll(clumps, c)
-    {
-        if (clumpGoes.found(c)) continue;
-        newClump[c] = left.size();
-        left.append(clumps[c]);
-    }
-    clumps.transfer(left);
-
-    label n = 0;
-    forAll(those, i)
-    {
-        const bool stays = clump[i] >= 0 ? !clumpGoes.found(clump[i]) : those[i];
-        if (!stays) continue;
-        position[n] = position[i];
-        velocity[n] = velocity[i];
-        spin[n] = spin[i];
-        radius[n] = radius[i];
-        mass[n] = mass[i];
-        material[n] = material[i];
-        group[n] = group[i];
-        clump[n] = clump[i] >= 0 ? newClump[clump[i]] : -1;
-        ++n;
-    }
-    clipped += size() - n;
-    for (vectorField* f : {&velocity, &spin}) f->setSize(n);
-    for (scalarField* f : {&radius, &mass}) f->setSize(n);
-    for (labelField* f : {&material, &group, &clump}) f->setSize(n);
-    position.setSize(n);
-}
-
-
 bool Foam::hasSet(const dictionary& all, const word& set)
 {
     const PtrList<entry> entries(all.lookup("regions"));
@@ -341,35 +302,4 @@ Foam::List<Foam::solidRegion> Foam::readSolidRegions(const dictionary& all, cons
         regions.append(region);
     }
     return List<solidRegion>(std::move(regions));
-}
-
-
-Foam::solidSet Foam::joined(const List<solidRegion>& regions)
-{
-    solidSet all;
-    riprap::DemParticles& p = all.particles;
-    bool clumps = false;
-    for (const solidRegion& region : regions)
-    {
-        const label before = all.clumps.size();
-        forAll(region.position, i)
-        {
-            for (direction d = 0; d < vector::nComponents; ++d)
-            {
-                p.position.push_back(region.position[i][d]);
-                p.velocity.push_back(region.velocity[i][d]);
-                p.spin.push_back(region.spin[i][d]);
-            }
-            p.radius.push_back(region.radius[i]);
-            p.mass.push_back(region.mass[i]);
-            p.material.push_back(region.material[i]);
-            p.group.push_back(region.group[i]);
-            p.clump.push_back(region.clump[i] < 0 ? -1 : before + region.clump[i]);
-            p.id.push_back(p.id.size());
-        }
-        all.clumps.insert(all.clumps.end(), region.clumps.begin(), region.clumps.end());
-        clumps = clumps || region.clumps.size();
-    }
-    if (!clumps) p.clump.clear();
-    return all;
 }

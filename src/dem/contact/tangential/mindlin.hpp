@@ -8,7 +8,7 @@
 
     so that d(q^2/2) = q.sqrt(k_t) V_s dt = f_t.V_s dt, whatever the overlap does meanwhile: what is stored is exactly the work
     that was done on the spring. No path gains energy, stuck or slipping, and nothing is lost but to slip. While the
-    overlap stays it is Mindlin's spring, f_t = k_t s. docs/theory has it beside the other two forms.
+    overlap stays it is Mindlin's spring, f_t = k_t s. docs/solids.md has it beside the other two forms.
 
         k_t = kappa S_n, kappa = 4 G* / E*; c_t = sqrt(kappa) c_n (damping as of the normal dashpot)
 

@@ -1,0 +1,25 @@
+/*  The collapse of a granular column from a settled bed of 50,000 spheres, replicated along its periodic axis: d = 10 mm, 2500 kg/m3,
+    E = 1e7 Pa, nu = 0.25, e = 0.7, mu = 0.5, Hertz-Mindlin with history, dt = 2e-5 s; y periodic over 30 d for each copy; walls x = 0
+    and z = 0 of the same law; x free. The same case runs in LAMMPS and LIGGGHTS.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <string>
+#include "scene/demScene.hpp"
+
+namespace riprap
+{
+
+struct ColumnOptions
+{
+    int copies = 1;
+    bool rolling = false;       // elastic-plastic rolling friction as well
+    double sizeRatio = 1;       // radii between r/ratio and r, evenly by logarithm
+    bool triangles = false;     // walls of triangles instead of planes
+};
+
+void columnScene(const std::string& bed, const ColumnOptions&, DemConfig&, DemInput&);
+
+} // namespace riprap
