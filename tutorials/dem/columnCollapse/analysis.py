@@ -161,7 +161,7 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def settings(width, height, duration, spheres=False):
+def settings(width, height, duration, spheres=False, rolling=True):
     """height: of the settled column. Random packings are filled loosely and settle"""
     a = height/width
     filled = height*(0.82/0.65 if not spheres else 0.60/0.45)
@@ -175,6 +175,8 @@ def settings(width, height, duration, spheres=False):
     text += ''.join(f'; pairs/{p}/stiffness {stiffness:.5g}' for p in ('grain-grain', 'grain-smooth'))
     if spheres:
         text += '; system/column:depth 0.03; system/sides:sides cyclic; pairs/grain-grain/friction 0.5'
+        if rolling:
+            text += '; contact/rolling spring; pairs/grain-grain/rollingFriction 0.1; pairs/grain-smooth/rollingFriction 1e-9'
     return ['-set', text, '-endTime', f'{opens + duration:g}']
 
 
@@ -190,9 +192,13 @@ Study(
               variant('disks-4', 0.1, 0.4, 1.6), variant('disks-7', 0.08, 0.56, 1.8), variant('disks-10', 0.07, 0.7, 2.0),
               variant('disks-2-seed2', 0.15, 0.3, 1.4, extra='; system/column:seed 2'),
               variant('disks-2-friction0.5', 0.15, 0.3, 1.4, extra='; pairs/grain-grain/friction 0.5'),
-              variant('spheres-0.5', 0.15, 0.075, 1.0, spheres=True), variant('spheres-1', 0.1, 0.1, 1.2, spheres=True),
-              variant('spheres-2', 0.08, 0.16, 1.2, spheres=True), variant('spheres-4', 0.06, 0.24, 1.4, spheres=True),
-              variant('spheres-7', 0.05, 0.35, 1.4, spheres=True), variant('spheres-10', 0.05, 0.5, 1.6, spheres=True)],
+              variant('spheres-0.5', 0.15, 0.075, 0.8, spheres=True), variant('spheres-1', 0.1, 0.1, 0.9, spheres=True),
+              variant('spheres-2', 0.07, 0.14, 1.0, spheres=True), variant('spheres-4', 0.05, 0.2, 1.1, spheres=True),
+              variant('spheres-7', 0.04, 0.28, 1.2, spheres=True), variant('spheres-10', 0.04, 0.4, 1.3, spheres=True),
+              variant('spheres-1-fine', 0.2, 0.2, 1.1, spheres=True),
+              variant('spheres-1-rollingFriction0.3', 0.1, 0.1, 0.9, spheres=True, extra='; pairs/grain-grain/rollingFriction 0.3'),
+              variant('spheres-1-rolling', 0.1, 0.1, 1.2, spheres=True, rolling=False),
+              variant('spheres-1-noSpin', 0.1, 0.1, 0.9, spheres=True, rolling=False, extra='; groups/free/fixed (spin)')],
     quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
     analyse=analyse,
     plot=plot,
