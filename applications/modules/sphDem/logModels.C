@@ -134,7 +134,7 @@ void Foam::solverModules::sphDem::logModels() const
     }
     for (const string& note : walls_.notes)
     {
-        item("") << note.c_str() << nl;
+        logItem("") << note.c_str() << nl;
     }
     for (label i = 0; i < bodies_.size(); ++i)
     {
