@@ -53,6 +53,14 @@ struct wordUse
 };
 
 
+// Is it on a line like #include "name"?
+static bool inDirective(const std::string& text, std::size_t at)
+{
+    const std::size_t line = text.rfind('\n', at) + 1;      // npos + 1: 0
+    return text[text.find_first_not_of(" \t", line)] == '#';
+}
+
+
 static wordUse useOf(const std::string& name, const std::string& text)
 {
     const auto inName = [](char c) { return std::isalnum(c) || c == '_'; };
@@ -67,6 +75,7 @@ static wordUse useOf(const std::string& name, const std::string& text)
         (
             (before > 0 && inName(text[before - 1]))
          || (at < text.size() && inName(text[at]))
+         || inDirective(text, before)
         )
         {
             continue;
