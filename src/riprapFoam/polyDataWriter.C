@@ -88,6 +88,38 @@ static void writePoints(vtk::formatter& format, const pointField& points)
     format.endTag(vtk::fileTag::POINTS);
 }
 
+
+// A file of one piece: its points, `cells` and `fields` by the caller
+template<class Cells, class Fields>
+static void writePiece
+(
+    const fileName& file,
+    const pointField& points,
+    const vtk::fileAttr kind,
+    label n,
+    const Cells& cells,
+    const Fields& fields
+)
+{
+    mkDir(file.path());
+    std::ofstream os(file);
+    autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
+    vtk::formatter& format = *formatter;
+
+    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
+    format.tag(vtk::fileTag::PIECE, vtk::fileAttr::NUMBER_OF_POINTS, points.size(), kind, n);
+    writePoints(format, points);
+    cells(format);
+    fields(format);
+    format.endPiece();
+    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
+
+    if (!os.good())
+    {
+        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
+    }
+}
+
 } // namespace Foam
 
 
@@ -100,35 +132,20 @@ void Foam::writePolyData
     const HashTable<vectorField>& vectors
 )
 {
-    mkDir(file.path());
-    std::ofstream os(file);
-    autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
-    vtk::formatter& format = *formatter;
-
-    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-    format.tag
+    const label n = points.size();
+    writePiece
     (
-        vtk::fileTag::PIECE,
-        vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
-        vtk::fileAttr::NUMBER_OF_VERTS, points.size()
+        file, points, vtk::fileAttr::NUMBER_OF_VERTS, n,
+        [&](vtk::formatter& format) { writeVertices(format, n); },
+        [&](vtk::formatter& format)
+        {
+            format.beginPointData();
+            writeArrays(format, labels);
+            writeArrays(format, scalars);
+            writeArrays(format, vectors);
+            format.endPointData();
+        }
     );
-
-    writePoints(format, points);
-    writeVertices(format, points.size());
-
-    format.beginPointData();
-    writeArrays(format, labels);
-    writeArrays(format, scalars);
-    writeArrays(format, vectors);
-    format.endPointData();
-
-    format.endPiece();
-    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
-
-    if (!os.good())
-    {
-        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
-    }
 }
 
 
@@ -142,33 +159,17 @@ void Foam::writePolyLines
     const HashTable<vectorField>& vectors
 )
 {
-    mkDir(file.path());
-    std::ofstream os(file);
-    autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
-    vtk::formatter& format = *formatter;
-
-    format.xmlHeader().beginVTKFile<vtk::fileTag::POLY_DATA>();
-    format.tag
+    writePiece
     (
-        vtk::fileTag::PIECE,
-        vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
-        vtk::fileAttr::NUMBER_OF_LINES, lines.size()
+        file, points, vtk::fileAttr::NUMBER_OF_LINES, lines.size(),
+        [&](vtk::formatter& format) { writeLineEnds(format, lines); },
+        [&](vtk::formatter& format)
+        {
+            format.beginCellData();
+            writeArrays(format, labels);
+            writeArrays(format, scalars);
+            writeArrays(format, vectors);
+            format.endCellData();
+        }
     );
-
-    writePoints(format, points);
-    writeLineEnds(format, lines);
-
-    format.beginCellData();
-    writeArrays(format, labels);
-    writeArrays(format, scalars);
-    writeArrays(format, vectors);
-    format.endCellData();
-
-    format.endPiece();
-    format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
-
-    if (!os.good())
-    {
-        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
-    }
 }

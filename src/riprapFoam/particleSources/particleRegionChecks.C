@@ -2,35 +2,9 @@
 /*  Are the particles of a region where fluid can be, and clear of each other? */
 
 #include "particleRegions.H"
+#include "clipOrStop.H"
 #include "particleCloudIO.H"
 #include "pointGrid.H"
-
-namespace Foam
-{
-
-// Drop those that are not good if the region may be clipped, else stop
-static void clipOrStop(particleRegion& region, const boolList& good, const string& what)
-{
-    label bad = 0, first = -1;
-    forAll(good, i)
-    {
-        if (good[i]) continue;
-        ++bad;
-        if (first < 0) first = i;
-    }
-    if (!bad) return;
-
-    if (!region.clip)
-    {
-        FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << ": " << bad << " of " << region.size() << " particles are "
-            << what.c_str() << ", the first at " << region.position[first]
-            << "; `clip yes;` drops such particles" << exit(FatalIOError);
-    }
-    region.keep(good);
-}
-
-} // namespace Foam
 
 
 void Foam::checkPlace

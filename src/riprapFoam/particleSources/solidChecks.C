@@ -2,6 +2,7 @@
 /*  Are bodies where they can be, and clear of walls and of each other? */
 
 #include "solidRegions.H"
+#include "clipOrStop.H"
 #include "HashSet.H"
 #include "labelPair.H"
 #include "listed.H"
@@ -12,29 +13,6 @@
 
 namespace Foam
 {
-
-// Drop those that are not good if the region may be clipped, else stop
-static void clipOrStop(solidRegion& region, const boolList& good, const string& what)
-{
-    label bad = 0, first = -1;
-    forAll(good, i)
-    {
-        if (good[i]) continue;
-        ++bad;
-        if (first < 0) first = i;
-    }
-    if (!bad) return;
-
-    if (!region.clip)
-    {
-        FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << ": " << bad << " of " << region.size() << " particles are "
-            << what.c_str() << ", the first at " << region.position[first]
-            << "; `clip yes;` drops such particles" << exit(FatalIOError);
-    }
-    region.keep(good);
-}
-
 
 // Deeper in a wall than the tolerance allows?
 static boolList clearOf
