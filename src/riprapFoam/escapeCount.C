@@ -7,6 +7,13 @@
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::escapeGuard::read(checkedDictionary& dict)
+{
+    stopAtEscape = dict.either("escape", "stop", "warn", stopAtEscape);
+    maxEscaped = dict.between("maxEscaped", maxEscaped, 0, 1);
+}
+
+
 void Foam::escapeCount::add(const std::vector<riprap::Vector3>& positions)
 {
     for (const riprap::Vector3& x : positions)

@@ -54,12 +54,10 @@ static void readTimeIntegration
 }
 
 
-static void readGuards(checkedDictionary& solids, demGuards& guards)
+static void readGuards(checkedDictionary& solids, escapeGuard& guards)
 {
     checkedDictionary dict(solids.subDict("guards"));
-    guards.stopAtEscape =
-        dict.either("escape", "stop", "warn", guards.stopAtEscape);
-    guards.maxEscaped = dict.between("maxEscaped", guards.maxEscaped, 0, 1);
+    guards.read(dict);
     dict.end();
 }
 

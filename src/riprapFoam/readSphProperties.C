@@ -165,15 +165,12 @@ static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& confi
 static void readGuards(checkedDictionary& sph, sphSettings& settings)
 {
     riprap::SphConfig& config = settings.config;
-    sphGuards& guards = settings.guards;
 
     checkedDictionary dict(sph.subDict("guards"));
     config.maxDensityDeviation =
         dict.positive("densityDeviation", 0.5);
     config.maxSpeedRatio = dict.positive("speedRatio", config.maxSpeedRatio);
-    guards.stopAtEscape =
-        dict.either("escape", "stop", "warn", guards.stopAtEscape);
-    guards.maxEscaped = dict.between("maxEscaped", guards.maxEscaped, 0, 1);
+    settings.guards.read(dict);
     dict.end();
 }
 

@@ -25,20 +25,13 @@ sphRun readSphRun(const Time& time)
     run.spacing = dict.get<scalar>("spacing");
     run.maxVelocity = dict.get<scalar>("maxVelocity");
     run.density = dict.getOrDefault<scalar>("density", 0);
-    run.time = dict.get<scalar>("time");
-    run.particles = count(dict, "particles");
-    run.initialParticles = count(dict, "initialParticles");
-    run.escaped = count(dict, "escaped");
-    run.steps = count(dict, "steps");
-    run.device = dict.get<word>("device");
-    run.precision = dict.get<word>("precision");
+    run.read(dict);
 
-    if (!(run.spacing > 0 && run.maxVelocity > 0 && run.particles >= 0))
+    if (!(run.spacing > 0 && run.maxVelocity > 0))
     {
         FatalIOErrorInFunction(dict)
             << "Not what riprapFoam wrote: spacing " << run.spacing
-            << ", maxVelocity " << run.maxVelocity << ", particles "
-            << run.particles << exit(FatalIOError);
+            << ", maxVelocity " << run.maxVelocity << exit(FatalIOError);
     }
 
     return run;
@@ -52,13 +45,7 @@ void writeSphRun(const Time& time, const sphRun& run)
     dict.add("spacing", exact(run.spacing));
     dict.add("maxVelocity", exact(run.maxVelocity));
     dict.add("density", exact(run.density));
-    dict.add("time", exact(run.time));
-    dict.add("particles", exact(run.particles));
-    dict.add("initialParticles", exact(run.initialParticles));
-    dict.add("escaped", exact(run.escaped));
-    dict.add("steps", exact(run.steps));
-    dict.add("device", run.device);
-    dict.add("precision", run.precision);
+    run.write(dict);
 
     writeState(dict);
 }

@@ -5,7 +5,6 @@
 
 #include "dem.H"
 #include "addToRunTimeSelectionTable.H"
-#include "scene/sphScene.hpp"
 
 namespace Foam
 {
@@ -21,25 +20,13 @@ namespace solverModules
 
 Foam::solverModules::dem::dem(Time& runTime, fvMesh& mesh)
 :
-    runTime_(runTime),
-    mesh_(mesh),
+    particleModule(runTime, mesh, "solids", ", and contacts begin without a history"),
     asRead_(readDemSettings(mesh)),
     settings_(asRead_),
     movingWalls_(runTime, asRead_.walls.motion),
-    movingGroups_(runTime, asRead_.groupMotion),
-    boundary_(mesh),
-    escaped_(boundary_),
-    interrupted_(false)
+    movingGroups_(runTime, asRead_.groupMotion)
 {
-    try
-    {
-        riprap::chooseDevice(asRead_.config.device, 1, asRead_.config.dimensions);
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(asRead_.dict)
-            << "Entry device: " << e.what() << exit(FatalIOError);
-    }
+    checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
 
@@ -47,7 +34,7 @@ Foam::solverModules::dem::dem(Time& runTime, fvMesh& mesh)
 
 void Foam::solverModules::dem::interrupt()
 {
-    interrupted_ = true;
+    askToStop();
     if (scene_)
     {
         scene_->interrupt();

@@ -9,60 +9,24 @@ Description
 
 #include "dem.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-namespace Foam
+const char* Foam::solverModules::dem::advice() const
 {
-
-static const char* const advice =
-    "Nothing is written: the last time directory is the last good one. A"
-    " shorter time step (stepFraction, or deltaT), stiffer contacts for the"
-    " speeds that occur, and a start without overlaps help against most causes";
-
-
-static point toPoint(const riprap::Vector3& x)
-{
-    return point(x[0], x[1], x[2]);
+    return
+        "Nothing is written: the last time directory is the last good one. A"
+        " shorter time step (stepFraction, or deltaT), stiffer contacts for"
+        " the speeds that occur, and a start without overlaps help against"
+        " most causes";
 }
 
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 void Foam::solverModules::dem::checkStop() const
 {
-    if (report_.stop == riprap::DemStop::none)
+    if (report_.stop != riprap::DemStop::none)
     {
-        return;
+        stopAt(report_, run_, report_.stopMessage);
     }
-
-    const point where(toPoint(report_.stopPosition));
-    FatalErrorInFunction
-        << "Guard at time " << report_.time << " s, particle step "
-        << run_.steps << ": particle " << report_.stopId << " at " << where
-        << " (nearest patch: " << boundary_.patch(where) << "): "
-        << report_.stopMessage.c_str() << nl << advice << exit(FatalError);
-}
-
-
-void Foam::solverModules::dem::countEscaped()
-{
-    if (report_.escaped.empty())
-    {
-        return;
-    }
-
-    escaped_.add(report_.escaped);
-    run_.escaped += report_.escaped.size();
-
-    escaped_.stopAbove
-    (
-        settings_.guards.stopAtEscape ? 0 : settings_.guards.maxEscaped,
-        report_,
-        run_,
-        advice
-    );
 }
 
 

@@ -27,17 +27,9 @@ void Foam::solverModules::dem::report()
     }
     Info<< endl;
 
-    if (report_.escaped.size())
-    {
-        escaped_.log(report_.escaped.size(), run_.escaped);
-    }
+    logEscaped(report_.escaped.size(), run_.escaped);
 
-    progress_.log
-    (
-        runTime_.value(),
-        runTime_.startTime().value(),
-        runTime_.endTime().value()
-    );
+    logProgress();
 }
 
 

@@ -14,52 +14,17 @@ Description
 #include "Map.H"
 #include "sceneState.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static bool notUsed(const std::string& why)
-{
-    Info<< "State in uniform/riprap is not used: " << why.c_str() << nl
-        << "The run continues from the fields of lagrangian/solids: not bit"
-        << " for bit, and contacts begin without a history" << nl << endl;
-    return false;
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 bool Foam::solverModules::dem::canContinue(const solidSet& solids)
 {
     if (!hasDemRun(runTime_))
     {
-        Info<< "Starting from the fields of lagrangian/solids at time "
-            << runTime_.timeName() << nl << endl;
-        return false;
+        return startFromCloud();
     }
 
     run_ = readDemRun(runTime_);
-
-    if (Time::timeName(run_.time) != runTime_.timeName())
-    {
-        return notUsed("it is of time " + Time::timeName(run_.time));
-    }
-    if (run_.particles != int64_t(solids.particles.size()))
-    {
-        return notUsed
-        (
-            "it has " + Foam::name(label(run_.particles)) + " particles, the"
-            " cloud " + Foam::name(label(solids.particles.size()))
-        );
-    }
-
-    // The directory's name is rounded
-    runTime_.setTime(run_.time, runTime_.timeIndex());
-
-    return true;
+    return mayContinue(run_, solids.particles.size());
 }
 
 

@@ -15,28 +15,15 @@ Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
     writeWalls();
 
     const scalar before = scene_->time();
-    progress_.start();
-
-    report_ = scene_->advance(t, singleStep ? 1 : 0);
-
-    progress_.stop(report_.steps, report_.steps*int64_t(run_.particles));
+    advanceScene(*scene_, t, singleStep, report_, run_);
     cloud_->moved();
 
-    run_.time = report_.time;
-    run_.steps += report_.steps;
     run_.particles = report_.fluid;
 
     checkStop();
     checkSkin();
-    countEscaped();
-
-    if (!(report_.time > before))
-    {
-        FatalErrorInFunction
-            << "The particles do not move on from time " << before << ": "
-            << report_.steps << " steps, the last one of "
-            << report_.lastTimeStep << " s" << exit(FatalError);
-    }
+    countEscaped(report_, run_, settings_.guards);
+    checkProgress(before, report_);
 
     return report_.time;
 }

@@ -11,49 +11,21 @@ Description
 #include "sphDem.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
-#include "clockTime.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-//- Wall time of a particle step [s], 0 if none could be taken
-Foam::scalar Foam::solverModules::sphDem::secondsPerStep()
-{
-    const scalar end = scene_->time() + 1e6;
-
-    // The first steps build what later ones use
-    scene_->advance(end, 5);
-
-    clockTime stopwatch;
-    std::int64_t steps = 0;
-    while (stopwatch.elapsedTime() < 1 && steps < 200)
-    {
-        const riprap::SphReport report(scene_->advance(end, 10));
-        if (report.stop != riprap::StopReason::none || report.steps == 0)
-        {
-            break;
-        }
-        steps += report.steps;
-    }
-    return steps ? stopwatch.elapsedTime()/steps : 0;
-}
-
 
 void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
 {
     const riprap::SphConfig& config = settings_.config;
-    const scalar length = runTime_.endTime().value() - runTime_.value();
-
     std::string limit;
     const scalar step = scene_->estimateTimeStep(limit);
 
     Info<< "Time step of the particles: " << step << " s, limit: "
-        << limit.c_str() << nl
-        << "Time steps of OpenFOAM: "
-        << (sampleInterval > 0 ? sampleInterval : step) << " s" << nl;
+        << limit.c_str() << nl;
 
-    if (!(length > 0) || length > 1e6*sampleInterval + 1e12*step)
+    const scalar length = lengthAhead(sampleInterval, step);
+    if (!(length > 0))
     {
-        Info<< "No endTime ahead: the number of steps is not known" << nl;
         return;
     }
 
@@ -65,19 +37,18 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
       : 1
     );
     const scalar steps = length/step;
-    const scalar seconds = secondsPerStep();
 
     Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
         << int64_t(ceil(steps)) << " with this step, about "
         << int64_t(ceil(most*steps)) << " at maxVelocity" << nl;
 
-    if (seconds > 0)
-    {
-        Info<< "Expected run time: " << steps*seconds << " to "
-            << most*steps*seconds << " s, without output; measured on this"
-            << " machine now: " << 1/seconds << " steps/s, "
-            << run_.particles/seconds << " particle-steps/s" << nl;
-    }
+    logRunTime
+    (
+        secondsPerStep(*scene_, 10, 200),
+        steps,
+        most*steps,
+        run_.particles
+    );
 }
 
 

@@ -9,26 +9,16 @@ Description
 
 #include "sphDem.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-namespace Foam
+const char* Foam::solverModules::sphDem::advice() const
 {
-
-static point toPoint(const riprap::Vector3& x)
-{
-    return point(x[0], x[1], x[2]);
+    return
+        "Nothing is written: the last time directory is the last good one. A"
+        " shorter time step (the Courant numbers), a larger maxVelocity, walls"
+        " in closed layers or densityDiffusion help against most causes";
 }
 
-
-static const char* const advice =
-    "Nothing is written: the last time directory is the last good one. A"
-    " shorter time step (the Courant numbers), a larger maxVelocity, walls in"
-    " closed layers or densityDiffusion help against most causes";
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 void Foam::solverModules::sphDem::checkStop() const
 {
@@ -40,7 +30,6 @@ void Foam::solverModules::sphDem::checkStop() const
     }
 
     const riprap::SphConfig& config = settings_.config;
-    const point where(toPoint(report_.stopPosition));
 
     OStringStream what;
     switch (report_.stop)
@@ -65,11 +54,7 @@ void Foam::solverModules::sphDem::checkStop() const
             what<< "has more neighbours than the list of its kind holds";
     }
 
-    FatalErrorInFunction
-        << "Guard at time " << report_.time << " s, particle step "
-        << run_.steps << ": particle " << report_.stopId << " at " << where
-        << " (nearest patch: " << boundary_.patch(where) << ") "
-        << what.str().c_str() << nl << advice << exit(FatalError);
+    stopAt(report_, run_, what.str());
 }
 
 
@@ -87,26 +72,6 @@ void Foam::solverModules::sphDem::checkSkin()
             << " numbers) helps. The log's line 'Missed pairs' counts on"
             << endl;
     }
-}
-
-
-void Foam::solverModules::sphDem::countEscaped()
-{
-    if (report_.escaped.empty())
-    {
-        return;
-    }
-
-    escaped_.add(report_.escaped);
-    run_.escaped += report_.escaped.size();
-
-    escaped_.stopAbove
-    (
-        settings_.guards.stopAtEscape ? 0 : settings_.guards.maxEscaped,
-        report_,
-        run_,
-        advice
-    );
 }
 
 

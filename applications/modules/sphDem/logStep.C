@@ -36,22 +36,14 @@ void Foam::solverModules::sphDem::report()
         << " m/s, max density deviation = " << report_.maxDensityDeviation
         << endl;
 
-    if (report_.escaped.size())
-    {
-        escaped_.log(report_.escaped.size(), run_.escaped);
-    }
+    logEscaped(report_.escaped.size(), run_.escaped);
     if (report_.skinExceeded)
     {
         Info<< "Missed pairs are possible in this time step, and were in "
             << nSkinExceeded_ << " in all" << endl;
     }
 
-    progress_.log
-    (
-        runTime_.value(),
-        runTime_.startTime().value(),
-        runTime_.endTime().value()
-    );
+    logProgress();
 }
 
 

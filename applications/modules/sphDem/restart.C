@@ -12,51 +12,17 @@ Description
 #include "sphDem.H"
 #include "cloudComparison.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static bool notUsed(const std::string& why)
-{
-    Info<< "State in uniform/riprap is not used: " << why.c_str() << nl
-        << "The run continues from the fields of lagrangian/fluid: not bit for"
-        << " bit" << nl << endl;
-    return false;
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 bool Foam::solverModules::sphDem::canContinue(const particleCloud& cloud)
 {
     if (!hasSphRun(runTime_))
     {
-        Info<< "Starting from the fields of lagrangian/fluid at time "
-            << runTime_.timeName() << nl << endl;
-        return false;
+        return startFromCloud();
     }
 
     run_ = readSphRun(runTime_);
-
-    if (Time::timeName(run_.time) != runTime_.timeName())
-    {
-        return notUsed("it is of time " + Time::timeName(run_.time));
-    }
-    if (run_.particles != cloud.size())
-    {
-        return notUsed
-        (
-            "it has " + Foam::name(label(run_.particles)) + " particles, the"
-            " cloud " + Foam::name(cloud.size())
-        );
-    }
-
-    // The directory's name is rounded
-    runTime_.setTime(run_.time, runTime_.timeIndex());
-    return true;
+    return mayContinue(run_, cloud.size());
 }
 
 

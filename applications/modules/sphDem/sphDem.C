@@ -20,23 +20,12 @@ namespace solverModules
 
 Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
 :
-    runTime_(runTime),
-    mesh_(mesh),
+    particleModule(runTime, mesh, "fluid"),
     asRead_(readSphSettings(mesh)),
     settings_(asRead_),
-    bodies_(runTime, asRead_.walls.motion),
-    boundary_(mesh),
-    escaped_(boundary_)
+    bodies_(runTime, asRead_.walls.motion)
 {
-    try
-    {
-        riprap::chooseDevice(asRead_.config.device, 1, asRead_.config.dimensions);
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(asRead_.dict)
-            << "Entry device: " << e.what() << exit(FatalIOError);
-    }
+    checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
 
@@ -44,6 +33,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
 
 void Foam::solverModules::sphDem::interrupt()
 {
+    askToStop();
     if (scene_)
     {
         scene_->interrupt();

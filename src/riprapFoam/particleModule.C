@@ -1,0 +1,151 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "particleModule.H"
+#include "scene/sphScene.hpp"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::particleModule::particleModule
+(
+    Time& runTime,
+    fvMesh& mesh,
+    const word& cloudName,
+    const std::string& lostWithState
+)
+:
+    cloudName_(cloudName),
+    lostWithState_(lostWithState),
+    interrupted_(false),
+    runTime_(runTime),
+    mesh_(mesh),
+    boundary_(mesh),
+    escaped_(boundary_)
+{}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::particleModule::checkDevice
+(
+    riprap::DeviceKind asked,
+    int dimensions,
+    const dictionary& dict
+)
+{
+    try
+    {
+        riprap::chooseDevice(asked, 1, dimensions);
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry device: " << e.what() << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::particleModule::startFromCloud() const
+{
+    Info<< "Starting from the fields of lagrangian/" << cloudName_
+        << " at time " << runTime_.timeName() << nl << endl;
+    return false;
+}
+
+
+bool Foam::particleModule::notUsed(const std::string& why) const
+{
+    Info<< "State in uniform/riprap is not used: " << why.c_str() << nl
+        << "The run continues from the fields of lagrangian/" << cloudName_
+        << ": not bit for bit" << lostWithState_.c_str() << nl << endl;
+    return false;
+}
+
+
+bool Foam::particleModule::mayContinue(const runRecord& run, int64_t cloudSize)
+{
+    if (Time::timeName(run.time) != runTime_.timeName())
+    {
+        return notUsed("it is of time " + Time::timeName(run.time));
+    }
+    if (run.particles != cloudSize)
+    {
+        return notUsed
+        (
+            "it has " + std::to_string(run.particles) + " particles, the"
+            " cloud " + std::to_string(cloudSize)
+        );
+    }
+
+    // The directory's name is rounded
+    runTime_.setTime(run.time, runTime_.timeIndex());
+    return true;
+}
+
+
+void Foam::particleModule::logEscaped(label now, int64_t inAll) const
+{
+    if (now)
+    {
+        escaped_.log(now, inAll);
+    }
+}
+
+
+void Foam::particleModule::logProgress()
+{
+    progress_.log
+    (
+        runTime_.value(),
+        runTime_.startTime().value(),
+        runTime_.endTime().value()
+    );
+}
+
+
+Foam::scalar Foam::particleModule::lengthAhead
+(
+    scalar sampleInterval,
+    scalar step
+) const
+{
+    const scalar length = runTime_.endTime().value() - runTime_.value();
+
+    Info<< "Time steps of OpenFOAM: "
+        << (sampleInterval > 0 ? sampleInterval : step) << " s" << nl;
+
+    // More steps than anyone would wait for: endTime stands for `until stopped`
+    if (!(length > 0) || length > 1e6*sampleInterval + 1e12*step)
+    {
+        Info<< "No endTime ahead: the number of steps is not known" << nl;
+        return 0;
+    }
+    return length;
+}
+
+
+void Foam::particleModule::logRunTime
+(
+    scalar seconds,
+    scalar least,
+    scalar most,
+    int64_t particles
+) const
+{
+    if (seconds > 0)
+    {
+        Info<< "Expected run time: " << least*seconds;
+        if (most > least)
+        {
+            Info<< " to " << most*seconds;
+        }
+        Info<< " s, without output; measured on this machine now: "
+            << 1/seconds << " steps/s, " << particles/seconds
+            << " particle-steps/s" << nl;
+    }
+}
+
+
+// ************************************************************************* //

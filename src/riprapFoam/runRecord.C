@@ -1,0 +1,43 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "runRecord.H"
+#include "sceneState.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::runRecord::read(const dictionary& dict)
+{
+    time = dict.get<scalar>("time");
+    particles = count(dict, "particles");
+    initialParticles = count(dict, "initialParticles");
+    escaped = count(dict, "escaped");
+    steps = count(dict, "steps");
+    device = dict.get<word>("device");
+    precision = dict.get<word>("precision");
+
+    if (particles < 0 || initialParticles <= 0 || escaped < 0 || steps < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Not what riprapFoam wrote: particles " << particles
+            << ", initialParticles " << initialParticles << ", escaped "
+            << escaped << ", steps " << steps << exit(FatalIOError);
+    }
+}
+
+
+void Foam::runRecord::write(dictionary& dict) const
+{
+    dict.add("time", exact(time));
+    dict.add("particles", exact(particles));
+    dict.add("initialParticles", exact(initialParticles));
+    dict.add("escaped", exact(escaped));
+    dict.add("steps", exact(steps));
+    dict.add("device", device);
+    dict.add("precision", precision);
+}
+
+
+// ************************************************************************* //
