@@ -41,13 +41,13 @@ struct DemTick
         DemClockData& c = *clock;
         c.active = 0;
         if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep) return;
-        if (c.time + 0.5*c.fullDt > c.windowEnd) { c.needWindow = 1; return; }
         const double remaining = c.target - c.time;
         double dt = c.fullDt;
         bool last = false;
         // the last two steps share what is left, so that none is tiny
         if (dt >= remaining*(1 - 1e-9)) { last = true; dt = remaining; }
         else if (2*dt > remaining*(1 + 1e-9)) dt = 0.5*remaining;
+        if (c.time + 0.5*dt > c.windowEnd) { c.needWindow = 1; return; }
         c.previousDt = c.dt;
         c.dt = dt;
         c.time = last ? c.target : c.time + dt;

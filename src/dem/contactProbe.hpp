@@ -40,11 +40,10 @@ struct ContactProbe : PairModel<Backend, D, P, Law>
         if (this->list.rest) gap -= this->list.rest[e];
         if (self.radius + other.radius + gap <= distance) return r;
         for (int c = 0; c < H; ++c) h[c] = this->list.template remembered<H>(e, c);
-        // what is remembered has had its increment; a law without memory needs the step
-        const real dt = Law::remembers ? real(0) : real(this->clock->dt);
+        const real dt = real(this->clock->dt);
         const auto g = pairGeometry<D, real>(self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
-        const auto f = Law::template evaluate<D, real>(this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
+        const auto f = Law::template repeat<D, real>(this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
         r.other = j;
         r.force = f.force;
         r.overlap = g.overlap;

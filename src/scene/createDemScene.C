@@ -34,8 +34,8 @@ void checkConfig(const DemConfig& c)
     for (const int a : c.axes) { require(a >= 0 && a < 3, "axes must be 0, 1 and 2"); axes |= 1 << a; }
     require(axes == 7, "axes must be 0, 1 and 2, each once");
     require(c.dimensions == 2 || (c.axes[0] == 0 && c.axes[1] == 1), "axes are 0, 1, 2 in 3D");
-    require(c.rolling == RollingKind::none || c.tangential == TangentialKind::history,
-        "rolling friction goes with the history spring: tangential history");
+    require(c.rolling == RollingKind::none || c.tangential != TangentialKind::none,
+        "rolling friction needs friction: with tangential none bodies slide, and nothing makes them roll");
     require(c.timeStep >= 0 && std::isfinite(c.timeStep), "the time step must not be negative");
     require(c.stepFraction > 0, "the fraction of the critical step must be positive");
     for (int d = 0; d < c.dimensions; ++d)
@@ -106,7 +106,6 @@ void checkPair(const DemConfig& c, const DemInput& in, const DemPair& pair)
                 "material " + in.materials[m].name + ": Hertz contacts need Young's modulus, and Poisson's ratio in (-1, 0.5]");
     require(q.friction >= 0 && q.rollingFriction >= 0 && q.rollingDamping >= 0 && q.gap >= 0,
         name + "friction, rolling friction and gap must not be negative");
-    if (c.rolling != RollingKind::none) require(q.rollingFriction > 0, name + "rolling friction is chosen, but its coefficient is zero");
 }
 
 //- Every pair that can meet must be given

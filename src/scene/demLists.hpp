@@ -97,7 +97,8 @@ void DemSolver<Backend, D, P>::blockContacts()
     if constexpr (!Backend::gpu)
     {
         parts_.sums.allocate(context_, std::size_t(n_)*DeferredForces<D, real>::width);
-        parts_.deferred.set(n_, list_.view());
+        // of those in the scene: a scene that is continued without those that left must cut alike
+        parts_.deferred.set(activeSolids(), list_.view());
     }
 #endif
 }

@@ -306,7 +306,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
-        e.contact = sumOver<1>(context_, n_, sum)[0];
+        e.contact = sumOver<1>(context_, activeSolids(), sum)[0];
     });
     const auto wall = wallMemory_.entries ? wallMemory_.force.download() : std::vector<real>();
     for (int k = 0; k < wallMemory_.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);

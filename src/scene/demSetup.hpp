@@ -65,40 +65,49 @@ void DemSolver<Backend, D, P>::setPairs()
     });
 }
 
+//- How far the search looks, from the radii
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setReach()
+{
+    const double ratio = config_.skin >= 0 ? config_.skin : (Backend::gpu ? 0.1 : 0.15);
+    const double skin = ratio*2*radii_.smallest;
+    halfSkin_ = real(0.5*skin);
+    reach_ = skin + largestGap_;
+}
+
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setBox()
 {
     const DemConfig& c = config_;
-    const std::vector<double>& radius = input_.particles.radius;
-    const double smallest = *std::min_element(radius.begin(), radius.end());
-    const double largest = *std::max_element(radius.begin(), radius.end());
-    const double ratio = c.skin >= 0 ? c.skin : (Backend::gpu ? 0.1 : 0.15);
-    const double skin = ratio*2*smallest;
-    halfSkin_ = real(0.5*skin);
-    reach_ = skin + largestGap_;
-    const double margin = 2*largest + reach_;
+    radii_ = RadiusClasses::of(input_.particles.radius);
+    setReach();
+    const double margin = 2*radii_.largest + reach_;
     for (int d = 0; d < D; ++d)
     {
         const int axis = c.axes[d];
         const double lo = c.domainMin[axis], hi = c.domainMax[axis];
-        if (c.periodic[axis])
-        {
-            if (hi - lo < 3.001*margin)
-                throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
-                  + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
-            box_.set(d, lo, hi - lo, true);
-            domainMin_[d] = std::numeric_limits<std::int64_t>::min();
-            domainMax_[d] = std::numeric_limits<std::int64_t>::max();
-        }
-        else
-        {
-            // a margin, so that fixed-point differences across it are never mistaken for near ones
-            box_.set(d, lo - margin, hi - lo + 2*margin, false);
-            domainMin_[d] = box_.toFixed(d, lo);
-            domainMax_[d] = box_.toFixed(d, hi);
-        }
+        if (c.periodic[axis] && hi - lo < 3.001*margin)
+            throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
+              + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
+        // a margin, so that fixed-point differences across it are never mistaken for near ones
+        if (c.periodic[axis]) box_.set(d, lo, hi - lo, true);
+        else box_.set(d, lo - margin, hi - lo + 2*margin, false);
     }
-    classes_.set(box_, radius, reach_);
+    setDomain();
+}
+
+//- Where particles leave, in the box's units, and the cells
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setDomain()
+{
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = config_.axes[d];
+        const bool periodic = config_.periodic[axis];
+        domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : box_.toFixed(d, config_.domainMin[axis]);
+        domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis]);
+    }
+    classes_.set(box_, radii_, reach_);
 }
 
 //- Components of vectors in the solver's axes, or the one spin of 2D
@@ -337,8 +346,7 @@ void DemSolver<Backend, D, P>::setWalls()
 {
     nWalls_ = int(input_.walls.size());
     if (!nWalls_) return;
-    const std::vector<double>& radius = input_.particles.radius;
-    const double cell = *std::max_element(radius.begin(), radius.end()) + reach_;
+    const double cell = radii_.largest + reach_;
     SurfaceBuilder<D> builder;
     std::vector<WallData> walls;
     for (const DemWall& in : input_.walls)

@@ -1,5 +1,5 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction),
-    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demOutput.hpp (what is read back)
+    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demOutput.hpp (what is read back)
     and demState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -48,6 +48,13 @@ struct WallMemoryArrays
     }
 };
 
+//- Of a saved state: in which cells particles were sought, and where
+struct DemSearchState
+{
+    RadiusClasses radii;
+    double lower[3] = {}, length[3] = {};   // of the box [m]
+};
+
 template<class Backend, int D, class P>
 class DemSolver : public DemScene
 {
@@ -82,7 +89,9 @@ public:
 private:
 
     // demSetup.hpp
+    void setReach();
     void setBox();
+    void setDomain();
     void setFields();
     void setGroups();
     void setPairs();
@@ -116,14 +125,21 @@ private:
     void blockContacts();
 
     // demState.hpp
+    std::vector<int> keptBonds();
     template<class F> void forEachMemory(F f);
+    template<class F> void forEachBondMemory(const std::vector<int>& kept, F f);
+    void clearUnused(std::vector<std::int32_t>& words, std::size_t at) const;
+    void restoreSearch(const DemSearchState&);
+    void restoreIds(const std::vector<std::int32_t>& ids);
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
 
     // demAdvance.hpp
     void readClock() { context_.toHost(&host_, clock_.data(), sizeof(DemClockData)); }
     void writeClock() { context_.toDevice(clock_.data(), &host_, sizeof(DemClockData)); }
     bool finished() const;
-    void setWindow();
+    void setWindow();           // these three: demWindow.hpp
+    void sampleGroups(double end);
+    void samplePoses(double end);
     void runToTarget(std::int64_t& rebuilds);
     void collectEscaped(DemReport&);
     void findOffender(DemReport&);
@@ -149,6 +165,7 @@ private:
     Context<Backend> context_;
 
     Box<D, P> box_;
+    RadiusClasses radii_;
     SizeClasses<D, P> classes_;
     std::int64_t domainMin_[D], domainMax_[D];
     real halfSkin_ = 0;
@@ -176,7 +193,7 @@ private:
     Array<Backend, double> motions_, poses_;
     double windowBegin_ = 0, windowStep_ = 1;
     int groupMotions_ = 0, wallMotions_ = 0;
-    static constexpr int windowSteps = 64, samples = 2*windowSteps + 5;
+    static constexpr int windowSteps = 64, samples = 2*windowSteps + 3;
 
     int nBonds_ = 0;
     Array<Backend, std::int32_t> bondIds_[2], bondType_, bondBroken_;
