@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <sstream>
+#include "scene/demFused.hpp"
 #include "scene/demWindow.hpp"
 
 namespace riprap
@@ -20,6 +21,7 @@ bool DemSolver<Backend, D, P>::finished() const
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
+    if (fuses()) return runFused(rebuilds);
     while (!finished())
     {
         if (host_.needRebuild) { rebuild(); ++rebuilds; readClock(); }

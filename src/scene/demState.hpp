@@ -71,6 +71,21 @@ std::vector<int> DemSolver<Backend, D, P>::keptBonds()
     return kept;
 }
 
+//- Histories lie in rows over all entries, so many numbers of an entry together in each
+template<class Backend, int D, class P>
+std::size_t DemSolver<Backend, D, P>::historyTogether() const
+{
+    using List = ContactListView<Backend, real>;
+    return Backend::gpu ? List::wordsTogether(histories_) : List::historyWords(histories_);
+}
+
+template<class Backend, int D, class P>
+std::size_t DemSolver<Backend, D, P>::historyRows() const
+{
+    const std::size_t together = historyTogether();
+    return together ? ContactListView<Backend, real>::historyWords(histories_)/together : 0;
+}
+
 //- f(array, numbers a bond) for what bonds remember
 template<class Backend, int D, class P>
 template<class F>
@@ -91,8 +106,8 @@ void DemSolver<Backend, D, P>::forEachMemory(F f)
     const ContactListView<Backend, real> list = list_.view();
     const std::size_t entries = list_.entries();
     f(list.entry, entries*sizeof(std::uint32_t));
-    if (Backend::gpu) for (int c = 0; c < histories_; ++c) f(list.history + c*list.stride, entries*sizeof(real));
-    else f(list.history, entries*list.historyWords(histories_)*sizeof(real));
+    const std::size_t together = historyTogether(), rows = historyRows();
+    for (std::size_t q = 0; q < rows; ++q) f(list.history + q*list.stride*together, entries*together*sizeof(real));
     if (!nWalls_) return;
     f(walls_.data(), nWalls_*sizeof(WallData));
     const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches;
@@ -111,9 +126,9 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
     const auto clear = [&](std::size_t from, std::size_t reals) { std::fill_n(words.begin() + from, reals*each, 0); };
     const auto free = [&](std::size_t e) { return !(std::uint32_t(words[entry + e]) & List::touching); };
     at += entries;
-    const int words1 = Backend::gpu ? 1 : List::historyWords(histories_);
-    for (int c = 0; c < (Backend::gpu ? histories_ : 1); ++c, at += entries*words1*each)
-        for (std::size_t e = 0; e < entries; ++e) if (free(e)) clear(at + e*words1*each, words1);
+    const std::size_t together = historyTogether(), rows = historyRows();
+    for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
+        for (std::size_t e = 0; e < entries; ++e) if (free(e)) clear(at + e*together*each, together);
     if (!nWalls_) return;
     at += nWalls_*sizeof(WallData)/4;
     const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches, on = at;
@@ -186,8 +201,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
     if (words[5] != histories_ || words[7] != fields_.fields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
-    if (n != int(input_.particles.size()))
-        fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(input_.particles.size()));
+    if (n != n_) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(n_));
     if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
     detail::StateReader<Context<Backend>> read{context_, words, header};
     const auto take = [&](void* data, std::size_t bytes)
@@ -245,6 +259,9 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
     const double cell = radii_.largest + reach_;
     radii_ = s.radii;
     setReach();
+#ifdef __CUDACC__
+    parts_.graphs.clear();                  // they hold on to the cells' and walls' numbers
+#endif
     for (int d = 0; d < D; ++d) box_.set(d, s.lower[d], s.length[d], config_.periodic[config_.axes[d]]);
     setDomain();
     sort_.allocate(context_, n_, classes_.cells());
@@ -280,8 +297,7 @@ void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int 
     { if (!good) throw std::invalid_argument("saved state: its contacts do not fit (another skin, or walls elsewhere)"); };
     // walls' poses stand behind the lists of contacts in the words: read them ahead
     Reader ahead = read;
-    ahead.at += std::size_t(entries) + (Backend::gpu ? std::size_t(histories_)*((entries*sizeof(real) + 3)/4)
-        : (std::size_t(entries)*ContactListView<Backend, real>::historyWords(histories_)*sizeof(real) + 3)/4);
+    ahead.at += std::size_t(entries)*(1 + historyRows()*historyTogether()*sizeof(real)/4);
     if (nWalls_) ahead(walls_.data(), nWalls_*sizeof(WallData));
     rebuild(true);
     check(int(list_.entries()) == entries && wallMemory_.entries == wallEntries);

@@ -48,10 +48,9 @@ struct Contact
         return r;
     }
 
-    //- Does component c of the history change sign when A and B are exchanged? Vectors in space and moments do; a normal
-    //  force does not, nor does a stretch along t in 2D, since t turns with n
-    template<int D>
-    HD static bool turnsOver(int c) { return c >= (D == 3 ? tangentialAt<D> : rollingAt<D>); }
+    //- From here on the history changes its sign when A and B are exchanged: vectors in space and moments do; a normal force does
+    //  not, nor does a stretch along t in 2D, since t turns with n
+    template<int D> static constexpr int turnsFrom = D == 3 ? tangentialAt<D> : rollingAt<D>;
 
     //- Forces of the contact; h is read and written
     template<int D, class T>
