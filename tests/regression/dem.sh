@@ -96,9 +96,10 @@ says clumpMass 'mass 0\.0533333 kg, 2 clumps'          # rho 4/3 r^3 twice, r = 
 control 'writeFormat binary; functions { energy { type solidEnergies; libs ("libriprapFoam.so"); } }'
 riprapFoam >log 2>&1 && pass clumpsRun || fail clumpsRun "$(grep -m1 -A3 ERROR log)"
 [[ -s 0.1/uniform/lagrangian/solids/clumps/orientationReal ]] && pass clumpFiles || fail clumpFiles "no clumps in 0.1/uniform/lagrangian/solids"
-rm -r 0.1; riprapFoam >log 2>&1
-says clumpsRestart 'Continuing exactly from time 0.05, clumps to round-off'
-rm -rf 0.05 0.1 postProcessing
+mv 0.1 whole; riprapFoam >log 2>&1
+says clumpsRestart 'Continuing exactly from time 0.05'
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass clumpsRestartExact || fail clumpsRestartExact "a continued run is another one"
+rm -rf 0.05 0.1 whole postProcessing
 
 # A run: files, restart to the bit, function objects
 tank2
@@ -142,6 +143,32 @@ rm -rf 0.05 0.1 VTK postProcessing whole
 riprapFoam -dry-run >log 2>&1
 says dryRun 'Particle steps to time 0.1'
 [[ ! -e 0.05 ]] && pass dryRunWritesNothing || fail dryRunWritesNothing "-dry-run wrote"
+
+# Walls and groups that move by a table which begins with the run and ends with it
+tank2
+printf '( (0 ((0 0 0) (0 0 0))) (0.05 ((0 0.001 0) (0 0 0))) (0.1 ((0 0.004 0) (0 0 0))) )' >constant/table
+table='solidBodyMotionFunction tabulated6DoFMotion; tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "constant/table"; }'
+dictionary constant/solidProperties <<<"device cpu; materials { glass { rho 2500; E 1e7; nu 0.25; } } pairs { default { restitution 0.9; friction 0.3; } }
+walls { material glass; motion { floor { patches (lower); $table } } } groups { lid { motion { $table } } }"
+control "functions { motion { type groupMotion; $library } }"
+fill "lid { $glass group lid; source box; box (0.05 0.03 0) (0.07 0.04 0.01); } pile { $glass source box; box (0.1 0 0) (0.15 0.03 0.01); }"
+riprapFoam >log 2>&1 && pass tableOfTheRun || fail tableOfTheRun "$(grep -m1 -A3 ERROR log)"
+column tableGroup motion lidCentreY 0.03899 0.03901
+cp -r 0.1 whole; rm -r 0.1; riprapFoam >log 2>&1
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass tableRestart || fail tableRestart "a continued run is another one"
+rm -rf 0.05 0.1 whole postProcessing
+
+# Those that leave are not missed: the rest continues to the bit
+tank2; solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } } guards { maxEscaped 1; }'; control ''
+fill "leaving { set solids; material glass; radius 0.006; source box; box (0.05 0.08 0) (0.062 0.092 0.01); velocity (0 3 0); }
+pair { $glass source box; box (0.1 0.08 0) (0.12 0.09 0.01); velocity (0 2 0); } pile { $glass source box; box (0 0 0) (0.06 0.03 0.01); velocity (0.3 0 0); }" \
+    'bonds ( pair { type cement; groups (free); gapTolerance 1e-6; } );'
+riprapFoam >log 2>&1 && pass escapeRun || fail escapeRun "$(grep -m1 -A3 ERROR log)"
+says escaped 'scaped'
+cp -r 0.1 whole; rm -r 0.1; riprapFoam >log 2>&1
+says escapeContinues 'Continuing exactly from time 0.05'
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass escapeRestart || fail escapeRestart "a continued run is another one"
+rm -rf 0.05 0.1 whole
 
 # Wrong regions
 control ''; solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
@@ -198,6 +225,7 @@ properties_ restitution 'Entry restitution is 2: it must be from' "$m $w pairs {
 properties_ normal 'normal has the unknown word soft; valid are .*linear incremental cellSpring hertz' "$m $p $w contact { normal soft; }"
 properties_ tangential 'tangential has the unknown word all; valid are .*none history oneStep' "$m $p $w contact { tangential all; }"
 properties_ rolling 'rolling has the unknown word all; valid are .*none constantTorque spring' "$m $p $w contact { rolling all; }"
+properties_ rollingSlides 'rolling friction needs friction' "$m $w contact { tangential none; rolling spring; } pairs { default { restitution 1; rollingFriction 0.1; } }"
 properties_ rollingFriction "rollingFriction.*solidProperties" "$m $p $w contact { rolling spring; }"
 properties_ fixed 'fixed has the unknown word w; valid are .*x y z spin' "$m $p $w groups { a { fixed (w); } }"
 properties_ damping 'Entry localDamping is 2: it must be from 0 to 1' "$m $p $w groups { a { localDamping 2; } }"
