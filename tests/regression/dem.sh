@@ -170,6 +170,64 @@ says escapeContinues 'Continuing exactly from time 0.05'
 cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass escapeRestart || fail escapeRestart "a continued run is another one"
 rm -rf 0.05 0.1 whole
 
+plain="functions { motion { type groupMotion; $library } energy { type solidEnergies; $library } forces { type solidWallForce; $library } }"
+
+# Ctrl-C ends with a written time, from which a run goes on exactly
+tank2; solids ''; control 'endTime 1000; writeInterval 1000;'
+fill "pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; velocity (0.1 0 0); }"
+riprapFoam >log 2>&1 & pid=$!
+for ((i = 0; i < 300; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
+kill -INT $pid; wait $pid && pass interruptStatus || fail interruptStatus "exit status $?"
+says interrupt 'Stopping on SIGINT: writing this time'
+reached=$(foamListTimes -latestTime 2>/dev/null | tail -1)
+[[ -s ${reached:-none}/lagrangian/solids/positions && -s $reached/uniform/riprap/demState ]] && pass interruptWrites || fail interruptWrites "nothing in time '$reached'"
+control "endTime $(awk -v t="${reached:-0}" 'BEGIN {printf "%.10g", t + 0.02}');"
+riprapFoam >log 2>&1
+says interruptContinues "Continuing exactly from time $reached"
+
+# -postProcess gives what the run gave at the times that it wrote
+tank2; rm -rf [1-9]* 0.* postProcessing first
+control "$plain"
+fill "pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; velocity (0.1 0 0); }"
+riprapFoam >log 2>&1; mv postProcessing first
+riprapFoam -postProcess >log 2>&1 && pass postProcess || fail postProcess "$(grep -m1 -A3 ERROR log)"
+for file in energy/*/solidEnergies.dat motion/*/groupMotion.dat
+do
+    # within 1e-6 of the largest: times are written with twelve digits, and a velocity is that of the half step
+    awk '/^#/ {next} FNR == NR {for (i = 2; i <= NF; ++i) {run[$1 + 0, i] = $i; if ($i^2 > big[i]^2) big[i] = $i} next}
+        ($1 + 0, 2) in run {++rows; for (i = 2; i <= NF; ++i) if (($i - run[$1 + 0, i])^2 > (1e-6*big[i])^2) print $1, i, $i, run[$1 + 0, i]}
+        END {if (rows < 3) print rows + 0, "common rows"; print "compared"}' first/$file postProcessing/$file >differences
+    [[ $(cat differences) != compared ]] && fail "postProcess.${file##*/}" "$(head -3 differences | tr '\n' ';')" || pass "postProcess.${file##*/}"
+done
+rm -rf first postProcessing
+
+# Walls in constant/geometry: a disk falls on a shelf and rests there, another one beside it falls past it to the floor
+tank2; rm -rf 0.*
+geometry 'shelf { type searchablePlate; origin (0.02 0.05 -1); span (0.06 0 2); }'
+printf 'x,y,z,radius,group\n0.05,0.0551,0,0.005,upper\n0.15,0.0551,0,0.005,lower\n' >list.csv
+solids 'groups { upper { viscousDamping 60; } lower { viscousDamping 60; } }'
+control "endTime 0.6; $plain"
+fill 'list { set solids; source csv; file "list.csv"; material glass; }'
+riprapFoam >log 2>&1 && pass geometry || fail geometry "$(grep -m1 -A3 ERROR log)"
+column geometryRests motion upperCentreY 0.05483 0.05484      # 0.164 mm deep, as on the floor
+column geometryFalls motion lowerCentreY 0.00483 0.00487
+column geometryCarries forces shelfFy -1.93 -1.92         # its weight, 2500 pi R^2 g = 1.926 N/m
+rm constant/geometry
+
+# A periodic channel without friction: a disk leaves at x = 0.2, comes in at 0, and hits one that waits there; they exchange velocities
+channel2; rm -rf 0.* postProcessing
+printf 'x,y,z,u,v,w,radius,group\n0.18,0.05,0,0.5,0,0,0.005,thrown\n0.03,0.05,0,0,0,0,0.005,waiting\n' >list.csv
+solids 'contact { normal linear; tangential none; } groups { thrown { gravity no; } waiting { gravity no; } }'
+sed -i 's/restitution 0.9/restitution 1/' constant/solidProperties
+control "endTime 0.2; deltaT 2e-5; adjustTimeStep no; $plain"
+fill 'list { set solids; source csv; file "list.csv"; material glass; }'
+riprapFoam >log 2>&1 && pass cyclic || fail cyclic "$(grep -m1 -A3 ERROR log)"
+column cyclicStops motion thrownUx -0.001 0.001
+column cyclicGoesOn motion waitingUx 0.499 0.501
+column cyclicWraps motion thrownCentreX 0.02245 0.02247      # 0.02 + v/2 pi sqrt(m/(2 k)): they move on while they touch
+rm -rf 0.* postProcessing
+tank2; solids ''; control ''
+
 # Wrong regions
 control ''; solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
 bad() { set2 "$3" "${4:-}"; wrongRun "$1" "$2" setParticles; }
