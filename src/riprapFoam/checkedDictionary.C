@@ -116,6 +116,12 @@ bool Foam::checkedDictionary::found(const word& entry)
     {
         known_.append(entry);
     }
+    if (dict_.isDict(entry))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << entry << " must be a value, not a dictionary"
+            << exit(FatalIOError);
+    }
     return dict_.found(entry, keyType::LITERAL);
 }
 
@@ -143,7 +149,8 @@ bool Foam::checkedDictionary::either
 
 const Foam::dictionary& Foam::checkedDictionary::subDict(const word& entry)
 {
-    if (!found(entry))
+    known_.append(entry);
+    if (!dict_.found(entry, keyType::LITERAL))
     {
         return dictionary::null;
     }

@@ -28,7 +28,7 @@ static void readContact(checkedDictionary& solids, riprap::DemConfig& config)
      && config.tangential == riprap::TangentialKind::none
     )
     {
-        FatalIOErrorInFunction(solids.subDict("contact"))
+        FatalIOErrorInFunction(dict.dict())
             << "Entry rolling is " << demNames::rolling[config.rolling]
             << ": rolling friction needs friction, with tangential none"
             << " bodies slide and nothing makes them roll; valid are rolling"

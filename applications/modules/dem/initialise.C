@@ -62,7 +62,15 @@ void Foam::solverModules::dem::coverMotion()
         movingWalls_,
         reference,
         0,
-        settings_.walls.dict,
+        settings_.config
+    );
+    // Groups escape like single particles: they widen nothing
+    Foam::coverMotion
+    (
+        mesh_,
+        movingGroups_,
+        List<boundBox>(movingGroups_.size()),
+        0,
         settings_.config
     );
 }

@@ -48,7 +48,7 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
 
     locations_ = points(dict, "probeLocations");
     fields_ = fieldNames(dict, wordList({"p", "U"}), validFields);
-    minVolumeFraction_ = notNegative(dict, "minVolumeFraction", 0.05);
+    minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.05);
     correct_ = dict.lookupOrDefault("wallCorrection", true);
     correctSurface_ = dict.lookupOrDefault("surfaceCorrection", false);
 
@@ -65,6 +65,12 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
         }
     }
 
+    if (dict.found("sensorNormal") && !(notNegative(dict, "sensorRadius", 0) > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry sensorNormal of function object " << name()
+            << " needs a sensorRadius" << exit(FatalIOError);
+    }
     makeSensors(dict);
 
     return true;
