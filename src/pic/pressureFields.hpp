@@ -5,8 +5,9 @@
 
     - a face that is closed (a wall) has a = 0; a moving wall there has w; an inlet is a closed face with w = its velocity;
     - a face at the end of the block that is not closed (a > 0) is open to the atmosphere: p = 0 at the face itself;
-    - a cell is wet if phi < 0 and one of its faces is open; p = 0 where phi = 0 between a wet cell and a dry one, at the fraction
-      theta = phi_wet/(phi_wet - phi_dry) of their distance, through the open part of the face.
+    - a cell is wet if it lies deeper than wetDepth and one of its faces is open; p = 0 where phi = 0 between a wet cell and a dry one, at the
+      fraction theta = phi_wet/(phi_wet - phi_dry) of their distance, through the open part of the face. A dry cell that lies a hair under the
+      surface makes theta a little more than 1: so theta needs no bound that would bend a flat surface, wherever it lies.
 
     The step finds p [Pa] in wet cells (0 elsewhere) such that the fluxes of every wet cell sum to zero with
     u = u* - dt/rho grad p, and changes u on every open face that has a wet cell on either side; all other faces keep their u.
@@ -42,13 +43,16 @@ struct PressureReport
     const char* solver = "";
 };
 
-//- theta is not taken below this: the surface would pull at a cell without bound
-static constexpr double smallestTheta = 0.01;
+//- Depth of the middle of a cell, in cells, from which it is wet: theta is at least about this much
+static constexpr double wetDepth = 0.01;
+
+//- For a phi that is no distance: below this the surface would pull at a cell without bound
+static constexpr double smallestTheta = 0.005;
 
 template<int D, class R>
 HD bool isWet(const PressureFields<D, R>& f, int cell, const typename UniformGrid<D>::Index& c)
 {
-    if (!(f.phi[cell] < R(0))) return false;
+    if (!(f.phi[cell] < R(-wetDepth*f.grid.h))) return false;
     bool open = false;
     for (int d = 0; d < D; ++d)
         for (int side = 0; side < 2; ++side) open = open || f.aperture[d][f.grid.faceOf(d, c, side)] > R(0);

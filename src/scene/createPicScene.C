@@ -67,7 +67,7 @@ void checkFluid(const PicConfig& c, const FluidInput& f)
 
 } // namespace
 
-std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls)
+std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
 {
     checkNumbers(config);
     checkFluid(config, fluid);
@@ -78,11 +78,11 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
     if (choice.device == DeviceKind::gpu)
     {
         const PicMaker make = two ? (mixed ? picGpu2Mixed : picGpu2Double) : (mixed ? picGpu3Mixed : picGpu3Double);
-        return make(config, fluid, walls);
+        return make(config, fluid, walls, solver);
     }
 #endif
     const PicMaker make = two ? (mixed ? picCpu2Mixed : picCpu2Double) : (mixed ? picCpu3Mixed : picCpu3Double);
-    return make(config, fluid, walls);
+    return make(config, fluid, walls, solver);
 }
 
 } // namespace riprap

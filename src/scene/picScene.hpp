@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include "pic/pressure/linearSolver.hpp"
 #include "scene/sphScene.hpp"
 
 namespace riprap
@@ -45,6 +46,8 @@ struct PicConfig
     double picPart = 0.05;                  // of flipPic
     int advectionOrder = 3;                 // 2, 3
     double positionCorrection = 0.05;       // coefficient, 0: off
+
+    double pressureTolerance = 1e-10;       // without a solver of the caller's
 
     // Walls
     bool noSlip = false;
@@ -133,8 +136,8 @@ public:
     virtual DeviceKind device() const = 0;
 };
 
-//- Build a scene
+//- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our multigrid, to pressureTolerance
 //  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
-std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&);
+std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr);
 
 } // namespace riprap

@@ -12,8 +12,12 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls) : config_(config)
+PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
+:
+    config_(config),
+    linearSolver_(solver ? *solver : ownSolver_)
 {
+    ownSolver_.controls.tolerance = config.pressureTolerance;
     setGrid();
     setWalls(walls);
     clock_.time = config.startTime;
@@ -39,6 +43,7 @@ void PicSolver<Backend, D, P>::setGrid()
     for (auto* a : {&phi_, &carried_, &spare_}) a->allocate(context_, cells);
     for (auto* a : {&wet_, &near_}) a->allocate(context_, cells);
     pressure_.allocate(context_, cells);
+    pressureStep_.allocate(context_, grid_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);

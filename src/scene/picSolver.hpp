@@ -12,7 +12,7 @@
 #include "pic/extrapolate.hpp"
 #include "pic/forces.hpp"
 #include "pic/positionCorrection.hpp"
-#include "pic/referencePressure.hpp"
+#include "pic/pressure/pressureStep.hpp"
 #include "pic/speed.hpp"
 #include "pic/surface/advectLevelSet.hpp"
 #include "pic/surface/fillFraction.hpp"
@@ -44,7 +44,7 @@ public:
 
     using real = typename P::real;
 
-    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&);
+    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*);
 
     PicReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { interrupted_ = true; }
@@ -119,7 +119,9 @@ private:
     Array<Backend, unsigned char> layer_[D];
     Array<Backend, double> pressure_;
     bool wallsMove_ = false;
-    ReferencePressure<Backend, D, real> reference_;
+    PressureStep<Backend, D, real> pressureStep_;
+    MultigridLinear ownSolver_;
+    LinearSolver& linearSolver_;                // the caller's, else ownSolver_
 
     PicClock clock_;
     PressureReport lastPressure_;

@@ -110,7 +110,7 @@ void PicSolver<Backend, D, P>::project(double dt)
     for (int d = 0; d < D; ++d)
         forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
             before_[d].data(), u_[d].data(), real(gravity_[d]*dt), real(nu*dt/(grid_.h*grid_.h)), config_.noSlip});
-    lastPressure_ = reference_.project(context_, pressureFields(dt), wet_.data());
+    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
     for (int d = 0; d < D; ++d)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data()});
