@@ -197,7 +197,7 @@ public:
 
     void allocate(Context<Backend>& context, const GridShape<D>& shape)
     {
-        parent_.allocate(context, shape.cells);
+        parent_.allocate(context, shape.cells);     // zero: what no pass visits is no root but cell 0, which has no row then
         sums_.allocate(context, 3*std::size_t(shape.cells));
         scale_.allocate(context, 2);
         partial_.allocate(context, 2*sumChunks);
@@ -220,6 +220,16 @@ public:
 
     //- p has a mean of zero in each
     void level(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells) { takeMean(context, f, cells, f.x, false); }
+
+    //- After find(): one cell of each, its first in memory
+    std::vector<int> roots() const
+    {
+        const std::vector<int> parent = parent_.download();
+        const std::vector<std::int64_t> sums = sums_.download();
+        std::vector<int> r;
+        for (int c = 0; c < int(parent.size()); ++c) if (parent[c] == c && sums[3*std::size_t(c)] == 0) r.push_back(c);
+        return r;
+    }
 
 private:
 

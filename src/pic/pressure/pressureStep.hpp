@@ -82,23 +82,33 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& contex
     r.dimensions = D;
     for (int d = 0; d < 3; ++d) { r.n[d] = grid.n[d]; r.periodic[d] = grid.periodic[d]; }
     std::vector<int> row(shape.cells, -1), stored;
+    int lone = 0;
     for (int i = 0; i < grid.cells(); ++i)
     {
         Place<D> p;
         p.c = 0;
         const auto index = grid.cellIndex(i);
-        double diagonal = 0;
+        double joined = 0;
         for (int d = 0; d < D; ++d) { p.x[d] = index.c[d]; p.c += p.x[d]*shape.stride[d]; }
-        for (int d = 0; d < D; ++d) diagonal += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
-        diagonal += s[p.c + shape.margin];
-        if (!(diagonal > 0)) continue;
+        for (int d = 0; d < D; ++d) joined += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
+        const double tied = s[p.c + shape.margin];
+        double& value = x[p.c + shape.margin];
+        if (!(joined > 0))              // a drop of one cell: solved here, since GAMG could not join it to any other
+        {
+            if (tied > 0) { value = rhs[p.c + shape.margin]/tied; ++lone; }
+            continue;
+        }
         row[p.c] = r.rows();
         r.cell.push_back(i);
         stored.push_back(p.c);
-        r.diagonal.push_back(diagonal);
+        r.diagonal.push_back(joined + tied);
         r.rhs.push_back(rhs[p.c + shape.margin]);
-        r.x.push_back(x[p.c + shape.margin]);
+        r.x.push_back(value);
     }
+    // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero, and solvers that factorise
+    // meet no singular matrix
+    if (pocketCells_)
+        for (const int c : pockets_.roots()) if (row[c] >= 0) r.diagonal[row[c]] *= 2;
     for (int own = 0; own < r.rows(); ++own)
     {
         const Place<D> p = shape.place(stored[own]);
@@ -126,7 +136,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& contex
         }
     }
     PressureReport report = solver.solve(r);
-    report.wetCells = r.rows();
+    report.wetCells = r.rows() + lone;
     for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];
     context.toDevice(fine.x - shape.margin, x.data(), x.size()*sizeof(double));
     return report;
