@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "scene/picInstances.hpp"
+#include "scene/sphScene.hpp"
 
 #include <cfenv>
 #include <cmath>

@@ -32,7 +32,6 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
     PicReport report;
     report.minTimeStep = 1e300;
-    const int before = n_;
     if (interrupted_) maxSteps = 1;
     while (clock_.time < t && n_ > 0 && (maxSteps <= 0 || report.steps < maxSteps))
     {
@@ -64,7 +63,6 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.totalSteps = clock_.steps;
     report.fluid = n_;
     report.flying = std::size_t(flying_);
-    report.escaped = before - n_;
     const double particle = clock_.particleVolume;
     report.volume = volume_*grid_.volume() + flying_*particle;
     report.volumeError = n_ > 0 ? report.volume/(n_*particle) - 1 : 0;

@@ -91,9 +91,9 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
 }
 
 template<class Backend, int D, class P>
-SphEnergy PicSolver<Backend, D, P>::energy()
+FluidEnergy PicSolver<Backend, D, P>::energy()
 {
-    SphEnergy e;
+    FluidEnergy e;
     const double mass = config_.density*clock_.particleVolume;
     for (int d = 0; d < D; ++d)
     {

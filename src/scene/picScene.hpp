@@ -9,18 +9,16 @@
 
 #include <memory>
 #include "pic/pressure/linearSolver.hpp"
-#include "scene/sphScene.hpp"
+#include "scene/fluidScene.hpp"
 
 namespace riprap
 {
 
 enum class TransferKind {flip, pic, flipPic, apic};
 
-struct PicConfig
+struct PicConfig : FluidConfig
 {
-    // Where and how
-    int dimensions = 2;                     // 2 or 3
-    int axes[3] = {0, 1, 2};                // 2D: axes[0], axes[1] are solved, axes[2] is empty
+    // How
     DeviceKind device = DeviceKind::automatic;
     PrecisionKind precision = PrecisionKind::mixed;
 
@@ -29,12 +27,6 @@ struct PicConfig
     bool periodic[3] = {false, false, false};
     int cells[3] = {1, 1, 1};               // along x, y, z
     double cellSize = 0;                    // [m]
-
-    // Fluid
-    double spacing = 0;                     // of the particles as given [m]
-    double density = 1000;                  // [kg/m3]
-    double viscosity = 0;                   // dynamic [Pa s]
-    Vector3 gravity{{0, 0, 0}};             // [m/s2]
 
     // Particles of a new run: as given, or seeded in the cells that those given fill
     int seedsPerDirection = 2;              // of a cell; 0: as given
@@ -84,11 +76,11 @@ struct PicReport
     double volumeError = 0;                 // relative to what the particles stand for, at the end
     double volumeDrift = 0;                 // sum of what the steps lost (-) or gained before it was put right, relative
     std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
-    std::size_t escaped = 0;                // that left in this call
+    std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
     bool pressureConverged = true;
-    StopReason stop = StopReason::none;     // notANumber or speed
+    StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
     double stopValue = 0;
@@ -103,10 +95,10 @@ struct PicGridState
     std::vector<double> distance;           // to the surface [m], negative in water
 };
 
-class PicScene
+//- fluid(): smoothingLength is the edge of the cells. energy(): elastic 0. sample(): of the grid; volumeFraction 1/2 on the surface
+class PicScene : public FluidScene
 {
 public:
-    virtual ~PicScene() = default;
 
     //- Advance to time t [s] or by maxSteps (0: no limit), whichever comes first. The last step is
     //  shortened to end at t to round-off. Stops early when a guard fires (see PicReport::stop).
@@ -116,13 +108,10 @@ public:
     //  returns after one step
     virtual void interrupt() = 0;
 
-    virtual double time() const = 0;
-    virtual FluidState fluid() = 0;         // smoothingLength: the cells' edge
     virtual PicGridState grid() = 0;
-    virtual SphEnergy energy() = 0;         // elastic 0
 
-    //- Of the grid at points (3 m): part that is water, pressure, velocity
-    virtual SampleResult sample(const std::vector<double>& points) = 0;
+    //- Edge of the square or cube that a particle stands for [m]
+    virtual double particleSpacing() const = 0;
 
     //- The exact state: see SphScene
     virtual std::vector<std::int32_t> saveState() = 0;

@@ -51,7 +51,8 @@ public:
     double time() const override { return clock_.time; }
     FluidState fluid() override;
     PicGridState grid() override;
-    SphEnergy energy() override;
+    FluidEnergy energy() override;
+    double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     SampleResult sample(const std::vector<double>& points) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
@@ -81,14 +82,14 @@ private:
     template<class F> void withOrder(const F&);
     PicParticles<D, real> particles();
     PressureFields<D, real> pressureFields(double dt);
-    void sortParticles();
+    void sortParticles(std::vector<Vector3>* escaped = nullptr);
     void markWater();
     void toGrid();
     void project(double dt);
     void extrapolate(Array<Backend, real>* a, Array<Backend, real>* b, int passes);
     void toParticles(double dt);
     void moveParticles(double dt);
-    void moveSurface(double dt);
+    void moveSurface(double dt, PicReport&);
     void redistance();
     void holdVolume();
     double waterVolume(double* sums);

@@ -55,12 +55,22 @@ PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(dou
 
 //- By cells; those that have left the block come last and are dropped
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::sortParticles()
+void PicSolver<Backend, D, P>::sortParticles(std::vector<Vector3>* escaped)
 {
+    const int before = n_;
     forEach(context_, n_, PicCellKeys<D, real>{grid_, particles(), sort_.keys(), sort_.indices()});
     sort_.sort(context_, n_);
     set_.permute(context_, sort_.order(), n_);
     context_.toHost(&n_, sort_.active(), sizeof(int));
+    if (!escaped || n_ == before) return;
+    std::vector<double> x[D];
+    for (int d = 0; d < D; ++d) x[d] = set_.template download<double>(context_, xField_ + d);
+    for (int i = n_; i < before; ++i)
+    {
+        Vector3 at{{emptyCoordinate_, emptyCoordinate_, emptyCoordinate_}};
+        for (int d = 0; d < D; ++d) at[config_.axes[d]] = grid_.origin[d] + x[d][i];
+        escaped->push_back(at);
+    }
 }
 
 template<class Backend, int D, class P>
@@ -153,7 +163,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.nearWater = near_.data();
         for (int d = 0; d < D; ++d) f.shift[d] = shift_[d].data();
         f.strength = real(config_.positionCorrection*dt);
-        f.spacing = real(std::pow(clock_.particleVolume, 1.0/D));
+        f.spacing = real(particleSpacing());
         forEach(context_, n_, f);
     }
     withOrder([&](auto order)
@@ -178,7 +188,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
 
 //- The surface goes with the water; then the particles, sorted, have their say
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::moveSurface(double dt)
+void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
 {
     const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
@@ -193,7 +203,7 @@ void PicSolver<Backend, D, P>::moveSurface(double dt)
         f.band = band;
         forEach(context_, cells, f);
     });
-    sortParticles();
+    sortParticles(&report.escaped);
     forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), carried_.data(), band});
     redistance();
     markWater();
@@ -249,7 +259,7 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
     project(dt);
     toParticles(dt);
     moveParticles(dt);
-    moveSurface(dt);
+    moveSurface(dt, report);
     holdVolume();
     clock_.time += dt;
     clock_.lastStep = dt;
