@@ -59,7 +59,9 @@ struct VelocityChange
     const R* u;
     const R* before;
     R* du;
-    HD void operator()(int i) const { du[i] = u[i] - before[i]; }
+    const R* excess;            // nullptr: none
+    R part;                     // of excess that is added
+    HD void operator()(int i) const { du[i] = u[i] - before[i] + (excess ? part*excess[i] : R(0)); }
 };
 
 //- The last layer of faces along a periodic direction is a copy of the first

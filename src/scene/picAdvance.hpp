@@ -42,11 +42,11 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
         else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
         if (report.stop != StopReason::none) { findOffender(report, courant); break; }
-        // two equal steps rather than one and a crumb; the last one ends at t to the bit
+        // equal steps to the target; the last one ends there to the bit
         const double left = t - clock_.time;
         const bool last = dt >= left*(1 - 1e-9);
         if (last) { dt = left; report.limit = "target"; }
-        else if (config_.adjustTimeStep && dt > 0.5*left) dt = 0.5*left;
+        else if (config_.adjustTimeStep) dt = left/std::ceil(left/dt*(1 - 1e-9));
         toGrid();
         step(dt, report);
         if (last) clock_.time = t;

@@ -36,7 +36,9 @@ struct PicConfig : FluidConfig
     int splineOrder = 2;                    // 1 .. 3
     TransferKind transfer = TransferKind::flip;
     double picPart = 0.05;                  // of flipPic
+    bool affine = true;                     // particles bring a gradient to the grid (always with apic)
     int advectionOrder = 3;                 // 2, 3
+    double reflection = 0;                  // 0 .. 1: see picStep.hpp
     double positionCorrection = 0.05;       // coefficient, 0: off
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's
@@ -77,6 +79,7 @@ struct PicReport
     double volumeDrift = 0;                 // sum of what the steps lost (-) or gained before it was put right, relative
     std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
     std::vector<Vector3> escaped;           // last positions of those that left in this call
+    std::vector<std::int32_t> escapedId;
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
     bool pressureConverged = true;

@@ -49,6 +49,7 @@ void PicSolver<Backend, D, P>::setGrid()
         const int faces = grid_.faces(d);
         for (auto* a : {&u_[d], &before_[d], &change_[d], &mass_[d], &aperture_[d]}) a->allocate(context_, faces);
         layer_[d].allocate(context_, faces);
+        if (config_.reflection > 0) excess_[d].allocate(context_, faces);
     }
 }
 
@@ -99,9 +100,16 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     if (config_.seedsPerDirection > 0)
     {
         const std::vector<double> at = seeds<D, real>(grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
-        setParticles(at, velocitiesAt(at, x, v), std::vector<std::int32_t>());
+        std::vector<double> gradient;
+        const std::vector<double> velocity = velocitiesAt(at, x, v, gradient);
+        setParticles(at, velocity, gradient, std::vector<std::int32_t>());
     }
-    else setParticles(x, v, fluid.id);
+    else
+    {
+        std::vector<double> gradient;
+        if (config_.affine) velocitiesAt(x, x, v, gradient);
+        setParticles(x, v, gradient, fluid.id);
+    }
     if (n_ == 0) throw std::invalid_argument("the fluid fills no cell");
     clock_.particleVolume = total/n_;
     clock_.initial = n_;
@@ -113,7 +121,10 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
 }
 
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::setParticles(const std::vector<double>& x, const std::vector<double>& v, const std::vector<std::int32_t>& id)
+void PicSolver<Backend, D, P>::setParticles
+(
+    const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
+)
 {
     n_ = int(x.size()/D);
     set_ = FieldSet<Backend>();
@@ -121,7 +132,7 @@ void PicSolver<Backend, D, P>::setParticles(const std::vector<double>& x, const 
     for (int d = 1; d < D; ++d) set_.template add<double>("x");
     vField_ = set_.template add<real>("v");
     for (int d = 1; d < D; ++d) set_.template add<real>("v");
-    if (config_.transfer == TransferKind::apic)
+    if (config_.affine)
     {
         affineField_ = set_.template add<real>("affine");
         for (int k = 1; k < D*D; ++k) set_.template add<real>("affine");
@@ -146,14 +157,17 @@ void PicSolver<Backend, D, P>::setParticles(const std::vector<double>& x, const 
         set_.upload(context_, vField_ + d, velocity);
     }
     set_.upload(context_, idField_, ids);
-    if (affineField_ >= 0)
-        for (int k = 0; k < D*D; ++k) set_.upload(context_, affineField_ + k, std::vector<real>(n_, real(0)));
+    for (int k = 0; affineField_ >= 0 && k < D*D; ++k)
+    {
+        for (int i = 0; i < n_; ++i) velocity[i] = real(gradient[i*D*D + k]);
+        set_.upload(context_, affineField_ + k, velocity);
+    }
 }
 
-//- Velocities of given particles at seeds: the weighted least-squares plane through those within a cell or two spacings
+//- Velocities of given particles at seeds, and their gradients: the weighted least-squares plane through those within a cell or two spacings
 template<class Backend, int D, class P>
 std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
-(const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v) const
+(const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient) const
 {
     constexpr int terms = D + 1;
     const double reach = std::max(grid_.h, 2*config_.spacing);
@@ -167,6 +181,7 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
     for (int p = 0; p < count; ++p)
         bins[index(cellOf(&x[p*D], 0), cellOf(&x[p*D], 1), D == 3 ? cellOf(&x[p*D], D - 1) : 0)].push_back(p);
     std::vector<double> result(seeds.size(), 0.0);
+    gradient.assign(seeds.size()*D, 0.0);
     for (std::size_t s = 0; s < seeds.size()/D; ++s)
     {
         const double* at = &seeds[s*D];
@@ -207,7 +222,11 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
                 const double f = a[r][c]/a[c][c];
                 for (int e = c; e < terms + D; ++e) a[r][e] -= f*a[c][e];
             }
-        for (int d = 0; d < D; ++d) result[s*D + d] = a[0][terms + d]/a[0][0];
+        for (int d = 0; d < D; ++d)
+        {
+            result[s*D + d] = a[0][terms + d]/a[0][0];
+            for (int e = 0; e < D; ++e) gradient[(s*D + d)*D + e] = a[e + 1][terms + d]/a[e + 1][e + 1]/reach;
+        }
     }
     return result;
 }

@@ -74,15 +74,21 @@ private:
     void setGrid();
     void setWalls(const PicWalls&);
     void setFluid(const FluidInput&);
-    void setParticles(const std::vector<double>& x, const std::vector<double>& v, const std::vector<std::int32_t>& id);
-    std::vector<double> velocitiesAt(const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v) const;
+    void setParticles
+    (
+        const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
+    );
+    std::vector<double> velocitiesAt
+    (
+        const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient
+    ) const;
     std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
     PicParticles<D, real> particles();
     PressureFields<D, real> pressureFields(double dt);
-    void sortParticles(std::vector<Vector3>* escaped = nullptr);
+    void sortParticles(PicReport* report = nullptr);
     void markWater();
     void toGrid();
     void project(double dt);
@@ -93,6 +99,7 @@ private:
     void redistance();
     void holdVolume();
     double waterVolume(double* sums);
+    double kick(double dt) const;
     void step(double dt, PicReport&);
 
     // picState.hpp
@@ -116,7 +123,7 @@ private:
 
     Array<Backend, real> phi_, carried_, spare_;
     Array<Backend, unsigned char> wet_, near_;
-    Array<Backend, real> u_[D], before_[D], change_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    Array<Backend, real> u_[D], before_[D], change_[D], excess_[D], mass_[D], aperture_[D], wallVelocity_[D];
     Array<Backend, unsigned char> layer_[D];
     Array<Backend, double> pressure_;
     bool wallsMove_ = false;

@@ -55,21 +55,23 @@ PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(dou
 
 //- By cells; those that have left the block come last and are dropped
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::sortParticles(std::vector<Vector3>* escaped)
+void PicSolver<Backend, D, P>::sortParticles(PicReport* report)
 {
     const int before = n_;
     forEach(context_, n_, PicCellKeys<D, real>{grid_, particles(), sort_.keys(), sort_.indices()});
     sort_.sort(context_, n_);
     set_.permute(context_, sort_.order(), n_);
     context_.toHost(&n_, sort_.active(), sizeof(int));
-    if (!escaped || n_ == before) return;
+    if (!report || n_ == before) return;
+    const auto id = set_.template download<std::int32_t>(context_, idField_);
     std::vector<double> x[D];
     for (int d = 0; d < D; ++d) x[d] = set_.template download<double>(context_, xField_ + d);
     for (int i = n_; i < before; ++i)
     {
         Vector3 at{{emptyCoordinate_, emptyCoordinate_, emptyCoordinate_}};
         for (int d = 0; d < D; ++d) at[config_.axes[d]] = grid_.origin[d] + x[d][i];
-        escaped->push_back(at);
+        report->escaped.push_back(at);
+        report->escapedId.push_back(id[i]);
     }
 }
 
@@ -117,13 +119,24 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::project(double dt)
 {
     const double nu = config_.viscosity/config_.density;
+    const bool reflects = config_.reflection > 0;
+    if (reflects)
+    {
+        for (int d = 0; d < D; ++d)
+            forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
+                before_[d].data(), u_[d].data(), real(0), real(0), config_.noSlip});
+        pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+        for (int d = 0; d < D; ++d)
+            forEach(context_, grid_.faces(d), VelocityChange<real>{u_[d].data(), before_[d].data(), excess_[d].data(), nullptr, real(0)});
+    }
     for (int d = 0; d < D; ++d)
         forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
             before_[d].data(), u_[d].data(), real(gravity_[d]*dt), real(nu*dt/(grid_.h*grid_.h)), config_.noSlip});
     lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
     for (int d = 0; d < D; ++d)
     {
-        forEach(context_, grid_.faces(d), VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data()});
+        forEach(context_, grid_.faces(d), VelocityChange<real>
+            {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? excess_[d].data() : nullptr, real(config_.reflection)});
         forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), d, layer_[d].data()});
     }
     extrapolate(u_, change_, extrapolationPasses);
@@ -144,7 +157,7 @@ void PicSolver<Backend, D, P>::toParticles(double dt)
             f.fall[d] = real(gravity_[d]*dt);
         }
         f.nearWater = near_.data();
-        f.picPart = real(config_.transfer == TransferKind::pic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
+        f.picPart = real(config_.transfer == TransferKind::pic || config_.transfer == TransferKind::apic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
         f.affine = affineField_ >= 0;
         forEach(context_, n_, f);
     });
@@ -176,7 +189,6 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
             f.u[d] = u_[d].data();
             f.aperture[d] = aperture_[d].data();
             f.shift[d] = corrected ? shift_[d].data() : nullptr;
-            f.fall[d] = 0.5*gravity_[d]*dt*dt;
         }
         f.nearWater = near_.data();
         f.timeStep = dt;
@@ -203,7 +215,7 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
         f.band = band;
         forEach(context_, cells, f);
     });
-    sortParticles(&report.escaped);
+    sortParticles(&report);
     forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), carried_.data(), band});
     redistance();
     markWater();
@@ -253,11 +265,16 @@ void PicSolver<Backend, D, P>::holdVolume()
     markWater();
 }
 
+//- Velocities stand between the times of positions (leapfrog): half a step behind the first time, then the mean of the steps on either
+//  side, so that a step that changes with the flow feeds no energy in or out of waves
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::kick(double dt) const { return clock_.steps ? 0.5*(clock_.lastStep + dt) : 0.5*dt; }
+
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
 {
-    project(dt);
-    toParticles(dt);
+    project(kick(dt));
+    toParticles(kick(dt));
     moveParticles(dt);
     moveSurface(dt, report);
     holdVolume();

@@ -47,16 +47,16 @@ struct GridToParticle
         }
         for (int d = 0; d < D; ++d)
         {
+            R pic = 0, v = 0;
             if (affine)
             {
                 R gradient[D];
-                particles.v[d][i] = sampleAffine<Order>(grid, u[d], d, x, gradient);
+                pic = sampleAffine<Order>(grid, u[d], d, x, gradient);
                 for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
-                continue;
             }
-            R v = 0;
+            else if (picPart > 0) pic = sampleFace<Order>(grid, u[d], d, x);
             if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + sampleFace<Order>(grid, du[d], d, x));
-            if (picPart > 0) v += picPart*sampleFace<Order>(grid, u[d], d, x);
+            if (picPart > 0) v += picPart*pic;
             particles.v[d][i] = v;
         }
     }

@@ -3,7 +3,7 @@
     order 2:    x += dt u(x + dt/2 u(x))                                                            (midpoint)
     order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9,  k2 = u(x + dt/2 k1),  k3 = u(x + 3/4 dt k2)        (Ralston 1962)
 
-    Particles with no water about them fall: x += dt v - dt^2 g/2 with the v at the end of the step. Sides of the block that are closed keep
+    Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
     particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -62,7 +62,6 @@ struct MoveParticles
     const R* shift[D];          // what position correction adds [m]; nullptr: none
     double timeStep;
     int order;                  // 2 or 3
-    double fall[D];             // g dt^2/2 [m]
     double margin;              // [m]
 
     HD void operator()(int i) const
@@ -79,7 +78,7 @@ struct MoveParticles
             to = carried<Order>(grid, u, x, timeStep, order);
             if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
         }
-        else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i] - fall[d];
+        else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];
         for (int d = 0; d < D; ++d) particles.x[d][i] = confined(to.c[d], d, c, i);
     }
 
