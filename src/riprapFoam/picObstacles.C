@@ -39,14 +39,13 @@ std::vector<riprap::PicObstacle> Foam::picObstacles
 (
     const polyMesh& mesh,
     const geometryWalls& surfaces,
-    const wallBodies& bodies,
+    const labelList& bodyOf,
     scalar cellSize
 )
 {
     wallPointsControls controls;
     controls.spacing = cellSize;
     const wallSpace space(mesh, controls);
-    const labelList bodyOf(bodies.bodyOf(surfaces.names()));
 
     std::vector<riprap::PicObstacle> all;
     forAll(surfaces, i)
