@@ -81,7 +81,7 @@ struct FreeStep
     }
 
     //- Bodies of these densities, relative to the water's; their accelerations are then in cut.terms
-    void solve(const std::vector<double>& ratio, const std::string& controls)
+    void solve(const std::vector<double>& ratio, const std::string& controls, bool turns = true)
     {
         riprap::cutBodies(grid, bodies, D - 1, cut);
         for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -89,7 +89,7 @@ struct FreeStep
             riprap::BodyTerm& t = cut.terms[b];
             const double mass = ratio[b]*density*t.volume, radius = bodies[b].reach;
             t.inverseMass.assign(t.modes*t.modes, 0.0);
-            for (int m = 0; m < t.modes; ++m) t.inverseMass[m*t.modes + m] = 1/(m < D ? mass : mass*radius*radius*(D == 2 ? 0.5 : 0.4));
+            for (int m = 0; m < t.modes; ++m) t.inverseMass[m*t.modes + m] = !turns && m >= D ? 0 : 1/(m < D ? mass : mass*radius*radius*(D == 2 ? 0.5 : 0.4));
         }
         riprap::Context<riprap::Cpu> context;
         riprap::PressureStep<riprap::Cpu, D, double> step;
@@ -162,8 +162,9 @@ TEST(FreeBody, ArchimedesToRoundOff)
     FreeStep<2> s(40, 0.05);
     for (int i = 0; i < s.grid.cells(); ++i) s.phi[i] = (s.grid.cellIndex(i).c[1] + 0.5)*s.grid.h - 1.613;
     s.addBall({{1.03, 0.71}}, 0.4);
-    s.solve({1.0}, coupled(1e-15));
-    for (int m = 0; m < 2; ++m) EXPECT_LT(std::fabs(s.acceleration(0, m)), 1e-10*s.g) << m;
+    // held against turning: the centre of the volume that the grid sees is a second-order distance off the disk's
+    s.solve({1.0}, coupled(1e-15), false);
+    for (int m = 0; m < 2; ++m) EXPECT_LT(std::fabs(s.acceleration(0, m)), 1e-12*s.g) << m;
     // the force itself: p of water at rest, by the faces that close
     std::vector<double> still(s.grid.cells());
     for (int i = 0; i < s.grid.cells(); ++i) still[i] = -s.density*s.g*s.phi[i];
