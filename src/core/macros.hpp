@@ -3,6 +3,9 @@
 
 #ifdef __CUDACC__
     #define HD __host__ __device__ __forceinline__
+    //- Before an HD template whose arguments may be of one side alone
+    #define EITHER_SIDE _Pragma("nv_exec_check_disable")
 #else
     #define HD inline __attribute__((always_inline))
+    #define EITHER_SIDE
 #endif

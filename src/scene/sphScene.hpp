@@ -7,7 +7,7 @@
 #pragma once
 
 #include <memory>
-#include "scene/sceneTypes.hpp"
+#include "scene/fluidScene.hpp"
 
 namespace riprap
 {
@@ -22,11 +22,9 @@ enum class IntegratorKind {leapfrog, symplectic};
 
 //- Everything that the equations need, checked by the reader of dictionaries (ranges) and once more
 //  by createSphScene (consistency, std::invalid_argument).
-struct SphConfig
+struct SphConfig : FluidConfig
 {
-    // Where and how
-    int dimensions = 2;                     // 2 or 3
-    int axes[3] = {0, 1, 2};                // 2D: axes[0], axes[1] are solved, axes[2] is empty
+    // How
     DeviceKind device = DeviceKind::automatic;
     PrecisionKind precision = PrecisionKind::mixed;
 
@@ -35,12 +33,6 @@ struct SphConfig
     Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
     bool periodic[3] = {false, false, false};
     double escapeInset = 0;                 // [m]
-
-    // Fluid
-    double spacing = 0;                     // initial fluid spacing dp [m]
-    double density = 1000;                  // reference density rho0 [kg/m3]
-    double viscosity = 0;                   // dynamic viscosity mu [Pa s]
-    Vector3 gravity{{0, 0, 0}};             // [m/s2]
 
     // Equation of state
     EosKind eos = EosKind::Tait;
@@ -89,16 +81,6 @@ struct SphConfig
     double maxSpeedRatio = 5;               // |v|/vmax that stops the run
 };
 
-//- Particles as the reader of a case or setParticles gives them
-struct FluidInput
-{
-    std::vector<double> position;           // 3 n
-    std::vector<double> velocity;           // 3 n
-    std::vector<double> density;            // n [kg/m3]
-    std::vector<std::int32_t> id;           // n, unique; empty: 0 .. n-1
-    std::size_t size() const { return position.size()/3; }
-};
-
 struct WallInput
 {
     std::vector<double> position;           // 3 n
@@ -107,8 +89,6 @@ struct WallInput
     int nBodies = 0;
     std::size_t size() const { return position.size()/3; }
 };
-
-enum class StopReason {none, notANumber, density, speed, listOverflow};
 
 //- What one call of advance did
 struct SphReport
@@ -130,39 +110,14 @@ struct SphReport
     double stopValue = 0;
 };
 
-struct SphEnergy                            // [J] (2D: per metre of depth)
-{
-    double kinetic = 0, potential = 0, elastic = 0;
-    double wallWork = 0;                    // done by moving walls since the start
-};
-
-//- Fluid on the host, in the device's order
-struct FluidState
-{
-    std::vector<double> position, velocity; // 3 n
-    std::vector<double> density, pressure, smoothingLength; // n
-    std::vector<std::int32_t> id;
-};
-
 struct WallState
 {
     std::vector<double> position, velocity, pressure;   // 3 n, 3 n, n; in the order of WallInput
 };
 
-//- Interpolated values at points: sum V f W / sum V W, and sum V W itself. They are those at the centroid of what was
-//  sampled, which is not the point where the fluid about it is one-sided
-struct SampleResult
-{
-    std::vector<double> volumeFraction;     // m: sum of V_j W, about 1 inside, 0 outside
-    std::vector<double> pressure;           // m [Pa], 0 where there is no fluid
-    std::vector<double> velocity;           // 3 m [m/s]
-    std::vector<double> centroid;           // 3 m [m] of the sampled fluid, from the point; 0 where there is none
-};
-
-class SphScene
+class SphScene : public FluidScene
 {
 public:
-    virtual ~SphScene() = default;
 
     //- Advance to time t [s] or by maxSteps (0: no limit), whichever comes first. The last step is
     //  shortened to end at t to round-off. Stops early when a guard fires (see SphReport::stop).
@@ -172,16 +127,10 @@ public:
     //  returns after one step
     virtual void interrupt() = 0;
 
-    virtual double time() const = 0;
-    virtual FluidState fluid() = 0;
     virtual WallState walls() = 0;
-    virtual SphEnergy energy() = 0;
 
     //- Force of the fluid on the fixed and moving walls [N] (2D: per metre), per body (-1 first)
     virtual std::vector<Vector3> wallForces() = 0;
-
-    //- Kernel interpolation of the fluid at points (3 m)
-    virtual SampleResult sample(const std::vector<double>& points) = 0;
 
     //- The exact state, so that a run continues bit for bit on the same device and precision.
     //  Opaque words with a header and a checksum; after saveState the scene itself continues as a

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "scene/sphSolver.hpp"
+#include "scene/stateWords.hpp"
 
 namespace riprap
 {
@@ -16,20 +17,6 @@ namespace detail
 
 static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 3;
 static constexpr int stateHeader = 13;
-
-inline std::int32_t checksum(const std::vector<std::int32_t>& words, std::size_t n)
-{
-    std::uint32_t h = 2166136261u;
-    for (std::size_t i = 0; i < n; ++i) h = (h ^ std::uint32_t(words[i]))*16777619u;
-    return std::int32_t(h);
-}
-
-inline void appendBytes(std::vector<std::int32_t>& words, const void* data, std::size_t bytes)
-{
-    const std::size_t at = words.size();
-    words.resize(at + (bytes + 3)/4, 0);
-    std::memcpy(&words[at], data, bytes);
-}
 
 } // namespace detail
 

@@ -18,7 +18,7 @@ namespace functionObjects
 
 namespace
 {
-    double total(const riprap::SphEnergy& e)
+    double total(const riprap::FluidEnergy& e)
     {
         return e.kinetic + e.potential + e.elastic;
     }
@@ -62,7 +62,7 @@ Foam::functionObjects::energyBalance::energyBalance
 
 void Foam::functionObjects::energyBalance::begin()
 {
-    const riprap::SphEnergy energy(sph().scene().energy());
+    const riprap::FluidEnergy energy(fluid().fluidScene().energy());
 
     if (!foundProperty("totalAtStart"))
     {
@@ -90,7 +90,7 @@ bool Foam::functionObjects::energyBalance::execute()
         setProperty
         (
             "wallWork",
-            scalar(sph().scene().energy().wallWork + workBefore_)
+            scalar(fluid().fluidScene().energy().wallWork + workBefore_)
         );
     }
 
@@ -100,10 +100,10 @@ bool Foam::functionObjects::energyBalance::execute()
 
 bool Foam::functionObjects::energyBalance::write()
 {
-    const riprap::SphEnergy energy(sph().scene().energy());
+    const riprap::FluidEnergy energy(fluid().fluidScene().energy());
     const Extremes now
     (
-        extremes(sph().scene().fluid(), sph().config().density)
+        extremes(fluid().fluidScene().fluid(), fluid().fluidConfig().density)
     );
 
     const scalar work = energy.wallWork + workBefore_;

@@ -85,9 +85,11 @@ bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
 
     if (hasScene())
     {
-        const riprap::SphConfig& config = sph().config();
-        spacing_ = config.spacing;
-        rule_.support = 2*config.smoothingRatio*spacing_;
+        spacing_ = fluid().fluidConfig().spacing;
+        rule_.support =
+            onGrid()
+          ? usualSupport*spacing_
+          : 2*sph().config().smoothingRatio*spacing_;
     }
     else
     {
@@ -112,7 +114,7 @@ std::vector<double> Foam::functionObjects::frontPosition::positions() const
 {
     if (hasScene())
     {
-        return sph().scene().fluid().position;
+        return fluid().fluidScene().fluid().position;
     }
 
     return flatPoints(readParticleCloud(mesh_, fluidCloud).position);

@@ -22,9 +22,9 @@ Foam::vector Foam::functionObjects::particleProbes::sensorNormal
 ) const
 {
     const vector given(dict.lookupOrDefault("sensorNormal", vector(Zero)));
-    vector normal(mag(given) > 0 ? given : walls_.offset(i));
+    vector normal(mag(given) > 0 || onGrid() ? given : walls_.offset(i));
 
-    if (mag(given) == 0 && mag(normal) < onWall*sph().config().spacing)
+    if (mag(given) == 0 && mag(normal) < onWall*fluid().fluidConfig().spacing)
     {
         FatalIOErrorInFunction(dict)
             << "Entry sensorNormal of function object " << name()
@@ -34,7 +34,7 @@ Foam::vector Foam::functionObjects::particleProbes::sensorNormal
 
     if (mesh_.nGeometricD() == 2)
     {
-        normal[sph().config().axes[2]] = 0;
+        normal[fluid().fluidConfig().axes[2]] = 0;
     }
     if (mag(normal) < 0.1*mag(given))
     {
@@ -55,12 +55,15 @@ void Foam::functionObjects::particleProbes::makeSensors(const dictionary& dict)
 
     if (mesh_.nGeometricD() == 2)
     {
-        empty[sph().config().axes[2]] = 1;
+        empty[fluid().fluidConfig().axes[2]] = 1;
     }
 
     sensors_.resize(locations_.size());
     walls_.reset(mesh_);
-    walls_.update(sph(), locations_);
+    if (!onGrid())
+    {
+        walls_.update(sph(), locations_);
+    }
     points_.clear();
 
     forAll(locations_, i)

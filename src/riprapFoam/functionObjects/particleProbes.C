@@ -44,13 +44,15 @@ Foam::functionObjects::particleProbes::particleProbes
 bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
 {
     sphFunctionObject::read(dict);
-    sph();
+    fluid();
 
     locations_ = points(dict, "probeLocations");
     fields_ = fieldNames(dict, wordList({"p", "U"}), validFields);
     minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.05);
-    correct_ = dict.lookupOrDefault("wallCorrection", true);
-    correctSurface_ = dict.lookupOrDefault("surfaceCorrection", false);
+    // A grid's pressure needs neither: it is that of the point
+    correct_ = dict.lookupOrDefault("wallCorrection", true) && !onGrid();
+    correctSurface_ =
+        dict.lookupOrDefault("surfaceCorrection", false) && !onGrid();
 
     forAll(locations_, i)
     {
@@ -85,10 +87,9 @@ Foam::scalar Foam::functionObjects::particleProbes::toPoint
     const label point
 ) const
 {
-    const riprap::SphConfig& config = sph().config();
-
     if (correctSurface_)
     {
+        const riprap::FluidConfig& config = fluid().fluidConfig();
         scalar gd = 0;
         for (Foam::direction d = 0; d < vector::nComponents; ++d)
         {
@@ -97,14 +98,13 @@ Foam::scalar Foam::functionObjects::particleProbes::toPoint
         return -config.density*gd;
     }
 
-    return correct_ ? walls_.pressure(config, point) : 0;
+    return correct_ ? walls_.pressure(sph().config(), point) : 0;
 }
 
 
 Foam::List<Foam::functionObjects::particleProbes::reading>
 Foam::functionObjects::particleProbes::readings()
 {
-    const riprap::SphConfig& config = sph().config();
     const riprap::SampleResult all(sample(points_));
 
     if (correct_)
@@ -132,7 +132,13 @@ Foam::functionObjects::particleProbes::readings()
 
                 wet += weight;
                 r.p += weight*p;
-                r.rho += weight*densityOfPressure(config, p);
+                r.rho +=
+                    weight
+                   *(
+                        onGrid()
+                      ? fluid().fluidConfig().density
+                      : densityOfPressure(sph().config(), p)
+                    );
                 r.U += weight*vector(U[0], U[1], U[2]);
             }
             ++point;

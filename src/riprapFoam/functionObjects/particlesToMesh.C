@@ -116,6 +116,13 @@ void Foam::functionObjects::particlesToMesh::writeFields(const bool onlyMissing)
 bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 {
     sphFunctionObject::read(dict);
+
+    if (onGrid())
+    {
+        Info<< type() << ' ' << name() << ": the fields are the solver's own,"
+            << " there is nothing to do" << nl << endl;
+        return true;
+    }
     sph();
 
     minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.01);
@@ -135,6 +142,11 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 
 bool Foam::functionObjects::particlesToMesh::execute()
 {
+    if (onGrid())
+    {
+        return true;
+    }
+
     const pointField& centres = mesh_.C();
     const riprap::SampleResult all(sample(centres));
 

@@ -19,7 +19,30 @@ namespace functionObjects
 
 bool Foam::functionObjects::sphFunctionObject::hasScene() const
 {
-    return mesh_.foundObject<sphSceneObject>(sphSceneObject::typeName);
+    return onGrid() || mesh_.foundObject<sphSceneObject>(sphSceneObject::typeName);
+}
+
+
+bool Foam::functionObjects::sphFunctionObject::onGrid() const
+{
+    return mesh_.foundObject<picSceneObject>(picSceneObject::typeName);
+}
+
+
+void Foam::functionObjects::sphFunctionObject::noScene
+(
+    const word& needed,
+    const char* solvers
+) const
+{
+    FatalIOErrorInFunction(dict_)
+        << "Function object " << name() << " of type " << type()
+        << " needs a running particle scene, and there is no "
+        << needed << " on mesh " << mesh_.name() << "."
+        << nl << "    riprapFoam with " << solvers << " has one, as has its"
+        << " option -postProcess; other solvers and the utility postProcess"
+        << " have none."
+        << exit(FatalIOError);
 }
 
 
@@ -31,17 +54,21 @@ Foam::functionObjects::sphFunctionObject::sph() const
 
     if (!scene)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Function object " << name() << " of type " << type()
-            << " needs a running particle scene, and there is no "
-            << sphSceneObject::typeName << " on mesh " << mesh_.name() << "."
-            << nl << "    riprapFoam with solver sphDem has one, as has its"
-            << " option -postProcess; other solvers and the utility postProcess"
-            << " have none."
-            << exit(FatalIOError);
+        noScene(sphSceneObject::typeName, "solver sphDem");
     }
 
     return *scene;
+}
+
+
+const Foam::fluidSceneObject&
+Foam::functionObjects::sphFunctionObject::fluid() const
+{
+    if (onGrid())
+    {
+        return mesh_.lookupObject<picSceneObject>(picSceneObject::typeName);
+    }
+    return sph();
 }
 
 
@@ -50,18 +77,18 @@ riprap::SampleResult Foam::functionObjects::sphFunctionObject::sample
     const pointField& points
 ) const
 {
-    return sph().scene().sample(flatPoints(points));
+    return fluid().fluidScene().sample(flatPoints(points));
 }
 
 
 Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
 {
     boundBox bounds(mesh_.bounds());
-    bounds.inflate(sph().config().spacing/bounds.mag());
+    bounds.inflate(fluid().fluidConfig().spacing/bounds.mag());
 
     if (mesh_.nGeometricD() == 2)
     {
-        const label empty = sph().config().axes[2];
+        const label empty = fluid().fluidConfig().axes[2];
         bounds.min()[empty] = -GREAT;
         bounds.max()[empty] = GREAT;
     }
@@ -80,7 +107,7 @@ Foam::vector Foam::functionObjects::sphFunctionObject::upDirection
     const vector g
     (
         hasScene()
-      ? toVector(sph().config().gravity)
+      ? toVector(fluid().fluidConfig().gravity)
       : vector(meshObjects::gravity::New(time_).value())
     );
 

@@ -36,7 +36,7 @@ bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
     sphFunctionObject::read(dict);
 
     const vector up(upDirection(dict));
-    const scalar spacing = sph().config().spacing;
+    const scalar spacing = fluid().fluidConfig().spacing;
 
     feet_ = points(dict, "points");
     lines_.resize(feet_.size());

@@ -1,0 +1,29 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    One OpenFOAM time step: as many particle steps as it takes.
+\*---------------------------------------------------------------------------*/
+
+#include "picDem.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
+{
+    const scalar before = scene_->time();
+    advanceScene(*scene_, t, singleStep, report_, run_);
+    cloud_->moved();
+    run_.particles = report_.fluid;
+
+    checkStop();
+    countEscaped(report_, run_, settings_.guards);
+    checkProgress(before, report_);
+    setFields();
+
+    return report_.time;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,111 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The scene of the current time: new, or continued to the bit.
+\*---------------------------------------------------------------------------*/
+
+#include "picDem.H"
+#include "sphNames.H"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::picDem::buildScene
+(
+    const particleCloud& cloud,
+    bool continued
+)
+{
+    settings_ = asRead_;
+    riprap::PicConfig& config = settings_.config;
+
+    grid_.set(config);
+    config.startTime = runTime_.value();
+    config.spacing = givenSpacing();
+
+    // What a run has written are its particles, not what cells are seeded by
+    const bool written = hasPicRun(runTime_);
+    if (written)
+    {
+        config.seedsPerDirection = 0;
+    }
+
+    try
+    {
+        scene_ = riprap::createPicScene
+        (
+            config,
+            fluidInput(cloud),
+            grid_.walls(),
+            &pressure_
+        );
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalErrorInFunction
+            << "The case cannot be run: " << e.what() << exit(FatalError);
+    }
+
+    const label particles = label(scene_->fluid().id.size());
+    if (!continued)
+    {
+        run_ = picRun();
+        run_.initialParticles = particles;
+        run_.given = config.spacing;
+    }
+    // Function objects measure by the spacing that the case was made with
+    config.spacing = run_.given;
+    run_.spacing = scene_->particleSpacing();
+    run_.time = runTime_.value();
+    run_.particles = particles;
+    run_.device = sphNames::device[scene_->device()];
+    run_.precision = sphNames::precision[config.precision];
+}
+
+
+void Foam::solverModules::picDem::registerScene()
+{
+    report_ = riprap::PicReport();
+    report_.time = scene_->time();
+    report_.fluid = run_.particles;
+
+    cloud_.reset(new picCloud(mesh_, *scene_, run_));
+    sceneObject_.reset
+    (
+        new picSceneObject(mesh_, *scene_, settings_.config, report_)
+    );
+    makeFields();
+    setFields();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverModules::picDem::initialise()
+{
+    cloud_.clear();
+    sceneObject_.clear();
+    scene_.reset();
+
+    const particleCloud cloud(readFluid());
+
+    const bool continued = canContinue(cloud);
+    buildScene(cloud, continued);
+
+    if (continued && !loadState(cloud))
+    {
+        buildScene(cloud, false);
+    }
+
+    registerScene();
+
+    if (!modelsLogged_)
+    {
+        logModels();
+        modelsLogged_ = true;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,87 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Every model in use, once, and what is off.
+\*---------------------------------------------------------------------------*/
+
+#include "picDem.H"
+#include "listed.H"
+#include "logPrecision.H"
+#include "moduleLog.H"
+#include "sphNames.H"
+#include "scene/sphScene.hpp"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::wordList Foam::solverModules::picDem::modelsOff() const
+{
+    const riprap::PicConfig& c = settings_.config;
+
+    DynamicList<word> off;
+    off.append("surfaceTension");
+    if (c.positionCorrection == 0) off.append("positionCorrection");
+    if (!c.adjustTimeStep) off.append("adjustTimeStep");
+
+    return wordList(off);
+}
+
+
+void Foam::solverModules::picDem::logModels() const
+{
+    const logPrecision digits;
+
+    const riprap::PicConfig& c = settings_.config;
+    const riprap::DeviceChoice choice =
+        riprap::chooseDevice(c.device, run_.particles, c.dimensions);
+
+    Info<< nl << "Particles in cells" << nl;
+    logItem("particles") << run_.particles << ", spacing " << run_.spacing
+        << " m; given with spacing " << run_.given << " m" << nl;
+    logItem("grid") << c.dimensions << "D: ";
+    for (int d = 0; d < c.dimensions; ++d)
+    {
+        Info<< (d ? " x " : "") << c.cells[c.axes[d]];
+    }
+    Info<< " cells of " << c.cellSize << " m along "
+        << axesText(c, false).c_str() << "; periodic: "
+        << axesText(c, true).c_str() << nl;
+    logItem("device") << scene_->deviceName().c_str() << " ("
+        << choice.reason.c_str() << ')' << nl;
+    logItem("precision") << sphNames::precision[c.precision] << nl;
+    logItem("spline") << picNames::spline[c.splineOrder] << nl;
+    logItem("transfer") << picNames::transfer[c.transfer];
+    if (c.transfer == riprap::TransferKind::flipPic)
+    {
+        Info<< ", picPart " << c.picPart;
+    }
+    Info<< (c.affine ? ", affine" : "") << nl;
+    logItem("advection") << picNames::advection[c.advectionOrder] << nl;
+    if (c.positionCorrection > 0)
+    {
+        logItem("positionCorrection") << c.positionCorrection << nl;
+    }
+    logItem("fluid") << "rho " << c.density << " kg/m3, mu " << c.viscosity
+        << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;
+    logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
+
+    logItem("time step");
+    if (c.adjustTimeStep)
+    {
+        Info<< "maxCo " << c.maxCourant;
+    }
+    else
+    {
+        Info<< "fixed deltaT " << c.fixedTimeStep << " s";
+    }
+    Info<< nl;
+
+    logItem("guards") << "Courant " << c.maxCourantEver << ", escape "
+        << (settings_.guards.stopAtEscape ? "stop" : "warn")
+        << ", maxEscaped " << settings_.guards.maxEscaped << nl;
+    logItem("off") << listed(modelsOff()).c_str() << nl << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,46 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The log of an OpenFOAM time step. Courant numbers are those of the
+    particle steps: mean, |U|max dt/h of the mean step; max, of the worst one.
+\*---------------------------------------------------------------------------*/
+
+#include "picDem.H"
+#include "logPrecision.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverModules::picDem::report()
+{
+    const logPrecision digits;
+
+    const scalar h = settings_.config.cellSize;
+    const scalar meanStep =
+        runTime_.deltaTValue()/max(report_.steps, std::int64_t(1));
+
+    Info<< "Courant Number mean: " << report_.maxSpeed*meanStep/h
+        << " max: " << report_.maxCourant << nl
+        << "Particle steps = " << report_.steps << " (" << run_.steps
+        << "), deltaT = " << report_.minTimeStep << " to "
+        << report_.maxTimeStep << " s, limit: " << report_.limit.c_str() << nl
+        << "max(mag(U)) = " << report_.maxSpeed << " m/s, particles = "
+        << run_.particles << ", flying = " << label(report_.flying) << nl
+        << "Volume = " << report_.volume << ", error = "
+        << report_.volumeError << ", put right so far = "
+        << report_.volumeDrift << endl;
+
+    if (!report_.pressureConverged)
+    {
+        WarningInFunction
+            << "The pressure equation was not solved to its tolerance; largest"
+            << " residual " << report_.largestResidual << endl;
+    }
+
+    logEscaped(report_.escaped.size(), run_.escaped);
+    logProgress();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,77 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    The fluid's particles of the current time.
+\*---------------------------------------------------------------------------*/
+
+#include "picDem.H"
+#include "checkedDictionary.H"
+#include "IOdictionary.H"
+#include "packedFields.H"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::particleCloud Foam::solverModules::picDem::readFluid() const
+{
+    requireCloud(mesh_, "fluid");
+    particleCloud cloud(readParticleCloud(mesh_, "fluid"));
+
+    if (cloud.size() == 0)
+    {
+        FatalErrorInFunction
+            << "The cloud " << runTime_.timePath()/"lagrangian/fluid"
+            << " is empty" << exit(FatalError);
+    }
+
+    requiredVectors(mesh_, cloud, "U");
+
+    if (!cloud.labels.found("id"))
+    {
+        cloud.labels.set("id", labelField(identity(cloud.size())));
+    }
+
+    return cloud;
+}
+
+
+//- Of the cloud that is read [m]
+Foam::scalar Foam::solverModules::picDem::givenSpacing() const
+{
+    dictionary dict(readCloudProperties(runTime_, "fluid"));
+    if (!dict.found("spacing"))
+    {
+        // A cloud that setParticles did not write
+        dict = IOdictionary
+        (
+            IOobject
+            (
+                "setParticlesDict",
+                runTime_.system(),
+                runTime_,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+    }
+
+    return checkedDictionary(dict).positive("spacing");
+}
+
+
+riprap::FluidInput Foam::solverModules::picDem::fluidInput
+(
+    const particleCloud& cloud
+) const
+{
+    riprap::FluidInput fluid;
+    fluid.position = packed("fluid", "positions", cloud.position);
+    fluid.velocity = packed("fluid", "U", requiredVectors(mesh_, cloud, "U"));
+    fluid.id = uniqueIds("fluid", "id", cloud.labels["id"]);
+    return fluid;
+}
+
+
+// ************************************************************************* //

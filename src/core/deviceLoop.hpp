@@ -1,0 +1,124 @@
+/*  A loop whose end the device decides: body() launches one pass, which sets *again; it is repeated while *again is not zero.
+
+    On the GPU the pass is recorded once, and a graph with a conditional node repeats it without the host (CUDA 12.4 and
+    later; before, the host reads *again after each pass). It is recorded anew after forget(): whoever changes what the pass
+    launches must call it. No allocation and no copy to the host may happen in body().
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/graph.hpp"
+#include "core/launch.hpp"
+
+namespace riprap
+{
+
+template<class Backend> class DeviceLoop;
+
+template<>
+class DeviceLoop<Cpu>
+{
+public:
+    void forget() {}
+
+    template<class Body>
+    void run(Context<Cpu>&, const int* again, const Body& body)
+    {
+        do body(); while (*again);
+    }
+};
+
+#ifdef __CUDACC__
+
+#if CUDART_VERSION >= 12040
+//- A template, so that every unit may have it
+template<class Count>
+__global__ void decideKernel(cudaGraphConditionalHandle handle, const Count* again)
+{
+    cudaGraphSetConditional(handle, *again != 0);
+}
+#endif
+
+template<>
+class DeviceLoop<Gpu>
+{
+public:
+    DeviceLoop() = default;
+    DeviceLoop(const DeviceLoop&) = delete;
+    ~DeviceLoop() { forget(); }
+
+    void forget()
+    {
+        pass_.clear();
+        if (executable_) cudaGraphExecDestroy(executable_);
+        executable_ = nullptr;
+    }
+
+    template<class Body>
+    void run(Context<Gpu>& context, const int* again, const Body& body)
+    {
+        if (context.profile.timing) { plain(context, again, body); return; }    // a graph's kernels cannot be timed one by one
+#if CUDART_VERSION >= 12040
+        if (!executable_) record(context, again, body);
+        checkCuda(cudaGraphLaunch(executable_, context.stream), "graph launch");
+        context.profile.countReplay(kernels_);      // of the first pass: how many there were, the device knows
+#else
+        if (!pass_.recorded()) pass_.record(context, body);
+        plain(context, again, [&] { pass_.replay(context); });
+#endif
+    }
+
+private:
+
+    template<class Body>
+    void plain(Context<Gpu>& context, const int* again, const Body& body)
+    {
+        int more = 1;
+        while (more)
+        {
+            body();
+            context.toHost(&more, again, sizeof(int));
+        }
+    }
+
+#if CUDART_VERSION >= 12040
+    template<class Body>
+    void record(Context<Gpu>& context, const int* again, const Body& body)
+    {
+        cudaGraph_t whole = nullptr;
+        checkCuda(cudaGraphCreate(&whole, 0), "graph");
+        cudaGraphConditionalHandle handle;
+        checkCuda(cudaGraphConditionalHandleCreate(&handle, whole, 1, cudaGraphCondAssignDefault), "graph condition");
+        cudaGraphNodeParams loop = {};
+        loop.type = cudaGraphNodeTypeConditional;
+        loop.conditional.handle = handle;
+        loop.conditional.type = cudaGraphCondTypeWhile;
+        loop.conditional.size = 1;
+        cudaGraphNode_t node;
+    #if CUDART_VERSION >= 13000
+        checkCuda(cudaGraphAddNode(&node, whole, nullptr, nullptr, 0, &loop), "graph loop");
+    #else
+        checkCuda(cudaGraphAddNode(&node, whole, nullptr, 0, &loop), "graph loop");
+    #endif
+        cudaGraph_t pass = loop.conditional.phGraph_out[0];
+        context.profile.capturing = true;
+        checkCuda(cudaStreamBeginCaptureToGraph(context.stream, pass, nullptr, nullptr, 0, cudaStreamCaptureModeThreadLocal), "capture");
+        body();
+        decideKernel<<<1, 1, 0, context.stream>>>(handle, again);
+        checkCuda(cudaStreamEndCapture(context.stream, &pass), "capture");
+        context.profile.capturing = false;
+        kernels_ = context.profile.takeCaptured();
+        checkCuda(cudaGraphInstantiate(&executable_, whole, 0), "graph");
+        checkCuda(cudaGraphDestroy(whole), "graph");
+    }
+#endif
+
+    Graph pass_;
+    cudaGraphExec_t executable_ = nullptr;
+    std::vector<std::size_t> kernels_;
+};
+
+#endif
+
+} // namespace riprap

@@ -1,0 +1,148 @@
+/*  SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "pressureSolver.H"
+#include "lduMatrix.H"
+#include "wetMesh.H"
+
+const Foam::word Foam::pressureSolver::deviceSolver("cudaPCG");
+
+namespace
+{
+
+//- Fewer rows than this are no work for GAMG, which stops when it cannot make a coarse level
+constexpr int fewRows = 200;
+
+void copy(const std::vector<double>& from, Foam::scalarField& to) { std::copy(from.begin(), from.end(), to.begin()); }
+
+}
+
+Foam::pressureSolver::pressureSolver(const Time& time, const word& field, const dictionary& controls)
+:
+    time_(time),
+    field_(field)
+{
+    read(controls);
+}
+
+
+void Foam::pressureSolver::read(const dictionary& controls)
+{
+    controls_ = controls;
+    onDevice_ = controls_.get<word>("solver") == deviceSolver;
+    if (onDevice_) readDevice(); else checkHost();
+}
+
+
+void Foam::pressureSolver::readDevice()
+{
+    for (const entry& e : controls_)
+    {
+        const word& key = e.keyword();
+        const wordList known({"solver", "tolerance", "relTol", "maxIter", "minIter", "nSweeps"});
+        if (!known.found(key))
+        {
+            FatalIOErrorInFunction(controls_) << "unknown entry '" << key << "' of solver " << deviceSolver << " for " << field_
+                << ". Valid: " << known << exit(FatalIOError);
+        }
+    }
+    multigrid_ = riprap::MultigridControls();
+    multigrid_.tolerance = controls_.lookupOrDefault<scalar>("tolerance", multigrid_.tolerance);
+    multigrid_.relTol = controls_.lookupOrDefault<scalar>("relTol", multigrid_.relTol);
+    multigrid_.maxIter = controls_.lookupOrDefault<label>("maxIter", multigrid_.maxIter);
+    multigrid_.minIter = controls_.lookupOrDefault<label>("minIter", multigrid_.minIter);
+    multigrid_.sweeps = controls_.lookupOrDefault<label>("nSweeps", multigrid_.sweeps);
+    const auto require = [&](bool good, const char* key, const char* range)
+    {
+        if (good) return;
+        FatalIOErrorInFunction(controls_) << key << " of solver " << deviceSolver << " for " << field_ << " must be " << range << exit(FatalIOError);
+    };
+    require(multigrid_.tolerance >= 0, "tolerance", "0 or more");
+    require(multigrid_.relTol >= 0 && multigrid_.relTol < 1, "relTol", "in 0 .. 1");
+    require(multigrid_.tolerance > 0 || multigrid_.relTol > 0, "tolerance", "positive where relTol is 0");
+    require(multigrid_.maxIter > 0, "maxIter", "1 or more");
+    require(multigrid_.minIter >= 0 && multigrid_.minIter <= multigrid_.maxIter, "minIter", "in 0 .. maxIter");
+    require(multigrid_.sweeps > 0 && multigrid_.sweeps <= 10, "nSweeps", "in 1 .. 10");
+}
+
+
+void Foam::pressureSolver::checkAgglomerator(dictionary& dict) const
+{
+    const word agglomerator = dict.lookupOrDefault<word>("agglomerator", "algebraicPair");
+    if (agglomerator != "algebraicPair")
+    {
+        FatalIOErrorInFunction(controls_) << "agglomerator " << agglomerator << " needs the geometry of a mesh, and the wet cells have none here."
+            << " Valid: algebraicPair" << exit(FatalIOError);
+    }
+    dict.set("agglomerator", agglomerator);
+}
+
+
+void Foam::pressureSolver::checkHost()
+{
+    const word name = controls_.get<word>("solver");
+    if (!lduMatrix::solver::symMatrixConstructorTablePtr_->found(name))
+    {
+        wordList valid = lduMatrix::solver::symMatrixConstructorTablePtr_->sortedToc();
+        valid.append(deviceSolver);
+        FatalIOErrorInFunction(controls_) << "unknown solver '" << name << "' for " << field_ << ". Valid: " << valid << exit(FatalIOError);
+    }
+    if (name == "GAMG") checkAgglomerator(controls_);
+    if (controls_.isDict("preconditioner"))
+    {
+        dictionary& preconditioner = controls_.subDict("preconditioner");
+        if (preconditioner.get<word>("preconditioner") == "GAMG") checkAgglomerator(preconditioner);
+    }
+    else if (controls_.lookupOrDefault<word>("preconditioner", word::null) == "GAMG")
+    {
+        FatalIOErrorInFunction(controls_) << "preconditioner GAMG of " << field_ << " needs entries of its own (smoother ...): write it as a dictionary,"
+            << " preconditioner { preconditioner GAMG; smoother symGaussSeidel; ... }" << exit(FatalIOError);
+    }
+}
+
+
+riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system)
+{
+    riprap::PressureReport report;
+    report.solver = "";
+    if (!system.rows()) return report;
+
+    const wetMesh mesh(time_, system);
+    lduMatrix matrix(mesh);
+    copy(system.diagonal, matrix.diag());
+    if (!system.owner.empty()) copy(system.offDiagonal, matrix.upper());
+    scalarField x(system.rows()), rhs(system.rows());
+    copy(system.x, x);
+    copy(system.rhs, rhs);
+
+    dictionary controls(controls_);
+    const bool coupled = controls.get<word>("solver") == "coupledPCG";
+    if (!system.bodies.empty() && !coupled)
+    {
+        FatalIOErrorInFunction(controls_) << "solver " << controls.get<word>("solver") << " of " << field_
+            << " cannot move free bodies with the water. Valid: coupledPCG" << exit(FatalIOError);
+    }
+    if (system.rows() < fewRows)
+    {
+        if (!coupled) controls.set("solver", "PCG");
+        controls.remove("preconditioner");
+        controls.set("preconditioner", "DIC");
+    }
+    const FieldField<Field, scalar> boundary(0);
+    const lduInterfaceFieldPtrsList interfaces(0);
+    const solverPerformance performance = lduMatrix::solver::New(field_, matrix, boundary, boundary, interfaces, controls)->solve(x, rhs);
+    performance.print(Info.masterStream(mesh.comm()));
+    std::copy(x.begin(), x.end(), system.x.begin());
+
+    report.initialResidual = performance.initialResidual();
+    report.finalResidual = performance.finalResidual();
+    report.iterations = performance.nIterations();
+    report.converged = performance.converged() || performance.finalResidual() < controls.lookupOrDefault<scalar>("tolerance", 1e-6);
+    return report;
+}
+
+
+void Foam::pressureSolver::report(const riprap::PressureReport& r)
+{
+    if (!onDevice_) return;     // OpenFOAM's solvers have printed theirs
+    solverPerformance(deviceSolver, field_, r.initialResidual, r.finalResidual, r.iterations, r.converged).print(Info.masterStream(UPstream::worldComm));
+}

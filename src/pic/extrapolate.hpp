@@ -1,0 +1,108 @@
+/*  Velocities of faces where none is known, from known ones, layer by layer.
+
+    A face takes the mean over its known neighbours along the axes of u_1 + minmod(u_1 - u_2, u_2 - u_3), the values at distances of one, two and three faces:
+    linear where the field is smooth, constant where it is not. Closed faces are no source: what is beyond a wall says nothing about the water.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/pressureFields.hpp"
+
+namespace riprap
+{
+
+//- Layer of a face: 0 known, then the pass that has filled it
+static constexpr unsigned char closedFace = 254, unknownFace = 255;
+
+//- Known are faces through which a wet cell's water flows
+template<int D, class R>
+struct MarkByWetCells
+{
+    static constexpr const char* name = "markWetFaces";
+    UniformGrid<D> grid;
+    const unsigned char* wet;   // cells
+    const R* aperture;          // of this direction's faces
+    int component;
+    unsigned char* layer;
+
+    HD void operator()(int i) const
+    {
+        const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
+        const int low = grid.cellOf(component, f, 0), high = grid.cellOf(component, f, 1);
+        const bool known = (low >= 0 && wet[low]) || (high >= 0 && wet[high]);
+        layer[i] = !(aperture[i] > R(0)) ? closedFace : (known ? 0 : unknownFace);
+    }
+};
+
+//- Known are faces that particles have brought a velocity to
+template<int D, class R>
+struct MarkByMass
+{
+    static constexpr const char* name = "markMassFaces";
+    const R* mass;
+    const R* aperture;
+    unsigned char* layer;
+
+    HD void operator()(int i) const { layer[i] = !(aperture[i] > R(0)) ? closedFace : (mass[i] > R(1e-3) ? 0 : unknownFace); }
+};
+
+template<int D, class R>
+struct Extrapolate
+{
+    static constexpr const char* name = "extrapolate";
+    UniformGrid<D> grid;
+    int component;
+    unsigned char pass;         // 1, 2, ...
+    unsigned char* layer;
+    R* a;
+    R* b;                       // a second field, extrapolated alike; nullptr: none
+
+    HD void operator()(int i) const
+    {
+        if (layer[i] != unknownFace) return;
+        const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
+        R sumA = 0, sumB = 0;
+        int count = 0;
+        for (int d = 0; d < D; ++d)
+            for (int direction = -1; direction <= 1; direction += 2)
+            {
+                const int one = along(f, d, direction);
+                if (one < 0) continue;
+                const int two = along(f, d, 2*direction), three = two < 0 ? -1 : along(f, d, 3*direction);
+                sumA += continued(a, one, two, three);
+                if (b) sumB += continued(b, one, two, three);
+                ++count;
+            }
+        if (!count) return;
+        a[i] = sumA/count;
+        if (b) b[i] = sumB/count;
+        layer[i] = pass;
+    }
+
+private:
+
+    //- Known face at an offset, -1: none
+    HD int along(typename UniformGrid<D>::Index f, int d, int offset) const
+    {
+        const int n = grid.layers(component, d);
+        f.c[d] += offset;
+        if (f.c[d] < 0 || f.c[d] >= n)
+        {
+            if (!grid.periodic[d]) return -1;
+            f.c[d] += f.c[d] < 0 ? grid.n[d] : -grid.n[d];
+        }
+        const int j = grid.face(component, f);
+        return layer[j] < pass ? j : -1;
+    }
+
+    HD R continued(const R* u, int one, int two, int three) const
+    {
+        if (three < 0) return u[one];
+        const R s = u[one] - u[two], t = u[two] - u[three];
+        if (s*t <= 0) return u[one];
+        return u[one] + (absolute(s) < absolute(t) ? s : t);
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,98 @@
+/*  The pressure equation of one cell (paper 2, Eqs. 3 to 5), times rho h/|S|, so that its coefficients are pure numbers:
+
+        sum over faces of a (p_c - p_n)  =  -(rho h/dt) sum over faces of +-(a u* + (1 - a) w)
+
+    a: open part of the face, w: velocity of the wall that closes the rest, + where the face's direction points out of the cell.
+    Towards a dry cell p = 0 lies at theta = phi_c/(phi_c - phi_n) of the distance (ghost fluid: Gibou et al. 2002, J. Comput.
+    Phys. 176, 205): the term is a p_c/theta. At an open end of the block p = 0 at the face itself: 2 a p_c.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/pressure/conjugateGradient.hpp"
+#include "pic/pressureFields.hpp"
+
+namespace riprap
+{
+
+//- p = 0 at an open end lies half a cell from the centre
+static constexpr double endTheta = 0.5;
+
+//- Part of the distance from a wet cell to a dry one that lies in water
+template<class R>
+HD double surfaceTheta(R wet, R dry)
+{
+    const double theta = double(wet)/(double(wet) - double(dry));
+    return theta > smallestTheta ? theta : smallestTheta;
+}
+
+template<int D>
+HD typename UniformGrid<D>::Index gridIndex(const Place<D>& c)
+{
+    typename UniformGrid<D>::Index x{{0, 0, 0}};
+    for (int d = 0; d < D; ++d) x.c[d] = c.x[d];
+    return x;
+}
+
+//- Which cells are wet: 1 or 0, in the order of the grid
+template<int D, class R>
+struct MarkWet
+{
+    static constexpr const char* name = "pressureMarkWet";
+    PressureFields<D, R> f;
+    int* wet;
+
+    HD void operator()(int i) const { wet[i] = isWet(f, i, f.grid.cellIndex(i)); }
+};
+
+template<int D, class R>
+struct Assemble
+{
+    static constexpr const char* name = "pressureAssemble";
+    PressureFields<D, R> f;
+    const int* wet;
+    FineData<D> out;
+
+    HD void operator()(int i) const
+    {
+        const Place<D> c = out.shape.place(i);
+        double lower[D], s = 0, flux = 0, guess = 0;
+        for (int d = 0; d < D; ++d) lower[d] = 0;
+        if (out.shape.inside(c))
+        {
+            const auto x = gridIndex<D>(c);
+            const int cell = f.grid.cell(x);
+            if (wet[cell])
+            {
+                guess = f.p[cell];
+                for (int d = 0; d < D; ++d)
+                    for (int side = 0; side < 2; ++side)
+                    {
+                        const int face = f.grid.faceOf(d, x, side);
+                        const double a = f.aperture[d][face];
+                        flux += (side ? 1 : -1)*faceFlux(d, face, a);
+                        if (!(a > 0)) continue;
+                        const int n = f.grid.neighbour(x, d, side ? 1 : -1);
+                        if (n < 0) s += a/endTheta;
+                        else if (!wet[n]) s += a/surfaceTheta(f.phi[cell], f.phi[n]);
+                        else if (side == 0 && n != cell) lower[d] = a;      // its own neighbour in a ring of one: no force
+                    }
+            }
+        }
+        for (int d = 0; d < D; ++d) out.a[d][i] = lower[d];
+        out.s[i] = s;
+        out.rhs[i] = -f.density*f.grid.h/f.timeStep*flux;
+        out.x[i] = guess;
+    }
+
+private:
+
+    HD double faceFlux(int d, int face, double a) const
+    {
+        const double wall = f.wallVelocity[d] ? (1 - a)*double(f.wallVelocity[d][face]) : 0;
+        return a*double(f.u[d][face]) + wall;
+    }
+};
+
+} // namespace riprap

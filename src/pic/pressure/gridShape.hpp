@@ -1,0 +1,163 @@
+/*  How a level of the multigrid lies in memory, and which of its cells a pass visits.
+
+    Cells are stored x first, each side padded to whole tiles; arrays have a margin of one plane at both ends, so that the
+    neighbours of any cell can be read. What lies beyond the grid has no coefficients. Passes visit active tiles only: those
+    with an unknown in them. Cells are red or black as the sum of their indices is even or odd.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/macros.hpp"
+
+namespace riprap
+{
+
+//- log2 of the sides of a tile of 512 cells: rows of 32, so that a warp reads one line of memory
+template<int D> HD constexpr int tileLog(int d) { return d == 0 ? 5 : (D == 2 ? 4 : 2); }
+static constexpr int tileCellsLog = 9;
+
+//- A cell: its number and its indices
+template<int D>
+struct Place
+{
+    int c;
+    int x[D];
+};
+
+template<int D>
+struct GridShape
+{
+    int n[D];               // cells of the grid
+    int size[D];            // cells stored
+    int stride[D];
+    int first[D], last[D];  // from the first cell along d to the one below it, from the last to the one above: around if periodic
+    int tiles[D];
+    int tileCount, cells, margin;
+
+    //- tiled: else sides are only even, as half() of dense passes needs them
+    void set(const int* cellsAlong, const bool* periodic, bool tiled)
+    {
+        cells = tileCount = 1;
+        for (int d = 0; d < D; ++d)
+        {
+            const int side = tiled ? 1 << tileLog<D>(d) : 2;
+            n[d] = cellsAlong[d];
+            tiles[d] = (n[d] + side - 1)/side;
+            size[d] = tiles[d]*side;
+            stride[d] = cells;
+            first[d] = periodic[d] ? (n[d] - 1)*stride[d] : -stride[d];
+            last[d] = -first[d];
+            cells *= size[d];
+            tileCount *= tiles[d];
+        }
+        margin = stride[D - 1];
+    }
+
+    HD int below(const Place<D>& p, int d) const { return p.c + (p.x[d] == 0 ? first[d] : -stride[d]); }
+    HD int above(const Place<D>& p, int d) const { return p.c + (p.x[d] == n[d] - 1 ? last[d] : stride[d]); }
+
+    //- Place i of all that are stored
+    HD Place<D> place(int i) const
+    {
+        Place<D> p;
+        p.c = i;
+        for (int d = 0; d < D - 1; ++d) { p.x[d] = i % size[d]; i /= size[d]; }
+        p.x[D - 1] = i;
+        return p;
+    }
+
+    HD bool inside(const Place<D>& p) const
+    {
+        bool in = true;
+        for (int d = 0; d < D; ++d) in = in && p.x[d] < n[d];
+        return in;
+    }
+
+    HD int tileOf(const Place<D>& p) const
+    {
+        int t = 0;
+        for (int d = D - 1; d >= 0; --d) t = t*tiles[d] + (p.x[d] >> tileLog<D>(d));
+        return t;
+    }
+};
+
+//- Where a tile begins
+template<int D> using TileOrigin = Place<D>;
+
+//- Cells of active tiles. A pass is launched over capacity tiles, of which *count exist
+template<int D>
+struct TiledCells
+{
+    const TileOrigin<D>* list;
+    const int* count;
+    int capacity;
+    int stride[D];
+
+    HD int all() const { return capacity << tileCellsLog; }
+    HD int halves() const { return capacity << (tileCellsLog - 1); }
+
+    HD bool at(int i, Place<D>& p) const { return find(i, tileCellsLog, 0, p); }
+
+    //- Cell i of one colour (0: red, 1: black)
+    HD bool half(int i, int colour, Place<D>& p) const
+    {
+        if (!find(i, tileCellsLog - 1, 1, p)) return false;
+        int sum = colour;
+        for (int d = 1; d < D; ++d) sum += p.x[d];
+        p.x[0] += sum & 1;
+        p.c += sum & 1;
+        return true;
+    }
+
+private:
+
+    HD bool find(int i, int log, int halved, Place<D>& p) const
+    {
+        const int tile = i >> log;
+        if (tile >= *count) return false;
+        p = list[tile];
+        int lane = i & ((1 << log) - 1);
+        for (int d = 0; d < D; ++d)
+        {
+            const int bits = tileLog<D>(d) - (d == 0 ? halved : 0);
+            int x = lane & ((1 << bits) - 1);
+            lane >>= bits;
+            if (d == 0) x <<= halved;
+            p.x[d] += x;
+            p.c += x*stride[d];
+        }
+        return true;
+    }
+};
+
+//- All cells of a small level
+template<int D>
+struct DenseCells
+{
+    int size[D];
+    int cells;
+
+    HD int all() const { return cells; }
+    HD int halves() const { return cells/2; }
+
+    HD bool at(int i, Place<D>& p) const
+    {
+        p.c = i;
+        for (int d = 0; d < D - 1; ++d) { p.x[d] = i % size[d]; i /= size[d]; }
+        p.x[D - 1] = i;
+        return true;
+    }
+
+    HD bool half(int i, int colour, Place<D>& p) const
+    {
+        at(2*i, p);
+        int sum = colour;
+        for (int d = 1; d < D; ++d) sum += p.x[d];
+        p.x[0] += sum & 1;
+        p.c += sum & 1;
+        return true;
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,82 @@
+/*  One level of the multigrid, in single precision, and its smoother.
+
+        (A x)_c = sum over the neighbours n of a_cn (x_c - x_n)  +  s_c x_c
+
+    a stands at the lower face of a cell along each direction, s is what ties the cell to p = 0 (surface, open ends). Differences
+    before products: constants are exactly without force, however many faces a cell has. inverse = 1/(sum a + s), 0 where there
+    is no unknown. Gauss-Seidel in two colours: a sweep of one colour reads the other alone, and may run in any order.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/pressure/gridShape.hpp"
+
+namespace riprap
+{
+
+template<int D>
+struct LevelData
+{
+    GridShape<D> shape;
+    float* a[D];
+    float* s;
+    float* inverse;
+    float* x;
+    float* b;
+
+    HD float neighbourSum(const Place<D>& p) const
+    {
+        float sum = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const int below = shape.below(p, d), above = shape.above(p, d);
+            sum += a[d][p.c]*x[below] + a[d][above]*x[above];
+        }
+        return sum;
+    }
+
+    HD float residual(const Place<D>& p) const
+    {
+        float sum = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const int below = shape.below(p, d), above = shape.above(p, d);
+            sum += a[d][p.c]*(x[p.c] - x[below]) + a[d][above]*(x[p.c] - x[above]);
+        }
+        return b[p.c] - sum - s[p.c]*x[p.c];
+    }
+};
+
+//- The sweep of a colour when all x are zero; those of the other colour are not read, and need not be zero in memory
+template<int D, class Cells>
+struct FirstSweep
+{
+    static constexpr const char* name = "pressureFirstSweep";
+    LevelData<D> level;
+    Cells cells;
+
+    HD void operator()(int i) const
+    {
+        Place<D> p;
+        if (cells.half(i, 0, p)) level.x[p.c] = level.b[p.c]*level.inverse[p.c];
+    }
+};
+
+template<int D, class Cells>
+struct Sweep
+{
+    static constexpr const char* name = "pressureSweep";
+    LevelData<D> level;
+    Cells cells;
+    int colour;
+
+    HD void operator()(int i) const
+    {
+        Place<D> p;
+        if (!cells.half(i, colour, p)) return;
+        level.x[p.c] = (level.b[p.c] + level.neighbourSum(p))*level.inverse[p.c];
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,57 @@
+/*  Who solves the pressure equation: on the host whoever implements solve(), on the device our multigrid.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <vector>
+#include "pic/pressureFields.hpp"
+
+namespace riprap
+{
+
+struct MultigridControls
+{
+    double tolerance = 1e-8, relTol = 0;    // of OpenFOAM's residual
+    int maxIter = 1000, minIter = 0;
+    int sweeps = 2;                         // before and after each correction
+};
+
+//- What a free body adds to the matrix: U U^T, with a column of U for each of its ways to move
+struct BodyRows
+{
+    int modes = 0;
+    std::vector<int> row;                   // rows beside it, ascending
+    std::vector<double> u;                  // modes values a row
+};
+
+//- The equations of the wet cells alone: (A + sum of U U^T) x = rhs, A symmetric positive (semi-)definite
+struct ReducedSystem
+{
+    int dimensions = 2;
+    int n[3] = {1, 1, 1};                   // the grid,
+    bool periodic[3] = {false, false, false};
+    std::vector<int> cell;                  // and each row's cell in it, ascending
+    std::vector<int> owner, neighbour;      // rows of each face between two wet cells: ascending owner, then ascending neighbour
+    std::vector<double> diagonal, offDiagonal, rhs, x;      // of A alone
+    std::vector<BodyRows> bodies;
+
+    int rows() const { return int(cell.size()); }
+};
+
+class LinearSolver
+{
+public:
+    virtual ~LinearSolver() = default;
+
+    //- Not null: to be solved where the grid is, with these controls
+    virtual const MultigridControls* onDevice() const { return nullptr; }
+
+    //- x from a first guess in x
+    virtual PressureReport solve(ReducedSystem& system) = 0;
+
+    //- Told after each solution, wherever it was found
+    virtual void report(const PressureReport&) {}
+};
+
+} // namespace riprap

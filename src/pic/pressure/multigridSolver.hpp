@@ -1,0 +1,271 @@
+/*  Conjugate gradients with a geometric multigrid as preconditioner, on one uniform grid: memory, levels and the loop.
+
+    Whoever assembles a system fills a, s, rhs and x of fine() (all stored cells, zero where there is nothing) and calls
+    setUp(), which makes all that follows from them; then solve().
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/deviceLoop.hpp"
+#include "core/deviceSum.hpp"
+#include "core/sort.hpp"
+#include "pic/pressure/conjugateGradient.hpp"
+#include "pic/pressure/linearSolver.hpp"
+#include "pic/pressure/vCycle.hpp"
+
+namespace riprap
+{
+
+//- The finest level in single precision from its double form
+template<int D>
+struct Mirror
+{
+    static constexpr const char* name = "pressureMirror";
+    FineData<D> fine;
+    LevelData<D> level;
+    bool oddPeriodic[D];
+    int* tileFlag;
+
+    HD void operator()(int i) const
+    {
+        const Place<D> c = fine.shape.place(i);
+        double sum = 0, kept = 0;
+        if (fine.shape.inside(c))
+        {
+            sum = kept = fine.s[i];
+            for (int d = 0; d < D; ++d)
+            {
+                const double lower = fine.a[d][i], upper = fine.a[d][fine.shape.above(c, d)];
+                sum += lower + upper;
+                kept += (cut(c, d, 0) ? 0 : lower) + (cut(c, d, fine.shape.n[d] - 1) ? 0 : upper);
+            }
+        }
+        for (int d = 0; d < D; ++d) level.a[d][i] = cut(c, d, 0) ? 0.0f : float(fine.a[d][i]);
+        level.s[i] = float(fine.s[i]);
+        // an unknown that has nothing but the cut ring still needs a diagonal
+        level.inverse[i] = sum > 0 ? float(1/(kept > 0 ? kept : sum)) : 0.0f;
+        level.x[i] = 0;
+        if (!(sum > 0)) fine.x[i] = 0;
+        if (sum > 0) raise(tileFlag + fine.shape.tileOf(c));
+    }
+
+    HD bool cut(const Place<D>& c, int d, int at) const { return oddPeriodic[d] && c.x[d] == at; }
+};
+
+//- Active tiles of a level in order; before: scanned flags of all levels, first: where this level's begin
+template<int D>
+struct ListTiles
+{
+    static constexpr const char* name = "pressureTiles";
+    GridShape<D> shape;
+    const int* before;
+    int first;
+    TileOrigin<D>* list;
+    int* count;
+
+    HD void operator()(int t) const
+    {
+        const int at = before[first + t] - before[first];
+        const bool active = before[first + t + 1] > before[first + t];
+        if (t == shape.tileCount - 1) *count = at + active;
+        if (!active) return;
+        TileOrigin<D> o;
+        o.c = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            o.x[d] = (t % shape.tiles[d]) << tileLog<D>(d);
+            t /= shape.tiles[d];
+            o.c += o.x[d]*shape.stride[d];
+        }
+        list[at] = o;
+    }
+};
+
+template<class Backend, int D>
+class MultigridSolver
+{
+public:
+
+    void allocate(Context<Backend>& context, const int* cells, const bool* periodic);
+
+    const FineData<D>& fine() const { return fine_; }
+    const TiledCells<D>& fineCells() const { return cells_[0]; }
+    int fineTiles() const { return active_.empty() ? 0 : active_[0]; }
+
+    //- After coefficients have changed
+    void setUp(Context<Backend>& context);
+
+    PressureReport solve(Context<Backend>& context, const MultigridControls& controls);
+
+    std::size_t bytes() const { return floats_.bytes() + doubles_.bytes() + origins_.bytes(); }
+
+private:
+
+    void chooseCapacities(const std::vector<int>& count);
+    void start(Context<Backend>& context);
+    void iterate(Context<Backend>& context);
+
+    bool periodic_[D] = {};
+    int sweeps_ = 2;
+    FineData<D> fine_{};
+    std::vector<LevelData<D>> levels_;
+    std::vector<TiledCells<D>> cells_;      // of the levels that are not in the tail
+    std::vector<int> firstTile_, active_;
+    TailCycle<D> tail_;
+    Array<Backend, float> floats_;
+    Array<Backend, double> doubles_, partial_;
+    Array<Backend, int> flags_, counts_;
+    Array<Backend, TileOrigin<D>> origins_;
+    Array<Backend, CgState> state_;
+    SortScratch<Backend> scan_;
+    DeviceLoop<Backend> loop_;
+};
+
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int* cells, const bool* periodic)
+{
+    levels_.clear(); cells_.clear(); firstTile_.clear(); active_.clear();
+    loop_.forget();
+    int n[D], tiles = 0;
+    for (int d = 0; d < D; ++d) { n[d] = cells[d]; periodic_[d] = periodic[d]; }
+    std::size_t floats = 0;
+    for (bool last = false; !last; )
+    {
+        long long total = 1;
+        bool small = true;
+        for (int d = 0; d < D; ++d) { total *= n[d]; small = small && n[d] <= 2; }
+        const bool tiled = levels_.empty() || total > tailCells;
+        LevelData<D> level{};
+        level.shape.set(n, periodic, tiled);
+        levels_.push_back(level);
+        if (tiled) { firstTile_.push_back(tiles); tiles += level.shape.tileCount; }
+        floats += std::size_t(D + 4)*(level.shape.cells + 2*level.shape.margin);
+        last = small && levels_.size() > 1;
+        for (int d = 0; d < D; ++d) n[d] = (n[d] + 1)/2;
+    }
+    floats_.allocate(context, floats);
+    float* f = floats_.data();
+    const auto take = [](auto*& next, const GridShape<D>& shape) { auto* p = next + shape.margin; next += shape.cells + 2*shape.margin; return p; };
+    for (LevelData<D>& l : levels_)
+    {
+        for (int d = 0; d < D; ++d) l.a[d] = take(f, l.shape);
+        for (float** v : {&l.s, &l.inverse, &l.x, &l.b}) *v = take(f, l.shape);
+    }
+    const GridShape<D>& shape = levels_[0].shape;
+    doubles_.allocate(context, std::size_t(D + 6)*(shape.cells + 2*shape.margin));
+    double* g = doubles_.data();
+    fine_.shape = shape;
+    for (int d = 0; d < D; ++d) fine_.a[d] = take(g, shape);
+    for (double** v : {&fine_.s, &fine_.rhs, &fine_.x, &fine_.r, &fine_.p, &fine_.q}) *v = take(g, shape);
+    fine_.inverse = levels_[0].inverse;
+    fine_.b = levels_[0].b;
+    fine_.z = levels_[0].x;
+
+    const int tiledLevels = int(firstTile_.size());
+    tail_.levels = int(levels_.size()) - tiledLevels;
+    for (int l = 0; l < tail_.levels; ++l) tail_.level[l] = levels_[tiledLevels + l];
+    flags_.allocate(context, tiles + 1);
+    origins_.allocate(context, tiles);
+    counts_.allocate(context, tiledLevels);
+    partial_.allocate(context, 2*sumChunks);
+    state_.allocate(context, 1);
+    for (int l = 0; l < tiledLevels; ++l)
+    {
+        TiledCells<D> c{};
+        c.list = origins_.data() + firstTile_[l];
+        c.count = counts_.data() + l;
+        for (int d = 0; d < D; ++d) c.stride[d] = levels_[l].shape.stride[d];
+        cells_.push_back(c);
+    }
+}
+
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::setUp(Context<Backend>& context)
+{
+    const auto odd = [&](const GridShape<D>& s, int d) { return periodic_[d] && s.n[d] % 2 == 1; };
+    context.zero(flags_.data(), flags_.size()*sizeof(int));
+    Mirror<D> mirror{fine_, levels_[0], {}, flags_.data()};
+    for (int d = 0; d < D; ++d) mirror.oddPeriodic[d] = odd(fine_.shape, d);
+    forEach(context, fine_.shape.cells, mirror);
+    for (std::size_t l = 1; l < levels_.size(); ++l)
+    {
+        Coarsen<D> coarsen{levels_[l - 1], levels_[l], {}, l < cells_.size() ? flags_.data() + firstTile_[l] : nullptr};
+        for (int d = 0; d < D; ++d) coarsen.oddPeriodic[d] = odd(levels_[l].shape, d);
+        forEach(context, levels_[l].shape.cells, coarsen);
+    }
+    exclusiveScan(context, scan_, flags_.data(), int(flags_.size()));
+    for (std::size_t l = 0; l < cells_.size(); ++l)
+    {
+        const GridShape<D>& shape = levels_[l].shape;
+        TileOrigin<D>* list = origins_.data() + firstTile_[l];
+        forEach(context, shape.tileCount, ListTiles<D>{shape, flags_.data(), firstTile_[l], list, counts_.data() + l});
+    }
+    chooseCapacities(counts_.download());
+}
+
+//- A recorded loop stays good while the active tiles fit what it launches and fill most of it
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::chooseCapacities(const std::vector<int>& count)
+{
+    active_ = count;
+    for (std::size_t l = 0; l < cells_.size(); ++l)
+    {
+        const int spare = Backend::gpu ? count[l]/8 + 1 : 0;
+        const int wanted = count[l] + spare < levels_[l].shape.tileCount ? count[l] + spare : levels_[l].shape.tileCount;
+        int& capacity = cells_[l].capacity;
+        if (count[l] <= capacity && capacity <= wanted + 2*spare) continue;
+        capacity = wanted;
+        loop_.forget();
+    }
+}
+
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::start(Context<Backend>& context)
+{
+    const int n = cells_[0].all();
+    CgState* state = state_.data();
+    sumThen<2>(context, n, AverageGuess<D>{fine_, cells_[0]}, partial_.data(), SetReference{state});
+    sumThen<2>(context, n, FirstResidual<D>{fine_, cells_[0], state}, partial_.data(), StartIterations{state});
+}
+
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::iterate(Context<Backend>& context)
+{
+    const int n = cells_[0].all();
+    CgState* state = state_.data();
+    double* partial = partial_.data();
+    vCycle<D>(context, levels_, cells_, tail_, sweeps_);
+    sumThen<2>(context, n, DotPreconditioned<D>{fine_, cells_[0]}, partial, SetBeta{state});
+    forEach(context, n, NewDirection<D>{fine_, cells_[0], state});
+    sumThen<1>(context, n, ApplyDirection<D>{fine_, cells_[0]}, partial, SetAlpha{state});
+    sumThen<1>(context, n, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state});
+}
+
+template<class Backend, int D>
+PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, const MultigridControls& controls)
+{
+    if (sweeps_ != controls.sweeps) loop_.forget();
+    sweeps_ = controls.sweeps;
+    CgState s{};
+    s.tolerance = controls.tolerance;
+    s.relTol = controls.relTol;
+    s.maxIter = controls.maxIter;
+    s.minIter = controls.minIter;
+    context.toDevice(state_.data(), &s, sizeof(s));
+    start(context);
+    context.toHost(&s, state_.data(), sizeof(s));
+    if (s.again) loop_.run(context, &state_.data()->again, [&] { iterate(context); });
+    context.toHost(&s, state_.data(), sizeof(s));
+
+    PressureReport report;
+    report.solver = "cudaPCG";
+    report.initialResidual = s.initial;
+    report.finalResidual = s.residual;
+    report.iterations = s.iterations;
+    report.wetCells = s.cells;
+    report.converged = s.residual < s.tolerance || (s.relTol > 0 && s.residual < s.relTol*s.initial);
+    return report;
+}
+
+} // namespace riprap

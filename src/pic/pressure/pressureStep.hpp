@@ -1,0 +1,198 @@
+/*  The pressure step: assembles the equation of the wet cells, has it solved, and projects the velocities.
+
+    The solver is ours, where the grid is (LinearSolver::onDevice), or the caller's, on the host: then the coefficients, the
+    right-hand side and p of the wet cells cross once each way.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include "pic/bodies/bodyTerm.hpp"
+#include "pic/pressure/multigridSolver.hpp"
+#include "pic/pressure/pockets.hpp"
+#include "pic/pressure/project.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class R>
+class PressureStep
+{
+public:
+
+    void allocate(Context<Backend>& context, const UniformGrid<D>& grid)
+    {
+        multigrid_.allocate(context, grid.n, grid.periodic);
+        pockets_.allocate(context, multigrid_.fine().shape);
+        wet_.allocate(context, grid.cells());
+    }
+
+    //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
+    //  becomes that at the end of the step
+    PressureReport project(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr)
+    {
+        const FineData<D>& fine = multigrid_.fine();
+        forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()});
+        forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
+        multigrid_.setUp(context);
+        const TiledCells<D> cells = multigrid_.fineCells();
+        pocketCells_ = pockets_.find(context, fine, cells);
+        if (pocketCells_) pockets_.balance(context, fine, cells);
+
+        const MultigridControls* controls = solver.onDevice();
+        const bool free = bodies && !bodies->empty();
+        if (controls && free) throw std::invalid_argument("free bodies need a solver on the host: coupledPCG");
+        const PressureReport report = controls ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
+        solver.report(report);
+
+        if (pocketCells_) pockets_.level(context, fine, cells);
+        forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
+        for (int d = 0; d < D; ++d) forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
+        if (free) moveBodies(context, f, *bodies);
+        return report;
+    }
+
+    //- Cells in pockets without a surface, at the last projection
+    int pocketCells() const { return pocketCells_; }
+    const int* wet() const { return wet_.data(); }
+    std::size_t bytes() const { return multigrid_.bytes(); }
+
+private:
+
+    PressureReport solveOnHost(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies);
+    static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
+
+    MultigridSolver<Backend, D> multigrid_;
+    Pockets<Backend, D> pockets_;
+    Array<Backend, int> wet_;
+    int pocketCells_ = 0;
+};
+
+//- Rows in the order of the grid: owners ascend, and so do the neighbours of each
+template<class Backend, int D, class R>
+PressureReport PressureStep<Backend, D, R>::solveOnHost
+(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies)
+{
+    const UniformGrid<D>& grid = f.grid;
+    const FineData<D>& fine = multigrid_.fine();
+    const GridShape<D>& shape = fine.shape;
+    const auto fetch = [&](const double* from)
+    {
+        std::vector<double> v(shape.cells + 2*shape.margin);
+        context.toHost(v.data(), from - shape.margin, v.size()*sizeof(double));
+        return v;
+    };
+    std::vector<double> a[D], s = fetch(fine.s), rhs = fetch(fine.rhs), x = fetch(fine.x);
+    for (int d = 0; d < D; ++d) a[d] = fetch(fine.a[d]);
+
+    ReducedSystem r;
+    r.dimensions = D;
+    for (int d = 0; d < 3; ++d) { r.n[d] = grid.n[d]; r.periodic[d] = grid.periodic[d]; }
+    std::vector<int> row(shape.cells, -1), stored;
+    int lone = 0;
+    for (int i = 0; i < grid.cells(); ++i)
+    {
+        Place<D> p;
+        p.c = 0;
+        const auto index = grid.cellIndex(i);
+        double joined = 0;
+        for (int d = 0; d < D; ++d) { p.x[d] = index.c[d]; p.c += p.x[d]*shape.stride[d]; }
+        for (int d = 0; d < D; ++d) joined += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
+        const double tied = s[p.c + shape.margin];
+        double& value = x[p.c + shape.margin];
+        if (!(joined > 0))              // a drop of one cell: solved here, since GAMG could not join it to any other
+        {
+            if (tied > 0) { value = rhs[p.c + shape.margin]/tied; ++lone; }
+            continue;
+        }
+        row[p.c] = r.rows();
+        r.cell.push_back(i);
+        stored.push_back(p.c);
+        r.diagonal.push_back(joined + tied);
+        r.rhs.push_back(rhs[p.c + shape.margin]);
+        r.x.push_back(value);
+    }
+    // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero, and solvers that factorise
+    // meet no singular matrix
+    if (pocketCells_)
+        for (const int c : pockets_.roots()) if (row[c] >= 0) r.diagonal[row[c]] *= 2;
+    for (int own = 0; own < r.rows(); ++own)
+    {
+        const Place<D> p = shape.place(stored[own]);
+        std::pair<int, double> face[2*D];
+        int faces = 0;
+        const auto add = [&](int other, double coefficient)
+        {
+            if (!(coefficient > 0) || row[other] <= own) return;
+            for (int k = 0; k < faces; ++k) if (face[k].first == row[other]) { face[k].second += coefficient; return; }
+            face[faces++] = {row[other], coefficient};
+        };
+        for (int d = 0; d < D; ++d)
+        {
+            const int above = shape.above(p, d);
+            if (a[d][above + shape.margin] > 0) add(above, a[d][above + shape.margin]);
+            if (a[d][p.c + shape.margin] > 0) add(shape.below(p, d), a[d][p.c + shape.margin]);
+        }
+        for (int k = 1; k < faces; ++k)
+            for (int m = k; m > 0 && face[m].first < face[m - 1].first; --m) std::swap(face[m], face[m - 1]);
+        for (int k = 0; k < faces; ++k)
+        {
+            r.owner.push_back(own);
+            r.neighbour.push_back(face[k].first);
+            r.offDiagonal.push_back(-face[k].second);
+        }
+    }
+    // U = J L, M^-1 = L L^T, in the units of the equation
+    const double scale = std::sqrt(f.density*grid.h/grid.area());
+    for (const BodyTerm& b : bodies)
+    {
+        const std::vector<double> root = b.rootOfInverseMass();
+        BodyRows rows;
+        rows.modes = b.modes;
+        for (std::size_t i = 0; i < b.cell.size(); ++i)
+        {
+            const auto index = grid.cellIndex(b.cell[i]);
+            int c = 0;
+            for (int d = 0; d < D; ++d) c += index.c[d]*shape.stride[d];
+            if (row[c] < 0) continue;
+            rows.row.push_back(row[c]);
+            for (int m = 0; m < b.modes; ++m)
+            {
+                double u = 0;
+                for (int k = m; k < b.modes; ++k) u += b.j[i*b.modes + k]*root[k*b.modes + m];
+                rows.u.push_back(scale*u);
+            }
+        }
+        r.bodies.push_back(std::move(rows));
+    }
+    PressureReport report = solver.solve(r);
+    report.wetCells = r.rows() + lone;
+    for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];
+    context.toDevice(fine.x - shape.margin, x.data(), x.size()*sizeof(double));
+    return report;
+}
+
+template<class Backend, int D, class R>
+void PressureStep<Backend, D, R>::moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies)
+{
+    std::vector<double> p(f.grid.cells());
+    context.toHost(p.data(), f.p, p.size()*sizeof(double));
+    for (BodyTerm& b : bodies) b.advance(p.data(), f.timeStep);
+}
+
+//- Ours, without fvSolution
+class MultigridLinear : public LinearSolver
+{
+public:
+    MultigridControls controls;
+    PressureReport last;
+
+    const MultigridControls* onDevice() const override { return &controls; }
+    PressureReport solve(ReducedSystem&) override { throw std::logic_error("MultigridLinear solves where the grid is"); }
+    void report(const PressureReport& r) override { last = r; }
+};
+
+} // namespace riprap

@@ -1,0 +1,39 @@
+/*  The largest speed of particles, which the Courant number limits:
+
+        (|u|max + |g| dt) dt <= C h,        dt <= h^2/(2 D nu) for explicit viscosity
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <cmath>
+#include "pic/particles.hpp"
+
+namespace riprap
+{
+
+template<int D, class R>
+struct ParticleSpeed
+{
+    static constexpr const char* name = "particleSpeed";
+    PicParticles<D, R> particles;
+
+    HD double value(int i) const
+    {
+        double sum = 0;
+        for (int d = 0; d < D; ++d) sum += double(particles.v[d][i])*particles.v[d][i];
+        return sqrt(sum);
+    }
+};
+
+//- The step that takes the fastest particle C cells on, gravity having acted on it
+inline double courantStep(double courant, double h, double speed, double gravity)
+{
+    const double length = courant*h;
+    return speed + std::sqrt(speed*speed + 4*gravity*length) > 0
+      ? 2*length/(speed + std::sqrt(speed*speed + 4*gravity*length)) : 1e30;
+}
+
+inline double viscousStep(double h, double nu, int dimensions) { return nu > 0 ? h*h/(2*dimensions*nu) : 1e30; }
+
+} // namespace riprap

@@ -1,0 +1,89 @@
+/*  Volume of the water under phi, and the shift of phi that holds it.
+
+    A cell is cut by the plane phi_c + grad phi.(x - x_c) = 0: with m_d = h |d phi/d x_d| and a = sum m/2 - phi_c, the part of it under the plane is
+        2D   (a^2 - sum (a - m_d)+^2 + (a - m_1 - m_2)+^2)/(2 m_1 m_2)
+        3D   (a^3 - sum (a - m_d)+^3 + sum (a - m_d - m_e)+^3 - (a - m_1 - m_2 - m_3)+^3)/(6 m_1 m_2 m_3)
+    (Scardovelli & Zaleski 2000, J. Comput. Phys. 164). The volume that steps lose or gain, of the order of the truncation error, is given back by
+    moving the surface everywhere by the same distance, (V - V0)/S.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/transfer/mirror.hpp"
+
+namespace riprap
+{
+
+//- Part of a unit cell under a plane: phi at its centre and its differences over the cell
+template<int D>
+HD double cutFraction(double phi, double* m)
+{
+    double sum = 0;
+    for (int d = 0; d < D; ++d) { m[d] = absolute(m[d]); sum += m[d]; }
+    if (phi <= -0.5*sum) return 1;
+    if (phi >= 0.5*sum) return 0;
+    for (int d = 0; d < D; ++d) m[d] = maximum(m[d], 1e-4*sum);      // no division by zero; 1e-8 of the volume
+    sum = 0;
+    for (int d = 0; d < D; ++d) sum += m[d];
+    const double a = 0.5*sum - phi;
+    const auto part = [](double b) { return b > 0 ? (D == 2 ? b*b : b*b*b) : 0.0; };
+    double v = part(a);
+    for (int d = 0; d < D; ++d) v -= part(a - m[d]);
+    if constexpr (D == 2) v = (v + part(a - m[0] - m[1]))/(2*m[0]*m[1]);
+    else
+    {
+        for (int d = 0; d < D; ++d) for (int e = d + 1; e < D; ++e) v += part(a - m[d] - m[e]);
+        v = (v - part(a - m[0] - m[1] - m[2]))/(6*m[0]*m[1]*m[2]);
+    }
+    return v < 0 ? 0 : (v > 1 ? 1 : v);
+}
+
+//- Part of a cell that is water, phi moved by `shift`
+template<int D, class R>
+HD double waterFraction(const UniformGrid<D>& g, const R* phi, int i, double shift)
+{
+    const double value = phi[i] + shift;
+    if (absolute(value) > 2*g.h) return value < 0 ? 1 : 0;
+    const typename UniformGrid<D>::Index c = g.cellIndex(i);
+    double m[D];
+    for (int d = 0; d < D; ++d)
+    {
+        typename UniformGrid<D>::Index low = c, high = c;
+        low.c[d] -= 1;
+        high.c[d] += 1;
+        m[d] = 0.5*(double(cellValue(g, phi, high)) - double(cellValue(g, phi, low)));
+    }
+    return cutFraction<D>(value, m);
+}
+
+//- Volumes in cells: with phi as it is, a little higher, a little lower
+template<int D, class R>
+struct WaterVolume
+{
+    static constexpr const char* name = "waterVolume";
+    UniformGrid<D> grid;
+    const R* phi;
+    const R* open;              // cells: part that is not solid; nullptr: all of each
+    double probe;               // [m]
+
+    HD void add(int i, double* sums) const
+    {
+        const double whole = open ? double(open[i]) : 1.0;
+        if (!(whole > 0)) return;
+        sums[0] += whole*waterFraction(grid, phi, i, 0);
+        sums[1] += whole*waterFraction(grid, phi, i, probe);
+        sums[2] += whole*waterFraction(grid, phi, i, -probe);
+    }
+};
+
+template<int D, class R>
+struct ShiftSurface
+{
+    static constexpr const char* name = "shiftSurface";
+    R* phi;
+    R shift, band;
+    HD void operator()(int i) const { if (absolute(phi[i]) < band) phi[i] += shift; }
+};
+
+} // namespace riprap

@@ -1,0 +1,106 @@
+/*  Particles carried through the step's velocity field, which is frozen meanwhile.
+
+    order 2:    x += dt u(x + dt/2 u(x))                                                            (midpoint)
+    order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9,  k2 = u(x + dt/2 k1),  k3 = u(x + 3/4 dt k2)        (Ralston 1962)
+
+    Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
+    particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/particles.hpp"
+#include "pic/transfer/sample.hpp"
+
+namespace riprap
+{
+
+//- Velocity of the grid at a point
+template<int Order, int D, class R>
+HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x)
+{
+    Vec<D, R> v;
+    for (int d = 0; d < D; ++d) v.c[d] = sampleFace<Order>(g, u[d], d, x);
+    return v;
+}
+
+//- A point taken back into the block; into the copy at the other end where it is periodic
+template<int D>
+HD Vec<D, double> intoBlock(const UniformGrid<D>& g, Vec<D, double> x)
+{
+    for (int d = 0; d < D; ++d)
+    {
+        const double length = g.n[d]*g.h;
+        if (g.periodic[d]) x.c[d] = x.c[d] < 0 ? x.c[d] + length : (x.c[d] >= length ? x.c[d] - length : x.c[d]);
+        else x.c[d] = maximum(0.0, minimum(x.c[d], length));
+    }
+    return x;
+}
+
+//- Where the field takes a point in dt (negative: where it came from)
+template<int Order, int D, class R>
+HD Vec<D, double> carried(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x, double dt, int order)
+{
+    const auto ahead = [&](const Vec<D, R>& v, double by) { return intoBlock(g, x + by*convert<double>(v)); };
+    const Vec<D, R> k1 = sampleVelocity<Order>(g, u, x);
+    const Vec<D, R> k2 = sampleVelocity<Order>(g, u, ahead(k1, 0.5*dt));
+    if (order == 2) return x + dt*convert<double>(k2);
+    const Vec<D, R> k3 = sampleVelocity<Order>(g, u, ahead(k2, 0.75*dt));
+    return x + (dt/9)*(2.0*convert<double>(k1) + 3.0*convert<double>(k2) + 4.0*convert<double>(k3));
+}
+
+template<int Order, int D, class R>
+struct MoveParticles
+{
+    static constexpr const char* name = "moveParticles";
+    UniformGrid<D> grid;
+    PicParticles<D, R> particles;
+    const R* u[D];
+    const R* aperture[D];
+    const unsigned char* nearWater;
+    const R* shift[D];          // what position correction adds [m]; nullptr: none
+    double timeStep;
+    int order;                  // 2 or 3
+    double margin;              // [m]
+
+    HD void operator()(int i) const
+    {
+        typename UniformGrid<D>::Index c{{0, 0, 0}};
+        Vec<D, double> x, to;
+        for (int d = 0; d < D; ++d)
+        {
+            x.c[d] = particles.x[d][i];
+            c.c[d] = floorInt(x.c[d]/grid.h);
+        }
+        if (nearWater[grid.cell(c)])
+        {
+            to = carried<Order>(grid, u, x, timeStep, order);
+            if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
+        }
+        else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];
+        for (int d = 0; d < D; ++d) particles.x[d][i] = confined(to.c[d], d, c, i);
+    }
+
+private:
+
+    //- The coordinate after walls and periodic ends have had their say
+    HD double confined(double x, int d, typename UniformGrid<D>::Index c, int i) const
+    {
+        const double length = grid.n[d]*grid.h;
+        if (grid.periodic[d])
+        {
+            x = x < 0 ? x + length : (x >= length ? x - length : x);
+            return x < length ? x : 0.0;
+        }
+        const bool low = x < margin, high = x > length - margin;
+        if (!low && !high) return x;
+        c.c[d] = low ? 0 : grid.n[d];
+        if (aperture[d][grid.face(d, c)] > R(0)) return x;
+        R& v = particles.v[d][i];
+        if (low ? v < 0 : v > 0) v = 0;
+        return low ? margin : length - margin;
+    }
+};
+
+} // namespace riprap

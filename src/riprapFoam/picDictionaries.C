@@ -1,0 +1,113 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "picDictionaries.H"
+#include "checkedDictionary.H"
+#include "fluidProperties.H"
+#include "IOdictionary.H"
+#include "particleDomain.H"
+#include "sphNames.H"
+#include "Time.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static void readSeeds(checkedDictionary& pic, riprap::PicConfig& config)
+{
+    checkedDictionary dict(pic.subDict("seeds"));
+
+    const scalar seeds =
+        dict.between("perDirection", config.seedsPerDirection, 0, 8);
+    config.seedsPerDirection = int(seeds);
+    dict.require
+    (
+        config.seedsPerDirection == seeds,
+        "perDirection",
+        seeds,
+        "a whole number; 0 takes the particles as they are"
+    );
+    config.jitter = dict.between("jitter", config.jitter, 0, 1);
+
+    dict.end();
+}
+
+
+static void readWalls(checkedDictionary& pic, riprap::PicConfig& config)
+{
+    checkedDictionary dict(pic.subDict("walls"));
+    config.noSlip = dict.either("slip", "noSlip", "freeSlip", config.noSlip);
+    dict.end();
+}
+
+
+static void readGuards(checkedDictionary& pic, picSettings& settings)
+{
+    checkedDictionary dict(pic.subDict("guards"));
+    settings.config.maxCourantEver =
+        dict.positive("Courant", settings.config.maxCourantEver);
+    settings.guards.read(dict);
+    dict.end();
+}
+
+
+static void readPicProperties(checkedDictionary pic, picSettings& settings)
+{
+    riprap::PicConfig& config = settings.config;
+
+    config.precision =
+        pic.choice("precision", sphNames::precision, config.precision);
+    config.device = pic.choice("device", sphNames::device, config.device);
+
+    readSeeds(pic, config);
+
+    config.splineOrder =
+        pic.choice("spline", picNames::spline, config.splineOrder);
+    config.transfer =
+        pic.choice("transfer", picNames::transfer, config.transfer);
+    config.picPart = pic.between("picPart", config.picPart, 0, 1);
+    config.affine =
+        pic.either("affine", "yes", "no", config.affine)
+     || config.transfer == riprap::TransferKind::apic;
+    config.advectionOrder =
+        pic.choice("advection", picNames::advection, config.advectionOrder);
+    config.positionCorrection =
+        pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
+
+    readWalls(pic, config);
+    readGuards(pic, settings);
+
+    pic.end();
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+picSettings readPicSettings(const polyMesh& mesh)
+{
+    picSettings settings;
+    riprap::PicConfig& config = settings.config;
+    const Time& time = mesh.time();
+
+    setDomain(config, readParticleDomain(mesh));
+    readFluidProperties(readConstant("fluidProperties", time), config);
+
+    settings.dict = readConstant("picProperties", time);
+    readPicProperties(checkedDictionary(settings.dict), settings);
+
+    readTimeStep(time.controlDict(), config);
+    // The water's own waves and the extended velocity reach a cell or so
+    checkedDictionary control(time.controlDict());
+    config.maxCourant = control.between("maxCo", config.maxCourant, 1e-6, 1);
+    config.startTime = time.value();
+
+    return settings;
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

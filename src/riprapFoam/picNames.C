@@ -1,0 +1,38 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "picNames.H"
+
+namespace Foam
+{
+namespace picNames
+{
+
+const Enum<riprap::TransferKind> transfer
+({
+    {riprap::TransferKind::flip, "flip"},
+    {riprap::TransferKind::pic, "pic"},
+    {riprap::TransferKind::flipPic, "flipPic"},
+    {riprap::TransferKind::apic, "apic"}
+});
+
+const Enum<int> spline
+({
+    {1, "linear"},
+    {2, "quadratic"},
+    {3, "cubic"}
+});
+
+const Enum<int> advection
+({
+    {2, "RungeKutta2"},
+    {3, "RungeKutta3"}
+});
+
+} // End namespace picNames
+} // End namespace Foam
+
+
+// ************************************************************************* //

@@ -1,0 +1,90 @@
+/*  Chooses device, dimension and precision, checks consistency, and builds the scene.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "scene/picInstances.hpp"
+#include "scene/sphScene.hpp"
+
+#include <cfenv>
+#include <cmath>
+#include <stdexcept>
+
+namespace riprap
+{
+
+namespace
+{
+
+void require(bool condition, const std::string& what)
+{
+    if (!condition) throw std::invalid_argument(what);
+}
+
+//- Comparisons are written so that a NaN fails them
+void checkNumbers(const PicConfig& c)
+{
+    require(c.dimensions == 2 || c.dimensions == 3, "dimensions must be 2 or 3");
+    int axes = 0;
+    for (const int a : c.axes) if (a >= 0 && a < 3) axes |= 1 << a;
+    require(axes == 7, "the axes must be 0, 1 and 2 in any order");
+    require(c.cellSize > 0, "the cells' size must be positive");
+    require(c.spacing > 0, "the fluid's spacing must be positive");
+    require(c.density > 0, "the density must be positive");
+    require(c.viscosity >= 0, "the viscosity must not be negative");
+    for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
+    require(c.seedsPerDirection >= 0 && c.seedsPerDirection <= 8, "the seeds a direction must lie in 0 .. 8");
+    require(c.jitter >= 0 && c.jitter <= 1, "the jitter must lie in 0 .. 1");
+    require(c.splineOrder >= 1 && c.splineOrder <= 3, "the splines' order must be 1, 2 or 3");
+    require(c.picPart >= 0 && c.picPart <= 1, "the part of PIC must lie in 0 .. 1");
+    require(c.affine || c.transfer != TransferKind::apic, "apic needs the affine part");
+    require(c.advectionOrder == 2 || c.advectionOrder == 3, "the advection's order must be 2 or 3");
+    require(c.positionCorrection >= 0, "the position correction must not be negative");
+    require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");
+    require(c.maxTimeStep > 0, "the largest time step must be positive");
+    require(c.maxCourant > 0 && c.maxCourant <= 2, "the Courant number must lie in 0 .. 2");
+    for (int d = 0; d < c.dimensions; ++d)
+    {
+        const int axis = c.axes[d];
+        const double length = c.domainMax[axis] - c.domainMin[axis];
+        require(c.cells[axis] >= 4, "there must be four cells or more along each direction");
+        require(std::abs(length - c.cells[axis]*c.cellSize) < 1e-6*length, "the cells do not fill the domain");
+    }
+}
+
+void checkFluid(const PicConfig& c, const FluidInput& f)
+{
+    require(f.velocity.size() == f.position.size(), "fluid arrays of different lengths");
+    require(f.id.empty() || f.id.size() == f.size(), "fluid ids of another length");
+    require(f.size() > 0, "there are no fluid particles");
+    for (std::size_t i = 0; i < f.size(); ++i)
+        for (int d = 0; d < c.dimensions; ++d)
+        {
+            const int axis = c.axes[d];
+            const double x = f.position[3*i + axis];
+            const bool inside = x >= c.domainMin[axis] && x <= c.domainMax[axis];
+            require(inside, "fluid particle " + std::to_string(i) + " is outside the domain");
+            require(std::isfinite(f.velocity[3*i + axis]), "fluid particle " + std::to_string(i) + " has no proper velocity");
+        }
+}
+
+} // namespace
+
+std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
+{
+    checkNumbers(config);
+    checkFluid(config, fluid);
+    fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
+    const DeviceChoice choice = chooseDevice(config.device, fluid.size(), config.dimensions);
+    const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
+#ifdef RIPRAP_CUDA
+    if (choice.device == DeviceKind::gpu)
+    {
+        const PicMaker make = two ? (mixed ? picGpu2Mixed : picGpu2Double) : (mixed ? picGpu3Mixed : picGpu3Double);
+        return make(config, fluid, walls, solver);
+    }
+#endif
+    const PicMaker make = two ? (mixed ? picCpu2Mixed : picCpu2Double) : (mixed ? picCpu3Mixed : picCpu3Double);
+    return make(config, fluid, walls, solver);
+}
+
+} // namespace riprap

@@ -1,0 +1,75 @@
+/*  What scenes of a fluid share, whatever moves it: how it is given, read back and sampled.
+
+    SI, double, host memory; vectors are stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/sceneTypes.hpp"
+
+namespace riprap
+{
+
+struct FluidConfig
+{
+    int dimensions = 2;                     // 2 or 3
+    int axes[3] = {0, 1, 2};                // 2D: axes[0], axes[1] are solved, axes[2] is empty
+    double spacing = 0;                     // of the particles as given [m]
+    double density = 1000;                  // reference density rho0 [kg/m3]
+    double viscosity = 0;                   // dynamic viscosity mu [Pa s]
+    Vector3 gravity{{0, 0, 0}};             // [m/s2]
+};
+
+//- Particles as the reader of a case or setParticles gives them
+struct FluidInput
+{
+    std::vector<double> position;           // 3 n
+    std::vector<double> velocity;           // 3 n
+    std::vector<double> density;            // n [kg/m3]
+    std::vector<std::int32_t> id;           // n, unique; empty: 0 .. n-1
+    std::size_t size() const { return position.size()/3; }
+};
+
+enum class StopReason {none, notANumber, density, speed, listOverflow};
+
+struct FluidEnergy                            // [J] (2D: per metre of depth)
+{
+    double kinetic = 0, potential = 0, elastic = 0;
+    double wallWork = 0;                    // done by moving walls since the start
+};
+
+using SphEnergy = FluidEnergy;
+
+//- Fluid on the host, in the device's order
+struct FluidState
+{
+    std::vector<double> position, velocity; // 3 n
+    std::vector<double> density, pressure, smoothingLength; // n
+    std::vector<std::int32_t> id;
+};
+
+//- Interpolated values at points; SPH: sum V f W / sum V W, and sum V W itself. They are those at the centroid of what was
+//  sampled, which is not the point where the fluid about it is one-sided
+struct SampleResult
+{
+    std::vector<double> volumeFraction;     // m: sum of V_j W, about 1 inside, 0 outside
+    std::vector<double> pressure;           // m [Pa], 0 where there is no fluid
+    std::vector<double> velocity;           // 3 m [m/s]
+    std::vector<double> centroid;           // 3 m [m] of the sampled fluid, from the point; 0 where there is none
+};
+
+class FluidScene
+{
+public:
+    virtual ~FluidScene() = default;
+
+    virtual double time() const = 0;
+    virtual FluidState fluid() = 0;
+    virtual FluidEnergy energy() = 0;
+
+    //- Interpolation of the fluid at points (3 m)
+    virtual SampleResult sample(const std::vector<double>& points) = 0;
+};
+
+} // namespace riprap

@@ -1,0 +1,92 @@
+/*  PicSolver: the loop over steps.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/picSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::timeStep(std::string& limit)
+{
+    if (!config_.adjustTimeStep) { limit = "fixed"; return config_.fixedTimeStep; }
+    double g2 = 0;
+    for (int d = 0; d < D; ++d) g2 += gravity_[d]*gravity_[d];
+    const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
+    double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
+    limit = "Courant";
+    const double viscous = viscousStep(grid_.h, config_.viscosity/config_.density, D);
+    if (viscous < dt) { dt = viscous; limit = "viscous"; }
+    if (config_.maxTimeStep < dt) { dt = config_.maxTimeStep; limit = "maximum"; }
+    return dt;
+}
+
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit) { return timeStep(limit); }
+
+template<class Backend, int D, class P>
+PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
+{
+    PicReport report;
+    report.minTimeStep = 1e300;
+    if (interrupted_) maxSteps = 1;
+    while (clock_.time < t && n_ > 0 && (maxSteps <= 0 || report.steps < maxSteps))
+    {
+        const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
+        double dt = timeStep(report.limit);
+        const double courant = speed*dt/grid_.h;
+        report.maxSpeed = std::max(report.maxSpeed, speed);
+        if (!(speed < 1e30)) report.stop = StopReason::notANumber;
+        else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
+        if (report.stop != StopReason::none) { findOffender(report, courant); break; }
+        // equal steps to the target; the last one ends there to the bit
+        const double left = t - clock_.time;
+        const bool last = dt >= left*(1 - 1e-9);
+        if (last) { dt = left; report.limit = "target"; }
+        else if (config_.adjustTimeStep) dt = left/std::ceil(left/dt*(1 - 1e-9));
+        toGrid();
+        step(dt, report);
+        if (last) clock_.time = t;
+        ++report.steps;
+        report.lastTimeStep = dt;
+        report.minTimeStep = std::min(report.minTimeStep, dt);
+        report.maxTimeStep = std::max(report.maxTimeStep, dt);
+        report.maxCourant = std::max(report.maxCourant, courant);
+        if (interrupted_) break;
+    }
+    interrupted_ = false;
+    if (!report.steps) report.minTimeStep = 0;
+    report.time = clock_.time;
+    report.totalSteps = clock_.steps;
+    report.fluid = n_;
+    report.flying = std::size_t(flying_);
+    const double particle = clock_.particleVolume;
+    report.volume = volume_*grid_.volume() + flying_*particle;
+    report.volumeError = n_ > 0 ? report.volume/(n_*particle) - 1 : 0;
+    report.volumeDrift = clock_.drift;
+    return report;
+}
+
+//- Which particle made a guard fire
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::findOffender(PicReport& report, double courant)
+{
+    const FluidState all = fluid();
+    double worst = -1;
+    for (std::size_t i = 0; i < all.id.size(); ++i)
+    {
+        const double* v = &all.velocity[3*i];
+        const double speed = std::sqrt(v[0]*v[0] + v[1]*v[1] + v[2]*v[2]);
+        const double value = std::isfinite(speed) ? speed : 1e300;
+        if (value <= worst) continue;
+        worst = value;
+        report.stopId = all.id[i];
+        report.stopPosition = Vector3{{all.position[3*i], all.position[3*i + 1], all.position[3*i + 2]}};
+        report.stopValue = courant;
+    }
+}
+
+} // namespace riprap

@@ -1,0 +1,21 @@
+/*  PicSolver with all its parts, for the instantiating units.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/device.hpp"
+#include "scene/picSetup.hpp"
+#include "scene/picStep.hpp"
+#include "scene/picAdvance.hpp"
+#include "scene/picOutput.hpp"
+#include "scene/picState.hpp"
+#include "scene/picInstances.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+std::string PicSolver<Backend, D, P>::deviceName() const { return deviceLabel(Backend()); }
+
+} // namespace riprap

@@ -1,0 +1,139 @@
+/*  PicSolver: everything that is read back.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/pressureAt.hpp"
+#include "scene/picSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+FluidState PicSolver<Backend, D, P>::fluid()
+{
+    FluidState state;
+    state.position.assign(3*std::size_t(n_), 0.0);
+    state.velocity.assign(3*std::size_t(n_), 0.0);
+    const int empty = config_.axes[2];
+    if (D == 2) for (int i = 0; i < n_; ++i) state.position[3*i + empty] = emptyCoordinate_;
+    std::vector<double> x[D];
+    for (int d = 0; d < D; ++d)
+    {
+        x[d] = set_.template download<double>(context_, xField_ + d);
+        const auto v = set_.template download<real>(context_, vField_ + d);
+        const int axis = config_.axes[d];
+        for (int i = 0; i < n_; ++i)
+        {
+            state.position[3*i + axis] = grid_.origin[d] + x[d][i];
+            state.velocity[3*i + axis] = v[i];
+        }
+    }
+    state.id = set_.template download<std::int32_t>(context_, idField_);
+    state.id.resize(n_);
+    state.density.assign(n_, config_.density);
+    state.smoothingLength.assign(n_, grid_.h);
+    state.pressure = sample(state.position).pressure;
+    return state;
+}
+
+template<class Backend, int D, class P>
+PicGridState PicSolver<Backend, D, P>::grid()
+{
+    const int cells = grid_.cells();
+    PicGridState state;
+    state.pressure = pressure_.download();
+    const std::vector<real> phi = phi_.download();
+    const std::vector<unsigned char> near = near_.download();
+    state.distance.assign(phi.begin(), phi.end());
+    state.water.resize(cells);
+    state.velocity.assign(3*std::size_t(cells), 0.0);
+    std::vector<real> u[D];
+    for (int d = 0; d < D; ++d) u[d] = u_[d].download();
+    for (int i = 0; i < cells; ++i)
+    {
+        state.water[i] = waterFraction(grid_, phi.data(), i, 0);
+        if (!near[i]) continue;
+        const typename UniformGrid<D>::Index c = grid_.cellIndex(i);
+        for (int d = 0; d < D; ++d)
+            state.velocity[3*i + config_.axes[d]] = 0.5*(double(u[d][grid_.faceOf(d, c, 0)]) + u[d][grid_.faceOf(d, c, 1)]);
+    }
+    return state;
+}
+
+template<class Backend, int D, class P>
+SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
+{
+    const std::size_t m = points.size()/3;
+    const std::vector<double> x = solved(points, true), p = pressure_.download();
+    const std::vector<real> phi = phi_.download();
+    std::vector<real> u[D];
+    for (int d = 0; d < D; ++d) u[d] = u_[d].download();
+    SampleResult result;
+    result.volumeFraction.assign(m, 0.0);
+    result.pressure.assign(m, 0.0);
+    result.velocity.assign(3*m, 0.0);
+    result.centroid.assign(3*m, 0.0);
+    for (std::size_t i = 0; i < m; ++i)
+    {
+        Vec<D, double> at;
+        for (int d = 0; d < D; ++d) at.c[d] = x[i*D + d];
+        at = intoBlock(grid_, at);
+        // linear between cells, so that 1/2 is where phi is 0, but the surface is no wider than a cell
+        const double distance = sampleCell<1>(grid_, phi.data(), at);
+        result.volumeFraction[i] = std::max(0.0, std::min(0.5 - distance/grid_.h, 1.0));
+        if (distance > grid_.h) continue;
+        result.pressure[i] = distance < 0 ? std::max(0.0, pressureAt(grid_, phi.data(), p.data(), at)) : 0.0;
+        for (int d = 0; d < D; ++d) result.velocity[3*i + config_.axes[d]] = sampleFace<1>(grid_, u[d].data(), d, at);
+    }
+    return result;
+}
+
+template<class Backend, int D, class P>
+FluidEnergy PicSolver<Backend, D, P>::energy()
+{
+    FluidEnergy e;
+    const double mass = config_.density*clock_.particleVolume;
+    for (int d = 0; d < D; ++d)
+    {
+        const auto v = set_.template download<real>(context_, vField_ + d);
+        const auto x = set_.template download<double>(context_, xField_ + d);
+        for (int i = 0; i < n_; ++i)
+        {
+            e.kinetic += 0.5*mass*double(v[i])*v[i];
+            e.potential -= mass*gravity_[d]*(x[i]);
+        }
+    }
+    return e;
+}
+
+template<class Backend, int D, class P>
+std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
+{
+    std::vector<ArrayInfo> list;
+    const std::size_t n = std::max(n_, 1);
+    for (const auto& f : set_.info()) list.push_back(ArrayInfo{"fluid", f.name, f.bytes/n, f.bytes});
+    const auto add = [&](const char* name, std::size_t bytes) { if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes}); };
+    add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
+    add("p", pressure_.bytes());
+    std::size_t u = 0, walls = 0;
+    for (int d = 0; d < D; ++d)
+    {
+        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + layer_[d].bytes();
+        walls += aperture_[d].bytes() + wallVelocity_[d].bytes();
+    }
+    add("u", u);
+    add("walls", walls);
+    return list;
+}
+
+template<class Backend, int D, class P>
+std::vector<KernelInfo> PicSolver<Backend, D, P>::kernels() const
+{
+    std::vector<KernelInfo> list;
+    for (const auto& e : context_.profile.entries()) list.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    return list;
+}
+
+} // namespace riprap

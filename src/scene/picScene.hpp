@@ -1,0 +1,135 @@
+/*  PIC scene: the plain C++ facade between riprap's particle-in-cell solver and whoever sets a scene up.
+
+    SI, double, host memory; vectors with three components in 2D as well: the empty one of the fluid is ignored, and comes back as the middle of the
+    domain. A scene owns everything that lives on its device, but not the solver of the pressure equation.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <memory>
+#include "pic/pressure/linearSolver.hpp"
+#include "scene/fluidScene.hpp"
+
+namespace riprap
+{
+
+enum class TransferKind {flip, pic, flipPic, apic};
+
+struct PicConfig : FluidConfig
+{
+    // How
+    DeviceKind device = DeviceKind::automatic;
+    PrecisionKind precision = PrecisionKind::mixed;
+
+    // The grid: cells of edge cellSize that fill the domain
+    Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
+    bool periodic[3] = {false, false, false};
+    int cells[3] = {1, 1, 1};               // along x, y, z
+    double cellSize = 0;                    // [m]
+
+    // Particles of a new run: as given, or seeded in the cells that those given fill
+    int seedsPerDirection = 2;              // of a cell; 0: as given
+    double jitter = 0;                      // of seeds, 0 .. 1 of their own part of the cell
+
+    // Transfer and motion
+    int splineOrder = 2;                    // 1 .. 3
+    TransferKind transfer = TransferKind::flip;
+    double picPart = 0.05;                  // of flipPic
+    bool affine = true;                     // particles bring a gradient to the grid (always with apic)
+    int advectionOrder = 3;                 // 2, 3
+    double reflection = 0;                  // 0 .. 1: see picStep.hpp
+    double positionCorrection = 0.05;       // coefficient, 0: off
+
+    double pressureTolerance = 1e-10;       // without a solver of the caller's
+
+    // Walls
+    bool noSlip = false;
+
+    // Time
+    double startTime = 0;                   // [s]
+    bool adjustTimeStep = true;
+    double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
+    double maxTimeStep = 1e30;              // [s]
+    double maxCourant = 0.5;
+
+    // Guards
+    double maxCourantEver = 5;              // a particle that went this many cells in a step stops the run
+};
+
+//- Sides of the domain, and what the faces of the grid are where they are not open water: cells' faces normal to each solved
+//  direction, in the order of UniformGrid; empty: all inner faces open, the sides of the domain closed and at rest
+struct PicWalls
+{
+    std::vector<double> aperture[3];        // 0 closed .. 1 open
+    std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
+};
+
+//- What one call of advance did
+struct PicReport
+{
+    double time = 0;                        // [s] reached
+    double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
+    std::int64_t steps = 0, totalSteps = 0;
+    std::string limit;                      // what set the last step: Courant | viscous | fixed | target | maximum
+    double maxSpeed = 0;                    // of particles [m/s]
+    double maxCourant = 0;
+    double volume = 0;                      // of water at the end [m3] (2D: m2), flying particles included
+    double volumeError = 0;                 // relative to what the particles stand for, at the end
+    double volumeDrift = 0;                 // sum of what the steps lost (-) or gained before it was put right, relative
+    std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
+    std::vector<Vector3> escaped;           // last positions of those that left in this call
+    std::vector<std::int32_t> escapedId;
+    std::int64_t pressureIterations = 0;
+    double largestResidual = 0;             // of the pressure equation at the end of a solution
+    bool pressureConverged = true;
+    StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
+    std::int32_t stopId = -1;
+    Vector3 stopPosition{{0, 0, 0}};
+    double stopValue = 0;
+};
+
+//- The grid's fields, cells x fastest over the three directions of the domain
+struct PicGridState
+{
+    std::vector<double> pressure;           // [Pa]
+    std::vector<double> velocity;           // 3 a cell [m/s]; 0 away from the water
+    std::vector<double> water;              // part of the cell, 0 .. 1
+    std::vector<double> distance;           // to the surface [m], negative in water
+};
+
+//- fluid(): smoothingLength is the edge of the cells. energy(): elastic 0. sample(): of the grid; volumeFraction 1/2 on the surface
+class PicScene : public FluidScene
+{
+public:
+
+    //- Advance to time t [s] or by maxSteps (0: no limit), whichever comes first. The last step is
+    //  shortened to end at t to round-off. Stops early when a guard fires (see PicReport::stop).
+    virtual PicReport advance(double t, std::int64_t maxSteps = 0) = 0;
+
+    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none is running, the next
+    //  returns after one step
+    virtual void interrupt() = 0;
+
+    virtual PicGridState grid() = 0;
+
+    //- Edge of the square or cube that a particle stands for [m]
+    virtual double particleSpacing() const = 0;
+
+    //- The exact state: see SphScene
+    virtual std::vector<std::int32_t> saveState() = 0;
+    virtual void loadState(const std::vector<std::int32_t>&) = 0;
+
+    virtual double estimateTimeStep(std::string& limit) = 0;
+    virtual std::vector<ArrayInfo> arrays() const = 0;
+    virtual std::vector<KernelInfo> kernels() const = 0;
+    virtual void timeKernels(bool on) = 0;
+    virtual std::string deviceName() const = 0;
+    virtual DeviceKind device() const = 0;
+};
+
+//- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our multigrid, to pressureTolerance
+//  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
+std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr);
+
+} // namespace riprap

@@ -1,0 +1,140 @@
+/*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
+    picSetup.hpp (construction), picStep.hpp (the parts of a step), picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    back) and picState.hpp (save and load).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <atomic>
+#include "core/cellSort.hpp"
+#include "core/largest.hpp"
+#include "pic/extrapolate.hpp"
+#include "pic/forces.hpp"
+#include "pic/positionCorrection.hpp"
+#include "pic/pressure/pressureStep.hpp"
+#include "pic/speed.hpp"
+#include "pic/surface/advectLevelSet.hpp"
+#include "pic/surface/fillFraction.hpp"
+#include "pic/surface/redistance.hpp"
+#include "pic/surface/waterVolume.hpp"
+#include "pic/transfer/gridToParticle.hpp"
+#include "pic/transfer/moveParticles.hpp"
+#include "pic/transfer/particleToGrid.hpp"
+#include "pic/wetCells.hpp"
+#include "scene/picScene.hpp"
+
+namespace riprap
+{
+
+//- Part of a saved state, as bytes: no pointers, no padding
+struct PicClock
+{
+    double time = 0, lastStep = 0;
+    double particleVolume = 0;              // [m^D]
+    double drift = 0;                       // of the volume, put right so far, relative
+    std::int64_t steps = 0;
+    std::int64_t initial = 0;               // particles at the very start
+};
+
+template<class Backend, int D, class P>
+class PicSolver : public PicScene
+{
+public:
+
+    using real = typename P::real;
+
+    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*);
+
+    PicReport advance(double t, std::int64_t maxSteps) override;
+    void interrupt() override { interrupted_ = true; }
+    double time() const override { return clock_.time; }
+    FluidState fluid() override;
+    PicGridState grid() override;
+    FluidEnergy energy() override;
+    double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
+    SampleResult sample(const std::vector<double>& points) override;
+    std::vector<std::int32_t> saveState() override;
+    void loadState(const std::vector<std::int32_t>&) override;
+    double estimateTimeStep(std::string& limit) override;
+    std::vector<ArrayInfo> arrays() const override;
+    std::vector<KernelInfo> kernels() const override;
+    void timeKernels(bool on) override { context_.profile.timing = on; }
+    std::string deviceName() const override;
+    DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
+
+private:
+
+    //- Layers of faces beyond the water that get a velocity: a particle's way in a step, its stencil, and a corner
+    static constexpr int extrapolationPasses = 5;
+    static constexpr double bandCells = 4;      // of phi on either side of the surface
+    static constexpr double wallMargin = 1e-3;  // of a cell: particles stay that far inside
+
+    // picSetup.hpp
+    void setGrid();
+    void setWalls(const PicWalls&);
+    void setFluid(const FluidInput&);
+    void setParticles
+    (
+        const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
+    );
+    std::vector<double> velocitiesAt
+    (
+        const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient
+    ) const;
+    std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
+
+    // picStep.hpp
+    template<class F> void withOrder(const F&);
+    PicParticles<D, real> particles();
+    PressureFields<D, real> pressureFields(double dt);
+    void sortParticles(PicReport* report = nullptr);
+    void markWater();
+    void toGrid();
+    void project(double dt);
+    void extrapolate(Array<Backend, real>* a, Array<Backend, real>* b, int passes);
+    void toParticles(double dt);
+    void moveParticles(double dt);
+    void moveSurface(double dt, PicReport&);
+    void redistance();
+    void holdVolume();
+    double waterVolume(double* sums);
+    double kick(double dt) const;
+    void step(double dt, PicReport&);
+
+    // picState.hpp
+    template<class F> void forEachSaved(const F&);
+
+    // picAdvance.hpp
+    double timeStep(std::string& limit);
+    void findOffender(PicReport&, double courant);
+
+    PicConfig config_;
+    Context<Backend> context_;
+    UniformGrid<D> grid_;
+    double gravity_[D];
+    double emptyCoordinate_ = 0;
+
+    int n_ = 0;                                 // particles in the scene
+    FieldSet<Backend> set_;
+    int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
+    CellSort<Backend> sort_;
+    Array<Backend, real> shift_[D];             // of position correction
+
+    Array<Backend, real> phi_, carried_, spare_;
+    Array<Backend, unsigned char> wet_, near_;
+    Array<Backend, real> u_[D], before_[D], change_[D], excess_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    Array<Backend, unsigned char> layer_[D];
+    Array<Backend, double> pressure_;
+    bool wallsMove_ = false;
+    PressureStep<Backend, D, real> pressureStep_;
+    MultigridLinear ownSolver_;
+    LinearSolver& linearSolver_;                // the caller's, else ownSolver_
+
+    PicClock clock_;
+    PressureReport lastPressure_;
+    double volume_ = 0, flying_ = 0;            // of water without flying particles [cells]; flying particles
+    std::atomic<bool> interrupted_{false};
+};
+
+} // namespace riprap

@@ -1,0 +1,87 @@
+/*  PicSolver: the exact state as words, so that a run continues bit for bit.
+
+    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, cells, bytes of the clock; the clock; each field of the
+    particles in the device's order; phi, p and the velocities of the faces; a checksum (FNV-1a over all words before it).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/picSolver.hpp"
+#include "scene/stateWords.hpp"
+
+namespace riprap
+{
+
+namespace detail
+{
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 1;
+static constexpr int picHeader = 9;
+}
+
+template<class Backend, int D, class P>
+template<class F>
+void PicSolver<Backend, D, P>::forEachSaved(const F& f)
+{
+    for (int k = 0; k < set_.fields(); ++k) f(set_.bytes(k), std::size_t(n_)*set_.elementBytes(k));
+    f(reinterpret_cast<unsigned char*>(phi_.data()), phi_.size()*sizeof(real));
+    f(reinterpret_cast<unsigned char*>(pressure_.data()), pressure_.size()*sizeof(double));
+    for (int d = 0; d < D; ++d) f(reinterpret_cast<unsigned char*>(u_[d].data()), u_[d].size()*sizeof(real));
+}
+
+template<class Backend, int D, class P>
+std::vector<std::int32_t> PicSolver<Backend, D, P>::saveState()
+{
+    std::vector<std::int32_t> words
+    {
+        detail::picMagic, detail::picVersion, D, int(sizeof(real)), int(Backend::gpu), n_, set_.fields(), grid_.cells(), int(sizeof(PicClock))
+    };
+    detail::appendBytes(words, &clock_, sizeof(PicClock));
+    std::vector<unsigned char> bytes;
+    forEachSaved([&](unsigned char* data, std::size_t size)
+    {
+        bytes.resize(size);
+        if (size) context_.toHost(bytes.data(), data, size);
+        detail::appendBytes(words, bytes.data(), size);
+    });
+    words.push_back(detail::checksum(words, words.size()));
+    return words;
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+{
+    const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
+    const std::size_t clockWords = (sizeof(PicClock) + 3)/4;
+    if (words.size() < detail::picHeader + clockWords + 1) fail("too short");
+    if (words[0] != detail::picMagic) fail("not a state of PIC");
+    if (words[1] != detail::picVersion) fail("version " + std::to_string(words[1]) + " is not supported");
+    if (detail::checksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
+    if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
+    if (words[3] != int(sizeof(real))) fail("it was written with another precision");
+    if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
+    if (words[6] != set_.fields()) fail("it has other fields (the transfer was changed)");
+    if (words[7] != grid_.cells()) fail("it has " + std::to_string(words[7]) + " cells, the mesh " + std::to_string(grid_.cells()));
+    if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");
+    const int n = words[5];
+    if (n < 0 || std::size_t(n) > set_.size()) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(set_.size()));
+    const int before = n_;
+    n_ = n;
+    std::size_t at = detail::picHeader + clockWords, expected = at + 1;
+    forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    if (expected != words.size()) { n_ = before; fail("wrong length"); }
+    std::memcpy(static_cast<void*>(&clock_), &words[detail::picHeader], sizeof(PicClock));
+    forEachSaved([&](unsigned char* data, std::size_t size)
+    {
+        if (size) context_.toDevice(data, &words[at], size);
+        at += (size + 3)/4;
+    });
+    sortParticles();
+    markWater();
+    double sums[3];
+    volume_ = waterVolume(sums);
+    flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+    context_.synchronise();
+}
+
+} // namespace riprap

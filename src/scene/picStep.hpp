@@ -1,0 +1,289 @@
+/*  PicSolver: the parts of a step.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/picSolver.hpp"
+
+namespace riprap
+{
+
+//- f(std::integral_constant<int, order of the splines>)
+template<class Backend, int D, class P>
+template<class F>
+void PicSolver<Backend, D, P>::withOrder(const F& f)
+{
+    if (config_.splineOrder == 1) f(std::integral_constant<int, 1>());
+    else if (config_.splineOrder == 2) f(std::integral_constant<int, 2>());
+    else f(std::integral_constant<int, 3>());
+}
+
+template<class Backend, int D, class P>
+PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
+{
+    PicParticles<D, real> p{};
+    p.count = n_;
+    for (int d = 0; d < D; ++d)
+    {
+        p.x[d] = set_.template data<double>(xField_ + d);
+        p.v[d] = set_.template data<real>(vField_ + d);
+    }
+    for (int k = 0; k < D*D; ++k) p.affine[k] = affineField_ >= 0 ? set_.template data<real>(affineField_ + k) : nullptr;
+    p.id = set_.template data<std::int32_t>(idField_);
+    p.start = sort_.start();
+    return p;
+}
+
+template<class Backend, int D, class P>
+PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(double dt)
+{
+    PressureFields<D, real> f{};
+    f.grid = grid_;
+    f.phi = phi_.data();
+    for (int d = 0; d < D; ++d)
+    {
+        f.aperture[d] = aperture_[d].data();
+        f.wallVelocity[d] = wallsMove_ ? wallVelocity_[d].data() : nullptr;
+        f.u[d] = u_[d].data();
+    }
+    f.p = pressure_.data();
+    f.timeStep = dt;
+    f.density = config_.density;
+    return f;
+}
+
+//- By cells; those that have left the block come last and are dropped
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::sortParticles(PicReport* report)
+{
+    const int before = n_;
+    forEach(context_, n_, PicCellKeys<D, real>{grid_, particles(), sort_.keys(), sort_.indices()});
+    sort_.sort(context_, n_);
+    set_.permute(context_, sort_.order(), n_);
+    context_.toHost(&n_, sort_.active(), sizeof(int));
+    if (!report || n_ == before) return;
+    const auto id = set_.template download<std::int32_t>(context_, idField_);
+    std::vector<double> x[D];
+    for (int d = 0; d < D; ++d) x[d] = set_.template download<double>(context_, xField_ + d);
+    for (int i = n_; i < before; ++i)
+    {
+        Vector3 at{{emptyCoordinate_, emptyCoordinate_, emptyCoordinate_}};
+        for (int d = 0; d < D; ++d) at[config_.axes[d]] = grid_.origin[d] + x[d][i];
+        report->escaped.push_back(at);
+        report->escapedId.push_back(id[i]);
+    }
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::markWater()
+{
+    const int cells = grid_.cells();
+    forEach(context_, cells, MarkWetCells<D, real>{pressureFields(0), wet_.data()});
+    forEach(context_, cells, MarkNearWater<D>{grid_, wet_.data(), near_.data()});
+}
+
+//- Velocities of the particles on all faces about the water
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::toGrid()
+{
+    for (int d = 0; d < D; ++d)
+    {
+        const int faces = grid_.faces(d);
+        withOrder([&](auto order)
+        {
+            forEach(context_, faces, ParticleToGrid<decltype(order)::value, D, real>
+                {grid_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data()});
+        });
+        if (grid_.periodic[d])
+        {
+            forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, before_[d].data()});
+            forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, mass_[d].data()});
+        }
+        forEach(context_, faces, MarkByMass<D, real>{mass_[d].data(), aperture_[d].data(), layer_[d].data()});
+    }
+    extrapolate(before_, nullptr, 3);
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::extrapolate(Array<Backend, real>* a, Array<Backend, real>* b, int passes)
+{
+    for (int pass = 1; pass <= passes; ++pass)
+        for (int d = 0; d < D; ++d)
+            forEach(context_, grid_.faces(d), Extrapolate<D, real>
+                {grid_, d, static_cast<unsigned char>(pass), layer_[d].data(), a[d].data(), b ? b[d].data() : nullptr});
+}
+
+//- Forces, then the pressure; the velocity and its change, extended past the surface
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::project(double dt)
+{
+    const double nu = config_.viscosity/config_.density;
+    const bool reflects = config_.reflection > 0;
+    if (reflects)
+    {
+        for (int d = 0; d < D; ++d)
+            forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
+                before_[d].data(), u_[d].data(), real(0), real(0), config_.noSlip});
+        pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+        for (int d = 0; d < D; ++d)
+            forEach(context_, grid_.faces(d), VelocityChange<real>{u_[d].data(), before_[d].data(), excess_[d].data(), nullptr, real(0)});
+    }
+    for (int d = 0; d < D; ++d)
+        forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
+            before_[d].data(), u_[d].data(), real(gravity_[d]*dt), real(nu*dt/(grid_.h*grid_.h)), config_.noSlip});
+    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    for (int d = 0; d < D; ++d)
+    {
+        forEach(context_, grid_.faces(d), VelocityChange<real>
+            {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? excess_[d].data() : nullptr, real(config_.reflection)});
+        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), d, layer_[d].data()});
+    }
+    extrapolate(u_, change_, extrapolationPasses);
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::toParticles(double dt)
+{
+    withOrder([&](auto order)
+    {
+        GridToParticle<decltype(order)::value, D, real> f{};
+        f.grid = grid_;
+        f.particles = particles();
+        for (int d = 0; d < D; ++d)
+        {
+            f.u[d] = u_[d].data();
+            f.du[d] = change_[d].data();
+            f.fall[d] = real(gravity_[d]*dt);
+        }
+        f.nearWater = near_.data();
+        f.picPart = real(config_.transfer == TransferKind::pic || config_.transfer == TransferKind::apic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
+        f.affine = affineField_ >= 0;
+        forEach(context_, n_, f);
+    });
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::moveParticles(double dt)
+{
+    const bool corrected = config_.positionCorrection > 0;
+    if (corrected)
+    {
+        CorrectPositions<D, real> f{};
+        f.grid = grid_;
+        f.particles = particles();
+        f.phi = phi_.data();
+        f.nearWater = near_.data();
+        for (int d = 0; d < D; ++d) f.shift[d] = shift_[d].data();
+        f.strength = real(config_.positionCorrection*dt);
+        f.spacing = real(particleSpacing());
+        forEach(context_, n_, f);
+    }
+    withOrder([&](auto order)
+    {
+        MoveParticles<decltype(order)::value, D, real> f{};
+        f.grid = grid_;
+        f.particles = particles();
+        for (int d = 0; d < D; ++d)
+        {
+            f.u[d] = u_[d].data();
+            f.aperture[d] = aperture_[d].data();
+            f.shift[d] = corrected ? shift_[d].data() : nullptr;
+        }
+        f.nearWater = near_.data();
+        f.timeStep = dt;
+        f.order = config_.advectionOrder;
+        f.margin = wallMargin*grid_.h;
+        forEach(context_, n_, f);
+    });
+}
+
+//- The surface goes with the water; then the particles, sorted, have their say
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
+{
+    const int cells = grid_.cells();
+    const real band = real(bandCells*grid_.h);
+    withOrder([&](auto order)
+    {
+        AdvectLevelSet<decltype(order)::value, D, real> f{};
+        f.grid = grid_;
+        for (int d = 0; d < D; ++d) f.u[d] = u_[d].data();
+        f.from = phi_.data();
+        f.to = carried_.data();
+        f.timeStep = dt;
+        f.band = band;
+        forEach(context_, cells, f);
+    });
+    sortParticles(&report);
+    forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), carried_.data(), band});
+    redistance();
+    markWater();
+}
+
+//- phi of the carried one
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::redistance()
+{
+    const int cells = grid_.cells();
+    const real band = real(bandCells*grid_.h);
+    forEach(context_, cells, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band});
+    for (int pass = 0; pass <= int(bandCells); ++pass)
+    {
+        forEach(context_, cells, SpreadDistance<D, real>{grid_, carried_.data(), phi_.data(), spare_.data(), band});
+        phi_.swap(spare_);
+    }
+}
+
+//- Volume under phi [cells]; sums: also with phi a little higher and lower
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::waterVolume(double* sums)
+{
+    const auto s = sumOver<3>(context_, grid_.cells(), WaterVolume<D, real>{grid_, phi_.data(), nullptr, 0.05*grid_.h});
+    for (int k = 0; k < 3; ++k) sums[k] = s[k];
+    return s[0];
+}
+
+//- The surface moved by what the water under it lacks
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::holdVolume()
+{
+    constexpr double largestShift = 0.1;        // of a cell, a step
+    flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+    const double particle = clock_.particleVolume/grid_.volume();
+    const double target = (n_ - flying_)*particle;
+    double sums[3];
+    volume_ = waterVolume(sums);
+    const double slope = (sums[2] - sums[1])/(0.1*grid_.h);         // dV/d(-phi)
+    if (!(slope > 0) || !(target > 0)) return;
+    clock_.drift += (volume_ - target)/target;
+    double shift = (volume_ - target)/slope;
+    shift = std::max(-largestShift*grid_.h, std::min(shift, largestShift*grid_.h));
+    if (std::abs(volume_ - target) < 1e-9*target) return;           // round-off is no loss
+    forEach(context_, grid_.cells(), ShiftSurface<D, real>{phi_.data(), real(shift), real(bandCells*grid_.h)});
+    volume_ = waterVolume(sums);
+    markWater();
+}
+
+//- Velocities stand between the times of positions (leapfrog): half a step behind the first time, then the mean of the steps on either
+//  side, so that a step that changes with the flow feeds no energy in or out of waves
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::kick(double dt) const { return clock_.steps ? 0.5*(clock_.lastStep + dt) : 0.5*dt; }
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
+{
+    project(kick(dt));
+    toParticles(kick(dt));
+    moveParticles(dt);
+    moveSurface(dt, report);
+    holdVolume();
+    clock_.time += dt;
+    clock_.lastStep = dt;
+    ++clock_.steps;
+    report.pressureIterations += lastPressure_.iterations;
+    report.largestResidual = std::max(report.largestResidual, lastPressure_.finalResidual);
+    report.pressureConverged = report.pressureConverged && lastPressure_.converged;
+}
+
+} // namespace riprap
