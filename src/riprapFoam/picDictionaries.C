@@ -74,6 +74,8 @@ static void readPicProperties(checkedDictionary pic, picSettings& settings)
      || config.transfer == riprap::TransferKind::apic;
     config.advectionOrder =
         pic.choice("advection", picNames::advection, config.advectionOrder);
+    config.reflection =
+        pic.either("reflection", "yes", "no", config.reflection > 0) ? 1 : 0;
     config.positionCorrection =
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
 

@@ -10,6 +10,20 @@
 namespace riprap
 {
 
+//- Component d of the particles' velocities at the time of their positions
+template<class Backend, int D, class P>
+std::vector<typename P::real> PicSolver<Backend, D, P>::velocities(int d)
+{
+    Array<Backend, real> now;
+    now.allocate(context_, n_);
+    withOrder([&](auto order)
+    {
+        forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
+            real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});
+    });
+    return now.download();
+}
+
 template<class Backend, int D, class P>
 FluidState PicSolver<Backend, D, P>::fluid()
 {
@@ -22,7 +36,7 @@ FluidState PicSolver<Backend, D, P>::fluid()
     for (int d = 0; d < D; ++d)
     {
         x[d] = set_.template download<double>(context_, xField_ + d);
-        const auto v = set_.template download<real>(context_, vField_ + d);
+        const std::vector<real> v = velocities(d);
         const int axis = config_.axes[d];
         for (int i = 0; i < n_; ++i)
         {
@@ -97,7 +111,7 @@ FluidEnergy PicSolver<Backend, D, P>::energy()
     const double mass = config_.density*clock_.particleVolume;
     for (int d = 0; d < D; ++d)
     {
-        const auto v = set_.template download<real>(context_, vField_ + d);
+        const std::vector<real> v = velocities(d);
         const auto x = set_.template download<double>(context_, xField_ + d);
         for (int i = 0; i < n_; ++i)
         {

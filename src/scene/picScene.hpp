@@ -38,7 +38,7 @@ struct PicConfig : FluidConfig
     double picPart = 0.05;                  // of flipPic
     bool affine = true;                     // particles bring a gradient to the grid (always with apic)
     int advectionOrder = 3;                 // 2, 3
-    double reflection = 0;                  // 0 .. 1: see picStep.hpp
+    double reflection = 1;                  // 0 .. 1: of the advection's divergence, see picStep.hpp
     double positionCorrection = 0.05;       // coefficient, 0: off
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's

@@ -30,7 +30,7 @@ namespace riprap
 //- Part of a saved state, as bytes: no pointers, no padding
 struct PicClock
 {
-    double time = 0, lastStep = 0;
+    double time = 0, lastStep = 0, lastKick = 0;
     double particleVolume = 0;              // [m^D]
     double drift = 0;                       // of the volume, put right so far, relative
     std::int64_t steps = 0;
@@ -101,6 +101,9 @@ private:
     double waterVolume(double* sums);
     double kick(double dt) const;
     void step(double dt, PicReport&);
+
+    // picOutput.hpp
+    std::vector<real> velocities(int d);
 
     // picState.hpp
     template<class F> void forEachSaved(const F&);

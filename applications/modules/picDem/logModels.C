@@ -21,6 +21,7 @@ Foam::wordList Foam::solverModules::picDem::modelsOff() const
 
     DynamicList<word> off;
     off.append("surfaceTension");
+    if (c.reflection == 0) off.append("reflection");
     if (c.positionCorrection == 0) off.append("positionCorrection");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
@@ -57,7 +58,8 @@ void Foam::solverModules::picDem::logModels() const
         Info<< ", picPart " << c.picPart;
     }
     Info<< (c.affine ? ", affine" : "") << nl;
-    logItem("advection") << picNames::advection[c.advectionOrder] << nl;
+    logItem("advection") << picNames::advection[c.advectionOrder]
+        << (c.reflection > 0 ? ", reflection" : "") << nl;
     if (c.positionCorrection > 0)
     {
         logItem("positionCorrection") << c.positionCorrection << nl;

@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "particleCloudIO.H"
 #include "particleRegions.H"
+#include "picDictionaries.H"
 #include "sphDictionaries.H"
 
 namespace Foam
@@ -45,8 +46,8 @@ static void checkDensity(const particleRegion& region, const riprap::SphConfig& 
 }
 
 
-// One after the other, numbered from 0; densities by the equation of state
-static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings& settings)
+// One after the other, numbered from 0
+static particleCloud allRegions(const List<particleRegion>& regions, scalar spacing)
 {
     particleCloud c("fluid");
     vectorField U;
@@ -58,19 +59,29 @@ static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings&
         p.append(region.pressure);
     }
 
-    setMaxVelocity(settings, c.position, U);
+    c.vectors.set("U", U);
+    c.scalars.set("p", p);
+    c.labels.set("id", labelField(identity(c.size())));
+    c.properties.add("spacing", spacing);
+    return c;
+}
+
+
+// Densities by the equation of state
+static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings& settings)
+{
+    particleCloud c(allRegions(regions, settings.config.spacing));
+    const scalarField& p = c.scalars["p"];
+
+    setMaxVelocity(settings, c.position, c.vectors["U"]);
     const riprap::SphConfig& config = settings.config;
     for (const particleRegion& region : regions) checkDensity(region, config);
 
     scalarField rho(c.size());
     forAll(rho, i) rho[i] = densityOfPressure(config, p[i]);
 
-    c.vectors.set("U", U);
-    c.scalars.set("p", p);
     c.scalars.set("rho", rho);
     c.scalars.set("h", scalarField(c.size(), config.smoothingRatio*config.spacing));
-    c.labels.set("id", labelField(identity(c.size())));
-    c.properties.add("spacing", config.spacing);
     return c;
 }
 
@@ -114,10 +125,35 @@ static void write(const Time& time, const polyMesh& mesh, const particleCloud& c
     rmDir(time.timePath()/"uniform"/"riprap", true);
     rmDir(time.timePath()/"lagrangian"/cloud.name, true);
     writeParticleCloud(mesh, cloud);
-    writeWallPoints(walls, time.path()/"VTK"/"walls.vtp");
+    Info<< "Written " << cloud.size() << " particles to " << time.timeName() << "/lagrangian/" << cloud.name;
+    if (walls.size())
+    {
+        writeWallPoints(walls, time.path()/"VTK"/"walls.vtp");
+        Info<< ", " << walls.size() << " wall points to VTK/walls.vtp";
+    }
+    Info<< nl << endl;
+}
 
-    Info<< "Written " << cloud.size() << " particles to " << time.timeName() << "/lagrangian/" << cloud.name
-        << ", " << walls.size() << " wall points to VTK/walls.vtp" << nl << endl;
+
+// A case of picDem alone: no wall points, no equation of state
+static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+{
+    const riprap::PicConfig config(readPicSettings(mesh).config);
+    const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
+    const particlePacking packing(readPacking(dict, mesh, gravity));
+    const auto bodies(wallGeometry(mesh.time()));
+    const wallPoints noWalls;
+    const List<particleRegion> regions
+    (
+        readRegions(dict, packing, {mesh, bodies.get(), noWalls, gravity, config.density})
+    );
+    reportRegions(regions, packing, config.density);
+    if (options.checkWalls)
+    {
+        FatalErrorInFunction
+            << "-checkWalls needs the walls of constant/sphProperties, which this case has not" << exit(FatalError);
+    }
+    if (!options.dryRun) write(mesh.time(), mesh, allRegions(regions, packing.spacing()), noWalls);
 }
 
 } // namespace Foam
@@ -125,6 +161,13 @@ static void write(const Time& time, const polyMesh& mesh, const particleCloud& c
 
 void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
+    const fileName constant(mesh.time().path()/mesh.time().constant());
+    if (!isFile(constant/"sphProperties") && isFile(constant/"picProperties"))
+    {
+        setFluidOfGrid(mesh, dict, options);
+        return;
+    }
+
     sphSettings settings(readSphSettings(mesh));
     riprap::SphConfig& config = settings.config;
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);

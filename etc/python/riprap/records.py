@@ -23,7 +23,7 @@ def append(scene, run, quantity, error):
         'date': datetime.date.today().isoformat(), 'scene': scene, 'run': run.name,
         'model': run.control.get('solver', 'sphDem'), 'settings': run.settings(),
         'spacing': _show(run.spacing), 'particles': _count(log['fluidParticles']),
-        'precision': log['precision'] or (run.sph or run.solid).get('precision', ''), 'device': log['device'],
+        'precision': log['precision'] or (run.sph or run.pic or run.solid).get('precision', ''), 'device': log['device'],
         'quantity': quantity, 'error': _show(error), 'wallTime': log['clockTime'] or log['executionTime'],
         'deviceTime': log['deviceTime'], 'steps': _count(log['steps']),
         'particleSteps': _show(log['particleSteps']), 'memory': _count(log['memory']),

@@ -29,7 +29,9 @@ class Run:
         self.path = os.path.abspath(path)
         self.name = name or os.path.basename(self.path)
         self.control = self.dictionary('system/controlDict')
-        self.sph = self.dictionary('constant/sphProperties')
+        onGrid = self.control.get('solver') == 'picDem'
+        self.pic = self.dictionary('constant/picProperties') if onGrid else {}
+        self.sph = {} if onGrid else self.dictionary('constant/sphProperties')
         self.solid = self.dictionary('constant/solidProperties')
         self.fluid = self.dictionary('constant/fluidProperties')
         self.particles = self.dictionary('system/setParticlesDict')
@@ -68,6 +70,11 @@ class Run:
 
     def settings(self):
         """The choices that tell one model from another, in one word each"""
+        if self.pic:
+            return ' '.join(f'{key}={entry(self.pic, path, default)}' for key, path, default in (
+                ('transfer', 'transfer', 'flip'), ('spline', 'spline', 'quadratic'), ('affine', 'affine', 'yes'),
+                ('advection', 'advection', 'RungeKutta3'), ('reflection', 'reflection', 'yes'),
+                ('perDirection', 'seeds/perDirection', '2'), ('jitter', 'seeds/jitter', '0')))
         if not self.sph:
             return ' '.join(f'{key}={entry(self.solid, path, default)}' for key, path, default in (
                 ('normal', 'contact/normal', 'hertz'), ('tangential', 'contact/tangential', 'history'),
@@ -87,7 +94,7 @@ class Run:
         plus elastic energy and the change of potential energy (dissipation included)"""
         if not hasTable(self.path, 'energy'):
             return None
-        if not self.sph:
+        if not self.sph and not self.pic:
             e = self.table('energy', 'solidEnergies.dat')['total']
             return float((e[-1] - e[0])/abs(e).max()) if abs(e).max() > 0 else 0.0
         e = self.table('energy', 'energyBalance.dat')

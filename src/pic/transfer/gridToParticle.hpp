@@ -62,4 +62,32 @@ struct GridToParticle
     }
 };
 
+//- Velocities of one direction at the time of the positions, for output: with the part of the last change that is still to come
+template<int Order, int D, class R>
+struct VelocityNow
+{
+    static constexpr const char* name = "velocityNow";
+    UniformGrid<D> grid;
+    PicParticles<D, R> particles;
+    int component;
+    const R* du;
+    const unsigned char* nearWater;
+    R part;                     // of du
+    R fall;                     // of particles that fly [m/s]
+    R* result;
+
+    HD void operator()(int i) const
+    {
+        Vec<D, double> x;
+        typename UniformGrid<D>::Index c{{0, 0, 0}};
+        for (int d = 0; d < D; ++d)
+        {
+            x.c[d] = particles.x[d][i];
+            c.c[d] = floorInt(x.c[d]/grid.h);
+        }
+        const bool water = nearWater[grid.cell(c)];
+        result[i] = particles.v[component][i] + (water ? part*sampleFace<Order>(grid, du, component, x) : fall);
+    }
+};
+
 } // namespace riprap
