@@ -88,6 +88,8 @@ Foam::scalar Foam::timePlan::nextMultiple
 
 Foam::scalar Foam::timePlan::nextWrite(const dictionary& dict) const
 {
+    // It may have been edited during the run
+    requireInterval(dict, "write");
     scalar interval = 0;
 
     if

@@ -75,6 +75,12 @@ wallMotion readMotion(const word& name, const dictionary& entries, bool ofWalls)
     if (motion.dict.found(coeffs, keyType::LITERAL))
     {
         dict.subDict(coeffs);
+        // Those of others may stand there, so that one word changes the motion
+        for (const word& other : solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
+        {
+            const word others(other + "Coeffs");
+            if (motion.dict.found(others)) dict.subDict(others);
+        }
         dict.end();
     }
     return motion;

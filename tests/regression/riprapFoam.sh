@@ -200,6 +200,60 @@ riprapFoam >log 2>&1
 says run 'Written 0.005: 800 particles'
 [[ $(grep -cE '^\(.* 0\.005\) [0-9]' 0.005/lagrangian/fluid/positions) == 800 ]] && pass midPlane || fail midPlane "written particles are not in the mid-plane"
 
+# What OpenFOAM's controls make of it: times that are there, and restarts from every format
+times() { ls -d [0-9]* | sort -g | tr '\n' ' ' | sed 's/ $//'; }
+controls()  # NAME TIMES ENTRIES
+{
+    rm -rf 0.*; control startTime 0.01; echo "sampleInterval 0.0025; $3" >>system/controlDict
+    riprapFoam >log 2>&1
+    [[ $(times) == "$2" ]] && pass "controls.$1" || fail "controls.$1" "times are $(times), not $2"
+}
+exactly()   # NAME: continued from 0.005 it writes what it wrote before
+{
+    mv 0.01 before; sed -i 's/startFrom startTime/startFrom latestTime/' system/controlDict
+    riprapFoam >log 2>&1
+    diff -r before/lagrangian 0.01/lagrangian >/dev/null && grep -q 'Continuing exactly from time 0.005' log && pass "exact.$1" || fail "exact.$1" "the continued run differs"
+    rm -r before
+}
+controls binary '0 0.005 0.01' 'writeFormat binary;'; exactly binary
+controls compressed '0 0.005 0.01' 'writeCompression on;'; exactly compressed
+[[ -s 0.01/lagrangian/fluid/U.gz ]] && pass compressed || fail compressed "U is not compressed"
+controls purge '0 0.0075 0.01' 'writeInterval 0.0025; purgeWrite 2;'
+controls timeStep '0 0.0075' 'writeControl timeStep; writeInterval 3;'
+controls writeNow '0 0.0025' 'stopAt writeNow;'
+controls noWriteNow '0' 'stopAt noWriteNow;'
+controls nextWrite '0 0.005' 'stopAt nextWrite;'
+rm -rf 0.*; control startTime 0.005; mkdir elsewhere
+(cd elsewhere && riprapFoam -case .. >../log 2>&1 && [[ -z $(ls) ]]) && [[ $(times) == '0 0.005' ]] && pass caseElsewhere || fail caseElsewhere "times are $(times)"
+rmdir elsewhere
+# Stopped: by signals, and by an edit of controlDict, which OpenFOAM takes for one when it is much younger than the file was
+stopped()   # NAME STATUS PATTERN COMMAND...
+{
+    local name=$1 expected=$2 pattern=$3 pid status; shift 3
+    rm -rf 0.*; control startTime 1000; sed -i 's/sampleInterval 0.005/sampleInterval 0.05; runTimeModifiable yes/; s/writeInterval 0.005/writeInterval 500/' system/controlDict
+    touch -d '100 seconds ago' system/controlDict
+    sph 'walls { patches (".*"); }'
+    riprapFoam >log 2>&1 & pid=$!
+    for ((i = 0; i < 300; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
+    "$@"
+    for ((i = 0; i < 300; ++i)); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+    kill -9 $pid 2>/dev/null
+    wait $pid; status=$?
+    ((status == expected)) && pass "stopped.$name" || fail "stopped.$name" "status $status"
+    says "stopped.$name.says" "$pattern"
+}
+change() { sed -i "$1" system/controlDict; }
+INT() { kill -INT $pid; }
+TERM() { kill -TERM $pid; }
+stopped INT 0 'Stopping on SIGINT: writing this time.*Written .*End' INT
+stopped TERM 0 'Stopping on SIGTERM: writing this time.*Written .*End' TERM
+stopped writeNow 0 'Written .*End' change 's/stopAt endTime/stopAt writeNow/'
+stopped noWriteNow 0 'Time = .*End' change 's/stopAt endTime/stopAt noWriteNow/'
+quiet stopped.noWriteNow.quiet 'Written'
+stopped interval 1 'Entry writeInterval is 0: it must be positive' change 's/writeInterval 500/writeInterval 0/'
+rm -rf 0.*; sph ''; control startTime 0.005
+riprapFoam >log 2>&1
+
 # Continuing: what was edited takes effect, or the log says that it does not
 cp -r 0.005 written
 again()     # COMMAND...: on the written time, then run on
