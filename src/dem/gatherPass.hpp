@@ -42,7 +42,7 @@ struct ContactGather : PairModel<Backend, D, P, Law>
             const bool touched = entry & List::touching;
             const SolidA<D, P> aj = this->solids.a[j];
             typename SolidRecords<D, P>::Words words;
-            real h[H + 1];
+            real h[H + 1] = {};
             if (touched)
             {
                 words = this->solids.words(j);
@@ -53,11 +53,7 @@ struct ContactGather : PairModel<Backend, D, P, Law>
             bool touches = r2 < reach*reach;
             if (touches)
             {
-                if (!touched)
-                {
-                    words = this->solids.words(j);
-                    for (int c = 0; c < H; ++c) h[c] = 0;
-                }
+                if (!touched) words = this->solids.words(j);
                 int mj;
                 const ContactBody<D, real> other = SolidRecords<D, P>::bodyOf(aj, words, mj);
                 touches = contact(e, this->pairOf(mi, mj), self, other, dx, r2, dt, h, force, moment);
