@@ -18,6 +18,9 @@
 namespace riprap
 {
 
+//- Fills that differ less than this from an empty or a full cell are taken for one
+static constexpr double wholeCell = 0.04;
+
 //- Parts of cells that boxes of edge `spacing` about the points fill, 0 .. 1; positions above the block's corner, D a point
 template<int D>
 std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<double>& x, double spacing)
@@ -51,9 +54,9 @@ std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<doubl
     }
     for (double& f : fill)
     {
-        f = std::min(f, 1.0);
-        if (f > 1 - 1e-6) f = 1;        // sums of boxes that tile a cell
-        if (f < 1e-6) f = 0;
+        // a lattice that was stretched to fit has slits, which are no surface
+        if (f > 1 - wholeCell) f = 1;
+        if (f < wholeCell) f = 0;
     }
     return fill;
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "geometryWalls.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -26,6 +27,12 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     grid_(mesh, asRead_.config),
     pressure_(runTime, "p", mesh.solverDict("p"))
 {
+    if (wallGeometry(runTime).valid())
+    {
+        FatalErrorInFunction
+            << "constant/geometry has obstacles, and picDem knows the mesh's"
+            << " patches only: take the folder away" << exit(FatalError);
+    }
     checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
