@@ -10,6 +10,7 @@
 #include "scene/demLists.hpp"
 #include "scene/demAdvance.hpp"
 #include "scene/demOutput.hpp"
+#include "scene/demSleep.hpp"
 #include "scene/demState.hpp"
 #include "scene/demInstances.hpp"
 
