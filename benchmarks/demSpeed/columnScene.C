@@ -93,6 +93,17 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
             w.normal[d] = 1;
             in.walls.push_back(w);
         }
+    if (o.held)
+    {
+        double front = 0;
+        for (std::size_t i = 0; i < each; ++i) front = std::max(front, x[3*i] + radius[i]);
+        DemWall w;
+        w.plane = true;
+        w.name = "front";
+        w.point = Vector3{{front, 0, 0}};
+        w.normal = Vector3{{-1, 0, 0}};
+        in.walls.push_back(w);
+    }
     in.walls[0].name = "floor";
     in.walls[1].name = "back";
 }

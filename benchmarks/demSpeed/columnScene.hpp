@@ -18,6 +18,7 @@ struct ColumnOptions
     bool rolling = false;       // elastic-plastic rolling friction as well
     double sizeRatio = 1;       // radii between r/ratio and r, evenly by logarithm
     bool triangles = false;     // walls of triangles instead of planes
+    bool held = false;          // a wall before the bed: it stays as it is
 };
 
 //- A block of side^3 spheres on a cubic lattice, each bonded to its six neighbours (parallel bonds, no breakage), that is let go where it

@@ -1,11 +1,12 @@
 /*  demSpeed: particle-steps a second of the collapse of a granular column, or of a block of bonded particles (columnScene.hpp), rebuilds
     included.
 
-        demSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--steps N] [--copies N] [--rolling] [--ratio R] [--triangles]
-                 [--bonded SIDE] [--skin S] [--bed FILE] [--profile]
+        demSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--steps N] [--warmUp N] [--copies N] [--rolling] [--ratio R] [--triangles]
+                 [--bonded SIDE] [--held] [--sleep SPEED] [--skin S] [--bed FILE] [--profile]
 
     Prints a line a run: time by the clock and by the processor, kinetic energy and contacts a particle at the end. 1200 steps are
-    24 ms: LAMMPS has 0.1960 J a bed then, LIGGGHTS 0.1938 J. A second line says what a step must move of a particle at the least, by
+    24 ms: LAMMPS has 0.1960 J a bed then, LIGGGHTS 0.1938 J. --held keeps the bed at rest by a wall, --sleep lets who is slower sleep after
+    5 ms: begin the timing after that with --warmUp. A second line says what a step must move of a particle at the least, by
     count, each array once (records, forces of bonds, lists, histories of what touches), and which share of the machine's measured
     bandwidth (triad) the run reaches by that count.
 
@@ -72,11 +73,14 @@ Options read(int argc, char** argv)
             o.config.precision = v == "mixed" ? PrecisionKind::mixed : PrecisionKind::doubled;
         }
         else if (a == "--steps") o.steps = std::stoll(value());
+        else if (a == "--warmUp") o.warmUp = std::stoll(value());
         else if (a == "--copies") o.column.copies = std::stoi(value());
         else if (a == "--ratio") o.column.sizeRatio = std::stod(value());
         else if (a == "--skin") o.config.skin = std::stod(value());
         else if (a == "--bed") o.bed = value();
         else if (a == "--bonded") o.bonded = std::stoi(value());
+        else if (a == "--held") o.column.held = true;
+        else if (a == "--sleep") { o.config.sleepSpeed = std::stod(value()); o.config.sleepAfter = 5e-3; }
         else if (a == "--rolling") o.column.rolling = true;
         else if (a == "--triangles") o.column.triangles = true;
         else if (a == "--profile") o.profile = true;
@@ -91,6 +95,7 @@ int run(const Options& o)
     DemInput in;
     const auto began = std::chrono::steady_clock::now();
     const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
+    if (o.steps <= o.warmUp) throw std::invalid_argument("--steps must be more than those of --warmUp");
     if (o.bonded) bondedScene(o.bonded, config, in);
     else columnScene(o.bed, o.column, config, in);
     const std::size_t n = in.particles.size(), bonds = in.bonds.size();
@@ -118,6 +123,7 @@ int run(const Options& o)
     const double moved = bytesMoved(o, gpu, listed, contacts, double(bonds)/double(n));
     const double triad = gpu ? triadBandwidth(Gpu()) : triadBandwidth(Cpu());
     std::printf("    %.4g bytes a particle-step, %.3g of a triad of %.4g bytes/s; ", moved, moved*work/wall/triad, triad);
+    if (config.sleepSpeed > 0) std::printf("%zu asleep; ", r.asleep);
     if (bonds) std::printf("%zu bonds, %.4g bond-steps/s; ", bonds, double(bonds)*double(r.steps)/wall);
     std::printf("seeded in %.3g s, made in %.3g s\n", seeded, made);
     if (o.profile)

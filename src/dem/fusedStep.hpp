@@ -36,10 +36,12 @@ struct FusedStep
     const real* wallForce;
     BondTable bonds;
     const BondForce<D, real>* bondForce;
+    bool sleeping;                  // may anyone be asleep?
 
     HD void operator()(int i) const
     {
         if (!begins(i) || i >= *contacts.active) return;
+        if (sleeping && (state.own[i].flags & Own::asleep)) return;
         int material;
         const Vec<D, position> high = state.from.position(i);
         const ContactBody<D, real> self = state.from.body(i, material);

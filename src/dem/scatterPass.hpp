@@ -32,9 +32,50 @@ struct DeferredForces
     std::vector<unsigned char> acts;
     std::vector<int> firstOf, slotOf;   // slots that a particle collects
 
+    //- Entries of a block that are looked at, and the first slot among them; without sleepers it is all of them
+    struct Range { int begin, end, slot; };
+    std::vector<Range> range;
+    std::vector<int> firstRange;        // of each block
+
     int begin(int block) const { return int((long long)n*block/blocks); }
 
-    //- After a rebuild: `last(i)` calls back with each entry of particle i
+    //- After a rebuild, and when someone fell asleep or woke: leave out entries between those that sleep
+    template<class List, class Asleep>
+    void setRanges(const List& list, bool anyAsleep, const Asleep& asleep)
+    {
+        range.clear();
+        firstRange.assign(1, 0);
+        for (int b = 0; b < blocks && !anyAsleep; ++b)
+        {
+            range.push_back(Range{list.base[begin(b)], list.base[begin(b + 1)], firstSlot[b]});
+            firstRange.push_back(b + 1);
+        }
+        if (!anyAsleep) return;
+        for (int b = 0; b < blocks; ++b)
+        {
+            int slot = firstSlot[b];
+            bool open = false;
+            for (int i = begin(b), last = begin(b + 1); i < last; ++i)
+            {
+                const int first = list.base[i], end = first + list.count[i];
+                bool idle = asleep(i);
+                int crossing = 0;
+                for (int e = first; e < end && (idle || blocks > 1); ++e)
+                {
+                    const int j = List::other(list.entry[e]);
+                    idle = idle && asleep(j);
+                    crossing += j >= last;
+                }
+                if (!idle && open) range.back().end = end;
+                else if (!idle) range.push_back(Range{first, end, slot});
+                open = !idle;
+                slot += blocks > 1 ? crossing : 0;
+            }
+            firstRange.push_back(int(range.size()));
+        }
+    }
+
+    //- After a rebuild
     template<class List>
     void set(int particles, const List& list)
     {
@@ -101,13 +142,16 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
         for (std::size_t k = std::size_t(begin)*words; k < std::size_t(end)*words; ++k) sums[k] = 0;
         for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k) deferred->acts[k] = 0;
         Batch batch;
-        batch.next = this->list.base[begin];
-        batch.nextSlot = deferred->firstSlot[block];
-        const int last = this->list.base[end];
-        while (batch.next < last)
+        for (int r = deferred->firstRange[block]; r < deferred->firstRange[block + 1]; ++r)
         {
-            collect(batch, last, blockEnd);
-            for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
+            const auto& range = deferred->range[r];
+            batch.next = range.begin;
+            batch.nextSlot = range.slot;
+            while (batch.next < range.end)
+            {
+                collect(batch, range.end, blockEnd);
+                for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
+            }
         }
     }
 
@@ -330,7 +374,7 @@ struct CollectForces
 
     void operator()(int i) const
     {
-        if (!clock->active || i >= *active) return;
+        if (!clock->active || i >= *active || fields.asleep(i)) return;
         real total[words];
         for (int k = 0; k < words; ++k) total[k] = sums[std::size_t(i)*words + k];
         for (int s = deferred->firstOf[i]; s < deferred->firstOf[i + 1]; ++s)

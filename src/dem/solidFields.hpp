@@ -11,6 +11,9 @@
 namespace riprap
 {
 
+//- From this count of calm checks on a particle sleeps
+static constexpr std::int32_t asleepFrom = 1 << 20;
+
 template<int D, class P>
 struct SolidFields
 {
@@ -30,6 +33,9 @@ struct SolidFields
     std::int32_t* clump;        // null: there are none
     real* turn[D == 2 ? 1 : 4]; // orientation: angle, or quaternion (w, x, y, z); null: not followed
     std::int32_t* id;
+    std::int32_t* calm;         // checks at rest in a row; null: nobody sleeps
+
+    HD bool asleep(int i) const { return calm && calm[i] >= asleepFrom; }
 
     HD Vec<D, std::int64_t> position(int i) const
     {

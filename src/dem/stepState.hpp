@@ -27,7 +27,7 @@ struct alignas(16) OwnWords
     R inverseInertia;
     std::int32_t group, id, flags;
 
-    static constexpr std::int32_t nearWall = 1, bonded = 2;
+    static constexpr std::int32_t nearWall = 1, bonded = 2, asleep = 4;
 };
 
 template<int D, class P>
@@ -86,7 +86,16 @@ struct OpenSteps
         const std::int32_t id = fields.id[i];
         const bool wall = wallFirst && wallFirst[i + 1] > wallFirst[i], bond = bondFirst && bondFirst[id + 1] > bondFirst[id];
         using Own = OwnWords<typename P::real>;
-        state.own[i] = Own{fields.inverseInertia[i], fields.group[i], id, (wall ? Own::nearWall : 0) | (bond ? Own::bonded : 0)};
+        const bool asleep = fields.asleep(i);
+        state.own[i] = Own
+        {
+            fields.inverseInertia[i], fields.group[i], id,
+            (wall ? Own::nearWall : 0) | (bond ? Own::bonded : 0) | (asleep ? Own::asleep : 0)
+        };
+        if (!asleep) return;
+        int material;
+        const auto q = state.from.body(i, material);
+        state.to.store(i, state.from.position(i), q, material);
     }
 };
 

@@ -67,6 +67,22 @@ static void readTimeIntegration
 }
 
 
+static void readSleep(checkedDictionary& solids, riprap::DemConfig& config)
+{
+    checkedDictionary dict(solids.subDict("sleep"));
+    config.sleepSpeed = dict.notNegative("speed", config.sleepSpeed);
+    config.sleepAfter = dict.notNegative("after", config.sleepAfter);
+    if (config.sleepAfter > 0 && !(config.sleepSpeed > 0))
+    {
+        FatalIOErrorInFunction(solids.subDict("sleep"))
+            << "Entry after is the time after which solids sleep that are"
+            << " slower than speed, which is missing or 0; valid is a positive"
+            << " speed" << exit(FatalIOError);
+    }
+    dict.end();
+}
+
+
 static void readGuards(checkedDictionary& solids, escapeGuard& guards)
 {
     checkedDictionary dict(solids.subDict("guards"));
@@ -137,6 +153,7 @@ void Foam::readSolidProperties(const dictionary& all, demSettings& settings)
     readSolidBonds(solids, settings);
     readSolidWalls(solids, settings);
     readTimeIntegration(solids, config);
+    readSleep(solids, config);
     readGuards(solids, settings.guards);
 
     solids.end();

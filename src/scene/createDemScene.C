@@ -38,6 +38,8 @@ void checkConfig(const DemConfig& c)
     require(c.rolling == RollingKind::none || c.tangential != TangentialKind::none,
         "rolling friction needs friction: with tangential none bodies slide, and nothing makes them roll");
     require(c.timeStep >= 0 && std::isfinite(c.timeStep), "the time step must not be negative");
+    require(c.sleepSpeed >= 0 && std::isfinite(c.sleepSpeed) && c.sleepAfter >= 0 && std::isfinite(c.sleepAfter),
+        "the speed below which particles sleep, and the time before they do, must not be negative");
     require(c.stepFraction > 0, "the fraction of the critical step must be positive");
     for (int d = 0; d < c.dimensions; ++d)
     {

@@ -24,12 +24,31 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
     if (fuses()) return runFused(rebuilds);
     while (!finished())
     {
-        if (host_.needRebuild) { rebuild(); ++rebuilds; readClock(); }
+        if (host_.needRebuild)
+        {
+            rebuild();
+            ++rebuilds;
+            readClock();
+            if (sleeps()) checkSleep(false);
+        }
         if (host_.needWindow || host_.time >= host_.windowEnd) { setWindow(); writeClock(); }
         const std::int64_t before = host_.step;
-        if constexpr (!Backend::gpu) do step(); while (clock_.data()->active && !interrupted_);
-        else for (int k = 0; k < stepsPerBatch_; ++k) step();
+        if constexpr (!Backend::gpu)
+        {
+            do
+            {
+                step();
+                if (sleeps() && clock_.data()->active && clock_.data()->step % stepsPerCheck == 0) checkSleep(false);
+            }
+            while (clock_.data()->active && !interrupted_);
+        }
+        else
+        {
+            const int batch = sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_;
+            for (int k = 0; k < batch; ++k) step();
+        }
         readClock();
+        if (Backend::gpu && sleeps() && host_.step > before && host_.step % stepsPerCheck == 0) checkSleep(false);
         if constexpr (Backend::gpu)
         {
             // as many steps as the last neighbours lasted: those beyond switch themselves off
@@ -60,13 +79,20 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t before)
 {
-    if (host_.needRebuild && host_.halt == DemHalt::none) { rebuild(); ++report.rebuilds; readClock(); }
+    if (host_.needRebuild && host_.halt == DemHalt::none)
+    {
+        rebuild();
+        ++report.rebuilds;
+        readClock();
+        if (sleeps()) checkSleep(false);
+    }
     report.time = host_.time;
     report.lastTimeStep = host_.dt;
     report.steps = host_.step - before;
     report.totalSteps = host_.step;
     report.maxSpeed = largestSpeed();
     report.brokenBonds = brokenBonds();
+    report.asleep = sleeps() ? asleepNow() : 0;
     collectEscaped(report);
     if (host_.halt != DemHalt::none) findOffender(report);
 }

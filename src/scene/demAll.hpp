@@ -11,6 +11,7 @@
 #include "scene/demAdvance.hpp"
 #include "scene/demCoupling.hpp"
 #include "scene/demOutput.hpp"
+#include "scene/demSleep.hpp"
 #include "scene/demState.hpp"
 #include "scene/demInstances.hpp"
 

@@ -84,6 +84,7 @@ void DemSolver<Backend, D, P>::fusedStep()
         step.wallForce = wallMemory_.force.data();
         step.bonds = bondTable();
         step.bondForce = bondForce_.data();
+        step.sleeping = sleeps();
         forEach(context_, n_, step);
         if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data() + 1 - parts_.current));
         parts_.current = 1 - parts_.current;
@@ -152,6 +153,7 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         forEach(context_, n_, mover());
         readClock();
         openSteps();
+        if (sleeps()) checkSleep(true);
         while (!finished())
         {
             if (host_.needRebuild)
@@ -162,18 +164,25 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
                 parts_.moved = false;
                 ++rebuilds;
                 openSteps();
+                if (sleeps()) checkSleep(true);
             }
             if (host_.needWindow || host_.time >= host_.windowEnd) setWindow();
             host_.needRebuild = 0;
             const std::int64_t before = host_.step;
             const int begin = parts_.current;
             const double left = std::min(double(host_.lastStep - host_.step), std::ceil((host_.target - host_.time)/host_.fullDt) + 1);
-            const int batch = int(std::min<double>(stepsPerBatch_, left));
+            const int most = sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_;
+            const int batch = int(std::min<double>(most, left));
             writeClock();
             fusedSteps(batch);
             readClock(parts_.current);
             const int taken = int(host_.step - before);
             parts_.current = (begin + taken) % 2;
+            if (sleeps())
+            {
+                if (taken && host_.step % stepsPerCheck == 0) checkSleep(true);
+                continue;
+            }
             if (taken == stepsPerBatch_ && !host_.needRebuild) stepsPerBatch_ = std::min(windowSteps, stepsPerBatch_ + 8);
             else if (host_.needRebuild && taken + 8 < stepsPerBatch_) stepsPerBatch_ = std::max(8, (taken + 8)/8*8);
         }

@@ -200,6 +200,20 @@ void DemSolver<Backend, D, P>::blockContacts()
         parts_.sums.allocate(context_, std::size_t(n_)*DeferredForces<D, real>::width);
         // of those in the scene: a scene that is continued without those that left must cut alike
         parts_.deferred.set(activeSolids(), list_.view());
+        setRanges();
+    }
+#endif
+}
+
+//- On the CPU: entries between sleepers are passed over
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setRanges()
+{
+#ifndef __CUDACC__
+    if constexpr (!Backend::gpu)
+    {
+        const SolidFields<D, P> f = fields();
+        parts_.deferred.setRanges(list_.view(), sleeps(), [&](int i) { return f.asleep(i); });
     }
 #endif
 }

@@ -64,6 +64,7 @@ DemState DemSolver<Backend, D, P>::particles()
     s.clump = clumpField_ < 0 ? std::vector<std::int32_t>(n, -1) : field<std::int32_t>(clumpField_);
     for (auto* v : {&s.material, &s.group, &s.clump}) v->resize(n);
     const std::vector<real> external = external_.download();
+    const auto calm = calmField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(calmField_);
     // leapfrog keeps velocities of half a step ago: forces are of now
     const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
     for (int i = 0; i < n; ++i)
@@ -72,7 +73,7 @@ DemState DemSolver<Backend, D, P>::particles()
         s.radius.push_back(double(radius[i]));
         s.mass.push_back(double(mass[i]));
         const DemGroup& g = input_.groups[s.group[i]];
-        const bool kicked = g.motion < 0 && s.clump[i] < 0;
+        const bool asleep = !calm.empty() && calm[i] >= asleepFrom, kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
         const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
         for (int d = 0; d < D; ++d)
         {
@@ -360,6 +361,7 @@ void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& forc
         if (!moment.empty())
             for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? spinSign()*moment[at + config_.axes[2]] : moment[at + c]);
     }
+    if (sleeps()) wakeChanged(external_.download(), all);
     external_.upload(context_, all);
 }
 

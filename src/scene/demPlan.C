@@ -180,7 +180,8 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     plan.timeStep = c.timeStep > 0 ? c.timeStep : c.stepFraction*least;
     if (c.timeStep > 0) plan.cause = "given";
 
-    // state, records, sorting; lists at both ends with histories, twice (before and after a rebuild)
+    // state twice (for sorting), records, cells; half lists with histories twice (before and after a rebuild). A GPU keeps full lists once,
+    // and what touches beside them; about as much
     const std::size_t real = c.precision == PrecisionKind::mixed ? 4 : 8, D = c.dimensions, S = D == 2 ? 1 : 3;
     const std::size_t histories = (c.normal == NormalKind::incremental) + (c.tangential == TangentialKind::history ? S : 0)
       + (c.rolling == RollingKind::spring ? S : 0), neighbours = D == 2 ? 7 : 16;

@@ -52,6 +52,11 @@ struct DemConfig
     // Neighbours: what the search adds to contact, as a fraction of the smallest diameter; < 0: chosen by the scene
     double skin = -1;
 
+    // Particles that have been slower than this (their surfaces, too) for so long, with all their neighbours, sleep until
+    // something near them moves; 0: nobody sleeps
+    double sleepSpeed = 0;                  // [m/s]
+    double sleepAfter = 0;                  // [s]
+
     bool orientation = false;               // follow how particles have turned (output)
 };
 
@@ -189,6 +194,7 @@ struct DemReport
     double maxSpeed = 0;                    // [m/s] in the last step
     std::size_t particles = 0;              // still in the scene
     std::size_t brokenBonds = 0;            // in all
+    std::size_t asleep = 0;                 // now
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
     DemStop stop = DemStop::none;           // then: which particle, where, how much, in words

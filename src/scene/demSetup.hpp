@@ -174,6 +174,7 @@ void DemSolver<Backend, D, P>::setFields()
         turnField_ = fields_.fields();
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k) fields_.template add<real>("orientation." + std::to_string(k));
     }
+    if (sleeps()) calmField_ = fields_.template add<std::int32_t>("calm");
     idField_ = fields_.template add<std::int32_t>("key");
     fields_.allocate(context_, n_);
     records_.allocate(context_, n_);
@@ -181,6 +182,11 @@ void DemSolver<Backend, D, P>::setFields()
     sort_.allocate(context_, n_, classes_.cells());
     inverse_.allocate(context_, n_);
     slotOf_.allocate(context_, n_);
+    if (sleeps())
+    {
+        wakes_.allocate(context_, n_);
+        waits_.allocate(context_, n_);
+    }
 
     for (int d = 0; d < D; ++d)
         uploadField<std::int64_t>(xField_ + d, [&](int i) { return box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]); });

@@ -1,5 +1,6 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction),
-    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is read back)
+    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
+    read back)
     and demState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -14,6 +15,7 @@
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
 #include "dem/scatterPass.hpp"
+#include "dem/motion/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
 #include "scene/demFamilies.hpp"
@@ -174,6 +176,15 @@ private:
     void writeWalls(bool fresh, int elements);
     void buildWalls(bool fresh);
     void blockContacts();
+    void setRanges();
+
+    // demSleep.hpp
+    bool sleeps() const { return config_.sleepSpeed > 0; }
+    SleepState<D, P> sleepState(bool fused);
+    void takeHistories(const SleepState<D, P>&);
+    void checkSleep(bool fused);
+    void wakeChanged(const std::vector<real>& before, const std::vector<real>& after);
+    std::size_t asleepNow();
 
     // demState.hpp
     std::vector<int> keptBonds();
@@ -236,7 +247,7 @@ private:
     std::vector<std::int32_t> ids_;         // of keys
     FieldSet<Backend> fields_;
     int xField_ = 0, vField_ = 0, wField_ = 0, fField_ = 0, mField_ = 0, radiusField_ = 0, massField_ = 0, inertiaField_ = 0;
-    int materialField_ = 0, groupField_ = 0, clumpField_ = -1, turnField_ = -1, idField_ = 0;
+    int materialField_ = 0, groupField_ = 0, clumpField_ = -1, turnField_ = -1, idField_ = 0, calmField_ = -1;
     SolidRecordMemory<Backend, D, P> records_;
     Array<Backend, position> reference_;
     CellSort<Backend> sort_;
@@ -279,6 +290,8 @@ private:
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     DemParts<Backend, D, P> parts_;
     int stepsPerBatch_ = 16;
+    static constexpr int stepsPerCheck = 8;         // of who sleeps and wakes
+    Array<Backend, std::int32_t> wakes_, waits_;
     std::atomic<bool> interrupted_{false};
 };
 

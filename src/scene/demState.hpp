@@ -168,7 +168,12 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     append(&search, sizeof(search));
     const auto key = field<std::int32_t>(idField_);
     for (int i = 0; i < n; ++i) words.push_back(ids_[key[i]]);
-    for (int f = 0; f < fields_.fields(); ++f) write(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+    for (int f = 0; f < fields_.fields(); ++f)
+    {
+        // keys count particles of this scene alone
+        if (f == idField_) words.resize(words.size() + n, 0);
+        else write(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+    }
     forEachBondMemory(kept, [&](auto& array, int numbers)
     {
         const auto all = array.download();

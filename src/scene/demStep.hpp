@@ -31,6 +31,7 @@ SolidFields<D, P> DemSolver<Backend, D, P>::fields()
     s.group = fields_.template data<std::int32_t>(groupField_);
     s.clump = clumpField_ < 0 ? nullptr : fields_.template data<std::int32_t>(clumpField_);
     s.id = fields_.template data<std::int32_t>(idField_);
+    s.calm = calmField_ < 0 ? nullptr : fields_.template data<std::int32_t>(calmField_);
     if (turnField_ >= 0)
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k) s.turn[k] = fields_.template data<real>(turnField_ + k);
     return s;
@@ -183,6 +184,7 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
     pass.gap = gaps_.data();
     pass.materials = int(input_.materials.size());
     pass.clock = forceClock(turn);
+    pass.skipsAsleep = !Backend::gpu;
     int near = n_;
     if constexpr (Backend::gpu)
     {
@@ -222,7 +224,7 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
     if (nBonds_)
     {
         bondPass(turn);
-        forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active()});
+        forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active(), !Backend::gpu});
     }
     if (nClumps_)
         forEach(context_, nClumps_, GatherClumps<D, P>

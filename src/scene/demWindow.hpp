@@ -19,10 +19,12 @@ namespace detail
 template<std::size_t N, class Numbers>
 struct BoundedMotion
 {
-    Numbers numbers;            // of a time
+    Numbers given;              // of a time
     double begin, end;
 
     using Row = std::array<double, N>;
+
+    Row numbers(double t) const { return given(std::max(begin, std::min(t, end))); }
 
     //- a p + b q + c r
     static Row sum(double a, const Row& p, double b, const Row& q, double c, const Row& r)
@@ -66,8 +68,8 @@ void DemSolver<Backend, D, P>::setWindow()
     const double dt = host_.fullDt;
     windowStep_ = 0.5*dt;
     windowBegin_ = host_.time;
-    // at the start there is no target yet; one that is a hair away would leave nothing to take differences of
-    const double target = std::max(host_.target > host_.time ? host_.target : host_.time + dt, host_.time + 0.1*dt);
+    // at the start there is no target yet
+    const double target = host_.target > host_.time ? host_.target : host_.time + dt;
     // a step may end half its length beyond the window
     const double end = std::min(host_.time + (windowSteps + 1)*dt, target);
     host_.windowEnd = std::min(host_.time + windowSteps*dt, target);

@@ -97,7 +97,7 @@ fill "bar { $glass group bar; source box; box (0.1 0.05 0) (0.16 0.06 0.01); } l
 pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; velocity (0.1 0 0); }" 'bonds ( bar { type cement; groups (bar); gapTolerance 1e-6; } );'
 riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
 says models 'contact +normal hertz, tangential history, rolling none, within bonds: no'
-says off 'off +\(rolling clumps movingWalls movingGroups orientation\)'
+says off 'off +\(rolling clumps movingWalls movingGroups orientation sleep\)'
 says unused 'not used +\(stiffness\)'
 for field in U omega radius mass material group force contacts brokenBonds origId
 do
@@ -286,6 +286,9 @@ properties_ tangential 'tangential has the unknown word all; valid are .*none hi
 properties_ rolling 'rolling has the unknown word all; valid are .*none constantTorque spring' "$m $p $w contact { rolling all; }"
 properties_ rollingSlides 'rolling friction needs friction' "$m $w contact { tangential none; rolling spring; } pairs { default { restitution 1; rollingFriction 0.1; } }"
 properties_ rollingFriction "rollingFriction.*solidProperties" "$m $p $w contact { rolling spring; }"
+properties_ sleepSpeed 'Entry speed is -1' "$m $p $w sleep { speed -1; }"
+properties_ sleepAfter 'Entry after is the time' "$m $p $w sleep { after 0.1; }"
+properties_ sleepEntry 'Unknown entry long' "$m $p $w sleep { speed 1e-3; long 1; }"
 properties_ fixed 'fixed has the unknown word w; valid are .*x y z spin' "$m $p $w groups { a { fixed (w); } }"
 properties_ damping 'Entry localDamping is 2: it must be from 0 to 1' "$m $p $w groups { a { localDamping 2; } }"
 properties_ bondE 'Entry E is -1' "$m $p $w bonds { a { calibration moduli; E -1; G 1; } }"

@@ -123,7 +123,6 @@ TEST_P(DemImpact, RollingFrictionOfAnyFriction)
                 p.friction = 0.8;
                 p.restitution = 0.3;
                 p.rollingFriction = mu;
-                p.rollingDamping = 0.5;
                 in.walls.push_back(planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
                 addParticle(in, {{-0.3, -0.19 - 0.01*9.81/1e4, 0}}, {{0.5, 0, 0}});
                 in.particles.spin[2] = -0.5/0.01;

@@ -29,6 +29,7 @@ Foam::wordList Foam::solverModules::dem::modelsOff() const
     if (movingWalls_.size() == 0) off.append("movingWalls");
     if (movingGroups_.size() == 0) off.append("movingGroups");
     if (!c.orientation) off.append("orientation");
+    if (!(c.sleepSpeed > 0)) off.append("sleep");
     return wordList(off);
 }
 
@@ -227,6 +228,11 @@ void Foam::solverModules::dem::logModels() const
 
     logTimeStep();
 
+    if (c.sleepSpeed > 0)
+    {
+        logItem("sleep") << "slower than " << c.sleepSpeed << " m/s for "
+            << c.sleepAfter << " s" << nl;
+    }
     logItem("guards") << "escape "
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;

@@ -20,6 +20,10 @@ void Foam::solverModules::dem::report()
         << scene_->plan().cause.c_str() << nl
         << "max(mag(U)) = " << report_.maxSpeed << " m/s, neighbour lists = "
         << report_.rebuilds;
+    if (settings_.config.sleepSpeed > 0)
+    {
+        Info<< ", asleep = " << int64_t(report_.asleep);
+    }
     if (input_.bonds.size())
     {
         Info<< ", broken bonds = "

@@ -97,6 +97,7 @@ struct MoveSolids : SolidMotion<D, P>
         const DemClockData& t = *this->clock;
         if (!t.active || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
+        if (s.asleep(i)) return;
         Vec<D, std::int64_t> x = s.position(i);
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
@@ -193,7 +194,7 @@ struct FinishVerlet : SolidMotion<D, P>
     {
         if (!this->clock->active || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
-        if ((clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
+        if (s.asleep(i) || (clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
         this->kick(i, v, w, real(0.5*this->clock->dt));
@@ -219,7 +220,7 @@ struct SumEnergies : SolidMotion<D, P>
         const GroupData<D, real>& group = this->groups[s.group[i]];
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
-        if (group.motion < 0) this->kick(i, v, w, half);
+        if (group.motion < 0 && !s.asleep(i)) this->kick(i, v, w, half);
         const double mass = double(s.mass[i]);
         sums[0] += 0.5*mass*squaredNorm(v);
         sums[1] += 0.5/double(s.inverseInertia[i])*double(squaredNorm(w));

@@ -58,12 +58,13 @@ struct WallPass : WallSearch<D, P>
     ForceClock clock;
     const int* listed;          // those that are near walls; null: the kernel runs over all
     StepState<D, P> state;      // of fused steps, which add up the forces themselves
+    bool skipsAsleep;           // sums that forces are added to are those of when it fell asleep
 
     HD void operator()(int k) const
     {
         if (!clock.active()) return;
         const int i = listed ? listed[k] : k;
-        if (i >= *this->active) return;
+        if (i >= *this->active || (skipsAsleep && this->fields.asleep(i))) return;
         const int first = memory.entryFirst[i], last = memory.entryFirst[i + 1];
         if (first == last) return;
         int material;
