@@ -7,24 +7,12 @@
 #include "pic/pressure/pressureStep.hpp"
 #include "pic/shapes/shapes.hpp"
 #include "pressureSolver.H"
-#include "IStringStream.H"
+#include "testTime.H"
 
 namespace
 {
 
 using namespace Foam;
-
-dictionary entries(const std::string& text) { return dictionary(IStringStream(text)()); }
-
-const Time& testTime()
-{
-    static Time time
-    (
-        entries("startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1; writeControl timeStep; writeInterval 1;"),
-        ".", "freeBodyCase", "system", "constant", false
-    );
-    return time;
-}
 
 std::string coupled(double tolerance, const char* more = "")
 {

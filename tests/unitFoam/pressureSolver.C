@@ -6,24 +6,12 @@
 #include <gtest/gtest.h>
 #include "pic/pressure/pressureStep.hpp"
 #include "pressureSolver.H"
-#include "IStringStream.H"
+#include "testTime.H"
 
 namespace
 {
 
 using namespace Foam;
-
-dictionary entries(const char* text) { return dictionary(IStringStream(text)()); }
-
-const Time& testTime()
-{
-    static Time time
-    (
-        entries("startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1; writeControl timeStep; writeInterval 1;"),
-        ".", "unitTestsFoamCase", "system", "constant", false
-    );
-    return time;
-}
 
 //- A tank with a sloping surface, a pillar, a drop of one cell and a closed pocket, driven by velocities of any kind
 template<int D>
