@@ -47,6 +47,7 @@ std::unique_ptr<SphScene> createSphDemScene
     checkVolumes(solids);
     require(!solids.coupling.xsph || config.xsph > 0, "XSPH between fluid and solids needs XSPH in the fluid");
     require(!solids.coupling.antiClump || config.antiClump > 0, "the anti-clump term between fluid and solids needs that of the fluid");
+    require(!(solids.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
     SphConfig here(config);
     here.device = chooseDevice(config.device, fluid.size(), config.dimensions).device;
     SolidPart part;
