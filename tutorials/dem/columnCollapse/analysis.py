@@ -40,7 +40,7 @@ def column(run):
 
 
 def isSpheres(run):
-    return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] == 'cyclic'
+    return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] != 'empty'
 
 
 def grains(run, time):
@@ -167,7 +167,7 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def settings(width, height, duration, spheres=False, rolling=True):
+def settings(width, height, duration, spheres=False, rolling=True, plates=None):
     """height: of the settled column. Random packings are filled loosely and settle"""
     a = height/width
     filled = height*(0.82/0.65 if not spheres else 0.60/0.45)
@@ -178,11 +178,15 @@ def settings(width, height, duration, spheres=False, rolling=True):
     # overlaps of a thousandth of a grain under the column's weight
     stiffness = 1000*rho*g*height*(d if spheres else 1)
     text += f'; constant/geometry:gate/origin ({width:g} -0.01 -1); constant/geometry:gate/span (0 {filled + 0.02:.5g} 2)'
-    text += ''.join(f'; pairs/{p}/stiffness {stiffness:.5g}' for p in ('grain-grain', 'grain-smooth'))
+    text += ''.join(f'; pairs/{p}/stiffness {stiffness:.5g}' for p in ('grain-grain', 'grain-smooth', 'grain-plate'))
     if spheres:
         text += '; system/column:depth 0.03; system/sides:sides cyclic; pairs/grain-grain/friction 0.5'
         if rolling:
-            text += '; contact/rolling spring; pairs/grain-grain/rollingFriction 0.1; pairs/grain-smooth/rollingFriction 1e-9'
+            text += '; contact/rolling spring; pairs/grain-grain/rollingFriction 0.1' \
+                + ''.join(f'; pairs/grain-{m}/rollingFriction 1e-9' for m in ('smooth', 'plate'))
+        if plates is not None:          # 0.45 column widths apart, as in a channel of 45 mm
+            text += f'; system/column:depth {0.45*width:g}; system/sides:sides wall; pairs/grain-plate/friction {plates}' \
+                + ''.join(f'; walls/materials/{side} plate' for side in ('front', 'back'))
     return ['-set', text, '-endTime', f'{opens + duration:g}']
 
 
@@ -204,6 +208,8 @@ Study(
               variant('spheres-7', 0.04, 0.28, 1.2, spheres=True), variant('spheres-10', 0.04, 0.4, 1.3, spheres=True),
               variant('spheres-1-rollingFriction0.3', 0.1, 0.1, 0.9, spheres=True, extra='; pairs/grain-grain/rollingFriction 0.3'),
               variant('spheres-1-rolling', 0.1, 0.1, 1.2, spheres=True, rolling=False),
+              variant('spheres-1-plates0.2', 0.1, 0.1, 0.9, spheres=True, rolling=False, plates=0.2),
+              variant('spheres-1-plates0.5', 0.1, 0.1, 0.9, spheres=True, rolling=False, plates=0.5),
               variant('spheres-1-noSpin', 0.1, 0.1, 0.9, spheres=True, rolling=False, extra='; groups/free/fixed (spin)')],
     quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
     analyse=analyse,
