@@ -5,6 +5,7 @@
 
 #include "demRun.H"
 #include "sceneState.H"
+#include "OSspecific.H"
 
 const Foam::word Foam::demRun::file("demRun");
 const Foam::word Foam::demRun::stateFile("demState");
@@ -14,8 +15,12 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-bool hasDemRun(const Time& time)
+bool hasDemRun(const Time& time, bool withState)
 {
+    if (!withState)
+    {
+        return isFile(stateObject(time, demRun::file).objectPath());
+    }
     return hasState(time, demRun::file, demRun::stateFile);
 }
 

@@ -142,6 +142,37 @@ static void readWalls(checkedDictionary& sph, sphSettings& settings)
 }
 
 
+static void readCoupling(checkedDictionary& sph, sphSettings& settings)
+{
+    riprap::CouplingConfig& coupling = settings.coupling;
+    const riprap::SphConfig& config = settings.config;
+
+    settings.couples = sph.found("coupling") || sph.found("couplingCoeffs");
+    coupling.kind = sph.choice("coupling", sphNames::coupling, coupling.kind);
+
+    checkedDictionary coeffs(sph.subDict("couplingCoeffs"));
+    coupling.viscosity =
+        coeffs.either("viscosity", "yes", "no", coupling.viscosity);
+    coupling.xsph = coeffs.either("XSPH", "yes", "no", coupling.xsph);
+    coupling.antiClump =
+        coeffs.either("antiClump", "yes", "no", coupling.antiClump);
+    coeffs.end();
+
+    const auto needs = [&](bool wanted, bool there, const char* entry)
+    {
+        if (wanted && !there)
+        {
+            FatalIOErrorInFunction(coeffs.dict())
+                << "Entry " << entry << " of couplingCoeffs is yes, but "
+                << entry << " of constant/sphProperties is none"
+                << exit(FatalIOError);
+        }
+    };
+    needs(coupling.xsph, config.xsph > 0, "XSPH");
+    needs(coupling.antiClump, config.antiClump > 0, "antiClump");
+}
+
+
 static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& config)
 {
     config.integrator = sph.choice
@@ -189,6 +220,7 @@ void readSphProperties(checkedDictionary sph, sphSettings& settings)
     readEquationOfState(sph, settings);
     readTerms(sph, config);
     readWalls(sph, settings);
+    readCoupling(sph, settings);
     readTimeIntegration(sph, config);
     readGuards(sph, settings);
 

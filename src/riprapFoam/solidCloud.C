@@ -43,7 +43,8 @@ Foam::solidCloud::solidCloud
     const demSettings& settings,
     const riprap::DemInput& input,
     const labelList& typeOfBondType,
-    const demRun& run
+    const demRun& run,
+    bool writesState
 )
 :
     sceneCloud(mesh, "solids"),
@@ -51,7 +52,8 @@ Foam::solidCloud::solidCloud
     settings_(settings),
     input_(input),
     typeOfBondType_(typeOfBondType),
-    run_(run)
+    run_(run),
+    writesState_(writesState)
 {}
 
 
@@ -160,7 +162,10 @@ void Foam::solidCloud::addProperties(dictionary& properties) const
 
 void Foam::solidCloud::writeState() const
 {
-    writeStateWords(time(), demRun::stateFile, scene_.saveState());
+    if (writesState_)
+    {
+        writeStateWords(time(), demRun::stateFile, scene_.saveState());
+    }
     writeDemRun(time(), run_);
 
     if (input_.clumps.size())

@@ -71,6 +71,14 @@ const Enum<riprap::IntegratorKind> timeIntegration
     {riprap::IntegratorKind::symplectic, "symplectic"}
 });
 
+const Enum<riprap::CouplingKind> coupling
+({
+    {riprap::CouplingKind::stationary, "stationary"},
+    {riprap::CouplingKind::pressureGradient, "pressureGradient"},
+    {riprap::CouplingKind::pressureApproximation, "pressureApproximation"},
+    {riprap::CouplingKind::extrapolated, "extrapolated"}
+});
+
 } // End namespace sphNames
 } // End namespace Foam
 

@@ -133,6 +133,12 @@ DeviceChoice chooseDevice(DeviceKind asked, std::size_t particles, int)
 std::unique_ptr<SphScene> createSphScene
 (const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion)
 {
+    return createSphScene(config, fluid, walls, std::move(motion), SolidPart());
+}
+
+std::unique_ptr<SphScene> createSphScene
+(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion, SolidPart solids)
+{
     checkNumbers(config);
     checkFluid(config, fluid);
     checkWalls(config, walls, motion);
@@ -144,11 +150,11 @@ std::unique_ptr<SphScene> createSphScene
     if (choice.device == DeviceKind::gpu)
     {
         const SphMaker make = two ? (mixed ? sphGpu2Mixed : sphGpu2Double) : (mixed ? sphGpu3Mixed : sphGpu3Double);
-        return make(config, fluid, walls, std::move(motion));
+        return make(config, fluid, walls, std::move(motion), std::move(solids));
     }
 #endif
     const SphMaker make = two ? (mixed ? sphCpu2Mixed : sphCpu2Double) : (mixed ? sphCpu3Mixed : sphCpu3Double);
-    return make(config, fluid, walls, std::move(motion));
+    return make(config, fluid, walls, std::move(motion), std::move(solids));
 }
 
 } // namespace riprap

@@ -51,6 +51,15 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
     writeClock();
     runToTarget(report.rebuilds);
+    finishReport(report, before);
+    lastReport_ = report;
+    return report;
+}
+
+//- What was done since a step, after the last one
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t before)
+{
     if (host_.needRebuild && host_.halt == DemHalt::none) { rebuild(); ++report.rebuilds; readClock(); }
     report.time = host_.time;
     report.lastTimeStep = host_.dt;
@@ -60,7 +69,6 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.brokenBonds = brokenBonds();
     collectEscaped(report);
     if (host_.halt != DemHalt::none) findOffender(report);
-    return report;
 }
 
 template<class Backend, int D, class P>

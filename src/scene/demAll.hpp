@@ -9,6 +9,7 @@
 #include "scene/demStep.hpp"
 #include "scene/demLists.hpp"
 #include "scene/demAdvance.hpp"
+#include "scene/demCoupling.hpp"
 #include "scene/demOutput.hpp"
 #include "scene/demState.hpp"
 #include "scene/demInstances.hpp"

@@ -244,6 +244,9 @@ public:
     virtual void interrupt() = 0;
     virtual double time() const = 0;
 
+    //- What the last advance did; of solids in a fluid, that of the whole scene
+    virtual const DemReport& lastReport() const = 0;
+
     virtual DemState particles() = 0;
     virtual DemContacts contacts() = 0;
     virtual DemBondState bonds() = 0;

@@ -1,5 +1,5 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction),
-    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demOutput.hpp (what is read back)
+    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is read back)
     and demState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +10,7 @@
 #include <map>
 #include "core/cellSort.hpp"
 #include "core/graph.hpp"
+#include "coupling/solidView.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
 #include "dem/scatterPass.hpp"
@@ -75,7 +76,7 @@ struct DemSearchState
 };
 
 template<class Backend, int D, class P>
-class DemSolver : public DemScene
+class DemSolver : public DemScene, public SolidSide<D, P>
 {
 public:
 
@@ -88,6 +89,7 @@ public:
     DemReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { interrupted_ = true; }
     double time() const override { return host_.time; }
+    const DemReport& lastReport() const override { return lastReport_; }
     DemState particles() override;
     DemContacts contacts() override;
     DemBondState bonds() override;
@@ -105,6 +107,17 @@ public:
     double contactsPerParticle() override;
     std::string deviceName() const override;
     DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
+
+    // demCoupling.hpp: what a fluid asks of its solids
+    int keys() const override { return n_; }
+    SolidView<D, P> view() override { return SolidView<D, P>{box_, fields(), slotOf_.data()}; }
+    std::vector<std::int32_t> order() override;
+    real* external() override;
+    int subcycles(double dt) override;
+    double kickTime(double dt, int subcycles) override;
+    bool advanceTo(double t, double dt, int subcycles) override;
+    void beginReport() override;
+    void endReport() override;
 
 private:
 
@@ -185,6 +198,7 @@ private:
     void sampleGroups(double end);
     void samplePoses(double end);
     void runToTarget(std::int64_t& rebuilds);
+    void finishReport(DemReport&, std::int64_t before);
     void collectEscaped(DemReport&);
     void findOffender(DemReport&);
     double largestSpeed();
@@ -261,6 +275,8 @@ private:
 
     Array<Backend, DemClockData> clock_;
     DemClockData host_;
+    DemReport lastReport_;
+    std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     DemParts<Backend, D, P> parts_;
     int stepsPerBatch_ = 16;
     std::atomic<bool> interrupted_{false};

@@ -62,18 +62,19 @@ void SphSolver<Backend, D, P>::setPoses(double begin, double end)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
-    if constexpr (!Backend::gpu)
+    // solids are advanced by the host between the steps of the fluid: those follow one another one by one
+    if (!Backend::gpu || solids_)
     {
         while (!finished())
         {
             rebuild();
             ++rebuilds;
-            do step(); while (clock_.data()->active && !interrupted_);
-            readClock();
+            do { step(); readClock(); } while (host_.active && !interrupted_);
+            if (host_.overflows()) { growLists(); continue; }
             if (interrupted_.exchange(false)) break;
         }
     }
-    else
+    else if constexpr (Backend::gpu)
     {
         const auto cycles = [&]
         {
@@ -94,7 +95,7 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             else cycles();
             rebuilds += 2;
             readClock();
-            if (host_.overflow[0] || host_.overflow[1] || host_.overflow[2]) { growLists(); continue; }
+            if (host_.overflows()) { growLists(); continue; }
             const bool interrupted = interrupted_.exchange(false);      // heeded, whatever else ends the loop
             if (finished() || interrupted) break;
             // fit the length of a cycle to what the skin allows
@@ -128,6 +129,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     }
     if (interrupted_) maxSteps = 1;
     const std::int64_t before = host_.step;
+    if (solids_) solids_->beginReport();
     host_.target = t;
     host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
     host_.minDt = 1e300;
@@ -160,6 +162,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     // the last step may have carried particles out: a sort now says so in this call. The next one sorts to the same order
     else if (report.steps && host_.needRebuild) sortNow();
     collectEscaped(report);
+    if (solids_) solids_->endReport();
     return report;
 }
 
@@ -199,6 +202,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::findOffender(SphReport& report)
 {
     const int n = activeFluid();
+    if (host_.halt == Halt::solids) { report.stop = StopReason::solids; return; }     // DemScene::lastReport has more
     report.stop = host_.halt == Halt::notANumber ? StopReason::notANumber
         : (host_.halt == Halt::density ? StopReason::density : StopReason::speed);
     const auto deviation = fluid_.template download<real>(context_, deviationField_);

@@ -1,7 +1,7 @@
 #include "scene/sphAll.hpp"
 
 std::unique_ptr<riprap::SphScene> riprap::sphGpu2Double
-(const SphConfig& c, const FluidInput& f, const WallInput& w, WallMotion m)
+(const SphConfig& c, const FluidInput& f, const WallInput& w, WallMotion m, SolidPart s)
 {
-    return std::make_unique<SphSolver<Gpu, 2, Double>>(c, f, w, std::move(m));
+    return std::make_unique<SphSolver<Gpu, 2, Double>>(c, f, w, std::move(m), std::move(s));
 }

@@ -1,20 +1,31 @@
 /*  What the instantiating units (one a backend, dimension and precision) offer to createSphScene. */
 #pragma once
 
-#include "scene/sphScene.hpp"
+#include "scene/sphDemScene.hpp"
 
 namespace riprap
 {
 
-using SphMaker = std::unique_ptr<SphScene>(*)(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
+//- Solids that are made, for the scene that takes them; empty: none
+struct SolidPart
+{
+    std::unique_ptr<DemScene> scene;
+    CouplingConfig coupling;
+    std::vector<double> volume;
+};
 
-std::unique_ptr<SphScene> sphCpu2Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphCpu3Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphCpu2Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphCpu3Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphGpu2Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphGpu3Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphGpu2Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
-std::unique_ptr<SphScene> sphGpu3Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
+using SphMaker = std::unique_ptr<SphScene>(*)(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+
+std::unique_ptr<SphScene> sphCpu2Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu3Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu2Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu3Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu2Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu3Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu2Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu3Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+
+//- With solids that are on the device that the configuration chooses
+std::unique_ptr<SphScene> createSphScene(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
 
 } // namespace riprap

@@ -23,10 +23,12 @@ void SphSolver<Backend, D, P>::rebuild()
     fluid_.permute(context_, fluidSort_.order(), n_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
     if (nBodies_) rebuildWalls();
+    if (solids_) sortSolids();
     buildLists();
     // sorted walls need their pressures anew; and the symplectic scheme's density pass sees those of the state at hand, so
     // that a restart does too
     if (nBodies_ || config_.integrator == IntegratorKind::symplectic) wallPass(false);
+    solidPressurePass(false);
 }
 
 //- A rebuild between two calls of advance. Recorded cycles hold an even number of them: two, so that pointers are as recorded
@@ -76,6 +78,14 @@ void SphSolver<Backend, D, P>::buildLists()
         int* overflow = clock_.data()->overflow;
         parts_.fluidFluid.build
         (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
+        if (solids_)
+        {
+            const auto solid = solidRecords_.view();
+            parts_.fluidSolid.build
+            (context_, box_, grid_, fluid, solid, solidSort_.start(), fluidSort_.active(), false, overflow + 3, "listFluidSolid");
+            parts_.solidFluid.build
+            (context_, box_, grid_, solid, fluid, fluidSort_.start(), solidSort_.active(), false, overflow + 4, "listSolidFluid");
+        }
         if (!nWalls_) return;
         const auto wall = wallRecords_.view();
         parts_.fluidWall.build
@@ -98,6 +108,13 @@ void SphSolver<Backend, D, P>::allocateLists()
         const int fluidNeighbours = int(1.4*sphere/std::pow(config_.spacing, D)) + 8;
         const int capacity = (fluidNeighbours/lanes*(lanes > 1 ? 3 : 2)/2 + 7)/4 + 1;
         parts_.fluidFluid.allocate(context_, n_, shift_, false, capacity);
+        if (solids_)
+        {
+            // grown when they do not fit
+            const long long warps = ((long long)nSolids_ << shift_)/32 + 1;
+            parts_.fluidSolid.allocate(context_, n_, shift_, true, int(warps*capacity + 256));
+            parts_.solidFluid.allocate(context_, nSolids_, shift_, true, int(warps*capacity/2 + 256));
+        }
         if (nWalls_)
         {
             const int wallBlocks = int(0.1*sphere/std::pow(config_.wallSpacing, D)/lanes) + 1;
@@ -119,6 +136,8 @@ void SphSolver<Backend, D, P>::growLists()
         if (host_.overflow[0]) parts_.fluidFluid.allocate(context_, n_, shift_, false, grown(host_.overflow[0]));
         if (host_.overflow[1]) parts_.fluidWall.allocate(context_, n_, shift_, true, grown(host_.overflow[1]));
         if (host_.overflow[2]) parts_.wallFluid.allocate(context_, nWalls_, shift_, true, grown(host_.overflow[2]));
+        if (host_.overflow[3]) parts_.fluidSolid.allocate(context_, n_, shift_, true, grown(host_.overflow[3]));
+        if (host_.overflow[4]) parts_.solidFluid.allocate(context_, nSolids_, shift_, true, grown(host_.overflow[4]));
         parts_.graph.clear();
         for (int& o : host_.overflow) o = 0;
         writeClock();

@@ -207,8 +207,20 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     add("wall", "records", wallRecords_.bytes(), nWalls_);
     add("wall", "cells", wallSort_.bytes(), nWalls_);
     add("wall", "motion", wallReference_.bytes() + wallRest_.bytes() + poses_.bytes(), nWalls_);
+    if (solids_)
+    {
+        const std::size_t own = solidOwn_[0].bytes()*D + solidMass_.bytes() + solidMassOfKey_.bytes();
+        add("solid points", "records", solidRecords_.bytes(), nSolids_);
+        add("solid points", "cells", solidSort_.bytes() + solidReference_.bytes() + solidLast_.bytes(), nSolids_);
+        add("solid points", "velocity, mass", own + solidVelocity_.bytes() + solidAcceleration_.bytes(), nSolids_);
+        add("solid points", "force", solidForce_.bytes(), nSolids_);
+        add("fluid", "action of solids", actionA_[0].bytes()*D + actionRate_.bytes() + actionDrift_[0].bytes()*D, n_);
+        for (const ArrayInfo& a : solidScene_->arrays()) r.push_back(a);
+    }
     if constexpr (Backend::gpu)
     {
+        add("lists", "fluidSolid", parts_.fluidSolid.bytes(), n_);
+        add("lists", "solidFluid", parts_.solidFluid.bytes(), nSolids_);
         add("lists", "fluidFluid", parts_.fluidFluid.bytes(), n_);
         add("lists", "fluidWall", parts_.fluidWall.bytes(), n_);
         add("lists", "wallFluid", parts_.wallFluid.bytes(), nWalls_);
@@ -221,6 +233,11 @@ std::vector<KernelInfo> SphSolver<Backend, D, P>::kernels() const
 {
     std::vector<KernelInfo> r;
     for (const auto& e : context_.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    if (solids_) for (KernelInfo k : solidScene_->kernels())
+    {
+        k.name = "solids: " + k.name;
+        r.push_back(k);
+    }
     return r;
 }
 

@@ -115,6 +115,9 @@ struct WallState
     std::vector<double> position, velocity, pressure;   // 3 n, 3 n, n; in the order of WallInput
 };
 
+class DemScene;
+struct CouplingState;
+
 class SphScene : public FluidScene
 {
 public:
@@ -150,6 +153,10 @@ public:
 
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;
+
+    //- The solids of a coupled scene (scene/sphDemScene.hpp), null: there are none; to be read, not to be advanced
+    virtual DemScene* solids() { return nullptr; }
+    virtual CouplingState coupling() = 0;
 };
 
 //- What automatic chose and why; false where there is no usable GPU

@@ -8,7 +8,7 @@ namespace riprap
 
 template<class Backend, int D, class P>
 SphSolver<Backend, D, P>::SphSolver
-(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion)
+(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion, SolidPart solids)
 :
     config_(config), motion_(std::move(motion)), terms_(config)
 {
@@ -18,6 +18,7 @@ SphSolver<Backend, D, P>::SphSolver
     setBox();
     setFluid(fluid);
     setWalls(walls);
+    setSolids(std::move(solids));
     allocateLists();
     if (nBodies_) setPoses(config_.startTime, config_.startTime);
     prime();
@@ -208,12 +209,15 @@ void SphSolver<Backend, D, P>::prime()
     {
         rebuild();
         readClock();
-        if (!(host_.overflow[0] || host_.overflow[1] || host_.overflow[2])) break;
+        if (!host_.overflows()) break;
         growLists();
     }
     moveWalls(false);
     wallPass(true);
+    solidPressurePass(true);
+    solidPass<Part::all>();
     fluidPass<Part::all>(Finish::store);
+    solidForcePass();
     context_.synchronise();
     readClock();
 }

@@ -1,6 +1,6 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+    (the loop over steps), sphSolids.hpp (solids in the fluid), sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 */
 #pragma once
 
@@ -11,7 +11,9 @@
     #include "core/graph.hpp"
     #include "core/neighbourList.hpp"
 #endif
+#include "coupling/solidPasses.hpp"
 #include "scene/sphFamilies.hpp"
+#include "scene/sphInstances.hpp"
 #include "scene/sphRebuild.hpp"
 #include "sph/boundary/movingWall.hpp"
 #include "sph/boundary/stationaryWall.hpp"
@@ -27,7 +29,7 @@ template<class Backend, int D, class P> struct BackendParts { };
 template<int D, class P>
 struct BackendParts<Gpu, D, P>
 {
-    NeighbourList<D, P> fluidFluid, fluidWall, wallFluid;
+    NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
     Graph graph;
 };
 #endif
@@ -40,7 +42,7 @@ public:
     using real = typename P::real;
     using position = typename P::position;
 
-    SphSolver(const SphConfig&, const FluidInput&, const WallInput&, WallMotion);
+    SphSolver(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
 
     SphReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { interrupted_ = true; }
@@ -57,6 +59,8 @@ public:
     std::vector<KernelInfo> kernels() const override;
     void timeKernels(bool on) override { context_.profile.timing = on; }
     double neighboursPerParticle() override;
+    DemScene* solids() override { return solidScene_.get(); }
+    CouplingState coupling() override;
     std::string deviceName() const override;
     DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
 
@@ -92,6 +96,22 @@ private:
     template<Part part> void fluidPass(Finish);
     void step();
     Tick tick() const;
+
+    // sphSolids.hpp
+    void setSolids(SolidPart);
+    void allocateAction();
+    void loadSolids(const std::vector<std::int32_t>& words, std::size_t at);
+    SolidPoints<D, P> solidPoints();
+    SolidAction<D, real> solidAction();
+    SolidTerms<real> solidTerms() const;
+    Source<Backend, D, P> solidSource();
+    Source<Backend, D, P> fluidAboutSolids();
+    void sortSolids();
+    void advanceSolids();
+    void moveSolids(bool half);
+    void solidPressurePass(bool inStep);
+    template<Part part> void solidPass();
+    void solidForcePass();
 
     // sphAdvance.hpp
     void setPoses(double begin, double end);
@@ -140,6 +160,17 @@ private:
     Array<Backend, PoseSample> poses_;
     double poseBegin_ = 0, poseStep_ = 1;
     static constexpr int poseIntervals = 32;
+
+    std::unique_ptr<DemScene> solidScene_;
+    SolidSide<D, P>* solids_ = nullptr;         // the same; null: there are none
+    CouplingConfig coupling_;
+    int nSolids_ = 0, subcycles_ = 0;
+    Records<Backend, D, P> solidRecords_;
+    CellSort<Backend> solidSort_;
+    Array<Backend, position> solidReference_;
+    Array<Backend, std::int64_t> solidLast_;
+    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidVelocity_, solidAcceleration_, solidForce_;
+    Array<Backend, real> actionA_[D], actionRate_, actionDrift_[D];
 
     Array<Backend, ClockData> clock_;
     ClockData host_;

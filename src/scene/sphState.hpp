@@ -1,8 +1,9 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock, walls, wall fields, cycle fitted; the clock; each field in the device's order; those of moving walls;
-    a checksum (FNV-1a over all words before it).
+    bytes of the clock, walls, wall fields, cycle fitted, solids; the clock; each field in the device's order; those of moving
+    walls; of solids velocity, acceleration and force by key, and the state of their own scene, its length before it; a checksum
+    (FNV-1a over all words before it).
 */
 #pragma once
 
@@ -15,8 +16,8 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 3;
-static constexpr int stateHeader = 13;
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 4;
+static constexpr int stateHeader = 14;
 
 } // namespace detail
 
@@ -29,7 +30,7 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
         stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
-        int(cycleFitted_)
+        int(cycleFitted_), nSolids_
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     std::vector<unsigned char> bytes;
@@ -44,6 +45,17 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     };
     append(fluid_, n);
     if (nBodies_) append(wall_, nWalls_);
+    if (solids_)
+    {
+        for (const auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_})
+        {
+            const std::vector<real> values = a->download();
+            detail::appendBytes(words, values.data(), values.size()*sizeof(real));
+        }
+        const std::vector<std::int32_t> own = solidScene_->saveState();
+        words.push_back(std::int32_t(own.size()));
+        words.insert(words.end(), own.begin(), own.end());
+    }
     words.push_back(detail::checksum(words, words.size()));
     return words;
 }
@@ -63,12 +75,21 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[6] != fluid_.fields()) fail("it has other fields (models were switched on or off)");
     if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
     if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0)) fail("it has other moving walls");
+    if (words[13] != nSolids_) fail("it is of " + std::to_string(words[13]) + " solid particles, the case of " + std::to_string(nSolids_));
     const int n = words[5];
     if (n < 0 || n > n_) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(n_));
     std::size_t at = detail::stateHeader + clockWords, expected = at + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
     for (int f = 0; f < words[11]; ++f) expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
+    const std::size_t solidsAt = expected - 1, solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
+    if (solids_)
+    {
+        expected += 3*solidWords + 1;
+        if (expected > words.size()) fail("wrong length");
+        expected += words[expected - 2];
+    }
     if (expected != words.size()) fail("wrong length");
+    if (solids_) loadSolids(words, solidsAt);
 
     std::memcpy(static_cast<void*>(&host_), &words[detail::stateHeader], sizeof(ClockData));
     const auto take = [&](FieldSet<Backend>& set, int count)
@@ -89,6 +110,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     // memory laid out by the number of particles
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
+    if (solids_) allocateAction();
     if constexpr (Backend::gpu)
     {
         parts_.graph.clear();
@@ -97,6 +119,19 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     writeClock();
     rebuild();
     context_.synchronise();
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words, std::size_t at)
+{
+    const std::size_t bytes = std::size_t(nSolids_)*D*sizeof(real);
+    for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_})
+    {
+        context_.toDevice(a->data(), &words[at], bytes);
+        at += (bytes + 3)/4;
+    }
+    const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + words[at]);
+    solidScene_->loadState(own);
 }
 
 } // namespace riprap

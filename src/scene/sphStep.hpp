@@ -173,7 +173,8 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
                 Backend, D, P, Kernel, decltype(variable)::value, part, std::decay_t<decltype(fluidTerms)>,
                 std::decay_t<decltype(wallTerms)>, decltype(shifts)::value
             > pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
-                terms_.shifting, model_, fluidFields(), {}, fluidSort_.active(), clock_.data(), mode};
+                terms_.shifting, model_, fluidFields(), {}, fluidSort_.active(), clock_.data(), mode,
+                solidAction()};
             for (int d = 0; d < D; ++d)
                 pass.wallVelocity[d] = wallVField_ < 0 ? nullptr : wall_.template data<real>(wallVField_ + d);
             run(pass, n_);
@@ -192,11 +193,20 @@ void SphSolver<Backend, D, P>::step()
 {
     forEach(context_, 1, tick());
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
+    if (solids_)
+    {
+        readClock();
+        if (host_.active) advanceSolids();
+        if (!host_.active) return;
+    }
     if (config_.integrator == IntegratorKind::leapfrog)
     {
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
         moveWalls(false);
+        moveSolids(false);
         wallPass(true);
+        solidPressurePass(true);
+        solidPass<Part::all>();
         fluidPass<Part::all>(Finish::close);
         wallForcePass(nullptr);
     }
@@ -204,13 +214,19 @@ void SphSolver<Backend, D, P>::step()
     {
         forEach(context_, n_, mover<SymplecticKick<Backend, D, P>>());
         moveWalls(true);
+        moveSolids(true);
+        solidPass<Part::density>();
         fluidPass<Part::density>(Finish::close);
         forEach(context_, n_, mover<SymplecticDrift<Backend, D, P>>());
         moveWalls(false);
+        moveSolids(false);
         wallPass(true);
+        solidPressurePass(true);
+        solidPass<Part::momentum>();
         fluidPass<Part::momentum>(Finish::close);
         wallForcePass(nullptr);
     }
+    solidForcePass();
 }
 
 } // namespace riprap

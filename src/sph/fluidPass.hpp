@@ -79,6 +79,15 @@ HD PairGeometry<D, T> pairGeometry
 template<class R>
 struct ShiftingModel { R coefficient, surface, interior; };
 
+//- What solids do to fluid particles, summed by a pass of its own (coupling/solidPasses.hpp). Null: there are none
+template<int D, class R>
+struct SolidAction
+{
+    R* a[D];                    // [m/s2]
+    R* rate;                    // drho/dt [kg/m3/s]
+    R* drift[D];                // of XSPH [m/s]; null: off
+};
+
 //- What is summed: everything (leapfrog), or the half that a symplectic step needs
 enum class Part : int {all, momentum, density};
 
@@ -118,6 +127,7 @@ struct FluidPass
     const int* count;
     ClockData* clock;
     Finish mode;
+    SolidAction<Dim, real> solids;
 
     HD bool enabled() const { return clock->active; }
     HD int targets() const { return *count; }
@@ -171,7 +181,8 @@ struct FluidPass
             real v = fluid.v[d][i];
             if constexpr (momentum)
             {
-                const real a = sums[d] + model.gravity.c[d];
+                real a = sums[d] + model.gravity.c[d];
+                if (solids.a[0]) a += solids.a[d][i];
                 fluid.a[d][i] = a;
                 v += real(0.5)*dt*a;
                 fluid.v[d][i] = v;
@@ -182,7 +193,7 @@ struct FluidPass
         real deviation = fluid.deviation[i];
         if constexpr (density)
         {
-            const real rate = sums[Dim]/model.rho0;
+            const real rate = (sums[Dim] + (solids.rate ? solids.rate[i] : real(0)))/model.rho0;
             fluid.rate[i] = rate;
             deviation += (part == Part::all ? real(0.5)*dt : dt)*rate;
             fluid.deviation[i] = deviation;
@@ -219,7 +230,7 @@ private:
             for (int d = 0; d < Dim; ++d)
             {
                 real u = 0;
-                if constexpr (smooths) u += sums[smoothAt + d];
+                if constexpr (smooths) u += sums[smoothAt + d] + (solids.drift[0] ? solids.drift[d][i] : real(0));
                 if constexpr (Shifts)
                 {
                     // never faster than a fifth of the particle's own speed

@@ -11,7 +11,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
-#include "Map.H"
 #include "sceneState.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -39,60 +38,19 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
         return notUsed(e.what());
     }
 
-    if (!sameAs(solids))
+    if
+    (
+       !sameSolids
+        (
+            solids.particles, *scene_, settings_.config, mesh_.bounds().mag()
+        )
+    )
     {
         return notUsed("the cloud has been changed since it was written");
     }
 
     Info<< "Continuing exactly from time " << runTime_.timeName() << nl
         << endl;
-    return true;
-}
-
-
-//- Is what was loaded what the cloud says, to the digits of an ascii file?
-bool Foam::solverModules::dem::sameAs(const solidSet& solids) const
-{
-    const riprap::DemConfig& config = settings_.config;
-    const riprap::DemParticles& cloud = solids.particles;
-    const riprap::DemState now(scene_->particles());
-    if (now.id.size() != cloud.size())
-    {
-        return false;
-    }
-
-    Map<label> entryOfId(2*label(cloud.size()));
-    scalar fastest = 0;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-    {
-        entryOfId.insert(cloud.id[i], i);
-        const double* u = &cloud.velocity[3*i];
-        fastest = max(fastest, mag(vector(u[0], u[1], u[2])));
-    }
-
-    const scalar closeX = 1e-5*mesh_.bounds().mag();
-    const scalar closeU = 1e-4*fastest;
-    for (std::size_t j = 0; j < now.id.size(); ++j)
-    {
-        const label i = entryOfId.lookup(now.id[j], -1);
-        if (i < 0)
-        {
-            return false;
-        }
-        for (int k = 0; k < config.dimensions; ++k)
-        {
-            const int d = config.axes[k];
-            // Not close is what NaN is, too
-            if
-            (
-                !(mag(now.position[3*j + d] - cloud.position[3*i + d]) <= closeX)
-             || !(mag(now.velocity[3*j + d] - cloud.velocity[3*i + d]) <= closeU)
-            )
-            {
-                return false;
-            }
-        }
-    }
     return true;
 }
 

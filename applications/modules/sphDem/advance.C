@@ -20,6 +20,10 @@ Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
 
     run_.particles = report_.fluid;
 
+    if (solids_)
+    {
+        solids_->moved();
+    }
     checkStop();
     checkSkin();
     countEscaped(report_, run_, settings_.guards);

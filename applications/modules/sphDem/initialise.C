@@ -16,6 +16,10 @@ void Foam::solverModules::sphDem::buildScene
     bool continued
 )
 {
+    if (solids_)
+    {
+        solids_->clear();
+    }
     settings_ = asRead_;
     riprap::SphConfig& config = settings_.config;
 
@@ -37,24 +41,42 @@ void Foam::solverModules::sphDem::buildScene
     const riprap::FluidInput fluid(fluidInput(cloud));
     const riprap::WallInput walls(buildWalls());
 
-    try
+    const riprap::WallMotion motion
+    (
+        bodies_.size()
+      ? [this](int body, double t) { return bodies_.pose(body, t); }
+      : riprap::WallMotion()
+    );
+    if (solids_)
     {
-        scene_ = riprap::createSphScene
+        const riprap::SolidInput solids
         (
-            config,
-            fluid,
-            walls,
-            bodies_.size()
-          ? [this](int body, double t) { return bodies_.pose(body, t); }
-          : riprap::WallMotion()
+            solids_->input(config, fluid, continued)
         );
+        try
+        {
+            scene_ =
+                riprap::createSphDemScene(config, fluid, walls, solids, motion);
+        }
+        catch (const std::invalid_argument& e)
+        {
+            FatalIOErrorInFunction(solids_->dict())
+                << e.what() << exit(FatalIOError);
+        }
     }
-    catch (const std::invalid_argument& e)
+    else
     {
-        FatalErrorInFunction
-            << "constant/sphProperties with the particles of "
-            << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
-            << exit(FatalError);
+        try
+        {
+            scene_ = riprap::createSphScene(config, fluid, walls, motion);
+        }
+        catch (const std::invalid_argument& e)
+        {
+            FatalErrorInFunction
+                << "constant/sphProperties with the particles of "
+                << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
+                << exit(FatalError);
+        }
     }
 
     if (!continued)
@@ -69,6 +91,11 @@ void Foam::solverModules::sphDem::buildScene
     run_.particles = cloud.size();
     run_.device = sphNames::device[scene_->device()];
     run_.precision = sphNames::precision[config.precision];
+
+    if (solids_)
+    {
+        solids_->registerScene(*scene_);
+    }
 }
 
 
@@ -92,6 +119,10 @@ void Foam::solverModules::sphDem::initialise()
 {
     cloud_.clear();
     sceneObject_.clear();
+    if (solids_)
+    {
+        solids_->clear();
+    }
     scene_.reset();
 
     const particleCloud cloud(readFluid());

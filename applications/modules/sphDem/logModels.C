@@ -35,6 +35,7 @@ Foam::wordList Foam::solverModules::sphDem::modelsOff() const
     if (c.shifting == ShiftingKind::none) off.append("shifting");
     if (walls_.size() == 0) off.append("walls");
     if (bodies_.size() == 0) off.append("movingWalls");
+    if (!solids_) off.append("solids");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
     return wordList(off);
@@ -159,6 +160,11 @@ void Foam::solverModules::sphDem::logModels() const
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
+
+    if (solids_)
+    {
+        solids_->logModels();
+    }
 }
 
 

@@ -36,6 +36,10 @@ void Foam::solverModules::sphDem::report()
         << " m/s, max density deviation = " << report_.maxDensityDeviation
         << endl;
 
+    if (solids_)
+    {
+        solids_->logStep();
+    }
     logEscaped(report_.escaped.size(), run_.escaped);
     if (report_.skinExceeded)
     {

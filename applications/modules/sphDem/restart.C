@@ -22,6 +22,12 @@ bool Foam::solverModules::sphDem::canContinue(const particleCloud& cloud)
     }
 
     run_ = readSphRun(runTime_);
+
+    string why;
+    if (solids_ && !solids_->canContinue(why))
+    {
+        return notUsed(why);
+    }
     return mayContinue(run_, cloud.size());
 }
 
@@ -61,6 +67,14 @@ bool Foam::solverModules::sphDem::loadState
         (
             "the cloud has been changed since it was written (" +
             std::string(changed) + ")"
+        );
+    }
+
+    if (solids_ && !solids_->sameAsCloud())
+    {
+        return notUsed
+        (
+            "lagrangian/solids has been changed since it was written"
         );
     }
 

@@ -25,6 +25,16 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
     settings_(asRead_),
     bodies_(runTime, asRead_.walls.motion)
 {
+    if (coupledSolids::there(runTime))
+    {
+        solids_.reset(new coupledSolids(runTime, mesh, asRead_, boundary_));
+    }
+    else if (asRead_.couples)
+    {
+        FatalIOErrorInFunction(asRead_.dict)
+            << "Entry coupling is there, but no solids to couple with:"
+            << " constant/solidProperties is missing" << exit(FatalIOError);
+    }
     checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 

@@ -18,29 +18,38 @@ namespace riprap
 {
 
 enum class Limit : int {none, acoustic, force, viscous, fixed, target, maximum, growth};
-enum class Halt : int {none, notANumber, density, speed};
+enum class Halt : int {none, notANumber, density, speed, solids};
 
 //- Without padding, so that saved states of equal runs are equal words
 struct ClockData
 {
     double time = 0, target = 0;
     double dt = 0;              // of the step in hand
+    double previousDt = 0;      // of the one before it
     double fullDt = 0;          // before shortening to the target
     double minDt = 1e300, maxDt = 0;
     std::int64_t step = 0, lastStep = 0;    // taken; stop at
     int active = 0;
     int needRebuild = 0;
-    int overflow[4] = {0, 0, 0, 0};         // neighbour lists that did not fit: room needed
+    int overflow[5] = {0, 0, 0, 0, 0};      // neighbour lists that did not fit: room needed
     int skinViolations = 0;
+    int padding = 0;
     Limit limit = Limit::none;
     Halt halt = Halt::none;
     float maxima[maximaCount] = {};         // |a|^2, c + |v|, |deviation|, |v| of the last pass
     float speed = 0;            // largest c + |v|, and the others, seen by the last tick
     float acceleration = 0;
     float deviation = 0;
+
+    HD bool overflows() const
+    {
+        bool any = false;
+        for (const int o : overflow) any = any || o != 0;
+        return any;
+    }
 };
 
-static_assert(sizeof(ClockData) == 8*8 + 16*4, "ClockData has padding");
+static_assert(sizeof(ClockData) == 9*8 + 18*4, "ClockData has padding");
 
 struct StepLimits
 {
@@ -102,7 +111,7 @@ struct Tick
         ClockData& c = *clock;
         c.active = 0;
         if (c.halt != Halt::none || c.needRebuild) return;
-        if (c.overflow[0] || c.overflow[1] || c.overflow[2] || c.overflow[3]) return;
+        if (c.overflows()) return;
         c.acceleration = sqrtf(c.maxima[0]);
         c.speed = c.maxima[1];
         c.deviation = c.maxima[2];
@@ -121,6 +130,7 @@ struct Tick
         bool last = false;
         if (dt >= remaining*(1 - 1e-9)) { last = true; if (dt > remaining*(1 + 1e-9)) limit = Limit::target; dt = remaining; }
         else if (limits.adjust && 2*dt > remaining) { dt = 0.5*remaining; limit = Limit::target; }
+        c.previousDt = c.dt;
         c.dt = dt;
         c.time = last ? c.target : c.time + dt;
         c.step += 1;

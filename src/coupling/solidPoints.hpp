@@ -1,0 +1,211 @@
+/*  Solid particles as points among the fluid: sorted into the fluid's cells by key, with records as walls have them.
+
+    Over a step of the fluid a solid moves from x_n to x_{n+1}; the fluid sees it on the straight line between them, with the
+    mean velocity u = (x_{n+1} - x_n)/dt: volume that it takes is then the way that it went.
+    The acceleration that extrapolation takes is that of u, smoothed over the time h/c0 that pressure needs to pass a particle.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "coupling/solidView.hpp"
+#include "core/cellGrid.hpp"
+#include "sph/fluidFields.hpp"
+#include "sph/time/clock.hpp"
+
+namespace riprap
+{
+
+//- What is kept of the points; by slot in the fluid's cells but where it says by key
+template<int D, class P>
+struct SolidPoints
+{
+    using real = typename P::real;
+
+    const std::uint32_t* key;   // of a slot
+    const int* active;          // slots in use
+    real* mass;                 // rho0 V [kg]
+    const real* massOfKey;
+    std::int64_t* last[D];      // x_n, fixed point in the fluid's box
+    real* own[D];               // u [m/s]
+    real* velocity;             // u of the step before, D a key
+    real* acceleration;         // smoothed, D a key
+    real* force;                // of the fluid, D a key [N]
+};
+
+template<int D, class P>
+HD Vec<D, std::int64_t> pointPosition(const Box<D, P>& box, const SolidView<D, P>& solids, int slot)
+{
+    Vec<D, std::int64_t> x;
+    for (int d = 0; d < D; ++d) x.c[d] = box.toFixedInside(d, solids.box.toMetres(d, solids.fields.x[d][slot]));
+    return x;
+}
+
+template<int D, class P>
+struct PointKeys
+{
+    static constexpr const char* name = "solidPointKeys";
+
+    Box<D, P> box;
+    CellGrid<D, P> grid;
+    SolidView<D, P> solids;
+    std::uint32_t* keys;
+    std::uint32_t* indices;
+
+    HD void operator()(int key) const
+    {
+        const int slot = solids.slotOf[key];
+        std::uint32_t cell = std::uint32_t(grid.cells);
+        if (slot >= 0)
+        {
+            const Vec<D, std::int64_t> x = pointPosition(box, solids, slot);
+            Vec<D, typename P::real> r;
+            for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x.c[d]));
+            cell = std::uint32_t(grid.cellOf(r));
+        }
+        keys[key] = cell;
+        indices[key] = std::uint32_t(key);
+    }
+};
+
+//- Records of sorted points, at rest density and without pressure
+template<class Backend, int D, class P>
+struct PlacePoints
+{
+    using real = typename P::real;
+    static constexpr const char* name = "placeSolidPoints";
+
+    Box<D, P> box;
+    SolidView<D, P> solids;
+    SolidPoints<D, P> points;
+    RecordsView<Backend, D, P> records;
+    typename P::position* reference[D];
+    FluidModel<D, P> model;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *points.active) return;
+        const int key = int(points.key[i]);
+        const Vec<D, std::int64_t> x = pointPosition(box, solids, solids.slotOf[key]);
+        Vec<D, typename P::position> p;
+        PairParticle<D, real> q;
+        for (int d = 0; d < D; ++d)
+        {
+            points.last[d][i] = x.c[d];
+            reference[d][i] = p.c[d] = box.pairPosition(d, x.c[d]);
+            q.velocity.c[d] = points.own[d][i] = points.velocity[std::size_t(key)*D + d];
+        }
+        points.mass[i] = points.massOfKey[key];
+        q.pressureTerm = 0;
+        q.density = model.rho0;
+        q.h = model.h0;
+        records.storePosition(i, p);
+        records.store(i, q);
+    }
+};
+
+//- Velocities of the start, which no step has yet shown
+template<int D, class P>
+struct FirstVelocities
+{
+    static constexpr const char* name = "firstSolidVelocities";
+
+    SolidView<D, P> solids;
+    SolidPoints<D, P> points;
+
+    HD void operator()(int key) const
+    {
+        const int slot = solids.slotOf[key];
+        for (int d = 0; d < D; ++d)
+        {
+            points.velocity[std::size_t(key)*D + d] = slot < 0 ? 0 : typename P::real(solids.fields.v[d][slot]);
+            points.acceleration[std::size_t(key)*D + d] = 0;
+            points.force[std::size_t(key)*D + d] = 0;
+        }
+    }
+};
+
+//- Points at the middle of a step or at its end
+template<class Backend, int D, class P>
+struct MovePoints
+{
+    using real = typename P::real;
+    static constexpr const char* name = "moveSolidPoints";
+
+    Box<D, P> box;
+    SolidView<D, P> solids;
+    SolidPoints<D, P> points;
+    RecordsView<Backend, D, P> records;
+    typename P::position* reference[D];
+    real halfSkin;
+    double responseTime;        // h/c0 [s]
+    bool half;
+    ClockData* clock;
+
+    HD void operator()(int i) const
+    {
+        if (!clock->active || i >= *points.active) return;
+        const int key = int(points.key[i]), slot = solids.slotOf[key];
+        if (slot < 0) return;       // it has left since it was sorted: where it was, until the next sort
+        const Vec<D, std::int64_t> x = pointPosition(box, solids, slot);
+        PairParticle<D, real> q = records.template load<false>(i);
+        Vec<D, typename P::position> p;
+        real distance2 = 0, speed2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const std::int64_t from = points.last[d][i], way = std::int64_t(std::uint64_t(x.c[d]) - std::uint64_t(from));
+            const real u = real(double(way)*box.unit[d]/clock->dt);
+            q.velocity.c[d] = points.own[d][i] = u;
+            p.c[d] = box.pairPosition(d, half ? from + way/2 : x.c[d]);
+            if (!half) follow(d, i, key, x.c[d], u);
+            const real s = box.template separation<real>(d, p.c[d], reference[d][i]);
+            distance2 += s*s;
+            speed2 += u*u;
+        }
+        records.storePosition(i, p);
+        storeVelocity(i, q);
+        if (half) return;
+        const real distance = squareRoot(distance2);
+        if (distance > halfSkin) clock->skinViolations = 1;
+        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > halfSkin) clock->needRebuild = 1;
+    }
+
+private:
+
+    HD void storeVelocity(int i, PairParticle<D, real> q) const
+    {
+        if (records.h) q.h = records.h[i];
+        records.store(i, q);
+    }
+
+    HD void follow(int d, int i, int key, std::int64_t x, real u) const
+    {
+        real& before = points.velocity[std::size_t(key)*D + d];
+        real& a = points.acceleration[std::size_t(key)*D + d];
+        const double share = 1 - exp(-clock->dt/responseTime);
+        a += real(share*((double(u) - before)/clock->dt - a));
+        before = u;
+        points.last[d][i] = x;
+    }
+};
+
+//- The force that solids are given over a step. The fluid gets that of each instant half in the step before it and half in the
+//  one after it: `share` makes the solids' impulse the same
+template<int D, class P>
+struct HoldForces
+{
+    using real = typename P::real;
+    static constexpr const char* name = "holdForces";
+
+    const real* force;
+    real* external;
+    double share;
+
+    HD void operator()(int key) const
+    {
+        constexpr int width = D + spins<D>;
+        for (int d = 0; d < D; ++d) external[std::size_t(key)*width + d] = real(share*force[std::size_t(key)*D + d]);
+    }
+};
+
+} // namespace riprap

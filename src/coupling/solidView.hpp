@@ -1,0 +1,50 @@
+/*  What the fluid's side of a coupled scene sees of its solids, and what it asks of them. Particles are named by keys, which
+    sorting does not change.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <vector>
+#include "dem/solidFields.hpp"
+
+namespace riprap
+{
+
+template<int D, class P>
+struct SolidView
+{
+    Box<D, P> box;              // in which the solids' positions are
+    SolidFields<D, P> fields;
+    const int* slotOf;          // of a key; -1: it has left
+};
+
+//- A scene of solids as the fluid drives it. Pointers hold until the next advanceTo
+template<int D, class P>
+class SolidSide
+{
+public:
+    virtual ~SolidSide() = default;
+
+    virtual int keys() const = 0;
+    virtual SolidView<D, P> view() = 0;
+
+    //- Keys of the particles that are there, in the order in which they are read back
+    virtual std::vector<std::int32_t> order() = 0;
+
+    //- Forces from outside, on the device: D forces, then moments, a key
+    virtual typename P::real* external() = 0;
+
+    //- Steps within one step of the fluid, and the time over which they let a force from outside act
+    virtual int subcycles(double dt) = 0;
+    virtual double kickTime(double dt, int subcycles) = 0;
+
+    //- To time t, dt from now. \return false when a guard of the solids has fired
+    virtual bool advanceTo(double t, double dt, int subcycles) = 0;
+
+    //- An interval begins that is reported as one; it ends
+    virtual void beginReport() = 0;
+    virtual void endReport() = 0;
+};
+
+} // namespace riprap

@@ -1,0 +1,68 @@
+/*  DemSolver: driven by a fluid, which gives forces and asks for the solids a step of its own later.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/demSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
+{
+    std::vector<std::int32_t> keys = field<std::int32_t>(idField_);
+    keys.resize(activeSolids());
+    return keys;
+}
+
+template<class Backend, int D, class P>
+typename P::real* DemSolver<Backend, D, P>::external()
+{
+    if (!external_.size()) external_.upload(context_, std::vector<real>(std::size_t(n_)*(D + S), real(0)));
+    return external_.data();
+}
+
+template<class Backend, int D, class P>
+int DemSolver<Backend, D, P>::subcycles(double dt)
+{
+    return std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));
+}
+
+//- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a step before
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
+{
+    if (config_.integrator == DemIntegratorKind::velocityVerlet) return dt;
+    return dt + 0.5*(host_.dt - dt/subcycles);
+}
+
+template<class Backend, int D, class P>
+bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
+{
+    readClock();
+    host_.target = t;
+    host_.lastStep = std::int64_t(1) << 62;
+    host_.fullDt = dt/subcycles;
+    writeClock();
+    runToTarget(lastReport_.rebuilds);
+    return host_.halt == DemHalt::none;
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::beginReport()
+{
+    readClock();
+    lastReport_ = DemReport();
+    reportFrom_ = host_.step;
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::endReport()
+{
+    readClock();
+    finishReport(lastReport_, reportFrom_);
+}
+
+} // namespace riprap

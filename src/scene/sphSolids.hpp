@@ -1,0 +1,219 @@
+/*  SphSolver: its solids. Nothing of this is called in a scene that has none.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/sphSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setSolids(SolidPart part)
+{
+    if (!part.scene) return;
+    solidScene_ = std::move(part.scene);
+    solids_ = dynamic_cast<SolidSide<D, P>*>(solidScene_.get());
+    if (!solids_ || solidScene_->device() != device())
+        throw std::invalid_argument("solids of another device, dimension or precision than the fluid's");
+    coupling_ = part.coupling;
+    nSolids_ = solids_->keys();
+    const std::size_t all = std::size_t(nSolids_)*D;
+    solidRecords_.allocate(context_, nSolids_, model_.variableH);
+    solidSort_.allocate(context_, nSolids_, grid_.cells);
+    solidReference_.allocate(context_, all);
+    solidLast_.allocate(context_, all);
+    // packs may be loaded at the last point
+    for (auto& u : solidOwn_) u.allocate(context_, std::size_t(nSolids_) + 16);
+    solidMass_.allocate(context_, std::size_t(nSolids_) + 16);
+    for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_}) a->allocate(context_, all);
+    std::vector<real> mass(nSolids_);
+    for (int k = 0; k < nSolids_; ++k) mass[k] = real(config_.density*part.volume[k]);
+    solidMassOfKey_.upload(context_, mass);
+    allocateAction();
+    forEach(context_, nSolids_, FirstVelocities<D, P>{solids_->view(), solidPoints()});
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::allocateAction()
+{
+    for (int d = 0; d < D; ++d) actionA_[d].allocate(context_, n_);
+    actionRate_.allocate(context_, n_);
+    if (coupling_.xsph) for (int d = 0; d < D; ++d) actionDrift_[d].allocate(context_, n_);
+}
+
+template<class Backend, int D, class P>
+SolidPoints<D, P> SphSolver<Backend, D, P>::solidPoints()
+{
+    SolidPoints<D, P> p{};
+    p.key = solidSort_.order();
+    p.active = solidSort_.active();
+    p.mass = solidMass_.data();
+    p.massOfKey = solidMassOfKey_.data();
+    for (int d = 0; d < D; ++d)
+    {
+        p.last[d] = solidLast_.data() + std::size_t(d)*nSolids_;
+        p.own[d] = solidOwn_[d].data();
+    }
+    p.velocity = solidVelocity_.data();
+    p.acceleration = solidAcceleration_.data();
+    p.force = solidForce_.data();
+    return p;
+}
+
+template<class Backend, int D, class P>
+SolidAction<D, typename P::real> SphSolver<Backend, D, P>::solidAction()
+{
+    SolidAction<D, real> a{};
+    if (!solids_) return a;
+    for (int d = 0; d < D; ++d)
+    {
+        a.a[d] = actionA_[d].data();
+        a.drift[d] = coupling_.xsph ? actionDrift_[d].data() : nullptr;
+    }
+    a.rate = actionRate_.data();
+    return a;
+}
+
+template<class Backend, int D, class P>
+SolidTerms<typename P::real> SphSolver<Backend, D, P>::solidTerms() const
+{
+    SolidPressure pressure{};
+    pressure.gradient = coupling_.kind == CouplingKind::pressureGradient;
+    return SolidTerms<real>
+    {
+        pressure, Continuity{},
+        Switchable<LaminarViscosity<real>>(terms_.laminar, terms_.on.laminar && coupling_.viscosity),
+        Switchable<ArtificialViscosity<real>>(terms_.artificial, terms_.on.artificial && coupling_.viscosity),
+        Switchable<AntiClump<real>>(terms_.antiClump, coupling_.antiClump),
+        coupling_.xsph ? real(2)*terms_.xsph.epsilon : real(0)
+    };
+}
+
+template<class Backend, int D, class P>
+Source<Backend, D, P> SphSolver<Backend, D, P>::solidSource()
+{
+    Source<Backend, D, P> s{};
+    s.records = solidRecords_.view();
+    s.start = solidSort_.start();
+    if constexpr (Backend::gpu) s.list = parts_.fluidSolid.view();
+    return s;
+}
+
+template<class Backend, int D, class P>
+Source<Backend, D, P> SphSolver<Backend, D, P>::fluidAboutSolids()
+{
+    Source<Backend, D, P> s{};
+    s.records = fluidRecords_.view();
+    s.start = fluidSort_.start();
+    if constexpr (Backend::gpu) s.list = parts_.solidFluid.view();
+    return s;
+}
+
+//- Sorted by key within a cell: the order does not depend on how the scene came here
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::sortSolids()
+{
+    forEach(context_, nSolids_, PointKeys<D, P>{box_, grid_, solids_->view(), solidSort_.keys(), solidSort_.indices()});
+    solidSort_.sort(context_, nSolids_);
+    PlacePoints<Backend, D, P> place{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_};
+    for (int d = 0; d < D; ++d) place.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
+    forEach(context_, nSolids_, place);
+}
+
+//- Solids over the step that the clock has begun; the fluid's force of its start acts on them
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::advanceSolids()
+{
+    subcycles_ = solids_->subcycles(host_.dt);
+    const double share = 0.5*(host_.previousDt + host_.dt)/solids_->kickTime(host_.dt, subcycles_);
+    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), solids_->external(), share});
+    context_.synchronise();
+    if (solids_->advanceTo(host_.time, host_.dt, subcycles_)) return;
+    host_.halt = Halt::solids;
+    host_.active = 0;
+    writeClock();
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::moveSolids(bool half)
+{
+    if (!solids_) return;
+    MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
+        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
+    for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
+    forEach(context_, nSolids_, move);
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::solidPressurePass(bool inStep)
+{
+    const bool extrapolated = coupling_.kind == CouplingKind::extrapolated;
+    if (!solids_ || (!extrapolated && coupling_.kind != CouplingKind::pressureApproximation)) return;
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        run(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>
+        {
+            box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), kernelConstants<Kernel>(), model_, solidPoints(),
+            extrapolated, inStep ? clock_.data() : nullptr
+        }, nSolids_);
+    });
+}
+
+template<class Backend, int D, class P>
+template<Part part>
+void SphSolver<Backend, D, P>::solidPass()
+{
+    if (!solids_) return;
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        SolidToFluidPass<Backend, D, P, Kernel, decltype(variable)::value, part> pass
+        {
+            box_, grid_, {solidSource()}, fluidRecords_.view(), solidTerms(), kernelConstants<Kernel>(), model_, solidAction(),
+            solidMass_.data(), {}, fluidSort_.active(), clock_.data()
+        };
+        for (int d = 0; d < D; ++d) pass.own[d] = solidOwn_[d].data();
+        run(pass, n_);
+    });
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::solidForcePass()
+{
+    if (!solids_) return;
+    withKernel(config_, [&](auto kernel, auto variable)
+    {
+        using Kernel = decltype(kernel);
+        run(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
+        {
+            box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), solidTerms(), kernelConstants<Kernel>(), model_,
+            solidPoints(), clock_.data()
+        }, nSolids_);
+    });
+}
+
+template<class Backend, int D, class P>
+CouplingState SphSolver<Backend, D, P>::coupling()
+{
+    CouplingState s;
+    if (!solids_) return s;
+    readClock();
+    s.subcycles = subcycles_;
+    const std::vector<real> force = solidForce_.download();
+    const std::vector<std::int32_t> keys = solids_->order();
+    s.force.assign(3*keys.size(), 0.0);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        for (int d = 0; d < D; ++d)
+        {
+            const double f = force[std::size_t(keys[i])*D + d];
+            s.force[3*i + config_.axes[d]] = f;
+            s.total[config_.axes[d]] += f;
+        }
+    for (int d = 0; d < 3; ++d) s.pending[d] = 0.5*host_.dt*s.total[d];
+    return s;
+}
+
+} // namespace riprap

@@ -1,0 +1,254 @@
+/*  Fluid and solids: the force of one pair as the paper has it, momentum, exact restart, and what is refused.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "sceneTest.hpp"
+#include "scene/sphDemScene.hpp"
+#include "sph/kernels/wendlandC2.hpp"
+
+namespace riprap
+{
+namespace
+{
+
+const CouplingKind allKinds[] =
+{CouplingKind::stationary, CouplingKind::pressureGradient, CouplingKind::pressureApproximation, CouplingKind::extrapolated};
+
+const char* nameOf(CouplingKind k)
+{
+    static const char* names[] = {"stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
+    return names[int(k)];
+}
+
+class Coupling : public SceneTest
+{
+protected:
+
+    //- A block of bonded particles, another spacing than the fluid's
+    SolidInput block(const SphConfig& c, int across, double size, Vector3 corner) const
+    {
+        SolidInput s;
+        s.config.domainMin = c.domainMin;
+        s.config.domainMax = c.domainMax;
+        for (int d = 0; d < 3; ++d) s.config.periodic[d] = c.periodic[d];
+        s.config.normal = NormalKind::linear;
+        s.config.tangential = TangentialKind::none;
+        s.config.integrator = DemIntegratorKind::velocityVerlet;
+        s.config.stepFraction = 0.3;
+        DemInput& in = s.input;
+        in.materials.push_back(DemMaterial{"rubber", 1e6, 0.3});
+        DemPair p;
+        p.properties.normalStiffness = 1e4;
+        in.pairs.push_back(p);
+        for (int k = 0; k < (D() == 3 ? across : 1); ++k)
+            for (int j = 0; j < across; ++j)
+                for (int i = 0; i < across; ++i)
+                {
+                    const int index[3] = {i, j, k};
+                    for (int d = 0; d < 3; ++d) in.particles.position.push_back(corner[d] + (d < D() ? (index[d] + 0.5)*size : 0));
+                    in.particles.radius.push_back(0.5*size);
+                    in.particles.mass.push_back(800*std::pow(size, D()));
+                    s.volume.push_back(std::pow(size, D()));
+                }
+        in.bondTypes.push_back(DemBondType());
+        in.bondTypes[0].normalStiffness = 2e6/size;
+        in.bondTypes[0].shearStiffness = 1e6/size;
+        DemConfig known(s.config);
+        known.dimensions = D();
+        if (across > 1) in.bonds = bondsWithin(known, in.particles, 0, 1e-3*size);
+        return s;
+    }
+
+    SphConfig waterBox() const
+    {
+        SphConfig c = config();
+        if (D() == 3) { c.spacing = 0.1; c.skin = 0.1; }
+        c.periodic[0] = c.periodic[1] = c.periodic[2] = true;
+        c.wallSpacing = c.spacing;
+        c.viscosity = 20;
+        return c;
+    }
+
+    //- Fluid about a block that is left free of it
+    FluidInput waterAround(const SphConfig& c, const Vector3& low, double side) const
+    {
+        FluidInput all = lattice(c, {{0, 0, 0}}, {{1, 1, D() == 3 ? 1.0 : 0.0}}), f;
+        disturb(c, all, 0.1, 0.5, 0.01);
+        for (std::size_t i = 0; i < all.size(); ++i)
+        {
+            bool inside = true;
+            for (int d = 0; d < D(); ++d)
+            {
+                double& x = all.position[3*i + d];
+                x -= std::floor(x);
+                inside = inside && x > low[d] - 0.5*c.spacing && x < low[d] + side + 0.5*c.spacing;
+            }
+            if (inside) continue;
+            f.position.insert(f.position.end(), all.position.begin() + 3*i, all.position.begin() + 3*i + 3);
+            f.velocity.insert(f.velocity.end(), all.velocity.begin() + 3*i, all.velocity.begin() + 3*i + 3);
+            f.density.push_back(all.density[i]);
+        }
+        return f;
+    }
+
+    struct Momentum { Vector3 sum{{0, 0, 0}}; double size = 0; };
+
+    Momentum momentum(SphScene& s, const SphConfig& c) const
+    {
+        Momentum p;
+        const auto add = [&](const std::vector<double>& v, std::size_t i, double m)
+        { for (int d = 0; d < D(); ++d) { p.sum[d] += m*v[3*i + d]; p.size += m*std::abs(v[3*i + d]); } };
+        const FluidState f = s.fluid();
+        for (std::size_t i = 0; i < f.id.size(); ++i) add(f.velocity, i, c.density*std::pow(c.spacing, D()));
+        const DemState q = s.solids()->particles();
+        for (std::size_t i = 0; i < q.id.size(); ++i) add(q.velocity, i, q.mass[i]);
+        const CouplingState now = s.coupling();
+        for (int d = 0; d < D(); ++d) p.sum[d] += now.pending[d];
+        return p;
+    }
+};
+
+RIPRAP_ALL_SETUPS(Coupling);
+
+//- One fluid particle and one solid one of half its size: paper 1, Eqs. 34, 40 and 41 in double
+TEST_P(Coupling, ForceOfOnePair)
+{
+    for (const CouplingKind kind : allKinds)
+    {
+        SCOPED_TRACE(nameOf(kind));
+        SphConfig c = config();
+        c.wallSpacing = c.spacing;
+        FluidInput f;
+        const double x = 0.5, distance = 0.8*c.spacing, deviation = 0.01;
+        f.position = {x, 0.5, D() == 3 ? 0.5 : 0.0};
+        f.velocity = {0, 0, 0};
+        f.density = {c.density*(1 + deviation)};
+        SolidInput solids = block(c, 1, 0.5*c.spacing, {{0, 0, 0}});
+        solids.coupling.kind = kind;
+        solids.input.particles.position = {x + distance, 0.5, D() == 3 ? 0.5 : 0.0};
+        const auto s = createSphDemScene(c, f, {}, solids);
+
+        const double h = c.smoothingRatio*c.spacing, q = distance/h, rho = f.density[0];
+        const double m = c.density*std::pow(c.spacing, D()), mS = c.density*solids.volume[0];
+        const double slope = WendlandC2::alpha(D())/std::pow(h, D() + 2)*WendlandC2::slope(q)*distance;     // |dW/dr|, negative
+        const double w = WendlandC2::alpha(D())/std::pow(h, D())*WendlandC2::value(q);
+        const auto pressure = [&](double d) { return c.soundSpeed*c.soundSpeed*c.density/7*(std::pow(1 + d, 7) - 1); };
+        const double p = pressure(deviation);
+        double pS = 0, rhoS = c.density;
+        if (kind == CouplingKind::pressureApproximation) pS = p*w*m/rho;
+        if (kind == CouplingKind::extrapolated) pS = p;
+        if (pS > 0) rhoS = c.density*std::pow(1 + 7*pS/(c.soundSpeed*c.soundSpeed*c.density), 1.0/7);
+        const double expected = kind == CouplingKind::pressureGradient
+            ? -m/rho*solids.volume[0]*p*slope : -m*mS*(p/(rho*rho) + pS/(rhoS*rhoS))*slope;     // away from the fluid
+        const CouplingState now = s->coupling();
+        EXPECT_NEAR(now.force[0], expected, (mixed() ? 3e-5 : 1e-10)*expected);
+        EXPECT_GT(expected, 0);
+        EXPECT_EQ(now.force[1], 0);
+    }
+}
+
+//- What the fluid loses the solids gain, step by step, whatever the scheme
+TEST_P(Coupling, MomentumIsKept)
+{
+    for (const CouplingKind kind : allKinds)
+        for (const IntegratorKind scheme : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+        {
+            SCOPED_TRACE(std::string(nameOf(kind)) + (scheme == IntegratorKind::leapfrog ? ", leapfrog" : ", symplectic"));
+            SphConfig c = waterBox();
+            c.integrator = scheme;
+            c.acousticCourant = 0.2;
+            const double size = 0.6*c.spacing;
+            SolidInput solids = block(c, 5, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
+            solids.coupling.kind = kind;
+            const auto s = createSphDemScene(c, waterAround(c, {{0.3, 0.3, 0.3}}, 5*size), {}, solids);
+            const Momentum before = momentum(*s, c);
+            const double start = std::sqrt(std::pow(s->coupling().total[0], 2) + std::pow(s->coupling().total[1], 2));
+            const SphReport report = s->advance(1, 20);
+            ASSERT_EQ(report.stop, StopReason::none);
+            const Momentum after = momentum(*s, c);
+            EXPECT_GT(s->coupling().subcycles, 1);
+            // each velocity is rounded a few times a step
+            for (int d = 0; d < D(); ++d) EXPECT_NEAR(after.sum[d], before.sum[d], 40*epsilon()*after.size) << "axis " << d;
+            EXPECT_GT(start*report.time, 1e-4*after.size) << "or the test would prove nothing";
+            double speed = 0;
+            const DemState q = s->solids()->particles();
+            for (const double v : q.velocity) speed = std::max(speed, std::abs(v));
+            EXPECT_GT(speed, 1e-3) << "the solids must have been moved";
+        }
+}
+
+TEST_P(Coupling, ContinuesToTheBit)
+{
+    for (const CouplingKind kind : {CouplingKind::pressureGradient, CouplingKind::extrapolated})
+        for (const IntegratorKind scheme : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+        {
+            SphConfig c = waterBox();
+            c.integrator = scheme;
+            const double size = 0.6*c.spacing;
+            SolidInput solids = block(c, 4, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
+            solids.coupling.kind = kind;
+            const FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 4*size);
+            const auto a = createSphDemScene(c, water, {}, solids), b = createSphDemScene(c, water, {}, solids);
+            a->advance(0.01);
+            b->loadState(a->saveState());
+            a->advance(0.02);
+            b->advance(0.02);
+            expectSameBits(a->fluid(), b->fluid());
+            const DemState p = a->solids()->particles(), q = b->solids()->particles();
+            EXPECT_EQ(p.id, q.id);
+            EXPECT_EQ(p.position, q.position);
+            EXPECT_EQ(p.velocity, q.velocity);
+            EXPECT_EQ(a->coupling().force, b->coupling().force);
+            EXPECT_DOUBLE_EQ(a->solids()->time(), a->time());
+        }
+}
+
+//- Solids far from any fluid: they fall as if alone, and the fluid does what it does alone
+TEST_P(Coupling, FarApartNothingPasses)
+{
+    SphConfig c = config();
+    c.wallSpacing = c.spacing;
+    c.domainMax[0] = 2;
+    c.gravity = {{0, -1, 0}};
+    SolidInput solids = block(c, 3, 0.6*c.spacing, {{1.5, 0.5, D() == 3 ? 0.3 : 0.0}});
+    FluidInput f = lattice(c, {{0.2, 0.5, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.8, D() == 3 ? 0.4 : 0.0}});
+    disturb(c, f, 0.1, 0.2, 0.01);
+    const auto both = createSphDemScene(c, f, {}, solids);
+    const auto alone = createSphScene(c, f, {});
+    both->advance(0.05);
+    alone->advance(0.05);
+    expectSameBits(both->fluid(), alone->fluid());
+    for (const double force : both->coupling().force) EXPECT_EQ(force, 0);
+    const DemState q = both->solids()->particles();
+    for (std::size_t i = 0; i < q.id.size(); ++i) EXPECT_NEAR(q.velocity[3*i + 1], -0.05, 1e-5);
+}
+
+TEST_P(Coupling, RefusesWhatDoesNotFit)
+{
+    const SphConfig c = waterBox();
+    SolidInput solids = block(c, 2, 0.03, {{0.3, 0.3, 0.3}});
+    const FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 0.06);
+    solids.volume.pop_back();
+    EXPECT_THROW(createSphDemScene(c, water, {}, solids), std::invalid_argument);
+    solids.volume.push_back(0);
+    EXPECT_THROW(createSphDemScene(c, water, {}, solids), std::invalid_argument);
+    solids.volume.back() = 1e-3;
+    solids.coupling.xsph = true;
+    EXPECT_THROW(createSphDemScene(c, water, {}, solids), std::invalid_argument);
+}
+
+//- Overlap at the start is found, touching is none
+TEST_P(Coupling, FindsSolidsInFluid)
+{
+    SphConfig c = config();
+    FluidInput f = lattice(c, {{0, 0, D() == 3 ? 0.2 : 0.0}}, {{0.5, 0.5, D() == 3 ? 0.4 : 0.0}});
+    DemParticles p;
+    p.radius = {0.02};
+    p.position = {0.52, 0.3, f.position[2]};
+    EXPECT_EQ(solidsInFluid(c, f, p, 1e-3).count, 0u);
+    p.position[0] = 0.47;
+    EXPECT_GT(solidsInFluid(c, f, p, 1e-3).count, 0u);
+}
+
+} // namespace
+} // namespace riprap

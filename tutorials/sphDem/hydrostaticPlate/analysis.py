@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elastic plate under a water column at rest: the middle's displacement against plate theory"""
+import os
+
+import numpy as np
+
+from riprap import clouds, plotting
+from riprap.bounds import Quantity
+from riprap.dictionaries import numberOf
+from riprap.study import Study, Variant
+
+here = os.path.dirname(os.path.abspath(__file__))
+g, rho, rhoPlate = 9.81, 1000, 1100
+e, L, H = 5e-3, 0.07875, 0.1575
+E, nu = 10e6, 0.4
+paper = 1.263e-3                        # its program [m]
+
+
+def thinPlate(span=L):
+    """Eq. 44: 1.2894 mm. Clamped at both ends, without shear; 0.0026 stands for 1/384"""
+    D = E*e**3/(12*(1 - nu**2))
+    return 0.0026*g*(rho*H + rhoPlate*e)*span**4/D
+
+
+def withShear(span=L):
+    """Timoshenko, kappa = 5/6: q L^2/(8 kappa G e) more"""
+    q = g*(rho*H + rhoPlate*e)
+    return thinPlate(span) + q*span**2/(8*5/6*E/(2*(1 + nu))*e)
+
+
+def middle(run):
+    """Time and how far the middle has sunk: mean of the particles about it"""
+    table = run.table('middle', 'particleDisplacement.dat')
+    columns = [c for c in table if c.endswith('Dy')]
+    return np.asarray(table['Time']), -np.mean([table[c] for c in columns], axis=0)
+
+
+def settled(t, w):
+    """Mean over the last quarter"""
+    return w[t > 0.75*t[-1]].mean()
+
+
+def drift(t, w):
+    """Change of the mean from the third quarter to the last, over the mean"""
+    third = w[(t > 0.5*t[-1]) & (t <= 0.75*t[-1])].mean()
+    return abs(settled(t, w)/third - 1)
+
+
+def isStiffInShear(run):
+    return run.name.startswith('thin')
+
+
+def analyse(run):
+    t, w = middle(run)
+    at = settled(t, w)
+    noise = w[t > 0.75*t[-1]].std()/at
+    theory = thinPlate() if isStiffInShear(run) else withShear()
+    return [Quantity('middle [mm], theory of its shear', 1e3*at, 1e3*theory, abs(at/theory - 1)),
+            Quantity('middle [mm], thin plate', 1e3*at, 1e3*thinPlate(), abs(at/thinPlate() - 1)),
+            Quantity("middle [mm], the paper's program", 1e3*at, 1e3*paper, abs(at/paper - 1)),
+            Quantity('drift, third quarter to last', error=float(drift(t, w))),
+            Quantity('rms about the mean in the last quarter', computed=float(noise))]
+
+
+def plot(runs, path):
+    fig, (time, shape) = plotting.figure(2)
+    for run in runs:
+        t, w = middle(run)
+        time.plot(t, 1e3*w, linewidth=0.8, label=run.name)
+    for w, style, label in ((thinPlate(), '--', 'thin plate'), (withShear(), ':', 'with shear')):
+        time.axhline(1e3*w, color='k', linewidth=0.8, linestyle=style, label=label)
+    time.set(xlabel='t [s]', ylabel='middle sinks by [mm]', ylim=(0, 2.2))
+    time.legend(fontsize=6)
+    last = runs[0]
+    c = clouds.readCloud(last.path, clouds.times(last.path)[-1], ('radius',), 'solids')
+    f = clouds.readCloud(last.path, clouds.times(last.path)[-1], ('p',))
+    dots = shape.scatter(1e3*f['positions'][:, 0], 1e3*f['positions'][:, 1], c=f['p'], s=1.5)
+    shape.scatter(1e3*c['positions'][:, 0], 1e3*c['positions'][:, 1], s=1.5, color='#444444')
+    fig.colorbar(dots, ax=shape, label='p [Pa]')
+    shape.set(aspect='equal', xlabel='x [mm]', ylabel='y [mm]', title=last.name)
+    plotting.save(fig, path)
+
+
+def shear(factor):
+    return f'constant/solidProperties:bonds/cement/G {factor*E/(1 + nu):.7g}'
+
+
+def sized(across, fluid):
+    """Another number of particles through the plate, the fluid's spacing with it"""
+    s = e/across
+    numbers = {'size': s, 'radius': s/2, 'gap': 1e-3*s, 'left': -3.5*s, 'leftEnd': 0.5*s, 'rightEnd': L - 0.5*s, 'right': L + 3.5*s,
+               'thickness': s, 'fluidSpacing': fluid}
+    return '; '.join(f'system/plate:{k} {v:.10g}' for k, v in numbers.items())
+
+
+Study(
+    scene='hydrostaticPlate',
+    variants=[Variant('pressureGradient'),
+              Variant('stationary', ['-set', 'coupling stationary']),
+              Variant('pressureApproximation', ['-set', 'coupling pressureApproximation']),
+              Variant('extrapolated', ['-set', 'coupling extrapolated']),
+              Variant('thin', ['-set', shear(10)]),
+              Variant('fine', ['-endTime', '1', '-set', sized(8, 8.75e-4)])],
+    quick=[Variant('quick', ['-endTime', '0.5'])],
+    analyse=analyse,
+    plot=plot,
+    headline='middle [mm], theory of its shear',
+).main(here)
