@@ -2,7 +2,9 @@
 
     Over a step of the fluid a solid moves from x_n to x_{n+1}; the fluid sees it on the straight line between them, with the
     mean velocity u = (x_{n+1} - x_n)/dt: volume that it takes is then the way that it went.
-    The acceleration that extrapolation takes is that of u, smoothed over the time h/c0 that pressure needs to pass a particle.
+    The acceleration that extrapolation takes is that of u, smoothed over (1 + M/m) h/c0: h/c0 is what pressure needs to pass a
+    particle, M = 2 rho0 V h/R the water about a solid particle that its pressure moves. Pressure of an acceleration that pressure
+    makes: taken at once, it would swing where M > m.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -138,6 +140,7 @@ struct MovePoints
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];
     real halfSkin;
+    double h;                   // [m]
     double responseTime;        // h/c0 [s]
     bool half;
     ClockData* clock;
@@ -157,7 +160,7 @@ struct MovePoints
             const real u = real(double(way)*box.unit[d]/clock->dt);
             q.velocity.c[d] = points.own[d][i] = u;
             p.c[d] = box.pairPosition(d, half ? from + way/2 : x.c[d]);
-            if (!half) follow(d, i, key, x.c[d], u);
+            if (!half) follow(d, i, key, slot, x.c[d], u);
             const real s = box.template separation<real>(d, p.c[d], reference[d][i]);
             distance2 += s*s;
             speed2 += u*u;
@@ -178,11 +181,12 @@ private:
         records.store(i, q);
     }
 
-    HD void follow(int d, int i, int key, std::int64_t x, real u) const
+    HD void follow(int d, int i, int key, int slot, std::int64_t x, real u) const
     {
         real& before = points.velocity[std::size_t(key)*D + d];
         real& a = points.acceleration[std::size_t(key)*D + d];
-        const double share = 1 - exp(-clock->dt/responseTime);
+        const double added = 2*double(points.mass[i])*h/(double(solids.fields.mass[slot])*double(solids.fields.radius[slot]));
+        const double share = 1 - exp(-clock->dt/((1 + added)*responseTime));
         a += real(share*((double(u) - before)/clock->dt - a));
         before = u;
         points.last[d][i] = x;

@@ -151,6 +151,8 @@ static void readCoupling(checkedDictionary& sph, sphSettings& settings)
     coupling.kind = sph.choice("coupling", sphNames::coupling, coupling.kind);
 
     checkedDictionary coeffs(sph.subDict("couplingCoeffs"));
+    coupling.impulse =
+        coeffs.either("fluidForce", "impulse", "held", coupling.impulse);
     coupling.viscosity =
         coeffs.either("viscosity", "yes", "no", coupling.viscosity);
     coupling.xsph = coeffs.either("XSPH", "yes", "no", coupling.xsph);

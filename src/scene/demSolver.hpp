@@ -227,7 +227,7 @@ private:
     RadiusClasses radii_;
     SizeClasses<D, P> classes_;
     std::int64_t domainMin_[D], domainMax_[D];
-    real halfSkin_ = 0;
+    real halfSkin_ = 0, suddenWay_ = 0;
     double reach_ = 0, largestGap_ = 0;
     std::vector<double> emptyCoordinate_;
 

@@ -108,6 +108,7 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
         m.domainMax[d] = domainMax_[d];
     }
     m.halfSkin = halfSkin_;
+    m.suddenWay = suddenWay_;
     m.motions = groupMotions();
     m.clumps = nClumps_ ? clumps_.data() : nullptr;
     m.offset = offset_.data();

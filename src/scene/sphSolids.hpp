@@ -126,11 +126,22 @@ void SphSolver<Backend, D, P>::sortSolids()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::advanceSolids()
 {
+    const double impulse = 0.5*(host_.previousDt + host_.dt);
+    const auto advance = [&](double t, double dt, int steps, bool pushed)
+    {
+        const double share = pushed ? impulse/solids_->kickTime(dt, steps) : 0;
+        forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), solids_->external(), share});
+        context_.synchronise();
+        return solids_->advanceTo(t, dt, steps);
+    };
     subcycles_ = solids_->subcycles(host_.dt);
-    const double share = 0.5*(host_.previousDt + host_.dt)/solids_->kickTime(host_.dt, subcycles_);
-    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), solids_->external(), share});
-    context_.synchronise();
-    if (solids_->advanceTo(host_.time, host_.dt, subcycles_)) return;
+    const double first = host_.dt/subcycles_;
+    if (subcycles_ == 1 || !coupling_.impulse)
+    {
+        if (advance(host_.time, host_.dt, subcycles_, true)) return;
+    }
+    else if (advance(host_.time - host_.dt + first, first, 1, true) && advance(host_.time, host_.dt - first, subcycles_ - 1, false))
+        return;
     host_.halt = Halt::solids;
     host_.active = 0;
     writeClock();
@@ -141,7 +152,7 @@ void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
-        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
+        config_.smoothingRatio*config_.spacing, config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     forEach(context_, nSolids_, move);
 }

@@ -68,7 +68,7 @@ fill "$above"
 says bothSets 'Written 160 particles to 0/lagrangian/fluid'
 says bothSets2 'Written 10 particles, 13 bonds'
 riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
-says coupling 'coupling +pressureGradient, viscosity yes, XSPH no, antiClump no'
+says coupling 'coupling +pressureGradient, fluidForce impulse, viscosity yes, XSPH no, antiClump no'
 says subcycles 'timeIntegration +leapfrog, step [0-9.e-]+ s \(.*\): [0-9]+ a step of the fluid'
 says step 'Solids: steps = [0-9]+ \([0-9]+\), [0-9]+ a step of the fluid'
 for field in fluid/positions fluid/p solids/positions solids/U solids/origId
@@ -101,6 +101,7 @@ says memory 'solid points'
 fluid 'coupling glue;'; wrong word 'coupling.*glue.*stationary.*pressureGradient.*pressureApproximation.*extrapolated' riprapFoam
 fluid 'couplingCoeffs { XSPH yes; }'; wrong xsph 'Entry XSPH of couplingCoeffs is yes, but XSPH of constant/sphProperties is none' riprapFoam
 fluid 'antiClump none; couplingCoeffs { antiClump yes; }'; wrong antiClump 'Entry antiClump of couplingCoeffs is yes' riprapFoam
+fluid 'couplingCoeffs { fluidForce late; }'; wrong fluidForce 'fluidForce.*late.*held.*impulse' riprapFoam
 fluid 'couplingCoeffs { drag yes; }'; wrong entry 'drag.*viscosity' riprapFoam
 fluid ''; solids 'precision double;'; wrong precision 'Entry precision is double, and mixed in constant/sphProperties' riprapFoam
 solids ''; fill '(0.04 0.03 0) (0.06 0.038 0.01)'

@@ -79,6 +79,7 @@ struct MoveSolids : SolidMotion<D, P>
     bool verlet;
     position* reference[D];     // where neighbours were found
     real halfSkin;
+    real suddenWay;             // [m] more than its speed foretells, that a particle may go in a step: blows of a fluid
     std::int64_t domainMin[D], domainMax[D];        // fixed point; everything where periodic
     MotionTable motions;
     const ClumpData* clumps;    // null: there are none
@@ -170,7 +171,7 @@ struct MoveSolids : SolidMotion<D, P>
             speed2 += v.c[d]*v.c[d];
         }
         // 5/4 of a step's way must be left
-        const real distance = squareRoot(distance2), left = halfSkin - distance, way = real(1.25*fullDt);
+        const real distance = squareRoot(distance2), left = halfSkin - suddenWay - distance, way = real(1.25*fullDt);
         const bool in = inside(x), enough = left >= 0 && way*way*speed2 <= left*left;
         if (!enough || !in) raised->needRebuild = 1;
         // not so written that a number which is none slips through
