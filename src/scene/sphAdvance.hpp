@@ -163,6 +163,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     else if (report.steps && host_.needRebuild) sortNow();
     collectEscaped(report);
     if (solids_) solids_->endReport();
+    showForces();
     return report;
 }
 

@@ -218,6 +218,7 @@ void SphSolver<Backend, D, P>::prime()
     solidPass<Part::all>();
     fluidPass<Part::all>(Finish::store);
     solidForcePass();
+    showForces();
     context_.synchronise();
     readClock();
 }

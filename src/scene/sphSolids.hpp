@@ -147,6 +147,15 @@ void SphSolver<Backend, D, P>::advanceSolids()
     writeClock();
 }
 
+//- Between two calls of advance solids are read: with the fluid's force of now
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::showForces()
+{
+    if (!solids_) return;
+    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), solids_->external(), 1.0});
+    context_.synchronise();
+}
+
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::moveSolids(bool half)
 {

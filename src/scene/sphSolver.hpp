@@ -108,6 +108,7 @@ private:
     Source<Backend, D, P> fluidAboutSolids();
     void sortSolids();
     void advanceSolids();
+    void showForces();
     void moveSolids(bool half);
     void solidPressurePass(bool inStep);
     template<Part part> void solidPass();

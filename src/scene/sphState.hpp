@@ -132,6 +132,7 @@ void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words
     }
     const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + words[at]);
     solidScene_->loadState(own);
+    showForces();
 }
 
 } // namespace riprap

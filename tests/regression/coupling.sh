@@ -101,7 +101,7 @@ says memory 'solid points'
 fluid 'coupling glue;'; wrong word 'coupling.*glue.*stationary.*pressureGradient.*pressureApproximation.*extrapolated' riprapFoam
 fluid 'couplingCoeffs { XSPH yes; }'; wrong xsph 'Entry XSPH of couplingCoeffs is yes, but XSPH of constant/sphProperties is none' riprapFoam
 fluid 'antiClump none; couplingCoeffs { antiClump yes; }'; wrong antiClump 'Entry antiClump of couplingCoeffs is yes' riprapFoam
-fluid 'couplingCoeffs { fluidForce late; }'; wrong fluidForce 'fluidForce.*late.*held.*impulse' riprapFoam
+fluid 'couplingCoeffs { fluidForce late; }'; wrong fluidForce 'fluidForce.*late.*impulse held' riprapFoam
 fluid 'couplingCoeffs { drag yes; }'; wrong entry 'drag.*viscosity' riprapFoam
 fluid ''; solids 'precision double;'; wrong precision 'Entry precision is double, and mixed in constant/sphProperties' riprapFoam
 solids ''; fill '(0.04 0.03 0) (0.06 0.038 0.01)'

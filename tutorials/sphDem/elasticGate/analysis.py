@@ -55,13 +55,6 @@ def noise(t, u):
     return float(np.sqrt(np.mean(np.concatenate(rest)**2))/abs(u).max()) if rest else None
 
 
-def energyGap(run):
-    """What the balance of fluid and solids together loses, over the change of the fluid's potential energy"""
-    fluid, solid = run.table('energy', 'energyBalance.dat'), run.table('solidEnergy', 'solidEnergies.dat')
-    total = fluid['kinetic'] + fluid['potential'] + fluid['elastic'] + solid['total']
-    return float((total[0] - total[-1])/abs(fluid['potential'][0] - fluid['potential'][-1]))
-
-
 def analyse(run):
     t, x, y = end(run)
     bestX, timeX = peak(t, x)
@@ -70,8 +63,7 @@ def analyse(run):
          Quantity('its time [s]', timeX, peakTimeX, abs(timeX/peakTimeX - 1)),
          Quantity('largest y of the end [mm]', 1e3*bestY, 1e3*peakY, abs(bestY/peakY - 1)),
          Quantity('its time, y [s]', timeY, peakTimeX, abs(timeY/peakTimeX - 1)),
-         Quantity('noise of x', computed=noise(t, x)),
-         Quantity('energy lost / potential energy released', computed=energyGap(run))]
+         Quantity('noise of x', computed=noise(t, x))]
     for axis, u in (('x', x), ('y', y)):
         q.append(Quantity(f'closing phase, rms of {axis} / peak', error=closing(t, u, axis)))
     level = run.table('level', 'waterLevel.dat')
