@@ -23,7 +23,7 @@ struct CouplingConfig
     bool viscosity = true;                  // viscous terms of the fluid act between fluid and solids
     bool xsph = false;                      // so does XSPH; where the fluid has it
     bool antiClump = false;                 // so does the anti-clump term; where the fluid has it
-    bool impulse = true;                    // solids that take several steps in one of the fluid get its force as one blow in
+    bool impulse = false;                   // solids that take several steps in one of the fluid get its force as one blow in
                                             // the first of them; else throughout
 };
 

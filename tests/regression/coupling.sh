@@ -68,7 +68,7 @@ fill "$above"
 says bothSets 'Written 160 particles to 0/lagrangian/fluid'
 says bothSets2 'Written 10 particles, 13 bonds'
 riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
-says coupling 'coupling +pressureGradient, fluidForce impulse, viscosity yes, XSPH no, antiClump no'
+says coupling 'coupling +pressureGradient, fluidForce held, viscosity yes, XSPH no, antiClump no'
 says subcycles 'timeIntegration +leapfrog, step [0-9.e-]+ s \(.*\): [0-9]+ a step of the fluid'
 says step 'Solids: steps = [0-9]+ \([0-9]+\), [0-9]+ a step of the fluid'
 for field in fluid/positions fluid/p solids/positions solids/U solids/origId
