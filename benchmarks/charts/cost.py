@@ -17,7 +17,10 @@ def draw(scene, rows, peers, path):
         return
     others = [p for p in peers if p['chart'] == 'cost' and p['scene'] == scene]
     quantities = list(groups(rows, lambda r: r['quantity']))
-    fig, axes = plotting.figure(len(quantities), width=6.0, height=4.6)
+    columns = min(4, len(quantities))
+    fig, axes = plotting.figure(columns, -(-len(quantities)//columns), width=6.0, height=4.6)
+    for axis in axes[len(quantities):]:
+        axis.set_visible(False)
     labels = labelMaker(rows)
     for axis, quantity in zip(axes, quantities):
         mine = [r for r in rows if r['quantity'] == quantity]

@@ -58,16 +58,25 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     in.pairs.push_back(pair);
 
     const std::vector<double> x = readBed(bed);
+    const std::size_t each = x.size()/3, n = each*o.copies;
+    DemParticles& p = in.particles;
+    p.position.resize(3*n);
+    p.radius.resize(n);
+    p.mass.resize(n);
+    // the same sizes in every copy
     std::mt19937 engine(1);
     std::uniform_real_distribution<double> u(0, 1);
-    for (int k = 0; k < o.copies; ++k)
-        for (std::size_t i = 0; i < x.size(); i += 3)
-        {
-            const double r = 0.5*diameter*std::pow(o.sizeRatio, -u(engine));
-            in.particles.position.insert(in.particles.position.end(), {x[i], x[i + 1] + period*k, x[i + 2]});
-            in.particles.radius.push_back(r);
-            in.particles.mass.push_back(density*4.0/3*M_PI*r*r*r);
-        }
+    std::vector<double> radius(each, 0.5*diameter);
+    if (o.sizeRatio > 1) for (double& r : radius) r *= std::pow(o.sizeRatio, -u(engine));
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const std::size_t from = i % each;
+        const double r = radius[from];
+        for (int d = 0; d < 3; ++d) p.position[3*i + d] = x[3*from + d] + (d == 1 ? period*double(i/each) : 0);
+        p.radius[i] = r;
+        p.mass[i] = density*4.0/3*M_PI*r*r*r;
+    }
     if (o.triangles)
     {
         // past the period on both sides: surfaces are not repeated
@@ -86,6 +95,48 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
         }
     in.walls[0].name = "floor";
     in.walls[1].name = "back";
+}
+
+void bondedScene(int side, DemConfig& c, DemInput& in)
+{
+    const double r = 0.5*diameter, wave = 0.05;
+    c.dimensions = 3;
+    for (int d = 0; d < 3; ++d) { c.domainMin[d] = -0.1*side*diameter; c.domainMax[d] = 1.1*side*diameter; }
+    c.normal = NormalKind::linear;
+    c.tangential = TangentialKind::none;
+    c.stepFraction = 0.1;
+    in.materials.push_back(DemMaterial{"cement", 1e7, 0.25});
+    DemPair pair;
+    pair.properties.normalStiffness = 1e4;
+    in.pairs.push_back(pair);
+    DemBondType bond;
+    bond.normalStiffness = 1e9;
+    bond.shearStiffness = 4e8;
+    in.bondTypes.push_back(bond);
+    const std::size_t n = std::size_t(side)*side*side;
+    DemParticles& p = in.particles;
+    p.position.resize(3*n);
+    p.velocity.resize(3*n);
+    p.radius.assign(n, r);
+    p.mass.assign(n, density*4.0/3*M_PI*r*r*r);
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const std::size_t at[3] = {i % side, i/side % side, i/side/side};
+        for (int d = 0; d < 3; ++d)
+        {
+            p.position[3*i + d] = (double(at[d]) + 0.5)*diameter;
+            p.velocity[3*i + d] = wave*std::cos(2*M_PI*double(at[d])/side);
+        }
+    }
+    const std::size_t stride[3] = {1, std::size_t(side), std::size_t(side)*side};
+    for (std::size_t i = 0; i < n; ++i)
+        for (int d = 0; d < 3; ++d)
+            if (i/stride[d] % side + 1 < std::size_t(side))
+            {
+                in.bonds.a.push_back(std::int32_t(i));
+                in.bonds.b.push_back(std::int32_t(i + stride[d]));
+            }
 }
 
 } // namespace riprap

@@ -20,6 +20,10 @@ struct ColumnOptions
     bool triangles = false;     // walls of triangles instead of planes
 };
 
+//- A block of side^3 spheres on a cubic lattice, each bonded to its six neighbours (parallel bonds, no breakage), that is let go where it
+//  has been stretched by a wave of half its length: bonds work, nothing touches
+void bondedScene(int side, DemConfig&, DemInput&);
+
 void columnScene(const std::string& bed, const ColumnOptions&, DemConfig&, DemInput&);
 
 } // namespace riprap

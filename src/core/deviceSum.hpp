@@ -12,18 +12,21 @@
 namespace riprap
 {
 
+//- Doubles that a sum of one number needs; of N numbers, N times as many
+static constexpr int deviceSumParts = 1024;
+
 #ifdef __CUDACC__
 
 template<int N, class G>
-__global__ void __launch_bounds__(sumChunks) finishSumKernel(const double* partial, G finish)
+__global__ void __launch_bounds__(deviceSumParts) finishSumKernel(const double* partial, G finish)
 {
-    __shared__ double shared[sumChunks];
+    __shared__ double shared[deviceSumParts];
     double total[N];
     for (int k = 0; k < N; ++k)
     {
         shared[threadIdx.x] = partial[threadIdx.x*N + k];
         __syncthreads();
-        for (int o = sumChunks/2; o > 0; o /= 2)
+        for (int o = deviceSumParts/2; o > 0; o /= 2)
         {
             if (int(threadIdx.x) < o) shared[threadIdx.x] += shared[threadIdx.x + o];
             __syncthreads();
@@ -34,12 +37,12 @@ __global__ void __launch_bounds__(sumChunks) finishSumKernel(const double* parti
     if (threadIdx.x == 0) finish(total);
 }
 
-//- partial: room for N*sumChunks doubles
+//- partial: room for N*deviceSumParts doubles
 template<int N, class F, class G>
 void sumThen(Context<Gpu>& context, int n, const F& f, double* partial, const G& finish)
 {
-    profiled(context, F::name, [&] { sumKernel<N><<<sumChunks, 256, 0, context.stream>>>(n, f, partial); });
-    profiled(context, G::name, [&] { finishSumKernel<N><<<1, sumChunks, 0, context.stream>>>(partial, finish); });
+    profiled(context, F::name, [&] { sumKernel<N><<<deviceSumParts, 256, 0, context.stream>>>(n, f, partial); });
+    profiled(context, G::name, [&] { finishSumKernel<N><<<1, deviceSumParts, 0, context.stream>>>(partial, finish); });
 }
 
 #else

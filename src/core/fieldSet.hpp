@@ -85,13 +85,15 @@ public:
     template<class T>
     T* data(int field) { return reinterpret_cast<T*>(fields_[field].now.data()); }
 
-    //- Sort every field; pointers from data() change
-    void permute(Context<Backend>& context, const std::uint32_t* order, int n)
+    //- Sort every field but those of [skipFrom, skipTo); pointers from data() change
+    void permute(Context<Backend>& context, const std::uint32_t* order, int n, int skipFrom = 0, int skipTo = 0)
     {
         Permute p{};
         p.order = order;
-        for (Field& f : fields_)
+        for (int k = 0; k < int(fields_.size()); ++k)
         {
+            if (k >= skipFrom && k < skipTo) continue;
+            Field& f = fields_[k];
             Array<Backend, unsigned char>& next = !tight_ ? f.next : (f.bytes == 8 ? spare8_ : spare4_);
             p.from[p.fields] = f.now.data();
             p.to[p.fields] = next.data();

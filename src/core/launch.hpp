@@ -1,11 +1,13 @@
 /*  forEach and sums over particles: the one place where kernels start.
 
-    A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i) const`.
+    A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i) const`; on the GPU blocks are of 256
+    threads, and `static constexpr int residentBlocks` asks for so many of them on a processor at a time.
 */
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include "core/backend.hpp"
 #ifndef __CUDACC__
     #include <omp.h>
@@ -25,6 +27,17 @@ __global__ void __launch_bounds__(256) forEachKernel(int n, F f)
     const int i = blockIdx.x*256 + threadIdx.x;
     if (i < n) f(i);
 }
+
+//- For kernels that wait for memory: registers are held to what so many blocks leave to each
+template<int blocks, class F>
+__global__ void __launch_bounds__(256, blocks) forEachResident(int n, F f)
+{
+    const int i = blockIdx.x*256 + threadIdx.x;
+    if (i < n) f(i);
+}
+
+template<class F, class = void> struct ResidentBlocks { static constexpr int value = 0; };
+template<class F> struct ResidentBlocks<F, std::void_t<decltype(F::residentBlocks)>> { static constexpr int value = F::residentBlocks; };
 
 //- Runs a launch under the profile: counted, and timed when asked
 template<class Launch>
@@ -49,7 +62,12 @@ template<class F>
 void forEach(Context<Gpu>& context, int n, const F& f)
 {
     if (n <= 0) return;
-    profiled(context, F::name, [&] { forEachKernel<<<(n + 255)/256, 256, 0, context.stream>>>(n, f); });
+    profiled(context, F::name, [&]
+    {
+        constexpr int resident = ResidentBlocks<F>::value;
+        if constexpr (resident > 0) forEachResident<resident><<<(n + 255)/256, 256, 0, context.stream>>>(n, f);
+        else forEachKernel<<<(n + 255)/256, 256, 0, context.stream>>>(n, f);
+    });
 }
 
 #endif

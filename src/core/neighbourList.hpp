@@ -134,11 +134,12 @@ public:
         poolUsed_.allocate(context, 1);
     }
 
-    //- Lists of all pairs within the grid's radius
+    //- Lists of all pairs within the grid's radius; name: of the launch
     void build
     (
         Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid, const RecordsView<Gpu, D, P>& target,
-        const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet, int* overflow
+        const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet, int* overflow,
+        const char* name
     )
     {
         const ListBuild<D, P> b
@@ -149,7 +150,7 @@ public:
         if (n_ == 0) return;
         if (pooled_) context.zero(poolUsed_.data(), sizeof(unsigned));
         const std::size_t threads = std::size_t(n_) << shift_;
-        profiled(context, "neighbourList", [&]
+        profiled(context, name, [&]
         {
             detail::listKernel<<<int((threads + detail::pairBlock - 1)/detail::pairBlock), detail::pairBlock, 0, context.stream>>>(b);
         });

@@ -23,12 +23,30 @@ struct DemClockData
     int active = 0;
     int needRebuild = 0;
     int needWindow = 0;
-    int bondBroke = 0;
     DemHalt halt = DemHalt::none;
-    int padding = 0;
 };
 
-static_assert(sizeof(DemClockData) == 8*8 + 6*4, "DemClockData has padding");
+static_assert(sizeof(DemClockData) == 8*8 + 4*4, "DemClockData has padding");
+
+//- The clock of the next step; active 0: there is none for now
+HD DemClockData ticked(DemClockData c)
+{
+    c.active = 0;
+    if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep) return c;
+    const double remaining = c.target - c.time;
+    double dt = c.fullDt;
+    bool last = false;
+    // the last two steps share what is left, so that none is tiny
+    if (dt >= remaining*(1 - 1e-9)) { last = true; dt = remaining; }
+    else if (2*dt > remaining*(1 + 1e-9)) dt = 0.5*remaining;
+    if (c.time + 0.5*dt > c.windowEnd) { c.needWindow = 1; return c; }
+    c.previousDt = c.dt;
+    c.dt = dt;
+    c.time = last ? c.target : c.time + dt;
+    c.step += 1;
+    c.active = 1;
+    return c;
+}
 
 struct DemTick
 {
@@ -36,24 +54,26 @@ struct DemTick
 
     DemClockData* clock;
 
-    HD void operator()(int) const
+    HD void operator()(int) const { *clock = ticked(*clock); }
+};
+
+//- When a pass over forces takes place. In fused steps forces are those at the start of a step that the clock has not yet come to, and
+//  what is raised is for the one after it
+enum class ForceTurn : int {inStep, ahead, always};
+
+struct ForceClock
+{
+    const DemClockData* clock;
+    DemClockData* raised;       // where flags go: the clock itself, or the next one
+    ForceTurn turn;
+
+    HD bool active() const
     {
-        DemClockData& c = *clock;
-        c.active = 0;
-        if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep) return;
-        if (c.time + 0.5*c.fullDt > c.windowEnd) { c.needWindow = 1; return; }
-        const double remaining = c.target - c.time;
-        double dt = c.fullDt;
-        bool last = false;
-        // the last two steps share what is left, so that none is tiny
-        if (dt >= remaining*(1 - 1e-9)) { last = true; dt = remaining; }
-        else if (2*dt > remaining*(1 + 1e-9)) dt = 0.5*remaining;
-        c.previousDt = c.dt;
-        c.dt = dt;
-        c.time = last ? c.target : c.time + dt;
-        c.step += 1;
-        c.active = 1;
+        if (turn == ForceTurn::always) return true;
+        return turn == ForceTurn::inStep ? clock->active != 0 : ticked(*clock).active != 0;
     }
+    //- The step that led to the positions at hand
+    HD double dt() const { return clock->dt; }
 };
 
 } // namespace riprap

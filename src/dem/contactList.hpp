@@ -1,8 +1,9 @@
 /*  Which particles may touch until the next rebuild, and what each contact remembers.
 
     Particle i's entries are index(i, 0 .. count[i]-1). On the GPU 32 particles share a block, entry k of all of them side by
-    side; lists are full (each pair at both ends) and histories kept twice, mirrored. On the CPU a particle's entries follow one
-    another; lists are half: a pair is with the particle that is sorted first, which is never the larger class's.
+    side; lists are full (each pair at both ends), what touches or nearly so comes first, and histories are kept twice, mirrored, in
+    words of four. On the CPU a particle's entries follow one another; lists are half: a pair is with the particle that is sorted
+    first, which is never the larger class's.
 
     An entry is the other's index; its top bit says that the pair touched in the last step, that is, that its history holds.
 
@@ -22,6 +23,12 @@ struct ContactListLayout
     HD static int other(std::uint32_t entry) { return int(entry & ~touching); }
 };
 
+//- Numbers that are loaded at once
+template<int n, class R>
+struct alignas(n*sizeof(R)) HistoryWords { R c[n ? n : 1]; };
+template<class R>
+struct HistoryWords<0, R> { R c[1]; };
+
 template<class Backend, class R>
 struct ContactListView : ContactListLayout
 {
@@ -37,11 +44,44 @@ struct ContactListView : ContactListLayout
 
     HD std::size_t index(int i, int k) const { return std::size_t(base[i/width]) + std::size_t(k)*width + i % width; }
 
-    template<int H>
-    HD R& remembered(std::size_t e, int c) const { return Backend::gpu ? history[c*stride + e] : history[e*historyWords(H) + c]; }
+    //- Numbers that lie together: four, or less where there are no more
+    HD static constexpr int wordsTogether(int H) { return Backend::gpu && H < 4 ? (H == 3 ? 4 : H) : 4; }
 
-    //- Numbers kept of an entry: on the CPU in rows of four, so that rows are loaded whole
-    HD static constexpr int historyWords(int H) { return Backend::gpu ? H : (H + 3)/4*4; }
+    //- Numbers kept of an entry
+    HD static constexpr int historyWords(int H) { return H ? (H + wordsTogether(H) - 1)/wordsTogether(H)*wordsTogether(H) : 0; }
+
+    HD std::size_t place(int H, std::size_t e, int c) const
+    {
+        const int together = wordsTogether(H);
+        return Backend::gpu ? (std::size_t(c/together)*stride + e)*together + c % together : e*historyWords(H) + c;
+    }
+
+    template<int H>
+    HD R& remembered(std::size_t e, int c) const { return history[place(H, e, c)]; }
+
+    //- All that an entry remembers, in as few loads as there can be
+    template<int H>
+    HD void recall(std::size_t e, R* h) const
+    {
+        constexpr int together = wordsTogether(H);
+        for (int first = 0; first < H; first += together)
+        {
+            const auto w = *reinterpret_cast<const HistoryWords<together, R>*>(history + place(H, e, first));
+            for (int c = 0; c < together && first + c < H; ++c) h[first + c] = w.c[c];
+        }
+    }
+
+    template<int H>
+    HD void remember(std::size_t e, const R* h) const
+    {
+        constexpr int together = wordsTogether(H);
+        for (int first = 0; first < H; first += together)
+        {
+            HistoryWords<together, R> w;
+            for (int c = 0; c < together; ++c) w.c[c] = first + c < H ? h[first + c] : R(0);
+            *reinterpret_cast<HistoryWords<together, R>*>(history + place(H, e, first)) = w;
+        }
+    }
 };
 
 template<class Backend, class R>
@@ -62,7 +102,7 @@ public:
     {
         if (entries > entry_.size())
         {
-            const std::size_t room = entries + entries/8 + 64;
+            const std::size_t room = entries + entries/(Backend::gpu ? 16 : 8) + 64;
             entry_.allocate(context, room);
             if (!Backend::gpu) owner_.allocate(context, room);
             const int words = ContactListView<Backend, R>::historyWords(histories);
@@ -90,6 +130,13 @@ public:
     int blocks() const { return blocks_; }
     std::size_t entries() const { return entries_; }
     std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes() + owner_.bytes(); }
+
+    //- Where entries are, without the entries
+    void swapShape(ContactList& o)
+    {
+        base_.swap(o.base_);
+        count_.swap(o.count_);
+    }
 
     void swap(ContactList& o)
     {

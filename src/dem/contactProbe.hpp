@@ -40,11 +40,10 @@ struct ContactProbe : PairModel<Backend, D, P, Law>
         if (this->list.rest) gap -= this->list.rest[e];
         if (self.radius + other.radius + gap <= distance) return r;
         for (int c = 0; c < H; ++c) h[c] = this->list.template remembered<H>(e, c);
-        // what is remembered has had its increment; a law without memory needs the step
-        const real dt = Law::remembers ? real(0) : real(this->clock->dt);
+        const real dt = real(this->clock.dt());
         const auto g = pairGeometry<D, real>(self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
-        const auto f = Law::template evaluate<D, real>(this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
+        const auto f = Law::template repeat<D, real>(this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
         r.other = j;
         r.force = f.force;
         r.overlap = g.overlap;
@@ -83,6 +82,21 @@ struct SumContactEnergy
         if (i >= *probe.active) return;
         for (int k = 0; k < probe.list.count[i]; ++k)
             sums[0] += double(probe.probe(i, k).energy)*(Backend::gpu ? 0.5 : 1.0);
+    }
+};
+
+//- How many contacts there are, each counted once
+template<class Backend, int D, class P, class Law>
+struct SumContacts
+{
+    static constexpr const char* name = "countContacts";
+    ContactProbe<Backend, D, P, Law> probe;
+
+    HD void add(int i, double* sums) const
+    {
+        if (i >= *probe.active) return;
+        for (int k = 0; k < probe.list.count[i]; ++k)
+            sums[0] += probe.probe(i, k).other < 0 ? 0 : (Backend::gpu ? 0.5 : 1.0);
     }
 };
 

@@ -45,8 +45,9 @@ struct ContactSearch
     const std::int32_t* id;
     BondTable bonds;
     real reach;                 // skin and gap: listed when the surfaces are no further apart
+    real nearReach;             // those that touch, or are about to
 
-    //- f(j) for every j that may touch i: all of them, or on the CPU those sorted after i
+    //- f(j, near) for every j that may touch i: all of them, or on the CPU those sorted after i
     template<class F>
     HD void forEachCandidate(int i, const F& f) const
     {
@@ -65,8 +66,10 @@ struct ContactSearch
                     const SolidA<D, P> other = solids.a[j];
                     Vec<D, real> dx;
                     for (int d = 0; d < D; ++d) dx.c[d] = box.template separation<real>(d, xi.c[d], other.x[d]);
-                    const real most = radius + other.radius + reach;
-                    if (squaredNorm(dx) < most*most && j != i && !apart(i, j)) f(j);
+                    const real most = radius + other.radius + reach, r2 = squaredNorm(dx);
+                    if (!(r2 < most*most) || j == i || apart(i, j)) continue;
+                    const real close = radius + other.radius + nearReach;
+                    f(j, r2 < close*close);
                 }
             });
         }
@@ -82,6 +85,7 @@ private:
     }
 };
 
+//- How many entries particles have; on the GPU also how many of them are near, which come first
 template<class Backend, int D, class P>
 struct CountContacts
 {
@@ -89,12 +93,14 @@ struct CountContacts
     ContactSearch<Backend, D, P> search;
     const int* active;
     int* count;
+    int* nearCount;             // null: not asked for
 
     HD void operator()(int i) const
     {
-        int k = 0;
-        if (i < *active) search.forEachCandidate(i, [&](int) { ++k; });
+        int k = 0, near = 0;
+        if (i < *active) search.forEachCandidate(i, [&](int, bool isNear) { ++k; near += isNear; });
         count[i] = k;
+        if (nearCount) nearCount[i] = near;
     }
 };
 
@@ -126,7 +132,7 @@ struct WriteContacts
     {
         if (i >= *active) return;
         int k = 0;
-        search.forEachCandidate(i, [&](int j)
+        search.forEachCandidate(i, [&](int j, bool)
         {
             const std::size_t e = list.index(i, k++);
             list.entry[e] = std::uint32_t(j);
@@ -144,8 +150,9 @@ struct InvertOrder
     HD void operator()(int i) const { inverse[order[i]] = i; }
 };
 
-//- What contacts remember, from the lists of before the sort to those of after it
-template<class Backend, class Law, int D, class R>
+//- What contacts remember, from the half lists of before the sort to those of after it (CPU). Numbers of the history from `turns` on
+//  change their sign where the other end becomes the owner
+template<class Backend, int H, int turns, class R>
 struct HandOver
 {
     static constexpr const char* name = "handOver";
@@ -166,22 +173,99 @@ struct HandOver
             if (!(from.entry[e] & List::touching)) continue;
             const int j = inverse[List::other(from.entry[e])];
             if (j >= *active) continue;
-            const bool turn = !Backend::gpu && j < i;
+            const bool turn = j < i;
             const int owner = turn ? j : i, partner = turn ? i : j;
             for (int l = 0; l < to.count[owner]; ++l)
             {
                 const std::size_t n = to.index(owner, l);
                 if (List::other(to.entry[n]) != partner) continue;
                 to.entry[n] |= List::touching;
-                constexpr int H = Law::template history<D>;
                 for (int c = 0; c < H; ++c)
                 {
                     const R h = from.template remembered<H>(e, c);
-                    to.template remembered<H>(n, c) = turn && Law::template turnsOver<D>(c) ? -h : h;
+                    to.template remembered<H>(n, c) = turn && c >= turns ? -h : h;
                 }
                 break;
             }
         }
+    }
+};
+
+//- What touched in the last step, of particles in their new order: counted, then kept while the lists are written over
+template<class Backend, class R, bool Write>
+struct KeepContacts
+{
+    static constexpr const char* name = Write ? "keepContacts" : "countTouching";
+    using List = ContactListView<Backend, R>;
+
+    List list;
+    int histories;
+    const std::uint32_t* order;
+    const int* inverse;
+    const int* active;
+    int* first;                 // counts, then their sums
+    int* partner;               // where the other is now
+    R* history;                 // words of a contact one after the other
+
+    HD void operator()(int i) const
+    {
+        const int old = int(order[i]);
+        int at = Write ? first[i] : 0;
+        const int words = List::historyWords(histories), count = i < *active ? list.count[old] : 0;
+        for (int k = 0; k < count; ++k)
+        {
+            const std::size_t e = list.index(old, k);
+            const std::uint32_t entry = list.entry[e];
+            if (!(entry & List::touching)) continue;
+            const int j = inverse[List::other(entry)];
+            if (j >= *active) continue;
+            if constexpr (Write)
+            {
+                partner[at] = j;
+                for (int c = 0; c < words; ++c) history[std::size_t(at)*words + c] = list.history[list.place(histories, e, c)];
+            }
+            ++at;
+        }
+        if constexpr (!Write) first[i] = at;
+    }
+};
+
+//- Full lists with what contacts remembered
+template<class Backend, int D, class P>
+struct WriteFullLists
+{
+    static constexpr const char* name = "writeContacts";
+    using R = typename P::real;
+    using List = ContactListView<Backend, R>;
+
+    ContactSearch<Backend, D, P> search;
+    const int* active;
+    List list;
+    int histories;
+    const int* nearCount;
+    const int* keptFirst;       // null: nothing is remembered
+    const int* keptPartner;
+    const R* keptHistory;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *active) return;
+        int near = 0, far = nearCount[i];
+        const int begin = keptFirst ? keptFirst[i] : 0, end = keptFirst ? keptFirst[i + 1] : 0;
+        search.forEachCandidate(i, [&](int j, bool isNear)
+        {
+            const std::size_t e = list.index(i, isNear ? near++ : far++);
+            std::uint32_t entry = std::uint32_t(j);
+            for (int c = begin; c < end; ++c)
+                if (keptPartner[c] == j)
+                {
+                    entry |= List::touching;
+                    const int words = List::historyWords(histories);
+                    for (int k = 0; k < words; ++k) list.history[list.place(histories, e, k)] = keptHistory[std::size_t(c)*words + k];
+                }
+            list.entry[e] = entry;
+            if (list.rest) list.rest[e] = 0;
+        });
     }
 };
 

@@ -25,7 +25,7 @@ struct PairModel
     const Parameters* parameters;       // of materials a, b: [a*materials + b]
     const real* gap;                    // likewise
     int materials;
-    const DemClockData* clock;
+    ForceClock clock;
     const int* active;
 
     HD int pairOf(int a, int b) const { return a*materials + b; }

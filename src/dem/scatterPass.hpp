@@ -95,7 +95,7 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
 
     void operator()(int block) const
     {
-        if (!this->clock->active) return;
+        if (!this->clock.active()) return;
         const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1), end = std::min(blockEnd, *this->active);
         if (end <= begin) return;
         for (std::size_t k = std::size_t(begin)*words; k < std::size_t(end)*words; ++k) sums[k] = 0;
@@ -260,7 +260,7 @@ private:
         const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))), inverse = T(real(1))/distance;
         const Vec<D, T> n = inverse*dx;
         T armA, armB;
-        const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock->dt)), armA, armB);
+        const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock.dt())), armA, armB);
         NormalForce<T> fn;
         const ContactForce<D, T> f = Law::template evaluate<D, T>(parameters, g, armA, armB, h, fn);
         scatter(b, first, used, f, h);

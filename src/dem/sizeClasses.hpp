@@ -13,11 +13,51 @@
 namespace riprap
 {
 
+//- Radii of a set of particles, from which the search follows: what must be remembered where the largest or the smallest have gone
+struct RadiusClasses
+{
+    static constexpr int most = 6;
+
+    double smallest = 0, largest = 0;       // [m]
+    double classes = 0;
+    double top[most] = {}, count[most] = {};    // largest radius and number of particles, from the largest class down
+
+    //- Classes of radii within a factor of `ratio`
+    static RadiusClasses of(const std::vector<double>& given, double ratio = 1.6)
+    {
+        RadiusClasses r;
+        const auto extremes = std::minmax_element(given.begin(), given.end());
+        r.smallest = *extremes.first;
+        r.largest = *extremes.second;
+        if (r.smallest > r.largest/ratio)
+        {
+            r.classes = 1;
+            r.top[0] = r.largest;
+            r.count[0] = double(given.size());
+            return r;
+        }
+        std::vector<double> radii(given);
+        std::sort(radii.begin(), radii.end());
+        int k = 0;
+        for (std::size_t end = radii.size(); end > 0; ++k)
+        {
+            const double high = radii[end - 1];
+            const std::size_t begin = k + 1 == most ? 0
+                : std::size_t(std::lower_bound(radii.begin(), radii.begin() + end, high/ratio) - radii.begin());
+            r.top[k] = high;
+            r.count[k] = double(end - begin);
+            end = begin;
+        }
+        r.classes = k;
+        return r;
+    }
+};
+
 template<int D, class P>
 struct SizeClasses
 {
     using real = typename P::real;
-    static constexpr int most = 6;
+    static constexpr int most = RadiusClasses::most;
 
     int classes = 0;
     CellGrid<D, P> grid[most];
@@ -39,33 +79,18 @@ struct SizeClasses
         return firstCell[k] + grid[k].cellOf(x);
     }
 
-    //- Classes of radii within a factor of `ratio`, from the largest down; reach: what is added to two radii
-    void set(const Box<D, P>& box, const std::vector<double>& radii, double reach, double ratio = 1.6)
+    //- reach: what is added to two radii
+    void set(const Box<D, P>& box, const RadiusClasses& radii, double reach)
     {
-        std::vector<double> sorted(radii);
-        std::sort(sorted.begin(), sorted.end());
-        std::vector<double> top;
-        std::vector<std::size_t> count;
-        std::size_t end = sorted.size();
-        while (end > 0)
-        {
-            const double high = sorted[end - 1];
-            const std::size_t begin = int(top.size()) + 1 == most ? 0
-                : std::size_t(std::lower_bound(sorted.begin(), sorted.begin() + end, high/ratio) - sorted.begin());
-            top.push_back(high);
-            count.push_back(end - begin);
-            end = begin;
-        }
-        classes = std::max(1, int(top.size()));
-        if (top.empty()) { top.push_back(1); count.push_back(0); }
+        classes = int(radii.classes);
         firstCell[0] = 0;
         for (int k = 0; k < classes; ++k)
         {
             const int from = classes - 1 - k;
-            largest[k] = real(top[from]);
-            if (double(largest[k]) < top[from]) largest[k] = std::nextafter(largest[k], real(1e30));
-            const double most = std::min(1e8, std::max(1e3, 8.0*double(count[from])));
-            grid[k].set(box, 2*top[from] + reach, 1, 2, most);
+            largest[k] = real(radii.top[from]);
+            if (double(largest[k]) < radii.top[from]) largest[k] = std::nextafter(largest[k], real(1e30));
+            const double cells = std::min(1e8, std::max(1e3, 8*radii.count[from]));
+            grid[k].set(box, 2*radii.top[from] + reach, 1, 2, cells);
             firstCell[k + 1] = firstCell[k] + grid[k].cells;
         }
     }

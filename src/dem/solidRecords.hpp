@@ -44,19 +44,35 @@ struct SolidRecords
     //- All but the position
     HD ContactBody<D, real> body(int i, int& material) const
     {
+        const SolidA<D, P> first = a[i];
+        return bodyOf(first, words(i), material);
+    }
+
+    //- The records behind the first
+    struct Words { SolidWords<P> b, c; };
+    HD Words words(int i) const
+    {
+        Words w;
+        w.b = b[i];
+        if constexpr (D == 3) w.c = c[i];
+        return w;
+    }
+
+    HD static ContactBody<D, real> bodyOf(const SolidA<D, P>& first, const Words& words, int& material)
+    {
         ContactBody<D, real> q;
-        const SolidWords<P> w = b[i];
-        q.radius = a[i].radius;
+        const SolidWords<P>& w = words.b;
+        q.radius = first.radius;
         if constexpr (D == 2)
         {
             q.velocity = Vec<2, real>{{w.c[0], w.c[1]}};
             q.spin.c[0] = w.c[2];
-            q.mass = a[i].mass;
+            q.mass = first.mass;
             material = int(w.c[3]);
         }
         else
         {
-            const SolidWords<P> s = c[i];
+            const SolidWords<P>& s = words.c;
             q.velocity = Vec<3, real>{{w.c[0], w.c[1], w.c[2]}};
             q.spin = Vec<3, real>{{s.c[0], s.c[1], s.c[2]}};
             q.mass = w.c[3];
@@ -97,6 +113,12 @@ public:
     }
     SolidRecords<D, P> view() { return SolidRecords<D, P>{a_.data(), b_.data(), c_.data()}; }
     std::size_t bytes() const { return a_.bytes() + b_.bytes() + c_.bytes(); }
+    void swap(SolidRecordMemory& o)
+    {
+        a_.swap(o.a_);
+        b_.swap(o.b_);
+        c_.swap(o.c_);
+    }
 
 private:
     Array<Backend, SolidA<D, P>> a_;

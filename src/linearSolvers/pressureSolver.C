@@ -115,9 +115,16 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
     copy(system.rhs, rhs);
 
     dictionary controls(controls_);
+    const bool coupled = controls.get<word>("solver") == "coupledPCG";
+    if (!system.bodies.empty() && !coupled)
+    {
+        FatalIOErrorInFunction(controls_) << "solver " << controls.get<word>("solver") << " of " << field_
+            << " cannot move free bodies with the water. Valid: coupledPCG" << exit(FatalIOError);
+    }
     if (system.rows() < fewRows)
     {
-        controls.set("solver", "PCG");
+        if (!coupled) controls.set("solver", "PCG");
+        controls.remove("preconditioner");
         controls.set("preconditioner", "DIC");
     }
     const FieldField<Field, scalar> boundary(0);

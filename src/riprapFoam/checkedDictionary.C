@@ -116,6 +116,12 @@ bool Foam::checkedDictionary::found(const word& entry)
     {
         known_.append(entry);
     }
+    if (dict_.isDict(entry))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << entry << " must be a value, not a dictionary"
+            << exit(FatalIOError);
+    }
     return dict_.found(entry, keyType::LITERAL);
 }
 
@@ -143,7 +149,11 @@ bool Foam::checkedDictionary::either
 
 const Foam::dictionary& Foam::checkedDictionary::subDict(const word& entry)
 {
-    if (!found(entry))
+    if (!known_.found(entry))
+    {
+        known_.append(entry);
+    }
+    if (!dict_.found(entry, keyType::LITERAL))
     {
         return dictionary::null;
     }
@@ -201,17 +211,20 @@ void Foam::checkedDictionary::endButMacros() const
     {
         if (known_.found(e.keyword())) continue;
 
-        const bool number =
-            e.isStream() && e.stream().size() == 1 && e.stream()[0].isNumber();
+        const bool single = e.isStream() && e.stream().size() == 1;
 
         // What the file itself does not hold has come by #include
         const wordUse use(useOf(e.keyword(), text));
-        if (!number || (use.plain && !use.macro))
+        if
+        (
+            !(single && use.macro)
+         && !(single && e.stream()[0].isNumber() && !use.plain)
+        )
         {
             unknownEntry
             (
                 e.keyword(),
-                ", and numbers that the file uses as $name"
+                ", and numbers and words that the file uses as $name"
             );
         }
     }

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "checkedDictionary.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -31,7 +32,23 @@ void Foam::checkedDictionary::require
 Foam::scalar Foam::checkedDictionary::number(const word& entry)
 {
     found(entry);
-    return dict_.get<scalar>(entry);
+    const scalar value = dict_.get<scalar>(entry);
+    require(std::isfinite(value), entry, value, "finite");
+    return value;
+}
+
+
+Foam::label Foam::checkedDictionary::whole
+(
+    const word& entry,
+    label otherwise,
+    label low,
+    label high
+)
+{
+    const scalar value = between(entry, otherwise, low, high);
+    require(value == std::floor(value), entry, value, "a whole number");
+    return label(value);
 }
 
 
@@ -122,9 +139,13 @@ Foam::scalar Foam::checkedDictionary::positive
     // own reader aborts at wrong dimensions
     ITstream& is = dict_.lookup(entry);
     token first(is);
-    if (first.isWord())
+    if (first.isWord() && is.nRemainingTokens())
     {
         is >> first;
+    }
+    if (first.isWord())
+    {
+        unknownWord(entry, first.wordToken(), {"<number>", "[<dimensions>] <number>"});
     }
     is.putBack(first);
     if (first == token::BEGIN_SQR)
@@ -141,7 +162,7 @@ Foam::scalar Foam::checkedDictionary::positive
     scalar value = 0;
     is >> value;
     dict_.checkITstream(is, entry);
-    require(value > 0, entry, value, "positive");
+    require(value > 0 && std::isfinite(value), entry, value, "positive");
     return value;
 }
 

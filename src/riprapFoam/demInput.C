@@ -205,13 +205,14 @@ riprap::RigidMotion Foam::rigidMotion
 (
     const wallBodies& bodies,
     label body,
-    scalar t
+    scalar t,
+    scalar begin,
+    scalar end
 )
 {
-    // Short against any motion, long against the round-off of t; some
-    // functions know no time before 0
+    // Short against any motion, long against the round-off of t
     const scalar h = 1e-6;
-    const scalar middle = max(t, h);
+    const scalar middle = max(min(t, end > begin + 2*h ? end - h : t), begin + h);
     const riprap::WallPose before(bodies.pose(body, middle - h));
     const riprap::WallPose now(bodies.pose(body, middle));
     const riprap::WallPose after(bodies.pose(body, middle + h));

@@ -22,14 +22,17 @@ bool hasDemRun(const Time& time)
 
 demRun readDemRun(const Time& time)
 {
-    const IOdictionary dict(stateObject(time, demRun::file, IOobject::MUST_READ));
+    const IOobject io(stateObject(time, demRun::file, IOobject::MUST_READ));
 
     demRun run;
-    run.read(dict);
-    run.brokenBefore = count(dict, "brokenBefore");
-    run.timeStep = dict.get<scalar>("timeStep");
-    run.stepFraction = dict.get<scalar>("stepFraction");
-
+    orDamaged(io, [&]()
+    {
+        const IOdictionary dict(io);
+        run.read(dict);
+        run.brokenBefore = count(dict, "brokenBefore");
+        run.timeStep = dict.get<scalar>("timeStep");
+        run.stepFraction = dict.get<scalar>("stepFraction");
+    });
     return run;
 }
 

@@ -21,6 +21,12 @@ static void readTimeStep(const dictionary& dict, riprap::DemConfig& config)
     {
         config.timeStep = checkedDictionary(dict).positive("deltaT");
     }
+    else if (dict.found("maxDeltaT"))
+    {
+        IOWarningInFunction(dict)
+            << "Entry maxDeltaT is not used by solver dem: stepFraction of"
+            << " constant/solidProperties sets the step" << endl;
+    }
 }
 
 

@@ -88,20 +88,31 @@ static void addElements
 }
 
 
-static riprap::DemWall plane(const word& name, const dictionary& entries)
+static riprap::DemWall plane
+(
+    const word& name,
+    const dictionary& entries,
+    const riprap::DemConfig& config
+)
 {
     checkedDictionary dict(entries);
     dict.found("point");
     dict.found("normal");
     const point x(entries.get<point>("point"));
-    const vector n(entries.get<vector>("normal"));
+    vector n(entries.get<vector>("normal"));
     dict.end();
 
+    if (config.dimensions == 2)
+    {
+        n[config.axes[2]] = 0;
+    }
     if (!(mag(n) > SMALL))
     {
         FatalIOErrorInFunction(entries)
-            << "Entry normal of plane " << name << " is " << n
-            << ": it needs a length" << exit(FatalIOError);
+            << "Entry normal of plane " << name << " is "
+            << entries.get<vector>("normal") << ": it needs a length"
+            << (config.dimensions == 2 ? " in the plane of this 2D case" : "")
+            << exit(FatalIOError);
     }
 
     riprap::DemWall wall;
@@ -172,7 +183,7 @@ std::vector<riprap::DemWall> Foam::demWallInput
     }
     for (const auto& p : asked.planes)
     {
-        walls.push_back(plane(p.first(), p.second()));
+        walls.push_back(plane(p.first(), p.second(), settings.config));
     }
 
     wordList names;

@@ -35,6 +35,19 @@ void requireFinite(const word& cloud, const word& field, label i, scalar value)
 }
 
 
+void requirePositive(const word& cloud, const word& field, label i, scalar value)
+{
+    requireFinite(cloud, field, i, value);
+    if (!(value > 0))
+    {
+        FatalErrorInFunction
+            << "lagrangian/" << cloud << '/' << field << " has the value "
+            << value << " at entry " << i << ": it must be positive"
+            << exit(FatalError);
+    }
+}
+
+
 std::vector<double> packed
 (
     const word& cloud,
@@ -65,6 +78,21 @@ std::vector<double> packed
     forAll(field, i)
     {
         requireFinite(cloud, name, i, field[i]);
+    }
+    return std::vector<double>(field.begin(), field.end());
+}
+
+
+std::vector<double> packedPositive
+(
+    const word& cloud,
+    const word& name,
+    const scalarField& field
+)
+{
+    forAll(field, i)
+    {
+        requirePositive(cloud, name, i, field[i]);
     }
     return std::vector<double>(field.begin(), field.end());
 }

@@ -104,8 +104,8 @@ static void checkPatch(const polyPatch& patch)
         FatalErrorInFunction
             << "Patch " << patch.name() << " has the type " << patch.type()
             << ", which particles cannot use; valid are wall, patch (open),"
-            << " empty and cyclic. For a symmetry plane take a wall with"
-            << " slip freeSlip" << exit(FatalError);
+            << " empty and cyclic (constant/polyMesh/boundary). For a symmetry"
+            << " plane take a wall with slip freeSlip" << exit(FatalError);
     }
 }
 
@@ -128,13 +128,20 @@ static void readGravity(const polyMesh& mesh, particleDomain& config)
     if (g.dimensions() != dimAcceleration)
     {
         FatalErrorInFunction
-            << "constant/g has the dimensions " << g.dimensions()
-            << ": they must be " << dimAcceleration << exit(FatalError);
+            << "constant/g: entry dimensions is " << g.dimensions()
+            << ": it must be " << dimAcceleration << exit(FatalError);
     }
 
     for (direction d = 0; d < vector::nComponents; ++d)
     {
         config.gravity[d] = g.value()[d];
+        // Its square must be a number, too
+        if (!(mag(config.gravity[d]) < GREAT))
+        {
+            FatalErrorInFunction
+                << "constant/g: entry value is " << g.value()
+                << ": it must be an acceleration in m/s2" << exit(FatalError);
+        }
     }
 
     const int empty = config.axes[2];

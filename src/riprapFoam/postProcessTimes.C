@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "postProcessTimes.H"
+#include "listed.H"
 #include "functionObjectList.H"
 #include "timeSelector.H"
 
@@ -36,7 +37,25 @@ Foam::instantList Foam::selectPostProcessTimes
     const argList& args
 )
 {
-    return timeSelector::select0(runTime, args);
+    DynamicList<instant> times;
+    for (const instant& t : timeSelector::select0(runTime, args))
+    {
+        // What timeSelector gives where there is no other
+        if (t.name() != runTime.constant()) times.append(t);
+    }
+
+    if (times.empty())
+    {
+        wordList written;
+        for (const instant& t : runTime.times())
+        {
+            if (t.name() != runTime.constant()) written.append(t.name());
+        }
+        FatalErrorInFunction
+            << "Option -postProcess: no written time is selected; there are "
+            << listed(written).c_str() << exit(FatalError);
+    }
+    return instantList(times);
 }
 
 
@@ -53,6 +72,7 @@ void Foam::postProcessTimes
     dictionary functionsDict;
     HashSet<wordRe> selectedFields;
     autoPtr<functionObjectList> functions;
+    label failed = 0;
 
     forAll(times, timei)
     {
@@ -60,6 +80,8 @@ void Foam::postProcessTimes
         Info<< "Time = " << runTime.timeName() << nl << endl;
         mesh.readUpdate();
 
+        // Another time may be better
+        FatalError.throwExceptions();
         FatalIOError.throwExceptions();
         try
         {
@@ -85,8 +107,23 @@ void Foam::postProcessTimes
         catch (const IOerror& err)
         {
             Warning<< err << endl;
+            ++failed;
         }
+        catch (const error& err)
+        {
+            Warning<< err << endl;
+            ++failed;
+        }
+        FatalError.dontThrowExceptions();
+        FatalIOError.dontThrowExceptions();
         Info<< endl;
+    }
+
+    if (failed)
+    {
+        FatalErrorInFunction
+            << failed << " of " << times.size() << " times could not be"
+            << " processed: see the warnings above" << exit(FatalError);
     }
 }
 

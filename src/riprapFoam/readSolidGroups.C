@@ -99,18 +99,16 @@ static demGroup readGroup
     const auto shared = readVector(dict, "sharedForce");
     settings.sharedForce = vector(shared[0], shared[1], shared[2]);
     group.localDamping = dict.between("localDamping", 0, 0, 1);
+    dict.require(group.localDamping < 1, "localDamping", group.localDamping, "less than 1");
     group.viscousDamping = dict.notNegative("viscousDamping", 0);
     group.viscousSpinDamping = dict.notNegative("viscousSpinDamping", 0);
 
-    settings.moves = dict.found("motion");
+    const dictionary& motion = dict.subDict("motion");
+    settings.moves = entries.found("motion", keyType::LITERAL);
     if (settings.moves)
     {
-        wallMotion motion;
-        motion.name = name;
-        motion.dict = dict.subDict("motion");
-        motion.dict.get<word>("solidBodyMotionFunction");
         group.motion = motions.size();
-        motions.append(motion);
+        motions.append(readMotion(name, motion, false));
     }
     dict.end();
 

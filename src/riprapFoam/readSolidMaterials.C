@@ -70,16 +70,14 @@ static void readStiffness(checkedDictionary& dict, riprap::PairProperties& p)
         return;
     }
 
+    const word typed(dict.dict().get<word>("stiffness"));
     const calibrationKind kind =
-        dict.choice("stiffness", demNames::calibration, calibrationKind::direct);
+        demNames::calibration.found(typed)
+      ? demNames::calibration.get(typed)
+      : calibrationKind::direct;
     if (kind == calibrationKind::direct)
     {
-        dict.unknownWord
-        (
-            "stiffness",
-            first.wordToken(),
-            {"<number>", "moduli", "planeStrain"}
-        );
+        dict.unknownWord("stiffness", typed, {"<number>", "moduli", "planeStrain"});
     }
     scalar normal = 0;
     scalar shear = 0;
@@ -153,8 +151,7 @@ static riprap::PairProperties readPair
     }
     if (config.rolling != RollingKind::none)
     {
-        dict.number("rollingFriction");
-        p.rollingFriction = dict.notNegative("rollingFriction", 0);
+        p.rollingFriction = dict.positive("rollingFriction");
         if (config.rolling == RollingKind::spring)
         {
             p.rollingDamping = dict.notNegative("rollingDamping", 0);

@@ -22,6 +22,19 @@ static void readContact(checkedDictionary& solids, riprap::DemConfig& config)
     config.tangential =
         dict.choice("tangential", demNames::tangential, config.tangential);
     config.rolling = dict.choice("rolling", demNames::rolling, config.rolling);
+    if
+    (
+        config.rolling != riprap::RollingKind::none
+     && config.tangential == riprap::TangentialKind::none
+    )
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Entry rolling is " << demNames::rolling[config.rolling]
+            << ": rolling friction needs friction, with tangential none"
+            << " bodies slide and nothing makes them roll; valid are rolling"
+            << " none, and tangential history or oneStep"
+            << exit(FatalIOError);
+    }
     config.contactWithinBonds =
         dict.either("withinBonds", "yes", "no", config.contactWithinBonds);
     dict.end();

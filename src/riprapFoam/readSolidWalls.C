@@ -40,6 +40,12 @@ void Foam::readSolidWalls(checkedDictionary& solids, demSettings& settings)
     const dictionary& materials = dict.subDict("materials");
     for (const entry& e : materials)
     {
+        if (!e.isStream() || e.stream().size() != 1)
+        {
+            FatalIOErrorInFunction(materials)
+                << "Entry " << e.keyword() << " must be one word, the name of a"
+                << " material" << exit(FatalIOError);
+        }
         const word name(e.stream());
         settings.material(name, materials);
         walls.materials.append

@@ -21,7 +21,7 @@ void Foam::runRecord::read(const dictionary& dict)
     if (particles < 0 || initialParticles <= 0 || escaped < 0 || steps < 0)
     {
         FatalIOErrorInFunction(dict)
-            << "Not what riprapFoam wrote: particles " << particles
+            << "not what riprapFoam wrote: particles " << particles
             << ", initialParticles " << initialParticles << ", escaped "
             << escaped << ", steps " << steps << exit(FatalIOError);
     }

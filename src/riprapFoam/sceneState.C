@@ -20,10 +20,11 @@ static label hashOf(const std::vector<std::int32_t>& words)
 }
 
 
-static void damaged(const IOobject& file)
+static void damaged(const IOobject& file, const string& why)
 {
     FatalIOErrorInFunction(file.objectPath())
-        << "The exact state of the particles is damaged: remove the folder "
+        << "The exact state of the particles is damaged (" << why.c_str()
+        << "): remove the folder "
         << file.path() << " to continue from the fields of the cloud"
         << exit(FatalIOError);
 }
@@ -65,6 +66,27 @@ int64_t count(const dictionary& dict, const word& entry)
 }
 
 
+void orDamaged(const IOobject& file, const std::function<void()>& read)
+{
+    string why;
+    const bool before = FatalIOError.throwExceptions();
+    try
+    {
+        read();
+    }
+    catch (const IOerror& e)
+    {
+        why = e.message();
+    }
+    FatalIOError.throwExceptions(before);
+
+    if (!why.empty())
+    {
+        damaged(file, why);
+    }
+}
+
+
 bool hasState
 (
     const Time& time,
@@ -80,13 +102,16 @@ bool hasState
         return false;
     }
 
-    if
-    (
-        !run.typeHeaderOk<IOdictionary>(false)
-     || !state.typeHeaderOk<labelIOList>(false)
-    )
+    bool headers = false;
+    orDamaged(state, [&]()
     {
-        damaged(state);
+        headers =
+            run.typeHeaderOk<IOdictionary>(false)
+         && state.typeHeaderOk<labelIOList>(false);
+    });
+    if (!headers)
+    {
+        damaged(state, "one of its two files is missing or empty");
     }
     return true;
 }
@@ -110,22 +135,24 @@ std::vector<std::int32_t> readStateWords
     const word& name
 )
 {
-    const labelIOList file(stateObject(time, name, IOobject::MUST_READ));
+    const IOobject io(stateObject(time, name, IOobject::MUST_READ));
+    labelList all;
+    orDamaged(io, [&]() { all = labelIOList(io); });
 
     std::vector<std::int32_t> words;
-    if (file.size() >= 2)
+    if (all.size() >= 2)
     {
-        words.assign(file.begin() + 2, file.end());
+        words.assign(all.begin() + 2, all.end());
     }
 
     if
     (
-        file.size() < 2
-     || file[0] != label(words.size())
-     || file[1] != hashOf(words)
+        all.size() < 2
+     || all[0] != label(words.size())
+     || all[1] != hashOf(words)
     )
     {
-        damaged(file);
+        damaged(io, "its check sum is wrong");
     }
     return words;
 }

@@ -9,10 +9,6 @@ Description
 #include "solidFiles.H"
 #include "solidFileFields.H"
 
-//- DemBondState::broken of a bond whose particle has left the scene
-static const Foam::label lostBond = 3;
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::solidSet::dropBroken()
@@ -71,7 +67,12 @@ void Foam::readBondFiles
     }
     forAll(a, i)
     {
-        if (broken[i] == lostBond) continue;
+        // One whose particle has left
+        if (broken[i] && (!ids.found(a[i]) || !ids.found(b[i])))
+        {
+            ++solids.lostBonds;
+            continue;
+        }
         if (!ids.found(a[i]) || !ids.found(b[i]) || a[i] == b[i])
         {
             FatalErrorInFunction

@@ -112,21 +112,6 @@ static void sortById(particleCloud& cloud)
     cloud.cell.clear();
 }
 
-
-static void requirePositive(const word& field, const std::vector<double>& values)
-{
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-        if (!(values[i] > 0))
-        {
-            FatalErrorInFunction
-                << "lagrangian/solids/" << field << " has the value "
-                << values[i] << " at entry " << label(i)
-                << ": it must be positive" << exit(FatalError);
-        }
-    }
-}
-
 } // End namespace Foam
 
 
@@ -163,7 +148,7 @@ Foam::solidSet Foam::readSolids
     {
         p.spin = packed(name, "omega", cloud.vectors["omega"]);
     }
-    p.radius = packed(name, "radius", requiredScalars(mesh, cloud, "radius"));
+    p.radius = packedPositive(name, "radius", requiredScalars(mesh, cloud, "radius"));
     p.material = indices
     (
         cloud, "material",
@@ -174,14 +159,12 @@ Foam::solidSet Foam::readSolids
     p.id = uniqueIds(name, "origId", cloud.labels["origId"]);
     p.mass =
         cloud.scalars.found("mass")
-      ? packed(name, "mass", cloud.scalars["mass"])
+      ? packedPositive(name, "mass", cloud.scalars["mass"])
       : masses(settings, p);
     if (cloud.scalars.found("inertia"))
     {
-        p.inertia = packed(name, "inertia", cloud.scalars["inertia"]);
+        p.inertia = packedPositive(name, "inertia", cloud.scalars["inertia"]);
     }
-    requirePositive("radius", p.radius);
-    requirePositive("mass", p.mass);
 
     readBondFiles(mesh.time(), meaning(properties, "bondTypes", typeOf), solids);
     readClumpFiles(mesh.time(), groups, solids);

@@ -19,21 +19,24 @@ bool hasSphRun(const Time& time)
 
 sphRun readSphRun(const Time& time)
 {
-    const IOdictionary dict(stateObject(time, "sphRun", IOobject::MUST_READ));
+    const IOobject io(stateObject(time, "sphRun", IOobject::MUST_READ));
 
     sphRun run;
-    run.spacing = dict.get<scalar>("spacing");
-    run.maxVelocity = dict.get<scalar>("maxVelocity");
-    run.density = dict.getOrDefault<scalar>("density", 0);
-    run.read(dict);
-
-    if (!(run.spacing > 0 && run.maxVelocity > 0))
+    orDamaged(io, [&]()
     {
-        FatalIOErrorInFunction(dict)
-            << "Not what riprapFoam wrote: spacing " << run.spacing
-            << ", maxVelocity " << run.maxVelocity << exit(FatalIOError);
-    }
+        const IOdictionary dict(io);
+        run.spacing = dict.get<scalar>("spacing");
+        run.maxVelocity = dict.get<scalar>("maxVelocity");
+        run.density = dict.getOrDefault<scalar>("density", 0);
+        run.read(dict);
 
+        if (!(run.spacing > 0 && run.maxVelocity > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "not what riprapFoam wrote: spacing " << run.spacing
+                << ", maxVelocity " << run.maxVelocity << exit(FatalIOError);
+        }
+    });
     return run;
 }
 

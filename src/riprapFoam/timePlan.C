@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timePlan.H"
+#include "checkedDictionary.H"
+#include "IFstream.H"
+#include "OSspecific.H"
 #include <cstdio>
 #include <cstdlib>
 
@@ -26,7 +29,47 @@ static bool isAdjustable(const word& control)
     return control == "adjustableRunTime" || control == "adjustable";
 }
 
+
+//- Of what = write or execute
+static void requireInterval(const dictionary& dict, const word& what)
+{
+    const word control(dict.getOrDefault<word>(what + "Control", word::null));
+    if (control.empty() || control == "none" || control == "timeStep")
+    {
+        return;
+    }
+    for (const word& entry : wordList({what + "Interval", what + "Frequency"}))
+    {
+        checkedDictionary entries(dict);
+        if (entries.found(entry)) entries.positive(entry);
+    }
+}
+
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::requireWriteIntervals(const fileName& controlDict)
+{
+    if (!isFile(controlDict))
+    {
+        return;
+    }
+    IFstream file(controlDict);
+    const dictionary dict(file);
+
+    requireInterval(dict, "write");
+    if (const dictionary* functions = dict.findDict("functions"))
+    {
+        for (const entry& e : *functions)
+        {
+            if (!e.isDict()) continue;
+            requireInterval(e.dict(), "write");
+            requireInterval(e.dict(), "execute");
+        }
+    }
+}
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -45,6 +88,8 @@ Foam::scalar Foam::timePlan::nextMultiple
 
 Foam::scalar Foam::timePlan::nextWrite(const dictionary& dict) const
 {
+    // It may have been edited during the run
+    requireInterval(dict, "write");
     scalar interval = 0;
 
     if
@@ -75,6 +120,15 @@ Foam::timePlan::timePlan(Time& runTime)
 :
     runTime_(runTime)
 {
+    const scalar end = runTime_.endTime().value();
+    const scalar now = runTime_.value();
+    if (end < now - 1e-9*mag(now))
+    {
+        FatalIOErrorInFunction(runTime_.controlDict())
+            << "Entry endTime is " << end << ", before time " << now
+            << " at which the run starts" << exit(FatalIOError);
+    }
+
     // What controlDict calls deltaT is the particles' step: it says nothing
     // about the first time step of OpenFOAM, on which Time::run() would go
     const scalar first = target() - runTime_.value();

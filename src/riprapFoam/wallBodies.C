@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallBodies.H"
+#include "checkedDictionary.H"
 #include "listed.H"
 #include "Time.H"
 
@@ -11,6 +12,10 @@
 
 namespace Foam
 {
+
+//- At which a motion is looked at
+static const label nMoments = 256;
+
 
 //- The functions know no time but their Time's: set its value, and nothing
 //  else of it, while this lives
@@ -51,6 +56,37 @@ static point moved(const riprap::WallPose& pose, const point& x)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+wallMotion readMotion(const word& name, const dictionary& entries, bool ofWalls)
+{
+    wallMotion motion;
+    motion.name = name;
+    motion.dict = entries;
+
+    checkedDictionary dict(motion.dict);
+    if (ofWalls)
+    {
+        dict.found("patches");
+        motion.patches = wordRes(motion.dict.get<wordRes>("patches"));
+    }
+    dict.found("solidBodyMotionFunction");
+    const word coeffs(motion.dict.get<word>("solidBodyMotionFunction") + "Coeffs");
+
+    // Else the function takes its entries from this dictionary itself
+    if (motion.dict.found(coeffs, keyType::LITERAL))
+    {
+        dict.subDict(coeffs);
+        // Those of others may stand there, so that one word changes the motion
+        for (const word& other : solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
+        {
+            const word others(other + "Coeffs");
+            if (motion.dict.found(others)) dict.subDict(others);
+        }
+        dict.end();
+    }
+    return motion;
+}
+
+
 List<wallMotion> readWallMotion(const dictionary& dict)
 {
     List<wallMotion> motion(dict.size());
@@ -65,11 +101,7 @@ List<wallMotion> readWallMotion(const dictionary& dict)
                 << " holds one for each group of patches that moves"
                 << exit(FatalIOError);
         }
-        wallMotion& group = motion[i++];
-        group.name = e.keyword();
-        group.dict = e.dict();
-        group.patches = wordRes(group.dict.get<wordRes>("patches"));
-        group.dict.get<word>("solidBodyMotionFunction");
+        motion[i++] = readMotion(e.keyword(), e.dict(), true);
     }
 
     return motion;
@@ -159,6 +191,32 @@ Foam::labelList Foam::wallBodies::bodyOf(const wordList& surfaces) const
 }
 
 
+void Foam::wallBodies::requirePlanar
+(
+    label body,
+    direction empty,
+    scalar begin,
+    scalar end
+) const
+{
+    for (label i = 0; i <= nMoments; ++i)
+    {
+        const riprap::WallPose now(pose(body, begin + i*(end - begin)/nMoments));
+        if
+        (
+            mag(now.rotation[4*empty] - 1) > 1e-9
+         || mag(now.translation[empty]) > 1e-9
+        )
+        {
+            FatalIOErrorInFunction(groups_[body].dict)
+                << "Motion " << name(body) << " leaves the plane of this 2D"
+                << " case: " << vector::componentNames[empty]
+                << " is its empty direction" << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::wallBodies::sweep
 (
     label body,
@@ -169,8 +227,6 @@ void Foam::wallBodies::sweep
 ) const
 {
     const pointField corners(reference.points());
-    const label nMoments = 256;
-
     for (label i = 0; i <= nMoments; ++i)
     {
         const riprap::WallPose now(pose(body, begin + i*(end - begin)/nMoments));

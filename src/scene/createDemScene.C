@@ -2,6 +2,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <map>
@@ -34,8 +35,8 @@ void checkConfig(const DemConfig& c)
     for (const int a : c.axes) { require(a >= 0 && a < 3, "axes must be 0, 1 and 2"); axes |= 1 << a; }
     require(axes == 7, "axes must be 0, 1 and 2, each once");
     require(c.dimensions == 2 || (c.axes[0] == 0 && c.axes[1] == 1), "axes are 0, 1, 2 in 3D");
-    require(c.rolling == RollingKind::none || c.tangential == TangentialKind::history,
-        "rolling friction goes with the history spring: tangential history");
+    require(c.rolling == RollingKind::none || c.tangential != TangentialKind::none,
+        "rolling friction needs friction: with tangential none bodies slide, and nothing makes them roll");
     require(c.timeStep >= 0 && std::isfinite(c.timeStep), "the time step must not be negative");
     require(c.stepFraction > 0, "the fraction of the critical step must be positive");
     for (int d = 0; d < c.dimensions; ++d)
@@ -43,6 +44,16 @@ void checkConfig(const DemConfig& c)
         require(c.domainMax[c.axes[d]] > c.domainMin[c.axes[d]], "the domain is empty");
         require(std::isfinite(c.gravity[c.axes[d]]), "gravity must be a number");
     }
+}
+
+void checkIds(const DemParticles& p)
+{
+    std::vector<std::size_t> order(p.id.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto before = [&](std::size_t a, std::size_t b) { return p.id[a] < p.id[b] || (p.id[a] == p.id[b] && a < b); };
+    if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
+    for (std::size_t k = 1; k < order.size(); ++k)
+        if (p.id[order[k]] == p.id[order[k - 1]]) throw std::invalid_argument("solid " + at(p, order[k]) + " has the id of another");
 }
 
 void checkParticles(const DemConfig& c, const DemInput& in)
@@ -63,8 +74,7 @@ void checkParticles(const DemConfig& c, const DemInput& in)
     sized(p.clump.size(), 1, true, "clump");
     sized(p.id.size(), 1, true, "id");
     const int groups = std::max<int>(1, int(in.groups.size()));
-    std::set<std::int32_t> ids;
-    for (std::size_t i = 0; i < n; ++i)
+    const auto check = [&](std::size_t i)
     {
         const auto bad = [&](const std::string& why) { throw std::invalid_argument("solid " + at(p, i) + " " + why); };
         if (!(p.radius[i] > 0)) bad("has no radius");
@@ -85,8 +95,18 @@ void checkParticles(const DemConfig& c, const DemInput& in)
         if (!p.group.empty() && (p.group[i] < 0 || p.group[i] >= groups)) bad("is of unknown group " + std::to_string(p.group[i]));
         if (!p.clump.empty() && (p.clump[i] < -1 || p.clump[i] >= int(in.clumps.size())))
             bad("is of unknown clump " + std::to_string(p.clump[i]));
-        if (!p.id.empty() && (p.id[i] < 0 || !ids.insert(p.id[i]).second)) bad("has an id that is negative or not its own");
+        if (!p.id.empty() && p.id[i] < 0) bad("has a negative id");
+    };
+    // the first that is wrong, by as many threads as there are
+    long long worst = (long long)n;
+    #pragma omp parallel for schedule(static) reduction(min: worst)
+    for (long long i = 0; i < (long long)n; ++i)
+    {
+        if (i > worst) continue;
+        try { check(std::size_t(i)); } catch (const std::invalid_argument&) { worst = std::min(worst, i); }
     }
+    if (worst < (long long)n) check(std::size_t(worst));
+    checkIds(p);
 }
 
 //- Numbers of a pair that its laws use
@@ -106,7 +126,6 @@ void checkPair(const DemConfig& c, const DemInput& in, const DemPair& pair)
                 "material " + in.materials[m].name + ": Hertz contacts need Young's modulus, and Poisson's ratio in (-1, 0.5]");
     require(q.friction >= 0 && q.rollingFriction >= 0 && q.rollingDamping >= 0 && q.gap >= 0,
         name + "friction, rolling friction and gap must not be negative");
-    if (c.rolling != RollingKind::none) require(q.rollingFriction > 0, name + "rolling friction is chosen, but its coefficient is zero");
 }
 
 //- Every pair that can meet must be given
@@ -123,7 +142,9 @@ void checkPairs(const DemConfig& c, const DemInput& in)
         checkPair(c, in, p);
     }
     std::set<int> solids, walls;
-    for (const std::int32_t k : in.particles.material) solids.insert(k);
+    std::vector<char> used(m, 0);
+    for (const std::int32_t k : in.particles.material) used[k] = 1;
+    for (int k = 0; k < m; ++k) if (used[k]) solids.insert(k);
     if (in.particles.material.empty()) solids.insert(0);
     for (const DemWall& w : in.walls)
     {
@@ -150,23 +171,32 @@ void checkGroups(const DemInput& in)
 void checkBonds(const DemInput& in)
 {
     const DemBonds& b = in.bonds;
+    if (b.size() == 0 && b.b.empty() && b.type.empty() && b.gap.empty()) return;
     require(b.a.size() == b.b.size() && (b.type.empty() || b.type.size() == b.size()) && (b.gap.empty() || b.gap.size() == b.size()),
         "bonds: arrays of different lengths");
     require(b.size() == 0 || !in.bondTypes.empty(), "bonds without a type");
     for (const DemBondType& t : in.bondTypes)
         require(t.normalStiffness > 0 && t.shearStiffness > 0 && t.radiusFactor > 0 && t.tensileStrength > 0 && t.shearStrength > 0
           && t.dampingRatio >= 0, "bonds: stiffnesses, radius factor and strengths must be positive");
-    std::set<std::int32_t> ids(in.particles.id.begin(), in.particles.id.end());
+    std::vector<std::int32_t> ids(in.particles.id);
+    std::sort(ids.begin(), ids.end());
     const auto known = [&](std::int32_t id)
-    { return in.particles.id.empty() ? id >= 0 && std::size_t(id) < in.particles.size() : ids.count(id) > 0; };
-    std::set<std::pair<int, int>> made;
+    {
+        return in.particles.id.empty() ? id >= 0 && std::size_t(id) < in.particles.size()
+            : std::binary_search(ids.begin(), ids.end(), id);
+    };
+    std::vector<std::pair<int, int>> made(b.size());
     for (std::size_t k = 0; k < b.size(); ++k)
     {
-        require(known(b.a[k]) && known(b.b[k]) && b.a[k] != b.b[k], "bond " + std::to_string(k) + " has an unknown particle at an end");
-        require(made.insert({std::min(b.a[k], b.b[k]), std::max(b.a[k], b.b[k])}).second,
-            "particles " + std::to_string(b.a[k]) + " and " + std::to_string(b.b[k]) + " are bonded twice");
+        if (!known(b.a[k]) || !known(b.b[k]) || b.a[k] == b.b[k])
+            throw std::invalid_argument("bond " + std::to_string(k) + " has an unknown particle at an end");
+        made[k] = {std::min(b.a[k], b.b[k]), std::max(b.a[k], b.b[k])};
         require(b.type.empty() || (b.type[k] >= 0 && b.type[k] < int(in.bondTypes.size())), "bond of an unknown type");
     }
+    std::sort(made.begin(), made.end());
+    const auto twice = std::adjacent_find(made.begin(), made.end());
+    if (twice != made.end())
+        throw std::invalid_argument("particles " + std::to_string(twice->first) + " and " + std::to_string(twice->second) + " are bonded twice");
 }
 
 void checkClumps(const DemConfig& c, const DemInput& in)

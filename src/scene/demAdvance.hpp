@@ -6,7 +6,8 @@
 
 #include <limits>
 #include <sstream>
-#include "scene/demSolver.hpp"
+#include "scene/demFused.hpp"
+#include "scene/demWindow.hpp"
 
 namespace riprap
 {
@@ -17,70 +18,14 @@ bool DemSolver<Backend, D, P>::finished() const
     return host_.halt != DemHalt::none || host_.time >= host_.target || host_.step >= host_.lastStep || interrupted_;
 }
 
-//- Motions sampled over the steps to come; the host's clock must be current
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setWindow()
-{
-    host_.needWindow = 0;
-    host_.windowEnd = 1e300;
-    if (!groupMotions_ && !wallMotions_) return;
-    const double dt = host_.fullDt;
-    windowStep_ = 0.5*dt;
-    windowBegin_ = host_.time - dt;
-    host_.windowEnd = host_.time + windowSteps*dt;
-    if (groupMotions_)
-    {
-        motionSamples_.resize(std::size_t(groupMotions_)*samples*rigidMotionNumbers);
-        double* to = motionSamples_.data();
-        for (int m = 0; m < groupMotions_; ++m)
-            for (int k = 0; k < samples; ++k, to += rigidMotionNumbers)
-            {
-                const RigidMotion r = input_.groupMotion(m, windowBegin_ + k*windowStep_);
-                for (int d = 0; d < 3; ++d)
-                {
-                    const int axis = config_.axes[d];
-                    to[d] = r.velocity[axis];
-                    to[3 + d] = D == 2 && d == 2 ? spinSign()*r.spin[axis] : (D == 2 ? 0 : r.spin[axis]);
-                    to[6 + d] = r.centre[axis];
-                }
-            }
-        context_.toDevice(motions_.data(), motionSamples_.data(), motionSamples_.size()*sizeof(double));
-    }
-    if (!wallMotions_) return;
-    poseSamples_.resize(std::size_t(wallMotions_)*samples*poseNumbers);
-    double* to = poseSamples_.data();
-    const auto pose = [&](int m, double t)
-    {
-        const WallPose p = input_.wallMotion(m, t);
-        std::array<double, 12> r;
-        for (int a = 0; a < 3; ++a)
-        {
-            for (int b = 0; b < 3; ++b) r[3*a + b] = p.rotation[3*config_.axes[a] + config_.axes[b]];
-            r[9 + a] = p.translation[config_.axes[a]];
-        }
-        return r;
-    };
-    for (int m = 0; m < wallMotions_; ++m)
-        for (int k = 0; k < samples; ++k, to += poseNumbers)
-        {
-            const double t = windowBegin_ + k*windowStep_, e = 0.5*dt;
-            const auto now = pose(m, t), before = pose(m, t - e), after = pose(m, t + e);
-            for (int c = 0; c < 12; ++c)
-            {
-                to[c] = now[c];
-                to[12 + c] = (after[c] - before[c])/(2*e);
-            }
-        }
-    context_.toDevice(poses_.data(), poseSamples_.data(), poseSamples_.size()*sizeof(double));
-}
-
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
+    if (fuses()) return runFused(rebuilds);
     while (!finished())
     {
         if (host_.needRebuild) { rebuild(); ++rebuilds; readClock(); }
-        if (host_.needWindow || host_.time + 0.5*host_.fullDt > host_.windowEnd) { setWindow(); writeClock(); }
+        if (host_.needWindow || host_.time >= host_.windowEnd) { setWindow(); writeClock(); }
         const std::int64_t before = host_.step;
         if constexpr (!Backend::gpu) do step(); while (clock_.data()->active && !interrupted_);
         else for (int k = 0; k < stepsPerBatch_; ++k) step();

@@ -24,19 +24,25 @@ namespace riprap
 namespace detail
 {
 
+template<class Normal, class Tangential, class F>
+auto withRolling(const DemConfig& c, F f)
+{
+    if (c.rolling == RollingKind::constantTorque) return f(Contact<Normal, Tangential, ConstantTorque>());
+    if (c.rolling == RollingKind::spring) return f(Contact<Normal, Tangential, RollingSpring>());
+    return f(Contact<Normal, Tangential, NoRolling>());
+}
+
 template<class Normal, class History, class F>
 auto withTangential(const DemConfig& c, F f)
 {
     if (c.tangential == TangentialKind::none) return f(Contact<Normal, Frictionless, NoRolling>());
-    if (c.tangential == TangentialKind::oneStep) return f(Contact<Normal, OneStepSpring, NoRolling>());
-    if (c.rolling == RollingKind::constantTorque) return f(Contact<Normal, History, ConstantTorque>());
-    if (c.rolling == RollingKind::spring) return f(Contact<Normal, History, RollingSpring>());
-    return f(Contact<Normal, History, NoRolling>());
+    if (c.tangential == TangentialKind::oneStep) return withRolling<Normal, OneStepSpring>(c, f);
+    return withRolling<Normal, History>(c, f);
 }
 
 } // namespace detail
 
-//- f(law). Rolling friction goes with the history spring alone: createDemScene refuses it elsewhere
+//- f(law). Rolling friction goes with any friction: createDemScene refuses it without
 template<class F>
 auto withLaw(const DemConfig& c, F f)
 {

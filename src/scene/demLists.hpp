@@ -15,22 +15,18 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh)
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
     forEach(context_, n_, keys);
     sort_.sort(context_, n_);
-    fields_.permute(context_, sort_.order(), n_);
+    bool forcesHold = true;
+    if constexpr (Backend::gpu) forcesHold = !parts_.moved;
+    fields_.permute(context_, sort_.order(), n_, fField_, forcesHold ? fField_ : mField_ + S);
     forEach(context_, n_, PlaceSolids<D, P>{mover(), slotOf_.data()});
     if (nBonds_) forEach(context_, nBonds_, LoseBonds<D, P>{bondFields()});
-    list_.swap(oldList_);
-    buildContacts();
-    if (!fresh && histories_ >= 0)
+    if constexpr (Backend::gpu) buildFullLists(fresh);
+    else
     {
-        forEach(context_, n_, InvertOrder{sort_.order(), inverse_.data()});
-        withLaw(config_, [&](auto law)
-        {
-            forEach(context_, n_, HandOver<Backend, decltype(law), D, real>
-            {oldList_.view(), list_.view(), sort_.order(), inverse_.data(), sort_.active()});
-        });
+        buildContacts(fresh);
+        if (nWalls_) buildWalls(fresh);
     }
     if (nBonds_) forEach(context_, nBonds_, RestBonds<Backend, D, P>{bondFields(), list_.view()});
-    if (nWalls_) buildWalls(fresh);
     blockContacts();
 }
 
@@ -39,54 +35,159 @@ ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search()
 {
     const SolidFields<D, P> f = fields();
     return ContactSearch<Backend, D, P>
-    {box_, classes_, records_.view(), sort_.start(), f.clump, f.id, bondTable(), real(reach_)};
+    {
+        box_, classes_, records_.view(), sort_.start(), f.clump, f.id, bondTable(), real(reach_),
+        // what a quarter of the skin is between will mostly have touched before the next rebuild
+        real(largestGap_ + 0.5*double(halfSkin_))
+    };
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::buildContacts()
+void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
 {
-    list_.allocate(context_, n_);
-    forEach(context_, n_, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count()});
-    const int blocks = list_.blocks();
-    forEach(context_, blocks, BlockEntries{list_.count(), list_.base(), list_.width});
-    exclusiveScan(context_, scan_, list_.base(), blocks + 1);
-    int entries = 0;
-    context_.toHost(&entries, list_.base() + blocks, sizeof(int));
-    list_.reserve(context_, entries, histories_, nBonds_ > 0);
-    forEach(context_, n_, WriteContacts<Backend, D, P>{search(), sort_.active(), list_.view()});
+    if constexpr (!Backend::gpu)
+    {
+        list_.swap(oldList_);
+        list_.allocate(context_, n_);
+        forEach(context_, n_, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count(), nullptr});
+        const int blocks = list_.blocks();
+        forEach(context_, blocks, BlockEntries{list_.count(), list_.base(), list_.width});
+        exclusiveScan(context_, scan_, list_.base(), blocks + 1);
+        int entries = 0;
+        context_.toHost(&entries, list_.base() + blocks, sizeof(int));
+        list_.reserve(context_, entries, histories_, nBonds_ > 0);
+        forEach(context_, n_, WriteContacts<Backend, D, P>{search(), sort_.active(), list_.view()});
+        if (fresh) return;
+        forEach(context_, n_, InvertOrder{sort_.order(), inverse_.data()});
+        withLaw(config_, [&](auto law)
+        {
+            using Law = decltype(law);
+            forEach(context_, n_, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
+            {oldList_.view(), list_.view(), sort_.order(), inverse_.data(), sort_.active()});
+        });
+    }
+}
+
+//- Full lists and walls: everything is counted first, so that the host looks on once
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
+{
+    if constexpr (Backend::gpu)
+    {
+        DemParts<Backend, D, P>& g = parts_;
+        list_.allocate(context_, n_);
+        oldList_.allocate(context_, n_);                // the new shape, for now
+        g.nearCount.allocate(context_, n_);
+        g.keptFirst.allocate(context_, std::size_t(n_) + 1);
+        g.totals.allocate(context_, 5);
+        const int blocks = list_.blocks();
+        const ContactListView<Backend, real> old = list_.view();
+        if (!fresh)
+        {
+            forEach(context_, n_, InvertOrder{sort_.order(), inverse_.data()});
+            forEach(context_, n_, KeepContacts<Backend, real, false>
+            {old, histories_, sort_.order(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
+            exclusiveScan(context_, scan_, g.keptFirst.data(), n_ + 1);
+        }
+        forEach(context_, n_, CountContacts<Backend, D, P>{search(), sort_.active(), oldList_.count(), g.nearCount.data()});
+        forEach(context_, blocks, BlockEntries{oldList_.count(), oldList_.base(), list_.width});
+        exclusiveScan(context_, scan_, oldList_.base(), blocks + 1);
+        if (nWalls_)
+        {
+            countWalls();
+            g.wallListFirst.allocate(context_, std::size_t(n_) + 1);
+            forEach(context_, n_, FlagNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data()});
+            for (int* sums : {g.wallListFirst.data(), wallMemory_.entryFirst.data(), wallMemory_.elementFirst.data()})
+                exclusiveScan(context_, scan_, sums, n_ + 1);
+        }
+        forEach(context_, 1, CollectTotals
+        {
+            fresh ? nullptr : g.keptFirst.data() + n_, oldList_.base() + blocks, nWalls_ ? wallMemory_.entryFirst.data() + n_ : nullptr,
+            nWalls_ ? wallMemory_.elementFirst.data() + n_ : nullptr, nWalls_ ? g.wallListFirst.data() + n_ : nullptr, g.totals.data()
+        });
+        int total[5];
+        context_.toHost(total, g.totals.data(), sizeof(total));
+        if (!fresh)
+        {
+            const std::size_t room = std::size_t(total[0]) + total[0]/16 + 64;
+            if (std::size_t(total[0]) > g.keptPartner.size())
+            {
+                g.keptPartner.allocate(context_, room);
+                g.keptHistory.allocate(context_, room*std::max(1, old.historyWords(histories_)));
+            }
+            forEach(context_, n_, KeepContacts<Backend, real, true>
+            {
+                old, histories_, sort_.order(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
+                g.keptHistory.data()
+            });
+        }
+        list_.swapShape(oldList_);
+        list_.reserve(context_, total[1], histories_, nBonds_ > 0);
+        forEach(context_, n_, WriteFullLists<Backend, D, P>
+        {
+            search(), sort_.active(), list_.view(), histories_, g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
+            g.keptPartner.data(), g.keptHistory.data()
+        });
+        if (!nWalls_) return;
+        wallMemory_.entries = total[2];
+        writeWalls(fresh, total[3]);
+        g.nearWalls = total[4];
+        g.wallList.allocate(context_, std::size_t(g.nearWalls) + 1);
+        forEach(context_, n_, ListNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
+    }
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::buildWalls(bool fresh)
+void DemSolver<Backend, D, P>::countWalls()
 {
     std::swap(wallMemory_, oldWallMemory_);
     WallMemoryArrays<Backend, real>& m = wallMemory_;
-    const int H = std::max(histories_, 1);
     if (wallMotions_) forEach(context_, nWalls_, KeepWallReference{walls_.data()});
-    WallSearch<D, P> search{box_, fields(), walls_.data(), nWalls_, surface(), reach_, sort_.active()};
     m.entryFirst.allocate(context_, std::size_t(n_) + 1);
     m.elementFirst.allocate(context_, std::size_t(n_) + 1);
-    FindWalls<D, P, false> count{search, m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr};
-    forEach(context_, n_, count);
+    forEach(context_, n_, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr});
+    if constexpr (Backend::gpu) return;
     exclusiveScan(context_, scan_, m.entryFirst.data(), n_ + 1);
     exclusiveScan(context_, scan_, m.elementFirst.data(), n_ + 1);
-    int elements = 0;
-    context_.toHost(&m.entries, m.entryFirst.data() + n_, sizeof(int));
-    context_.toHost(&elements, m.elementFirst.data() + n_, sizeof(int));
-    const std::size_t room = std::size_t(m.entries) + 1;
-    m.entry.allocate(context_, room);
-    m.element.allocate(context_, std::size_t(elements) + 1);
-    m.on.allocate(context_, room*wallTouches);
-    m.normal.allocate(context_, room*wallTouches*D);
-    m.history.allocate(context_, room*wallTouches*H);
-    m.force.allocate(context_, room*wallWords<D>);
-    FindWalls<D, P, true> write{search, m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data()};
-    forEach(context_, n_, write);
+}
+
+template<class Backend, int D, class P>
+WallSearch<D, P> DemSolver<Backend, D, P>::wallSearch()
+{ return WallSearch<D, P>{box_, fields(), walls_.data(), nWalls_, surface(), reach_, sort_.active()}; }
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
+{
+    WallMemoryArrays<Backend, real>& m = wallMemory_;
+    const int H = std::max(histories_, 1);
+    // a little more than now: pointers that stay keep recorded steps
+    const std::size_t room = std::size_t(m.entries) + m.entries/8 + 1;
+    if (m.entry.size() < std::size_t(m.entries) + 1)
+    {
+        m.entry.allocate(context_, room);
+        m.on.allocate(context_, room*wallTouches);
+        m.normal.allocate(context_, room*wallTouches*D);
+        m.history.allocate(context_, room*wallTouches*H);
+        m.force.allocate(context_, room*wallWords<D>);
+    }
+    if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(context_, std::size_t(elements) + elements/8 + 1);
+    forEach(context_, n_, FindWalls<D, P, true>
+    {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data()});
     withLaw(config_, [&](auto law)
     {
         forEach(context_, n_, HandOverWalls<D, real, decltype(law)::template history<D>>
         {wallMemory(oldWallMemory_), wallMemory(m), sort_.order(), sort_.active(), fresh});
     });
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::buildWalls(bool fresh)
+{
+    countWalls();
+    int elements = 0;
+    context_.toHost(&wallMemory_.entries, wallMemory_.entryFirst.data() + n_, sizeof(int));
+    context_.toHost(&elements, wallMemory_.elementFirst.data() + n_, sizeof(int));
+    writeWalls(fresh, elements);
 }
 
 //- On the CPU: which forces blocks of particles leave to each other
@@ -97,7 +198,8 @@ void DemSolver<Backend, D, P>::blockContacts()
     if constexpr (!Backend::gpu)
     {
         parts_.sums.allocate(context_, std::size_t(n_)*DeferredForces<D, real>::width);
-        parts_.deferred.set(n_, list_.view());
+        // of those in the scene: a scene that is continued without those that left must cut alike
+        parts_.deferred.set(activeSolids(), list_.view());
     }
 #endif
 }

@@ -270,7 +270,6 @@ template<class Backend, int D, class P>
 DemEnergy DemSolver<Backend, D, P>::energy()
 {
     DemEnergy e;
-    const DemState s = particles();
     const DemClumpState c = clumps();
     const auto potential = [&](double m, const double* x)
     {
@@ -278,17 +277,14 @@ DemEnergy DemSolver<Backend, D, P>::energy()
         for (int d = 0; d < D; ++d) sum -= m*config_.gravity[config_.axes[d]]*x[config_.axes[d]];
         return sum;
     };
-    const auto inverse = field<real>(inertiaField_);
-    for (std::size_t i = 0; i < s.id.size(); ++i)
-    {
-        if (s.clump[i] >= 0) continue;
-        for (int d = 0; d < 3; ++d)
-        {
-            e.translation += 0.5*s.mass[i]*s.velocity[3*i + d]*s.velocity[3*i + d];
-            e.rotation += 0.5*s.spin[3*i + d]*s.spin[3*i + d]/double(inverse[i]);
-        }
-        if (input_.groups[s.group[i]].gravity) e.potential += potential(s.mass[i], &s.position[3*i]);
-    }
+    SumEnergies<D, P> free{};
+    setMotion(free);
+    free.box = box_;
+    free.half = real(config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0);
+    const auto sums = sumOver<3>(context_, activeSolids(), free);
+    e.translation = sums[0];
+    e.rotation = sums[1];
+    e.potential = sums[2];
     for (int k = 0; k < nClumps_; ++k)
     {
         const DemClump& in = input_.clumps[k];
@@ -306,12 +302,13 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
-        e.contact = sumOver<1>(context_, n_, sum)[0];
+        e.contact = sumOver<1>(context_, activeSolids(), sum)[0];
     });
     const auto wall = wallMemory_.entries ? wallMemory_.force.download() : std::vector<real>();
     for (int k = 0; k < wallMemory_.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
     if (!nBonds_) return e;
     const DemBondState b = bonds();
+    const auto radius = field<real>(radiusField_);
     const auto history = bondHistory_.download();
     const auto types = bondTypes_.download();
     const auto slots = slotOf_.download();
@@ -319,9 +316,8 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     for (int k = 0; k < nBonds_; ++k)
     {
         if (b.broken[k]) continue;
-        const double ra = s.radius[slots[ends[0][k]]], rb = s.radius[slots[ends[1][k]]];
         e.bond += double(bondEnergy<D, real>
-        (types[b.type[k]], real(ra), real(rb), real(b.gap[k] - b.restGap[k]), &history[std::size_t(k)*bondHistory<D>]));
+        (types[b.type[k]], radius[slots[ends[0][k]]], radius[slots[ends[1][k]]], real(b.gap[k] - b.restGap[k]), &history[std::size_t(k)*bondHistory<D>]));
     }
     return e;
 }
@@ -379,6 +375,12 @@ std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
     put("solids", "reference", reference_.bytes());
     put("solids", "sort", sort_.bytes() + inverse_.bytes() + slotOf_.bytes());
     put("contacts", "lists and histories", list_.bytes() + oldList_.bytes());
+    if constexpr (Backend::gpu)
+    {
+        put("solids", "fused steps", parts_.records.bytes() + parts_.low.bytes() + parts_.own.bytes());
+        put("contacts", "rebuilding", parts_.nearCount.bytes() + parts_.keptFirst.bytes() + parts_.keptPartner.bytes()
+          + parts_.keptHistory.bytes() + parts_.wallListFirst.bytes() + parts_.wallList.bytes());
+    }
     put("bonds", "bonds", bondIds_[0].bytes() + bondIds_[1].bytes() + bondType_.bytes() + bondBroken_.bytes() + bondRest_.bytes()
       + bondHistory_.bytes() + bondForce_.bytes() + bondFirst_.bytes() + bondReference_.bytes());
     put("clumps", "clumps", clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes());
@@ -405,6 +407,21 @@ double DemSolver<Backend, D, P>::neighboursPerParticle()
     const int n = activeSolids();
     for (int i = 0; i < n; ++i) sum += count[i];
     return n ? sum*(Backend::gpu ? 1 : 2)/n : 0;
+}
+
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::contactsPerParticle()
+{
+    readClock();
+    const int n = activeSolids();
+    double contacts = 0;
+    withLaw(config_, [&](auto law)
+    {
+        SumContacts<Backend, D, P, decltype(law)> sum;
+        setModel(sum.probe);
+        contacts = sumOver<1>(context_, n, sum)[0];
+    });
+    return n ? 2*contacts/n : 0;
 }
 
 } // namespace riprap

@@ -87,6 +87,7 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
 //- sqrt(m/k) of bonds, of translation and of rotation
 void addBonds(const DemConfig& c, const DemInput& in, DemPlan& plan)
 {
+    if (in.bonds.size() == 0) return;
     const DemParticles& p = in.particles;
     std::vector<std::size_t> at;
     for (std::size_t i = 0; i < p.size(); ++i)

@@ -78,4 +78,40 @@ struct LargestSpeed
     }
 };
 
+//- Which particles are near walls: flags, then their list
+struct FlagNearWalls
+{
+    static constexpr const char* name = "flagNearWalls";
+    const int* entries;         // of each particle
+    int* flag;
+    HD void operator()(int i) const { flag[i] = entries[i] > 0; }
+};
+
+struct ListNearWalls
+{
+    static constexpr const char* name = "listNearWalls";
+    const int* entryFirst;
+    const int* first;
+    int* list;
+    HD void operator()(int i) const { if (entryFirst[i + 1] > entryFirst[i]) list[first[i]] = i; }
+};
+
+//- Numbers from all over the device, side by side for the host
+struct CollectTotals
+{
+    static constexpr const char* name = "collectTotals";
+    const int* kept;
+    const int* entries;
+    const int* wallEntries;
+    const int* wallElements;
+    const int* nearWalls;
+    int* total;
+
+    HD void operator()(int) const
+    {
+        const int* from[5] = {kept, entries, wallEntries, wallElements, nearWalls};
+        for (int k = 0; k < 5; ++k) total[k] = from[k] ? *from[k] : 0;
+    }
+};
+
 } // namespace riprap

@@ -263,6 +263,7 @@ public:
     virtual std::vector<KernelInfo> kernels() const = 0;
     virtual void timeKernels(bool on) = 0;
     virtual double neighboursPerParticle() = 0;             // listed, each pair counted at both ends
+    virtual double contactsPerParticle() = 0;               // between particles, each counted at both ends
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;
 };

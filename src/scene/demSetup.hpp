@@ -13,10 +13,19 @@ namespace riprap
 template<class Backend, int D, class P>
 DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& input, const DemPlan& plan)
 :
-    config_(config), input_(input), plan_(plan)
+    config_(config), plan_(plan), given_(&input)
 {
-    clock_.allocate(context_, 1);
-    n_ = reported_ = int(input_.particles.size());
+    // particles and bonds go to the device: the host keeps no second copy of millions
+    input_.materials = input.materials;
+    input_.pairs = input.pairs;
+    input_.groups = input.groups;
+    input_.clumps = input.clumps;
+    input_.bondTypes = input.bondTypes;
+    input_.walls = input.walls;
+    input_.groupMotion = input.groupMotion;
+    input_.wallMotion = input.wallMotion;
+    clock_.allocate(context_, 2);
+    n_ = reported_ = int(input.particles.size());
     setPairs();
     setBox();
     setFields();
@@ -24,6 +33,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     setBonds();
     setClumps();
     setWalls();
+    given_ = nullptr;
     prime();
 }
 
@@ -65,40 +75,60 @@ void DemSolver<Backend, D, P>::setPairs()
     });
 }
 
+//- How far the search looks, from the radii
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setReach()
+{
+    const double ratio = config_.skin >= 0 ? config_.skin : (Backend::gpu ? 0.1 : 0.15);
+    const double skin = ratio*2*radii_.smallest;
+    halfSkin_ = real(0.5*skin);
+    reach_ = skin + largestGap_;
+}
+
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setBox()
 {
     const DemConfig& c = config_;
-    const std::vector<double>& radius = input_.particles.radius;
-    const double smallest = *std::min_element(radius.begin(), radius.end());
-    const double largest = *std::max_element(radius.begin(), radius.end());
-    const double ratio = c.skin >= 0 ? c.skin : (Backend::gpu ? 0.1 : 0.15);
-    const double skin = ratio*2*smallest;
-    halfSkin_ = real(0.5*skin);
-    reach_ = skin + largestGap_;
-    const double margin = 2*largest + reach_;
+    radii_ = RadiusClasses::of(given_->particles.radius);
+    setReach();
+    const double margin = 2*radii_.largest + reach_;
     for (int d = 0; d < D; ++d)
     {
         const int axis = c.axes[d];
         const double lo = c.domainMin[axis], hi = c.domainMax[axis];
-        if (c.periodic[axis])
-        {
-            if (hi - lo < 3.001*margin)
-                throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
-                  + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
-            box_.set(d, lo, hi - lo, true);
-            domainMin_[d] = std::numeric_limits<std::int64_t>::min();
-            domainMax_[d] = std::numeric_limits<std::int64_t>::max();
-        }
-        else
-        {
-            // a margin, so that fixed-point differences across it are never mistaken for near ones
-            box_.set(d, lo - margin, hi - lo + 2*margin, false);
-            domainMin_[d] = box_.toFixed(d, lo);
-            domainMax_[d] = box_.toFixed(d, hi);
-        }
+        if (c.periodic[axis] && hi - lo < 3.001*margin)
+            throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
+              + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
+        // a margin, so that fixed-point differences across it are never mistaken for near ones
+        if (c.periodic[axis]) box_.set(d, lo, hi - lo, true);
+        else box_.set(d, lo - margin, hi - lo + 2*margin, false);
     }
-    classes_.set(box_, radius, reach_);
+    setDomain();
+}
+
+//- Where particles leave, in the box's units, and the cells
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setDomain()
+{
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = config_.axes[d];
+        const bool periodic = config_.periodic[axis];
+        domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : box_.toFixed(d, config_.domainMin[axis]);
+        domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis]);
+    }
+    classes_.set(box_, radii_, reach_);
+}
+
+//- A field from values(i)
+template<class Backend, int D, class P>
+template<class T, class Values>
+void DemSolver<Backend, D, P>::uploadField(int field, const Values& values)
+{
+    std::vector<T> all(n_);
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n_; ++i) all[i] = values(i);
+    fields_.upload(context_, field, all);
 }
 
 //- Components of vectors in the solver's axes, or the one spin of 2D
@@ -106,20 +136,19 @@ template<class Backend, int D, class P>
 template<class T>
 void DemSolver<Backend, D, P>::uploadVector(int field, int components, const std::vector<double>& from, bool spin)
 {
-    std::vector<T> value(n_, T(0));
+    if (from.empty()) return;               // memory begins as zero
     for (int d = 0; d < components; ++d)
     {
         const int axis = spin && D == 2 ? config_.axes[2] : config_.axes[d];
         const double sign = spin && D == 2 ? spinSign() : 1;
-        if (!from.empty()) for (int i = 0; i < n_; ++i) value[i] = T(sign*from[3*std::size_t(i) + axis]);
-        fields_.upload(context_, field + d, value);
+        uploadField<T>(field + d, [&](int i) { return T(sign*from[3*std::size_t(i) + axis]); });
     }
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setFields()
 {
-    const DemParticles& in = input_.particles;
+    const DemParticles& in = given_->particles;
     static const char* axis[3] = {"x", "y", "z"};
     const auto addVector = [&](const char* name, int components)
     {
@@ -153,39 +182,25 @@ void DemSolver<Backend, D, P>::setFields()
     inverse_.allocate(context_, n_);
     slotOf_.allocate(context_, n_);
 
-    std::vector<std::int64_t> x(n_);
     for (int d = 0; d < D; ++d)
-    {
-        for (int i = 0; i < n_; ++i) x[i] = box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]);
-        fields_.upload(context_, xField_ + d, x);
-    }
+        uploadField<std::int64_t>(xField_ + d, [&](int i) { return box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]); });
     uploadVector<double>(vField_, D, in.velocity, false);
     uploadVector<real>(wField_, S, in.spin, true);
-    uploadVector<real>(fField_, D, {}, false);
-    uploadVector<real>(mField_, S, {}, true);
-    std::vector<real> radius(n_), mass(n_), inverse(n_);
-    for (int i = 0; i < n_; ++i)
-    {
-        const double own = (D == 2 ? 0.5 : 0.4)*in.mass[i]*in.radius[i]*in.radius[i];
-        radius[i] = real(in.radius[i]);
-        mass[i] = real(in.mass[i]);
-        inverse[i] = real(1/(in.inertia.empty() ? own : in.inertia[i]));
-    }
-    fields_.upload(context_, radiusField_, radius);
-    fields_.upload(context_, massField_, mass);
-    fields_.upload(context_, inertiaField_, inverse);
-    std::vector<std::int32_t> keys(n_), none(n_, 0);
-    for (int i = 0; i < n_; ++i) keys[i] = i;
-    ids_ = in.id.empty() ? keys : in.id;
-    fields_.upload(context_, idField_, keys);
-    fields_.upload(context_, materialField_, in.material.empty() ? none : in.material);
-    fields_.upload(context_, groupField_, in.group.empty() ? none : in.group);
+    uploadField<real>(radiusField_, [&](int i) { return real(in.radius[i]); });
+    uploadField<real>(massField_, [&](int i) { return real(in.mass[i]); });
+    uploadField<real>(inertiaField_, [&](int i)
+    { return real(1/(in.inertia.empty() ? (D == 2 ? 0.5 : 0.4)*in.mass[i]*in.radius[i]*in.radius[i] : in.inertia[i])); });
+    ids_ = in.id;
+    if (ids_.empty()) for (int i = 0; i < n_; ++i) ids_.push_back(i);
+    uploadField<std::int32_t>(idField_, [](int i) { return i; });
+    if (!in.material.empty()) fields_.upload(context_, materialField_, in.material);
+    if (!in.group.empty()) fields_.upload(context_, groupField_, in.group);
     if (clumpField_ >= 0)
         fields_.upload(context_, clumpField_, in.clump.empty() ? std::vector<std::int32_t>(n_, -1) : in.clump);
     if (turnField_ >= 0)
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
             fields_.upload(context_, turnField_ + k, std::vector<real>(n_, real(D == 3 && k == 0)));
-    emptyCoordinate_.assign(n_, 0);
+    if (D == 2) emptyCoordinate_.resize(n_);
     if (D == 2) for (int i = 0; i < n_; ++i) emptyCoordinate_[i] = in.position[3*std::size_t(i) + config_.axes[2]];
 }
 
@@ -220,10 +235,10 @@ void DemSolver<Backend, D, P>::setGroups()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setBonds()
 {
-    const DemBonds& in = input_.bonds;
+    const DemBonds& in = given_->bonds;
     nBonds_ = int(in.size());
     if (!nBonds_) return;
-    const DemParticles& q = input_.particles;
+    const DemParticles& q = given_->particles;
     std::vector<int> keyOf;
     for (int i = 0; i < n_; ++i)
     {
@@ -308,7 +323,7 @@ void DemSolver<Backend, D, P>::setClumps()
     }
     std::vector<double> offset(3*std::size_t(n_), 0.0);
     std::vector<int> first(nClumps_ + 1, 0), member;
-    const auto& of = input_.particles.clump;
+    const auto& of = given_->particles.clump;
     for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
     for (int k = 0; k < nClumps_; ++k) first[k + 1] += first[k];
     member.resize(std::max(1, first[nClumps_]));
@@ -320,7 +335,7 @@ void DemSolver<Backend, D, P>::setClumps()
         Vec<3, double> arm{{0, 0, 0}};
         for (int d = 0; d < D; ++d)
         {
-            const std::int64_t x = box_.toFixed(d, input_.particles.position[3*std::size_t(i) + config_.axes[d]]);
+            const std::int64_t x = box_.toFixed(d, given_->particles.position[3*std::size_t(i) + config_.axes[d]]);
             arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))*box_.unit[d];
         }
         arm = rotated(clumps[of[i]].q, arm, true);
@@ -337,8 +352,7 @@ void DemSolver<Backend, D, P>::setWalls()
 {
     nWalls_ = int(input_.walls.size());
     if (!nWalls_) return;
-    const std::vector<double>& radius = input_.particles.radius;
-    const double cell = *std::max_element(radius.begin(), radius.end()) + reach_;
+    const double cell = radii_.largest + reach_;
     SurfaceBuilder<D> builder;
     std::vector<WallData> walls;
     for (const DemWall& in : input_.walls)
@@ -390,7 +404,7 @@ void DemSolver<Backend, D, P>::prime()
     host_.active = 1;
     writeClock();
     // moving walls take their places; no step has any length yet
-    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), 1e300});
+    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), clock_.data(), 1e300});
     rebuild(true);
     forces();
     readClock();

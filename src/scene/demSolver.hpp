@@ -1,5 +1,5 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction),
-    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demOutput.hpp (what is read back)
+    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demOutput.hpp (what is read back)
     and demState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -7,9 +7,11 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include "core/cellSort.hpp"
+#include "core/graph.hpp"
 #include "dem/bond/bondPass.hpp"
-#include "dem/gatherPass.hpp"
+#include "dem/fusedStep.hpp"
 #include "dem/scatterPass.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
@@ -19,15 +21,32 @@
 namespace riprap
 {
 
-//- What only one backend has
-template<class Backend, int D, class R> struct DemParts { };
+//- What only one backend has: for GPUs what fused steps and their rebuilds need
+template<class Backend, int D, class P>
+struct DemParts
+{
+    using real = typename P::real;
+
+    SolidRecordMemory<Backend, D, P> records;       // the second ones
+    Array<Backend, LowWords<P>> low;
+    Array<Backend, OwnWords<real>> own;
+    Array<Backend, int> nearCount, keptFirst, keptPartner, wallListFirst, wallList, totals;
+    Array<Backend, real> keptHistory;
+    int nearWalls = 0;
+    int current = 0;                                // records and clock that the next step begins with
+    bool moved = false;                             // forces are not yet those of the positions at hand
+
+#ifdef __CUDACC__
+    std::map<std::vector<const void*>, Graph> graphs;
+#endif
+};
 
 #ifndef __CUDACC__
-template<int D, class R>
-struct DemParts<Cpu, D, R>
+template<int D, class P>
+struct DemParts<Cpu, D, P>
 {
-    DeferredForces<D, R> deferred;
-    Array<Cpu, R> sums;
+    DeferredForces<D, typename P::real> deferred;
+    Array<Cpu, typename P::real> sums;
 };
 #endif
 
@@ -46,6 +65,13 @@ struct WallMemoryArrays
         return entryFirst.bytes() + elementFirst.bytes() + entry.bytes() + element.bytes() + on.bytes() + normal.bytes()
           + history.bytes() + force.bytes();
     }
+};
+
+//- Of a saved state: in which cells particles were sought, and where
+struct DemSearchState
+{
+    RadiusClasses radii;
+    double lower[3] = {}, length[3] = {};   // of the box [m]
 };
 
 template<class Backend, int D, class P>
@@ -76,13 +102,16 @@ public:
     std::vector<KernelInfo> kernels() const override;
     void timeKernels(bool on) override { context_.profile.timing = on; }
     double neighboursPerParticle() override;
+    double contactsPerParticle() override;
     std::string deviceName() const override;
     DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
 
 private:
 
     // demSetup.hpp
+    void setReach();
     void setBox();
+    void setDomain();
     void setFields();
     void setGroups();
     void setPairs();
@@ -90,6 +119,7 @@ private:
     void setClumps();
     void setWalls();
     void prime();
+    template<class T, class Values> void uploadField(int field, const Values& values);
     template<class T> void uploadVector(int field, int components, const std::vector<double>& from, bool spin);
 
     // demStep.hpp
@@ -103,27 +133,57 @@ private:
     template<class M> void setMotion(M&);
     MoveSolids<D, P> mover();
     template<class Law> void setModel(PairModel<Backend, D, P, Law>&);
-    template<class Law> void contactPass();
-    template<class Law> void wallPass();
-    void forces();
+    ForceClock forceClock(ForceTurn);
+    template<class Law> void contactPass(ForceTurn);
+    template<class Law> void wallPass(ForceTurn);
+    void bondPass(ForceTurn);
+    void forces(ForceTurn = ForceTurn::inStep);
+    MoveWalls wallMover(DemClockData*);
     void step();
+
+    // demFused.hpp
+    bool fuses() const;
+    StepState<D, P> stepState();
+    void openSteps();
+    void closeSteps();
+    template<class Law> void fusedStep();
+    void fusedSteps(int count);
+    std::vector<const void*> graphKey(int count);
+    void runFused(std::int64_t& rebuilds);
 
     // demLists.hpp
     void rebuild(bool fresh = false);
     ContactSearch<Backend, D, P> search();
-    void buildContacts();
+    void buildContacts(bool fresh);
+    void buildFullLists(bool fresh);
+    WallSearch<D, P> wallSearch();
+    void countWalls();
+    void writeWalls(bool fresh, int elements);
     void buildWalls(bool fresh);
     void blockContacts();
 
     // demState.hpp
+    std::vector<int> keptBonds();
     template<class F> void forEachMemory(F f);
+    template<class F> void forEachBondMemory(const std::vector<int>& kept, F f);
+    std::size_t historyTogether() const;
+    std::size_t historyRows() const;
+    void clearUnused(std::vector<std::int32_t>& words, std::size_t at) const;
+    void restoreSearch(const DemSearchState&);
+    void restoreIds(const std::vector<std::int32_t>& ids);
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
 
     // demAdvance.hpp
-    void readClock() { context_.toHost(&host_, clock_.data(), sizeof(DemClockData)); }
-    void writeClock() { context_.toDevice(clock_.data(), &host_, sizeof(DemClockData)); }
+    void readClock(int which = 0) { context_.toHost(&host_, clock_.data() + which, sizeof(DemClockData)); }
+    void writeClock()
+    {
+        const DemClockData both[2] = {host_, host_};
+        context_.toDevice(clock_.data(), both, sizeof(both));
+    }
     bool finished() const;
-    void setWindow();
+    void setWindow();           // these three: demWindow.hpp
+    void sampleGroups(double end);
+    void samplePoses(double end);
     void runToTarget(std::int64_t& rebuilds);
     void collectEscaped(DemReport&);
     void findOffender(DemReport&);
@@ -144,11 +204,13 @@ private:
     }
 
     DemConfig config_;
-    DemInput input_;
+    DemInput input_;            // without particles and bonds
     DemPlan plan_;
+    const DemInput* given_ = nullptr;       // while the scene is made
     Context<Backend> context_;
 
     Box<D, P> box_;
+    RadiusClasses radii_;
     SizeClasses<D, P> classes_;
     std::int64_t domainMin_[D], domainMax_[D];
     real halfSkin_ = 0;
@@ -176,7 +238,7 @@ private:
     Array<Backend, double> motions_, poses_;
     double windowBegin_ = 0, windowStep_ = 1;
     int groupMotions_ = 0, wallMotions_ = 0;
-    static constexpr int windowSteps = 64, samples = 2*windowSteps + 5;
+    static constexpr int windowSteps = 64, samples = 2*windowSteps + 3;
 
     int nBonds_ = 0;
     Array<Backend, std::int32_t> bondIds_[2], bondType_, bondBroken_;
@@ -199,7 +261,7 @@ private:
 
     Array<Backend, DemClockData> clock_;
     DemClockData host_;
-    DemParts<Backend, D, real> parts_;
+    DemParts<Backend, D, P> parts_;
     int stepsPerBatch_ = 16;
     std::atomic<bool> interrupted_{false};
 };

@@ -124,18 +124,27 @@ void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
     m.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
     m.gap = gaps_.data();
     m.materials = int(input_.materials.size());
-    m.clock = clock_.data();
+    m.clock = forceClock(ForceTurn::always);
     m.active = sort_.active();
 }
 
 template<class Backend, int D, class P>
+ForceClock DemSolver<Backend, D, P>::forceClock(ForceTurn turn)
+{
+    if constexpr (Backend::gpu)
+        if (turn == ForceTurn::ahead) return ForceClock{clock_.data() + parts_.current, clock_.data() + 1 - parts_.current, turn};
+    return ForceClock{clock_.data(), clock_.data(), turn};
+}
+
+template<class Backend, int D, class P>
 template<class Law>
-void DemSolver<Backend, D, P>::contactPass()
+void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
 {
     if constexpr (Backend::gpu)
     {
         GatherPass<Backend, D, P, Law> pass;
         setModel(pass);
+        pass.clock = forceClock(turn);
         pass.fields = fields();
         pass.largestGap = real(largestGap_);
         forEach(context_, n_, pass);
@@ -145,6 +154,7 @@ void DemSolver<Backend, D, P>::contactPass()
     {
         ScatterPass<D, P, Law> pass;
         setModel(pass);
+        pass.clock = forceClock(turn);
         pass.deferred = &parts_.deferred;
         pass.sums = parts_.sums.data();
         pass.largestGap = real(largestGap_);
@@ -156,9 +166,9 @@ void DemSolver<Backend, D, P>::contactPass()
 
 template<class Backend, int D, class P>
 template<class Law>
-void DemSolver<Backend, D, P>::wallPass()
+void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
 {
-    WallPass<D, P, Law> pass;
+    WallPass<D, P, Law> pass{};
     pass.box = box_;
     pass.fields = fields();
     pass.walls = walls_.data();
@@ -171,23 +181,47 @@ void DemSolver<Backend, D, P>::wallPass()
     pass.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
     pass.gap = gaps_.data();
     pass.materials = int(input_.materials.size());
-    pass.clock = clock_.data();
-    forEach(context_, n_, pass);
+    pass.clock = forceClock(turn);
+    int near = n_;
+    if constexpr (Backend::gpu)
+    {
+        if (turn == ForceTurn::ahead)
+        {
+            pass.state = stepState();
+            pass.solids = pass.state.from;
+        }
+        pass.listed = parts_.wallList.data();
+        near = parts_.nearWalls;
+    }
+    forEach(context_, near, pass);
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
+{
+    BondPass<D, P> pass{bondFields(), box_, fields(), records_.view(), forceClock(turn), {}};
+    if constexpr (Backend::gpu)
+        if (turn == ForceTurn::ahead)
+        {
+            pass.state = stepState();
+            pass.solids = pass.state.from;
+        }
+    forEach(context_, nBonds_, pass);
 }
 
 //- All forces at the positions at hand
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::forces()
+void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 {
     withLaw(config_, [&](auto law)
     {
-        contactPass<decltype(law)>();
-        if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>();
+        contactPass<decltype(law)>(turn);
+        if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>(turn);
     });
     if (nBonds_)
     {
-        forEach(context_, nBonds_, BondPass<D, P>{bondFields(), box_, fields(), records_.view(), clock_.data()});
-        forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), clock_.data(), sort_.active()});
+        bondPass(turn);
+        forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active()});
     }
     if (nClumps_)
         forEach(context_, nClumps_, GatherClumps<D, P>
@@ -198,11 +232,15 @@ void DemSolver<Backend, D, P>::forces()
 }
 
 template<class Backend, int D, class P>
+MoveWalls DemSolver<Backend, D, P>::wallMover(DemClockData* clock)
+{ return MoveWalls{walls_.data(), wallPoses(), clock, clock, double(halfSkin_)}; }
+
+template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::step()
 {
     forEach(context_, 1, DemTick{clock_.data()});
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
-    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), double(halfSkin_)});
+    if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data()));
     ClumpKick<D, P> kick{groups_.data(), {}};
     for (int d = 0; d < D; ++d) kick.gravity[d] = config_.gravity[config_.axes[d]];
     const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;

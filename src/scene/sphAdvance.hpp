@@ -23,7 +23,8 @@ bool SphSolver<Backend, D, P>::finished() const
     return host_.halt != Halt::none || host_.time >= host_.target || host_.step >= host_.lastStep;
 }
 
-//- Poses of the moving groups over the interval that is about to be advanced
+//- Poses of the moving groups over the interval that is about to be advanced. None is asked for before it or, unless it is shorter
+//  than a millisecond, after it: a table may begin and end there
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setPoses(double begin, double end)
 {
@@ -43,13 +44,16 @@ void SphSolver<Backend, D, P>::setPoses(double begin, double end)
     for (int b = 0; b < nBodies_; ++b)
         for (int k = 0; k <= poseIntervals; ++k)
         {
-            const double t = begin + k*poseStep_;
-            const auto now = pose(b, t), before = pose(b, t - dt), after = pose(b, t + dt);
+            const bool first = k == 0, last = k == poseIntervals;
+            const double t = last ? begin + std::max(end - begin, 1e-3) : begin + k*poseStep_;
+            const auto now = pose(b, t);
+            // three instants, all on one side at the ends
+            const auto p = pose(b, first ? t + dt : t - dt), q = pose(b, first ? t + 2*dt : (last ? t - 2*dt : t + dt));
             PoseSample& s = samples[std::size_t(b)*(poseIntervals + 1) + k];
             for (int e = 0; e < 12; ++e)
             {
                 s.value[e] = now[e];
-                s.rate[e] = (after[e] - before[e])/(2*dt);
+                s.rate[e] = first || last ? (first ? 1 : -1)*(4*p[e] - 3*now[e] - q[e])/(2*dt) : (q[e] - p[e])/(2*dt);
             }
         }
     context_.toDevice(poses_.data(), samples.data(), samples.size()*sizeof(PoseSample));

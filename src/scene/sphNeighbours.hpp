@@ -75,14 +75,14 @@ void SphSolver<Backend, D, P>::buildLists()
         const auto fluid = fluidRecords_.view();
         int* overflow = clock_.data()->overflow;
         parts_.fluidFluid.build
-        (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow);
+        (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
         if (!nWalls_) return;
         const auto wall = wallRecords_.view();
         parts_.fluidWall.build
-        (context_, box_, grid_, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1);
+        (context_, box_, grid_, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1, "listFluidWall");
         if (config_.wallModel == WallKind::extrapolated || nBodies_)
             parts_.wallFluid.build
-            (context_, box_, grid_, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2);
+            (context_, box_, grid_, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2, "listWallFluid");
     }
 }
 

@@ -13,11 +13,9 @@ done
 case=$(mktemp -d)
 trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
+suite=dem
 . "$root/tests/regression/setParticlesCases"
 
-pass() { echo "PASS dem.$1"; }
-fail() { echo "FAIL dem.$1 $2"; }
-says() { grep -qE -- "$2" log && pass "$1" || fail "$1" "the log does not say: $2"; }
 # Last value of a column of a table, to be within LOW..HIGH
 column()    # NAME OBJECT COLUMN LOW HIGH
 {
@@ -25,20 +23,6 @@ column()    # NAME OBJECT COLUMN LOW HIGH
     value=$(awk -v c="$3" '/^#/ {for (i = 2; i <= NF; ++i) if ($i == c) k = i - 1; next} {x = $k} END {print x}' postProcessing/"$2"/*/*.dat)
     awk -v x="${value:-nan}" -v a="$4" -v b="$5" 'BEGIN {exit !(x + 0 == x && x >= a && x <= b)}' && pass "$1" || fail "$1" "$3 is '$value', not within $4 and $5"
 }
-# One message, with the file and what is wrong
-wrongRun()  # NAME MESSAGE PROGRAM...
-{
-    local name=$1 message=$2 status said
-    shift 2
-    "$@" >log 2>&1; status=$?
-    said=$(tr '\n' ' ' <log | tr -s ' ')
-    if ((status == 0)); then fail "bad.$name" "was accepted"
-    elif [[ $(grep -c 'FOAM FATAL' log) != 1 ]]; then fail "bad.$name" "not one message: ${said:${#said}<400?0:-400}"
-    elif ! grep -qE -- "$message" <<<"$said"; then fail "bad.$name" "the message is not '$message': ${said:${#said}<400?0:-400}"
-    else pass "bad.$name"
-    fi
-}
-
 solids()    # MORE ENTRIES of solidProperties
 {
     dictionary constant/solidProperties <<<"device cpu;
@@ -96,9 +80,10 @@ says clumpMass 'mass 0\.0533333 kg, 2 clumps'          # rho 4/3 r^3 twice, r = 
 control 'writeFormat binary; functions { energy { type solidEnergies; libs ("libriprapFoam.so"); } }'
 riprapFoam >log 2>&1 && pass clumpsRun || fail clumpsRun "$(grep -m1 -A3 ERROR log)"
 [[ -s 0.1/uniform/lagrangian/solids/clumps/orientationReal ]] && pass clumpFiles || fail clumpFiles "no clumps in 0.1/uniform/lagrangian/solids"
-rm -r 0.1; riprapFoam >log 2>&1
-says clumpsRestart 'Continuing exactly from time 0.05, clumps to round-off'
-rm -rf 0.05 0.1 postProcessing
+mv 0.1 whole; riprapFoam >log 2>&1
+says clumpsRestart 'Continuing exactly from time 0.05'
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass clumpsRestartExact || fail clumpsRestartExact "a continued run is another one"
+rm -rf 0.05 0.1 whole postProcessing
 
 # A run: files, restart to the bit, function objects
 tank2
@@ -143,9 +128,93 @@ riprapFoam -dry-run >log 2>&1
 says dryRun 'Particle steps to time 0.1'
 [[ ! -e 0.05 ]] && pass dryRunWritesNothing || fail dryRunWritesNothing "-dry-run wrote"
 
+# Walls and groups that move by a table which begins with the run and ends with it
+tank2
+printf '( (0 ((0 0 0) (0 0 0))) (0.05 ((0 0.001 0) (0 0 0))) (0.1 ((0 0.004 0) (0 0 0))) )' >constant/table
+table='solidBodyMotionFunction tabulated6DoFMotion; tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "constant/table"; }'
+dictionary constant/solidProperties <<<"device cpu; materials { glass { rho 2500; E 1e7; nu 0.25; } } pairs { default { restitution 0.9; friction 0.3; } }
+walls { material glass; motion { floor { patches (lower); $table } } } groups { lid { motion { $table } } }"
+control "functions { motion { type groupMotion; $library } }"
+fill "lid { $glass group lid; source box; box (0.05 0.03 0) (0.07 0.04 0.01); } pile { $glass source box; box (0.1 0 0) (0.15 0.03 0.01); }"
+riprapFoam >log 2>&1 && pass tableOfTheRun || fail tableOfTheRun "$(grep -m1 -A3 ERROR log)"
+column tableGroup motion lidCentreY 0.03899 0.03901
+cp -r 0.1 whole; rm -r 0.1; riprapFoam >log 2>&1
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass tableRestart || fail tableRestart "a continued run is another one"
+rm -rf 0.05 0.1 whole postProcessing
+
+# Those that leave are not missed: the rest continues to the bit
+tank2; solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } } guards { maxEscaped 1; }'; control ''
+fill "leaving { set solids; material glass; radius 0.006; source box; box (0.05 0.08 0) (0.062 0.092 0.01); velocity (0 3 0); }
+pair { $glass source box; box (0.1 0.08 0) (0.12 0.09 0.01); velocity (0 2 0); } pile { $glass source box; box (0 0 0) (0.06 0.03 0.01); velocity (0.3 0 0); }" \
+    'bonds ( pair { type cement; groups (free); gapTolerance 1e-6; } );'
+riprapFoam >log 2>&1 && pass escapeRun || fail escapeRun "$(grep -m1 -A3 ERROR log)"
+says escaped 'scaped'
+cp -r 0.1 whole; rm -r 0.1; riprapFoam >log 2>&1
+says escapeContinues 'Continuing exactly from time 0.05'
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass escapeRestart || fail escapeRestart "a continued run is another one"
+rm -rf 0.05 0.1 whole
+
+plain="functions { motion { type groupMotion; $library } energy { type solidEnergies; $library } forces { type solidWallForce; $library } }"
+
+# Ctrl-C ends with a written time, from which a run goes on exactly
+tank2; solids ''; control 'endTime 1000; writeInterval 1000;'
+fill "pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; velocity (0.1 0 0); }"
+riprapFoam >log 2>&1 & pid=$!
+for ((i = 0; i < 300; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
+kill -INT $pid; wait $pid && pass interruptStatus || fail interruptStatus "exit status $?"
+says interrupt 'Stopping on SIGINT: writing this time'
+reached=$(foamListTimes -latestTime 2>/dev/null | tail -1)
+[[ -s ${reached:-none}/lagrangian/solids/positions && -s $reached/uniform/riprap/demState ]] && pass interruptWrites || fail interruptWrites "nothing in time '$reached'"
+control "endTime $(awk -v t="${reached:-0}" 'BEGIN {printf "%.10g", t + 0.02}');"
+riprapFoam >log 2>&1
+says interruptContinues "Continuing exactly from time $reached"
+
+# -postProcess gives what the run gave at the times that it wrote
+tank2; rm -rf [1-9]* 0.* postProcessing first
+control "$plain"
+fill "pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; velocity (0.1 0 0); }"
+riprapFoam >log 2>&1; mv postProcessing first
+riprapFoam -postProcess >log 2>&1 && pass postProcess || fail postProcess "$(grep -m1 -A3 ERROR log)"
+for file in energy/*/solidEnergies.dat motion/*/groupMotion.dat
+do
+    # within 1e-6 of the largest: times are written with twelve digits, and a velocity is that of the half step
+    awk '/^#/ {next} FNR == NR {for (i = 2; i <= NF; ++i) {run[$1 + 0, i] = $i; if ($i^2 > big[i]^2) big[i] = $i} next}
+        ($1 + 0, 2) in run {++rows; for (i = 2; i <= NF; ++i) if (($i - run[$1 + 0, i])^2 > (1e-6*big[i])^2) print $1, i, $i, run[$1 + 0, i]}
+        END {if (rows < 3) print rows + 0, "common rows"; print "compared"}' first/$file postProcessing/$file >differences
+    [[ $(cat differences) != compared ]] && fail "postProcess.${file##*/}" "$(head -3 differences | tr '\n' ';')" || pass "postProcess.${file##*/}"
+done
+rm -rf first postProcessing
+
+# Walls in constant/geometry: a disk falls on a shelf and rests there, another one beside it falls past it to the floor
+tank2; rm -rf 0.*
+geometry 'shelf { type searchablePlate; origin (0.02 0.05 -1); span (0.06 0 2); }'
+printf 'x,y,z,radius,group\n0.05,0.0551,0,0.005,upper\n0.15,0.0551,0,0.005,lower\n' >list.csv
+solids 'groups { upper { viscousDamping 60; } lower { viscousDamping 60; } }'
+control "endTime 0.6; $plain"
+fill 'list { set solids; source csv; file "list.csv"; material glass; }'
+riprapFoam >log 2>&1 && pass geometry || fail geometry "$(grep -m1 -A3 ERROR log)"
+column geometryRests motion upperCentreY 0.05483 0.05484      # 0.164 mm deep, as on the floor
+column geometryFalls motion lowerCentreY 0.00483 0.00487
+column geometryCarries forces shelfFy -1.93 -1.92         # its weight, 2500 pi R^2 g = 1.926 N/m
+rm constant/geometry
+
+# A periodic channel without friction: a disk leaves at x = 0.2, comes in at 0, and hits one that waits there; they exchange velocities
+channel2; rm -rf 0.* postProcessing
+printf 'x,y,z,u,v,w,radius,group\n0.18,0.05,0,0.5,0,0,0.005,thrown\n0.03,0.05,0,0,0,0,0.005,waiting\n' >list.csv
+solids 'contact { normal linear; tangential none; } groups { thrown { gravity no; } waiting { gravity no; } }'
+sed -i 's/restitution 0.9/restitution 1/' constant/solidProperties
+control "endTime 0.2; deltaT 2e-5; adjustTimeStep no; $plain"
+fill 'list { set solids; source csv; file "list.csv"; material glass; }'
+riprapFoam >log 2>&1 && pass cyclic || fail cyclic "$(grep -m1 -A3 ERROR log)"
+column cyclicStops motion thrownUx -0.001 0.001
+column cyclicGoesOn motion waitingUx 0.499 0.501
+column cyclicWraps motion thrownCentreX 0.02245 0.02247      # 0.02 + v/2 pi sqrt(m/(2 k)): they move on while they touch
+rm -rf 0.* postProcessing
+tank2; solids ''; control ''
+
 # Wrong regions
 control ''; solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
-bad() { set2 "$3" "${4:-}"; wrongRun "$1" "$2" setParticles; }
+bad() { set2 "$3" "${4:-}"; refused "$1" "$2" setParticles; }
 box='source box; box (0 0 0) (0.06 0.06 0.01);'
 bad noMaterial "material' not found" "a { set solids; radius 0.005; $box }"
 bad unknownMaterial 'Unknown material wood; constant/solidProperties has \(glass steel\)' "a { set solids; material wood; radius 0.005; $box }"
@@ -168,6 +237,23 @@ bad bondType 'Unknown bond type glue; constant/solidProperties has \(cement\)' "
 bad bondGroup 'Unknown group beam' "a { $glass $box }" 'bonds ( a { type cement; groups (beam); gapTolerance 0; } );'
 bad noBonds 'bonds nothing: no two particles of these groups are nearer than gapTolerance 0.0001' "a { $glass $box spacing 0.012; }" 'bonds ( a { type cement; groups (free); gapTolerance 1e-4; } );'
 bad bondTolerance 'Entry gapTolerance is -1' "a { $glass $box }" 'bonds ( a { type cement; groups (free); gapTolerance -1; } );'
+bad materialDict 'Entry material must be a value' "a { set solids; material { } radius 0.005; $box }"
+bad spacingUnused 'Unknown entry spacing; valid are .*overlapTolerance regions bonds' "a { $glass $box }" 'spacing 0.01;'
+bad tolerance 'Entry overlapTolerance is -1: it must be zero or positive' "a { $glass $box }" 'overlapTolerance -1;'
+bad tiny 'would hold about .*is the radius or spacing meant' "a { set solids; material glass; radius 1e-9; $box }"
+bad tinyRandom 'would hold about .*is the radius meant' "a { set solids; material glass; radius 1e-9; $box packing random; solidFraction 0.5; }"
+bad fraction 'Entry solidFraction is 2: it must be from 0 to 1' "a { $glass $box packing random; solidFraction 2; }"
+bad seed 'Entry seed is 1.5: it must be a whole number' "a { $glass $box packing random; solidFraction 0.5; seed 1.5; }"
+bad largest 'Entry largestRadius is 0.001, less than radius 0.005' "a { $glass $box packing random; solidFraction 0.5; largestRadius 0.001; }"
+bad velocity 'regions.a.velocity' "a { $glass $box velocity fast; }"
+bad spin 'regions.a.spin' "a { $glass $box spin fast; }"
+bad clipWord 'clip has the unknown word maybe' "a { $glass $box clip maybe; }"
+bad clumps2D 'clumpsFromSurface needs a case in 3D' 'a { set solids; material glass; source clumpsFromSurface; file "octa.stl"; }'
+bad noType "'type' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { groups (free); gapTolerance 0; } );'
+bad noGroups "'groups' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { type cement; gapTolerance 0; } );'
+bad noTolerance "'gapTolerance' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { type cement; groups (free); } );'
+bad bondEntry 'Unknown entry colour; valid are \(type groups gapTolerance\)' "a { $glass $box }" 'bonds ( a { type cement; groups (free); gapTolerance 0; colour 1; } );'
+bad bondsDict 'Entry bonds must be a value' "a { $glass $box }" 'bonds { }'
 csv() { printf "$2" >bad.csv; bad "$1" "$3" 'a { set solids; material glass; source csv; file "bad.csv"; }'; }
 csv csvHeader 'x,y,colour\n' "unknown column 'colour'"
 csv csvShort 'x,y,radius\n' 'the columns \(x y z\) must be there'
@@ -179,7 +265,7 @@ set2 "a { $glass $box }"
 properties_()   # NAME MESSAGE PROPERTIES
 {
     dictionary constant/solidProperties <<<"$3"
-    wrongRun "$1" "$2" setParticles
+    refused "$1" "$2" setParticles
 }
 m='materials { glass { rho 2500; E 1e7; nu 0.25; } }' w='walls { material glass; }'
 p='pairs { glass-glass { restitution 0.9; friction 0.3; stiffness 1e4; } }'
@@ -198,6 +284,7 @@ properties_ restitution 'Entry restitution is 2: it must be from' "$m $w pairs {
 properties_ normal 'normal has the unknown word soft; valid are .*linear incremental cellSpring hertz' "$m $p $w contact { normal soft; }"
 properties_ tangential 'tangential has the unknown word all; valid are .*none history oneStep' "$m $p $w contact { tangential all; }"
 properties_ rolling 'rolling has the unknown word all; valid are .*none constantTorque spring' "$m $p $w contact { rolling all; }"
+properties_ rollingSlides 'rolling friction needs friction' "$m $w contact { tangential none; rolling spring; } pairs { default { restitution 1; rollingFriction 0.1; } }"
 properties_ rollingFriction "rollingFriction.*solidProperties" "$m $p $w contact { rolling spring; }"
 properties_ fixed 'fixed has the unknown word w; valid are .*x y z spin' "$m $p $w groups { a { fixed (w); } }"
 properties_ damping 'Entry localDamping is 2: it must be from 0 to 1' "$m $p $w groups { a { localDamping 2; } }"
@@ -206,20 +293,72 @@ properties_ calibration 'calibration has the unknown word best; valid are .*dire
 properties_ strength 'tensileStrength has the unknown word much; valid are .*none <number>' "$m $p $w bonds { a { normalStiffness 1; shearStiffness 1; tensileStrength much; } }"
 properties_ entry 'Unknown entry contacts; valid are .*contact.*solidProperties' "$m $p $w contacts { }"
 
+good_materials=$m good_pairs='pairs { default { restitution 0.9; friction 0.3; stiffness 1e4; } }' good_walls=$w
+while IFS=$'\t' read -r name message entries
+do
+    [[ $name == \#* ]] && continue
+    text=$entries
+    for part in materials pairs walls; do good=good_$part; [[ $entries =~ (^|\}\ )$part\  ]] || text+=" ${!good}"; done
+    properties_ "solid.$name" "$message.*solidProperties" "$text"
+done <"$root/tests/regression/wrongSolidEntries.tsv"
+
 # Wrong only when a scene is made
 solids ''; fill "a { $glass $box }"
 properties2()   # NAME MESSAGE PROPERTIES [CONTROL]
 {
     dictionary constant/solidProperties <<<"$3"
     control "${4:-}"
-    wrongRun "$1" "$2" riprapFoam
+    refused "$1" "$2" riprapFoam
 }
 two='materials { glass { rho 2500; E 1e7; nu 0.25; } steel { rho 7800; E 1e8; nu 0.3; } }'
 properties2 missingPair 'Entry pairs: missing are \(glass-steel\), which can meet' "$two pairs { glass-glass { restitution 1; friction 0; } } walls { material steel; }"
 properties2 wallMaterial 'wall tank has no material|wall [a-z]+ has no material' "$two pairs { default { restitution 1; friction 0; } }"
 properties2 wallWood 'Unknown material wood' "$two pairs { default { restitution 1; friction 0; } } walls { material wood; }"
 properties2 wallName 'nowhere selects no wall; valid are' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; materials { nowhere glass; } }"
+good="$two pairs { default { restitution 1; friction 0; } }"
+properties2 planeNoNormal "'normal' not found.*planes.a" "$good walls { material steel; planes { a { point (0 0 0); } } }"
+properties2 planeEntry 'Unknown entry colour; valid are .point normal' "$good walls { material steel; planes { a { point (0 0 0); normal (0 1 0); colour 1; } } }"
+properties2 planeAcross 'Entry normal of plane a is \(0 0 1\): it needs a length in the plane of this 2D case' "$good walls { material steel; planes { a { point (0 0 0); normal (0 0 1); } } }"
+linear='solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity'
+properties2 groupMotionPlane 'Motion free leaves the plane of this 2D case: z.*solidProperties' "$good walls { material steel; } groups { free { motion { $linear (1 0 1); } } } }"
+properties2 groupTurnsOut 'Motion free leaves the plane' "$good walls { material steel; }
+groups { free { motion { solidBodyMotionFunction rotatingMotion; rotatingMotionCoeffs { origin (0 0 0); axis (1 0 0); omega 5; } } } }"
+properties2 wallMotionName 'Entry patches \(nowhere\) selects no wall; valid are' "$good walls { material steel; motion { m { patches (nowhere); $linear (1 0 0); } } } }"
+properties2 wallPatch 'no patch nowhere that can be a wall; valid ones are' "$good walls { material steel; patches (nowhere); }"
 properties2 planeNormal 'needs a length' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; planes { a { point (0 0 0); normal (0 0 0); } } }"
 properties2 largeStep '0\.5 sqrt\(m/k\)|allowLargeStep' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; }" 'adjustTimeStep no; deltaT 0.01;'
-solids ''; control ''
-rm -r 0/lagrangian; wrongRun noParticles 'There are no particles at time 0' riprapFoam
+solids ''
+object() { control "functions { f { $2 libs (\"libriprapFoam.so\"); } }"; refused "object.$1" "$3.*functions.f" riprapFoam; }
+object group 'type groupMotion; groups (nobody);' 'Unknown group nobody; constant/solidProperties has \(free\)'
+object noGroups 'type groupMotion; groups ();' 'Entry groups of .* is empty'
+object noIds 'type particleDisplacement; origIds ();' 'Entry origIds of .* is empty'
+object noPoints 'type particleDisplacement; points ();' 'Entry points of .* is empty'
+object ids 'type particleDisplacement; origIds (99999);' 'Entry origIds .*there is no particle 99999'
+object idsWord 'type particleDisplacement; origIds some;' "word 'some'"
+object both 'type particleDisplacement; origIds (1); points ((0 0 0));' 'needs one of the entries origIds and points'
+object none 'type particleDisplacement;' 'needs one of the entries origIds and points'
+object entry 'type solidEnergies; groups (free);' 'Unknown entry groups; valid are .*writeInterval'
+object water 'type waterLevel; points ((0 0 0));' 'needs a running particle scene'
+
+# A state that is damaged, and particles
+rm -rf [0-9]*.*
+control 'endTime 1e-3; sampleInterval 1e-3; writeInterval 1e-3;'; riprapFoam >log 2>&1 || fail damagedRun "$(grep -m1 -A3 ERROR log)"
+control 'endTime 2e-3; sampleInterval 1e-3; writeInterval 1e-3;'; mv 0.001 written
+damaged()   # NAME MESSAGE COMMAND...
+{
+    local name=$1 message=$2; shift 2
+    rm -rf 0.001 0.002; cp -r written 0.001
+    (cd 0.001 && "$@") || fail "bad.$name" "the test's own edit"
+    refused "$name" "$message" riprapFoam
+}
+whole='is damaged .*: remove the folder .*0.001/uniform/riprap. to continue from the fields'
+damaged stateCut "$whole" truncate -s 1000 uniform/riprap/demState
+damaged stateMissing "$whole" rm uniform/riprap/demState
+damaged runEntry "$whole" sed -i /timeStep/d uniform/riprap/demRun
+damaged noRadius 'no scalar field radius; there are .*lagrangian/solids' rm lagrangian/solids/radius
+damaged radius 'lagrangian/solids/radius has the value -0.005 at entry 0: it must be positive' sed -i 's/{0.005}/{-0.005}/' lagrangian/solids/radius
+damaged material 'lagrangian/solids/material has the value 7 at entry 0: it counts from 0 in \(glass steel\)' sed -i 's/{0}/{7}/' lagrangian/solids/material
+damaged cutU 'lagrangian/solids/U' truncate -s 1100 lagrangian/solids/U
+rm -rf 0.001 0.002 written
+control ''
+rm -r 0/lagrangian; refused noParticles 'There are no particles at time 0' riprapFoam

@@ -13,12 +13,9 @@ done
 case=$(mktemp -d)
 trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
+suite=functionObjects
+. "$root/tests/regression/setParticlesCases"
 mkdir system constant
-
-dictionary()    # FILE [CLASS]: a dictionary with what comes on standard input
-{
-    { echo "FoamFile { version 2.0; format ascii; class ${2:-dictionary}; object $(basename "$1"); }"; cat; } >"$1"
-}
 
 # Column 0.2 x 0.2 m of 400 particles in a tank 0.4 x 0.3 m, and one particle that flies ahead. Cells are as large as particles
 dictionary system/blockMeshDict <<'END'
@@ -80,16 +77,10 @@ near()      # NAME FILE COLUMN TIME EXPECTED BOUND
     if awk -v a="$found" -v b="$5" -v bound="$6" 'BEGIN { exit !(a != "" && (a - b)^2 <= bound^2) }'
     then echo "PASS $1"; else echo "FAIL $1 $3 at $4 s is ${found:-not there}, expected $5 within $6"; fi
 }
-refused()   # NAME FUNCTION WORDS...: the run stops and its log has the words
+wrong()     # NAME FUNCTION MESSAGE
 {
-    local name=$1 function=$2 word; shift 2
-    control "wrong { $function }"
-    riprapFoam >log.wrong 2>&1 && { echo "FAIL $name the run went on"; return; }
-    for word in "$@" controlDict
-    do
-        grep -q -- "$word" log.wrong || { echo "FAIL $name the message does not say '$word'"; return; }
-    done
-    echo "PASS $name"
+    control "wrong { $2 $library }"
+    refused "$1" "$3.*controlDict.functions.wrong" riprapFoam
 }
 
 control "$functions"
@@ -160,12 +151,44 @@ do
 done
 
 # What is wrong is said
-refused wrongField "type particleProbes; $library fields (p T); probeLocations ((0 0 0));" fields "unknown field T" volumeFraction
-refused probeOutside "type particleProbes; $library probeLocations ((0 5 0));" probeLocations "outside of the mesh"
-refused noLocations "type particleProbes; $library" probeLocations
-refused gaugeOutside "type waterLevel; $library points ((5 0 0));" points "meets nothing"
-refused noDirection "type frontPosition; $library direction (0 0 0);" direction
-refused wrongMeshField "type particlesToMesh; $library fields (T);" "unknown field T" alpha.water
+rm -rf 0.* postProcessing
+probes='type particleProbes; probeLocations ((0.1 0.1 0));'
+wrong field 'type particleProbes; fields (p T); probeLocations ((0 0 0));' 'Entry fields of .*unknown field T; valid are \(p U rho volumeFraction\)'
+wrong noFields "$probes fields ();" 'Entry fields of .* is empty; valid are \(p U'
+wrong probeOutside 'type particleProbes; probeLocations ((0 5 0));' 'Entry probeLocations .*probe 0 .*outside of the mesh'
+wrong noLocations 'type particleProbes;' "'probeLocations' not found"
+wrong emptyLocations 'type particleProbes; probeLocations ();' 'Entry probeLocations of .* is empty'
+wrong normalUnused "$probes sensorNormal (1 0 0);" 'Entry sensorNormal of .* needs a sensorRadius'
+wrong sensorRadius "$probes sensorRadius -1;" 'Entry sensorRadius of .* is -1: it must not be negative'
+wrong noNormal "$probes sensorRadius 0.01;" 'Entry sensorNormal of .* is missing: probe 0 .*on no wall'
+wrong normalAcross "$probes sensorRadius 0.01; sensorNormal (0 0 1);" 'Entry sensorNormal .*across the plane'
+wrong minVolumeFraction "$probes minVolumeFraction 7;" 'Entry minVolumeFraction is 7: it must be from 0 to 1'
+wrong wallCorrection "$probes wallCorrection maybe;" 'maybe'
+wrong surfaceCorrection "$probes surfaceCorection on;" 'Unknown entry surfaceCorection; valid are .*wallCorrection surfaceCorrection'
+wrong gaugeOutside 'type waterLevel; points ((5 0 0));' 'Entry points .*meets nothing'
+wrong noGauges 'type waterLevel; points ();' 'Entry points of .* is empty'
+wrong gaugeAcross 'type waterLevel; points ((0 0 0)); up (0 0 1);' 'Entry up of .* has no length in the plane of the 2D mesh'
+wrong direction 'type frontPosition; direction (0 0 0);' 'Entry direction of .* has no length'
+wrong spacing 'type frontPosition; spacing 0;' 'Entry spacing is 0: it must be positive'
+wrong floorHeight 'type frontPosition; floorHeight -1;' 'Entry floorHeight of .* is -1: it must not be negative'
+wrong minNeighbours 'type frontPosition; minNeighbours -1;' 'Entry minNeighbours of .* is -1: it must not be negative'
+wrong meshField 'type particlesToMesh; fields (T);' 'Entry fields of .*unknown field T; valid are \(p U alpha.water\)'
+wrong meshDry 'type particlesToMesh; minVolumeFraction -1;' 'Entry minVolumeFraction is -1: it must be from 0 to 1'
+control "first { type particlesToMesh; $library } wrong { type particlesToMesh; $library }"
+refused meshTwice 'the mesh has a field p of another owner already.*controlDict.functions.wrong' riprapFoam
+wrong unknown 'type energyBalance; fields (p);' 'Unknown entry fields; valid are .*writeInterval'
+wrong solidsOnly 'type groupMotion;' 'needs a running scene of solids'
+wrong writeControl 'type wallForce; writeControl sometimes;' 'sometimes'
+
+# Written times: one without particles is a warning, others are processed, and the end says so
+control "gauges { type waterLevel; points ((0.1 0 0)); $library }"
+mkdir 0.05
+riprapFoam -postProcess >log 2>&1 && fail postProcessStatus "ended with status 0" || says postProcessStatus 'FATAL ERROR: 1 of 2 times could not be processed'
+says postProcessOther 'Warning.*There are no particles at time 0.05'
+[[ -s postProcessing/gauges/0/waterLevel.dat ]] && pass postProcessRow || fail postProcessRow "the good time has no row"
+rmdir 0.05
+refused postProcessTime 'no written time is selected; there are \(0\)' riprapFoam -postProcess -time 5:99
+refused postProcessDry 'Options -dry-run and -postProcess exclude each other' riprapFoam -postProcess -dry-run
 control "gauges { type waterLevel; $library points ((0 0 0)); }"
 postProcess >log 2>&1
-grep -q 'needs a running particle scene' log && echo "PASS noScene" || echo "FAIL noScene"
+says noScene 'needs a running particle scene'

@@ -324,6 +324,48 @@ TEST(ContactLaws, HistoryTurnsWithTheContact)
     EXPECT_NEAR(h[0], -0.002, 1e-15);
 }
 
+//- However a contact is dragged about, with a dashpot that alone exceeds Coulomb's limit: what is stored grows by no more than the
+//  bodies' work, and the spring's force stays within the limit. The stiffness is held, since without overlap's change it is
+template<class Normal, class Tangential, int D>
+void storesNoMoreThanIsPutIn(PairProperties q, double stiffness)
+{
+    using Law = Contact<Normal, Tangential, NoRolling>;
+    q.friction = 0.3;
+    const auto p = Law::template make<double>(q);
+    ContactGeometry<D, double> g{};
+    g.n = filled<D>(0.0);
+    g.n.c[0] = 1;
+    g.dt = 1e-5;
+    double h[3] = {}, stored = 0, highest = 0;
+    unsigned seed = 1;
+    const auto random = [&] { seed = seed*1664525u + 1013904223u; return seed/4294967296.0 - 0.5; };
+    for (int k = 0; k < 20000; ++k)
+    {
+        // for some steps one way, then another; now and then slowly
+        if (k % 20 == 0)
+        {
+            const double speed = std::pow(10.0, 6*random() - 2);
+            for (int c = 0; c < spins<D>; ++c) g.slip.c[c] = D == 3 && c == 0 ? 0 : speed*random();
+        }
+        const NormalForce<double> fn{1 + random(), 1 + random(), stiffness, 300};
+        const auto f = Tangential::template force<D, double>(p.tangential, g, fn, h);
+        const double now = Tangential::template energy<D, double>(p.tangential, fn, h);
+        const double work = g.dt*dot(f, g.slip);
+        ASSERT_LE(now - stored, work + 1e-12*std::abs(stored)) << "step " << k;
+        ASSERT_LE(std::sqrt(squaredNorm(f)), q.friction*fn.force*(1 + 1e-12)) << "step " << k;
+        stored = now;
+        highest = std::max(highest, stored);
+    }
+    EXPECT_GT(highest, 0);
+}
+TEST(ContactLaws, ContactEnergyComesFromTheBodiesAlone)
+{
+    storesNoMoreThanIsPutIn<LinearSpring, HistorySpring, 2>(linear(1e5, 0.1), 1e5);
+    storesNoMoreThanIsPutIn<LinearSpring, HistorySpring, 3>(linear(1e5, 0.1), 1e5);
+    storesNoMoreThanIsPutIn<Hertz, Mindlin, 2>(glass(0.1), 1e5);
+    storesNoMoreThanIsPutIn<Hertz, Mindlin, 3>(glass(0.1), 1e5);
+}
+
 //- Rolling friction: constant torque, and a spring that yields at the same torque
 TEST(ContactLaws, RollingFriction)
 {

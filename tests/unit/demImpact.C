@@ -106,6 +106,33 @@ TEST_P(DemImpact, OneStepSpringCreeps)
     }
 }
 
+//- A sphere that rolls is slowed by 5/7 mu_r g (J = 2/5 m R^2), whichever friction makes it roll; a pair without rolling friction
+//  rolls on
+TEST_P(DemImpact, RollingFrictionOfAnyFriction)
+{
+    for (const TangentialKind kind : {TangentialKind::history, TangentialKind::oneStep})
+        for (const RollingKind rolling : {RollingKind::constantTorque, RollingKind::spring})
+            for (const double mu : {0.02, 0.0})
+            {
+                DemConfig c = config(3);
+                c.tangential = kind;
+                c.rolling = rolling;
+                c.gravity = Vector3{{0, -9.81, 0}};
+                DemInput in = oneMaterial();
+                PairProperties& p = in.pairs[0].properties;
+                p.friction = 0.8;
+                p.restitution = 0.3;
+                p.rollingFriction = mu;
+                p.rollingDamping = 0.5;
+                in.walls.push_back(planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
+                addParticle(in, {{-0.3, -0.19 - 0.01*9.81/1e4, 0}}, {{0.5, 0, 0}});
+                in.particles.spin[2] = -0.5/0.01;
+                auto scene = createDemScene(c, in);
+                scene->advance(0.5);
+                EXPECT_NEAR(scene->particles().velocity[0], 0.5 - 5.0/7*mu*9.81*0.5, 1e-3);
+            }
+}
+
 //- Rolling friction by a spring holds a sphere on a slope of tan < mu_r and lets it go above
 TEST_P(DemImpact, RollingFrictionHolds)
 {
@@ -261,7 +288,7 @@ TEST(DemInput, Refusals)
     expect([](DemConfig&, DemInput& in) { in.particles.radius[0] = 0; }, "has no radius");
     expect([](DemConfig&, DemInput& in) { in.particles.position[0] = 3; }, "outside the domain");
     expect([](DemConfig& cc, DemInput&) { cc.normal = NormalKind::hertz; cc.tangential = TangentialKind::none; cc.rolling = RollingKind::spring; },
-        "rolling friction goes with");
+        "rolling friction needs friction");
     expect([](DemConfig&, DemInput& in) { in.bonds.a = {0}; in.bonds.b = {5}; in.bondTypes.resize(1);
         in.bondTypes[0].normalStiffness = in.bondTypes[0].shearStiffness = 1; }, "unknown particle");
     EXPECT_THROW(bondsWithin(c, good.particles, 0, 0.001), std::invalid_argument);

@@ -14,6 +14,7 @@ Foam::scalar Foam::solverModules::dem::advance(scalar t, bool singleStep)
 {
     const scalar before = scene_->time();
 
+    moving_ = Pair<scalar>(before, t);
     advanceScene(*scene_, t, singleStep, report_, run_);
     cloud_->moved();
     run_.particles = report_.particles;

@@ -39,7 +39,7 @@ void Foam::solverModules::dem::buildInput(const solidSet& solids)
     {
         input_.groupMotion = [this](int motion, double t)
         {
-            return rigidMotion(movingGroups_, motion, t);
+            return rigidMotion(movingGroups_, motion, t, moving_.first(), moving_.second());
         };
     }
 }
@@ -62,7 +62,15 @@ void Foam::solverModules::dem::coverMotion()
         movingWalls_,
         reference,
         0,
-        settings_.walls.dict,
+        settings_.config
+    );
+    // Groups escape like single particles: they widen nothing
+    Foam::coverMotion
+    (
+        mesh_,
+        movingGroups_,
+        List<boundBox>(movingGroups_.size()),
+        0,
         settings_.config
     );
 }
@@ -76,6 +84,7 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
     settings_ = asRead_;
     riprap::DemConfig& config = settings_.config;
     config.startTime = runTime_.value();
+    moving_ = Pair<scalar>(config.startTime, config.startTime);
     if (continued && config.timeStep == 0 && config.stepFraction == run_.stepFraction)
     {
         // That of the start, not an estimate from where the solids are now
@@ -99,6 +108,7 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
         run_.initialParticles = solids.particles.size();
         run_.brokenBefore = broken;
     }
+    run_.brokenBefore += solids.lostBonds;
     run_.timeStep = scene_->plan().timeStep;
     run_.stepFraction = config.stepFraction;
     run_.time = runTime_.value();

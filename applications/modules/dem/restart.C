@@ -44,13 +44,8 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
         return notUsed("the cloud has been changed since it was written");
     }
 
-    Info<< "Continuing exactly from time " << runTime_.timeName();
-    if (input_.clumps.size())
-    {
-        // Where its spheres sit in a clump is found from where they are now
-        Info<< ", clumps to round-off";
-    }
-    Info<< nl << endl;
+    Info<< "Continuing exactly from time " << runTime_.timeName() << nl
+        << endl;
     return true;
 }
 

@@ -72,7 +72,6 @@ void Foam::solverModules::sphDem::coverMotion(const labelList& bodyOfPoint)
         bodies_,
         reference,
         wallThickness(settings_),
-        settings_.walls.dict,
         settings_.config
     );
 }

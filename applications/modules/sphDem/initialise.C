@@ -37,15 +37,25 @@ void Foam::solverModules::sphDem::buildScene
     const riprap::FluidInput fluid(fluidInput(cloud));
     const riprap::WallInput walls(buildWalls());
 
-    scene_ = riprap::createSphScene
-    (
-        config,
-        fluid,
-        walls,
-        bodies_.size()
-      ? [this](int body, double t) { return bodies_.pose(body, t); }
-      : riprap::WallMotion()
-    );
+    try
+    {
+        scene_ = riprap::createSphScene
+        (
+            config,
+            fluid,
+            walls,
+            bodies_.size()
+          ? [this](int body, double t) { return bodies_.pose(body, t); }
+          : riprap::WallMotion()
+        );
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalErrorInFunction
+            << "constant/sphProperties with the particles of "
+            << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
+            << exit(FatalError);
+    }
 
     if (!continued)
     {

@@ -53,7 +53,7 @@ riprap::FluidInput Foam::solverModules::sphDem::fluidInput
         const scalarField& rho = cloud.scalars["rho"];
         forAll(rho, i)
         {
-            requireFinite("fluid", "rho", i, rho[i]);
+            requirePositive("fluid", "rho", i, rho[i]);
             fluid.density[i] = rho[i];
         }
     }

@@ -74,7 +74,15 @@ static void runLoop(Time& runTime, solverModule& module)
 
 static void runCase(const argList& args, bool postProcess)
 {
+    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
     Time runTime(Time::controlDictName, args);
+
+    if (postProcess && args.found("dry-run"))
+    {
+        FatalErrorInFunction
+            << "Options -dry-run and -postProcess exclude each other"
+            << exit(FatalError);
+    }
 
     instantList times;
     if (postProcess)

@@ -27,6 +27,25 @@ static wallPoints makeWalls
 }
 
 
+// Particles that the guard of the first step would stop at
+static void checkDensity(const particleRegion& region, const riprap::SphConfig& config)
+{
+    // Where the equation of state is cut off: deeper tension has no density
+    const scalar lowest =
+        config.density*sqr(config.soundSpeed)*(config.eos == riprap::EosKind::linear ? -0.5 : -0.99/config.gamma);
+
+    forAll(region.pressure, i)
+    {
+        const scalar rho = densityOfPressure(config, region.pressure[i]);
+        if (region.pressure[i] > lowest && mag(rho/config.density - 1) <= config.maxDensityDeviation) continue;
+        FatalIOErrorInFunction(region.dict)
+            << "Entry pressure: " << region.pressure[i] << " Pa at " << region.position[i] << " is beyond what the equation"
+            << " of state and guards/densityDeviation of constant/sphProperties allow: the density would be " << rho
+            << " kg/m3 at a sound speed of " << config.soundSpeed << " m/s" << exit(FatalIOError);
+    }
+}
+
+
 // One after the other, numbered from 0
 static particleCloud allRegions(const List<particleRegion>& regions, scalar spacing)
 {
@@ -56,6 +75,7 @@ static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings&
 
     setMaxVelocity(settings, c.position, c.vectors["U"]);
     const riprap::SphConfig& config = settings.config;
+    for (const particleRegion& region : regions) checkDensity(region, config);
 
     scalarField rho(c.size());
     forAll(rho, i) rho[i] = densityOfPressure(config, p[i]);

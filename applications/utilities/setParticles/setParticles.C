@@ -15,6 +15,7 @@
 #include "setParticles.H"
 #include "solidRegions.H"
 #include "Time.H"
+#include "timePlan.H"
 
 using namespace Foam;
 
@@ -63,6 +64,7 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     if (!args.checkRootCase()) FatalError.exit();
 
+    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
     Time runTime(Time::controlDictName, args);
     goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is

@@ -64,7 +64,11 @@ void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOpti
 {
     checkedDictionary entries(dict);
     const scalar tolerance = entries.notNegative("overlapTolerance", 1e-4);
-    for (const char* other : {"regions", "bonds", "spacing", "packing"}) entries.found(other);
+    for (const char* other : {"regions", "bonds"}) entries.found(other);
+    if (hasSet(dict, "fluid"))
+    {
+        for (const char* other : {"spacing", "packing"}) entries.found(other);
+    }
     entries.endButMacros();
 
     const demSettings settings(readDemSettings(mesh));

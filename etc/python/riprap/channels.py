@@ -7,10 +7,13 @@
 
 Morris, Fox & Zhu (1997), J. Comput. Phys. 136, 214-226.
 """
+import os
+
 import numpy as np
 
 from . import clouds, measures, plotting
 from .bounds import Quantity
+from .study import Study, Variant
 
 terms = 200
 
@@ -76,3 +79,26 @@ def plot(runs, path, profile, title):
     left.legend(fontsize=7)
     right.legend(fontsize=7)
     plotting.save(fig, path)
+
+
+def verify(scene, here, profile, scale, title):
+    """The tutorial here: its runs and main program; scale: of the velocities in reference/profiles.csv, at nu = 0.1"""
+    steady = 'velocity L2, steady'
+    developing = 'velocity L2, largest from nu t/L^2 = 0.05'
+
+    def analysed(run):
+        table = os.path.join(here, 'reference', 'profiles.csv')
+        series = checkSeries(lambda y, tau: profile(y, tau/0.1, 0.1), table, scale)
+        return [*analyse(run, profile), Quantity('series against reference table', error=series)]
+
+    Study(
+        scene=scene,
+        variants=[Variant('n25', ['-spacing', '0.04']), Variant('n50', ['-spacing', '0.02']),
+                  Variant('n100', ['-spacing', '0.01']),
+                  Variant('n50-stationary', ['-spacing', '0.02', '-set', 'walls/model stationary'])],
+        quick=[Variant('n25-quick', ['-spacing', '0.04', '-endTime', '5'])],
+        analyse=analysed,
+        plot=lambda runs, path: plot(runs, path, profile, title),
+        headline=steady,
+        orders=[(steady, ['n25', 'n50', 'n100']), (developing, ['n25', 'n50', 'n100'])],
+    ).main(here)

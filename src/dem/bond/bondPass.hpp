@@ -7,7 +7,7 @@
 #include "dem/bond/parallelBond.hpp"
 #include "dem/clock.hpp"
 #include "dem/listBuild.hpp"
-#include "dem/solidFields.hpp"
+#include "dem/stepState.hpp"
 
 namespace riprap
 {
@@ -38,11 +38,12 @@ struct BondPass
     Box<D, P> box;
     SolidFields<D, P> fields;
     SolidRecords<D, P> solids;
-    DemClockData* clock;
+    ForceClock clock;
+    StepState<D, P> state;      // of fused steps
 
     HD void operator()(int k) const
     {
-        if (!clock->active) return;
+        if (!clock.active()) return;
         BondForce<D, real>& stored = bonds.force[k];
         if (bonds.broken[k])
         {
@@ -52,11 +53,13 @@ struct BondPass
         const int i = bonds.slotOf[bonds.ids[0][k]], j = bonds.slotOf[bonds.ids[1][k]];
         int unused;
         const ContactBody<D, real> a = solids.body(i, unused), b = solids.body(j, unused);
+        const bool fused = clock.turn == ForceTurn::ahead;
+        const Vec<D, std::int64_t> xi = fused ? state.place(i) : fields.position(i), xj = fused ? state.place(j) : fields.position(j);
         double line[D], d2 = 0;
         for (int d = 0; d < D; ++d)
         {
             // 64 bits and double: a bond's stretch is far smaller than its length
-            line[d] = double(std::int64_t(std::uint64_t(fields.x[d][j]) - std::uint64_t(fields.x[d][i])))*box.unit[d];
+            line[d] = double(std::int64_t(std::uint64_t(xj.c[d]) - std::uint64_t(xi.c[d])))*box.unit[d];
             d2 += line[d]*line[d];
         }
         const double distance = sqrt(d2);
@@ -64,12 +67,11 @@ struct BondPass
         for (int d = 0; d < D; ++d) n.c[d] = real(line[d]/distance);
         const double stretch = distance - (double(a.radius) + double(b.radius)) - bonds.rest[k];
         BondForce<D, real> f = bondForce
-        (bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock->dt), bonds.history + k*bondHistory<D>);
+        (bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock.dt()), bonds.history + k*bondHistory<D>);
         if (f.broken != BondBreak::none)
         {
             bonds.broken[k] = int(f.broken);
-            clock->bondBroke = 1;
-            clock->needRebuild = 1;             // the two may touch from now on
+            clock.raised->needRebuild = 1;      // the two may touch from now on
             f = BondForce<D, real>{};
         }
         stored = f;
@@ -85,16 +87,22 @@ struct GatherBonds
     BondTable table;
     const BondForce<D, real>* force;
     SolidFields<D, P> fields;
-    const DemClockData* clock;
+    ForceClock clock;
     const int* active;
 
     HD void operator()(int i) const
     {
-        if (!clock->active || i >= *active) return;
-        const int key = fields.id[i], first = table.first[key], last = table.first[key + 1];
-        if (first == last) return;
+        if (!clock.active() || i >= *active) return;
         Vec<D, real> f = filled<D>(real(0));
         Spin<D, real> m = filled<spins<D>>(real(0));
+        if (sum(table, force, fields.id[i], f, m)) fields.addForce(i, f, m);
+    }
+
+    //- What its bonds do to the particle of this key; false: it has none
+    HD static bool sum
+    (const BondTable& table, const BondForce<D, real>* force, int key, Vec<D, real>& f, Spin<D, real>& m)
+    {
+        const int first = table.first[key], last = table.first[key + 1];
         for (int k = first; k < last; ++k)
         {
             const BondForce<D, real>& b = force[table.reference[k] >> 1];
@@ -102,7 +110,7 @@ struct GatherBonds
             f = second ? f - b.force : f + b.force;
             m = m + (second ? b.momentB : b.momentA);
         }
-        fields.addForce(i, f, m);
+        return first < last;
     }
 };
 

@@ -27,7 +27,6 @@ struct Contact
     template<int D> static constexpr int tangentialAt = Normal::history;
     template<int D> static constexpr int rollingAt = Normal::history + Tangential::template history<D>;
     template<int D> static constexpr int history = rollingAt<D> + Rolling::template history<D>;
-    static constexpr bool remembers = Tangential::vectorHistory || !Tangential::acts;
 
     //- Reals only, so that a lane of a pack is filled by copying them one by one
     template<class T>
@@ -49,10 +48,9 @@ struct Contact
         return r;
     }
 
-    //- Does component c of the history change sign when A and B are exchanged? Vectors in space and moments do; a normal
-    //  force does not, nor does a stretch along t in 2D, since t turns with n
-    template<int D>
-    HD static bool turnsOver(int c) { return c >= (D == 3 ? tangentialAt<D> : rollingAt<D>); }
+    //- From here on the history changes its sign when A and B are exchanged: vectors in space and moments do; a normal force does
+    //  not, nor does a stretch along t in 2D, since t turns with n
+    template<int D> static constexpr int turnsFrom = D == 3 ? tangentialAt<D> : rollingAt<D>;
 
     //- Forces of the contact; h is read and written
     template<int D, class T>
@@ -61,17 +59,44 @@ struct Contact
         const Parameters<T>& p, const ContactGeometry<D, T>& g, const T& armA, const T& armB, T* h, NormalForce<T>& fn
     )
     {
-        fn = Normal::force(p.normal, g, h);
-        const Tangent<D, T> ft = Tangential::force(p.tangential, g, fn, h + tangentialAt<D>);
-        const Spin<D, T> m = Rolling::template moment<D, T>(p.rolling, g, fn, h + rollingAt<D>);
-        const Spin<D, T> turn = tangentMoment(g.n, ft);
-        return ContactForce<D, T>{fromTangent(g.n, ft) - fn.force*g.n, armA*turn + m, armB*turn - m};
+        return evaluate<D, T>(p, g, g, armA, armB, h, fn);
+    }
+
+    //- The forces of the last step once more, from what it left in h: what is remembered has had its increment, and laws without
+    //  memory need the step
+    template<int D, class T>
+    HD static ContactForce<D, T> repeat
+    (
+        const Parameters<T>& p, const ContactGeometry<D, T>& g, const T& armA, const T& armB, T* h, NormalForce<T>& fn
+    )
+    {
+        ContactGeometry<D, T> still = g;
+        still.dt = T(0.0f);
+        if constexpr (Tangential::vectorHistory) return evaluate<D, T>(p, still, still, armA, armB, h, fn);
+        else return evaluate<D, T>(p, still, g, armA, armB, h, fn);
     }
 
     template<int D, class T>
     HD static T energy(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, const T* h)
     {
         return Normal::energy(p.normal, g, h) + Tangential::template energy<D, T>(p.tangential, fn, h + tangentialAt<D>);
+    }
+
+private:
+
+    //- gt: the geometry for the tangential law, whose step may be another
+    template<int D, class T>
+    HD static ContactForce<D, T> evaluate
+    (
+        const Parameters<T>& p, const ContactGeometry<D, T>& g, const ContactGeometry<D, T>& gt, const T& armA, const T& armB,
+        T* h, NormalForce<T>& fn
+    )
+    {
+        fn = Normal::force(p.normal, g, h);
+        const Tangent<D, T> ft = Tangential::force(p.tangential, gt, fn, h + tangentialAt<D>);
+        const Spin<D, T> m = Rolling::template moment<D, T>(p.rolling, g, fn, h + rollingAt<D>);
+        const Spin<D, T> turn = tangentMoment(g.n, ft);
+        return ContactForce<D, T>{fromTangent(g.n, ft) - fn.force*g.n, armA*turn + m, armB*turn - m};
     }
 };
 

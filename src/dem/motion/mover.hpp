@@ -33,11 +33,18 @@ struct SolidMotion
     //- v and w changed by forces over dt
     HD void kick(int i, Vec<D, double>& v, Spin<D, real>& w, real dt) const
     {
-        const GroupData<D, real>& g = groups[fields.group[i]];
-        const real mass = fields.mass[i], inverse = fields.inverseInertia[i], perMass = dt/mass;
-        const real* more = external ? external + (long long)fields.id[i]*(D + spins<D>) : nullptr;
-        Vec<D, real> f = fields.force(i);
-        Spin<D, real> m = fields.momentOn(i);
+        kick(groups[fields.group[i]], external ? fields.id[i] : 0, fields.mass[i], fields.inverseInertia[i], fields.force(i),
+            fields.momentOn(i), v, w, dt);
+    }
+
+    HD void kick
+    (
+        const GroupData<D, real>& g, int id, real mass, real inverse, Vec<D, real> f, Spin<D, real> m, Vec<D, double>& v,
+        Spin<D, real>& w, real dt
+    ) const
+    {
+        const real perMass = dt/mass;
+        const real* more = external ? external + (long long)id*(D + spins<D>) : nullptr;
         for (int d = 0; d < D; ++d) f.c[d] += g.gravity*mass*gravity[d] + g.force[d];
         for (int c = 0; c < spins<D>; ++c) m.c[c] += g.moment[c];
         if (more)
@@ -107,10 +114,8 @@ struct MoveSolids : SolidMotion<D, P>
         Vec<D, position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
         solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], s.mass[i]}, s.material[i]);
-        checkSkin(i, p, x, convert<real>(v), member);
+        checkSkin(i, p, x, convert<real>(v), t.fullDt, member, this->clock);
     }
-
-private:
 
     //- A member of a rigid body is where the body has it
     HD void follow(const ClumpData& c, int key, Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
@@ -151,9 +156,12 @@ private:
     }
 
     //- Ask for new neighbours before the next step could carry the particle past half the skin; refuse a step that already did
-    HD void checkSkin(int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, bool member) const
+    HD void checkSkin
+    (
+        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, double fullDt, bool member,
+        DemClockData* raised
+    ) const
     {
-        DemClockData& t = *this->clock;
         real distance2 = 0, speed2 = 0;
         for (int d = 0; d < D; ++d)
         {
@@ -162,12 +170,12 @@ private:
             speed2 += v.c[d]*v.c[d];
         }
         // 5/4 of a step's way must be left
-        const real distance = squareRoot(distance2), left = halfSkin - distance, way = real(1.25*t.fullDt);
+        const real distance = squareRoot(distance2), left = halfSkin - distance, way = real(1.25*fullDt);
         const bool in = inside(x), enough = left >= 0 && way*way*speed2 <= left*left;
-        if (!enough || !in) t.needRebuild = 1;
+        if (!enough || !in) raised->needRebuild = 1;
         // not so written that a number which is none slips through
-        if (!(distance <= halfSkin)) t.halt = DemHalt::tooFar;
-        else if (member && !in) t.halt = DemHalt::clumpEscaped;
+        if (!(distance <= halfSkin)) raised->halt = DemHalt::tooFar;
+        else if (member && !in) raised->halt = DemHalt::clumpEscaped;
     }
 };
 
@@ -190,6 +198,32 @@ struct FinishVerlet : SolidMotion<D, P>
         this->kick(i, v, w, real(0.5*this->clock->dt));
         for (int d = 0; d < D; ++d) s.v[d][i] = v.c[d];
         for (int c = 0; c < spins<D>; ++c) s.w[c][i] = w.c[c];
+    }
+};
+
+//- Energies of particles that are no members of clumps: of translation, of rotation, in gravity. `half`: what velocities are behind
+template<int D, class P>
+struct SumEnergies : SolidMotion<D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "energies";
+
+    Box<D, P> box;
+    real half;
+
+    HD void add(int i, double* sums) const
+    {
+        const SolidFields<D, P>& s = this->fields;
+        if (i >= *this->active || (s.clump && s.clump[i] >= 0)) return;
+        const GroupData<D, real>& group = this->groups[s.group[i]];
+        Vec<D, double> v = s.velocity(i);
+        Spin<D, real> w = s.spin(i);
+        if (group.motion < 0) this->kick(i, v, w, half);
+        const double mass = double(s.mass[i]);
+        sums[0] += 0.5*mass*squaredNorm(v);
+        sums[1] += 0.5/double(s.inverseInertia[i])*double(squaredNorm(w));
+        if (group.gravity > 0)
+            for (int d = 0; d < D; ++d) sums[2] -= mass*double(this->gravity[d])*box.toMetres(d, s.x[d][i]);
     }
 };
 

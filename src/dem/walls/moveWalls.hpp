@@ -21,7 +21,8 @@ struct MoveWalls
 
     WallData* walls;
     MotionTable poses;
-    DemClockData* clock;
+    const DemClockData* clock;
+    DemClockData* raised;       // where flags go
     double halfSkin;
 
     HD void operator()(int k) const
@@ -91,8 +92,8 @@ private:
             fastest2 = speed2 > fastest2 ? speed2 : fastest2;
         }
         const double distance = sqrt(farthest2);
-        if (!(distance + 1.25*sqrt(fastest2)*clock->fullDt <= halfSkin)) clock->needRebuild = 1;
-        if (!(distance <= halfSkin)) clock->halt = DemHalt::wallTooFar;
+        if (!(distance + 1.25*sqrt(fastest2)*clock->fullDt <= halfSkin)) raised->needRebuild = 1;
+        if (!(distance <= halfSkin)) raised->halt = DemHalt::wallTooFar;
     }
 };
 

@@ -12,7 +12,7 @@
 #include "dem/clock.hpp"
 #include "dem/contact/contact.hpp"
 #include "dem/motion/motionTable.hpp"
-#include "dem/solidRecords.hpp"
+#include "dem/stepState.hpp"
 #include "dem/walls/wallSearch.hpp"
 
 namespace riprap
@@ -55,16 +55,21 @@ struct WallPass : WallSearch<D, P>
     const typename Law::template Parameters<real>* parameters;
     const real* gap;
     int materials;
-    const DemClockData* clock;
+    ForceClock clock;
+    const int* listed;          // those that are near walls; null: the kernel runs over all
+    StepState<D, P> state;      // of fused steps, which add up the forces themselves
 
-    HD void operator()(int i) const
+    HD void operator()(int k) const
     {
-        if (!clock->active || i >= *this->active) return;
+        if (!clock.active()) return;
+        const int i = listed ? listed[k] : k;
+        if (i >= *this->active) return;
         const int first = memory.entryFirst[i], last = memory.entryFirst[i + 1];
         if (first == last) return;
         int material;
         const ContactBody<D, real> body = solids.body(i, material);
-        const Vec<D, double> x = this->position(i);
+        const bool fused = clock.turn == ForceTurn::ahead;
+        const Vec<D, double> x = fused ? inMetres(state.place(i)) : this->position(i);
         Vec<D, real> force = filled<D>(real(0));
         Spin<D, real> moment = filled<S>(real(0));
         for (int e = first; e < last; ++e)
@@ -81,7 +86,7 @@ struct WallPass : WallSearch<D, P>
             force = force + f;
             moment = moment + m;
         }
-        this->fields.addForce(i, force, moment);
+        if (!fused) this->fields.addForce(i, force, moment);
     }
 
     //- Where a particle touches a wall; returns how often
@@ -114,6 +119,13 @@ struct WallPass : WallSearch<D, P>
     }
 
 private:
+
+    HD Vec<D, double> inMetres(const Vec<D, std::int64_t>& at) const
+    {
+        Vec<D, double> x;
+        for (int d = 0; d < D; ++d) x.c[d] = this->box.toMetres(d, at.c[d]);
+        return x;
+    }
 
     //- One of them a direction: a face before an edge, the nearer before the farther
     HD static void add(const WallTouch<D>& t, WallTouch<D>* touch, int& touches)
@@ -154,7 +166,7 @@ private:
             for (int c = 0; c < S; ++c) spin.c[c] = real(w.frame.spin[D == 2 ? 2 : c]);
             real armA;
             auto g = wallGeometry<D, real>
-            (body, velocity, spin, convert<real>(n), distance, gap[pair], real(clock->dt), armA);
+            (body, velocity, spin, convert<real>(n), distance, gap[pair], real(clock.dt()), armA);
             // the difference of doubles, not of floats
             g.overlap = maximum(real(double(body.radius) + double(gap[pair]) - touch[k].distance), real(1e-12));
             NormalForce<real> fn;

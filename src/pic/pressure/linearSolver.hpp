@@ -17,7 +17,15 @@ struct MultigridControls
     int sweeps = 2;                         // before and after each correction
 };
 
-//- The equations of the wet cells alone: A x = rhs, A symmetric positive (semi-)definite
+//- What a free body adds to the matrix: U U^T, with a column of U for each of its ways to move
+struct BodyRows
+{
+    int modes = 0;
+    std::vector<int> row;                   // rows beside it, ascending
+    std::vector<double> u;                  // modes values a row
+};
+
+//- The equations of the wet cells alone: (A + sum of U U^T) x = rhs, A symmetric positive (semi-)definite
 struct ReducedSystem
 {
     int dimensions = 2;
@@ -25,7 +33,8 @@ struct ReducedSystem
     bool periodic[3] = {false, false, false};
     std::vector<int> cell;                  // and each row's cell in it, ascending
     std::vector<int> owner, neighbour;      // rows of each face between two wet cells: ascending owner, then ascending neighbour
-    std::vector<double> diagonal, offDiagonal, rhs, x;
+    std::vector<double> diagonal, offDiagonal, rhs, x;      // of A alone
+    std::vector<BodyRows> bodies;
 
     int rows() const { return int(cell.size()); }
 };

@@ -168,7 +168,7 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
     flags_.allocate(context, tiles + 1);
     origins_.allocate(context, tiles);
     counts_.allocate(context, tiledLevels);
-    partial_.allocate(context, 2*sumChunks);
+    partial_.allocate(context, 2*deviceSumParts);
     state_.allocate(context, 1);
     for (int l = 0; l < tiledLevels; ++l)
     {

@@ -7,8 +7,10 @@
 */
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
+#include "pic/bodies/bodyTerm.hpp"
 #include "pic/pressure/multigridSolver.hpp"
 #include "pic/pressure/pockets.hpp"
 #include "pic/pressure/project.hpp"
@@ -28,7 +30,9 @@ public:
         wet_.allocate(context, grid.cells());
     }
 
-    PressureReport project(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver)
+    //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
+    //  becomes that at the end of the step
+    PressureReport project(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr)
     {
         const FineData<D>& fine = multigrid_.fine();
         forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()});
@@ -39,12 +43,15 @@ public:
         if (pocketCells_) pockets_.balance(context, fine, cells);
 
         const MultigridControls* controls = solver.onDevice();
-        const PressureReport report = controls ? multigrid_.solve(context, *controls) : solveOnHost(context, f.grid, solver);
+        const bool free = bodies && !bodies->empty();
+        if (controls && free) throw std::invalid_argument("free bodies need a solver on the host: coupledPCG");
+        const PressureReport report = controls ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
         forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
         for (int d = 0; d < D; ++d) forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
+        if (free) moveBodies(context, f, *bodies);
         return report;
     }
 
@@ -55,7 +62,8 @@ public:
 
 private:
 
-    PressureReport solveOnHost(Context<Backend>& context, const UniformGrid<D>& grid, LinearSolver& solver);
+    PressureReport solveOnHost(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies);
+    static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
 
     MultigridSolver<Backend, D> multigrid_;
     Pockets<Backend, D> pockets_;
@@ -65,8 +73,10 @@ private:
 
 //- Rows in the order of the grid: owners ascend, and so do the neighbours of each
 template<class Backend, int D, class R>
-PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& context, const UniformGrid<D>& grid, LinearSolver& solver)
+PressureReport PressureStep<Backend, D, R>::solveOnHost
+(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies)
 {
+    const UniformGrid<D>& grid = f.grid;
     const FineData<D>& fine = multigrid_.fine();
     const GridShape<D>& shape = fine.shape;
     const auto fetch = [&](const double* from)
@@ -135,11 +145,42 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& contex
             r.offDiagonal.push_back(-face[k].second);
         }
     }
+    // U = J L, M^-1 = L L^T, in the units of the equation
+    const double scale = std::sqrt(f.density*grid.h/grid.area());
+    for (const BodyTerm& b : bodies)
+    {
+        const std::vector<double> root = b.rootOfInverseMass();
+        BodyRows rows;
+        rows.modes = b.modes;
+        for (std::size_t i = 0; i < b.cell.size(); ++i)
+        {
+            const auto index = grid.cellIndex(b.cell[i]);
+            int c = 0;
+            for (int d = 0; d < D; ++d) c += index.c[d]*shape.stride[d];
+            if (row[c] < 0) continue;
+            rows.row.push_back(row[c]);
+            for (int m = 0; m < b.modes; ++m)
+            {
+                double u = 0;
+                for (int k = m; k < b.modes; ++k) u += b.j[i*b.modes + k]*root[k*b.modes + m];
+                rows.u.push_back(scale*u);
+            }
+        }
+        r.bodies.push_back(std::move(rows));
+    }
     PressureReport report = solver.solve(r);
     report.wetCells = r.rows() + lone;
     for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];
     context.toDevice(fine.x - shape.margin, x.data(), x.size()*sizeof(double));
     return report;
+}
+
+template<class Backend, int D, class R>
+void PressureStep<Backend, D, R>::moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies)
+{
+    std::vector<double> p(f.grid.cells());
+    context.toHost(p.data(), f.p, p.size()*sizeof(double));
+    for (BodyTerm& b : bodies) b.advance(p.data(), f.timeStep);
 }
 
 //- Ours, without fvSolution

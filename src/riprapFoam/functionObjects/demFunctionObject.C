@@ -52,5 +52,11 @@ Foam::labelList Foam::functionObjects::demFunctionObject::groups
     {
         indices.append(settings.group(group, dict));
     }
+    if (indices.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry groups of function object " << name() << " is empty"
+            << exit(FatalIOError);
+    }
     return indices;
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "frontPosition.H"
+#include "checkedDictionary.H"
 #include "gaugeLine.H"
 #include "levelCrossing.hpp"
 #include "particleCloudIO.H"
@@ -73,21 +74,14 @@ Foam::scalar Foam::functionObjects::frontPosition::writtenSpacing
             << " no " << seeded << exit(FatalIOError);
     }
 
-    const scalar spacing(dict.get<scalar>("spacing"));
-    if (spacing <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry spacing of function object " << name() << " is "
-            << spacing << ": it must be positive" << exit(FatalIOError);
-    }
-
-    return spacing;
+    return dict.get<scalar>("spacing");
 }
 
 
 bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
 {
     sphFunctionObject::read(dict);
+    checkedDictionary(dict).positive("spacing", 1);
 
     if (hasScene())
     {

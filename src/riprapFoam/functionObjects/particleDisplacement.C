@@ -86,6 +86,12 @@ bool Foam::functionObjects::particleDisplacement::read(const dictionary& dict)
         ids_ = nearest(dict.get<pointField>("points"));
         setProperty("particles", ids_);
     }
+    if (ids_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << (dict.found("points") ? "points" : "origIds") << " of function object " << name()
+            << " is empty" << exit(FatalIOError);
+    }
     begin();
     return true;
 }

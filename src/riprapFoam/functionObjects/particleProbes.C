@@ -48,7 +48,7 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
 
     locations_ = points(dict, "probeLocations");
     fields_ = fieldNames(dict, wordList({"p", "U"}), validFields);
-    minVolumeFraction_ = notNegative(dict, "minVolumeFraction", 0.05);
+    minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.05);
     // A grid's pressure needs neither: it is that of the point
     correct_ = dict.lookupOrDefault("wallCorrection", true) && !onGrid();
     correctSurface_ =
@@ -67,6 +67,12 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
         }
     }
 
+    if (dict.found("sensorNormal") && !(notNegative(dict, "sensorRadius", 0) > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry sensorNormal of function object " << name()
+            << " needs a sensorRadius" << exit(FatalIOError);
+    }
     makeSensors(dict);
 
     return true;

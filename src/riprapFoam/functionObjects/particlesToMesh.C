@@ -125,7 +125,7 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
     }
     sph();
 
-    minVolumeFraction_ = notNegative(dict, "minVolumeFraction", 0.01);
+    minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.01);
     ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
 
     const wordList asked(fieldNames(dict, validFields, validFields));

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneFunctionObject.H"
+#include "checkedDictionary.H"
+#include "listed.H"
 
 namespace Foam
 {
@@ -17,6 +19,15 @@ namespace functionObjects
 namespace
 {
     constexpr Foam::label leastPrecision = 10;
+
+    //- What OpenFOAM reads of every function object
+    const Foam::wordList common
+    ({
+        "type", "libs", "functionObjectLibs", "enabled", "log", "region", "subRegion", "timeStart", "timeEnd",
+        "triggerStart", "triggerEnd", "deltaTCoeff", "executeControl", "executeInterval", "writeControl",
+        "writeInterval", "writeFrequency", "outputControl", "outputInterval", "writePrecision", "writeToFile",
+        "useUserTime"
+    });
 }
 
 
@@ -95,13 +106,17 @@ Foam::vector Foam::functionObjects::sceneFunctionObject::direction
     const vector& deflt
 ) const
 {
-    const vector v(dict.lookupOrDefault(key, deflt));
+    vector v(dict.lookupOrDefault(key, deflt));
+    for (Foam::direction d = 0; d < vector::nComponents; ++d)
+    {
+        if (mesh_.nGeometricD() == 2 && mesh_.geometricD()[d] < 0) v[d] = 0;
+    }
 
     if (mag(v) < VSMALL)
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << key << " of function object " << name()
-            << " is " << v << ": a direction needs a length"
+            << " has no length" << (mesh_.nGeometricD() == 2 ? " in the plane of the 2D mesh" : "")
             << exit(FatalIOError);
     }
 
@@ -118,7 +133,7 @@ Foam::scalar Foam::functionObjects::sceneFunctionObject::notNegative
 {
     const scalar value(dict.lookupOrDefault(key, deflt));
 
-    if (value < 0)
+    if (!(value >= 0))
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << key << " of function object " << name()
@@ -127,6 +142,17 @@ Foam::scalar Foam::functionObjects::sceneFunctionObject::notNegative
     }
 
     return value;
+}
+
+
+Foam::scalar Foam::functionObjects::sceneFunctionObject::fraction
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar deflt
+) const
+{
+    return checkedDictionary(dict).between(key, deflt, 0, 1);
 }
 
 
@@ -139,15 +165,21 @@ Foam::wordList Foam::functionObjects::sceneFunctionObject::fieldNames
 {
     const wordList names(dict.lookupOrDefault("fields", deflt));
 
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry fields of function object " << name() << " is empty; valid are "
+            << listed(valid).c_str() << exit(FatalIOError);
+    }
+
     for (const word& field : names)
     {
         if (!valid.found(field))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry fields of function object " << name()
-                << ": unknown field " << field << nl
-                << "    Valid fields: " << flatOutput(valid)
-                << exit(FatalIOError);
+                << ": unknown field " << field << "; valid are "
+                << listed(valid).c_str() << exit(FatalIOError);
         }
     }
 
@@ -174,6 +206,11 @@ Foam::functionObjects::sceneFunctionObject::sceneFunctionObject
 
 bool Foam::functionObjects::sceneFunctionObject::read(const dictionary& dict)
 {
+    checkedDictionary known(dict);
+    for (const word& entry : common) known.found(entry);
+    for (const word& entry : entries()) known.found(entry);
+    known.end();
+
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
 

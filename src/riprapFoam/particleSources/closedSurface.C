@@ -7,6 +7,33 @@
 namespace Foam
 {
 
+// OpenFOAM's message about a file that is no surface does not name it
+static autoPtr<triSurface> readSurface(const dictionary& dict, const fileName& file, scalar scale)
+{
+    autoPtr<triSurface> surface;
+    string why;
+    const bool before = FatalError.throwExceptions();
+    const bool beforeIO = FatalIOError.throwExceptions();
+    try
+    {
+        surface.reset(new triSurface(file, scale));
+    }
+    catch (const error& e)
+    {
+        why = e.message();
+    }
+    FatalError.throwExceptions(before);
+    FatalIOError.throwExceptions(beforeIO);
+
+    if (!why.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file: " << file << " cannot be read as a surface: " << why.c_str() << exit(FatalIOError);
+    }
+    return surface;
+}
+
+
 // Every edge between two triangles, normals outwards
 static void close(const dictionary& dict, const fileName& file, autoPtr<triSurface>& surface)
 {
@@ -41,16 +68,17 @@ Foam::autoPtr<Foam::triSurface> Foam::readClosedSurface(checkedDictionary& dict,
     dict.found("file");
     const fileName name(dict.dict().get<fileName>("file"));
     const scalar scale = dict.positive("scale", 1);
-    const fileName file(time.path()/time.constant()/"triSurface"/name);
+    const fileName folder(time.path()/time.constant()/"triSurface");
+    const fileName file(folder/name);
     if (!isFile(file))
     {
-        fileNameList there(readDir(file.path(), fileName::FILE));
+        fileNameList there(readDir(folder, fileName::FILE));
         Foam::sort(there);
         FatalIOErrorInFunction(dict.dict())
             << "Entry file: there is no " << file << "; constant/triSurface holds " << listed(there).c_str()
             << exit(FatalIOError);
     }
-    autoPtr<triSurface> surface(new triSurface(file, scale));
+    autoPtr<triSurface> surface(readSurface(dict.dict(), file, scale));
     if (surface->empty())
     {
         FatalIOErrorInFunction(dict.dict())

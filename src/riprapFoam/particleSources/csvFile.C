@@ -3,6 +3,9 @@
 #include "csvFile.H"
 #include "OSspecific.H"
 
+#include <cfenv>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -76,8 +79,15 @@ Foam::label Foam::csvFile::column(const std::string& name) const
 
 Foam::scalar Foam::csvFile::number(label row, label column) const
 {
-    scalar value = 0;
-    if (!readScalar(text(row, column).c_str(), value)) fail(row, "'" + text(row, column) + "' is no number");
+    // Not OpenFOAM's reader, which traps at nan and at what no double holds
+    const std::string& typed = text(row, column);
+    char* end = nullptr;
+    std::fenv_t traps;
+    std::feholdexcept(&traps);
+    const scalar value = std::strtod(typed.c_str(), &end);
+    std::fesetenv(&traps);
+
+    if (typed.empty() || *end || !std::isfinite(value)) fail(row, "'" + typed + "' is no number");
     return value;
 }
 

@@ -60,7 +60,7 @@ public:
 
     virtual scalarField pressure() const { return scalarField(pressure_); }
 
-    virtual scalar estimate(const particlePacking&) const { return position_.size(); }
+    virtual scalar estimate(const particlePacking&, const boundBox&) const { return position_.size(); }
 
     virtual bool regular() const { return false; }
 };

@@ -55,11 +55,18 @@ Foam::particlePacking::particlePacking
 }
 
 
-Foam::scalar Foam::particlePacking::estimate(const boundBox& box) const
+Foam::scalar Foam::particlePacking::estimate(const boundBox& box, const boundBox& limits) const
 {
-    scalar n = 1;
-    for (label i = 0; i < (planar_ ? 2 : 3); ++i) n *= box.span()[axes_[i]]/spacing_;
-    return n;
+    scalar n = 1, longest = 0;
+    for (label i = 0; i < (planar_ ? 2 : 3); ++i)
+    {
+        const direction axis = axes_[i];
+        const scalar low = max(box.min()[axis], limits.min()[axis]), high = min(box.max()[axis], limits.max()[axis]);
+        n *= max(high - low, scalar(0))/spacing_;
+        // Counted from the box's corner, which may be far outside the limits
+        longest = max(longest, (high - box.min()[axis])/spacing_);
+    }
+    return max(n, longest);
 }
 
 

@@ -58,57 +58,32 @@ static void readPressure
     }
     else
     {
-        dict.unknownWord
-        (
-            "pressure",
-            first.isWord() ? first.wordToken() : word("?", false),
-            wordList({"hydrostatic", "zero", "<number>"})
-        );
+        OStringStream typed;
+        typed << first;
+        dict.unknownWord("pressure", word(typed.str(), false), wordList({"hydrostatic", "zero", "<number>"}));
     }
-    dict.found("freeSurface");
-}
 
-
-static void readSet(checkedDictionary& dict)
-{
-    dict.found("set");
-    const word set(dict.dict().get<word>("set"));
-    if (set != "fluid") dict.unknownWord("set", set, wordList({"fluid", "solids"}));
-}
-
-
-// Nothing may take the machine down by a slip in the spacing
-static void checkCount(const dictionary& dict, const word& name, scalar n)
-{
-    if (n > 1e9)
+    if (dict.found("freeSurface") && !(first.isWord() && first.wordToken() == "hydrostatic"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Region " << name << " would hold about " << n
-            << " particles: is the spacing meant?" << exit(FatalIOError);
+        FatalIOErrorInFunction(region.dict)
+            << "Entry freeSurface is used by pressure hydrostatic alone" << exit(FatalIOError);
     }
 }
 
 
 static particleRegion readRegion
 (
-    const entry& e,
-    const dictionary& all,
+    const namedDictionary& entries,
     const particlePacking& packing,
     const regionSpace& space
 )
 {
-    if (!e.isDict())
-    {
-        FatalIOErrorInFunction(all)
-            << "Entry regions: " << e.keyword() << " is no dictionary" << exit(FatalIOError);
-    }
-
     particleRegion region;
-    region.name = e.keyword();
-    region.dict = namedRegion(e.dict(), region.name, all);
+    region.name = entries.name;
+    region.dict = entries.dict;
     checkedDictionary dict(region.dict);
 
-    readSet(dict);
+    dict.found("set");
     region.clip = dict.either("clip", "yes", "no", false);
     vector velocity(Zero);
     if (dict.found("velocity")) velocity = dict.dict().get<vector>("velocity");
@@ -127,10 +102,7 @@ static particleRegion readRegion
         limits = space.mesh.bounds();
         limits.inflate(1e-6);
     }
-    else
-    {
-        checkCount(region.dict, region.name, source->estimate(packing));
-    }
+    checkCount(region.dict, region.name, source->estimate(packing, limits), "spacing");
 
     source->place(packing, limits, region.position, region.velocity);
     region.pressure = source->pressure();
@@ -170,15 +142,68 @@ void Foam::particleRegion::keep(const boolList& those)
 }
 
 
-Foam::dictionary Foam::namedRegion(const dictionary& region, const word& name, const dictionary& all)
+Foam::List<Foam::namedDictionary> Foam::namedDictionaries(const dictionary& all, const word& entry)
 {
-    dictionary d(region);
-    d.name() = all.name() + ".regions." + name;
-    for (entry& e : d)
+    checkedDictionary(all).found(entry);
+    const PtrList<Foam::entry> entries(all.lookup(entry));
+
+    DynamicList<namedDictionary> dicts;
+    for (const Foam::entry& e : entries)
     {
-        if (e.isStream()) e.stream().name() = d.name() + '.' + e.keyword();
+        const word name(e.keyword());
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(all)
+                << "Entry " << entry << ": " << name << " is no dictionary" << exit(FatalIOError);
+        }
+        for (const namedDictionary& other : dicts)
+        {
+            if (other.name != name) continue;
+            FatalIOErrorInFunction(all)
+                << "Entry " << entry << ": two are named " << name << exit(FatalIOError);
+        }
+
+        dictionary d(e.dict());
+        d.name() = all.name() + '.' + entry + '.' + name;
+        for (Foam::entry& each : d)
+        {
+            if (each.isStream()) each.stream().name() = d.name() + '.' + each.keyword();
+        }
+        dicts.append({name, d});
     }
-    return d;
+    return List<namedDictionary>(std::move(dicts));
+}
+
+
+Foam::word Foam::setOf(const namedDictionary& region)
+{
+    checkedDictionary dict(region.dict);
+    dict.found("set");
+    const word set(region.dict.get<word>("set"));
+    if (set != "fluid" && set != "solids") dict.unknownWord("set", set, wordList({"fluid", "solids"}));
+    return set;
+}
+
+
+bool Foam::hasSet(const dictionary& all, const word& set)
+{
+    for (const namedDictionary& region : namedDictionaries(all, "regions"))
+    {
+        if (setOf(region) == set) return true;
+    }
+    return false;
+}
+
+
+// Nothing may take the machine down by a slip in the spacing
+void Foam::checkCount(const dictionary& dict, const word& name, scalar n, const word& meant)
+{
+    if (n > 1e9)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Region " << name << " would hold about " << n
+            << " particles: is the " << meant << " meant?" << exit(FatalIOError);
+    }
 }
 
 
@@ -192,7 +217,11 @@ Foam::particlePacking Foam::readPacking
     checkedDictionary dict(all);
     const scalar spacing = dict.positive("spacing");
     const auto kind = dict.choice("packing", particlePacking::names, particlePacking::kind::square);
-    for (const char* other : {"regions", "bonds", "overlapTolerance"}) dict.found(other);
+    dict.found("regions");
+    if (hasSet(all, "solids"))
+    {
+        for (const char* other : {"bonds", "overlapTolerance"}) dict.found(other);
+    }
     dict.endButMacros();
     return particlePacking(mesh, kind, spacing, gravity);
 }
@@ -205,26 +234,17 @@ Foam::List<Foam::particleRegion> Foam::readRegions
     const regionSpace& space
 )
 {
-    const PtrList<entry> entries(all.lookup("regions"));
+    const List<namedDictionary> entries(namedDictionaries(all, "regions"));
     if (entries.empty())
     {
         FatalIOErrorInFunction(all) << "Entry regions is empty" << exit(FatalIOError);
     }
 
     DynamicList<particleRegion> regions;
-    for (const entry& e : entries)
+    for (const namedDictionary& region : entries)
     {
         // Those are read elsewhere (solidRegions)
-        if (e.isDict() && e.dict().getOrDefault<word>("set", word::null) == "solids") continue;
-
-        const particleRegion region(readRegion(e, all, packing, space));
-        for (const particleRegion& other : regions)
-        {
-            if (other.name != region.name) continue;
-            FatalIOErrorInFunction(all)
-                << "Entry regions: two are named " << region.name << exit(FatalIOError);
-        }
-        regions.append(region);
+        if (setOf(region) == "fluid") regions.append(readRegion(region, packing, space));
     }
     checkOverlap(regions, packing);
     return regions;

@@ -80,14 +80,9 @@ riprap::DemBondState Foam::bondSolids
     if (!all.found("bonds")) return bonds;
 
     HashSet<labelPair, labelPair::Hash<>> bonded;
-    for (const entry& e : PtrList<entry>(all.lookup("bonds")))
+    for (const namedDictionary& named : namedDictionaries(all, "bonds"))
     {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(all)
-                << "Entry bonds: " << e.keyword() << " is no dictionary" << exit(FatalIOError);
-        }
-        const dictionary entries(namedRegion(e.dict(), e.keyword(), all));
+        const dictionary& entries = named.dict;
         checkedDictionary dict(entries);
         dict.found("type");
         dict.found("groups");
@@ -98,11 +93,11 @@ riprap::DemBondState Foam::bondSolids
         dict.end();
 
         const label n = addBonds(solids, membersOf(solids, groups), type, tolerance, bonded, bonds);
-        Info<< "    bonds " << e.keyword() << ": " << n << nl;
+        Info<< "    bonds " << named.name << ": " << n << nl;
         if (n == 0)
         {
             FatalIOErrorInFunction(entries)
-                << "Entry bonds: " << e.keyword() << " bonds nothing: no two particles of these groups are nearer"
+                << "Entry bonds: " << named.name << " bonds nothing: no two particles of these groups are nearer"
                 << " than gapTolerance " << tolerance << " m" << exit(FatalIOError);
         }
     }

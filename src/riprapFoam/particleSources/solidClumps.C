@@ -119,8 +119,8 @@ void Foam::readClumps(checkedDictionary& dict, const solidSpace& space, solidReg
     }
 
     const auto surface = readClosedSurface(dict, space.mesh.time());
-    const label most = label(dict.between("spheres", 50, 1, 10000));
-    const label resolution = label(dict.between("resolution", 40, 4, 400));
+    const label most = dict.whole("spheres", 50, 1, 10000);
+    const label resolution = dict.whole("resolution", 40, 4, 400);
     const scalar longest = cmptMax(boundBox(surface->points(), false).span());
     const scalar smallest = dict.positive("smallestRadius", 0.02*longest);
 
@@ -139,6 +139,10 @@ void Foam::readClumps(checkedDictionary& dict, const solidSpace& space, solidReg
 
     pointField centres(1, middle);
     if (dict.found("centres")) centres = dict.dict().get<pointField>("centres");
+    if (centres.empty())
+    {
+        FatalIOErrorInFunction(dict.dict()) << "Entry centres is empty" << exit(FatalIOError);
+    }
 
     tensor axes;
     const vector moments(principal(J, axes));

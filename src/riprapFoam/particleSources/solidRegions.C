@@ -89,7 +89,9 @@ static void placeRandom
     packing.smallest = packing.largest = dict.positive("radius");
     packing.largest = dict.positive("largestRadius", packing.largest);
     packing.solidFraction = dict.positive("solidFraction");
-    packing.seed = label(dict.notNegative("seed", 1));
+    // All of space
+    dict.between("solidFraction", 1, 0, 1);
+    packing.seed = dict.whole("seed", 1, 0, labelMax);
     if (packing.largest < packing.smallest)
     {
         FatalIOErrorInFunction(dict.dict())
@@ -98,7 +100,15 @@ static void placeRandom
     }
 
     const wholeBody whole(volume, frame);
-    region.radius = packing.radii(volumeOf(volume, frame), frame.planar());
+    const scalar space = volumeOf(volume, frame);
+    checkCount
+    (
+        region.dict,
+        region.name,
+        space/(frame.planar() ? sqr(packing.smallest) : pow3(packing.smallest)),
+        "radius"
+    );
+    region.radius = packing.radii(space, frame.planar());
     const bool placed = packing.place
     (
         volume.bounds(),
@@ -141,6 +151,12 @@ static scalarField placeInVolume(checkedDictionary& dict, const solidSpace& spac
         lattice.radius = dict.positive("radius");
         lattice.spacing = dict.positive("spacing", 2*lattice.radius);
         const wholeBody whole(volume, frame);
+        scalar count = 1;
+        for (label d = 0; d < (frame.planar() ? 2 : 3); ++d)
+        {
+            count *= volume.bounds().span()[frame.axis(d)]/lattice.spacing;
+        }
+        checkCount(region.dict, region.name, count, "radius or spacing");
 
         DynamicList<point> in;
         for (const point& x : lattice.fill(volume.bounds(), frame))
@@ -169,13 +185,13 @@ static label readName
 }
 
 
-static solidRegion readRegion(const entry& e, const dictionary& all, const solidSpace& space)
+static solidRegion readRegion(const namedDictionary& entries, const solidSpace& space)
 {
     const demSettings& settings = space.settings;
 
     solidRegion region;
-    region.name = e.keyword();
-    region.dict = namedRegion(e.dict(), region.name, all);
+    region.name = entries.name;
+    region.dict = entries.dict;
     checkedDictionary dict(region.dict);
     dict.found("set");
     region.clip = dict.either("clip", "yes", "no", false);
@@ -257,40 +273,15 @@ static solidRegion readRegion(const entry& e, const dictionary& all, const solid
 } // namespace Foam
 
 
-bool Foam::hasSet(const dictionary& all, const word& set)
-{
-    const PtrList<entry> entries(all.lookup("regions"));
-    for (const entry& e : entries)
-    {
-        if (e.isDict() && e.dict().getOrDefault<word>("set", word::null) == set) return true;
-    }
-    return false;
-}
-
-
 Foam::List<Foam::solidRegion> Foam::readSolidRegions(const dictionary& all, const solidSpace& space)
 {
     const scalar tolerance = checkedDictionary(all).notNegative("overlapTolerance", 1e-4);
     DynamicList<solidRegion> regions;
-    for (const entry& e : PtrList<entry>(all.lookup("regions")))
+    for (const namedDictionary& entries : namedDictionaries(all, "regions"))
     {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(all)
-                << "Entry regions: " << e.keyword() << " is no dictionary" << exit(FatalIOError);
-        }
-        const dictionary named(namedRegion(e.dict(), e.keyword(), all));
-        const word set(named.get<word>("set"));
-        if (set == "fluid") continue;
-        if (set != "solids") checkedDictionary(named).unknownWord("set", set, {"fluid", "solids"});
+        if (setOf(entries) == "fluid") continue;
 
-        solidRegion region(readRegion(e, all, space));
-        for (const solidRegion& other : regions)
-        {
-            if (other.name != region.name) continue;
-            FatalIOErrorInFunction(all)
-                << "Entry regions: two are named " << region.name << exit(FatalIOError);
-        }
+        solidRegion region(readRegion(entries, space));
         checkSolidPlace(region, space, tolerance);
         if (region.size() == 0)
         {

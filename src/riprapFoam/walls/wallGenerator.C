@@ -51,8 +51,9 @@ static void checkCount(const wallSpace& space, const wallSurface& wall, const st
     if (n > 1e9)
     {
         FatalErrorInFunction
-            << "walls (" << what.c_str() << ") would have about " << n << " points at a spacing of "
-            << space.spacing << " m: is it meant?" << exit(FatalError);
+            << "Walls (" << what.c_str() << ") would have about " << n << " points at a spacing of "
+            << space.spacing << " m: is the spacing meant (walls/spacing of constant/sphProperties, or else spacing of"
+            << " system/setParticlesDict)?" << exit(FatalError);
     }
 }
 

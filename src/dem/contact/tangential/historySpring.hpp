@@ -1,10 +1,12 @@
 /*  Tangential spring that remembers its stretch, with Coulomb's limit (paper 1, Eqs. 7, 10, 12, 13; Cundall & Strack 1979;
     the accumulated form of paper 2's Eq. 8 as in Zhang et al. 2009). For normal laws of constant stiffness.
 
-        s <- s + V_s dt,    f_t = k_t s + c_t V_s,    |f_t| <= mu f_n, else s is what the limit allows
+        s <- s + V_s dt, no longer than mu f_n/k_t,    f_t = k_t s + c_t V_s,    |f_t| <= mu f_n
         k_t = kappa k_n,    c_t = sqrt(kappa) c_n
 
-    s [m] is the history. kappa: given (paper 1's k_s/k_n), or (1 - nu)/(1 - nu/2), the ratio of two spheres pressed together
+    The limit holds for the spring alone, and then for the sum: what is stored, k_t s^2/2, then never grows by more than the bodies'
+    work f_t.V_s. (A stretch chosen so that spring and dashpot together meet the limit would store energy out of nothing where the
+    dashpot alone exceeds it.) s [m] is the history. kappa: given (paper 1's k_s/k_n), or (1 - nu)/(1 - nu/2), the ratio of two spheres pressed together
     (Mindlin 1949), with the mean nu of the pair.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -20,7 +22,6 @@ namespace riprap
 struct HistorySpring
 {
     template<int D> static constexpr int history = spins<D>;
-    static constexpr bool acts = true;
     static constexpr bool vectorHistory = true;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
@@ -37,15 +38,12 @@ struct HistorySpring
     {
         Tangent<D, T> s;
         for (int c = 0; c < spins<D>; ++c) s.c[c] = h[c];
-        s = turned(g.n, s) + g.dt*g.slip;
         const T k = p.kappa*fn.stiffness;
-        const Tangent<D, T> dashpot = (p.rootKappa*fn.damping)*g.slip;
-        Tangent<D, T> f = k*s + dashpot;
-        const T share = coulombShare(squaredNorm(f), p.mu, fn.force);
-        f = share*f;
-        const T inverse = T(1.0f)/maximum(k, T(1e-30f));
-        for (int c = 0; c < spins<D>; ++c) h[c] = selectGreater(T(1.0f), share, inverse*(f.c[c] - dashpot.c[c]), s.c[c]);
-        return f;
+        s = turned(g.n, s) + g.dt*g.slip;
+        s = coulombShare(k*k*squaredNorm(s), p.mu, fn.force)*s;
+        for (int c = 0; c < spins<D>; ++c) h[c] = s.c[c];
+        const Tangent<D, T> f = k*s + (p.rootKappa*fn.damping)*g.slip;
+        return coulombShare(squaredNorm(f), p.mu, fn.force)*f;
     }
 
     template<int D, class T>

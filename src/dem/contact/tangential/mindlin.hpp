@@ -4,7 +4,7 @@
     while the contact unloads: out of nothing (Elata & Berryman 1996). Scaling F with k_t on unloading throws more away than
     that. Here the history is the root of the stored energy,
 
-        q <- q + sqrt(k_t) V_s dt,    f_t = sqrt(k_t) q + c_t V_s,    |f_t| <= mu f_n, else q is what the limit allows
+        q <- q + sqrt(k_t) V_s dt, no longer than mu f_n/sqrt(k_t),    f_t = sqrt(k_t) q + c_t V_s,    |f_t| <= mu f_n
 
     so that d(q^2/2) = q.sqrt(k_t) V_s dt = f_t.V_s dt, whatever the overlap does meanwhile: what is stored is exactly the work
     that was done on the spring. No path gains energy, stuck or slipping, and nothing is lost but to slip. While the
@@ -27,7 +27,6 @@ namespace riprap
 struct Mindlin
 {
     template<int D> static constexpr int history = spins<D>;
-    static constexpr bool acts = true;
     static constexpr bool vectorHistory = true;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
@@ -45,13 +44,10 @@ struct Mindlin
         Tangent<D, T> q;
         for (int c = 0; c < spins<D>; ++c) q.c[c] = h[c];
         q = turned(g.n, q) + (root*g.dt)*g.slip;
-        const Tangent<D, T> dashpot = (p.rootKappa*fn.damping)*g.slip;
-        Tangent<D, T> f = root*q + dashpot;
-        const T share = coulombShare(squaredNorm(f), p.mu, fn.force);
-        f = share*f;
-        const T inverse = T(1.0f)/maximum(root, T(1e-18f));
-        for (int c = 0; c < spins<D>; ++c) h[c] = selectGreater(T(1.0f), share, inverse*(f.c[c] - dashpot.c[c]), q.c[c]);
-        return f;
+        q = coulombShare(root*root*squaredNorm(q), p.mu, fn.force)*q;
+        for (int c = 0; c < spins<D>; ++c) h[c] = q.c[c];
+        const Tangent<D, T> f = root*q + (p.rootKappa*fn.damping)*g.slip;
+        return coulombShare(squaredNorm(f), p.mu, fn.force)*f;
     }
 
     template<int D, class T>

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What demStability found, beside theory, and the settled pile of runPeers"""
+import numpy as np
+
+from riprap import plotting
+
+from . import groups, number
+
+
+def draw(rows, peers, path):
+    if not rows:
+        print('demStability: no rows to draw')
+        return
+    fig, (limits, drift, pile, creep) = plotting.figure(2, 2, width=6.4, height=4.6)
+    drawLimits(limits, [r for r in rows if r['test'] == 'limits' and r['integrator'] == 'leapfrog'])
+    drawDrift(drift, [r for r in rows if r['test'] == 'drift'])
+    drawPile(pile, [p for p in peers if p['case'] == 'step'])
+    drawCreep(creep, [r for r in rows if r['test'] == 'creep'])
+    plotting.save(fig, path)
+
+
+def stepOf(row):
+    return float(row['quantity'].split('= ')[1])
+
+
+def drawLimits(axis, rows):
+    y = np.arange(len(rows))
+    axis.barh(y, [number(r['measured']) for r in rows], color=plotting.colours[0], height=0.6, label='measured')
+    axis.plot([number(r['theory']) for r in rows], y, 'k|', markersize=9, label='theory: 2/w')
+    for x, name, style in ((0.5, 'refused above', '-'), (0.2, 'default', ':')):
+        axis.axvline(x, color=plotting.colours[1], linestyle=style, linewidth=1, label=name)
+    axis.set_yticks(y, [r['scene'] for r in rows], fontsize=6)
+    axis.set(xlabel='largest $dt/\\sqrt{m/k}$', title='Undamped springs; e: with a dashpot', ylim=(len(rows) - 0.4, -0.6))
+    axis.legend(fontsize=7, loc='lower right')
+
+
+def drawDrift(axis, rows):
+    for i, ((scene, integrator), points) in enumerate(groups(rows, lambda r: (r['scene'], r['integrator'])).items()):
+        axis.loglog([stepOf(r) for r in points], [number(r['measured']) for r in points], '.-' if integrator == 'leapfrog' else 'x--',
+                    color=plotting.colours[0 if 'linear' in scene else 1], linewidth=1, label=f'{scene}, {integrator}')
+    axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='largest change of energy', title='Elastic gas, 125 bodies, $t = 20000 \\sqrt{m/k}$')
+    axis.legend(fontsize=7)
+
+
+def drawPile(axis, rows):
+    for i, (code, points) in enumerate(groups(rows, lambda r: r['code'].split(',')[0]).items()):
+        axis.semilogy([float(r['code'].split()[-2]) for r in points], [max(float(r['value']), 1e-28) for r in points],
+                      plotting.markers[i] + '-', color=plotting.colours[i], markersize=4, linewidth=1, label=code)
+    axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='kinetic energy after 4 s / $m g R$', title='Pyramid of 30 spheres at rest, linear springs')
+    axis.legend(fontsize=7)
+
+
+def drawCreep(axis, rows):
+    axis.loglog([stepOf(r) for r in rows], [number(r['theory']) for r in rows], 'k-', linewidth=1, label='$m g \\sin/(k_t dt)$')
+    axis.loglog([stepOf(r) for r in rows], [number(r['measured']) for r in rows], 'o', color=plotting.colours[0], label='measured')
+    axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='speed / $(g \\sqrt{m/k})$', title='One-step spring on a slope of 10 degrees')
+    axis.legend(fontsize=7)

@@ -1,0 +1,117 @@
+/*  SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "coupledPCG.H"
+#include "PrecisionAdaptor.H"
+#include "wetMesh.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(coupledPCG, 0);
+
+    lduMatrix::solver::addsymMatrixConstructorToTable<coupledPCG> addcoupledPCGSymMatrixConstructorToTable_;
+}
+
+
+Foam::coupledPCG::coupledPCG
+(
+    const word& fieldName,
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const FieldField<Field, scalar>& interfaceIntCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces,
+    const dictionary& solverControls
+)
+:
+    lduMatrix::solver(fieldName, matrix, interfaceBouCoeffs, interfaceIntCoeffs, interfaces, solverControls)
+{
+    const dictionary& entries = solverControls.subOrEmptyDict("deflation");
+    deflation_.localIterations = entries.lookupOrDefault<label>("localIterations", deflation_.localIterations);
+    deflation_.margin = entries.lookupOrDefault<scalar>("margin", deflation_.margin);
+    if (deflation_.localIterations < 1 || deflation_.margin < 0)
+    {
+        FatalIOErrorInFunction(entries) << "deflation of " << fieldName << " needs localIterations of 1 or more and a margin of 0 or more"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::coupledPCG::product(solveScalarField& ax, const solveScalarField& x, const riprap::BodyDeflation* bodies, direction cmpt) const
+{
+    matrix_.Amul(ax, x, interfaceBouCoeffs_, interfaces_, cmpt);
+    if (bodies) bodies->addBodies(x.begin(), ax.begin());
+}
+
+
+Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, const solveScalarField& source, const direction cmpt) const
+{
+    solverPerformance performance(lduMatrix::preconditioner::getName(controlDict_) + typeName, fieldName_);
+    const label comm = matrix().mesh().comm();
+    const label n = psi.size();
+
+    // The bodies come with the mesh of the wet cells; any other has none
+    autoPtr<riprap::BodyDeflation> bodies;
+    const wetMesh* mesh = dynamic_cast<const wetMesh*>(&matrix().mesh());
+    if (mesh && !mesh->system().bodies.empty()) bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_));
+    const riprap::BodyDeflation* deflation = bodies.get();
+
+    solveScalarField z(n), p(n, Zero), q(n), r(n), old(n, Zero);
+    product(q, psi, deflation, cmpt);
+    r = source - q;
+    const solveScalar normFactor = this->normFactor(psi, source, q, p);
+    performance.initialResidual() = gSumMag(r, comm)/normFactor;
+    performance.finalResidual() = performance.initialResidual();
+    if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_)) return performance;
+
+    if (deflation)      // the residual has then nothing in the span of Z
+    {
+        deflation->correct(r.begin(), psi.begin());
+        product(q, psi, deflation, cmpt);
+        r = source - q;
+        performance.finalResidual() = gSumMag(r, comm)/normFactor;
+        if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_)) return performance;
+    }
+
+    autoPtr<lduMatrix::preconditioner> preconditioner = lduMatrix::preconditioner::New(*this, controlDict_);
+    p = Zero;
+    solveScalar rz = 0;
+    do
+    {
+        preconditioner->precondition(z, r, cmpt);
+        if (deflation)
+        {
+            product(q, z, deflation, cmpt);
+            q = r - q;
+            deflation->correct(q.begin(), z.begin());
+        }
+        const solveScalar rzOld = rz;
+        const solveScalar change = gSumProd(z, r, comm) - gSumProd(z, old, comm);
+        rz = gSumProd(z, r, comm);
+        const solveScalar beta = rzOld != 0 ? change/rzOld : 0;
+        forAll(p, i) p[i] = z[i] + beta*p[i];
+
+        product(q, p, deflation, cmpt);
+        const solveScalar pq = gSumProd(p, q, comm);
+        if (performance.checkSingularity(mag(pq)/normFactor)) break;
+        const solveScalar alpha = rz/pq;
+        old = r;
+        forAll(p, i)
+        {
+            psi[i] += alpha*p[i];
+            r[i] -= alpha*q[i];
+        }
+        performance.finalResidual() = gSumMag(r, comm)/normFactor;
+    }
+    while
+    (
+        (++performance.nIterations() < maxIter_ && !performance.checkConvergence(tolerance_, relTol_))
+     || performance.nIterations() < minIter_
+    );
+    return performance;
+}
+
+
+Foam::solverPerformance Foam::coupledPCG::solve(scalarField& psi_s, const scalarField& source, const direction cmpt) const
+{
+    PrecisionAdaptor<solveScalar, scalar> psi(psi_s);
+    return scalarSolve(psi.ref(), ConstPrecisionAdaptor<solveScalar, scalar>(source)(), cmpt);
+}

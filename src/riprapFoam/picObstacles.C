@@ -1,0 +1,88 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "picObstacles.H"
+#include "walls/wallSurface.H"
+#include "wallPoints.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A body that rests must reach into the mesh; one that moves may come later
+static void requireInside
+(
+    const polyMesh& mesh,
+    const geometryWalls& surfaces,
+    label i
+)
+{
+    const boundBox reach(surfaces[i].bounds());
+    if (!mesh.bounds().overlaps(reach))
+    {
+        FatalIOErrorInFunction(surfaces.dict(i))
+            << "Surface " << surfaces.names()[i] << " of constant/geometry, "
+            << reach << ", does not meet the mesh, " << mesh.bounds()
+            << exit(FatalIOError);
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+std::vector<riprap::PicObstacle> Foam::picObstacles
+(
+    const polyMesh& mesh,
+    const geometryWalls& surfaces,
+    const labelList& bodyOf,
+    scalar cellSize
+)
+{
+    wallPointsControls controls;
+    controls.spacing = cellSize;
+    const wallSpace space(mesh, controls);
+
+    std::vector<riprap::PicObstacle> all;
+    forAll(surfaces, i)
+    {
+        if (bodyOf[i] < 0) requireInside(mesh, surfaces, i);
+
+        const wallElements elements(bodyElements(space, surfaces, i, 0));
+        riprap::PicObstacle o;
+        o.name = surfaces.names()[i];
+        o.closed = surfaces.side(i) != geometryWalls::solidSide::both;
+        o.solidOutside =
+            surfaces.side(i) == geometryWalls::solidSide::outside;
+        o.body = bodyOf[i];
+        for (const point& p : elements.points)
+        {
+            for (direction d = 0; d < vector::nComponents; ++d)
+            {
+                o.vertices.push_back(p[d]);
+            }
+        }
+        for (const auto& e : elements.elements)
+        {
+            for (label v = 0; v < (space.planar ? 2 : 3); ++v)
+            {
+                o.elements.push_back(e[v]);
+            }
+        }
+        all.push_back(std::move(o));
+    }
+    return all;
+}
+
+
+riprap::WallMotion Foam::picMotion(const wallBodies& bodies)
+{
+    return [&bodies](int body, double t) { return bodies.pose(body, t); };
+}
+
+
+// ************************************************************************* //
