@@ -145,7 +145,8 @@ std::vector<double> seeds(const UniformGrid<D>& g, const R* phi, int perDirectio
                 middle.c[d] = g.h*(c.c[d] + (rest % perDirection + 0.5)/perDirection);
                 rest /= perDirection;
             }
-            if (sampleCell<1>(g, phi, middle) < 0) for (int d = 0; d < D; ++d) x.push_back(at.c[d]);
+            // a hair, so that rounding does not tell between the parts of a row that lies on the surface
+            if (sampleCell<1>(g, phi, middle) < R(-1e-3*g.h)) for (int d = 0; d < D; ++d) x.push_back(at.c[d]);
         }
     }
     return x;

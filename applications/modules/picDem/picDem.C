@@ -5,6 +5,7 @@
 
 #include "picDem.H"
 #include "geometryWalls.H"
+#include "wallPoints.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
