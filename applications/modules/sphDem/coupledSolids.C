@@ -108,9 +108,12 @@ void Foam::coupledSolids::setWalls(const solidSet& solids)
     }
     if (movingGroups_.size())
     {
-        input_.groupMotion = [this](int motion, double t)
+        // No motion is asked for what is outside the run
+        const scalar begin = runTime_.value();
+        const scalar end = runTime_.endTime().value();
+        input_.groupMotion = [this, begin, end](int motion, double t)
         {
-            return rigidMotion(movingGroups_, motion, t);
+            return rigidMotion(movingGroups_, motion, t, begin, end);
         };
     }
 
@@ -129,7 +132,15 @@ void Foam::coupledSolids::setWalls(const solidSet& solids)
         movingWalls_,
         reference,
         0,
-        settings_.walls.dict,
+        settings_.config
+    );
+    // Groups escape like single particles: they widen nothing
+    Foam::coverMotion
+    (
+        mesh_,
+        movingGroups_,
+        List<boundBox>(movingGroups_.size()),
+        0,
         settings_.config
     );
 }

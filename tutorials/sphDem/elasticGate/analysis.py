@@ -95,13 +95,13 @@ def plot(runs, path):
         axes[2].plot(level['Time'], 1e3*level['level1'], linewidth=0.8, linestyle=':')
     axes[2].set(xlabel='t [s]', ylabel='water level [mm]; dotted: 5 cm behind')
     run = runs[0]
-    times = np.array(clouds.times(run.path))
-    when = times[np.argmin(abs(times - 0.16))]
+    times = clouds.times(run.path)
+    when = min(times, key=lambda t: abs(float(t) - 0.16))
     f, s = clouds.readCloud(run.path, when, ('U',)), clouds.readCloud(run.path, when, ('radius',), 'solids')
     dots = axes[3].scatter(1e3*f['positions'][:, 0], 1e3*f['positions'][:, 1], c=np.linalg.norm(f['U'], axis=1), s=0.8)
     axes[3].scatter(1e3*s['positions'][:, 0], 1e3*s['positions'][:, 1], s=0.8, color='k')
     fig.colorbar(dots, ax=axes[3], label='|U| [m/s]')
-    axes[3].set(aspect='equal', xlim=(-5, 260), ylim=(-5, 150), xlabel='x [mm]', title=f'{run.name}, {when:g} s')
+    axes[3].set(aspect='equal', xlim=(-5, 260), ylim=(-5, 150), xlabel='x [mm]', title=f'{run.name}, {float(when):g} s')
     plotting.save(fig, path)
 
 
