@@ -147,7 +147,8 @@ static void readCoupling(checkedDictionary& sph, sphSettings& settings)
     riprap::CouplingConfig& coupling = settings.coupling;
     const riprap::SphConfig& config = settings.config;
 
-    settings.couples = sph.found("coupling") || sph.found("couplingCoeffs");
+    settings.couples =
+        sph.found("coupling") || sph.subDict("couplingCoeffs").size();
     coupling.kind = sph.choice("coupling", sphNames::coupling, coupling.kind);
 
     checkedDictionary coeffs(sph.subDict("couplingCoeffs"));
