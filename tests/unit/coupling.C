@@ -247,6 +247,24 @@ TEST_P(Coupling, ContinuesToTheBit)
         }
 }
 
+//- The same particles, to what another order of sums leaves: on the GPU a scene with solids seeks neighbours at other steps
+void expectClose(const FluidState& a, const FluidState& b, const SphConfig& c)
+{
+    const double tolerance = c.precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
+    const std::vector<std::size_t> ia = byId(a), ib = byId(b);
+    ASSERT_EQ(ia.size(), ib.size());
+    for (std::size_t k = 0; k < ia.size(); ++k)
+    {
+        EXPECT_EQ(a.id[ia[k]], b.id[ib[k]]);
+        EXPECT_NEAR(a.density[ia[k]], b.density[ib[k]], tolerance*c.density);
+        for (int d = 0; d < 3; ++d)
+        {
+            EXPECT_NEAR(a.position[3*ia[k] + d], b.position[3*ib[k] + d], tolerance*c.spacing);
+            EXPECT_NEAR(a.velocity[3*ia[k] + d], b.velocity[3*ib[k] + d], tolerance*c.soundSpeed);
+        }
+    }
+}
+
 //- Solids far from any fluid: they fall as if alone, and the fluid does what it does alone
 TEST_P(Coupling, FarApartNothingPasses)
 {
@@ -261,7 +279,8 @@ TEST_P(Coupling, FarApartNothingPasses)
     const auto alone = createSphScene(c, f, {});
     both->advance(0.05);
     alone->advance(0.05);
-    expectSameBits(both->fluid(), alone->fluid());
+    if (GetParam().device == DeviceKind::cpu) expectSameBits(both->fluid(), alone->fluid());
+    else expectClose(both->fluid(), alone->fluid(), c);
     for (const double force : both->coupling().force) EXPECT_EQ(force, 0);
     const DemState q = both->solids()->particles();
     for (std::size_t i = 0; i < q.id.size(); ++i) EXPECT_NEAR(q.velocity[3*i + 1], -0.05, 1e-5);
