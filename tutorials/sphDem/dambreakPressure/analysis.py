@@ -106,7 +106,7 @@ Study(
     variants=[Variant('dp10', ['-spacing', '0.01']), Variant('dp5', ['-spacing', '0.005']), Variant('dp2.5'),
               Variant('dp5-freeSlip', ['-spacing', '0.005', '-set', 'walls/slip freeSlip']),
               Variant('dp2.5-freeSlip', ['-set', 'walls/slip freeSlip']),
-              Variant('dp5-stationary', ['-spacing', '0.005', '-set', 'walls/model stationary; walls/spacing 0.0025'])],
+              Variant('dp5-stationary', ['-spacing', '0.005', '-set', 'walls/model stationary; walls/spacing 0.0025; densityDiffusion none'])],
     quick=[Variant('dp10-quick', ['-spacing', '0.01', '-endTime', '0.6'])],
     analyse=analyse,
     plot=plot,

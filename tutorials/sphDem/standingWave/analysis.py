@@ -86,7 +86,7 @@ Study(
     scene='standingWave',
     variants=[Variant('n50', ['-spacing', '0.02']), Variant('n100', ['-spacing', '0.01']),
               Variant('n200', ['-spacing', '0.005']),
-              Variant('n100-stationary', ['-spacing', '0.01', '-set', 'walls/model stationary'], mayFail=True)],
+              Variant('n100-stationary', ['-spacing', '0.01', '-set', 'walls/model stationary; densityDiffusion none'], mayFail=True)],
     quick=[Variant('n50-quick', ['-spacing', '0.02', '-endTime', '2.4'])],
     analyse=analyse,
     plot=plot,
