@@ -10,7 +10,7 @@
 #pragma once
 
 #include "pic/particles.hpp"
-#include "pic/transfer/particleToGrid.hpp"
+#include "pic/transfer/near.hpp"
 
 namespace riprap
 {

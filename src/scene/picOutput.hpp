@@ -131,6 +131,7 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     const auto add = [&](const char* name, std::size_t bytes) { if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes}); };
     add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
     add("p", pressure_.bytes());
+    add("sums of cells", toFaces_.bytes());
     std::size_t u = 0, walls = 0;
     for (int d = 0; d < D; ++d)
     {

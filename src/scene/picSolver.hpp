@@ -122,6 +122,7 @@ private:
     FieldSet<Backend> set_;
     int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
     CellSort<Backend> sort_;
+    ParticleToGrid<Backend, D, real> toFaces_;
     Array<Backend, real> shift_[D];             // of position correction
 
     Array<Backend, real> phi_, carried_, spare_;

@@ -87,13 +87,13 @@ void PicSolver<Backend, D, P>::markWater()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toGrid()
 {
+    toFaces_.prepare(context_, grid_, sort_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
         withOrder([&](auto order)
         {
-            forEach(context_, faces, ParticleToGrid<decltype(order)::value, D, real>
-                {grid_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data()});
+            toFaces_.template map<decltype(order)::value>(context_, grid_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data());
         });
         if (grid_.periodic[d])
         {
