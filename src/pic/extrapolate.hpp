@@ -55,14 +55,14 @@ struct Extrapolate
     int component;
     unsigned char pass;         // 1, 2, ...
     unsigned char* layer;
-    R* a;
-    R* b;                       // a second field, extrapolated alike; nullptr: none
+    R* field[4];                // all extrapolated alike
+    int fields;
 
     HD void operator()(int i) const
     {
         if (layer[i] != unknownFace) return;
         const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
-        R sumA = 0, sumB = 0;
+        R sum[4] = {0, 0, 0, 0};
         int count = 0;
         for (int d = 0; d < D; ++d)
             for (int direction = -1; direction <= 1; direction += 2)
@@ -70,13 +70,11 @@ struct Extrapolate
                 const int one = along(f, d, direction);
                 if (one < 0) continue;
                 const int two = along(f, d, 2*direction), three = two < 0 ? -1 : along(f, d, 3*direction);
-                sumA += continued(a, one, two, three);
-                if (b) sumB += continued(b, one, two, three);
+                for (int k = 0; k < fields; ++k) sum[k] += continued(field[k], one, two, three);
                 ++count;
             }
         if (!count) return;
-        a[i] = sumA/count;
-        if (b) b[i] = sumB/count;
+        for (int k = 0; k < fields; ++k) field[k][i] = sum[k]/count;
         layer[i] = pass;
     }
 

@@ -62,7 +62,7 @@ std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<doubl
 }
 
 //- phi of full and empty cells from their neighbours: a full one beside an empty one is half a cell from the surface, one beside a part filled
-//  one a cell further than that; all others are far
+//  one a cell further than that, those behind them another cell, so that slopes at the surface come out right; all others are far
 template<int D, class R>
 void surroundParts(const UniformGrid<D>& g, const std::vector<double>& fill, std::vector<R>& phi, R band)
 {
@@ -81,6 +81,19 @@ void surroundParts(const UniformGrid<D>& g, const std::vector<double>& fill, std
                 else if ((fill[j] > 0) != (fill[i] > 0)) distance = std::min(distance, h/2);
             }
         phi[i] = sign*distance;
+    }
+    const std::vector<R> ring(phi);
+    for (int i = 0; i < g.cells(); ++i)
+    {
+        if (part(i) || absolute(ring[i]) < band) continue;
+        R distance = band;
+        for (int d = 0; d < D; ++d)
+            for (int offset = -1; offset <= 1; offset += 2)
+            {
+                const int j = g.neighbour(g.cellIndex(i), d, offset);
+                if (j >= 0) distance = std::min(distance, absolute(ring[j]) + R(g.h));
+            }
+        phi[i] = ring[i] < 0 ? -distance : distance;
     }
 }
 

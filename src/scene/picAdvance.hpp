@@ -19,7 +19,7 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
     const double viscous = viscousStep(grid_.h, config_.viscosity/config_.density, D);
-    if (viscous < dt) { dt = viscous; limit = "viscous"; }
+    if (viscous < dt && config_.viscousScheme == ViscousKind::explicitly) { dt = viscous; limit = "viscous"; }
     if (config_.maxTimeStep < dt) { dt = config_.maxTimeStep; limit = "maximum"; }
     return dt;
 }
@@ -58,6 +58,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         if (interrupted_) break;
     }
     interrupted_ = false;
+    report.viscosityConverged = viscousConverged_;
     if (!report.steps) report.minTimeStep = 0;
     report.time = clock_.time;
     report.totalSteps = clock_.steps;

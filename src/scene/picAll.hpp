@@ -7,6 +7,7 @@
 #include "core/device.hpp"
 #include "scene/picSetup.hpp"
 #include "scene/picStep.hpp"
+#include "scene/picViscosity.hpp"
 #include "scene/picAdvance.hpp"
 #include "scene/picOutput.hpp"
 #include "scene/picState.hpp"

@@ -18,7 +18,7 @@ std::vector<typename P::real> PicSolver<Backend, D, P>::velocities(int d)
     now.allocate(context_, n_);
     withOrder([&](auto order)
     {
-        forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
+        forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{atRest(grid_), particles(), d, change_[d].data(), near_.data(),
             real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});
     });
     return now.download();
@@ -135,7 +135,7 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     std::size_t u = 0, walls = 0;
     for (int d = 0; d < D; ++d)
     {
-        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + layer_[d].bytes();
+        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + after_[d].bytes() + carrier_[d].bytes() + layer_[d].bytes();
         walls += aperture_[d].bytes() + wallVelocity_[d].bytes();
     }
     add("u", u);

@@ -15,6 +15,7 @@ namespace riprap
 {
 
 enum class TransferKind {flip, pic, flipPic, apic};
+enum class ViscousKind {automatic, explicitly, implicitly};     // automatic: explicit where the step is small enough
 
 struct PicConfig : FluidConfig
 {
@@ -43,8 +44,11 @@ struct PicConfig : FluidConfig
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's
 
+    ViscousKind viscousScheme = ViscousKind::automatic;
+
     // Walls
     bool noSlip = false;
+    Vector3 slide[3][2] = {};               // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
 
     // Time
     double startTime = 0;                   // [s]
@@ -82,7 +86,7 @@ struct PicReport
     std::vector<std::int32_t> escapedId;
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
-    bool pressureConverged = true;
+    bool pressureConverged = true, viscosityConverged = true;
     StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};

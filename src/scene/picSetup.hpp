@@ -43,13 +43,14 @@ void PicSolver<Backend, D, P>::setGrid()
     for (auto* a : {&phi_, &carried_, &spare_}) a->allocate(context_, cells);
     for (auto* a : {&wet_, &near_}) a->allocate(context_, cells);
     pressure_.allocate(context_, cells);
+    if (config_.reflection > 0) reflected_.allocate(context_, cells);
     pressureStep_.allocate(context_, grid_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
         for (auto* a : {&u_[d], &before_[d], &change_[d], &mass_[d], &aperture_[d]}) a->allocate(context_, faces);
         layer_[d].allocate(context_, faces);
-        if (config_.reflection > 0) excess_[d].allocate(context_, faces);
+        if (config_.reflection > 0) for (auto* a : {&after_[d], &carrier_[d]}) a->allocate(context_, faces);
     }
 }
 
@@ -69,12 +70,33 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
         aperture_[d].upload(context_, a);
         if (!walls.wallVelocity[d].empty()) wallsMove_ = true;
     }
+    setSides();
     if (!wallsMove_) return;
     for (int d = 0; d < D; ++d)
     {
         std::vector<real> w(grid_.faces(d), real(0));
         std::copy(walls.wallVelocity[d].begin(), walls.wallVelocity[d].end(), w.begin());
         wallVelocity_[d].upload(context_, w);
+    }
+}
+
+//- Water sticks to a side of the block that is closed all over
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::setSides()
+{
+    if (!config_.noSlip) return;
+    for (int d = 0; d < D; ++d)
+    {
+        if (grid_.periodic[d]) continue;
+        const std::vector<real> a = aperture_[d].download();
+        for (int side = 0; side < 2; ++side)
+        {
+            bool closed = true;
+            for (int i = 0; i < grid_.faces(d); ++i)
+                closed = closed && (grid_.faceIndex(d, i).c[d] != side*grid_.n[d] || !(a[i] > real(0)));
+            grid_.sticks[d][side] = closed;
+            for (int e = 0; e < D; ++e) grid_.slide[d][side][e] = closed ? config_.slide[config_.axes[d]][side][config_.axes[e]] : 0;
+        }
     }
 }
 

@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picStep.hpp (the parts of a step), picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <initializer_list>
 #include "core/cellSort.hpp"
 #include "core/largest.hpp"
 #include "pic/extrapolate.hpp"
@@ -14,6 +15,7 @@
 #include "pic/positionCorrection.hpp"
 #include "pic/pressure/pressureStep.hpp"
 #include "pic/speed.hpp"
+#include "pic/viscosity.hpp"
 #include "pic/surface/advectLevelSet.hpp"
 #include "pic/surface/fillFraction.hpp"
 #include "pic/surface/redistance.hpp"
@@ -73,6 +75,7 @@ private:
     // picSetup.hpp
     void setGrid();
     void setWalls(const PicWalls&);
+    void setSides();
     void setFluid(const FluidInput&);
     void setParticles
     (
@@ -87,12 +90,13 @@ private:
     // picStep.hpp
     template<class F> void withOrder(const F&);
     PicParticles<D, real> particles();
-    PressureFields<D, real> pressureFields(double dt);
+    PressureFields<D, real> pressureFields(double dt, bool reflected = false);
     void sortParticles(PicReport* report = nullptr);
     void markWater();
     void toGrid();
-    void project(double dt);
-    void extrapolate(Array<Backend, real>* a, Array<Backend, real>* b, int passes);
+    void project(double dt, double drift);
+    void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
+    Array<Backend, real>* carrier() { return config_.reflection > 0 ? carrier_ : u_; }
     void toParticles(double dt);
     void moveParticles(double dt);
     void moveSurface(double dt, PicReport&);
@@ -101,6 +105,13 @@ private:
     double waterVolume(double* sums);
     double kick(double dt) const;
     void step(double dt, PicReport&);
+
+    // picViscosity.hpp
+    bool diffusesImplicitly(double dt) const;
+    ViscousFaces<D, real> viscousFaces(int d, bool atRestSides = false);
+    void diffuse(double dt);
+    void diffuseImplicitly(double dt, double number);
+    void solveViscous(real k);
 
     // picOutput.hpp
     std::vector<real> velocities(int d);
@@ -127,9 +138,12 @@ private:
 
     Array<Backend, real> phi_, carried_, spare_;
     Array<Backend, unsigned char> wet_, near_;
-    Array<Backend, real> u_[D], before_[D], change_[D], excess_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    Array<Backend, real> u_[D], before_[D], change_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    Array<Backend, real> after_[D], carrier_[D];    // with reflection: of particles after the step, and what carries them
     Array<Backend, unsigned char> layer_[D];
-    Array<Backend, double> pressure_;
+    Array<Backend, double> pressure_, reflected_;   // that of the step, and what takes away the divergence that drift brings
+    struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; } viscous_;      // of the implicit one
+    bool viscousConverged_ = true;
     bool wallsMove_ = false;
     PressureStep<Backend, D, real> pressureStep_;
     MultigridLinear ownSolver_;

@@ -1,7 +1,7 @@
 /*  PicSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, cells, bytes of the clock; the clock; each field of the
-    particles in the device's order; phi, p, and the velocities of the faces and their last changes; a checksum (FNV-1a over all words before it).
+    particles in the device's order; phi, p, and the velocities of the faces, their last changes and what particles took; a checksum (FNV-1a over all words before it).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,7 +15,7 @@ namespace riprap
 
 namespace detail
 {
-static constexpr std::int32_t picMagic = 0x72697032, picVersion = 1;
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 2;
 static constexpr int picHeader = 9;
 }
 
@@ -25,8 +25,8 @@ void PicSolver<Backend, D, P>::forEachSaved(const F& f)
 {
     for (int k = 0; k < set_.fields(); ++k) f(set_.bytes(k), std::size_t(n_)*set_.elementBytes(k));
     f(reinterpret_cast<unsigned char*>(phi_.data()), phi_.size()*sizeof(real));
-    f(reinterpret_cast<unsigned char*>(pressure_.data()), pressure_.size()*sizeof(double));
-    for (int d = 0; d < D; ++d) for (auto* a : {&u_[d], &change_[d]}) f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
+    for (auto* p : {&pressure_, &reflected_}) f(reinterpret_cast<unsigned char*>(p->data()), p->size()*sizeof(double));
+    for (int d = 0; d < D; ++d) for (auto* a : {&u_[d], &change_[d], &after_[d]}) f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
 }
 
 template<class Backend, int D, class P>

@@ -1,0 +1,165 @@
+/*  Viscosity on the grid, du/dt = nu lap u + F, over a step, both ways of second order in time. With d = nu dt/h^2, L = h^2 lap:
+
+    explicit (Heun)      s = u + d L u,   u' = (u + s + d L s)/2,                                stable for d <= 1/(2 D)
+    implicit (Alexander 1977, SIAM J. Numer. Anal. 14: SDIRK of order 2, stable for any d, and stiff parts decay), c = 1 - 1/sqrt 2
+        (1 - c d L) s  = u + c F dt
+        (1 - c d L) u' = u + (1 - c) (d L s + F dt) + c F dt
+
+    F, in the implicit one, is gravity and the last pressure's: what is left between walls is then no more than what they do not balance. The pressure's part is taken
+    off again, for the projection to find it anew. L u is the sum of differences to the faces about of the same direction; beyond a side of the block stands the image
+    (mirror.hpp), beyond the surface the extended velocity; faces that have none are no neighbours.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/extrapolate.hpp"
+#include "pic/transfer/mirror.hpp"
+
+namespace riprap
+{
+
+//- The faces of one direction as viscosity sees them
+template<int D, class R>
+struct ViscousFaces
+{
+    UniformGrid<D> grid;
+    int component;
+    const unsigned char* layer;
+    const R* wallVelocity;      // nullptr: walls rest
+
+    //- Does the equation hold there? The last layer along a periodic direction is a copy
+    HD bool open(int i) const
+    {
+        if (layer[i] == unknownFace || layer[i] == closedFace) return false;
+        return !grid.periodic[component] || grid.faceIndex(component, i).c[component] < grid.n[component];
+    }
+
+    //- L u
+    HD R laplacian(const R* u, int i) const
+    {
+        const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
+        R sum = 0;
+        for (int d = 0; d < D; ++d)
+            for (int offset = -1; offset <= 1; offset += 2)
+            {
+                typename UniformGrid<D>::Index at = f;
+                at.c[d] += offset;
+                R value;
+                if (at.c[d] >= 0 && at.c[d] < grid.layers(component, d))
+                {
+                    const int j = grid.face(component, at);
+                    if (layer[j] == unknownFace) continue;
+                    value = layer[j] == closedFace ? (wallVelocity ? wallVelocity[j] : R(0)) : u[j];
+                }
+                else if (grid.periodic[d] || d != component) value = faceValue(grid, u, component, at);
+                else continue;
+                sum += value - u[i];
+            }
+        return sum;
+    }
+};
+
+//- to = a u + b from + c L from
+template<int D, class R>
+struct Diffuse
+{
+    static constexpr const char* name = "diffuse";
+    ViscousFaces<D, R> faces;
+    const R* u;
+    const R* from;
+    R* to;
+    R a, b, c;
+
+    HD void operator()(int i) const
+    {
+        const unsigned char layer = faces.layer[i];
+        const R own = a*u[i] + b*from[i];
+        to[i] = layer == unknownFace || layer == closedFace ? own : own + c*faces.laplacian(from, i);
+    }
+};
+
+//- The right-hand sides of the implicit stages; stage 2 finds d L s = (s - u - c F dt)/c
+template<class R>
+struct ViscousSource
+{
+    static constexpr const char* name = "viscousSource";
+    const R* u;
+    const R* s;                 // nullptr: stage 1
+    const R* force;             // F dt
+    R* to;
+    R c;
+
+    HD void operator()(int i) const
+    {
+        const R f = force[i];
+        to[i] = u[i] + c*f;
+        if (s) to[i] += (1 - c)*((s[i] - u[i] - c*f)/c + f);
+    }
+};
+
+//- r = b - (1 - k L) x and p = r, where the equation holds
+template<int D, class R>
+struct ViscousResidual
+{
+    static constexpr const char* name = "viscousResidual";
+    ViscousFaces<D, R> faces;
+    const R* b;
+    const R* x;
+    R* r;
+    R* p;
+    R k;
+
+    HD void operator()(int i) const { p[i] = r[i] = faces.open(i) ? b[i] - x[i] + k*faces.laplacian(x, i) : R(0); }
+};
+
+//- q = (1 - k L) p
+template<int D, class R>
+struct ViscousProduct
+{
+    static constexpr const char* name = "viscousProduct";
+    ViscousFaces<D, R> faces;
+    const R* p;
+    R* q;
+    R k;
+
+    HD void operator()(int i) const { q[i] = faces.open(i) ? p[i] - k*faces.laplacian(p, i) : R(0); }
+};
+
+template<int D, class R>
+struct FaceDot
+{
+    static constexpr const char* name = "viscousDot";
+    ViscousFaces<D, R> faces;
+    const R* a;
+    const R* b;
+
+    HD void add(int i, double* sums) const { if (faces.open(i)) sums[0] += double(a[i])*double(b[i]); }
+};
+
+//- to = from + value; from may be nullptr: 0
+template<class R>
+struct SetFaces
+{
+    static constexpr const char* name = "setFaces";
+    const R* from;
+    R* to;
+    R value;
+
+    HD void operator()(int i) const { to[i] = (from ? from[i] : R(0)) + value; }
+};
+
+//- y = y + a x (or x + a y)
+template<class R>
+struct FaceAdd
+{
+    static constexpr const char* name = "viscousAdd";
+    const R* x;
+    R* y;
+    R a;
+    bool scaleY;
+
+    HD void operator()(int i) const { y[i] = scaleY ? x[i] + a*y[i] : y[i] + a*x[i]; }
+};
+
+} // namespace riprap
