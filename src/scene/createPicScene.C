@@ -69,7 +69,7 @@ void checkFluid(const PicConfig& c, const FluidInput& f)
 
 } // namespace
 
-std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
+std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside inside)
 {
     checkNumbers(config);
     checkFluid(config, fluid);
@@ -80,11 +80,11 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
     if (choice.device == DeviceKind::gpu)
     {
         const PicMaker make = two ? (mixed ? picGpu2Mixed : picGpu2Double) : (mixed ? picGpu3Mixed : picGpu3Double);
-        return make(config, fluid, walls, solver);
+        return make(config, fluid, walls, solver, std::move(inside));
     }
 #endif
     const PicMaker make = two ? (mixed ? picCpu2Mixed : picCpu2Double) : (mixed ? picCpu3Mixed : picCpu3Double);
-    return make(config, fluid, walls, solver);
+    return make(config, fluid, walls, solver, std::move(inside));
 }
 
 } // namespace riprap

@@ -69,6 +69,26 @@ struct PicWalls
     std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
 };
 
+//- A surface inside the domain, oriented or not
+struct PicObstacle
+{
+    std::string name;
+    std::vector<double> vertices;           // 3 each [m], as at the identity pose
+    std::vector<int> elements;              // 2D: two vertices each, in the plane; 3D: three
+    bool closed = true;                     // else a sheet: it parts, but has no inside
+    bool solidOutside = false;              // the water is inside, as in a basin
+    int body = -1;                          // index of its motion, -1: it rests
+};
+
+//- What is inside the domain; motion: of obstacles that move
+struct PicInside
+{
+    std::vector<PicObstacle> obstacles;
+    WallMotion motion;
+
+    bool empty() const { return obstacles.empty(); }
+};
+
 //- What one call of advance did
 struct PicReport
 {
@@ -134,6 +154,6 @@ public:
 
 //- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our multigrid, to pressureTolerance
 //  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
-std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr);
+std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr, PicInside inside = PicInside());
 
 } // namespace riprap

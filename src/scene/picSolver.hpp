@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picCut.hpp (solids inside the domain), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include "core/cellSort.hpp"
 #include "core/largest.hpp"
+#include "pic/cutCells/extendSurface.hpp"
+#include "pic/cutCells/pushOut.hpp"
 #include "pic/extrapolate.hpp"
 #include "pic/forces.hpp"
 #include "pic/positionCorrection.hpp"
@@ -46,7 +48,7 @@ public:
 
     using real = typename P::real;
 
-    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*);
+    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*, PicInside&&);
 
     PicReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { interrupted_ = true; }
@@ -71,6 +73,7 @@ private:
     static constexpr int extrapolationPasses = 5;
     static constexpr double bandCells = 4;      // of phi on either side of the surface
     static constexpr double wallMargin = 1e-3;  // of a cell: particles stay that far inside
+    static constexpr double nearSolid = 1.9;    // cells: distances are known a little farther
 
     // picSetup.hpp
     void setGrid();
@@ -86,6 +89,17 @@ private:
         const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient
     ) const;
     std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
+    int steepest() const;
+    void dropInside(std::vector<double>& x);
+
+    // picCut.hpp
+    bool cuts() const { return !inside_.empty(); }
+    void allocateCut();
+    void cutGrid(double t, double dt);
+    void moveInside(double dt);
+    SolidField<D, real> solidField();
+    void extendSurface(Array<Backend, real>& phi);
+    std::vector<char> clearCells(double clear);
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
@@ -144,6 +158,14 @@ private:
     struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; } viscous_;      // of the implicit one
     bool viscousConverged_ = true;
     bool wallsMove_ = false;
+
+    PicWalls sides_;
+    PicInside inside_;
+    bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
+    Array<Backend, double> nodeDistance_;       // to solids
+    Array<Backend, real> open_, openWeight_;    // parts of cells
+    Array<Backend, unsigned char> cellLayer_, sealed_[D];
+
     PressureStep<Backend, D, real> pressureStep_;
     MultigridLinear ownSolver_;
     LinearSolver& linearSolver_;                // the caller's, else ownSolver_

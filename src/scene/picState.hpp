@@ -76,6 +76,11 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         if (size) context_.toDevice(data, &words[at], size);
         at += (size + 3)/4;
     });
+    if (cuts())
+    {
+        cutGrid(clock_.time, clock_.lastStep > 0 ? clock_.lastStep : 1);
+        cutForStep_ = insideMoves_ && clock_.steps > 0;
+    }
     sortParticles();
     markWater();
     double sums[3];

@@ -38,7 +38,8 @@ void Foam::solverModules::picDem::buildScene
             config,
             fluidInput(cloud),
             grid_.walls(),
-            &pressure_
+            &pressure_,
+            inside()
         );
     }
     catch (const std::invalid_argument& e)

@@ -67,6 +67,11 @@ void Foam::solverModules::picDem::logModels() const
     logItem("fluid") << "rho " << c.density << " kg/m3, mu " << c.viscosity
         << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
+    if (obstacles_.valid())
+    {
+        logItem("obstacles") << listed(obstacles_->names()).c_str() << ", moving: "
+            << bodies_.size() << nl;
+    }
 
     logItem("time step");
     if (c.adjustTimeStep)

@@ -26,14 +26,10 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     asRead_(readPicSettings(mesh)),
     settings_(asRead_),
     grid_(mesh, asRead_.config),
+    obstacles_(wallGeometry(runTime)),
+    bodies_(runTime, asRead_.motion),
     pressure_(runTime, "p", mesh.solverDict("p"))
 {
-    if (wallGeometry(runTime).valid())
-    {
-        FatalErrorInFunction
-            << "constant/geometry has obstacles, and picDem knows the mesh's"
-            << " patches only: take the folder away" << exit(FatalError);
-    }
     checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
