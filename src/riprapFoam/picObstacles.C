@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "picObstacles.H"
-#include "walls/wallSurface.H"
+#include "wallSurface.H"
 #include "wallPoints.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -25,28 +25,41 @@ void PicSolver<Backend, D, P>::allocateCut()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
 {
-    const PicCut cut = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);
-    setWalls(cut.walls);
-    nodeDistance_.upload(context_, cut.nodeDistance);
-    for (int d = 0; d < D; ++d)
-        sealed_[d].upload(context_, std::vector<unsigned char>(cut.sealed[d].begin(), cut.sealed[d].end()));
+    if (base_.nodeDistance.empty() || base_.moves)
+    {
+        base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);
+        for (int d = 0; d < D; ++d)
+            sealed_[d].upload(context_, std::vector<unsigned char>(base_.sealed[d].begin(), base_.sealed[d].end()));
+    }
+    std::vector<double> distance = base_.nodeDistance;
+    if (bodies_)
+    {
+        cutByBodies(base_, distance);
+        PicWalls walls;
+        for (int d = 0; d < D; ++d) { walls.aperture[d] = bodyGrid_.aperture[d]; walls.wallVelocity[d] = bodyGrid_.wallVelocity[d]; }
+        setWalls(walls);
+    }
+    else setWalls(base_.walls);
+    nodeDistance_.upload(context_, distance);
     const int cells = grid_.cells();
     forEach(context_, cells, OpenVolumes<D, real>{{grid_}, nodeDistance_.data(), open_.data()});
     forEach(context_, cells, OpenWeights<D, real>{grid_, open_.data(), openWeight_.data()});
-    insideMoves_ = cut.moves;
+    insideMoves_ = base_.moves || bodies_;
 }
 
-//- Solids to where they are at the end of the step; particles that they have run over come out
+//- Solids to where they are at the end of the step; particles that they have run over come out. \return false when a guard has fired
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::moveInside(double dt)
+bool PicSolver<Backend, D, P>::moveInside(double dt, double before)
 {
-    if (!cuts()) return;
+    if (!cuts()) return true;
+    if (bodies_ && !advanceSolids(dt, before)) return false;
     if (insideMoves_)
     {
         cutGrid(clock_.time + dt, dt);
         cutForStep_ = true;
     }
     forEach(context_, n_, PushOut<D, real>{solidField(), particles(), wallMargin*grid_.h});
+    return true;
 }
 
 template<class Backend, int D, class P>

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include "pic/pressure/linearSolver.hpp"
+#include "scene/demScene.hpp"
 #include "scene/fluidScene.hpp"
 
 namespace riprap
@@ -80,13 +81,23 @@ struct PicObstacle
     int body = -1;                          // index of its motion, -1: it rests
 };
 
+//- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and gravity
+struct PicSolids
+{
+    DemConfig config;
+    DemInput input;
+    bool weak = false;                      // their motion from the last step's pressure, not solved with it
+};
+
 //- What is inside the domain; motion: of obstacles that move
 struct PicInside
 {
     std::vector<PicObstacle> obstacles;
     WallMotion motion;
+    std::shared_ptr<const PicSolids> solids;        // null: there are none
+    std::unique_ptr<DemScene> scene;                // theirs; made by createPicScene
 
-    bool empty() const { return obstacles.empty(); }
+    bool empty() const { return obstacles.empty() && !scene; }
 };
 
 //- What one call of advance did
@@ -136,6 +147,13 @@ public:
     virtual void interrupt() = 0;
 
     virtual PicGridState grid() = 0;
+
+    //- The solids, null: there are none; to be read, not to be advanced
+    virtual DemScene* solids() { return nullptr; }
+
+    //- The water's force on all of them in the last step [N], and their steps in it
+    struct Coupling { Vector3 force{{0, 0, 0}}; int subcycles = 0; };
+    virtual Coupling coupling() { return Coupling(); }
 
     //- Edge of the square or cube that a particle stands for [m]
     virtual double particleSpacing() const = 0;

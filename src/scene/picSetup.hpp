@@ -26,6 +26,7 @@ PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& f
     {
         sides_ = walls;
         allocateCut();
+        setSolids();
         cutGrid(clock_.time, 1);
     }
     else setWalls(walls);

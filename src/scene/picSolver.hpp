@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picCut.hpp (solids inside the domain), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,6 +26,9 @@
 #include "pic/transfer/moveParticles.hpp"
 #include "pic/transfer/particleToGrid.hpp"
 #include "pic/wetCells.hpp"
+#include "coupling/solidView.hpp"
+#include "scene/picBodies.hpp"
+#include "scene/picObstacles.hpp"
 #include "scene/picScene.hpp"
 
 namespace riprap
@@ -55,6 +58,8 @@ public:
     double time() const override { return clock_.time; }
     FluidState fluid() override;
     PicGridState grid() override;
+    DemScene* solids() override { return inside_.scene.get(); }
+    Coupling coupling() override { return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling(); }
     FluidEnergy energy() override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     SampleResult sample(const std::vector<double>& points) override;
@@ -96,10 +101,17 @@ private:
     bool cuts() const { return !inside_.empty(); }
     void allocateCut();
     void cutGrid(double t, double dt);
-    void moveInside(double dt);
+    bool moveInside(double dt, double before);
     SolidField<D, real> solidField();
     void extendSurface(Array<Backend, real>& phi);
     std::vector<char> clearCells(double clear);
+
+    // picSolids.hpp
+    void setSolids();
+    void cutByBodies(const PicCut& base, std::vector<double>& distance);
+    void useBodyVelocities(bool predicted);
+    void projectWithBodies(double dt);
+    bool advanceSolids(double dt, double before);
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
@@ -161,6 +173,11 @@ private:
 
     PicWalls sides_;
     PicInside inside_;
+    SolidSide<D, P>* solidSide_ = nullptr;
+    std::unique_ptr<PicBodies<D>> bodies_;      // null: there are none
+    PicCut base_;                               // by what does not belong to the solids
+    BodyGrid<D> bodyGrid_;
+    int subcycles_ = 0;
     bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
     Array<Backend, double> nodeDistance_;       // to solids
     Array<Backend, real> open_, openWeight_;    // parts of cells

@@ -139,6 +139,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         const real part = clock_.steps ? real(0.5*drift/clock_.lastStep) : real(0);
         for (int d = 0; d < D; ++d)
             forEach(context_, grid_.faces(d), KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()});
+        if (bodies_) useBodyVelocities(false);
         force(before_, false);
         pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
         for (int d = 0; d < D; ++d)
@@ -146,7 +147,8 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
-    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    if (bodies_) projectWithBodies(dt);
+    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
     for (int d = 0; d < D; ++d)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>
@@ -292,12 +294,14 @@ double PicSolver<Backend, D, P>::kick(double dt) const { return clock_.steps ? 0
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
 {
+    const double before = clock_.steps ? clock_.lastStep : 0;
     if (insideMoves_ && !cutForStep_) cutGrid(clock_.time, dt);
+    if (bodies_) bodies_->predict(dt, before);
     clock_.lastKick = kick(dt);
     project(clock_.lastKick, dt);
     toParticles(clock_.lastKick);
     moveParticles(dt);
-    moveInside(dt);
+    if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
     moveSurface(dt, report);
     holdVolume();
     clock_.time += dt;
