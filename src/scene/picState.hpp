@@ -98,6 +98,8 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         if (!bodies_->setMemory(memory)) { n_ = before; fail("it has other solids"); }
         const std::size_t at = solidsAt + 1 + 2*memory.size();
         inside_.scene->loadState(std::vector<std::int32_t>(words.begin() + at + 1, words.end() - 1));
+        bodies_->read();
+        bodies_->hold();
     }
     std::memcpy(static_cast<void*>(&clock_), &words[detail::picHeader], sizeof(PicClock));
     forEachSaved([&](unsigned char* data, std::size_t size)
