@@ -82,6 +82,7 @@ static void readPicProperties(checkedDictionary pic, picSettings& settings)
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
 
     readWalls(pic, settings);
+    settings.weak = pic.either("coupling", "weak", "implicit", false);
     readGuards(pic, settings);
 
     pic.end();

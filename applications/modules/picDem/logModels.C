@@ -88,6 +88,11 @@ void Foam::solverModules::picDem::logModels() const
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
+
+    if (solids_)
+    {
+        solids_->logModels();
+    }
 }
 
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    What is inside the mesh: the surfaces of constant/geometry.
+    What is inside the mesh: the surfaces of constant/geometry, and solids.
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
@@ -30,7 +30,7 @@ Foam::labelList Foam::solverModules::picDem::bodyOfObstacle() const
 }
 
 
-riprap::PicInside Foam::solverModules::picDem::inside() const
+riprap::PicInside Foam::solverModules::picDem::inside(bool continued)
 {
     riprap::PicInside inside;
     const labelList bodyOf(bodyOfObstacle());
@@ -39,6 +39,10 @@ riprap::PicInside Foam::solverModules::picDem::inside() const
     {
         inside.obstacles =
             picObstacles(mesh_, *obstacles_, bodyOf, grid_.cellSize());
+    }
+    if (solids_)
+    {
+        inside.solids = solids_->input(continued);
     }
     if (bodies_.size())
     {
