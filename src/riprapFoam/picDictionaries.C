@@ -82,6 +82,8 @@ static void readPicProperties(checkedDictionary pic, picSettings& settings)
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
 
     readWalls(pic, settings);
+    settings.contactVelocity =
+        pic.between("contactVelocity", settings.contactVelocity, 0, 1);
     settings.weak = pic.either("coupling", "weak", "implicit", false);
     readGuards(pic, settings);
 

@@ -41,7 +41,8 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     motion_(solids.input.groupMotion),
     verlet_(solids.config.integrator == DemIntegratorKind::velocityVerlet),
     clumps_(!solids.input.clumps.empty()),
-    weak_(solids.weak)
+    weak_(solids.weak),
+    beta_(solids.contactVelocity)
 {
     for (int d = 0; d < 3; ++d) axes_[d] = config.axes[d];
     for (int d = 0; d < D; ++d) gravity_[d] = config.gravity[axes_[d]];
@@ -69,6 +70,7 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
         all_.push_back(b);
     }
     memory_.resize(all_.size());
+    ballOfId_.resize(largestId_ + 1);
     for (auto* v : {&forces_, &moments_}) v->assign(3*std::size_t(largestId_ + 1), 0.0);
 }
 
@@ -158,6 +160,7 @@ void PicBodies<D>::read()
             for (int d = 0; d < D; ++d) ball.centre[d] = s.position[3*std::size_t(slot[id]) + axes_[d]];
             ball.radius = s.radius[slot[id]];
             f.shape.balls.push_back(ball);
+            ballOfId_[id] = ball;
         }
         f.reach = f.shape.reach(f.centre);
         f.velocity.assign(n.velocity.begin(), n.velocity.end());
@@ -296,6 +299,35 @@ double PicBodies<D>::fastest() const
         most = std::max(most, std::sqrt(v2) + std::sqrt(w2)*bodies_[i].reach);
     }
     return most;
+}
+
+//- Where solids touch each other or walls, in the middle of what is left between them
+template<int D>
+std::vector<ContactArea<D>> PicBodies<D>::contacts(const UniformGrid<D>& grid) const
+{
+    const DemContacts all = scene_.contacts();
+    std::vector<ContactArea<D>> areas;
+    for (std::size_t k = 0; k < all.a.size(); ++k)
+    {
+        const Ball<D>& a = ballOfId_[all.a[k]];
+        ContactArea<D> area;
+        for (int d = 0; d < D; ++d) area.normal[d] = all.point[3*k + axes_[d]] - a.centre[d];
+        double reach = std::sqrt(squaredNorm(area.normal));
+        if (!(reach > 0)) continue;
+        if (all.b[k] >= 0)
+        {
+            const Ball<D>& b = ballOfId_[all.b[k]];
+            area.normal = b.centre - a.centre;
+            const double distance = std::sqrt(squaredNorm(area.normal));
+            if (!(distance > 0)) continue;
+            reach = 0.5*(distance + a.radius - b.radius);
+            area.normal = (1/distance)*area.normal;
+        }
+        else area.normal = (1/reach)*area.normal;
+        for (int d = 0; d < D; ++d) area.point[d] = a.centre[d] + std::max(reach, a.radius)*area.normal[d] - grid.origin[d];
+        areas.push_back(area);
+    }
+    return areas;
 }
 
 template<int D>

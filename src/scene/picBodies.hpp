@@ -19,6 +19,7 @@
 #pragma once
 
 #include "pic/bodies/ballUnion.hpp"
+#include "pic/bodies/contactArea.hpp"
 #include "pic/bodies/cutBodies.hpp"
 #include "scene/picScene.hpp"
 
@@ -59,6 +60,8 @@ public:
     bool clumps() const { return clumps_; }
     bool weak() const { return weak_; }
     double fastest() const;
+    double contactVelocity() const { return beta_; }
+    std::vector<ContactArea<D>> contacts(const UniformGrid<D>&) const;
     Vector3 force() const;                      // of the water on all of them [N]
 
     //- For a saved state
@@ -106,6 +109,8 @@ private:
     std::vector<Now> now_;
     std::vector<FreeBody<D, Shape>> bodies_;
     bool verlet_ = false, clumps_ = false, weak_ = false;
+    double beta_ = 1;
+    std::vector<Ball<D>> ballOfId_;
     int largestId_ = 0;
 };
 

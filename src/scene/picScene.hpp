@@ -87,6 +87,7 @@ struct PicSolids
     DemConfig config;
     DemInput input;
     bool weak = false;                      // their motion from the last step's pressure, not solved with it
+    double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
 };
 
 //- What is inside the domain; motion: of obstacles that move

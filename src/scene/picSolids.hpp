@@ -72,6 +72,43 @@ void PicSolver<Backend, D, P>::projectWithBodies(double dt)
     bodies_->act(bodyGrid_.terms, pressure_.download().data());
 }
 
+//- Eq. 20: each cell knows the contacts that reach it
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::slowBetweenSolids()
+{
+    const std::vector<ContactArea<D>> areas = bodies_->contacts(grid_);
+    if (areas.empty()) return;
+    const double reach = std::sqrt(contactAlong*contactAlong + contactAcross*contactAcross);
+    std::vector<std::pair<int, int>> pairs;
+    for (int k = 0; k < int(areas.size()); ++k)
+    {
+        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        for (int d = 0; d < D; ++d)
+        {
+            const double s = areas[k].point[d]/grid_.h;
+            low[d] = std::max(0, floorInt(s - reach));
+            high[d] = std::min(grid_.n[d] - 1, floorInt(s + reach));
+        }
+        typename UniformGrid<D>::Index c{{0, 0, 0}};
+        for (c.c[2] = low[2]; c.c[2] <= high[2]; ++c.c[2])
+            for (c.c[1] = low[1]; c.c[1] <= high[1]; ++c.c[1])
+                for (c.c[0] = low[0]; c.c[0] <= high[0]; ++c.c[0]) pairs.push_back({grid_.cell(c), k});
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<int> first(grid_.cells() + 1, 0), contact(pairs.size());
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+    {
+        ++first[pairs[p].first + 1];
+        contact[p] = pairs[p].second;
+    }
+    for (int c = 0; c < grid_.cells(); ++c) first[c + 1] += first[c];
+    contactFirst_.upload(context_, first);
+    contactOf_.upload(context_, contact);
+    contactAreas_.upload(context_, areas);
+    forEach(context_, n_, SlowBetweenSolids<D, real>
+        {grid_, particles(), contactFirst_.data(), contactOf_.data(), contactAreas_.data(), bodies_->contactVelocity()});
+}
+
 //- \return false when a guard of the solids has fired
 template<class Backend, int D, class P>
 bool PicSolver<Backend, D, P>::advanceSolids(double dt, double before)

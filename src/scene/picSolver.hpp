@@ -111,6 +111,7 @@ private:
     void cutByBodies(const PicCut& base, std::vector<double>& distance);
     void useBodyVelocities(bool predicted);
     void projectWithBodies(double dt);
+    void slowBetweenSolids();
     bool advanceSolids(double dt, double before);
 
     // picStep.hpp
@@ -178,6 +179,8 @@ private:
     PicCut base_;                               // by what does not belong to the solids
     BodyGrid<D> bodyGrid_;
     int subcycles_ = 0;
+    Array<Backend, int> contactFirst_, contactOf_;
+    Array<Backend, ContactArea<D>> contactAreas_;
     bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
     Array<Backend, double> nodeDistance_;       // to solids
     Array<Backend, real> open_, openWeight_;    // parts of cells

@@ -300,6 +300,7 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
     clock_.lastKick = kick(dt);
     project(clock_.lastKick, dt);
     toParticles(clock_.lastKick);
+    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
     moveParticles(dt);
     if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
     moveSurface(dt, report);

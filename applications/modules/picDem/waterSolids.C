@@ -25,7 +25,8 @@ Foam::waterSolids::waterSolids
         fluid.config.precision,
         boundary
     ),
-    weak_(fluid.weak)
+    weak_(fluid.weak),
+    contactVelocity_(fluid.contactVelocity)
 {}
 
 
@@ -42,6 +43,7 @@ std::shared_ptr<const riprap::PicSolids> Foam::waterSolids::input
     solids->config = settings_.config;
     solids->input = input_;
     solids->weak = weak_;
+    solids->contactVelocity = contactVelocity_;
     return solids;
 }
 
@@ -56,7 +58,8 @@ void Foam::waterSolids::registerScene(riprap::PicScene& scene)
 void Foam::waterSolids::logModels() const
 {
     Info<< nl << "Solids in the water" << nl;
-    logItem("coupling") << (weak_ ? "weak" : "implicit") << nl;
+    logItem("coupling") << (weak_ ? "weak" : "implicit")
+        << ", contactVelocity " << contactVelocity_ << nl;
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
     logSolids(fluidStep, limit);
