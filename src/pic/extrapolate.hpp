@@ -1,7 +1,8 @@
 /*  Velocities of faces where none is known, from known ones, layer by layer.
 
     A face takes the mean over its known neighbours along the axes of u_1 + minmod(u_1 - u_2, u_2 - u_3), the values at distances of one, two and three faces:
-    linear where the field is smooth, constant where it is not. Closed faces are no source: what is beyond a wall says nothing about the water.
+    linear where the field is smooth, constant where it is not. Closed faces on the sides of the block are no source: what is beyond a wall says nothing
+    about the water. Faces that are closed inside the block are filled: particles beside a solid see them, as if the water went on into it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -14,6 +15,10 @@ namespace riprap
 
 //- Layer of a face: 0 known, then the pass that has filled it
 static constexpr unsigned char closedFace = 254, unknownFace = 255;
+
+//- Is it one of the faces at the two ends of its direction?
+template<int D>
+HD bool atEnd(const UniformGrid<D>& grid, int component, int along) { return !grid.periodic[component] && (along == 0 || along == grid.n[component]); }
 
 //- Known are faces through which a wet cell's water flows
 template<int D, class R>
@@ -31,7 +36,8 @@ struct MarkByWetCells
         const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
         const int low = grid.cellOf(component, f, 0), high = grid.cellOf(component, f, 1);
         const bool known = (low >= 0 && wet[low]) || (high >= 0 && wet[high]);
-        layer[i] = !(aperture[i] > R(0)) ? closedFace : (known ? 0 : unknownFace);
+        if (aperture[i] > R(0)) layer[i] = known ? 0 : unknownFace;
+        else layer[i] = atEnd(grid, component, f.c[component]) ? closedFace : unknownFace;
     }
 };
 
@@ -40,11 +46,17 @@ template<int D, class R>
 struct MarkByMass
 {
     static constexpr const char* name = "markMassFaces";
+    UniformGrid<D> grid;
+    int component;
     const R* mass;
     const R* aperture;
     unsigned char* layer;
 
-    HD void operator()(int i) const { layer[i] = !(aperture[i] > R(0)) ? closedFace : (mass[i] > R(1e-3) ? 0 : unknownFace); }
+    HD void operator()(int i) const
+    {
+        const bool side = !(aperture[i] > R(0)) && atEnd(grid, component, grid.faceIndex(component, i).c[component]);
+        layer[i] = side ? closedFace : (mass[i] > R(1e-3) ? 0 : unknownFace);
+    }
 };
 
 template<int D, class R>

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "pic/extrapolate.hpp"
 #include "pic/transfer/mirror.hpp"
 
 namespace riprap

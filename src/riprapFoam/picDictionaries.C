@@ -36,10 +36,12 @@ static void readSeeds(checkedDictionary& pic, riprap::PicConfig& config)
 }
 
 
-static void readWalls(checkedDictionary& pic, riprap::PicConfig& config)
+static void readWalls(checkedDictionary& pic, picSettings& settings)
 {
+    riprap::PicConfig& config = settings.config;
     checkedDictionary dict(pic.subDict("walls"));
     config.noSlip = dict.either("slip", "noSlip", "freeSlip", config.noSlip);
+    settings.motion = readWallMotion(dict.subDict("motion"));
     dict.end();
 }
 
@@ -79,7 +81,10 @@ static void readPicProperties(checkedDictionary pic, picSettings& settings)
     config.positionCorrection =
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
 
-    readWalls(pic, config);
+    readWalls(pic, settings);
+    settings.contactVelocity =
+        pic.between("contactVelocity", settings.contactVelocity, 0, 1);
+    settings.weak = pic.either("coupling", "weak", "implicit", false);
     readGuards(pic, settings);
 
     pic.end();

@@ -18,6 +18,11 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
     const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
+    if (bodies_)
+    {
+        const double solid = courantStep(config_.maxCourant, grid_.h, bodies_->fastest(), std::sqrt(g2));
+        if (solid < dt) { dt = solid; limit = "solids"; }
+    }
     const double viscous = viscousStep(grid_.h, config_.viscosity/config_.density, D);
     if (viscous < dt && config_.viscousScheme == ViscousKind::explicitly) { dt = viscous; limit = "viscous"; }
     if (config_.maxTimeStep < dt) { dt = config_.maxTimeStep; limit = "maximum"; }
@@ -33,6 +38,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     PicReport report;
     report.minTimeStep = 1e300;
     if (interrupted_) maxSteps = 1;
+    if (solidSide_) solidSide_->beginReport();
     while (clock_.time < t && n_ > 0 && (maxSteps <= 0 || report.steps < maxSteps))
     {
         const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
@@ -49,6 +55,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         else if (config_.adjustTimeStep) dt = left/std::ceil(left/dt*(1 - 1e-9));
         toGrid();
         step(dt, report);
+        if (report.stop != StopReason::none) break;
         if (last) clock_.time = t;
         ++report.steps;
         report.lastTimeStep = dt;
@@ -59,6 +66,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     }
     interrupted_ = false;
     report.viscosityConverged = viscousConverged_;
+    if (solidSide_) solidSide_->endReport();
     if (!report.steps) report.minTimeStep = 0;
     report.time = clock_.time;
     report.totalSteps = clock_.steps;

@@ -6,6 +6,8 @@
 
 #include "core/device.hpp"
 #include "scene/picSetup.hpp"
+#include "scene/picCut.hpp"
+#include "scene/picSolids.hpp"
 #include "scene/picStep.hpp"
 #include "scene/picViscosity.hpp"
 #include "scene/picAdvance.hpp"

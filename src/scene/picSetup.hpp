@@ -5,6 +5,7 @@
 #pragma once
 
 #include <numeric>
+#include "pic/cutCells/fillSolids.hpp"
 #include "pic/seeding.hpp"
 #include "scene/picSolver.hpp"
 
@@ -12,15 +13,23 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
+PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside&& inside)
 :
     config_(config),
+    inside_(std::move(inside)),
     linearSolver_(solver ? *solver : ownSolver_)
 {
     ownSolver_.controls.tolerance = config.pressureTolerance;
     setGrid();
-    setWalls(walls);
     clock_.time = config.startTime;
+    if (cuts())
+    {
+        sides_ = walls;
+        allocateCut();
+        setSolids();
+        cutGrid(clock_.time, 1);
+    }
+    else setWalls(walls);
     setFluid(fluid);
     context_.synchronise();
 }
@@ -100,6 +109,38 @@ void PicSolver<Backend, D, P>::setSides()
     }
 }
 
+template<class T>
+std::vector<double> asDouble(const std::vector<T>& v) { return std::vector<double>(v.begin(), v.end()); }
+
+//- The direction in which gravity is largest; -1: there is none
+template<class Backend, int D, class P>
+int PicSolver<Backend, D, P>::steepest() const
+{
+    int up = 0;
+    for (int d = 1; d < D; ++d) if (std::abs(gravity_[d]) > std::abs(gravity_[up])) up = d;
+    return gravity_[up] != 0 ? up : -1;
+}
+
+//- Points that lie in solids are left out
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::dropInside(std::vector<double>& x)
+{
+    const std::vector<double> distance = nodeDistance_.download();
+    SolidField<D, real> solids{};
+    solids.grid = grid_;
+    solids.distance = distance.data();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < x.size()/D; ++i)
+    {
+        Vec<D, double> at, normal;
+        for (int d = 0; d < D; ++d) at.c[d] = x[i*D + d];
+        if (solids.at(at, normal) < wallMargin*grid_.h) continue;
+        for (int d = 0; d < D; ++d) x[kept*D + d] = x[i*D + d];
+        ++kept;
+    }
+    x.resize(kept*D);
+}
+
 //- The solved components of points, above the block's corner, or of vectors
 template<class Backend, int D, class P>
 std::vector<double> PicSolver<Backend, D, P>::solved(const std::vector<double>& xyz, bool position) const
@@ -115,13 +156,16 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
 {
     const real band = real(bandCells*grid_.h);
     const std::vector<double> x = solved(fluid.position, true), v = solved(fluid.velocity, false);
-    const std::vector<double> fill = fillOfBoxes<D>(grid_, x, config_.spacing);
+    std::vector<double> fill = fillOfBoxes<D>(grid_, x, config_.spacing);
+    if (cuts()) fillSolids(grid_, clearCells(std::min(config_.spacing, nearSolid*grid_.h)), asDouble(open_.download()), steepest(), fill);
     const std::vector<real> phi = surfaceOf<D, real>(grid_, fill, band);
     phi_.upload(context_, phi);
-    const double total = std::accumulate(fill.begin(), fill.end(), 0.0)*grid_.volume();
+    double sums[3];
+    const double total = (cuts() ? waterVolume(sums) : std::accumulate(fill.begin(), fill.end(), 0.0))*grid_.volume();
     if (config_.seedsPerDirection > 0)
     {
-        const std::vector<double> at = seeds<D, real>(grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
+        std::vector<double> at = seeds<D, real>(grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
+        if (cuts()) dropInside(at);
         std::vector<double> gradient;
         const std::vector<double> velocity = velocitiesAt(at, x, v, gradient);
         setParticles(at, velocity, gradient, std::vector<std::int32_t>());
@@ -137,7 +181,6 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     clock_.initial = n_;
     sortParticles();
     markWater();
-    double sums[3];
     volume_ = waterVolume(sums);
     flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
 }

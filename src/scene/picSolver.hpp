@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include "core/cellSort.hpp"
 #include "core/largest.hpp"
+#include "pic/cutCells/extendSurface.hpp"
+#include "pic/cutCells/pushOut.hpp"
 #include "pic/extrapolate.hpp"
 #include "pic/forces.hpp"
 #include "pic/positionCorrection.hpp"
@@ -24,6 +26,9 @@
 #include "pic/transfer/moveParticles.hpp"
 #include "pic/transfer/particleToGrid.hpp"
 #include "pic/wetCells.hpp"
+#include "coupling/solidView.hpp"
+#include "scene/picBodies.hpp"
+#include "scene/picObstacles.hpp"
 #include "scene/picScene.hpp"
 
 namespace riprap
@@ -46,13 +51,15 @@ public:
 
     using real = typename P::real;
 
-    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*);
+    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*, PicInside&&);
 
     PicReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { interrupted_ = true; }
     double time() const override { return clock_.time; }
     FluidState fluid() override;
     PicGridState grid() override;
+    DemScene* solids() override { return inside_.scene.get(); }
+    Coupling coupling() override { return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling(); }
     FluidEnergy energy() override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     SampleResult sample(const std::vector<double>& points) override;
@@ -71,6 +78,7 @@ private:
     static constexpr int extrapolationPasses = 5;
     static constexpr double bandCells = 4;      // of phi on either side of the surface
     static constexpr double wallMargin = 1e-3;  // of a cell: particles stay that far inside
+    static constexpr double nearSolid = 1.9;    // cells: distances are known a little farther
 
     // picSetup.hpp
     void setGrid();
@@ -86,6 +94,25 @@ private:
         const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient
     ) const;
     std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
+    int steepest() const;
+    void dropInside(std::vector<double>& x);
+
+    // picCut.hpp
+    bool cuts() const { return !inside_.empty(); }
+    void allocateCut();
+    void cutGrid(double t, double dt);
+    bool moveInside(double dt, double before);
+    SolidField<D, real> solidField();
+    void extendSurface(Array<Backend, real>& phi);
+    std::vector<char> clearCells(double clear);
+
+    // picSolids.hpp
+    void setSolids();
+    void cutByBodies(const PicCut& base, std::vector<double>& distance);
+    void useBodyVelocities(bool predicted);
+    void projectWithBodies(double dt);
+    void slowBetweenSolids();
+    bool advanceSolids(double dt, double before);
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
@@ -145,6 +172,21 @@ private:
     struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; } viscous_;      // of the implicit one
     bool viscousConverged_ = true;
     bool wallsMove_ = false;
+
+    PicWalls sides_;
+    PicInside inside_;
+    SolidSide<D, P>* solidSide_ = nullptr;
+    std::unique_ptr<PicBodies<D>> bodies_;      // null: there are none
+    PicCut base_;                               // by what does not belong to the solids
+    BodyGrid<D> bodyGrid_;
+    int subcycles_ = 0;
+    Array<Backend, int> contactFirst_, contactOf_;
+    Array<Backend, ContactArea<D>> contactAreas_;
+    bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
+    Array<Backend, double> nodeDistance_;       // to solids
+    Array<Backend, real> open_, openWeight_;    // parts of cells
+    Array<Backend, unsigned char> cellLayer_, sealed_[D];
+
     PressureStep<Backend, D, real> pressureStep_;
     MultigridLinear ownSolver_;
     LinearSolver& linearSolver_;                // the caller's, else ownSolver_

@@ -100,7 +100,7 @@ void PicSolver<Backend, D, P>::toGrid()
             forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, before_[d].data()});
             forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, mass_[d].data()});
         }
-        forEach(context_, faces, MarkByMass<D, real>{mass_[d].data(), aperture_[d].data(), layer_[d].data()});
+        forEach(context_, faces, MarkByMass<D, real>{grid_, d, mass_[d].data(), aperture_[d].data(), layer_[d].data()});
     }
     extrapolate({before_}, 3);
 }
@@ -139,6 +139,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         const real part = clock_.steps ? real(0.5*drift/clock_.lastStep) : real(0);
         for (int d = 0; d < D; ++d)
             forEach(context_, grid_.faces(d), KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()});
+        if (bodies_) useBodyVelocities(false);
         force(before_, false);
         pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
         for (int d = 0; d < D; ++d)
@@ -146,7 +147,8 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
-    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    if (bodies_) projectWithBodies(dt);
+    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
     for (int d = 0; d < D; ++d)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>
@@ -209,6 +211,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.nearWater = near_.data();
         f.timeStep = dt;
         f.order = config_.advectionOrder;
+        f.inside = cuts();
         f.margin = wallMargin*grid_.h;
         forEach(context_, n_, f);
     });
@@ -232,7 +235,9 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
         forEach(context_, cells, f);
     });
     sortParticles(&report);
-    forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), carried_.data(), band});
+    forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), cuts() ? open_.data() : nullptr,
+        cuts() ? openWeight_.data() : nullptr, carried_.data(), band});
+    if (cuts()) extendSurface(carried_);
     redistance();
     markWater();
 }
@@ -255,7 +260,7 @@ void PicSolver<Backend, D, P>::redistance()
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::waterVolume(double* sums)
 {
-    const auto s = sumOver<3>(context_, grid_.cells(), WaterVolume<D, real>{grid_, phi_.data(), nullptr, 0.05*grid_.h});
+    const auto s = sumOver<3>(context_, grid_.cells(), WaterVolume<D, real>{grid_, phi_.data(), cuts() ? open_.data() : nullptr, 0.05*grid_.h});
     for (int k = 0; k < 3; ++k) sums[k] = s[k];
     return s[0];
 }
@@ -289,10 +294,15 @@ double PicSolver<Backend, D, P>::kick(double dt) const { return clock_.steps ? 0
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
 {
+    const double before = clock_.steps ? clock_.lastStep : 0;
+    if (insideMoves_ && !cutForStep_) cutGrid(clock_.time, dt);
+    if (bodies_) bodies_->predict(dt, before);
     clock_.lastKick = kick(dt);
     project(clock_.lastKick, dt);
     toParticles(clock_.lastKick);
+    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
     moveParticles(dt);
+    if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
     moveSurface(dt, report);
     holdVolume();
     clock_.time += dt;

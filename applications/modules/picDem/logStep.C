@@ -38,6 +38,10 @@ void Foam::solverModules::picDem::report()
             << " residual " << report_.largestResidual << endl;
     }
 
+    if (solids_)
+    {
+        solids_->logStep();
+    }
     logEscaped(report_.escaped.size(), run_.escaped);
     logProgress();
 }
