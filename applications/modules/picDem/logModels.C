@@ -66,6 +66,10 @@ void Foam::solverModules::picDem::logModels() const
     }
     logItem("fluid") << "rho " << c.density << " kg/m3, mu " << c.viscosity
         << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;
+    if (c.viscosity > 0)
+    {
+        logItem("viscosity") << picNames::viscosity[c.viscousScheme] << nl;
+    }
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
     if (obstacles_.valid())
     {
