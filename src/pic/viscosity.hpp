@@ -6,8 +6,8 @@
         (1 - c d L) u' = u + (1 - c) (d L s + F dt) + c F dt
 
     F, in the implicit one, is gravity and the last pressure's: what is left between walls is then no more than what they do not balance. The pressure's part is taken
-    off again, for the projection to find it anew. L u is the sum of differences to the faces about of the same direction; beyond a side of the block stands the image
-    (mirror.hpp), beyond the surface the extended velocity; faces that have none are no neighbours.
+    off again, for the projection to find it anew. L u is the sum of differences to the faces about of the same direction; beyond a side that water sticks to it is what makes the wall's
+    velocity at the wall; beyond the surface the extended velocity. Sides that water slides along and faces without a velocity are no neighbours.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,6 +27,7 @@ struct ViscousFaces
     int component;
     const unsigned char* layer;
     const R* wallVelocity;      // nullptr: walls rest
+    bool homogeneous;           // as if all walls rested
 
     //- Does the equation hold there? The last layer along a periodic direction is a copy
     HD bool open(int i) const
@@ -50,10 +51,11 @@ struct ViscousFaces
                 {
                     const int j = grid.face(component, at);
                     if (layer[j] == unknownFace) continue;
-                    value = layer[j] == closedFace ? (wallVelocity ? wallVelocity[j] : R(0)) : u[j];
+                    value = layer[j] == closedFace ? (wallVelocity && !homogeneous ? wallVelocity[j] : R(0)) : u[j];
                 }
-                else if (grid.periodic[d] || d != component) value = faceValue(grid, u, component, at);
-                else continue;
+                else if (grid.periodic[d]) value = faceValue(grid, u, component, at);
+                else if (d == component || !grid.sticks[d][offset > 0]) continue;
+                else value = (homogeneous ? R(0) : 2*R(grid.slide[d][offset > 0][component])) - u[i];
                 sum += value - u[i];
             }
         return sum;

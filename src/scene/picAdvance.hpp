@@ -13,9 +13,12 @@ template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::timeStep(std::string& limit)
 {
     if (!config_.adjustTimeStep) { limit = "fixed"; return config_.fixedTimeStep; }
-    double g2 = 0;
+    double g2 = 0, slide = 0;               // a wall that slides will carry particles along
     for (int d = 0; d < D; ++d) g2 += gravity_[d]*gravity_[d];
-    const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
+    for (const auto& axis : grid_.slide)
+        for (const auto& side : axis)
+            for (const double v : side) slide = std::max(slide, std::abs(v));
+    const double speed = std::max(slide, largestOver(context_, n_, ParticleSpeed<D, real>{particles()}));
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
     if (bodies_)

@@ -18,7 +18,7 @@ std::vector<typename P::real> PicSolver<Backend, D, P>::velocities(int d)
     now.allocate(context_, n_);
     withOrder([&](auto order)
     {
-        forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{atRest(grid_), particles(), d, change_[d].data(), near_.data(),
+        forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
             real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});
     });
     return now.download();

@@ -135,7 +135,7 @@ private:
 
     // picViscosity.hpp
     bool diffusesImplicitly(double dt) const;
-    ViscousFaces<D, real> viscousFaces(int d, bool atRestSides = false);
+    ViscousFaces<D, real> viscousFaces(int d, bool homogeneous = false);
     void diffuse(double dt);
     void diffuseImplicitly(double dt, double number);
     void solveViscous(real k);

@@ -166,7 +166,6 @@ void PicSolver<Backend, D, P>::toParticles(double dt)
     {
         GridToParticle<decltype(order)::value, D, real> f{};
         f.grid = grid_;
-        f.changes = atRest(grid_);
         f.particles = particles();
         for (int d = 0; d < D; ++d)
         {

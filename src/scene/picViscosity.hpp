@@ -17,9 +17,9 @@ bool PicSolver<Backend, D, P>::diffusesImplicitly(double dt) const
 }
 
 template<class Backend, int D, class P>
-ViscousFaces<D, typename P::real> PicSolver<Backend, D, P>::viscousFaces(int d, bool atRestSides)
+ViscousFaces<D, typename P::real> PicSolver<Backend, D, P>::viscousFaces(int d, bool homogeneous)
 {
-    return {atRestSides ? atRest(grid_) : grid_, d, layer_[d].data(), wallsMove_ && !atRestSides ? wallVelocity_[d].data() : nullptr};
+    return {grid_, d, layer_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr, homogeneous};
 }
 
 //- From before_ to u_

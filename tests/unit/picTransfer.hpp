@@ -118,7 +118,7 @@ struct Cloud
         Array<Backend, unsigned char> near;
         near.upload(context, std::vector<unsigned char>(grid.cells(), 1));
         GridToParticle<Order, D, R> f{};
-        f.grid = f.changes = grid;
+        f.grid = grid;
         f.particles = view();
         for (int d = 0; d < D; ++d) f.u[d] = f.du[d] = u[d].data();
         f.nearWater = near.data();

@@ -37,7 +37,7 @@ HD R fillOf(const UniformGrid<D>& g, const PicParticles<D, R>& particles, const 
     for (int d = 0; d < D; ++d) node[d] = c.c[d] + 0.5;
     const double inverse = 1/g.h, reach = BSpline<2>::support;
     R sum = 0;
-    forEachImage<D>(g, -1, node, reach, [&](const double* s, ImageOf)
+    forEachImage<D>(g, node, reach, [&](const double* s)
     {
         forEachNear<D>(g, particles.start, s, reach, [&](int p)
         {

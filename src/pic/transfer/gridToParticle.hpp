@@ -21,7 +21,7 @@ template<int Order, int D, class R>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
-    UniformGrid<D> grid, changes;       // changes: with sides at rest
+    UniformGrid<D> grid;
     PicParticles<D, R> particles;
     const R* u[D];
     const R* du[D];
@@ -55,7 +55,7 @@ struct GridToParticle
                 for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
             }
             else if (picPart > 0) pic = sampleFace<Order>(grid, u[d], d, x);
-            if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + sampleFace<Order>(changes, du[d], d, x));
+            if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + sampleFace<Order>(grid, du[d], d, x));
             if (picPart > 0) v += picPart*pic;
             particles.v[d][i] = v;
         }

@@ -31,50 +31,26 @@ HD void forEachNear(const UniformGrid<D>& g, const int* start, const double* s, 
         }
 }
 
-//- What an image makes of a velocity: offset + sign v
-struct ImageOf
-{
-    double sign, offset;
-};
-
-//- An image of an image
-HD ImageOf imageOf(ImageOf a, ImageOf b) { return ImageOf{a.sign*b.sign, a.offset + a.sign*b.offset}; }
-
-//- That beyond the lower or upper side along an axis; component -1: cells
-template<int D>
-HD ImageOf mirrorImage(const UniformGrid<D>& g, int component, int axis, int upper)
-{
-    if (component < 0) return ImageOf{1, 0};
-    if (axis == component) return ImageOf{-1, 0};
-    return g.sticks[axis][upper] ? ImageOf{-1, 2*g.slide[axis][upper][component]} : ImageOf{1, 0};
-}
-
-//- f(s, image) for a node at s and those of its images that particles in the block can see; component -1: cells
+//- f(s) for the middle of a cell at s and those of its images that particles in the block can see
 template<int D, class F>
-HD void forEachImage(const UniformGrid<D>& g, int component, const double* node, double reach, const F& f)
+HD void forEachImage(const UniformGrid<D>& g, const double* node, double reach, const F& f)
 {
     double variant[D][3];
-    ImageOf image[D][3];
     int variants[3] = {1, 1, 1};
     for (int a = 0; a < D; ++a)
     {
         const double s = node[a], n = g.n[a];
         variant[a][0] = s;
-        image[a][0] = ImageOf{1, 0};
-        const auto add = [&](double at, ImageOf of)
-        {
-            variant[a][variants[a]] = at;
-            image[a][variants[a]++] = of;
-        };
+        const auto add = [&](double at) { variant[a][variants[a]++] = at; };
         if (g.periodic[a])
         {
-            if (s < reach) add(s + n, ImageOf{1, 0});
-            if (n - s < reach) add(s - n, ImageOf{1, 0});
+            if (s < reach) add(s + n);
+            if (n - s < reach) add(s - n);
         }
         else
         {
-            if (s > 0 && s < reach) add(-s, mirrorImage(g, component, a, 0));
-            if (s < n && n - s < reach) add(2*n - s, mirrorImage(g, component, a, 1));
+            if (s > 0 && s < reach) add(-s);
+            if (s < n && n - s < reach) add(2*n - s);
         }
     }
     for (int k = 0; k < (D == 3 ? variants[2] : 1); ++k)
@@ -82,9 +58,8 @@ HD void forEachImage(const UniformGrid<D>& g, int component, const double* node,
             for (int i = 0; i < variants[0]; ++i)
             {
                 double s[D] = {variant[0][i], variant[1][j]};
-                ImageOf of = imageOf(image[0][i], image[1][j]);
-                if constexpr (D == 3) { s[2] = variant[2][k]; of = imageOf(of, image[2][k]); }
-                f(s, of);
+                if constexpr (D == 3) s[2] = variant[2][k];
+                f(s);
             }
 }
 

@@ -4,7 +4,7 @@
 
     in units of a particle's mass; C_p only with APIC (Jiang et al. 2015, Eqs. 8-10). W, a product of B-splines, sums to one over the faces: mass and momentum
     are conserved to round-off, and with APIC angular momentum about the nodes. At the sides of the block images of the particles count as well (mirror.hpp):
-    the mass stays, the wall takes momentum; images beyond a side that water sticks to move against the water, about the side's velocity.
+    the mass stays, the wall takes momentum. What runs along a side that water sticks to has no image: the particles' gradients tell what it is there.
 
     In two passes, so that the weights of a particle are found once: each cell sums its own particles over the faces that they can see; each face
     adds what the cells about it have for it, in their order: the same input gives the same bits.
@@ -132,16 +132,16 @@ struct GatherCells
     {
         const typename UniformGrid<D>::Index at = grid.faceIndex(component, face);
         int place[3][3] = {};
-        ImageOf image[3][3];
+        R sign[3][3];
         int images[3] = {1, 1, 1};
-        for (auto& axis : image) for (ImageOf& one : axis) one = ImageOf{1, 0};
-        for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], image[a]);
+        for (auto& axis : sign) for (R& one : axis) one = 1;
+        for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], sign[a]);
         R m = 0, mv = 0;
         for (int k = 0; k < images[2]; ++k)
             for (int j = 0; j < images[1]; ++j)
                 for (int i = 0; i < images[0]; ++i)
                     addCells(typename UniformGrid<D>::Index{{place[0][i], place[1][j], place[2][k]}},
-                        imageOf(imageOf(image[0][i], image[1][j]), image[2][k]), m, mv);
+                        sign[0][i]*sign[1][j]*sign[2][k], m, mv);
         mass[face] = m;
         u[face] = m > 0 ? mv/m : R(0);
     }
@@ -152,32 +152,33 @@ private:
     HD int count(int a) const { return a >= D ? 1 : (a == component ? Seen::count : Seen::countAcross); }
 
     //- The face's place along an axis, and those of its images that a particle in the block can see
-    HD int imagesOf(int a, int i, int* place, ImageOf* image) const
+    HD int imagesOf(int a, int i, int* place, R* sign) const
     {
         const int n = grid.n[a];
         const bool own = a == component;
         int found = 0;
         place[found++] = i;
-        const auto add = [&](int j, ImageOf of)
+        const auto add = [&](int j, R s)
         {
             if (j == i || j < low(a) || j >= n + low(a) + count(a) - 1) return;
             place[found] = j;
-            image[found++] = of;
+            sign[found++] = s;
         };
         if (grid.periodic[a])
         {
-            add(i + n, ImageOf{1, 0});
-            add(i - n, ImageOf{1, 0});
+            add(i + n, R(1));
+            add(i - n, R(1));
         }
         else
         {
-            add(own ? -i : -1 - i, mirrorImage(grid, component, a, 0));
-            add(own ? 2*n - i : 2*n - 1 - i, mirrorImage(grid, component, a, 1));
+            const R odd = own ? R(-1) : R(1);
+            if (own || !grid.sticks[a][0]) add(own ? -i : -1 - i, odd);
+            if (own || !grid.sticks[a][1]) add(own ? 2*n - i : 2*n - 1 - i, odd);
         }
         return found;
     }
 
-    HD void addCells(const typename UniformGrid<D>::Index& at, ImageOf image, R& m, R& mv) const
+    HD void addCells(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv) const
     {
         int from[3] = {0, 0, 0}, to[3] = {0, 0, 0};         // cells that see the face
         for (int a = 0; a < D; ++a)
@@ -200,7 +201,7 @@ private:
                     const std::size_t number = std::size_t(fixed + step[0]*(at.c[0] - i - low(0)))*stride + slot[row + i];
                     const R seen = cellMass[number];
                     m += seen;
-                    mv += R(image.sign)*cellMomentum[number] + R(image.offset)*seen;
+                    mv += sign*cellMomentum[number];
                 }
             }
     }
