@@ -28,6 +28,7 @@ struct MarkByWetCells
     UniformGrid<D> grid;
     const unsigned char* wet;   // cells
     const R* aperture;          // of this direction's faces
+    const R* distance;          // of their middles to solids that water sticks to; nullptr: there are none
     int component;
     unsigned char* layer;
 
@@ -36,7 +37,9 @@ struct MarkByWetCells
         const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
         const int low = grid.cellOf(component, f, 0), high = grid.cellOf(component, f, 1);
         const bool known = (low >= 0 && wet[low]) || (high >= 0 && wet[high]);
-        if (aperture[i] > R(0)) layer[i] = known ? 0 : unknownFace;
+        // what an open face whose middle lies in the solid has is the solid's velocity, and tells nothing of the water's slope
+        if (distance && !(distance[i] > R(0)) && !atEnd(grid, component, f.c[component])) layer[i] = unknownFace;
+        else if (aperture[i] > R(0)) layer[i] = known ? 0 : unknownFace;
         else layer[i] = atEnd(grid, component, f.c[component]) ? closedFace : unknownFace;
     }
 };

@@ -7,17 +7,45 @@
 
     F, in the implicit one, is gravity and the last pressure's: what is left between walls is then no more than what they do not balance. The pressure's part is taken
     off again, for the projection to find it anew. L u is the sum of differences to the faces about of the same direction; beyond a side that water sticks to it is what makes the wall's
-    velocity at the wall; beyond the surface the extended velocity. Sides that water slides along and faces without a velocity are no neighbours.
+    velocity at the wall; beyond the surface the extended velocity. Sides that water slides along and faces without a velocity are no neighbours. Faces whose middle lies in a
+    solid that water sticks to have its velocity w; between one of those and a face in the water the surface lies at the part theta of h, and the difference is
+    (w - u)/theta (ghost fluid).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "pic/extrapolate.hpp"
+#include "pic/cutCells/apertures.hpp"
 #include "pic/transfer/mirror.hpp"
 
 namespace riprap
 {
+
+//- Of the way from a face in the water to one in a solid: no less than this part is water
+static constexpr double nearestSolid = 0.05;
+
+//- Distance of the middle of faces to solids: the mean of their corners'
+template<int D, class R>
+struct FaceDistances
+{
+    static constexpr const char* name = "faceDistances";
+    NodeGrid<D> nodes;
+    int component;
+    const double* distance;     // nodes
+    R* to;
+
+    HD void operator()(int i) const
+    {
+        const int n = nodes.node(nodes.grid.faceIndex(component, i));
+        if constexpr (D == 2) to[i] = R(0.5*(distance[n] + distance[n + nodes.stride(1 - component)]));
+        else
+        {
+            const int a = nodes.stride(component == 0 ? 1 : 0), b = nodes.stride(component == 2 ? 1 : 2);
+            to[i] = R(0.25*(distance[n] + distance[n + a] + distance[n + b] + distance[n + a + b]));
+        }
+    }
+};
 
 //- The faces of one direction as viscosity sees them
 template<int D, class R>
@@ -28,11 +56,23 @@ struct ViscousFaces
     const unsigned char* layer;
     const R* wallVelocity;      // nullptr: walls rest
     bool homogeneous;           // as if all walls rested
+    const R* distance;          // to solids that water sticks to; nullptr: there are none
+    const R* solidVelocity;     // of those, at faces on either side of their surfaces; nullptr: they rest
+
+    HD bool inSolid(int i) const { return distance && !(distance[i] > R(0)); }
+    HD R velocityOfWall(int i) const { return wallVelocity && !homogeneous ? wallVelocity[i] : R(0); }
+    HD R velocityOfSolid(int i) const { return solidVelocity && !homogeneous ? solidVelocity[i] : R(0); }
+
+    //- Part of the way from face i in the water to face j in a solid
+    HD R theta(int i, int j) const { return maximum(distance[i]/(distance[i] - distance[j]), R(nearestSolid)); }
+
+    //- Velocity of the solid where that way ends
+    HD R onSurface(int i, int j, R theta) const { return velocityOfSolid(i) + theta*(velocityOfSolid(j) - velocityOfSolid(i)); }
 
     //- Does the equation hold there? The last layer along a periodic direction is a copy
     HD bool open(int i) const
     {
-        if (layer[i] == unknownFace || layer[i] == closedFace) return false;
+        if (layer[i] == unknownFace || layer[i] == closedFace || inSolid(i)) return false;
         return !grid.periodic[component] || grid.faceIndex(component, i).c[component] < grid.n[component];
     }
 
@@ -50,8 +90,14 @@ struct ViscousFaces
                 if (at.c[d] >= 0 && at.c[d] < grid.layers(component, d))
                 {
                     const int j = grid.face(component, at);
+                    if (inSolid(j))
+                    {
+                        const R part = theta(i, j);
+                        if (!inSolid(i)) sum += (onSurface(i, j, part) - u[i])/part;
+                        continue;
+                    }
                     if (layer[j] == unknownFace) continue;
-                    value = layer[j] == closedFace ? (wallVelocity && !homogeneous ? wallVelocity[j] : R(0)) : u[j];
+                    value = layer[j] == closedFace ? velocityOfWall(j) : u[j];
                 }
                 else if (grid.periodic[d]) value = faceValue(grid, u, component, at);
                 else if (d == component || !grid.sticks[d][offset > 0]) continue;
@@ -126,6 +172,17 @@ struct ViscousProduct
     R k;
 
     HD void operator()(int i) const { q[i] = faces.open(i) ? p[i] - k*faces.laplacian(p, i) : R(0); }
+};
+
+//- Faces in solids that water sticks to have the solid's velocity
+template<int D, class R>
+struct StickToSolids
+{
+    static constexpr const char* name = "stickToSolids";
+    ViscousFaces<D, R> faces;
+    R* u;
+
+    HD void operator()(int i) const { if (faces.inSolid(i)) u[i] = faces.velocityOfSolid(i); }
 };
 
 template<int D, class R>

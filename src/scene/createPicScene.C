@@ -105,6 +105,8 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
     checkFluid(config, fluid);
     fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
     const DeviceChoice choice = chooseDevice(config.device, fluid.size(), config.dimensions);
+    require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly && (!inside.obstacles.empty() || inside.solids)),
+        "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or implicit for viscosity");
     makeSolids(config, choice.device, solver, inside);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA

@@ -236,9 +236,33 @@ void PicBodies<D>::act(const std::vector<BodyTerm>& terms, const double* p)
         m.old = m.force;
         for (int k = 0; k < modes; ++k)
         {
-            m.force[k] = -against[k];
+            m.force[k] = -against[k] + now_[i].drag[k];
             m.middle[k] = terms[i].velocity[k];
         }
+    }
+}
+
+template<int D>
+void PicBodies<D>::startDrag() { for (Now& n : now_) n.drag.fill(0); }
+
+template<int D>
+void PicBodies<D>::drag(int body, int component, double force, const Vec<D, double>& at)
+{
+    const Vec<D, double> arm = at - bodies_[body].centre;
+    for (int k = 0; k < modes; ++k) now_[body].drag[k] += force*modeVelocity(k, component, arm);
+}
+
+template<int D>
+void PicBodies<D>::endDrag(double dt, double viscosity, const std::vector<BodyTerm>& terms)
+{
+    for (std::size_t i = 0; i < now_.size(); ++i)
+    {
+        Now& n = now_[i];
+        const Memory& m = memory_[n.body];
+        const Modes& now = m.begun ? m.middle : n.velocity;
+        for (int s = D; s < modes; ++s) n.drag[s] -= 2*viscosity*terms[i].volume*now[s];
+        const Modes change = times(n, n.drag);
+        for (int k = 0; k < modes; ++k) n.predicted[k] += dt*change[k];
     }
 }
 

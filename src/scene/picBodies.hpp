@@ -59,6 +59,36 @@ public:
     bool verlet() const { return verlet_; }
     bool clumps() const { return clumps_; }
     bool weak() const { return weak_; }
+    //- f(body, face, its middle) for the faces of a direction whose middle is no farther than so many cells from a body
+    template<class F>
+    void eachFaceNear(const UniformGrid<D>& grid, int component, double cells, const F& f) const
+    {
+        for (int b = 0; b < int(bodies_.size()); ++b)
+        {
+            int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+            for (int d = 0; d < D; ++d)
+            {
+                low[d] = std::max(0, int(std::floor((bodies_[b].centre[d] - bodies_[b].reach - grid.origin[d])/grid.h - cells)) - 1);
+                high[d] = std::min(grid.layers(component, d) - 1, int(std::ceil((bodies_[b].centre[d] + bodies_[b].reach - grid.origin[d])/grid.h + cells)) + 1);
+            }
+            typename UniformGrid<D>::Index at{{0, 0, 0}};
+            for (at.c[2] = low[2]; at.c[2] <= high[2]; ++at.c[2])
+                for (at.c[1] = low[1]; at.c[1] <= high[1]; ++at.c[1])
+                    for (at.c[0] = low[0]; at.c[0] <= high[0]; ++at.c[0])
+                    {
+                        Vec<D, double> x;
+                        for (int d = 0; d < D; ++d) x[d] = grid.origin[d] + grid.h*(at.c[d] + (d == component ? 0.0 : 0.5));
+                        if (bodies_[b].shape.distance(x) < cells*grid.h) f(b, at, x);
+                    }
+        }
+    }
+
+    //- Viscous forces on bodies, added up, and then what they do to W*. The grid's viscosity is mu lap u, the stress mu (grad u + grad u^T): the second term
+    //  does nothing within the water, and on a body that turns it is the moment -2 mu V w, whatever its shape
+    void startDrag();
+    void drag(int body, int component, double force, const Vec<D, double>& at);
+    void endDrag(double dt, double viscosity, const std::vector<BodyTerm>&);
+
     double fastest() const;
     double contactVelocity() const { return beta_; }
     std::vector<ContactArea<D>> contacts(const UniformGrid<D>&) const;
@@ -85,7 +115,7 @@ private:
     struct Now
     {
         int body = 0;
-        Modes velocity{}, total{}, predicted{};
+        Modes velocity{}, total{}, predicted{}, drag{};
         std::array<double, modes*modes> inverse{};
         Vec<3, double> arm{{0, 0, 0}};          // from the centre to the particle that carries the force
     };

@@ -18,7 +18,11 @@ void PicSolver<Backend, D, P>::allocateCut()
     nodeDistance_.allocate(context_, nodes.count());
     for (auto* a : {&open_, &openWeight_}) a->allocate(context_, cells);
     cellLayer_.allocate(context_, cells);
-    for (int d = 0; d < D; ++d) sealed_[d].allocate(context_, grid_.faces(d));
+    for (int d = 0; d < D; ++d)
+    {
+        sealed_[d].allocate(context_, grid_.faces(d));
+        if (sticksInside()) faceDistance_[d].allocate(context_, grid_.faces(d));
+    }
 }
 
 //- For the step dt that begins at t
@@ -44,6 +48,8 @@ void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
     const int cells = grid_.cells();
     forEach(context_, cells, OpenVolumes<D, real>{{grid_}, nodeDistance_.data(), open_.data()});
     forEach(context_, cells, OpenWeights<D, real>{grid_, open_.data(), openWeight_.data()});
+    for (int d = 0; d < D && sticksInside(); ++d)
+        forEach(context_, grid_.faces(d), FaceDistances<D, real>{{grid_}, d, nodeDistance_.data(), faceDistance_[d].data()});
     insideMoves_ = base_.moves || bodies_;
 }
 

@@ -72,6 +72,69 @@ void PicSolver<Backend, D, P>::projectWithBodies(double dt)
     bodies_->act(bodyGrid_.terms, pressure_.download().data());
 }
 
+//- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else that of the closed part of a face
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::setSolidVelocity()
+{
+    constexpr double about = 1.5;               // cells
+    for (int component = 0; component < D; ++component)
+    {
+        std::vector<real> w = wallVelocity_[component].download();
+        if (bodies_)
+        {
+            const auto moving = bodies_->withVelocities(false);
+            std::vector<double> nearest(w.size(), about*grid_.h);
+            bodies_->eachFaceNear(grid_, component, about, [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
+            {
+                const int i = grid_.face(component, f);
+                const double distance = moving[body].shape.distance(x);
+                if (!(distance < nearest[i])) return;
+                nearest[i] = distance;
+                double v = 0;
+                for (int m = 0; m < bodyModes<D>; ++m) v += modeVelocity(m, component, x - moving[body].centre)*moving[body].velocity[m];
+                w[i] = real(v);
+            });
+        }
+        solidVelocity_[component].upload(context_, w);
+    }
+}
+
+//- What viscosity has taken from the water beside bodies in a step dt, they have got: across each pair of faces of which one lies in the water and one in
+//  the body mu (u - w)/theta h^(D - 2)
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::dragBodies(double dt)
+{
+    const double stress = config_.viscosity*(D == 2 ? 1.0 : grid_.h);
+    bodies_->startDrag();
+    for (int component = 0; component < D; ++component)
+    {
+        const std::vector<real> u = u_[component].download(), w = solidVelocity_[component].download();
+        const std::vector<real> distance = faceDistance_[component].download();
+        const std::vector<unsigned char> layer = layer_[component].download();
+        const ViscousFaces<D, real> faces{grid_, component, layer.data(), nullptr, false, distance.data(), w.data()};
+        // the mean of a face's corners, by which faces are told, differs from the distance of its middle by the bend of the surface
+        bodies_->eachFaceNear(grid_, component, 0.1, [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
+        {
+            const int i = grid_.face(component, f);
+            if (!faces.inSolid(i)) return;
+            for (int d = 0; d < D; ++d)
+                for (int offset = -1; offset <= 1; offset += 2)
+                {
+                    typename UniformGrid<D>::Index at = f;
+                    at.c[d] += offset;
+                    if (at.c[d] < 0 || at.c[d] >= grid_.layers(component, d)) continue;
+                    const int j = grid_.face(component, at);
+                    if (!faces.open(j)) continue;
+                    const real theta = faces.theta(j, i);
+                    Vec<D, double> surface = x;
+                    surface[d] += offset*(1 - theta)*grid_.h;
+                    bodies_->drag(body, component, stress*(double(u[j]) - faces.onSurface(j, i, theta))/theta, surface);
+                }
+        });
+    }
+    bodies_->endDrag(dt, config_.viscosity, bodyGrid_.terms);
+}
+
 //- Eq. 20: each cell knows the contacts that reach it
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::slowBetweenSolids()

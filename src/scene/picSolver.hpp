@@ -99,6 +99,7 @@ private:
 
     // picCut.hpp
     bool cuts() const { return !inside_.empty(); }
+    bool sticksInside() const { return cuts() && config_.noSlip && config_.viscosity > 0; }
     void allocateCut();
     void cutGrid(double t, double dt);
     bool moveInside(double dt, double before);
@@ -112,6 +113,8 @@ private:
     void useBodyVelocities(bool predicted);
     void projectWithBodies(double dt);
     void slowBetweenSolids();
+    void setSolidVelocity();
+    void dragBodies(double dt);
     bool advanceSolids(double dt, double before);
 
     // picStep.hpp
@@ -185,6 +188,7 @@ private:
     bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
     Array<Backend, double> nodeDistance_;       // to solids
     Array<Backend, real> open_, openWeight_;    // parts of cells
+    Array<Backend, real> faceDistance_[D], solidVelocity_[D];     // where water sticks to solids
     Array<Backend, unsigned char> cellLayer_, sealed_[D];
 
     PressureStep<Backend, D, real> pressureStep_;

@@ -153,7 +153,8 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>
             {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr, reflects ? carrier_[d].data() : nullptr});
-        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), d, layer_[d].data()});
+        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>
+            {grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()});
     }
     if (reflects) extrapolate({u_, change_, after_, carrier_}, extrapolationPasses);
     else extrapolate({u_, change_}, extrapolationPasses);

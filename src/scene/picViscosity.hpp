@@ -12,6 +12,7 @@ namespace riprap
 template<class Backend, int D, class P>
 bool PicSolver<Backend, D, P>::diffusesImplicitly(double dt) const
 {
+    if (sticksInside()) return true;            // a face close to a solid would limit an explicit step
     if (config_.viscousScheme != ViscousKind::automatic) return config_.viscousScheme == ViscousKind::implicitly;
     return dt > viscousStep(grid_.h, config_.viscosity/config_.density, D);
 }
@@ -19,13 +20,15 @@ bool PicSolver<Backend, D, P>::diffusesImplicitly(double dt) const
 template<class Backend, int D, class P>
 ViscousFaces<D, typename P::real> PicSolver<Backend, D, P>::viscousFaces(int d, bool homogeneous)
 {
-    return {grid_, d, layer_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr, homogeneous};
+    return {grid_, d, layer_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr, homogeneous,
+        sticksInside() ? faceDistance_[d].data() : nullptr, sticksInside() && wallsMove_ ? solidVelocity_[d].data() : nullptr};
 }
 
 //- From before_ to u_
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::diffuse(double dt)
 {
+    if (sticksInside() && wallsMove_) setSolidVelocity();
     const double number = config_.viscosity/config_.density*dt/(grid_.h*grid_.h);
     if (diffusesImplicitly(dt)) { diffuseImplicitly(dt, number); return; }
     const real k = real(number), half = real(0.5);
@@ -61,10 +64,15 @@ void PicSolver<Backend, D, P>::diffuseImplicitly(double dt, double number)
             for (int d = 0; d < D; ++d) forEach(context_, grid_.faces(d), SetFaces<real>{before_[d].data(), u_[d].data(), real(0)});
         solveViscous(k);
     }
+    if (sticksInside() && bodies_) dragBodies(dt);
     for (int d = 0; d < D; ++d)
     {
         // the pressure's part off again; gravity's comes with the other forces
         forEach(context_, grid_.faces(d), FaceAdd<real>{viscous_.force[d].data(), u_[d].data(), real(-1), false});
+    }
+    if (sticksInside())
+    {
+        for (int d = 0; d < D; ++d) forEach(context_, grid_.faces(d), StickToSolids<D, real>{viscousFaces(d), u_[d].data()});
     }
 }
 

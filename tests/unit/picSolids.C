@@ -178,5 +178,35 @@ TEST_P(PicSolidScene, RestsOnTheFloorAndContinuesToTheBit)
     EXPECT_LT(std::abs(r.volumeError), 1e-3);
 }
 
+//- Water between a turning cylinder and a round tank that it sticks to (Couette): velocity, and the moment 4 pi mu w r^2 R^2/(R^2 - r^2)
+TEST_P(PicSolidScene, FeelsTheMomentOfWaterThatSticks)
+{
+    if (D() == 3) GTEST_SKIP() << "a plane flow";
+    const double R = 0.45, r = 0.2, w = 1, nu = 0.02;
+    for (const int n : {24, 48})
+    {
+        PicConfig c = config(n);
+        c.gravity = {{0, 0, 0}};
+        c.noSlip = true;
+        c.viscosity = nu*c.density;
+        c.maxTimeStep = 0.05;
+        PicInside inside;
+        inside.obstacles.push_back(roundTank(2, R));
+        auto solids = balls(c, {{{0.5, 0.5, 0.5}}}, r, 1000);
+        solids->input.groups.resize(1);
+        solids->input.groups[0].motion = 0;
+        solids->input.groupMotion = [&](int, double) { RigidMotion m; m.spin[2] = w; m.centre = {{0.5, 0.5, 0.5}}; return m; };
+        inside.solids = solids;
+        const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+        EXPECT_EQ(s->advance(3).stop, StopReason::none);
+        const double at = 0.3, theory = w*r*r/(R*R - r*r)*(R*R/at - at), moment = 4*M_PI*nu*c.density*w*r*r*R*R/(R*R - r*r);
+        const SampleResult q = s->sample({0.5 + at, 0.5, 0.5, 0.5, 0.5 - at, 0.5});
+        const double coarse = n == 24 ? 3 : 1;
+        EXPECT_NEAR(q.velocity[1], theory, 0.02*coarse*theory);
+        EXPECT_NEAR(q.velocity[3], theory, 0.02*coarse*theory);
+        EXPECT_NEAR(s->solids()->particles().moment[2], -moment, 0.02*coarse*moment);
+    }
+}
+
 } // namespace
 } // namespace riprap
