@@ -54,11 +54,11 @@ void checkNumbers(const PicConfig& c)
     }
 }
 
-void checkFluid(const PicConfig& c, const FluidInput& f)
+void checkFluid(const PicConfig& c, const FluidInput& f, bool solids)
 {
     require(f.velocity.size() == f.position.size(), "fluid arrays of different lengths");
     require(f.id.empty() || f.id.size() == f.size(), "fluid ids of another length");
-    require(f.size() > 0, "there are no fluid particles");
+    require(f.size() > 0 || solids, "there are no fluid particles");
     for (std::size_t i = 0; i < f.size(); ++i)
         for (int d = 0; d < c.dimensions; ++d)
         {
@@ -102,9 +102,9 @@ void makeSolids(const PicConfig& c, DeviceKind device, const LinearSolver* solve
 std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside inside)
 {
     checkNumbers(config);
-    checkFluid(config, fluid);
+    checkFluid(config, fluid, bool(inside.solids));
     fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
-    const DeviceChoice choice = chooseDevice(config.device, fluid.size(), config.dimensions);
+    const DeviceChoice choice = chooseDevice(config.device, fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0), config.dimensions);
     require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly && (!inside.obstacles.empty() || inside.solids)),
         "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or implicit for viscosity");
     makeSolids(config, choice.device, solver, inside);

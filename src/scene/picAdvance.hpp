@@ -12,6 +12,7 @@ namespace riprap
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::timeStep(std::string& limit)
 {
+    if (clock_.initial == 0) { limit = "solids"; return inside_.scene->plan().timeStep; }
     if (!config_.adjustTimeStep) { limit = "fixed"; return config_.fixedTimeStep; }
     double g2 = 0, slide = 0;               // a wall that slides will carry particles along
     for (int d = 0; d < D; ++d) g2 += gravity_[d]*gravity_[d];
@@ -35,9 +36,26 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit) { return timeStep(limit); }
 
+//- Without water solids do what they do in a scene of their own, to the bit
+template<class Backend, int D, class P>
+PicReport PicSolver<Backend, D, P>::advanceDry(double t, std::int64_t maxSteps)
+{
+    PicReport report;
+    const DemReport solids = inside_.scene->advance(t, maxSteps);
+    interrupted_ = false;
+    clock_.time = report.time = solids.time;
+    clock_.steps = report.totalSteps = solids.totalSteps;
+    report.steps = solids.steps;
+    report.lastTimeStep = report.minTimeStep = report.maxTimeStep = solids.lastTimeStep;
+    report.limit = "solids";
+    if (solids.stop != DemStop::none) report.stop = StopReason::solids;
+    return report;
+}
+
 template<class Backend, int D, class P>
 PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
+    if (clock_.initial == 0) return advanceDry(t, maxSteps);
     PicReport report;
     report.minTimeStep = 1e300;
     if (interrupted_) maxSteps = 1;

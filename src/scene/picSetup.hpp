@@ -155,6 +155,7 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
 {
     const real band = real(bandCells*grid_.h);
+    if (fluid.size() == 0) { leaveDry(); return; }
     const std::vector<double> x = solved(fluid.position, true), v = solved(fluid.velocity, false);
     std::vector<double> fill = fillOfBoxes<D>(grid_, x, config_.spacing);
     if (cuts()) fillSolids(grid_, clearCells(std::min(config_.spacing, nearSolid*grid_.h)), asDouble(open_.download()), steepest(), fill);
@@ -183,6 +184,18 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     markWater();
     volume_ = waterVolume(sums);
     flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+}
+
+//- Solids alone: arrays of one particle that does not count, and no surface
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::leaveDry()
+{
+    phi_.upload(context_, std::vector<real>(grid_.cells(), real(bandCells*grid_.h)));
+    setParticles(std::vector<double>(D, 0.5*grid_.h), std::vector<double>(D, 0.0), std::vector<double>(D*D, 0.0), std::vector<std::int32_t>());
+    clock_.particleVolume = grid_.volume();
+    sortParticles();
+    n_ = 0;
+    markWater();
 }
 
 template<class Backend, int D, class P>

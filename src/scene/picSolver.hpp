@@ -54,7 +54,11 @@ public:
     PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*, PicInside&&);
 
     PicReport advance(double t, std::int64_t maxSteps) override;
-    void interrupt() override { interrupted_ = true; }
+    void interrupt() override
+    {
+        interrupted_ = true;
+        if (inside_.scene) inside_.scene->interrupt();
+    }
     double time() const override { return clock_.time; }
     FluidState fluid() override;
     PicGridState grid() override;
@@ -85,6 +89,7 @@ private:
     void setWalls(const PicWalls&);
     void setSides();
     void setFluid(const FluidInput&);
+    void leaveDry();
     void setParticles
     (
         const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
@@ -151,6 +156,7 @@ private:
 
     // picAdvance.hpp
     double timeStep(std::string& limit);
+    PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);
 
     PicConfig config_;
