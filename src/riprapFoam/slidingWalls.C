@@ -5,6 +5,7 @@
 
 #include "slidingWalls.H"
 #include "listed.H"
+#include "SubField.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
