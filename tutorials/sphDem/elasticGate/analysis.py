@@ -97,7 +97,7 @@ def analyse(run):
     modulus, own = closingModulus(t, x, level['level1']), bendingModulus(run)
     if modulus is not None:
         q.append(Quantity('E that the closing phase shows [MPa]', 1e-6*modulus, 1e-6*own, abs(modulus/own - 1)))
-    for k, where in ((0, 'at the gate'), (1, '5 cm behind')):
+    for k, where in ((0, '5 mm behind the gate'), (1, '5 cm behind')):
         q.append(Quantity(f'water level {where} at the end [mm]', computed=1e3*level[f'level{k}'][-1]))
     return q
 
@@ -135,6 +135,7 @@ def plotSensitivity(runs, path):
             axis.plot(measure(t, x), -k, 'o', color=colour, markersize=3.5)
         axis.axvline(measure(*base[:2]), color='k', linewidth=0.7)
         axis.axvline(measure(*rows[-1][1:3]), color='r', linewidth=0.7, linestyle='--')
+        axis.locator_params(axis='x', nbins=5)
         axis.set(xlabel=label, yticks=-np.arange(len(rows)), ylim=(-len(rows) + 0.5, 0.5))
         axis.set_yticklabels([r[0] for r in rows] if column == 0 else [], fontsize=6)
     plotting.save(fig, path)
@@ -155,8 +156,8 @@ def plot(runs, path):
         axes[k].legend(fontsize=5)
     for run in runs:
         level = run.table('level', 'waterLevel.dat')
-        axes[2].plot(level['Time'], 1e3*level['level0'], linewidth=0.8, label=f'{run.name}, at the gate')
-        axes[2].plot(level['Time'], 1e3*level['level1'], linewidth=0.8, linestyle=':')
+        near, = axes[2].plot(level['Time'], 1e3*level['level0'], linewidth=0.8)
+        axes[2].plot(level['Time'], 1e3*level['level1'], linewidth=0.8, linestyle=':', color=near.get_color())
     axes[2].set(xlabel='t [s]', ylabel='water level [mm]; dotted: 5 cm behind')
     run = runs[0]
     times = clouds.times(run.path)
