@@ -6,6 +6,7 @@
 
 #include <numeric>
 #include "pic/cutCells/fillSolids.hpp"
+#include <algorithm>
 #include "pic/seeding.hpp"
 #include "scene/picSolver.hpp"
 
@@ -260,6 +261,8 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
         bins[index(cellOf(&x[p*D], 0), cellOf(&x[p*D], 1), D == 3 ? cellOf(&x[p*D], D - 1) : 0)].push_back(p);
     std::vector<double> result(seeds.size(), 0.0);
     gradient.assign(seeds.size()*D, 0.0);
+    if (std::all_of(v.begin(), v.end(), [](double u) { return u == 0; })) return result;
+    #pragma omp parallel for
     for (std::size_t s = 0; s < seeds.size()/D; ++s)
     {
         const double* at = &seeds[s*D];
