@@ -7,8 +7,8 @@
 
     F, in the implicit one, is gravity and the last pressure's: what is left between walls is then no more than what they do not balance. The pressure's part is taken
     off again, for the projection to find it anew. L u is the sum of differences to the faces about of the same direction; beyond a side that water sticks to it is what makes the wall's
-    velocity at the wall; beyond the surface the extended velocity. Sides that water slides along and faces without a velocity are no neighbours. Faces whose middle lies in a
-    solid that water sticks to have its velocity w; between one of those and a face in the water the surface lies at the part theta of h, and the difference is
+    velocity at the wall; beyond the surface the explicit one finds the extended velocity, the implicit one nothing. Sides that water slides along and faces without a velocity are no neighbours.
+    Faces whose middle lies in a solid that water sticks to have its velocity w; between one of those and a face in the water the surface lies at the part theta of h, and the difference is
     (w - u)/theta (ghost fluid).
 
     SPDX-License-Identifier: GPL-3.0-or-later

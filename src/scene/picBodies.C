@@ -238,6 +238,7 @@ void PicBodies<D>::act(const std::vector<BodyTerm>& terms, const double* p)
         {
             m.force[k] = -against[k] + now_[i].drag[k];
             m.middle[k] = terms[i].velocity[k];
+            finite_ = finite_ && std::isfinite(m.force[k]);
         }
     }
 }
@@ -320,7 +321,8 @@ double PicBodies<D>::fastest() const
         double v2 = 0, w2 = 0;
         for (int d = 0; d < D; ++d) v2 += now_[i].velocity[d]*now_[i].velocity[d];
         for (int s = D; s < modes; ++s) w2 += now_[i].velocity[s]*now_[i].velocity[s];
-        most = std::max(most, std::sqrt(v2) + std::sqrt(w2)*bodies_[i].reach);
+        const double speed = std::sqrt(v2) + std::sqrt(w2)*bodies_[i].reach;
+        if (!(speed <= most)) most = speed;         // no number stays
     }
     return most;
 }

@@ -89,7 +89,8 @@ public:
     void drag(int body, int component, double force, const Vec<D, double>& at);
     void endDrag(double dt, double viscosity, const std::vector<BodyTerm>&);
 
-    double fastest() const;
+    double fastest() const;                     // [m/s], the turning surface's
+    bool finite() const { return finite_; }     // is the water's force on all of them a number?
     double contactVelocity() const { return beta_; }
     std::vector<ContactArea<D>> contacts(const UniformGrid<D>&) const;
     Vector3 force() const;                      // of the water on all of them [N]
@@ -138,7 +139,7 @@ private:
     std::vector<Memory> memory_;
     std::vector<Now> now_;
     std::vector<FreeBody<D, Shape>> bodies_;
-    bool verlet_ = false, clumps_ = false, weak_ = false;
+    bool verlet_ = false, clumps_ = false, weak_ = false, finite_ = true;
     double beta_ = 1;
     std::vector<Ball<D>> ballOfId_;
     int largestId_ = 0;

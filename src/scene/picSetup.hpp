@@ -4,9 +4,9 @@
 */
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 #include "pic/cutCells/fillSolids.hpp"
-#include <algorithm>
 #include "pic/seeding.hpp"
 #include "scene/picSolver.hpp"
 

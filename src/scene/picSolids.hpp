@@ -177,6 +177,7 @@ template<class Backend, int D, class P>
 bool PicSolver<Backend, D, P>::advanceSolids(double dt, double before)
 {
     const double from = clock_.time;
+    if (!bodies_->finite()) return false;
     // a clump feels a force from outside a step of its own later
     constexpr int leastOfClumps = 8;
     const int steps = std::max(solidSide_->subcycles(dt), bodies_->clumps() ? leastOfClumps : 1);

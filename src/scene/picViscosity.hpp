@@ -46,6 +46,10 @@ void PicSolver<Backend, D, P>::diffuseImplicitly(double dt, double number)
         for (auto* a : {&viscous_.force[d], &viscous_.source[d], &viscous_.r[d], &viscous_.p[d], &viscous_.q[d]})
             if (a->size() == 0) a->allocate(context_, grid_.faces(d));
 
+    // beyond the surface there is no stress: gravity, which nothing balances there, must not drag the water along
+    for (int d = 0; d < D; ++d)
+        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), d, layer_[d].data()});
+
     // what acts beside viscosity, as far as it is known: in a first step nothing
     PressureFields<D, real> f = pressureFields(dt);
     if (clock_.steps) pressureStep_.markWet(context_, f);
