@@ -214,8 +214,9 @@ sensitivity = {
     'water': [variant('inviscid', 'viscosity none; XSPH none; walls/slip freeSlip'), variant('XSPH-0.5', 'XSPH 0.5'),
               variant('alpha-0.05', 'artificialViscosity/alpha 0.05'), variant('wet-frictionless', 'couplingCoeffs/viscosity no'),
               variant('sound-20', 'soundSpeedRatio 20'), variant('wallsStationary', 'walls/model stationary')],
-    'resolution': [variant('water-3.5mm', f'{gate}spacing 0.0035'), variant('gate-0.625mm', sized(6.25e-4, 2.5e-4, 1.75e-3)),
-                   variant('fine', sized(6.25e-4, 2.5e-4, 8.75e-4))],
+    'resolution': [variant('water-3.33mm', f'{gate}spacing 0.003333333333'), variant('gate-0.625mm', sized(6.25e-4, 2.5e-4, 1.75e-3)),
+                   variant('gate-0.625mm-undamped', f'{sized(6.25e-4, 2.5e-4, 1.75e-3)}; {undamped}'),
+                   variant('fine', sized(6.25e-4, 2.5e-4, 8.75e-4)), variant('fine-undamped', f'{sized(6.25e-4, 2.5e-4, 8.75e-4)}; {undamped}')],
     # the model of the authors in reference/: E = 12 MPa, nu = 0.4 in plane strain, held, nothing damped
     'others': [variant('others', f'{rubber(12e6, 0.4, True)}; {held}; {undamped}'),
                variant('others-beam', f'{rubber(12e6, 0.4)}; {held}; {undamped}')],
