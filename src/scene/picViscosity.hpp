@@ -48,7 +48,7 @@ void PicSolver<Backend, D, P>::diffuseImplicitly(double dt, double number)
 
     // beyond the surface there is no stress: gravity, which nothing balances there, must not drag the water along
     for (int d = 0; d < D; ++d)
-        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), d, layer_[d].data()});
+        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()});
 
     // what acts beside viscosity, as far as it is known: in a first step nothing
     PressureFields<D, real> f = pressureFields(dt);
