@@ -118,7 +118,8 @@ TEST_P(PicSolidScene, HoldsAtAnyDensityWhereWeakCouplingDoesNot)
             inside.solids = balls(c, {{{0.5, 0.4, 0.5}}}, 5.0/32, 1000*ratio, weak);
             const auto s = createPicScene(c, water, PicWalls(), &solver, std::move(inside));
             const PicReport r = s->advance(0.15, 100);
-            const double y = s->solids()->particles().position[1];
+            const std::vector<double> x = s->solids()->particles().position;
+            const double y = x.empty() ? 1e300 : x[1];          // blown out of the domain
             if (weak) EXPECT_TRUE(r.stop != StopReason::none || r.time < 0.15 || !(std::abs(y - 0.4) < 0.15)) << ratio;
             else
             {
