@@ -10,6 +10,7 @@ Description
 #include "demNames.H"
 #include "listed.H"
 #include "moduleLog.H"
+#include "scene/demStill.hpp"
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -47,7 +48,7 @@ void Foam::sceneSolids::logSolids
 
     logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
         << ", step " << plan.timeStep << " s (" << plan.cause.c_str() << "): "
-        << label(std::ceil(fluidStep/plan.timeStep*(1 - 1e-9)))
+        << (riprap::isStill(input_) ? 1 : label(std::ceil(fluidStep/plan.timeStep*(1 - 1e-9))))
         << " a step of the fluid, which is " << fluidStep << " s (" << limit.c_str() << ')' << nl;
     for (const std::string& warning : plan.warnings)
     {
