@@ -78,9 +78,9 @@ private:
 
     //- Weights of `Count` faces along an axis, the first of which lies at s0 (in cells), and how the affine part changes along it
     template<bool Affine, int Count>
-    HD void along(int axis, double s0, int p, R* w, R* change) const
+    HD void along(int axis, double s0, double inverse, int p, R* w, R* change) const
     {
-        const R s = R(s0 - particles.x[axis][p]/grid.h);
+        const R s = R(s0 - particles.x[axis][p]*inverse);
         const R slope = Affine ? particles.affine[component*D + axis][p]*R(grid.h) : R(0);
         for (int i = 0; i < Count; ++i)
         {
@@ -93,10 +93,11 @@ private:
     HD void add(const typename UniformGrid<D>::Index& at, int p, R* m, R* mv) const
     {
         constexpr int n = Seen::count, b = Seen::countAcross, c = D == 3 ? Seen::countAcross : 1;
+        const double inverse = 1/grid.h;
         R wn[n], wb[b], wc[b] = {R(1)}, cn[n], cb[b], cc[b] = {R(0)};
-        along<Affine, n>(component, at.c[component] + Seen::low, p, wn, cn);
-        along<Affine, b>(across(0), at.c[across(0)] + Seen::lowAcross + 0.5, p, wb, cb);
-        if constexpr (D == 3) along<Affine, b>(across(1), at.c[across(1)] + Seen::lowAcross + 0.5, p, wc, cc);
+        along<Affine, n>(component, at.c[component] + Seen::low, inverse, p, wn, cn);
+        along<Affine, b>(across(0), at.c[across(0)] + Seen::lowAcross + 0.5, inverse, p, wb, cb);
+        if constexpr (D == 3) along<Affine, b>(across(1), at.c[across(1)] + Seen::lowAcross + 0.5, inverse, p, wc, cc);
         const R v = particles.v[component][p];
         for (int k = 0; k < c; ++k)
             for (int j = 0; j < b; ++j)

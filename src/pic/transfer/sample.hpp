@@ -24,9 +24,10 @@ struct Stencil
     //- component: the direction of the faces that are the nodes, -1: cells
     HD Stencil(const UniformGrid<D>& g, int component, const Vec<D, double>& x)
     {
+        const double inverse = 1/g.h;
         for (int a = 0; a < D; ++a)
         {
-            const double s = x.c[a]/g.h - (a == component ? 0.0 : 0.5);
+            const double s = x.c[a]*inverse - (a == component ? 0.0 : 0.5);
             first.c[a] = Spline::first(s);
             fraction[a] = R(s - first.c[a]);
             Spline::weights(fraction[a], w[a]);
