@@ -196,6 +196,36 @@ struct FaceDot
     HD void add(int i, double* sums) const { if (faces.open(i)) sums[0] += double(a[i])*double(b[i]); }
 };
 
+//- The last pressure in cells that have become wet since, which have none: that of their neighbours and what rests between
+template<int D>
+struct PressureOfNewCells
+{
+    static constexpr const char* name = "pressureOfNewCells";
+    UniformGrid<D> grid;
+    const int* wet;
+    const double* from;
+    double* to;
+    double weight[D];           // rho g h along each direction [Pa]
+
+    HD void operator()(int i) const
+    {
+        to[i] = from[i];
+        if (!wet[i] || from[i] != 0) return;
+        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
+        double sum = 0;
+        int count = 0;
+        for (int d = 0; d < D; ++d)
+            for (int offset = -1; offset <= 1; offset += 2)
+            {
+                const int n = grid.neighbour(c, d, offset);
+                if (n < 0 || from[n] == 0) continue;
+                sum += from[n] - offset*weight[d];
+                ++count;
+            }
+        if (count) to[i] = sum/count;
+    }
+};
+
 //- to = from + value; from may be nullptr: 0
 template<class R>
 struct SetFaces

@@ -178,7 +178,7 @@ private:
     Array<Backend, real> after_[D], carrier_[D];    // with reflection: of particles after the step, and what carries them
     Array<Backend, unsigned char> layer_[D];
     Array<Backend, double> pressure_, reflected_;   // that of the step, and what takes away the divergence that drift brings
-    struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; } viscous_;      // of the implicit one
+    struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; Array<Backend, double> pressure; } viscous_;      // of the implicit one
     bool viscousConverged_ = true;
     bool wallsMove_ = false;
 
