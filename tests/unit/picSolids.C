@@ -209,5 +209,34 @@ TEST_P(PicSolidScene, FeelsTheMomentOfWaterThatSticks)
     }
 }
 
+//- Without water they do what they do in a scene of their own, to the bit
+TEST_P(PicSolidScene, AloneAreAsInASceneOfTheirOwn)
+{
+    PicConfig c = config(16);
+    auto solids = balls(c, {{{0.4, 0.5, 0.5}}, {{0.55, 0.75, 0.5}}}, 0.125, 2700);
+    DemWall floor;
+    floor.plane = true;
+    floor.normal = {{0, 1, 0}};
+    floor.point = {{0, 0.3, 0}};
+    solids->input.walls.push_back(floor);
+    DemConfig alone = solids->config;
+    alone.device = c.device;
+    alone.dimensions = c.dimensions;
+    alone.precision = c.precision;
+    alone.gravity = c.gravity;
+    const auto dem = createDemScene(alone, solids->input);
+    const auto pic = withSolids(c, FluidInput(), solids);
+    for (const double t : {0.1, 0.3})
+    {
+        dem->advance(t);
+        EXPECT_EQ(pic->advance(t).stop, StopReason::none);
+    }
+    EXPECT_EQ(pic->time(), dem->time());
+    EXPECT_EQ(pic->solids()->particles().position, dem->particles().position);
+    EXPECT_EQ(pic->solids()->particles().velocity, dem->particles().velocity);
+    EXPECT_EQ(pic->fluid().id.size(), 0u);
+    for (const double w : pic->grid().water) EXPECT_EQ(w, 0);
+}
+
 } // namespace
 } // namespace riprap

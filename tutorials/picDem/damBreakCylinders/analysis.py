@@ -41,6 +41,11 @@ def arrival(run):
     return float('nan')
 
 
+def water(run, k):
+    """Particles of the k-th written time; those of time 0 are what the run seeded its own by"""
+    return len(clouds.readCloud(run.path, clouds.times(run.path)[k], ())['positions'])
+
+
 def analyse(run):
     times, x = cylinders(run)
     energy = run.table('energy', 'energyBalance.dat')
@@ -48,8 +53,7 @@ def analyse(run):
     result = [Quantity('end [s]', computed=times[-1]),
               Quantity('smallest distance of two surfaces / gap', computed=min(closest(p) for p in x)/tank(run, 'gap')),
               Quantity('cylinders', computed=len(x[-1])),
-              Quantity('water lost', computed=1 - len(clouds.readCloud(run.path, clouds.times(run.path)[-1], ())['positions'])
-                       /len(clouds.readCloud(run.path, clouds.times(run.path)[0], ())['positions'])),
+              Quantity('water lost', computed=1 - water(run, -1)/water(run, 1)),
               Quantity('x/L of the centre of mass at the end', computed=mean[0]),
               Quantity('y/L of the centre of mass at the end', computed=mean[1]),
               Quantity('arrival at the far wall [s]', computed=arrival(run))]
