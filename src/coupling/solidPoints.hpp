@@ -106,6 +106,42 @@ struct PlacePoints
     }
 };
 
+//- Is there fluid in the cells about any point?
+template<int D, class P>
+struct MeetFluid
+{
+    static constexpr const char* name = "meetFluid";
+
+    Box<D, P> box;
+    CellGrid<D, P> grid;
+    SolidView<D, P> solids;
+    const std::uint32_t* key;
+    const int* active;
+    const int* fluidStart;      // of each cell
+    int* meets;                 // set to 1: whoever writes it writes the same
+
+    HD void operator()(int i) const
+    {
+        if (i >= *active) return;
+        const Vec<D, std::int64_t> x = pointPosition(box, solids, solids.slotOf[key[i]]);
+        Vec<D, typename P::real> r;
+        for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x.c[d]));
+        bool found = false;
+        grid.forEachRange(r, fluidStart, [&](int begin, int end) { found = found || end > begin; });
+        if (found) *meets = 1;
+    }
+};
+
+template<class R>
+struct ClearForces
+{
+    static constexpr const char* name = "clearForces";
+
+    R* force;
+
+    HD void operator()(int i) const { force[i] = 0; }
+};
+
 //- Velocities of the start, which no step has yet shown
 template<int D, class P>
 struct FirstVelocities
@@ -193,8 +229,22 @@ private:
     }
 };
 
-//- The force that solids are given over a step. The fluid gets that of each instant half in the step before it and half in the
-//  one after it: `share` makes the solids' impulse the same
+//- What of the force at the step's beginning, and of the force one step before, solids get
+struct ForceShares { double now, before; };
+
+template<class R>
+struct KeepForces
+{
+    static constexpr const char* name = "keepForces";
+
+    const R* force;
+    R* before;
+
+    HD void operator()(int i) const { before[i] = force[i]; }
+};
+
+//- The force that solids are given over a step, by those of its beginning and of the beginning of the step before. The fluid gets that of each
+//  instant half in the step before it and half in the one after it: the shares make the solids' impulse the same
 template<int D, class P>
 struct HoldForces
 {
@@ -202,13 +252,18 @@ struct HoldForces
     static constexpr const char* name = "holdForces";
 
     const real* force;
+    const real* before;         // null: not needed
     real* external;
-    double share;
+    double share, shareBefore;
 
     HD void operator()(int key) const
     {
         constexpr int width = D + spins<D>;
-        for (int d = 0; d < D; ++d) external[std::size_t(key)*width + d] = real(share*force[std::size_t(key)*D + d]);
+        for (int d = 0; d < D; ++d)
+        {
+            const std::size_t at = std::size_t(key)*D + d;
+            external[std::size_t(key)*width + d] = real(share*force[at] + (before ? shareBefore*before[at] : 0));
+        }
     }
 };
 

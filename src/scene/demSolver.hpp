@@ -152,6 +152,7 @@ private:
     template<class Law> void contactPass(ForceTurn);
     template<class Law> void wallPass(ForceTurn);
     void bondPass(ForceTurn);
+    void gatherClumps(const DemClockData* clock);
     void forces(ForceTurn = ForceTurn::inStep);
     MoveWalls wallMover(DemClockData*);
     void step();

@@ -213,7 +213,7 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
         add("solid points", "records", solidRecords_.bytes(), nSolids_);
         add("solid points", "cells", solidSort_.bytes() + solidReference_.bytes() + solidLast_.bytes(), nSolids_);
         add("solid points", "velocity, mass", own + solidVelocity_.bytes() + solidAcceleration_.bytes(), nSolids_);
-        add("solid points", "force", solidForce_.bytes(), nSolids_);
+        add("solid points", "force", solidForce_.bytes() + solidForceBefore_.bytes(), nSolids_);
         add("fluid", "action of solids", actionA_[0].bytes()*D + actionRate_.bytes() + actionDrift_[0].bytes()*D, n_);
         for (const ArrayInfo& a : solidScene_->arrays()) r.push_back(a);
     }

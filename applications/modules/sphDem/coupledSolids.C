@@ -147,20 +147,19 @@ void Foam::coupledSolids::setWalls(const solidSet& solids)
 
 
 //- Of which particles keep the water out: mass over density; members of a
-//  clump share that of the clump as their own volumes are
+//  clump share that of the clump as their own masses are
 std::vector<double> Foam::coupledSolids::volumes() const
 {
     const riprap::DemParticles& p = input_.particles;
-    const int D = settings_.config.dimensions;
     const auto density = [&](std::size_t i)
     {
         return settings_.materials[p.material.empty() ? 0 : p.material[i]].density;
     };
 
-    std::vector<double> shares(input_.clumps.size(), 0.0);
+    std::vector<double> members(input_.clumps.size(), 0.0);
     for (std::size_t i = 0; i < p.clump.size(); ++i)
     {
-        if (p.clump[i] >= 0) shares[p.clump[i]] += std::pow(p.radius[i], D);
+        if (p.clump[i] >= 0) members[p.clump[i]] += p.mass[i];
     }
 
     std::vector<double> volume(p.size());
@@ -169,8 +168,7 @@ std::vector<double> Foam::coupledSolids::volumes() const
         const int clump = p.clump.empty() ? -1 : p.clump[i];
         volume[i] = clump < 0
           ? p.mass[i]/density(i)
-          : input_.clumps[clump].mass/density(i)
-           *std::pow(p.radius[i], D)/shares[clump];
+          : input_.clumps[clump].mass/density(i)*p.mass[i]/members[clump];
     }
     return volume;
 }
