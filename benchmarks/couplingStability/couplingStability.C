@@ -1,30 +1,45 @@
-/*  SPDX-License-Identifier: GPL-3.0-or-later  */
-#include "stirredBlock.hpp"
+/*  couplingStability: where water and solids in one scene fail, found by bisection, beside theory.
+
+        couplingStability [-csv FILE] [density|step|bonds|leak]...
+
+    The scene is stirredBlock.hpp; see experiments.hpp.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "experiments.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-
-using namespace riprap;
+#include <exception>
+#include <map>
 
 int main(int argc, char** argv)
 {
-    // scratch: kind force rigid ratio [duration] [courant] [young] [damping]
-    StirredBlock b;
-    b.kind = CouplingKind(std::atoi(argv[1]));
-    b.force = FluidForceKind(std::atoi(argv[2]));
-    b.rigid = std::atoi(argv[3]);
-    if (argc > 5) b.duration = std::atof(argv[5]);
-    if (argc > 6) b.courant = std::atof(argv[6]);
-    if (argc > 7) b.young = std::atof(argv[7]);
-    if (argc > 8) b.dampingRatio = std::atof(argv[8]);
-    char* list = argv[4];
-    for (char* w = std::strtok(list, ","); w; w = std::strtok(nullptr, ","))
+    using namespace riprap;
+    const std::map<std::string, void (*)(CouplingRows&)> tests {{"density", density}, {"step", step}, {"bonds", bonds}, {"leak", leak}};
+    std::string csv;
+    std::vector<std::string> chosen;
+    for (int i = 1; i < argc; ++i)
     {
-        b.densityRatio = std::atof(w);
-        const StirredResult r = stir(b);
-        std::printf("kind %d force %d rigid %d ratio %g: stopped %d energy %.4f end %.4f solids %.4f K %d inside %d steps %lld\n", int(b.kind), int(b.force), b.rigid,
-            b.densityRatio, r.stopped, r.energy, r.end, r.solids, r.subcycles, r.inside, (long long)r.steps);
-        std::fflush(stdout);
+        if (!std::strcmp(argv[i], "-csv") && i + 1 < argc) csv = argv[++i];
+        else if (tests.count(argv[i])) chosen.push_back(argv[i]);
+        else
+        {
+            std::fprintf(stderr, "couplingStability: '%s' is none of -csv FILE, density, step, bonds, leak\n", argv[i]);
+            return 2;
+        }
     }
+    if (chosen.empty()) chosen = {"density", "step", "bonds", "leak"};
+    try
+    {
+        CouplingRows rows(csv);
+        for (const std::string& name : chosen) tests.at(name)(rows);
+        rows.write();
+    }
+    catch (const std::exception& e)
+    {
+        std::fprintf(stderr, "couplingStability: %s\n", e.what());
+        return 1;
+    }
+    return 0;
 }

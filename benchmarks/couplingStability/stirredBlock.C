@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace riprap
 {
@@ -10,7 +11,7 @@ namespace riprap
 namespace
 {
 
-constexpr double centre = 0.5;
+constexpr double centreX = 0.5, centreY = 0.75;   // where the water shears: the block is pushed and turned
 
 SphConfig water(const StirredBlock& b)
 {
@@ -37,12 +38,14 @@ FluidInput stirred(const StirredBlock& b)
 {
     FluidInput f;
     const int n = int(std::lround(1/b.spacing));
+    std::mt19937 engine(1);
+    const auto shift = [&] { return b.disorder*b.spacing*(2*(engine()/4294967296.0) - 1); };
     const double pi = std::acos(-1.0), clear = 0.5*side(b) + 0.499*b.spacing;
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
         {
-            const double x = (i + 0.5)*b.spacing, y = (j + 0.5)*b.spacing;
-            if (std::abs(x - centre) < clear && std::abs(y - centre) < clear) continue;
+            const double x = (i + 0.5)*b.spacing + shift(), y = (j + 0.5)*b.spacing + shift();
+            if (std::abs(x - centreX) < clear && std::abs(y - centreY) < clear) continue;
             f.position.insert(f.position.end(), {x, y, 0});
             f.velocity.insert(f.velocity.end(), {b.speed*std::sin(2*pi*y), b.speed*std::sin(2*pi*x), 0});
             f.density.push_back((1 + b.compression)*b.density);
@@ -68,23 +71,23 @@ SolidInput block(const StirredBlock& b, const SphConfig& c)
     p.properties.normalStiffness = 1e4;
     in.pairs.push_back(p);
 
-    const double size = b.sizeRatio*b.spacing, low = centre - 0.5*side(b), mass = b.densityRatio*b.density*size*size;
+    const double size = b.sizeRatio*b.spacing, left = centreX - 0.5*side(b), low = centreY - 0.5*side(b), mass = b.densityRatio*b.density*size*size;
     double inertia = 0;
     for (int j = 0; j < b.across; ++j)
         for (int i = 0; i < b.across; ++i)
         {
-            const double x = low + (i + 0.5)*size, y = low + (j + 0.5)*size;
+            const double x = left + (i + 0.5)*size, y = low + (j + 0.5)*size;
             in.particles.position.insert(in.particles.position.end(), {x, y, 0});
             in.particles.radius.push_back(0.5*size);
             in.particles.mass.push_back(mass);
             s.volume.push_back(size*size);
-            inertia += mass*((x - centre)*(x - centre) + (y - centre)*(y - centre) + size*size/6);
+            inertia += mass*((x - centreX)*(x - centreX) + (y - centreY)*(y - centreY) + size*size/6);
         }
     if (b.rigid)
     {
         in.particles.clump.assign(in.particles.size(), 0);
         DemClump clump;
-        clump.position = {{centre, centre, 0}};
+        clump.position = {{centreX, centreY, 0}};
         clump.mass = mass*double(in.particles.size());
         clump.inertia[2] = inertia;
         in.clumps.push_back(clump);
@@ -137,12 +140,13 @@ StirredResult stir(const StirredBlock& b)
         const SphEnergy e = scene->energy();
         return e.kinetic + e.elastic + scene->solids()->energy().total();
     };
+    if (b.settle > 0) scene->advance(b.settle);
     const double before = total(), kinetic = scene->energy().kinetic;
     StirredResult r;
     constexpr int looks = 20;
     for (int k = 1; k <= looks && !r.stopped; ++k)
     {
-        const SphReport report = scene->advance(b.duration*k/looks);
+        const SphReport report = scene->advance(b.settle + b.duration*k/looks);
         r.steps = report.totalSteps;
         r.end = (total() - before)/kinetic;
         r.stopped = report.stop != StopReason::none || !std::isfinite(r.end);

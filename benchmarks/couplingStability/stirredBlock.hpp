@@ -24,7 +24,9 @@ struct StirredBlock
     double solidStep = 0.3;         // stepFraction of the solids
     double speed = 0.3;             // of the water at the start [m/s]
     double compression = 0.01;      // of the water at the start: nothing is in tension
-    double duration = 0.1;          // [s]
+    double disorder = 0;            // of the water's lattice at the start, in spacings
+    double settle = 0;              // before energy is looked at [s]
+    double duration = 0.1;          // after that [s]
     PrecisionKind precision = PrecisionKind::mixed;
 
     static constexpr double spacing = 0.025, smoothing = 1.5, soundSpeed = 10, density = 1000;

@@ -3,7 +3,7 @@
     Over a step of the fluid a solid moves from x_n to x_{n+1}; the fluid sees it on the straight line between them, with the
     mean velocity u = (x_{n+1} - x_n)/dt: volume that it takes is then the way that it went.
     The acceleration that extrapolation takes is that of u, smoothed over (1 + M/m) h/c0: h/c0 is what pressure needs to pass a
-    particle, M = 2 rho0 V h/R the water about a solid particle that its pressure moves. Pressure of an acceleration that pressure
+    particle, M = 2 rho0 V h/R the water about a solid particle that its pressure moves; of the parts of a rigid body M and m are the body's. Pressure of an acceleration that pressure
     makes: taken at once, it would swing where M > m.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -28,6 +28,7 @@ struct SolidPoints
     const int* active;          // slots in use
     real* mass;                 // rho0 V [kg]
     const real* massOfKey;
+    const real* addedOfKey;     // M/m
     std::int64_t* last[D];      // x_n, fixed point in the fluid's box
     real* own[D];               // u [m/s]
     real* velocity;             // u of the step before, D a key
@@ -176,7 +177,6 @@ struct MovePoints
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];
     real halfSkin;
-    double h;                   // [m]
     double responseTime;        // h/c0 [s]
     bool half;
     ClockData* clock;
@@ -196,7 +196,7 @@ struct MovePoints
             const real u = real(double(way)*box.unit[d]/clock->dt);
             q.velocity.c[d] = points.own[d][i] = u;
             p.c[d] = box.pairPosition(d, half ? from + way/2 : x.c[d]);
-            if (!half) follow(d, i, key, slot, x.c[d], u);
+            if (!half) follow(d, i, key, x.c[d], u);
             const real s = box.template separation<real>(d, p.c[d], reference[d][i]);
             distance2 += s*s;
             speed2 += u*u;
@@ -217,12 +217,11 @@ private:
         records.store(i, q);
     }
 
-    HD void follow(int d, int i, int key, int slot, std::int64_t x, real u) const
+    HD void follow(int d, int i, int key, std::int64_t x, real u) const
     {
         real& before = points.velocity[std::size_t(key)*D + d];
         real& a = points.acceleration[std::size_t(key)*D + d];
-        const double added = 2*double(points.mass[i])*h/(double(solids.fields.mass[slot])*double(solids.fields.radius[slot]));
-        const double share = 1 - exp(-clock->dt/((1 + added)*responseTime));
+        const double share = 1 - exp(-clock->dt/((1 + double(points.addedOfKey[key]))*responseTime));
         a += real(share*((double(u) - before)/clock->dt - a));
         before = u;
         points.last[d][i] = x;

@@ -152,6 +152,7 @@ static void readCoupling(checkedDictionary& sph, sphSettings& settings)
     coupling.kind = sph.choice("coupling", sphNames::coupling, coupling.kind);
 
     checkedDictionary coeffs(sph.subDict("couplingCoeffs"));
+    settings.autoFluidForce = !coeffs.found("fluidForce");
     coupling.force = coeffs.choice("fluidForce", sphNames::fluidForce, coupling.force);
     coupling.viscosity =
         coeffs.either("viscosity", "yes", "no", coupling.viscosity);

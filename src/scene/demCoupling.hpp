@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "dem/motion/push.hpp"
 #include "scene/demSolver.hpp"
 
 namespace riprap
@@ -37,6 +38,15 @@ double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
 {
     if (config_.integrator == DemIntegratorKind::velocityVerlet) return dt;
     return dt + 0.5*(host_.dt - dt/subcycles);
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::push(double dt)
+{
+    forEach(context_, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
+    if (!nClumps_) return;
+    forEach(context_, nClumps_, PushClumps<D, P>
+        {clumps_.data(), box_, fields(), groups_.data(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.data(), dt});
 }
 
 template<class Backend, int D, class P>

@@ -117,6 +117,7 @@ public:
     real* external() override;
     int subcycles(double dt) override;
     double kickTime(double dt, int subcycles) override;
+    void push(double dt) override;
     bool advanceTo(double t, double dt, int subcycles) override;
     void beginReport() override;
     void endReport() override;

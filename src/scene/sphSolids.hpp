@@ -32,6 +32,7 @@ void SphSolver<Backend, D, P>::setSolids(SolidPart part)
     std::vector<real> mass(nSolids_);
     for (int k = 0; k < nSolids_; ++k) mass[k] = real(config_.density*part.volume[k]);
     solidMassOfKey_.upload(context_, mass);
+    solidAddedOfKey_.upload(context_, std::vector<real>(part.added.begin(), part.added.end()));
     allocateAction();
     forEach(context_, nSolids_, FirstVelocities<D, P>{solids_->view(), solidPoints()});
 }
@@ -52,6 +53,7 @@ SolidPoints<D, P> SphSolver<Backend, D, P>::solidPoints()
     p.active = solidSort_.active();
     p.mass = solidMass_.data();
     p.massOfKey = solidMassOfKey_.data();
+    p.addedOfKey = solidAddedOfKey_.data();
     for (int d = 0; d < D; ++d)
     {
         p.last[d] = solidLast_.data() + std::size_t(d)*nSolids_;
@@ -123,6 +125,15 @@ void SphSolver<Backend, D, P>::sortSolids()
     forEach(context_, nSolids_, place);
 }
 
+//- Half a step's impulse of the fluid at once, as the fluid gets it
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::pushSolids()
+{
+    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
+    context_.synchronise();
+    solids_->push(0.5*host_.dt);
+}
+
 //- Until the next sort: without fluid near any of them nothing passes between the two, and nothing is computed
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::meetFluid()
@@ -165,11 +176,11 @@ void SphSolver<Backend, D, P>::advanceSolids()
         for (int k = 0; k < steps && good; ++k) good = advance(end(k + 1), part, 1, forceShares((k + 0.5)/steps));
         forEach(context_, nSolids_*D, KeepForces<real>{solidForce_.data(), solidForceBefore_.data()});
     }
-    else if (coupling_.force == FluidForceKind::held || steps == 1) good = advance(host_.time, host_.dt, steps, forceShares(0.5));
+    else if (coupling_.force == FluidForceKind::held) good = advance(host_.time, host_.dt, steps, forceShares(0.5));
     else
     {
-        const ForceShares blow{steps*forceShares(0.5).now, 0};
-        good = advance(end(1), part, 1, blow) && advance(host_.time, host_.dt - part, steps - 1, ForceShares{0, 0});
+        pushSolids();
+        good = advance(host_.time, host_.dt, steps, ForceShares{0, 0});
     }
     if (good) return;
     host_.halt = Halt::solids;
@@ -191,7 +202,7 @@ void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
-        config_.smoothingRatio*config_.spacing, config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
+        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     forEach(context_, nSolids_, move);
 }
@@ -263,7 +274,7 @@ CouplingState SphSolver<Backend, D, P>::coupling()
             const double f = force[at];
             s.force[3*i + config_.axes[d]] = f;
             s.total[config_.axes[d]] += f;
-            s.pending[config_.axes[d]] += 0.5*host_.dt*(f - before[at]);
+            if (coupling_.force != FluidForceKind::impulse) s.pending[config_.axes[d]] += 0.5*host_.dt*(f - before[at]);
         }
     return s;
 }

@@ -105,6 +105,7 @@ private:
     SolidAction<D, real> solidAction();
     ForceShares forceShares(double fraction) const;
     void meetFluid();
+    void pushSolids();
     SolidTerms<real> solidTerms() const;
     Source<Backend, D, P> solidSource();
     Source<Backend, D, P> fluidAboutSolids();
@@ -174,7 +175,7 @@ private:
     CellSort<Backend> solidSort_;
     Array<Backend, position> solidReference_;
     Array<Backend, std::int64_t> solidLast_;
-    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidVelocity_, solidAcceleration_, solidForce_,
+    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidAddedOfKey_, solidVelocity_, solidAcceleration_, solidForce_,
         solidForceBefore_;
     Array<Backend, real> actionA_[D], actionRate_, actionDrift_[D];
 

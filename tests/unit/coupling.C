@@ -124,7 +124,9 @@ protected:
         const FluidState f = s.fluid();
         for (std::size_t i = 0; i < f.id.size(); ++i) add(f.velocity, i, c.density*std::pow(c.spacing, D()));
         const DemState q = s.solids()->particles();
-        for (std::size_t i = 0; i < q.id.size(); ++i) add(q.velocity, i, q.mass[i]);
+        // parts of a rigid body show its velocity of the middle of the step
+        const std::vector<double> body = s.solids()->clumps().velocity;
+        for (std::size_t i = 0; i < q.id.size(); ++i) add(body.empty() ? q.velocity : body, body.empty() ? i : 0, q.mass[i]);
         const CouplingState now = s.coupling();
         for (int d = 0; d < D(); ++d) p.sum[d] += now.pending[d];
         return p;
@@ -249,9 +251,9 @@ TEST_P(Coupling, OrderOfTheForceInTime)
     EXPECT_GT(order(FluidForceKind::impulse), 1.7);
 }
 
-//- Nothing is dissipated: fluid and solids together keep their energy. Forces are second order in the step and Eqs. 32 and 34 exchange
-//  a little more than they should (docs/theory.md): 2 % of the kinetic energy. Extrapolated pressure does work that no energy answers
-//  for: 2.2 % was lost here
+//- Nothing is dissipated: fluid and solids together keep their energy, but for the second order in the step and what Eqs. 32 and 34 exchange more than
+//  they should (docs/theory.md): 2 % of the kinetic energy. The water stands off the block by another gap than it was put at; until it has found that,
+//  pressure that solids take from the fluid does work p dV on it that no energy answers for: 2 % and 1.4 % at this pressure, by itself (docs/coupling.md)
 TEST_P(Coupling, EnergyIsKept)
 {
     if (D() == 3) GTEST_SKIP() << "the third dimension adds nothing";
@@ -284,10 +286,46 @@ TEST_P(Coupling, EnergyIsKept)
             const SphEnergy e = s->energy();
             return e.kinetic + e.elastic + s->solids()->energy().total();
         };
-        const double before = total(), kinetic = s->energy().kinetic;
         s->advance(0.1);
-        EXPECT_NEAR(total(), before, (kind == CouplingKind::extrapolated ? 0.04 : 0.02)*kinetic);
+        const double before = total(), kinetic = s->energy().kinetic;
+        s->advance(0.2);
+        EXPECT_NEAR(total(), before, 0.02*kinetic);
         EXPECT_GT(s->solids()->energy().total(), 1e-6*kinetic) << "the solids must have taken part";
+    }
+}
+
+//- A rigid body a twentieth as heavy as the water that it displaces, pushed about by it: the reversible step holds it, whatever the coupling
+TEST_P(Coupling, LightBodiesAreStable)
+{
+    if (D() == 3 || !mixed()) GTEST_SKIP() << "neither the third dimension nor precision adds anything";
+    for (const CouplingKind kind : allKinds)
+    {
+        SCOPED_TRACE(nameOf(kind));
+        SphConfig c = waterBox();
+        c.soundSpeed = 10;
+        c.maxVelocity = 1;
+        c.integrator = IntegratorKind::symplectic;
+        c.acousticCourant = 0.4;
+        c.viscosityModel = ViscosityKind::none;
+        SolidInput solids = rigid(block(c, 6, c.spacing, {{0.3, 0.6, 0}}));
+        for (double& m : solids.input.particles.mass) m *= 0.05/0.8;
+        solids.input.clumps[0].mass *= 0.05/0.8;
+        for (double& j : solids.input.clumps[0].inertia) j *= 0.05/0.8;
+        solids.coupling.kind = kind;
+        solids.coupling.force = FluidForceKind::impulse;
+        FluidInput water = waterAround(c, {{0.3, 0.6, 0}}, 6*c.spacing);
+        for (std::size_t i = 0; i < water.size(); ++i)
+        {
+            const double x = 2*std::acos(-1.0)*water.position[3*i], y = 2*std::acos(-1.0)*water.position[3*i + 1];
+            water.velocity[3*i] = 0.3*std::sin(y);
+            water.velocity[3*i + 1] = 0.3*std::sin(x);
+            water.density[i] = 1.01*c.density;
+        }
+        const auto s = createSphDemScene(c, water, {}, solids);
+        const double kinetic = s->energy().kinetic;
+        const SphReport r = s->advance(0.4);
+        EXPECT_EQ(r.stop, StopReason::none);
+        EXPECT_LT(s->solids()->energy().total(), 0.02*kinetic) << "as a body that moves with the water has";
     }
 }
 
@@ -301,7 +339,7 @@ TEST_P(Coupling, ContinuesToTheBit)
             const double size = 0.6*c.spacing;
             SolidInput solids = block(c, 4, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
             solids.coupling.kind = kind;
-            solids.coupling.force = scheme == IntegratorKind::symplectic ? FluidForceKind::impulse : FluidForceKind::held;
+            solids.coupling.force = scheme == IntegratorKind::symplectic ? FluidForceKind::impulse : FluidForceKind::interpolated;
             const FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 4*size);
             const auto a = createSphDemScene(c, water, {}, solids), b = createSphDemScene(c, water, {}, solids);
             a->advance(0.01);
