@@ -62,6 +62,9 @@ public:
         exclusiveScan(context, scratch_, start_.data(), cells_ + 2);
     }
 
+    //- data[i] becomes the sum of data[0 .. i-1], with the sort's scratch
+    void scan(Context<Backend>& context, int* data, int n) { exclusiveScan(context, scratch_, data, n); }
+
     //- What sorting needs is given back: for sets that never move
     void releaseScratch() { scratch_ = SortScratch<Backend>(); }
 

@@ -1,7 +1,8 @@
 /*  Velocities of faces where none is known, from known ones, layer by layer.
 
     A face takes the mean over its known neighbours along the axes of u_1 + minmod(u_1 - u_2, u_2 - u_3), the values at distances of one, two and three faces:
-    linear where the field is smooth, constant where it is not. Closed faces are no source: what is beyond a wall says nothing about the water.
+    linear where the field is smooth, constant where it is not. Closed faces on the sides of the block are no source: what is beyond a wall says nothing
+    about the water. Faces that are closed inside the block are filled: particles beside a solid see them, as if the water went on into it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,6 +16,10 @@ namespace riprap
 //- Layer of a face: 0 known, then the pass that has filled it
 static constexpr unsigned char closedFace = 254, unknownFace = 255;
 
+//- Is it one of the faces at the two ends of its direction?
+template<int D>
+HD bool atEnd(const UniformGrid<D>& grid, int component, int along) { return !grid.periodic[component] && (along == 0 || along == grid.n[component]); }
+
 //- Known are faces through which a wet cell's water flows
 template<int D, class R>
 struct MarkByWetCells
@@ -23,6 +28,7 @@ struct MarkByWetCells
     UniformGrid<D> grid;
     const unsigned char* wet;   // cells
     const R* aperture;          // of this direction's faces
+    const R* distance;          // of their middles to solids that water sticks to; nullptr: there are none
     int component;
     unsigned char* layer;
 
@@ -31,7 +37,10 @@ struct MarkByWetCells
         const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
         const int low = grid.cellOf(component, f, 0), high = grid.cellOf(component, f, 1);
         const bool known = (low >= 0 && wet[low]) || (high >= 0 && wet[high]);
-        layer[i] = !(aperture[i] > R(0)) ? closedFace : (known ? 0 : unknownFace);
+        // what an open face whose middle lies in the solid has is the solid's velocity, and tells nothing of the water's slope
+        if (distance && !(distance[i] > R(0)) && !atEnd(grid, component, f.c[component])) layer[i] = unknownFace;
+        else if (aperture[i] > R(0)) layer[i] = known ? 0 : unknownFace;
+        else layer[i] = atEnd(grid, component, f.c[component]) ? closedFace : unknownFace;
     }
 };
 
@@ -40,11 +49,17 @@ template<int D, class R>
 struct MarkByMass
 {
     static constexpr const char* name = "markMassFaces";
+    UniformGrid<D> grid;
+    int component;
     const R* mass;
     const R* aperture;
     unsigned char* layer;
 
-    HD void operator()(int i) const { layer[i] = !(aperture[i] > R(0)) ? closedFace : (mass[i] > R(1e-3) ? 0 : unknownFace); }
+    HD void operator()(int i) const
+    {
+        const bool side = !(aperture[i] > R(0)) && atEnd(grid, component, grid.faceIndex(component, i).c[component]);
+        layer[i] = side ? closedFace : (mass[i] > R(1e-3) ? 0 : unknownFace);
+    }
 };
 
 template<int D, class R>
@@ -55,14 +70,14 @@ struct Extrapolate
     int component;
     unsigned char pass;         // 1, 2, ...
     unsigned char* layer;
-    R* a;
-    R* b;                       // a second field, extrapolated alike; nullptr: none
+    R* field[4];                // all extrapolated alike
+    int fields;
 
     HD void operator()(int i) const
     {
         if (layer[i] != unknownFace) return;
         const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
-        R sumA = 0, sumB = 0;
+        R sum[4] = {0, 0, 0, 0};
         int count = 0;
         for (int d = 0; d < D; ++d)
             for (int direction = -1; direction <= 1; direction += 2)
@@ -70,13 +85,11 @@ struct Extrapolate
                 const int one = along(f, d, direction);
                 if (one < 0) continue;
                 const int two = along(f, d, 2*direction), three = two < 0 ? -1 : along(f, d, 3*direction);
-                sumA += continued(a, one, two, three);
-                if (b) sumB += continued(b, one, two, three);
+                for (int k = 0; k < fields; ++k) sum[k] += continued(field[k], one, two, three);
                 ++count;
             }
         if (!count) return;
-        a[i] = sumA/count;
-        if (b) b[i] = sumB/count;
+        for (int k = 0; k < fields; ++k) field[k][i] = sum[k]/count;
         layer[i] = pass;
     }
 

@@ -1,57 +1,68 @@
-/*  What acts on the grid's velocity before the pressure: gravity and viscosity, explicit, and walls.
-
-        u* = u + dt (g + nu lap u)
-
-    lap u by differences between faces of the same direction. Beyond a side of the block the tangential velocity is the mirror image of that inside (slip) or its
-    opposite, so that it vanishes at the wall (noSlip); beyond the surface it is the extrapolated one: no stress.
+/*  What acts on the grid's velocity before the pressure, u* = u + dt g, and what becomes of it after.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include "pic/extrapolate.hpp"
 #include "pic/transfer/mirror.hpp"
 
 namespace riprap
 {
 
+//- Closed faces have their wall's velocity
 template<int D, class R>
 struct ApplyForces
 {
     static constexpr const char* name = "applyForces";
-    UniformGrid<D> grid;
-    int component;
     const R* aperture;
     const R* wallVelocity;      // nullptr: walls rest
-    const R* before;
+    const R* from;
     R* u;
     R gravity;                  // g dt of this direction [m/s]
-    R diffusion;                // nu dt/h^2
-    bool noSlip;
 
     HD void operator()(int i) const
     {
-        if (!(aperture[i] > R(0))) { u[i] = wallVelocity ? wallVelocity[i] : R(0); return; }
-        R change = gravity;
-        if (diffusion > 0)
-        {
-            const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
-            R sum = 0;
-            for (int d = 0; d < D; ++d)
-                for (int offset = -1; offset <= 1; offset += 2)
-                {
-                    typename UniformGrid<D>::Index at = f;
-                    at.c[d] += offset;
-                    const bool beyond = !grid.periodic[d] && d != component && (at.c[d] < 0 || at.c[d] >= grid.n[d]);
-                    const R value = faceValue(grid, before, component, at);
-                    sum += (beyond && noSlip ? -value : value) - before[i];
-                }
-            change += diffusion*sum;
-        }
-        u[i] = before[i] + change;
+        u[i] = aperture[i] > R(0) ? from[i] + gravity : (wallVelocity ? wallVelocity[i] : R(0));
     }
 };
 
-//- du = u - u before the step, where the water flows
+//- What the step before this one has left: `after` becomes what particles had beyond the projected velocity, `last` that velocity
+template<class R>
+struct KeepLast
+{
+    static constexpr const char* name = "keepLast";
+    const R* u;
+    R* after;
+    R* last;
+
+    HD void operator()(int i) const
+    {
+        after[i] -= u[i];
+        last[i] = u[i];
+    }
+};
+
+//- What half a drift makes of the velocity: `after`, that of its divergence, which the pressure holds back while particles move; `last`, that of
+//  the projected velocity. See PicSolver::project
+template<class R>
+struct HalfDrift
+{
+    static constexpr const char* name = "halfDrift";
+    const R* u;                 // projected, without forces
+    const R* before;
+    R* after;
+    R* last;
+    R part;                     // half the coming drift over the one before; 0: there was none
+
+    HD void operator()(int i) const
+    {
+        after[i] = part*(u[i] - before[i] + after[i]);
+        last[i] = part*(u[i] - last[i]);
+    }
+};
+
+//- Of the projected velocity u: what particles take (after), what has changed, and what carries them
 template<class R>
 struct VelocityChange
 {
@@ -59,9 +70,16 @@ struct VelocityChange
     const R* u;
     const R* before;
     R* du;
-    const R* excess;            // nullptr: none
-    R part;                     // of excess that is added
-    HD void operator()(int i) const { du[i] = u[i] - before[i] + (excess ? part*excess[i] : R(0)); }
+    R* after;                   // nullptr: u itself
+    R* carrier;                 // nullptr: u itself
+
+    HD void operator()(int i) const
+    {
+        R value = u[i];
+        if (after) value = after[i] += u[i];
+        if (carrier) carrier[i] += u[i];
+        du[i] = value - before[i];
+    }
 };
 
 //- The last layer of faces along a periodic direction is a copy of the first

@@ -3,14 +3,15 @@
         shift = c |v| dt sum_j (1 - |r_ij|/s)^2 r_ij/|r_ij|
 
     like the weak springs of Ando, Thuerey & Tsuruno (2012), IEEE Trans. Vis. Comput. Graph. 18, but by a share of the particle's own path,
-    so that water at rest stays as it is. Velocities are not changed. Near the surface only the part along the surface is taken.
+    so that water at rest stays as it is. Particles that know the velocity's gradient take the velocity of their new place: without, what they carry would be off by
+    an error of the order of h. Near the surface only the part along the surface is taken.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "pic/particles.hpp"
-#include "pic/transfer/particleToGrid.hpp"
+#include "pic/transfer/near.hpp"
 
 namespace riprap
 {

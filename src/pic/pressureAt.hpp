@@ -5,6 +5,8 @@
 */
 #pragma once
 
+#include <vector>
+#include "pic/pressureFields.hpp"
 #include "pic/transfer/mirror.hpp"
 
 namespace riprap
@@ -27,6 +29,36 @@ HD double continuedPressure(const UniformGrid<D>& g, const R* phi, const double*
             ++count;
         }
     return count ? sum/count : 0;
+}
+
+//- p of cells that solids close, from the wet ones beside them: the line through two of them, else one's value
+template<int D, class R>
+void extendPressure(const UniformGrid<D>& g, const R* phi, const std::vector<unsigned char>& wet, std::vector<double>& p)
+{
+    std::vector<unsigned char> known = wet;
+    for (int pass = 0; pass < 2; ++pass)
+    {
+        const std::vector<unsigned char> before = known;
+        const std::vector<double> from = p;
+        for (int i = 0; i < g.cells(); ++i)
+        {
+            if (before[i] || !(phi[i] < R(-wetDepth*g.h))) continue;
+            double sum = 0;
+            int count = 0;
+            for (int d = 0; d < D; ++d)
+                for (int offset = -1; offset <= 1; offset += 2)
+                {
+                    const int one = g.neighbour(g.cellIndex(i), d, offset);
+                    if (one < 0 || !before[one]) continue;
+                    const int two = g.neighbour(g.cellIndex(one), d, offset);
+                    sum += two >= 0 && before[two] ? 2*from[one] - from[two] : from[one];
+                    ++count;
+                }
+            if (!count) continue;
+            p[i] = sum/count;
+            known[i] = 1;
+        }
+    }
 }
 
 //- p at a point of the block

@@ -62,11 +62,12 @@ std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<doubl
 }
 
 //- phi of full and empty cells from their neighbours: a full one beside an empty one is half a cell from the surface, one beside a part filled
-//  one a cell further than that; all others are far
+//  one a cell further than that, those behind them another cell, so that slopes at the surface come out right; all others are far
 template<int D, class R>
 void surroundParts(const UniformGrid<D>& g, const std::vector<double>& fill, std::vector<R>& phi, R band)
 {
     const auto part = [&](int i) { return fill[i] > 0 && fill[i] < 1; };
+    #pragma omp parallel for
     for (int i = 0; i < g.cells(); ++i)
     {
         if (part(i)) continue;
@@ -82,6 +83,20 @@ void surroundParts(const UniformGrid<D>& g, const std::vector<double>& fill, std
             }
         phi[i] = sign*distance;
     }
+    const std::vector<R> ring(phi);
+    #pragma omp parallel for
+    for (int i = 0; i < g.cells(); ++i)
+    {
+        if (part(i) || absolute(ring[i]) < band) continue;
+        R distance = band;
+        for (int d = 0; d < D; ++d)
+            for (int offset = -1; offset <= 1; offset += 2)
+            {
+                const int j = g.neighbour(g.cellIndex(i), d, offset);
+                if (j >= 0) distance = std::min(distance, absolute(ring[j]) + R(g.h));
+            }
+        phi[i] = ring[i] < 0 ? -distance : distance;
+    }
 }
 
 //- phi of a fill
@@ -95,14 +110,17 @@ std::vector<R> surfaceOf(const UniformGrid<D>& g, const std::vector<double>& fil
     for (int sweep = 0;; ++sweep)
     {
         surroundParts(g, fill, carried, band);
+        #pragma omp parallel for
         for (int i = 0; i < n; ++i) StartDistance<D, R>{g, carried.data(), phi.data(), band}(i);
         for (int pass = 0; pass < int(band/R(g.h)) + 2; ++pass)
         {
+            #pragma omp parallel for
             for (int i = 0; i < n; ++i) SpreadDistance<D, R>{g, carried.data(), phi.data(), next.data(), band}(i);
             phi.swap(next);
         }
         if (sweep == sweeps) return phi;
         // towards the phi whose cut cells hold the fill
+        #pragma omp parallel for
         for (int i = 0; i < n; ++i)
             if (fill[i] > 0 && fill[i] < 1) carried[i] = phi[i] + R(0.5*(waterFraction(g, phi.data(), i, 0) - fill[i])*g.h);
     }

@@ -2,7 +2,7 @@
 
     Cell (i, j, k) is number i + n0*(j + n1*k). Faces normal to direction d form an array of their own, with n_d + 1 layers along
     d: face (i, j, k) of direction d lies at the lower side along d of the cell of the same indices. Along a periodic direction
-    the last layer is a copy of the first.
+    the last layer is a copy of the first. A side of the block may be a wall that water sticks to, and that slides in its own plane.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -21,6 +21,8 @@ struct UniformGrid
     double h;                   // edge of a cell [m]
     int n[3] = {1, 1, 1};       // cells a direction
     bool periodic[3] = {false, false, false};
+    bool sticks[3][2] = {};     // along each direction: the lower and the upper side
+    double slide[3][2][3] = {}; // their velocities [m/s]
 
     using Index = Vec<3, int>;
 

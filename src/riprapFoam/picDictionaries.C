@@ -8,6 +8,7 @@
 #include "fluidProperties.H"
 #include "IOdictionary.H"
 #include "particleDomain.H"
+#include "slidingWalls.H"
 #include "sphNames.H"
 #include "Time.H"
 
@@ -36,10 +37,18 @@ static void readSeeds(checkedDictionary& pic, riprap::PicConfig& config)
 }
 
 
-static void readWalls(checkedDictionary& pic, riprap::PicConfig& config)
+static void readWalls
+(
+    checkedDictionary& pic,
+    const polyMesh& mesh,
+    picSettings& settings
+)
 {
+    riprap::PicConfig& config = settings.config;
     checkedDictionary dict(pic.subDict("walls"));
     config.noSlip = dict.either("slip", "noSlip", "freeSlip", config.noSlip);
+    settings.motion = readWallMotion(dict.subDict("motion"));
+    readSlidingWalls(dict.subDict("velocity"), mesh, config);
     dict.end();
 }
 
@@ -54,7 +63,12 @@ static void readGuards(checkedDictionary& pic, picSettings& settings)
 }
 
 
-static void readPicProperties(checkedDictionary pic, picSettings& settings)
+static void readPicProperties
+(
+    checkedDictionary pic,
+    const polyMesh& mesh,
+    picSettings& settings
+)
 {
     riprap::PicConfig& config = settings.config;
 
@@ -79,7 +93,13 @@ static void readPicProperties(checkedDictionary pic, picSettings& settings)
     config.positionCorrection =
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
 
-    readWalls(pic, config);
+    config.viscousScheme =
+        pic.choice("viscosity", picNames::viscosity, config.viscousScheme);
+
+    readWalls(pic, mesh, settings);
+    settings.contactVelocity =
+        pic.between("contactVelocity", settings.contactVelocity, 0, 1);
+    settings.weak = pic.either("coupling", "weak", "implicit", false);
     readGuards(pic, settings);
 
     pic.end();
@@ -98,7 +118,7 @@ picSettings readPicSettings(const polyMesh& mesh)
     readFluidProperties(readConstant("fluidProperties", time), config);
 
     settings.dict = readConstant("picProperties", time);
-    readPicProperties(checkedDictionary(settings.dict), settings);
+    readPicProperties(checkedDictionary(settings.dict), mesh, settings);
 
     readTimeStep(time.controlDict(), config);
     // The water's own waves and the extended velocity reach a cell or so

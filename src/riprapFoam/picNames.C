@@ -18,6 +18,13 @@ const Enum<riprap::TransferKind> transfer
     {riprap::TransferKind::apic, "apic"}
 });
 
+const Enum<riprap::ViscousKind> viscosity
+({
+    {riprap::ViscousKind::automatic, "automatic"},
+    {riprap::ViscousKind::explicitly, "explicit"},
+    {riprap::ViscousKind::implicitly, "implicit"}
+});
+
 const Enum<int> spline
 ({
     {1, "linear"},

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "picObstacles.H"
-#include "walls/wallSurface.H"
+#include "wallSurface.H"
 #include "wallPoints.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -17,11 +17,13 @@ static void requireInside
 (
     const polyMesh& mesh,
     const geometryWalls& surfaces,
-    label i
+    label i,
+    const pointField& points
 )
 {
-    const boundBox reach(surfaces[i].bounds());
-    if (!mesh.bounds().overlaps(reach))
+    // Some surfaces do not know their own bounds
+    const boundBox reach(points, false);
+    if (points.empty() || !mesh.bounds().overlaps(reach))
     {
         FatalIOErrorInFunction(surfaces.dict(i))
             << "Surface " << surfaces.names()[i] << " of constant/geometry, "
@@ -50,9 +52,12 @@ std::vector<riprap::PicObstacle> Foam::picObstacles
     std::vector<riprap::PicObstacle> all;
     forAll(surfaces, i)
     {
-        if (bodyOf[i] < 0) requireInside(mesh, surfaces, i);
-
         const wallElements elements(bodyElements(space, surfaces, i, 0));
+        if (bodyOf[i] < 0)
+        {
+            requireInside(mesh, surfaces, i, pointField(elements.points));
+        }
+
         riprap::PicObstacle o;
         o.name = surfaces.names()[i];
         o.closed = surfaces.side(i) != geometryWalls::solidSide::both;

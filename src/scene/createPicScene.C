@@ -15,6 +15,9 @@ namespace riprap
 namespace
 {
 
+//- Diameter in cells that a grid can tell from a point
+constexpr double smallestSolid = 4;
+
 void require(bool condition, const std::string& what)
 {
     if (!condition) throw std::invalid_argument(what);
@@ -51,11 +54,11 @@ void checkNumbers(const PicConfig& c)
     }
 }
 
-void checkFluid(const PicConfig& c, const FluidInput& f)
+void checkFluid(const PicConfig& c, const FluidInput& f, bool solids)
 {
     require(f.velocity.size() == f.position.size(), "fluid arrays of different lengths");
     require(f.id.empty() || f.id.size() == f.size(), "fluid ids of another length");
-    require(f.size() > 0, "there are no fluid particles");
+    require(f.size() > 0 || solids, "there are no fluid particles");
     for (std::size_t i = 0; i < f.size(); ++i)
         for (int d = 0; d < c.dimensions; ++d)
         {
@@ -67,24 +70,54 @@ void checkFluid(const PicConfig& c, const FluidInput& f)
         }
 }
 
+
+//- What the fluid decides
+DemConfig onDeviceOf(const PicConfig& fluid, DeviceKind device, DemConfig solids)
+{
+    solids.device = device;
+    solids.precision = fluid.precision;
+    solids.dimensions = fluid.dimensions;
+    for (int d = 0; d < 3; ++d) solids.axes[d] = fluid.axes[d];
+    solids.gravity = fluid.gravity;
+    solids.startTime = fluid.startTime;
+    return solids;
+}
+
+void makeSolids(const PicConfig& c, DeviceKind device, const LinearSolver* solver, PicInside& inside)
+{
+    if (!inside.solids) return;
+    const PicSolids& s = *inside.solids;
+    require(!(s.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
+    require(s.contactVelocity >= 0 && s.contactVelocity <= 1, "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
+    require(s.weak || (solver && !solver->onDevice()), "solids that the water moves need a solver of p that moves them with it: coupledPCG");
+    const std::vector<double>& r = s.input.particles.radius;
+    for (std::size_t i = 0; i < r.size(); ++i)
+        require(2*r[i] >= smallestSolid*c.cellSize, "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
+          + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of " + std::to_string(c.cellSize) + " m across");
+    inside.scene = createDemScene(onDeviceOf(c, device, s.config), s.input);
+}
+
 } // namespace
 
-std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
+std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside inside)
 {
     checkNumbers(config);
-    checkFluid(config, fluid);
+    checkFluid(config, fluid, bool(inside.solids));
     fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
-    const DeviceChoice choice = chooseDevice(config.device, fluid.size(), config.dimensions);
+    const DeviceChoice choice = chooseDevice(config.device, fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0), config.dimensions);
+    require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly && (!inside.obstacles.empty() || inside.solids)),
+        "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or implicit for viscosity");
+    makeSolids(config, choice.device, solver, inside);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
     if (choice.device == DeviceKind::gpu)
     {
         const PicMaker make = two ? (mixed ? picGpu2Mixed : picGpu2Double) : (mixed ? picGpu3Mixed : picGpu3Double);
-        return make(config, fluid, walls, solver);
+        return make(config, fluid, walls, solver, std::move(inside));
     }
 #endif
     const PicMaker make = two ? (mixed ? picCpu2Mixed : picCpu2Double) : (mixed ? picCpu3Mixed : picCpu3Double);
-    return make(config, fluid, walls, solver);
+    return make(config, fluid, walls, solver, std::move(inside));
 }
 
 } // namespace riprap

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include "scene/demSolver.hpp"
+#include "scene/demStill.hpp"
 
 namespace riprap
 {
@@ -24,6 +25,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     input_.walls = input.walls;
     input_.groupMotion = input.groupMotion;
     input_.wallMotion = input.wallMotion;
+    still_ = isStill(input);
     clock_.allocate(context_, 2);
     n_ = reported_ = int(input.particles.size());
     setPairs();

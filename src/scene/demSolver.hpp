@@ -233,6 +233,7 @@ private:
     DemConfig config_;
     DemInput input_;            // without particles and bonds
     DemPlan plan_;
+    bool still_ = false;        // nothing can move
     const DemInput* given_ = nullptr;       // while the scene is made
     Context<Backend> context_;
 

@@ -12,14 +12,23 @@ namespace riprap
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::timeStep(std::string& limit)
 {
+    if (clock_.initial == 0) { limit = "solids"; return inside_.scene->plan().timeStep; }
     if (!config_.adjustTimeStep) { limit = "fixed"; return config_.fixedTimeStep; }
-    double g2 = 0;
+    double g2 = 0, slide = 0;               // a wall that slides will carry particles along
     for (int d = 0; d < D; ++d) g2 += gravity_[d]*gravity_[d];
-    const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
+    for (const auto& axis : grid_.slide)
+        for (const auto& side : axis)
+            for (const double v : side) slide = std::max(slide, std::abs(v));
+    const double speed = std::max(slide, largestOver(context_, n_, ParticleSpeed<D, real>{particles()}));
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
+    if (bodies_)
+    {
+        const double solid = courantStep(config_.maxCourant, grid_.h, bodies_->fastest(), std::sqrt(g2));
+        if (solid < dt) { dt = solid; limit = "solids"; }
+    }
     const double viscous = viscousStep(grid_.h, config_.viscosity/config_.density, D);
-    if (viscous < dt) { dt = viscous; limit = "viscous"; }
+    if (viscous < dt && config_.viscousScheme == ViscousKind::explicitly) { dt = viscous; limit = "viscous"; }
     if (config_.maxTimeStep < dt) { dt = config_.maxTimeStep; limit = "maximum"; }
     return dt;
 }
@@ -27,12 +36,30 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit) { return timeStep(limit); }
 
+//- Without water solids do what they do in a scene of their own, to the bit
+template<class Backend, int D, class P>
+PicReport PicSolver<Backend, D, P>::advanceDry(double t, std::int64_t maxSteps)
+{
+    PicReport report;
+    const DemReport solids = inside_.scene->advance(t, maxSteps);
+    interrupted_ = false;
+    clock_.time = report.time = solids.time;
+    clock_.steps = report.totalSteps = solids.totalSteps;
+    report.steps = solids.steps;
+    report.lastTimeStep = report.minTimeStep = report.maxTimeStep = solids.lastTimeStep;
+    report.limit = "solids";
+    if (solids.stop != DemStop::none) report.stop = StopReason::solids;
+    return report;
+}
+
 template<class Backend, int D, class P>
 PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
+    if (clock_.initial == 0) return advanceDry(t, maxSteps);
     PicReport report;
     report.minTimeStep = 1e300;
     if (interrupted_) maxSteps = 1;
+    if (solidSide_) solidSide_->beginReport();
     while (clock_.time < t && n_ > 0 && (maxSteps <= 0 || report.steps < maxSteps))
     {
         const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
@@ -41,6 +68,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         report.maxSpeed = std::max(report.maxSpeed, speed);
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
         else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
+        else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h)) report.stop = StopReason::solids;
         if (report.stop != StopReason::none) { findOffender(report, courant); break; }
         // equal steps to the target; the last one ends there to the bit
         const double left = t - clock_.time;
@@ -49,6 +77,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         else if (config_.adjustTimeStep) dt = left/std::ceil(left/dt*(1 - 1e-9));
         toGrid();
         step(dt, report);
+        if (report.stop != StopReason::none) break;
         if (last) clock_.time = t;
         ++report.steps;
         report.lastTimeStep = dt;
@@ -58,6 +87,8 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         if (interrupted_) break;
     }
     interrupted_ = false;
+    report.viscosityConverged = viscousConverged_;
+    if (solidSide_) solidSide_->endReport();
     if (!report.steps) report.minTimeStep = 0;
     report.time = clock_.time;
     report.totalSteps = clock_.steps;

@@ -6,7 +6,10 @@
 
 #include "core/device.hpp"
 #include "scene/picSetup.hpp"
+#include "scene/picCut.hpp"
+#include "scene/picSolids.hpp"
 #include "scene/picStep.hpp"
+#include "scene/picViscosity.hpp"
 #include "scene/picAdvance.hpp"
 #include "scene/picOutput.hpp"
 #include "scene/picState.hpp"

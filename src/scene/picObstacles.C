@@ -86,6 +86,7 @@ PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObs
         if (cut.moves) out.walls.wallVelocity[d] = std::move(cut.wallVelocity[d]);
     }
     out.nodeDistance = std::move(cut.distance);
+    for (int d = 0; d < D; ++d) out.sealed[d] = std::move(cut.sealed[d]);
     out.moves = cut.moves;
     return out;
 }

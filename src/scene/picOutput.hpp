@@ -60,6 +60,7 @@ PicGridState PicSolver<Backend, D, P>::grid()
     state.pressure = pressure_.download();
     const std::vector<real> phi = phi_.download();
     const std::vector<unsigned char> near = near_.download();
+    const std::vector<real> open = cuts() ? open_.download() : std::vector<real>();
     state.distance.assign(phi.begin(), phi.end());
     state.water.resize(cells);
     state.velocity.assign(3*std::size_t(cells), 0.0);
@@ -67,7 +68,7 @@ PicGridState PicSolver<Backend, D, P>::grid()
     for (int d = 0; d < D; ++d) u[d] = u_[d].download();
     for (int i = 0; i < cells; ++i)
     {
-        state.water[i] = waterFraction(grid_, phi.data(), i, 0);
+        state.water[i] = waterFraction(grid_, phi.data(), i, 0)*(cuts() ? double(open[i]) : 1.0);
         if (!near[i]) continue;
         const typename UniformGrid<D>::Index c = grid_.cellIndex(i);
         for (int d = 0; d < D; ++d)
@@ -80,8 +81,17 @@ template<class Backend, int D, class P>
 SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
 {
     const std::size_t m = points.size()/3;
-    const std::vector<double> x = solved(points, true), p = pressure_.download();
+    const std::vector<double> x = solved(points, true);
+    std::vector<double> p = pressure_.download(), distance;
     const std::vector<real> phi = phi_.download();
+    SolidField<D, real> solids{};
+    if (cuts())
+    {
+        extendPressure(grid_, phi.data(), wet_.download(), p);
+        distance = nodeDistance_.download();
+        solids.grid = grid_;
+        solids.distance = distance.data();
+    }
     std::vector<real> u[D];
     for (int d = 0; d < D; ++d) u[d] = u_[d].download();
     SampleResult result;
@@ -94,6 +104,8 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
         Vec<D, double> at;
         for (int d = 0; d < D; ++d) at.c[d] = x[i*D + d];
         at = intoBlock(grid_, at);
+        Vec<D, double> normal;
+        if (cuts() && solids.at(at, normal) < 0) continue;
         // linear between cells, so that 1/2 is where phi is 0, but the surface is no wider than a cell
         const double distance = sampleCell<1>(grid_, phi.data(), at);
         result.volumeFraction[i] = std::max(0.0, std::min(0.5 - distance/grid_.h, 1.0));
@@ -131,12 +143,14 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     const auto add = [&](const char* name, std::size_t bytes) { if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes}); };
     add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
     add("p", pressure_.bytes());
+    add("sums of cells", toFaces_.bytes());
     std::size_t u = 0, walls = 0;
     for (int d = 0; d < D; ++d)
     {
-        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + layer_[d].bytes();
-        walls += aperture_[d].bytes() + wallVelocity_[d].bytes();
+        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + after_[d].bytes() + carrier_[d].bytes() + layer_[d].bytes();
+        walls += aperture_[d].bytes() + wallVelocity_[d].bytes() + sealed_[d].bytes();
     }
+    walls += nodeDistance_.bytes() + open_.bytes() + openWeight_.bytes() + cellLayer_.bytes();
     add("u", u);
     add("walls", walls);
     return list;

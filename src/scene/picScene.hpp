@@ -9,12 +9,14 @@
 
 #include <memory>
 #include "pic/pressure/linearSolver.hpp"
+#include "scene/demScene.hpp"
 #include "scene/fluidScene.hpp"
 
 namespace riprap
 {
 
 enum class TransferKind {flip, pic, flipPic, apic};
+enum class ViscousKind {automatic, explicitly, implicitly};     // automatic: explicit where the step is small enough
 
 struct PicConfig : FluidConfig
 {
@@ -43,8 +45,11 @@ struct PicConfig : FluidConfig
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's
 
+    ViscousKind viscousScheme = ViscousKind::automatic;
+
     // Walls
     bool noSlip = false;
+    Vector3 slide[3][2] = {};               // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
 
     // Time
     double startTime = 0;                   // [s]
@@ -65,6 +70,37 @@ struct PicWalls
     std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
 };
 
+//- A surface inside the domain, oriented or not
+struct PicObstacle
+{
+    std::string name;
+    std::vector<double> vertices;           // 3 each [m], as at the identity pose
+    std::vector<int> elements;              // 2D: two vertices each, in the plane; 3D: three
+    bool closed = true;                     // else a sheet: it parts, but has no inside
+    bool solidOutside = false;              // the water is inside, as in a basin
+    int body = -1;                          // index of its motion, -1: it rests
+};
+
+//- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and gravity
+struct PicSolids
+{
+    DemConfig config;
+    DemInput input;
+    bool weak = false;                      // their motion from the last step's pressure, not solved with it
+    double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
+};
+
+//- What is inside the domain; motion: of obstacles that move
+struct PicInside
+{
+    std::vector<PicObstacle> obstacles;
+    WallMotion motion;
+    std::shared_ptr<const PicSolids> solids;        // null: there are none
+    std::unique_ptr<DemScene> scene;                // theirs; made by createPicScene
+
+    bool empty() const { return obstacles.empty() && !scene; }
+};
+
 //- What one call of advance did
 struct PicReport
 {
@@ -82,7 +118,7 @@ struct PicReport
     std::vector<std::int32_t> escapedId;
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
-    bool pressureConverged = true;
+    bool pressureConverged = true, viscosityConverged = true;
     StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
@@ -113,6 +149,13 @@ public:
 
     virtual PicGridState grid() = 0;
 
+    //- The solids, null: there are none; to be read, not to be advanced
+    virtual DemScene* solids() { return nullptr; }
+
+    //- The water's force on all of them in the last step [N], and their steps in it
+    struct Coupling { Vector3 force{{0, 0, 0}}; int subcycles = 0; };
+    virtual Coupling coupling() { return Coupling(); }
+
     //- Edge of the square or cube that a particle stands for [m]
     virtual double particleSpacing() const = 0;
 
@@ -130,6 +173,6 @@ public:
 
 //- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our multigrid, to pressureTolerance
 //  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
-std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr);
+std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr, PicInside inside = PicInside());
 
 } // namespace riprap

@@ -4,7 +4,9 @@
 */
 #pragma once
 
+#include <algorithm>
 #include <numeric>
+#include "pic/cutCells/fillSolids.hpp"
 #include "pic/seeding.hpp"
 #include "scene/picSolver.hpp"
 
@@ -12,15 +14,23 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver)
+PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside&& inside)
 :
     config_(config),
+    inside_(std::move(inside)),
     linearSolver_(solver ? *solver : ownSolver_)
 {
     ownSolver_.controls.tolerance = config.pressureTolerance;
     setGrid();
-    setWalls(walls);
     clock_.time = config.startTime;
+    if (cuts())
+    {
+        sides_ = walls;
+        allocateCut();
+        setSolids();
+        cutGrid(clock_.time, 1);
+    }
+    else setWalls(walls);
     setFluid(fluid);
     context_.synchronise();
 }
@@ -43,13 +53,14 @@ void PicSolver<Backend, D, P>::setGrid()
     for (auto* a : {&phi_, &carried_, &spare_}) a->allocate(context_, cells);
     for (auto* a : {&wet_, &near_}) a->allocate(context_, cells);
     pressure_.allocate(context_, cells);
+    if (config_.reflection > 0) reflected_.allocate(context_, cells);
     pressureStep_.allocate(context_, grid_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
         for (auto* a : {&u_[d], &before_[d], &change_[d], &mass_[d], &aperture_[d]}) a->allocate(context_, faces);
         layer_[d].allocate(context_, faces);
-        if (config_.reflection > 0) excess_[d].allocate(context_, faces);
+        if (config_.reflection > 0) for (auto* a : {&after_[d], &carrier_[d]}) a->allocate(context_, faces);
     }
 }
 
@@ -69,6 +80,7 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
         aperture_[d].upload(context_, a);
         if (!walls.wallVelocity[d].empty()) wallsMove_ = true;
     }
+    setSides();
     if (!wallsMove_) return;
     for (int d = 0; d < D; ++d)
     {
@@ -76,6 +88,58 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
         std::copy(walls.wallVelocity[d].begin(), walls.wallVelocity[d].end(), w.begin());
         wallVelocity_[d].upload(context_, w);
     }
+}
+
+//- Water sticks to a side of the block that is closed all over
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::setSides()
+{
+    if (!config_.noSlip) return;
+    for (int d = 0; d < D; ++d)
+    {
+        if (grid_.periodic[d]) continue;
+        const std::vector<real> a = aperture_[d].download();
+        for (int side = 0; side < 2; ++side)
+        {
+            bool closed = true;
+            for (int i = 0; i < grid_.faces(d); ++i)
+                closed = closed && (grid_.faceIndex(d, i).c[d] != side*grid_.n[d] || !(a[i] > real(0)));
+            grid_.sticks[d][side] = closed;
+            for (int e = 0; e < D; ++e) grid_.slide[d][side][e] = closed ? config_.slide[config_.axes[d]][side][config_.axes[e]] : 0;
+        }
+    }
+}
+
+template<class T>
+std::vector<double> asDouble(const std::vector<T>& v) { return std::vector<double>(v.begin(), v.end()); }
+
+//- The direction in which gravity is largest; -1: there is none
+template<class Backend, int D, class P>
+int PicSolver<Backend, D, P>::steepest() const
+{
+    int up = 0;
+    for (int d = 1; d < D; ++d) if (std::abs(gravity_[d]) > std::abs(gravity_[up])) up = d;
+    return gravity_[up] != 0 ? up : -1;
+}
+
+//- Points that lie in solids are left out
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::dropInside(std::vector<double>& x)
+{
+    const std::vector<double> distance = nodeDistance_.download();
+    SolidField<D, real> solids{};
+    solids.grid = grid_;
+    solids.distance = distance.data();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < x.size()/D; ++i)
+    {
+        Vec<D, double> at, normal;
+        for (int d = 0; d < D; ++d) at.c[d] = x[i*D + d];
+        if (solids.at(at, normal) < wallMargin*grid_.h) continue;
+        for (int d = 0; d < D; ++d) x[kept*D + d] = x[i*D + d];
+        ++kept;
+    }
+    x.resize(kept*D);
 }
 
 //- The solved components of points, above the block's corner, or of vectors
@@ -92,14 +156,18 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
 {
     const real band = real(bandCells*grid_.h);
+    if (fluid.size() == 0) { leaveDry(); return; }
     const std::vector<double> x = solved(fluid.position, true), v = solved(fluid.velocity, false);
-    const std::vector<double> fill = fillOfBoxes<D>(grid_, x, config_.spacing);
+    std::vector<double> fill = fillOfBoxes<D>(grid_, x, config_.spacing);
+    if (cuts()) fillSolids(grid_, clearCells(std::min(config_.spacing, nearSolid*grid_.h)), asDouble(open_.download()), steepest(), fill);
     const std::vector<real> phi = surfaceOf<D, real>(grid_, fill, band);
     phi_.upload(context_, phi);
-    const double total = std::accumulate(fill.begin(), fill.end(), 0.0)*grid_.volume();
+    double sums[3];
+    const double total = (cuts() ? waterVolume(sums) : std::accumulate(fill.begin(), fill.end(), 0.0))*grid_.volume();
     if (config_.seedsPerDirection > 0)
     {
-        const std::vector<double> at = seeds<D, real>(grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
+        std::vector<double> at = seeds<D, real>(grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
+        if (cuts()) dropInside(at);
         std::vector<double> gradient;
         const std::vector<double> velocity = velocitiesAt(at, x, v, gradient);
         setParticles(at, velocity, gradient, std::vector<std::int32_t>());
@@ -115,9 +183,20 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     clock_.initial = n_;
     sortParticles();
     markWater();
-    double sums[3];
     volume_ = waterVolume(sums);
     flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+}
+
+//- Solids alone: arrays of one particle that does not count, and no surface
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::leaveDry()
+{
+    phi_.upload(context_, std::vector<real>(grid_.cells(), real(bandCells*grid_.h)));
+    setParticles(std::vector<double>(D, 0.5*grid_.h), std::vector<double>(D, 0.0), std::vector<double>(D*D, 0.0), std::vector<std::int32_t>());
+    clock_.particleVolume = grid_.volume();
+    sortParticles();
+    n_ = 0;
+    markWater();
 }
 
 template<class Backend, int D, class P>
@@ -182,6 +261,8 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
         bins[index(cellOf(&x[p*D], 0), cellOf(&x[p*D], 1), D == 3 ? cellOf(&x[p*D], D - 1) : 0)].push_back(p);
     std::vector<double> result(seeds.size(), 0.0);
     gradient.assign(seeds.size()*D, 0.0);
+    if (std::all_of(v.begin(), v.end(), [](double u) { return u == 0; })) return result;
+    #pragma omp parallel for
     for (std::size_t s = 0; s < seeds.size()/D; ++s)
     {
         const double* at = &seeds[s*D];

@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picStep.hpp (the parts of a step), picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -7,13 +7,17 @@
 #pragma once
 
 #include <atomic>
+#include <initializer_list>
 #include "core/cellSort.hpp"
 #include "core/largest.hpp"
+#include "pic/cutCells/extendSurface.hpp"
+#include "pic/cutCells/pushOut.hpp"
 #include "pic/extrapolate.hpp"
 #include "pic/forces.hpp"
 #include "pic/positionCorrection.hpp"
 #include "pic/pressure/pressureStep.hpp"
 #include "pic/speed.hpp"
+#include "pic/viscosity.hpp"
 #include "pic/surface/advectLevelSet.hpp"
 #include "pic/surface/fillFraction.hpp"
 #include "pic/surface/redistance.hpp"
@@ -22,6 +26,9 @@
 #include "pic/transfer/moveParticles.hpp"
 #include "pic/transfer/particleToGrid.hpp"
 #include "pic/wetCells.hpp"
+#include "coupling/solidView.hpp"
+#include "scene/picBodies.hpp"
+#include "scene/picObstacles.hpp"
 #include "scene/picScene.hpp"
 
 namespace riprap
@@ -44,13 +51,19 @@ public:
 
     using real = typename P::real;
 
-    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*);
+    PicSolver(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver*, PicInside&&);
 
     PicReport advance(double t, std::int64_t maxSteps) override;
-    void interrupt() override { interrupted_ = true; }
+    void interrupt() override
+    {
+        interrupted_ = true;
+        if (inside_.scene) inside_.scene->interrupt();
+    }
     double time() const override { return clock_.time; }
     FluidState fluid() override;
     PicGridState grid() override;
+    DemScene* solids() override { return inside_.scene.get(); }
+    Coupling coupling() override { return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling(); }
     FluidEnergy energy() override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     SampleResult sample(const std::vector<double>& points) override;
@@ -69,11 +82,14 @@ private:
     static constexpr int extrapolationPasses = 5;
     static constexpr double bandCells = 4;      // of phi on either side of the surface
     static constexpr double wallMargin = 1e-3;  // of a cell: particles stay that far inside
+    static constexpr double nearSolid = 1.9;    // cells: distances are known a little farther
 
     // picSetup.hpp
     void setGrid();
     void setWalls(const PicWalls&);
+    void setSides();
     void setFluid(const FluidInput&);
+    void leaveDry();
     void setParticles
     (
         const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
@@ -83,16 +99,39 @@ private:
         const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient
     ) const;
     std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
+    int steepest() const;
+    void dropInside(std::vector<double>& x);
+
+    // picCut.hpp
+    bool cuts() const { return !inside_.empty(); }
+    bool sticksInside() const { return cuts() && config_.noSlip && config_.viscosity > 0; }
+    void allocateCut();
+    void cutGrid(double t, double dt);
+    bool moveInside(double dt, double before);
+    SolidField<D, real> solidField();
+    void extendSurface(Array<Backend, real>& phi);
+    std::vector<char> clearCells(double clear);
+
+    // picSolids.hpp
+    void setSolids();
+    void cutByBodies(const PicCut& base, std::vector<double>& distance);
+    void useBodyVelocities(bool predicted);
+    void projectWithBodies(double dt);
+    void slowBetweenSolids();
+    void setSolidVelocity();
+    void dragBodies(double dt);
+    bool advanceSolids(double dt, double before);
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
     PicParticles<D, real> particles();
-    PressureFields<D, real> pressureFields(double dt);
+    PressureFields<D, real> pressureFields(double dt, bool reflected = false);
     void sortParticles(PicReport* report = nullptr);
     void markWater();
     void toGrid();
-    void project(double dt);
-    void extrapolate(Array<Backend, real>* a, Array<Backend, real>* b, int passes);
+    void project(double dt, double drift);
+    void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
+    Array<Backend, real>* carrier() { return config_.reflection > 0 ? carrier_ : u_; }
     void toParticles(double dt);
     void moveParticles(double dt);
     void moveSurface(double dt, PicReport&);
@@ -102,6 +141,13 @@ private:
     double kick(double dt) const;
     void step(double dt, PicReport&);
 
+    // picViscosity.hpp
+    bool diffusesImplicitly(double dt) const;
+    ViscousFaces<D, real> viscousFaces(int d, bool homogeneous = false);
+    void diffuse(double dt);
+    void diffuseImplicitly(double dt, double number);
+    void solveViscous(real k);
+
     // picOutput.hpp
     std::vector<real> velocities(int d);
 
@@ -110,6 +156,7 @@ private:
 
     // picAdvance.hpp
     double timeStep(std::string& limit);
+    PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);
 
     PicConfig config_;
@@ -122,14 +169,34 @@ private:
     FieldSet<Backend> set_;
     int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
     CellSort<Backend> sort_;
+    ParticleToGrid<Backend, D, real> toFaces_;
     Array<Backend, real> shift_[D];             // of position correction
 
     Array<Backend, real> phi_, carried_, spare_;
     Array<Backend, unsigned char> wet_, near_;
-    Array<Backend, real> u_[D], before_[D], change_[D], excess_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    Array<Backend, real> u_[D], before_[D], change_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    Array<Backend, real> after_[D], carrier_[D];    // with reflection: of particles after the step, and what carries them
     Array<Backend, unsigned char> layer_[D];
-    Array<Backend, double> pressure_;
+    Array<Backend, double> pressure_, reflected_;   // that of the step, and what takes away the divergence that drift brings
+    struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; } viscous_;      // of the implicit one
+    bool viscousConverged_ = true;
     bool wallsMove_ = false;
+
+    PicWalls sides_;
+    PicInside inside_;
+    SolidSide<D, P>* solidSide_ = nullptr;
+    std::unique_ptr<PicBodies<D>> bodies_;      // null: there are none
+    PicCut base_;                               // by what does not belong to the solids
+    BodyGrid<D> bodyGrid_;
+    int subcycles_ = 0;
+    Array<Backend, int> contactFirst_, contactOf_;
+    Array<Backend, ContactArea<D>> contactAreas_;
+    bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
+    Array<Backend, double> nodeDistance_;       // to solids
+    Array<Backend, real> open_, openWeight_;    // parts of cells
+    Array<Backend, real> faceDistance_[D], solidVelocity_[D];     // where water sticks to solids
+    Array<Backend, unsigned char> cellLayer_, sealed_[D];
+
     PressureStep<Backend, D, real> pressureStep_;
     MultigridLinear ownSolver_;
     LinearSolver& linearSolver_;                // the caller's, else ownSolver_

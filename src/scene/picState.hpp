@@ -1,7 +1,8 @@
 /*  PicSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, cells, bytes of the clock; the clock; each field of the
-    particles in the device's order; phi, p, and the velocities of the faces and their last changes; a checksum (FNV-1a over all words before it).
+    particles in the device's order; phi, p, and the velocities of the faces, their last changes and what particles took; of solids, each after its length, what bodies
+    remember and the state of their own scene; a checksum (FNV-1a over all words before it).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,7 +16,7 @@ namespace riprap
 
 namespace detail
 {
-static constexpr std::int32_t picMagic = 0x72697032, picVersion = 1;
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 2;
 static constexpr int picHeader = 9;
 }
 
@@ -25,8 +26,8 @@ void PicSolver<Backend, D, P>::forEachSaved(const F& f)
 {
     for (int k = 0; k < set_.fields(); ++k) f(set_.bytes(k), std::size_t(n_)*set_.elementBytes(k));
     f(reinterpret_cast<unsigned char*>(phi_.data()), phi_.size()*sizeof(real));
-    f(reinterpret_cast<unsigned char*>(pressure_.data()), pressure_.size()*sizeof(double));
-    for (int d = 0; d < D; ++d) for (auto* a : {&u_[d], &change_[d]}) f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
+    for (auto* p : {&pressure_, &reflected_}) f(reinterpret_cast<unsigned char*>(p->data()), p->size()*sizeof(double));
+    for (int d = 0; d < D; ++d) for (auto* a : {&u_[d], &change_[d], &after_[d]}) f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
 }
 
 template<class Backend, int D, class P>
@@ -44,6 +45,15 @@ std::vector<std::int32_t> PicSolver<Backend, D, P>::saveState()
         if (size) context_.toHost(bytes.data(), data, size);
         detail::appendBytes(words, bytes.data(), size);
     });
+    if (bodies_)
+    {
+        const std::vector<double> memory = bodies_->memory();
+        words.push_back(int(memory.size()));
+        detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
+        const std::vector<std::int32_t> solids = inside_.scene->saveState();
+        words.push_back(int(solids.size()));
+        words.insert(words.end(), solids.begin(), solids.end());
+    }
     words.push_back(detail::checksum(words, words.size()));
     return words;
 }
@@ -69,13 +79,39 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     n_ = n;
     std::size_t at = detail::picHeader + clockWords, expected = at + 1;
     forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    const std::size_t solidsAt = expected - 1;
+    std::vector<double> memory;
+    if (bodies_ && words.size() > expected)
+    {
+        const std::size_t count = std::size_t(std::max(words[solidsAt], 0));
+        expected += 1 + 2*count;
+        if (words.size() > expected)
+        {
+            memory.resize(count);
+            std::memcpy(memory.data(), &words[solidsAt + 1], count*sizeof(double));
+            expected += 1 + std::size_t(std::max(words[expected - 1], 0));
+        }
+    }
     if (expected != words.size()) { n_ = before; fail("wrong length"); }
+    if (bodies_)
+    {
+        if (!bodies_->setMemory(memory)) { n_ = before; fail("it has other solids"); }
+        const std::size_t at = solidsAt + 1 + 2*memory.size();
+        inside_.scene->loadState(std::vector<std::int32_t>(words.begin() + at + 1, words.end() - 1));
+        bodies_->read();
+        bodies_->hold();
+    }
     std::memcpy(static_cast<void*>(&clock_), &words[detail::picHeader], sizeof(PicClock));
     forEachSaved([&](unsigned char* data, std::size_t size)
     {
         if (size) context_.toDevice(data, &words[at], size);
         at += (size + 3)/4;
     });
+    if (cuts())
+    {
+        cutGrid(clock_.time, clock_.lastStep > 0 ? clock_.lastStep : 1);
+        cutForStep_ = insideMoves_ && clock_.steps > 0;
+    }
     sortParticles();
     markWater();
     double sums[3];

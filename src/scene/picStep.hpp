@@ -36,7 +36,7 @@ PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
 }
 
 template<class Backend, int D, class P>
-PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(double dt)
+PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(double dt, bool reflected)
 {
     PressureFields<D, real> f{};
     f.grid = grid_;
@@ -47,7 +47,7 @@ PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(dou
         f.wallVelocity[d] = wallsMove_ ? wallVelocity_[d].data() : nullptr;
         f.u[d] = u_[d].data();
     }
-    f.p = pressure_.data();
+    f.p = (reflected ? reflected_ : pressure_).data();
     f.timeStep = dt;
     f.density = config_.density;
     return f;
@@ -87,63 +87,77 @@ void PicSolver<Backend, D, P>::markWater()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toGrid()
 {
+    toFaces_.prepare(context_, grid_, sort_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
         withOrder([&](auto order)
         {
-            forEach(context_, faces, ParticleToGrid<decltype(order)::value, D, real>
-                {grid_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data()});
+            toFaces_.template map<decltype(order)::value>(context_, grid_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data());
         });
         if (grid_.periodic[d])
         {
             forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, before_[d].data()});
             forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, mass_[d].data()});
         }
-        forEach(context_, faces, MarkByMass<D, real>{mass_[d].data(), aperture_[d].data(), layer_[d].data()});
+        forEach(context_, faces, MarkByMass<D, real>{grid_, d, mass_[d].data(), aperture_[d].data(), layer_[d].data()});
     }
-    extrapolate(before_, nullptr, 3);
+    extrapolate({before_}, 3);
 }
 
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::extrapolate(Array<Backend, real>* a, Array<Backend, real>* b, int passes)
+void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes)
 {
     for (int pass = 1; pass <= passes; ++pass)
         for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), Extrapolate<D, real>
-                {grid_, d, static_cast<unsigned char>(pass), layer_[d].data(), a[d].data(), b ? b[d].data() : nullptr});
+        {
+            Extrapolate<D, real> f{grid_, d, static_cast<unsigned char>(pass), layer_[d].data(), {}, 0};
+            for (Array<Backend, real>* a : fields) f.field[f.fields++] = a[d].data();
+            forEach(context_, grid_.faces(d), f);
+        }
 }
 
-//- Forces, then the pressure; the velocity and its change, extended past the surface.
+//- Forces, then the pressure; the velocity, its change and what carries particles, extended past the surface.
 //
-//  Carrying particles gives the velocity a divergence D dt, which a plain projection takes out after it has grown: an error of the order of dt, which
-//  dissipates. Reflected (Zehnder, Narain & Thomaszewski 2018, ACM Trans. Graph. 37), particles get twice what removes the divergence before forces act:
-//  what the next drift adds then passes through zero half-way, and the scheme is of second order. It costs a second solution.
+//  Particles bring the velocity of half a step ago to where they are now. Two errors of the order of dt follow, which the last drift tells how to mend.
+//  Over a drift u.grad u has a part G that is the gradient of a pressure, and a rest S. Particles, which move at the middle of the coming drift, must be
+//  ahead of the projected velocity by dt/2 G: a plain projection (`reflection no`) takes that away and dissipates. The advection-reflection of Zehnder, Narain
+//  & Thomaszewski (2018, ACM Trans. Graph. 37) gives G dt and nothing by turns; here it is half of what the last drift's divergence was, each step.
+//  And the projected velocity lags by dt/2 S where it carries particles. Both come from one more solution: that of the velocity as particles bring it.
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::project(double dt)
+void PicSolver<Backend, D, P>::project(double dt, double drift)
 {
-    const double nu = config_.viscosity/config_.density;
     const bool reflects = config_.reflection > 0;
-    if (reflects)
+    const auto force = [&](Array<Backend, real>* from, bool gravity)
     {
         for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
-                before_[d].data(), u_[d].data(), real(0), real(0), config_.noSlip});
-        pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+            forEach(context_, grid_.faces(d), ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
+                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0)});
+    };
+    if (reflects)
+    {
+        const real part = clock_.steps ? real(0.5*drift/clock_.lastStep) : real(0);
         for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), VelocityChange<real>{u_[d].data(), before_[d].data(), excess_[d].data(), nullptr, real(0)});
+            forEach(context_, grid_.faces(d), KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()});
+        if (bodies_) useBodyVelocities(false);
+        force(before_, false);
+        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
+        for (int d = 0; d < D; ++d)
+            forEach(context_, grid_.faces(d), HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part});
     }
-    for (int d = 0; d < D; ++d)
-        forEach(context_, grid_.faces(d), ApplyForces<D, real>{grid_, d, aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
-            before_[d].data(), u_[d].data(), real(gravity_[d]*dt), real(nu*dt/(grid_.h*grid_.h)), config_.noSlip});
-    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    if (config_.viscosity > 0) diffuse(dt);
+    force(config_.viscosity > 0 ? u_ : before_, true);
+    if (bodies_) projectWithBodies(dt);
+    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
     for (int d = 0; d < D; ++d)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>
-            {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? excess_[d].data() : nullptr, real(config_.reflection)});
-        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), d, layer_[d].data()});
+            {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr, reflects ? carrier_[d].data() : nullptr});
+        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>
+            {grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()});
     }
-    extrapolate(u_, change_, extrapolationPasses);
+    if (reflects) extrapolate({u_, change_, after_, carrier_}, extrapolationPasses);
+    else extrapolate({u_, change_}, extrapolationPasses);
 }
 
 template<class Backend, int D, class P>
@@ -156,7 +170,7 @@ void PicSolver<Backend, D, P>::toParticles(double dt)
         f.particles = particles();
         for (int d = 0; d < D; ++d)
         {
-            f.u[d] = u_[d].data();
+            f.u[d] = (config_.reflection > 0 ? after_ : u_)[d].data();
             f.du[d] = change_[d].data();
             f.fall[d] = real(gravity_[d]*dt);
         }
@@ -190,13 +204,14 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.particles = particles();
         for (int d = 0; d < D; ++d)
         {
-            f.u[d] = u_[d].data();
+            f.u[d] = carrier()[d].data();
             f.aperture[d] = aperture_[d].data();
             f.shift[d] = corrected ? shift_[d].data() : nullptr;
         }
         f.nearWater = near_.data();
         f.timeStep = dt;
         f.order = config_.advectionOrder;
+        f.inside = cuts();
         f.margin = wallMargin*grid_.h;
         forEach(context_, n_, f);
     });
@@ -212,7 +227,7 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
     {
         AdvectLevelSet<decltype(order)::value, D, real> f{};
         f.grid = grid_;
-        for (int d = 0; d < D; ++d) f.u[d] = u_[d].data();
+        for (int d = 0; d < D; ++d) f.u[d] = carrier()[d].data();
         f.from = phi_.data();
         f.to = carried_.data();
         f.timeStep = dt;
@@ -220,7 +235,9 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
         forEach(context_, cells, f);
     });
     sortParticles(&report);
-    forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), carried_.data(), band});
+    forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), cuts() ? open_.data() : nullptr,
+        cuts() ? openWeight_.data() : nullptr, carried_.data(), band});
+    if (cuts()) extendSurface(carried_);
     redistance();
     markWater();
 }
@@ -243,7 +260,7 @@ void PicSolver<Backend, D, P>::redistance()
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::waterVolume(double* sums)
 {
-    const auto s = sumOver<3>(context_, grid_.cells(), WaterVolume<D, real>{grid_, phi_.data(), nullptr, 0.05*grid_.h});
+    const auto s = sumOver<3>(context_, grid_.cells(), WaterVolume<D, real>{grid_, phi_.data(), cuts() ? open_.data() : nullptr, 0.05*grid_.h});
     for (int k = 0; k < 3; ++k) sums[k] = s[k];
     return s[0];
 }
@@ -277,10 +294,15 @@ double PicSolver<Backend, D, P>::kick(double dt) const { return clock_.steps ? 0
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
 {
+    const double before = clock_.steps ? clock_.lastStep : 0;
+    if (insideMoves_ && !cutForStep_) cutGrid(clock_.time, dt);
+    if (bodies_) bodies_->predict(dt, before);
     clock_.lastKick = kick(dt);
-    project(clock_.lastKick);
+    project(clock_.lastKick, dt);
     toParticles(clock_.lastKick);
+    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
     moveParticles(dt);
+    if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
     moveSurface(dt, report);
     holdVolume();
     clock_.time += dt;

@@ -35,6 +35,7 @@ struct Cloud
     UniformGrid<D> grid;
     FieldSet<Backend> set;
     CellSort<Backend> sort;
+    ParticleToGrid<Backend, D, R> map;
     int n;
     Array<Backend, R> u[D], mass[D];
     std::vector<double> x[D];
@@ -98,8 +99,8 @@ struct Cloud
     template<int Order>
     void toGrid(bool affine = false)
     {
-        for (int d = 0; d < D; ++d)
-            forEach(context, grid.faces(d), ParticleToGrid<Order, D, R>{grid, view(), d, affine, u[d].data(), mass[d].data()});
+        map.prepare(context, grid, sort);
+        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, view(), d, affine, u[d].data(), mass[d].data());
     }
 
     Vec<D, double> faceAt(int d, int i) const
@@ -186,6 +187,53 @@ PIC_TEST(MassAndMomentumAreConserved)
                 EXPECT_NEAR(momentum/size, given/size, 100*C::epsilon);
             }
         });
+}
+
+//- Mass and momentum of each face are the sums over all particles, seen directly and, beyond the sides, from the face's images
+PIC_TEST(SumsAreThoseOverAllParticles)
+{
+    using C = TypeParam;
+    constexpr int D = C::D;
+    Random random(13);
+    for (const bool periodic : {false, true})
+    {
+        Cloud<C> cloud(5, 3, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); }, periodic);
+        const UniformGrid<D>& g = cloud.grid;
+        std::vector<double> x[D];
+        for (int d = 0; d < D; ++d) x[d] = cloud.set.template download<double>(cloud.context, d);
+        forOrders([&](auto order)
+        {
+            using Spline = BSpline<decltype(order)::value>;
+            cloud.template toGrid<decltype(order)::value>();
+            for (int d = 0; d < D; ++d)
+            {
+                const auto u = cloud.u[d].download(), m = cloud.mass[d].download();
+                const auto v = cloud.set.template download<typename C::real>(cloud.context, D + d);
+                for (int f = 0; f < g.faces(d); ++f)
+                {
+                    const Vec<D, double> at = cloud.faceAt(d, f);
+                    double mass = 0, momentum = 0;
+                    for (int p = 0; p < cloud.n; ++p)
+                    {
+                        double even = 1, odd = 1;       // products over the axes; odd: images turn the component round
+                        for (int a = 0; a < D; ++a)
+                        {
+                            const double s = at.c[a]/g.h, xp = x[a][p]/g.h, n = g.n[a];
+                            double direct = Spline::value(s - xp), image = 0;
+                            if (periodic) direct += Spline::value(s + n - xp) + Spline::value(s - n - xp);
+                            else if (s > 1e-9 && s < n - 1e-9) image = Spline::value(-s - xp) + Spline::value(2*n - s - xp);
+                            even *= direct + image;
+                            odd *= a == d ? direct - image : direct + image;
+                        }
+                        mass += even;
+                        momentum += odd*v[p];
+                    }
+                    EXPECT_NEAR(m[f], mass, 200*C::epsilon);
+                    EXPECT_NEAR(m[f]*u[f], momentum, 200*C::epsilon);
+                }
+            }
+        });
+    }
 }
 
 //- A constant comes through both ways, whatever the particles; beside walls, too, for what runs along them

@@ -17,6 +17,10 @@ Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
     cloud_->moved();
     run_.particles = report_.fluid;
 
+    if (solids_)
+    {
+        solids_->moved();
+    }
     checkStop();
     countEscaped(report_, run_, settings_.guards);
     checkProgress(before, report_);

@@ -34,6 +34,14 @@ void Foam::solverModules::picDem::checkStop() const
     {
         what<< "has a velocity that is not a number";
     }
+    else if (report_.stop == StopReason::solids)
+    {
+        FatalErrorInFunction
+            << "Solids: their contacts stopped them (above), the water's force"
+            << " on one is not a number, or one would go "
+            << settings_.config.maxCourantEver << " cells in a step, at t = "
+            << report_.time << " s." << nl << advice() << exit(FatalError);
+    }
     else
     {
         what<< "would go " << report_.stopValue << " cells in a step;"

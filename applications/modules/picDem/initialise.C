@@ -17,6 +17,10 @@ void Foam::solverModules::picDem::buildScene
     bool continued
 )
 {
+    if (solids_)
+    {
+        solids_->clear();
+    }
     settings_ = asRead_;
     riprap::PicConfig& config = settings_.config;
 
@@ -38,11 +42,17 @@ void Foam::solverModules::picDem::buildScene
             config,
             fluidInput(cloud),
             grid_.walls(),
-            &pressure_
+            &pressure_,
+            inside(continued)
         );
     }
     catch (const std::invalid_argument& e)
     {
+        if (solids_)
+        {
+            FatalIOErrorInFunction(solids_->dict())
+                << "The case cannot be run: " << e.what() << exit(FatalIOError);
+        }
         FatalErrorInFunction
             << "The case cannot be run: " << e.what() << exit(FatalError);
     }
@@ -61,6 +71,11 @@ void Foam::solverModules::picDem::buildScene
     run_.particles = particles;
     run_.device = sphNames::device[scene_->device()];
     run_.precision = sphNames::precision[config.precision];
+
+    if (solids_)
+    {
+        solids_->registerScene(*scene_);
+    }
 }
 
 
@@ -86,6 +101,10 @@ void Foam::solverModules::picDem::initialise()
 {
     cloud_.clear();
     sceneObject_.clear();
+    if (solids_)
+    {
+        solids_->clear();
+    }
     scene_.reset();
 
     const particleCloud cloud(readFluid());

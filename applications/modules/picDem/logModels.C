@@ -66,7 +66,16 @@ void Foam::solverModules::picDem::logModels() const
     }
     logItem("fluid") << "rho " << c.density << " kg/m3, mu " << c.viscosity
         << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;
+    if (c.viscosity > 0)
+    {
+        logItem("viscosity") << picNames::viscosity[c.viscousScheme] << nl;
+    }
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
+    if (obstacles_.valid())
+    {
+        logItem("obstacles") << listed(obstacles_->names()).c_str() << ", moving: "
+            << bodies_.size() << nl;
+    }
 
     logItem("time step");
     if (c.adjustTimeStep)
@@ -83,6 +92,11 @@ void Foam::solverModules::picDem::logModels() const
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
+
+    if (solids_)
+    {
+        solids_->logModels();
+    }
 }
 
 

@@ -38,6 +38,17 @@ void Foam::solverModules::picDem::report()
             << " residual " << report_.largestResidual << endl;
     }
 
+    if (!report_.viscosityConverged)
+    {
+        WarningInFunction
+            << "The implicit viscosity was not solved to its tolerance"
+            << endl;
+    }
+
+    if (solids_)
+    {
+        solids_->logStep();
+    }
     logEscaped(report_.escaped.size(), run_.escaped);
     logProgress();
 }

@@ -26,13 +26,20 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     asRead_(readPicSettings(mesh)),
     settings_(asRead_),
     grid_(mesh, asRead_.config),
+    obstacles_(wallGeometry(runTime)),
+    bodies_(runTime, asRead_.motion),
     pressure_(runTime, "p", mesh.solverDict("p"))
 {
-    if (wallGeometry(runTime).valid())
+    if (waterSolids::there(runTime))
     {
-        FatalErrorInFunction
-            << "constant/geometry has obstacles, and picDem knows the mesh's"
-            << " patches only: take the folder away" << exit(FatalError);
+        solids_.reset(new waterSolids(runTime, mesh, asRead_, boundary_));
+        if (!asRead_.weak && pressure_.onDevice())
+        {
+            const dictionary& dict = mesh.solverDict("p");
+            FatalIOErrorInFunction(dict)
+                << "solver " << dict.get<word>("solver") << " of p cannot move"
+                << " solids with the water. Valid: coupledPCG" << exit(FatalIOError);
+        }
     }
     checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }

@@ -9,16 +9,26 @@ Description
 #include "picDem.H"
 #include "checkedDictionary.H"
 #include "IOdictionary.H"
+#include "OSspecific.H"
 #include "packedFields.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 Foam::particleCloud Foam::solverModules::picDem::readFluid() const
 {
+    if (solids_ && !isDir(runTime_.timePath()/"lagrangian"/"fluid"))
+    {
+        // Solids alone
+        particleCloud none;
+        none.vectors.set("U", vectorField());
+        none.labels.set("id", labelField());
+        return none;
+    }
+
     requireCloud(mesh_, "fluid");
     particleCloud cloud(readParticleCloud(mesh_, "fluid"));
 
-    if (cloud.size() == 0)
+    if (cloud.size() == 0 && !solids_)
     {
         FatalErrorInFunction
             << "The cloud " << runTime_.timePath()/"lagrangian/fluid"
@@ -39,6 +49,11 @@ Foam::particleCloud Foam::solverModules::picDem::readFluid() const
 //- Of the cloud that is read [m]
 Foam::scalar Foam::solverModules::picDem::givenSpacing() const
 {
+    if (!isDir(runTime_.timePath()/"lagrangian"/"fluid"))
+    {
+        return 0.5*grid_.cellSize();
+    }
+
     dictionary dict(readCloudProperties(runTime_, "fluid"));
     if (!dict.found("spacing"))
     {

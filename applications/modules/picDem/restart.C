@@ -21,6 +21,12 @@ bool Foam::solverModules::picDem::canContinue(const particleCloud& cloud)
     }
 
     run_ = readPicRun(runTime_);
+
+    string why;
+    if (solids_ && !solids_->canContinue(why))
+    {
+        return notUsed(why);
+    }
     return mayContinue(run_, cloud.size());
 }
 
@@ -76,7 +82,7 @@ bool Foam::solverModules::picDem::loadState(const particleCloud& cloud)
         return notUsed(e.what());
     }
 
-    if (!sameCloud(cloud))
+    if (!sameCloud(cloud) || (solids_ && !solids_->sameAsCloud()))
     {
         return notUsed("the cloud has been changed since it was written");
     }

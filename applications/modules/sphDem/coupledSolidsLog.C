@@ -7,8 +7,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSolids.H"
-#include "demNames.H"
-#include "listed.H"
 #include "moduleLog.H"
 #include "sphNames.H"
 
@@ -16,73 +14,22 @@ Description
 
 void Foam::coupledSolids::logModels() const
 {
-    const riprap::DemConfig& c = settings_.config;
-    const riprap::DemPlan plan(scene_->solids()->plan());
-
     Info<< nl << "Solids in the fluid" << nl;
     logItem("coupling") << sphNames::coupling[coupling_.kind]
         << ", fluidForce " << sphNames::fluidForce[coupling_.force]
         << ", viscosity " << (coupling_.viscosity ? "yes" : "no")
         << ", XSPH " << (coupling_.xsph ? "yes" : "no")
         << ", antiClump " << (coupling_.antiClump ? "yes" : "no") << nl;
-    logItem("particles") << label(plan.particles) << ", clumps "
-        << label(plan.clumps) << ", bonds " << label(plan.bonds)
-        << ", wall elements " << label(plan.wallElements) << nl;
-    logItem("contact") << demNames::normal[c.normal] << ", "
-        << demNames::tangential[c.tangential] << ", rolling "
-        << demNames::rolling[c.rolling] << nl;
-    for (const demGroup& g : settings_.groups)
-    {
-        label held = 0;
-        for (const bool h : g.group.held) held += h;
-        logItem("group " + g.group.name)
-            << (g.moves ? "moved, " : held == 3 ? "fixed, " : held ? "held along some axes, " : "")
-            << "localDamping " << g.group.localDamping
-            << ", viscousDamping " << g.group.viscousDamping << nl;
-    }
-    for (const riprap::DemBondType& b : input_.bondTypes)
-    {
-        logItem("bonds") << "normalStiffness " << b.normalStiffness
-            << " Pa/m, shearStiffness " << b.shearStiffness
-            << " Pa/m, radiusFactor " << b.radiusFactor
-            << ", dampingRatio " << b.dampingRatio << nl;
-    }
-
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
-    logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
-        << ", step " << plan.timeStep << " s (" << plan.cause.c_str() << "): "
-        << label(std::ceil(fluidStep/plan.timeStep*(1 - 1e-9)))
-        << " a step of the fluid, which is " << fluidStep << " s (" << limit.c_str() << ')' << nl;
-    for (const std::string& warning : plan.warnings)
-    {
-        logItem("") << warning.c_str() << nl;
-    }
-    if (settings_.unused.size())
-    {
-        logItem("not used") << listed(settings_.unused).c_str() << nl;
-    }
-    Info<< endl;
+    logSolids(fluidStep, limit);
 }
 
 
 void Foam::coupledSolids::logStep() const
 {
     const riprap::CouplingState now(scene_->coupling());
-    Info<< "Solids: steps = " << report_.steps << " (" << run_.steps << "), "
-        << now.subcycles << " a step of the fluid, max(mag(U)) = "
-        << report_.maxSpeed << " m/s, force of the fluid = ("
-        << now.total[0] << ' ' << now.total[1] << ' ' << now.total[2] << ") N";
-    if (input_.bonds.size())
-    {
-        Info<< ", broken bonds = "
-            << int64_t(report_.brokenBonds) + run_.brokenBefore;
-    }
-    Info<< endl;
-    if (report_.escaped.size())
-    {
-        escaped_.log(report_.escaped.size(), run_.escaped);
-    }
+    logSteps(now.subcycles, now.total);
 }
 
 

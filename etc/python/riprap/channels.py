@@ -12,7 +12,7 @@ import os
 import numpy as np
 
 from . import clouds, measures, plotting
-from .bounds import Quantity
+from .bounds import Quantity, root
 from .study import Study, Variant
 
 terms = 200
@@ -74,31 +74,48 @@ def plot(runs, path, profile, title):
     for run in runs:
         tau, error = errors(run, profile)
         right.semilogy(tau, error, label=f'{run.name}: L/{1/run.spacing:.0f}')
-    right.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound at L/100')
+    right.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound of the stated resolution')
     right.set(xlabel='$\\nu t/L^2$', ylabel='relative L2 error of the velocity')
     left.legend(fontsize=7)
     right.legend(fontsize=7)
     plotting.save(fig, path)
 
 
-def verify(scene, here, profile, scale, title):
-    """The tutorial here: its runs and main program; scale: of the velocities in reference/profiles.csv, at nu = 0.1"""
+def ofParticles():
+    """Variants of sphDem, the quick one, and the three resolutions"""
+    return ([Variant('n25', ['-spacing', '0.04']), Variant('n50', ['-spacing', '0.02']), Variant('n100', ['-spacing', '0.01']),
+             Variant('n50-stationary', ['-spacing', '0.02', '-set', 'walls/model stationary'])],
+            [Variant('n25-quick', ['-spacing', '0.04', '-endTime', '5'])], ['n25', 'n50', 'n100'])
+
+
+def onGrid():
+    """The same of picDem, with n cells across"""
+    def cells(n, more=''):
+        return ['-spacing', f'{0.5/n:.8g}', '-set', f'system/tank:n {n}; system/tank:nx {3*n//5}{more}']
+    return ([Variant(f'n{n}', cells(n)) for n in (10, 20, 40)]
+            + [Variant(f'n20-{word}', cells(20, f'; {entry}')) for word, entry in (
+                ('apic', 'transfer apic'), ('explicit', 'viscosity explicit'), ('implicit', 'viscosity implicit'))],
+            [Variant('n10-quick', cells(10) + ['-endTime', '5'])], ['n10', 'n20', 'n40'])
+
+
+def verify(scene, here, profile, scale, title, runs=None):
+    """The tutorial here: its runs (ofParticles() or onGrid()) and main program; scale: of the velocities in
+    sphDem's reference/profiles.csv, at nu = 0.1"""
+    variants, quick, resolutions = runs or ofParticles()
     steady = 'velocity L2, steady'
     developing = 'velocity L2, largest from nu t/L^2 = 0.05'
 
     def analysed(run):
-        table = os.path.join(here, 'reference', 'profiles.csv')
+        table = os.path.join(root(), 'tutorials', 'sphDem', os.path.basename(here), 'reference', 'profiles.csv')
         series = checkSeries(lambda y, tau: profile(y, tau/0.1, 0.1), table, scale)
         return [*analyse(run, profile), Quantity('series against reference table', error=series)]
 
     Study(
         scene=scene,
-        variants=[Variant('n25', ['-spacing', '0.04']), Variant('n50', ['-spacing', '0.02']),
-                  Variant('n100', ['-spacing', '0.01']),
-                  Variant('n50-stationary', ['-spacing', '0.02', '-set', 'walls/model stationary'])],
-        quick=[Variant('n25-quick', ['-spacing', '0.04', '-endTime', '5'])],
+        variants=variants,
+        quick=quick,
         analyse=analysed,
         plot=lambda runs, path: plot(runs, path, profile, title),
         headline=steady,
-        orders=[(steady, ['n25', 'n50', 'n100']), (developing, ['n25', 'n50', 'n100'])],
+        orders=[(steady, resolutions), (developing, resolutions)],
     ).main(here)

@@ -73,6 +73,37 @@ void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body,
                 }
 }
 
+//- Velocities of the closed parts of faces, from bodies' velocities: walls (what is open without bodies, and how fast the rest is) and bodies by
+//  their shares; open: what is left
+template<int D, class Shape>
+void bodyVelocities
+(
+    const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>& bodies, const std::vector<FaceShare<D>>& shares,
+    const std::vector<double>* walls, const std::vector<double>* wallVelocity, const std::vector<double>* open, std::vector<double>* velocity
+)
+{
+    for (int d = 0; d < D; ++d)
+    {
+        velocity[d] = wallVelocity[d];
+        velocity[d].resize(grid.faces(d), 0);
+    }
+    // each face is scaled once, by its first share
+    std::vector<char> begun[D];
+    for (int d = 0; d < D; ++d) begun[d].assign(grid.faces(d), 0);
+    for (const FaceShare<D>& s : shares)
+    {
+        const double closed = 1 - open[s.d][s.face];
+        if (!(closed > 0)) continue;
+        double& v = velocity[s.d][s.face];
+        if (!begun[s.d][s.face]) v *= (1 - walls[s.d][s.face])/closed;
+        begun[s.d][s.face] = 1;
+        const Vec<D, double> r = s.middle - bodies[s.body].centre;
+        double speed = 0;
+        for (int m = 0; m < bodyModes<D>; ++m) speed += modeVelocity(m, s.d, r)*bodies[s.body].velocity[m];
+        v += s.share*speed/closed;
+    }
+}
+
 //- up: the direction against gravity, across which volumes are measured
 template<int D, class Shape>
 void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>& bodies, int up, BodyGrid<D>& out)

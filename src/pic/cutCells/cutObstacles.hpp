@@ -22,6 +22,7 @@ struct CutGrid
 {
     std::vector<double> aperture[D], wallVelocity[D];   // in: of the sides of the domain
     std::vector<double> distance;                       // of the nearest solid, at the nodes
+    std::vector<char> sealed[D];                        // faces that a thin wall closes
     bool moves = false;                                 // is there a wall velocity anywhere?
 };
 
@@ -193,6 +194,7 @@ void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& ob
             if (open < 1) out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f] + (before - open)*velocity)/(1 - open);
             out.aperture[d][f] = open;
         }
+    for (int d = 0; d < D; ++d) out.sealed[d].swap(closed[d]);
 }
 
 } // namespace riprap

@@ -35,7 +35,7 @@ public:
     PressureReport project(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr)
     {
         const FineData<D>& fine = multigrid_.fine();
-        forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()});
+        markWet(context, f);
         forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
         multigrid_.setUp(context);
         const TiledCells<D> cells = multigrid_.fineCells();
@@ -54,6 +54,9 @@ public:
         if (free) moveBodies(context, f, *bodies);
         return report;
     }
+
+    //- Which cells are wet, for wet() before a projection
+    void markWet(Context<Backend>& context, const PressureFields<D, R>& f) { forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()}); }
 
     //- Cells in pockets without a surface, at the last projection
     int pocketCells() const { return pocketCells_; }

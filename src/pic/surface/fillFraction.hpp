@@ -10,7 +10,8 @@
 */
 #pragma once
 
-#include "pic/transfer/particleToGrid.hpp"
+#include "pic/cutCells/extendSurface.hpp"
+#include "pic/transfer/near.hpp"
 
 namespace riprap
 {
@@ -36,7 +37,7 @@ HD R fillOf(const UniformGrid<D>& g, const PicParticles<D, R>& particles, const 
     for (int d = 0; d < D; ++d) node[d] = c.c[d] + 0.5;
     const double inverse = 1/g.h, reach = BSpline<2>::support;
     R sum = 0;
-    forEachImage<D>(g, -1, node, reach, [&](const double* s, bool)
+    forEachImage<D>(g, node, reach, [&](const double* s)
     {
         forEachNear<D>(g, particles.start, s, reach, [&](int p)
         {
@@ -55,15 +56,18 @@ struct HoldSurface
     UniformGrid<D> grid;
     PicParticles<D, R> particles;
     R particleCells;            // volume of a particle in cells
+    const R* open;              // cells: their open parts, and what particles can fill of their neighbourhoods (cutCells/
+    const R* openWeight;        // extendSurface.hpp); nullptr: no solids
     R* phi;
     R band;
 
     HD void operator()(int i) const
     {
+        if (open && open[i] < R(knownOpening)) return;
         const R h = R(grid.h);
         // deep in the water a void among particles is no bubble; far above it a single particle is no water
         if (absolute(phi[i]) >= band || phi[i] < R(-1.5)*h) return;
-        const R alpha = fillOf(grid, particles, grid.cellIndex(i), particleCells);
+        const R alpha = fillOf(grid, particles, grid.cellIndex(i), openWeight ? particleCells/openWeight[i] : particleCells);
         const R own = surfaceOfFill(alpha)*h, tolerance = R(surfaceTolerance)*h;
         if (own - tolerance > 0) phi[i] = maximum(phi[i], own - tolerance);
         if (own + tolerance < 0) phi[i] = minimum(phi[i], own + tolerance);

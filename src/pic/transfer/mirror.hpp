@@ -1,7 +1,9 @@
 /*  What the fields of the grid are beyond the block: periodic copies, or mirror images at its sides, where a wall stands.
 
-    The velocity along the direction in which one looks is odd about its value at the side, u(-s) = 2 u(0) - u(s); all other components and
-    scalars are even. Particles near a side are seen with their images, so that what is mapped near walls is as exact as inside.
+    The velocity along the direction in which one looks is odd about its value at the side, u(-s) = 2 u(0) - u(s). Components along a side are even where water
+    slides; where it sticks they are continued linearly from the two nodes inside, so that neither a layer that the grid resolves is bent nor one that it does not
+    resolve is spread over a cell: the wall acts by its stress alone (pic/viscosity.hpp). Scalars are even. Particles near a side are seen with
+    their images, so that what is mapped near walls is as exact as inside.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,11 +24,10 @@ HD int evenNode(const UniformGrid<D>& g, int axis, int i)
     return i < 0 ? 0 : (i >= n ? n - 1 : i);            // a block of fewer cells than the stencil
 }
 
-//- Value of component d at face nodes I that may lie up to two beyond the sides
+//- Value of component d at face nodes that may lie up to two beyond the sides along d, and lie within them across
 template<int D, class R>
-HD R faceValue(const UniformGrid<D>& g, const R* u, int d, typename UniformGrid<D>::Index f)
+HD R valueAlong(const UniformGrid<D>& g, const R* u, int d, typename UniformGrid<D>::Index f)
 {
-    for (int a = 0; a < D; ++a) if (a != d) f.c[a] = evenNode(g, a, f.c[a]);
     const int n = g.n[d], i = f.c[d];
     if (i >= 0 && i <= n) return u[g.face(d, f)];
     if (g.periodic[d])
@@ -39,6 +40,41 @@ HD R faceValue(const UniformGrid<D>& g, const R* u, int d, typename UniformGrid<
     const int m = i < 0 ? -i : 2*n - i;
     f.c[d] = m < 0 ? 0 : (m > n ? n : m);
     return 2*side - u[g.face(d, f)];
+}
+
+//- The same anywhere about the block
+template<int D, class R>
+HD R faceValue(const UniformGrid<D>& g, const R* u, int d, typename UniformGrid<D>::Index f)
+{
+    int axis[2] = {0, 0}, inward[2] = {0, 0}, beyond[2] = {0, 0}, sticky = 0;
+    for (int a = 0; a < D; ++a)
+    {
+        if (a == d) continue;
+        const int i = f.c[a], n = g.n[a], upper = i >= n;
+        if ((i < 0 || upper) && g.sticks[a][upper] && n > 1)
+        {
+            axis[sticky] = a;
+            inward[sticky] = upper ? -1 : 1;
+            beyond[sticky++] = upper ? i - n + 1 : -i;
+            f.c[a] = upper ? n - 1 : 0;
+        }
+        else f.c[a] = evenNode(g, a, i);
+    }
+    if (!sticky) return valueAlong(g, u, d, f);
+    R sum = 0;
+    for (int corner = 0; corner < (1 << sticky); ++corner)
+    {
+        typename UniformGrid<D>::Index at = f;
+        int w = 1;
+        for (int k = 0; k < sticky; ++k)
+        {
+            const bool second = corner >> k & 1;
+            w *= second ? -beyond[k] : 1 + beyond[k];
+            if (second) at.c[axis[k]] += inward[k];
+        }
+        sum += w*valueAlong(g, u, d, at);
+    }
+    return sum;
 }
 
 //- Value of a field of cells, even about the sides

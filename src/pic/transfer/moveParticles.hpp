@@ -4,7 +4,8 @@
     order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9,  k2 = u(x + dt/2 k1),  k3 = u(x + 3/4 dt k2)        (Ralston 1962)
 
     Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
-    particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave.
+    particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave. Closed faces inside the block let
+    no particle pass either.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -12,6 +13,7 @@
 
 #include "pic/particles.hpp"
 #include "pic/transfer/sample.hpp"
+#include "pic/transfer/stopAtFaces.hpp"
 
 namespace riprap
 {
@@ -62,6 +64,7 @@ struct MoveParticles
     const R* shift[D];          // what position correction adds [m]; nullptr: none
     double timeStep;
     int order;                  // 2 or 3
+    bool inside;                // are there closed faces inside the block?
     double margin;              // [m]
 
     HD void operator()(int i) const
@@ -76,13 +79,33 @@ struct MoveParticles
         if (nearWater[grid.cell(c)])
         {
             to = carried<Order>(grid, u, x, timeStep, order);
-            if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
+            if (shift[0]) displace(to, i);
         }
         else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];
+        if (inside)
+        {
+            const int stopped = stopAtFaces(grid, c, to, margin, [&](int d, int face)
+            { return !(aperture[d][face] > R(0)); });
+            for (int d = 0; d < D; ++d)
+            {
+                R& v = particles.v[d][i];
+                if ((stopped >> 2*d & 1 && v < 0) || (stopped >> 2*d & 2 && v > 0)) v = 0;
+            }
+        }
         for (int d = 0; d < D; ++d) particles.x[d][i] = confined(to.c[d], d, c, i);
     }
 
 private:
+
+    //- By the position correction: the velocity becomes that of the new place, as far as the particle knows it
+    HD void displace(Vec<D, double>& to, int i) const
+    {
+        for (int d = 0; d < D; ++d)
+        {
+            to.c[d] += shift[d][i];
+            if (particles.affine[0]) for (int a = 0; a < D; ++a) particles.v[d][i] += particles.affine[d*D + a][i]*shift[a][i];
+        }
+    }
 
     //- The coordinate after walls and periodic ends have had their say
     HD double confined(double x, int d, typename UniformGrid<D>::Index c, int i) const

@@ -28,6 +28,24 @@ def withShear(length):
     return beamTip(length) + length/(5/6*E/(2*(1 + nu))*e)
 
 
+def elasticaTip(length, load, points=400):
+    """Deflection of an inextensible beam of any deflection under a load that keeps its direction: E I theta'' = -P cos(theta), theta(0) = 0,
+    theta'(L) = 0; by shooting"""
+    h = length/points
+
+    def shot(curvature):
+        theta, k, y = 0.0, curvature, 0.0
+        for _ in range(points):             # midpoint rule
+            half, slope = theta + 0.5*h*k, k - 0.5*h*load*np.cos(theta)/(E*inertia)
+            theta, k, y = theta + h*slope, k - h*load*np.cos(half)/(E*inertia), y + h*np.sin(half)
+        return k, y
+    low, high = 0.0, load*length/(E*inertia)
+    for _ in range(50):
+        middle = 0.5*(low + high)
+        low, high = (low, middle) if shot(middle)[0] > 0 else (middle, high)
+    return shot(low)[1]
+
+
 def beamFrequency(length):
     return 1.8751041**2/(2*np.pi*length**2)*np.sqrt(E*inertia/(rho*e))
 
@@ -73,6 +91,10 @@ def paperLike(kind, rows, columns, radius):
 free = '; groups/beam/viscousDamping 0; groups/tip/viscousDamping 0; groups/tip/sharedForce (0 -0.1 0)'
 
 
+largeLoad = 40                                  # [N/m] bends the plate by more than half of its length
+large = f'; groups/tip/sharedForce (0 {-largeLoad} 0)'
+
+
 def lengthOf(run):
     plate = readDictionary(os.path.join(run.path, 'system', 'plate'))
     return numberOf(plate['tipStart'])
@@ -115,6 +137,9 @@ def analyse(run):
         return [Quantity('first natural frequency [Hz]', f, theory, abs(f/theory - 1)),
                 Quantity('first natural frequency, beam of the own length', f, own, abs(f/own - 1)),
                 Quantity('energy - work of the load, largest, over the largest work', float(abs(stored - work).max()/work.max()))]
+    if 'large' in run.name:
+        theory = elasticaTip(length, largeLoad)
+        return [Quantity('tip displacement [mm], large', 1e3*u[-1], 1e3*theory, abs(u[-1]/theory - 1))]
     settled = abs(u[-1] - np.interp(0.9*t[-1], t, u))/u[-1]
     theory, own = beamTip(L), beamTip(length)
     return [Quantity('tip displacement [mm]', 1e3*u[-1], 1e3*theory, abs(u[-1]/theory - 1)),
@@ -141,6 +166,8 @@ def plot(runs, path):
     fig, axes = plotting.figure(2, 2, width=5.5, height=3.2)
     for run in runs:
         t, u = tip(run)
+        if 'large' in run.name:
+            continue
         axis = axes[1] if isFree(run) else axes[0]
         axis.plot(t, 1e3*u, linewidth=1, label=run.name)
     axes[0].axhline(1e3*beamTip(L), color='#444444', linewidth=0.7, linestyle='--')
@@ -182,6 +209,7 @@ Study(
               variant('paper-hexagonal', paperLike('hexagonal', 4, 56, 'mean')),
               variant('paper-hexagonal-equivalent', paperLike('hexagonal', 4, 56, 'harmonic')),
               variant('square4-free', square(4, 64) + free, 0.4), variant('square8-free', square(8, 128) + free, 0.4),
+              variant('square4-large', square(4, 64) + large), variant('square8-large', square(8, 128) + large),
               variant('hexagonal8-free', hexagonalCounted(8, 111) + free, 0.4)],
     quick=[variant('square4-quick', square(4, 64))],
     analyse=analyse,

@@ -4,12 +4,15 @@ import os
 
 import numpy as np
 
+from gateModel import impliedModulus, levelFrom
 from riprap import clouds, plotting
 from riprap.bounds import Quantity
+from riprap.dictionaries import entry, numberOf
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
 digitisations = ('chrono', 'pysph')
+face, thickness = 0.1, 5e-3             # of the gate, where the water meets it
 # of the experiment, mean of the two digitisations
 peakX, peakTimeX, peakY = 0.0462, 0.161, 0.0171
 
@@ -55,8 +58,33 @@ def noise(t, u):
     return float(np.sqrt(np.mean(np.concatenate(rest)**2))/abs(u).max()) if rest else None
 
 
+def closingModulus(t, x, level):
+    """E of the gate at rest that is where the gate is in the closing phase, from 0.24 s on, under the level 5 cm behind it"""
+    if t[-1] < 0.39:
+        return None
+    return float(np.mean([impliedModulus(np.interp(when, t, x), np.interp(when, t, level)) for when in np.arange(0.24, 0.381, 0.02)]))
+
+
+def bendingModulus(run):
+    return numberOf(entry(run.solid, 'bonds/rubber/E'))
+
+
+def published(file, discharge):
+    """E that a published closing phase shows, and the level at 0.36 s that goes with its opening: {axis} in file stands for x and y"""
+    curves = []
+    for axis in 'xy':
+        t, u = reference(file.format(axis=axis))
+        late = t > 0.01
+        curves.append((np.concatenate([[0], t[late]]), np.concatenate([[0], u[late]])))
+    t = np.linspace(0, 0.36, 181)
+    x, y = (np.interp(t, *curve) for curve in curves)
+    level = levelFrom(t, x, y, 2.5e-4, discharge)
+    return np.mean([impliedModulus(np.interp(w, t, x), np.interp(w, t, level)) for w in (0.24, 0.28, 0.32, 0.36)]), level[-1]
+
+
 def analyse(run):
     t, x, y = end(run)
+    level = run.table('level', 'waterLevel.dat')
     bestX, timeX = peak(t, x)
     bestY, timeY = peak(t, y)
     q = [Quantity('largest x of the end [mm]', 1e3*bestX, 1e3*peakX, abs(bestX/peakX - 1)),
@@ -66,8 +94,10 @@ def analyse(run):
          Quantity('noise of x', computed=noise(t, x))]
     for axis, u in (('x', x), ('y', y)):
         q.append(Quantity(f'closing phase, rms of {axis} / peak', error=closing(t, u, axis)))
-    level = run.table('level', 'waterLevel.dat')
-    for k, where in ((0, 'at the gate'), (1, '5 cm behind')):
+    modulus, own = closingModulus(t, x, level['level1']), bendingModulus(run)
+    if modulus is not None:
+        q.append(Quantity('E that the closing phase shows [MPa]', 1e-6*modulus, 1e-6*own, abs(modulus/own - 1)))
+    for k, where in ((0, '5 mm behind the gate'), (1, '5 cm behind')):
         q.append(Quantity(f'water level {where} at the end [mm]', computed=1e3*level[f'level{k}'][-1]))
     return q
 
@@ -80,7 +110,42 @@ def drawExperiment(axis, which):
     axis.plot(t, 1e3*u, '--', color='#888888', linewidth=0.8, label='SPH, Antoci et al. 2007')
 
 
+def others():
+    """Curves of other authors: name, t, x"""
+    for name, file in (('ISPH, Khayyer et al. 2018', 'isph_khayyer2018_gate_end_x'), ('SPH-VCPM, Ng et al. 2020', 'sphvcpm_ng2020_gate_end_x'),
+                       ('SPH-FEM, Yang et al. 2012', 'sphfem_yang2012_gate_end_x_chrono'), ('SPH, Antoci et al. 2007', 'sph_antoci_gate_end_x_chrono')):
+        yield (name, *reference(file))
+
+
+def plotSensitivity(runs, path):
+    """Each change from attempt 3: how far, when, and where the gate is at 0.36 s"""
+    rows = []
+    for kind, variants in sensitivity.items():
+        rows += [(f'{kind}: {v.name}', *end(runs[v.name])[:2], plotting.colours[k]) for k, v in
+                 ((list(sensitivity).index(kind), v) for v in variants) if v.name in runs]
+    rows += [(name, *end(runs[name])[:2], 'k') for name in mainVariants if name in runs]
+    rows += [(name, t, x, '#888888') for name, t, x in others()]
+    rows += [('experiment', *np.mean([[t, x] for t, x in (reference('exp_gate_end_x_chrono')[:, -9:], reference('exp_gate_end_x_pysph'))], axis=0), 'r')]
+    base = end(runs[mainVariants[0]])
+    fig, axes = plotting.figure(3, width=3.2, height=0.17*len(rows) + 1)
+    for column, (measure, label) in enumerate(((lambda t, x: 1e3*peak(t, x)[0], 'largest x [mm]'), (lambda t, x: peak(t, x)[1], 'its time [s]'),
+                                               (lambda t, x: 1e3*np.interp(0.36, t, x) if t[-1] > 0.35 else np.nan, 'x at 0.36 s [mm]'))):
+        axis = axes[column]
+        for k, (name, t, x, colour) in enumerate(rows):
+            axis.plot(measure(t, x), -k, 'o', color=colour, markersize=3.5)
+        axis.axvline(measure(*base[:2]), color='k', linewidth=0.7)
+        axis.axvline(measure(*rows[-1][1:3]), color='r', linewidth=0.7, linestyle='--')
+        axis.locator_params(axis='x', nbins=5)
+        axis.set(xlabel=label, yticks=-np.arange(len(rows)), ylim=(-len(rows) + 0.5, 0.5))
+        axis.set_yticklabels([r[0] for r in rows] if column == 0 else [], fontsize=6)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
+    byName = {r.name: r for r in runs}
+    if len(byName) > len(mainVariants):
+        plotSensitivity(byName, path.replace('.png', 'Sensitivity.png'))
+    runs = [r for r in runs if r.name in mainVariants] or runs
     fig, axes = plotting.figure(2, 2, width=5.5, height=3.4)
     for k, which in enumerate('xy'):
         drawExperiment(axes[k], which)
@@ -91,8 +156,8 @@ def plot(runs, path):
         axes[k].legend(fontsize=5)
     for run in runs:
         level = run.table('level', 'waterLevel.dat')
-        axes[2].plot(level['Time'], 1e3*level['level0'], linewidth=0.8, label=f'{run.name}, at the gate')
-        axes[2].plot(level['Time'], 1e3*level['level1'], linewidth=0.8, linestyle=':')
+        near, = axes[2].plot(level['Time'], 1e3*level['level0'], linewidth=0.8)
+        axes[2].plot(level['Time'], 1e3*level['level1'], linewidth=0.8, linestyle=':', color=near.get_color())
     axes[2].set(xlabel='t [s]', ylabel='water level [mm]; dotted: 5 cm behind')
     run = runs[0]
     times = clouds.times(run.path)
@@ -105,7 +170,7 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-solid = 'constant/solidProperties:'
+solid, control, gate = 'constant/solidProperties:', 'system/controlDict:', 'system/gate:'
 
 
 def rubber(E, nu, plane=False):
@@ -122,8 +187,60 @@ attempt1 = f'coupling stationary; {rubber(12e6, 0.33)}; {damped(0.157)}; {held}'
 attempt2 = f'coupling stationary; {rubber(12e6, 0.33)}; {damped(0.0134)}; {held}; viscosity none; XSPH none'
 
 
+def sized(size, foot, fluid):
+    """Another spacing of the gate's particles, height of its lower end and spacing of the fluid [m]; the walls' with the gate's"""
+    columns = round(thickness/size)
+    lowest = ' '.join(f'({face + (k + 0.5)*size:.9g} {foot + 0.5*size:.9g} 0)' for k in range(columns))
+    numbers = {'size': size, 'radius': size/2, 'gap': 1e-3*size, 'gateFoot': foot, 'spacing': fluid, 'thickness': size}
+    return '; '.join([f'{gate}{k} {v:.9g}' for k, v in numbers.items()]
+                     + [f'walls/spacing {size:.9g}', f'{control}functions/end/points ({lowest})'])
+
+
 def variant(name, sets=''):
     return Variant(name, ['-set', sets] if sets else [])
+
+
+mainVariants = ('pressureGradient', 'stationary', 'pressureApproximation', 'extrapolated', 'attempt1', 'attempt2')
+undamped = f'{damped(0)}; couplingCoeffs/fluidForce impulse'
+# What is changed from attempt 3 with pressureGradient, by kind; the chart's bars
+sensitivity = {
+    'gate': [*(variant(f'E-{e}MPa', rubber(e*1e6, 0.4)) for e in (6, 7.8)), variant('E-12MPa', rubber(12e6, 0.4)), variant('planeStrain', rubber(10e6, 0.4, True)),
+             *(variant(f'E-{e}MPa-undamped', f'{rubber(e*1e6, 0.4)}; {undamped}') for e in (6, 7.8)),
+             variant('allHeld', held)],
+    'damping': [variant('undamped', undamped), variant('undamped-held', damped(0)), variant('damping-0.0134', damped(0.0134)),
+                variant('bondDamping-0.1', f'{damped(0)}; {solid}bonds/rubber/dampingRatio 0.1'),
+                *(variant(f'{c}-undamped', f'coupling {c}; {undamped}') for c in ('stationary', 'pressureApproximation', 'extrapolated'))],
+    'clearance': [variant('foot-1.5mm', sized(1.25e-3, 1.5e-3, 1.75e-3)), variant('foot-2.75mm', sized(1.25e-3, 2.75e-3, 1.75e-3))],
+    'water': [variant('inviscid', 'viscosity none; XSPH none; walls/slip freeSlip'), variant('XSPH-0.5', 'XSPH 0.5'),
+              variant('alpha-0.05', 'artificialViscosity/alpha 0.05'), variant('wet-frictionless', 'couplingCoeffs/viscosity no'),
+              variant('sound-20', 'soundSpeedRatio 20'), variant('wallsStationary', 'walls/model stationary')],
+    'resolution': [variant('water-3.33mm', f'{gate}spacing 0.003333333333'), variant('gate-0.625mm', sized(6.25e-4, 2.5e-4, 1.75e-3)),
+                   variant('gate-0.625mm-undamped', f'{sized(6.25e-4, 2.5e-4, 1.75e-3)}; {undamped}'),
+                   variant('fine', sized(6.25e-4, 2.5e-4, 8.75e-4)), variant('fine-undamped', f'{sized(6.25e-4, 2.5e-4, 8.75e-4)}; {undamped}')],
+    # the model of the authors in reference/: E = 12 MPa, nu = 0.4 in plane strain, held, nothing damped
+    'others': [variant('others', f'{rubber(12e6, 0.4, True)}; {held}; {undamped}'),
+               variant('others-beam', f'{rubber(12e6, 0.4)}; {held}; {undamped}')],
+}
+
+
+def compare(runs, results):
+    """What published curves say of their gates: the level from their opening, with the discharge coefficient that gives the level here"""
+    if 'pressureGradient' not in runs:
+        return []
+    t, x, y = end(runs['pressureGradient'])
+    level = runs['pressureGradient'].table('level', 'waterLevel.dat')['level1']
+    if t[-1] < 0.37:
+        return []
+    tried = np.linspace(0.6, 1.2, 61)
+    discharge = tried[np.argmin([abs(np.interp(0.36, t, levelFrom(t, x, y, 2.5e-4, d)) - np.interp(0.36, t, level)) for d in tried])]
+    q = [Quantity('discharge coefficient of the opening', computed=float(discharge))]
+    for name, file in (('experiment', 'exp_gate_end_{axis}_chrono'), ('experiment (2)', 'exp_gate_end_{axis}_pysph'),
+                       ('Khayyer et al.', 'isph_khayyer2018_gate_end_{axis}'), ('Ng et al.', 'sphvcpm_ng2020_gate_end_{axis}'),
+                       ('Yang et al.', 'sphfem_yang2012_gate_end_{axis}_chrono'), ('Antoci et al., SPH', 'sph_antoci_gate_end_{axis}_chrono')):
+        young, height = published(file, discharge)
+        q += [Quantity(f'{name}: E that the closing phase shows [MPa]', computed=1e-6*float(young)),
+              Quantity(f'{name}: level with it at 0.36 s [mm]', computed=1e3*float(height))]
+    return q
 
 
 Study(
@@ -133,9 +250,11 @@ Study(
               variant('pressureApproximation', 'coupling pressureApproximation'),
               variant('extrapolated', 'coupling extrapolated'),
               variant('attempt1', attempt1),
-              variant('attempt2', attempt2)],
+              variant('attempt2', attempt2),
+              *(v for kind in sensitivity.values() for v in kind)],
     quick=[Variant('quick', ['-endTime', '0.1'])],
     analyse=analyse,
     plot=plot,
+    compare=compare,
     headline='largest x of the end [mm]',
 ).main(here)

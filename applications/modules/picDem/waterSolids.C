@@ -1,0 +1,76 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "waterSolids.H"
+#include "moduleLog.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::waterSolids::waterSolids
+(
+    Time& runTime,
+    fvMesh& mesh,
+    const picSettings& fluid,
+    const boundaryFinder& boundary
+)
+:
+    sceneSolids
+    (
+        runTime,
+        mesh,
+        "picProperties",
+        fluid.config.device,
+        fluid.config.precision,
+        boundary
+    ),
+    weak_(fluid.weak),
+    contactVelocity_(fluid.contactVelocity)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::shared_ptr<const riprap::PicSolids> Foam::waterSolids::input
+(
+    bool continued
+)
+{
+    readInput(continued);
+
+    auto solids = std::make_shared<riprap::PicSolids>();
+    solids->config = settings_.config;
+    solids->input = input_;
+    solids->weak = weak_;
+    solids->contactVelocity = contactVelocity_;
+    return solids;
+}
+
+
+void Foam::waterSolids::registerScene(riprap::PicScene& scene)
+{
+    scene_ = &scene;
+    registerSolids(*scene.solids());
+}
+
+
+void Foam::waterSolids::logModels() const
+{
+    Info<< nl << "Solids in the water" << nl;
+    logItem("coupling") << (weak_ ? "weak" : "implicit")
+        << ", contactVelocity " << contactVelocity_ << nl;
+    std::string limit;
+    const scalar fluidStep = scene_->estimateTimeStep(limit);
+    logSolids(fluidStep, limit);
+}
+
+
+void Foam::waterSolids::logStep() const
+{
+    const riprap::PicScene::Coupling now(scene_->coupling());
+    logSteps(now.subcycles, now.force);
+}
+
+
+// ************************************************************************* //

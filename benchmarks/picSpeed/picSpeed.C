@@ -1,0 +1,153 @@
+/*  picSpeed: time a step of a dam break by particles in cells, by phase.
+
+        picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic]
+                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels]
+
+    The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a box 4 F columns wide and 2.5 F high. Steps go
+    by maxCourant 0.5. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each phase.
+    The particle part is everything but the pressure: transfers, sorting, advection, surface, extrapolation.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <omp.h>
+#include "scene/picScene.hpp"
+
+namespace
+{
+
+using namespace riprap;
+
+struct Options
+{
+    PicConfig config;
+    int dimensions = 3, across = 40;
+    double box = 1;
+    std::int64_t steps = 40, warmUp = 10;
+    bool kernels = false;
+};
+
+template<class T>
+T oneOf(const std::string& option, const std::string& word, std::initializer_list<std::pair<const char*, T>> words)
+{
+    std::string valid;
+    for (const auto& w : words)
+    {
+        if (word == w.first) return w.second;
+        valid += std::string(" ") + w.first;
+    }
+    throw std::invalid_argument(option + ": '" + word + "' is none of" + valid);
+}
+
+Options read(int argc, char** argv)
+{
+    Options o;
+    for (int k = 1; k < argc; ++k)
+    {
+        const std::string a = argv[k];
+        const auto value = [&] { if (++k >= argc) throw std::invalid_argument(a + " needs a value"); return std::string(argv[k]); };
+        if (a == "--device") o.config.device = oneOf<DeviceKind>(a, value(), {{"cpu", DeviceKind::cpu}, {"gpu", DeviceKind::gpu}, {"auto", DeviceKind::automatic}});
+        else if (a == "--precision") o.config.precision = oneOf<PrecisionKind>(a, value(), {{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}});
+        else if (a == "--transfer")
+            o.config.transfer = oneOf<TransferKind>(a, value(), {{"flip", TransferKind::flip}, {"pic", TransferKind::pic}, {"flipPic", TransferKind::flipPic}, {"apic", TransferKind::apic}});
+        else if (a == "--dim") o.dimensions = oneOf<int>(a, value(), {{"2", 2}, {"3", 3}});
+        else if (a == "--across") o.across = std::stoi(value());
+        else if (a == "--box") o.box = std::stod(value());
+        else if (a == "--spline") o.config.splineOrder = std::stoi(value());
+        else if (a == "--reflection") o.config.reflection = std::stod(value());
+        else if (a == "--tolerance") o.config.pressureTolerance = std::stod(value());
+        else if (a == "--steps") o.steps = std::stoll(value());
+        else if (a == "--warmUp") o.warmUp = std::stoll(value());
+        else if (a == "--kernels") o.kernels = true;
+        else throw std::invalid_argument("unknown option " + a);
+    }
+    if (o.across < 4 || o.steps < 1 || o.warmUp < 1 || !(o.box >= 1)) throw std::invalid_argument("--across: at least 4; --steps and --warmUp: at least 1; --box: at least 1");
+    return o;
+}
+
+//- The column, a metre wide, at rest; particles mark the middle of their part of a cell
+FluidInput column(Options& o)
+{
+    PicConfig& c = o.config;
+    const bool three = o.dimensions == 3;
+    const double h = 1.0/o.across;
+    c.cellSize = h;
+    c.cells[0] = int(std::lround(4*o.box*o.across));
+    c.cells[1] = int(std::lround(2.5*o.box*o.across));
+    c.cells[2] = three ? o.across : 1;
+    c.domainMax = {{c.cells[0]*h, c.cells[1]*h, c.cells[2]*h}};
+    c.dimensions = o.dimensions;
+    c.gravity = {{0, -9.81, 0}};
+    c.density = 1000;
+    c.viscosity = 0;
+    c.seedsPerDirection = 0;
+    const double s = 0.5*h;
+    c.spacing = s;
+    FluidInput f;
+    const int deep = three ? 2*o.across : 1;
+    f.position.reserve(std::size_t(24)*o.across*o.across*deep);
+    for (int k = 0; k < deep; ++k)
+        for (int j = 0; j < 4*o.across; ++j)
+            for (int i = 0; i < 2*o.across; ++i) f.position.insert(f.position.end(), {(i + 0.5)*s, (j + 0.5)*s, three ? (k + 0.5)*s : 0.5*h});
+    f.velocity.assign(f.position.size(), 0);
+    f.density.assign(f.size(), c.density);
+    return f;
+}
+
+double seconds(PicScene& scene, std::int64_t steps, PicReport& r)
+{
+    const auto start = std::chrono::steady_clock::now();
+    r = scene.advance(1e9, steps);
+    if (r.stop != StopReason::none) throw std::runtime_error("a guard stopped the run");
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+//- Launches a step, of all so far, and seconds a step of each kernel
+void printKernels(const PicScene& scene, std::int64_t steps, std::int64_t allSteps)
+{
+    double sum = 0;
+    for (const KernelInfo& k : scene.kernels())
+        if (k.seconds > 0)
+        {
+            sum += k.seconds;
+            std::printf("    %-28s %8.1f launches, %10.3f us a step\n", k.name.c_str(), double(k.launches)/allSteps, 1e6*k.seconds/steps);
+        }
+    std::printf("    %-28s %8s           %10.3f us a step\n", "all of these", "", 1e6*sum/steps);
+}
+
+int run(Options o)
+{
+    FluidInput in = column(o);
+    const std::size_t n = in.size();
+    auto scene = createPicScene(o.config, in, PicWalls());
+    in = FluidInput();
+    PicReport r;
+    seconds(*scene, o.warmUp, r);
+    const double wall = seconds(*scene, o.steps, r);
+    std::size_t bytes = 0;
+    for (const ArrayInfo& a : scene->arrays()) bytes += a.bytes;
+    const std::int64_t cells = std::int64_t(o.config.cells[0])*o.config.cells[1]*o.config.cells[2];
+    std::printf("%s, %d threads, %dD, %zu particles, %lld cells, %lld steps: %.4g us a step, %.4g particle-steps/s; %.3g iterations a step, "
+        "%zu bytes a particle, volume error %.2g\n", scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
+        (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall, double(r.pressureIterations)/r.steps, bytes/n, r.volumeError);
+    if (!o.kernels) return 0;
+    scene->timeKernels(true);
+    const double timed = seconds(*scene, o.steps, r);
+    std::printf("    with every kernel timed %.4g us a step\n", 1e6*timed/r.steps);
+    printKernels(*scene, r.steps, r.totalSteps);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try { return run(read(argc, argv)); }
+    catch (const std::exception& e) { std::fprintf(stderr, "picSpeed: %s\n", e.what()); }
+    return 2;
+}

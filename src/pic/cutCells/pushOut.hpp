@@ -1,0 +1,59 @@
+/*  Particles that have come into a solid are put on its surface, the shortest way, and lose the velocity into it. Nothing thin is
+    passed on that way.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/cutCells/solidField.hpp"
+#include "pic/transfer/stopAtFaces.hpp"
+
+namespace riprap
+{
+
+template<int D, class R>
+struct PushOut
+{
+    static constexpr const char* name = "pushOut";
+    static constexpr int passes = 3;            // where surfaces are bent the first way out ends beside the surface
+    SolidField<D, R> solids;
+    PicParticles<D, R> particles;
+    double margin;                              // [m]
+
+    HD void operator()(int i) const
+    {
+        const UniformGrid<D>& grid = solids.grid;
+        typename UniformGrid<D>::Index c{{0, 0, 0}};
+        Vec<D, double> x, normal;
+        bool inside = true;
+        for (int d = 0; d < D; ++d)
+        {
+            x.c[d] = particles.x[d][i];
+            c.c[d] = floorInt(x.c[d]/grid.h);
+            inside = inside && c.c[d] >= 0 && c.c[d] < grid.n[d];
+        }
+        if (!inside || !(solids.at(x, normal) < margin)) return;
+        const Vec<D, double> before = x;
+        for (int pass = 0; pass < passes; ++pass)
+        {
+            const double distance = solids.at(x, normal);
+            if (!(distance < margin)) break;
+            const double slope = std::sqrt(squaredNorm(normal));
+            if (!(slope > 0.1)) break;          // deeper than distances are known, or between two solids
+            x = x + ((margin - distance)/maximum(slope, 0.5)/slope)*normal;
+            for (int d = 0; d < D; ++d) x.c[d] = maximum(margin, minimum(x.c[d], grid.n[d]*grid.h - margin));
+        }
+        stopAtFaces(grid, c, x, margin, [&](int d, int face) { return solids.sealed[d][face] != 0; });
+        const double slope2 = squaredNorm(normal);
+        const Vec<D, R> wall = solids.velocity(before);
+        double into = 0;
+        for (int d = 0; d < D; ++d) into += normal.c[d]*double(particles.v[d][i] - wall.c[d]);
+        for (int d = 0; d < D; ++d)
+        {
+            particles.x[d][i] = x.c[d];
+            if (into < 0 && slope2 > 0.01) particles.v[d][i] -= R(into*normal.c[d]/slope2);
+        }
+    }
+};
+
+} // namespace riprap

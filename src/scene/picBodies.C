@@ -1,0 +1,397 @@
+/*  SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "scene/picBodies.hpp"
+#include <cmath>
+
+namespace riprap
+{
+
+namespace
+{
+
+//- The smaller of two that agree in direction, else nothing: components first .. last - 1
+template<class V>
+void agree(const V& a, const V& b, int first, int last, V& out)
+{
+    double dot = 0, a2 = 0, b2 = 0;
+    for (int m = first; m < last; ++m) { dot += a[m]*b[m]; a2 += a[m]*a[m]; b2 += b[m]*b[m]; }
+    for (int m = first; m < last; ++m) out[m] = dot > 0 ? (a2 < b2 ? a[m] : b[m]) : 0;
+}
+
+//- R(q) about the axes of space
+void rotation(const double* q, double r[3][3])
+{
+    const double w = q[0], x = q[1], y = q[2], z = q[3];
+    const double m[3][3] =
+    {
+        {1 - 2*(y*y + z*z), 2*(x*y - w*z), 2*(x*z + w*y)},
+        {2*(x*y + w*z), 1 - 2*(x*x + z*z), 2*(y*z - w*x)},
+        {2*(x*z - w*y), 2*(y*z + w*x), 1 - 2*(x*x + y*y)}
+    };
+    for (int a = 0; a < 3; ++a) for (int b = 0; b < 3; ++b) r[a][b] = m[a][b];
+}
+
+} // namespace
+
+template<int D>
+PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemScene& scene)
+:
+    scene_(scene),
+    groups_(solids.input.groups.empty() ? std::vector<DemGroup>(1) : solids.input.groups),
+    motion_(solids.input.groupMotion),
+    verlet_(solids.config.integrator == DemIntegratorKind::velocityVerlet),
+    clumps_(!solids.input.clumps.empty()),
+    weak_(solids.weak),
+    beta_(solids.contactVelocity)
+{
+    for (int d = 0; d < 3; ++d) axes_[d] = config.axes[d];
+    for (int d = 0; d < D; ++d) gravity_[d] = config.gravity[axes_[d]];
+    const DemParticles& p = solids.input.particles;
+    for (const DemClump& c : solids.input.clumps)
+    {
+        Body b;
+        b.clump = int(all_.size());
+        b.group = c.group;
+        b.mass = c.mass;
+        for (int d = 0; d < 3; ++d) b.inertia[d] = c.inertia[d];
+        all_.push_back(b);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        const int id = p.id.empty() ? int(i) : p.id[i];
+        largestId_ = std::max(largestId_, id);
+        if (!p.clump.empty() && p.clump[i] >= 0) { all_[p.clump[i]].ids.push_back(id); continue; }
+        Body b;
+        b.ids = {id};
+        b.group = p.group.empty() ? 0 : p.group[i];
+        b.mass = p.mass[i];
+        const double inertia = p.inertia.empty() ? (D == 2 ? 0.5 : 0.4)*p.mass[i]*p.radius[i]*p.radius[i] : p.inertia[i];
+        b.inertia = filled<3>(inertia);
+        all_.push_back(b);
+    }
+    memory_.resize(all_.size());
+    ballOfId_.resize(largestId_ + 1);
+    for (auto* v : {&forces_, &moments_}) v->assign(3*std::size_t(largestId_ + 1), 0.0);
+}
+
+//- Of spins about axes in this order against those of space
+template<int D>
+double PicBodies<D>::spinSign() const { return (axes_[1] - axes_[0] + 3) % 3 == 1 ? 1 : -1; }
+
+template<int D>
+typename PicBodies<D>::Modes PicBodies<D>::modesOf(const double* vector, const double* turn) const
+{
+    Modes m{};
+    for (int d = 0; d < D; ++d) m[d] = vector[axes_[d]];
+    for (int s = D; s < modes; ++s) m[s] = spinSign()*turn[D == 2 ? axes_[2] : axes_[s - D]];
+    return m;
+}
+
+template<int D>
+typename PicBodies<D>::Modes PicBodies<D>::gravityOf(const Body& b) const
+{
+    Modes g{};
+    const DemGroup& group = groups_[b.group];
+    for (int d = 0; d < D; ++d) g[d] = group.gravity && group.motion < 0 && !group.held[axes_[d]] ? gravity_[d] : 0;
+    return g;
+}
+
+//- What is held does not give way
+template<int D>
+void PicBodies<D>::setInverse(Now& n, const double* q) const
+{
+    const Body& b = all_[n.body];
+    const DemGroup& g = groups_[b.group];
+    n.inverse.fill(0);
+    if (g.motion >= 0) return;
+    for (int d = 0; d < D; ++d) n.inverse[d*modes + d] = g.held[axes_[d]] ? 0 : 1/b.mass;
+    if (g.heldSpin) return;
+    if (D == 2) { n.inverse[2*modes + 2] = 1/b.inertia[2]; return; }
+    double r[3][3];
+    rotation(q, r);
+    for (int s = 0; s < 3; ++s)
+        for (int t = 0; t < 3; ++t)
+        {
+            double sum = 0;
+            for (int k = 0; k < 3; ++k) sum += r[axes_[s]][k]*r[axes_[t]][k]/b.inertia[k];
+            n.inverse[(D + s)*modes + D + t] = sum;
+        }
+}
+
+template<int D>
+typename PicBodies<D>::Modes PicBodies<D>::times(const Now& n, const Modes& force) const
+{
+    Modes a{};
+    for (int i = 0; i < modes; ++i) for (int k = 0; k < modes; ++k) a[i] += n.inverse[i*modes + k]*force[k];
+    return a;
+}
+
+template<int D>
+void PicBodies<D>::read()
+{
+    const DemState s = scene_.particles();
+    const DemClumpState c = clumps_ ? scene_.clumps() : DemClumpState();
+    std::vector<int> slot(largestId_ + 1, -1);
+    for (int i = 0; i < int(s.id.size()); ++i) slot[s.id[i]] = i;
+    now_.clear();
+    bodies_.clear();
+    static const double unturned[4] = {1, 0, 0, 0};
+    for (int b = 0; b < int(all_.size()); ++b)
+    {
+        const Body& body = all_[b];
+        const int carrier = slot[body.ids[0]];
+        if (carrier < 0) continue;              // has left
+        Now n;
+        n.body = b;
+        const bool clump = body.clump >= 0;
+        const auto at = [&](const std::vector<double>& single, const std::vector<double>& whole)
+        { return clump ? &whole[3*std::size_t(body.clump)] : &single[3*std::size_t(carrier)]; };
+        const double* x = at(s.position, c.position);
+        n.velocity = modesOf(at(s.velocity, c.velocity), at(s.spin, c.spin));
+        n.total = modesOf(at(s.force, c.force), at(s.moment, c.moment));
+        setInverse(n, clump ? &c.orientation[4*std::size_t(body.clump)] : unturned);
+        for (int d = 0; d < 3; ++d) n.arm[d] = clump ? s.position[3*std::size_t(carrier) + d] - x[d] : 0;
+        FreeBody<D, Shape> f;
+        for (int d = 0; d < D; ++d) f.centre[d] = x[axes_[d]];
+        for (const int id : body.ids)
+        {
+            if (slot[id] < 0) continue;
+            Ball<D> ball;
+            for (int d = 0; d < D; ++d) ball.centre[d] = s.position[3*std::size_t(slot[id]) + axes_[d]];
+            ball.radius = s.radius[slot[id]];
+            f.shape.balls.push_back(ball);
+            ballOfId_[id] = ball;
+        }
+        f.reach = f.shape.reach(f.centre);
+        f.velocity.assign(n.velocity.begin(), n.velocity.end());
+        now_.push_back(n);
+        bodies_.push_back(f);
+    }
+}
+
+template<int D>
+void PicBodies<D>::predict(double dt, double before)
+{
+    const double kick = before > 0 ? 0.5*(before + dt) : 0.5*dt;
+    for (Now& n : now_)
+    {
+        const Body& b = all_[n.body];
+        const DemGroup& group = groups_[b.group];
+        Memory& m = memory_[n.body];
+        if (group.motion >= 0 && motion_)
+        {
+            const RigidMotion r = motion_(group.motion, scene_.time() + 0.5*dt);
+            n.predicted = modesOf(r.velocity.data(), r.spin.data());
+            const auto& f = bodies_[&n - now_.data()];
+            Vec<D, double> arm;
+            for (int d = 0; d < D; ++d) arm[d] = f.centre[d] - r.centre[axes_[d]];
+            for (int d = 0; d < D; ++d)
+                for (int s = D; s < modes; ++s) n.predicted[d] += n.predicted[s]*modeVelocity(s, d, arm);
+            continue;
+        }
+        const Modes g = gravityOf(b), water = times(n, m.force), all = times(n, n.total);
+        Modes mean{}, last{}, lasting{};
+        for (int k = 0; k < modes; ++k)
+        {
+            mean[k] = m.begun && before > 0 ? (n.velocity[k] - m.start[k])/before - water[k] - g[k] : 0;
+            last[k] = all[k] - water[k] - g[k];
+        }
+        agree(mean, last, 0, D, lasting);
+        agree(mean, last, D, modes, lasting);
+        for (int k = 0; k < modes; ++k)
+            n.predicted[k] = n.velocity[k] - 0.5*before*water[k] + 0.5*dt*(g[k] + lasting[k]) + (weak_ ? kick*water[k] : 0);
+    }
+}
+
+template<int D>
+std::vector<FreeBody<D, typename PicBodies<D>::Shape>> PicBodies<D>::withVelocities(bool predicted) const
+{
+    std::vector<FreeBody<D, Shape>> all(bodies_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        const Memory& m = memory_[now_[i].body];
+        const Modes& v = predicted ? now_[i].predicted : (m.begun ? m.middle : now_[i].velocity);
+        all[i].velocity.assign(v.begin(), v.end());
+    }
+    return all;
+}
+
+template<int D>
+void PicBodies<D>::fill(std::vector<BodyTerm>& terms) const
+{
+    for (std::size_t i = 0; i < terms.size(); ++i)
+    {
+        terms[i].velocity.assign(now_[i].predicted.begin(), now_[i].predicted.end());
+        terms[i].inverseMass.assign(now_[i].inverse.begin(), now_[i].inverse.end());
+    }
+}
+
+template<int D>
+void PicBodies<D>::act(const std::vector<BodyTerm>& terms, const double* p)
+{
+    for (std::size_t i = 0; i < terms.size(); ++i)
+    {
+        Memory& m = memory_[now_[i].body];
+        const std::vector<double> against = terms[i].gather(p);
+        m.old = m.force;
+        for (int k = 0; k < modes; ++k)
+        {
+            m.force[k] = -against[k] + now_[i].drag[k];
+            m.middle[k] = terms[i].velocity[k];
+            finite_ = finite_ && std::isfinite(m.force[k]);
+        }
+    }
+}
+
+template<int D>
+void PicBodies<D>::startDrag() { for (Now& n : now_) n.drag.fill(0); }
+
+template<int D>
+void PicBodies<D>::drag(int body, int component, double force, const Vec<D, double>& at)
+{
+    const Vec<D, double> arm = at - bodies_[body].centre;
+    for (int k = 0; k < modes; ++k) now_[body].drag[k] += force*modeVelocity(k, component, arm);
+}
+
+template<int D>
+void PicBodies<D>::endDrag(double dt, double viscosity, const std::vector<BodyTerm>& terms)
+{
+    for (std::size_t i = 0; i < now_.size(); ++i)
+    {
+        Now& n = now_[i];
+        const Memory& m = memory_[n.body];
+        const Modes& now = m.begun ? m.middle : n.velocity;
+        for (int s = D; s < modes; ++s) n.drag[s] -= 2*viscosity*terms[i].volume*now[s];
+        const Modes change = times(n, n.drag);
+        for (int k = 0; k < modes; ++k) n.predicted[k] += dt*change[k];
+    }
+}
+
+template<int D>
+void PicBodies<D>::put(const Now& n, const Modes& force)
+{
+    const int id = all_[n.body].ids[0];
+    double f[3] = {0, 0, 0}, m[3] = {0, 0, 0};
+    for (int d = 0; d < D; ++d) f[axes_[d]] = force[d];
+    for (int s = D; s < modes; ++s) m[D == 2 ? axes_[2] : axes_[s - D]] = spinSign()*force[s];
+    for (int d = 0; d < 3; ++d)
+    {
+        const int a = (d + 1) % 3, b = (d + 2) % 3;
+        forces_[3*std::size_t(id) + d] = f[d];
+        moments_[3*std::size_t(id) + d] = m[d] - (n.arm[a]*f[b] - n.arm[b]*f[a]);
+    }
+}
+
+template<int D>
+void PicBodies<D>::send() { scene_.setExternalForces(forces_, moments_); }
+
+template<int D>
+void PicBodies<D>::push(double before, double lag, double kick)
+{
+    for (const Now& n : now_)
+    {
+        Memory& m = memory_[n.body];
+        Modes change{}, force{};
+        for (int k = 0; k < modes; ++k) change[k] = 0.5*before*(m.force[k] - m.old[k]);
+        const Modes jump = times(n, change);
+        for (int k = 0; k < modes; ++k)
+        {
+            m.start[k] = n.velocity[k] + jump[k];
+            force[k] = m.force[k] + 0.5*(before - lag)*(m.force[k] - m.old[k])/kick;
+        }
+        m.begun = true;
+        put(n, force);
+    }
+    send();
+}
+
+template<int D>
+void PicBodies<D>::hold()
+{
+    for (const Now& n : now_) put(n, memory_[n.body].force);
+    send();
+}
+
+template<int D>
+double PicBodies<D>::fastest() const
+{
+    double most = 0;
+    for (std::size_t i = 0; i < now_.size(); ++i)
+    {
+        double v2 = 0, w2 = 0;
+        for (int d = 0; d < D; ++d) v2 += now_[i].velocity[d]*now_[i].velocity[d];
+        for (int s = D; s < modes; ++s) w2 += now_[i].velocity[s]*now_[i].velocity[s];
+        const double speed = std::sqrt(v2) + std::sqrt(w2)*bodies_[i].reach;
+        if (!(speed <= most)) most = speed;         // no number stays
+    }
+    return most;
+}
+
+//- Where solids touch each other or walls, in the middle of what is left between them
+template<int D>
+std::vector<ContactArea<D>> PicBodies<D>::contacts(const UniformGrid<D>& grid) const
+{
+    const DemContacts all = scene_.contacts();
+    std::vector<ContactArea<D>> areas;
+    for (std::size_t k = 0; k < all.a.size(); ++k)
+    {
+        const Ball<D>& a = ballOfId_[all.a[k]];
+        ContactArea<D> area;
+        for (int d = 0; d < D; ++d) area.normal[d] = all.point[3*k + axes_[d]] - a.centre[d];
+        double reach = std::sqrt(squaredNorm(area.normal));
+        if (!(reach > 0)) continue;
+        if (all.b[k] >= 0)
+        {
+            const Ball<D>& b = ballOfId_[all.b[k]];
+            area.normal = b.centre - a.centre;
+            const double distance = std::sqrt(squaredNorm(area.normal));
+            if (!(distance > 0)) continue;
+            reach = 0.5*(distance + a.radius - b.radius);
+            area.normal = (1/distance)*area.normal;
+        }
+        else area.normal = (1/reach)*area.normal;
+        for (int d = 0; d < D; ++d) area.point[d] = a.centre[d] + std::max(reach, a.radius)*area.normal[d] - grid.origin[d];
+        areas.push_back(area);
+    }
+    return areas;
+}
+
+template<int D>
+Vector3 PicBodies<D>::force() const
+{
+    Vector3 sum{{0, 0, 0}};
+    for (const Now& n : now_) for (int d = 0; d < D; ++d) sum[axes_[d]] += memory_[n.body].force[d];
+    return sum;
+}
+
+template<int D>
+std::vector<double> PicBodies<D>::memory() const
+{
+    std::vector<double> v;
+    for (const Memory& m : memory_)
+    {
+        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle}) v.insert(v.end(), a->begin(), a->end());
+        v.push_back(m.begun);
+    }
+    return v;
+}
+
+template<int D>
+bool PicBodies<D>::setMemory(const std::vector<double>& v)
+{
+    constexpr std::size_t each = 4*modes + 1;
+    if (v.size() != each*memory_.size()) return false;
+    for (std::size_t b = 0; b < memory_.size(); ++b)
+    {
+        const double* from = &v[b*each];
+        Memory& m = memory_[b];
+        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle}) { std::copy(from, from + modes, a->begin()); from += modes; }
+        m.begun = *from != 0;
+    }
+    return true;
+}
+
+template class PicBodies<2>;
+template class PicBodies<3>;
+
+} // namespace riprap

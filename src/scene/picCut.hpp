@@ -1,0 +1,118 @@
+/*  PicSolver: solids inside the domain, which cut the cells. Nothing of this is called in a scene that has none.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "scene/picObstacles.hpp"
+#include "scene/picSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::allocateCut()
+{
+    const int cells = grid_.cells();
+    const NodeGrid<D> nodes{grid_};
+    nodeDistance_.allocate(context_, nodes.count());
+    for (auto* a : {&open_, &openWeight_}) a->allocate(context_, cells);
+    cellLayer_.allocate(context_, cells);
+    for (int d = 0; d < D; ++d)
+    {
+        sealed_[d].allocate(context_, grid_.faces(d));
+        if (sticksInside()) faceDistance_[d].allocate(context_, grid_.faces(d));
+    }
+}
+
+//- For the step dt that begins at t
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
+{
+    if (base_.nodeDistance.empty() || base_.moves)
+    {
+        base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);
+        for (int d = 0; d < D; ++d)
+            sealed_[d].upload(context_, std::vector<unsigned char>(base_.sealed[d].begin(), base_.sealed[d].end()));
+    }
+    std::vector<double> distance = base_.nodeDistance;
+    if (bodies_)
+    {
+        cutByBodies(base_, distance);
+        PicWalls walls;
+        for (int d = 0; d < D; ++d) { walls.aperture[d] = bodyGrid_.aperture[d]; walls.wallVelocity[d] = bodyGrid_.wallVelocity[d]; }
+        setWalls(walls);
+    }
+    else setWalls(base_.walls);
+    nodeDistance_.upload(context_, distance);
+    const int cells = grid_.cells();
+    forEach(context_, cells, OpenVolumes<D, real>{{grid_}, nodeDistance_.data(), open_.data()});
+    forEach(context_, cells, OpenWeights<D, real>{grid_, open_.data(), openWeight_.data()});
+    for (int d = 0; d < D && sticksInside(); ++d)
+        forEach(context_, grid_.faces(d), FaceDistances<D, real>{{grid_}, d, nodeDistance_.data(), faceDistance_[d].data()});
+    insideMoves_ = base_.moves || bodies_;
+}
+
+//- Solids to where they are at the end of the step; particles that they have run over come out. \return false when a guard has fired
+template<class Backend, int D, class P>
+bool PicSolver<Backend, D, P>::moveInside(double dt, double before)
+{
+    if (!cuts()) return true;
+    if (bodies_ && !advanceSolids(dt, before)) return false;
+    if (insideMoves_)
+    {
+        cutGrid(clock_.time + dt, dt);
+        cutForStep_ = true;
+    }
+    forEach(context_, n_, PushOut<D, real>{solidField(), particles(), wallMargin*grid_.h});
+    return true;
+}
+
+template<class Backend, int D, class P>
+SolidField<D, typename P::real> PicSolver<Backend, D, P>::solidField()
+{
+    SolidField<D, real> f{};
+    f.grid = grid_;
+    f.distance = nodeDistance_.data();
+    for (int d = 0; d < D; ++d)
+    {
+        f.aperture[d] = aperture_[d].data();
+        f.wallVelocity[d] = wallsMove_ ? wallVelocity_[d].data() : nullptr;
+        f.sealed[d] = sealed_[d].data();
+    }
+    return f;
+}
+
+//- phi on into the solids
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::extendSurface(Array<Backend, real>& phi)
+{
+    const int cells = grid_.cells();
+    forEach(context_, cells, MarkKnownCells<real>{open_.data(), cellLayer_.data()});
+    for (int pass = 1; pass <= int(bandCells) + 1; ++pass)
+        forEach(context_, cells, ExtendSurface<D, real>{grid_, static_cast<unsigned char>(pass), cellLayer_.data(), phi.data(), real(bandCells*grid_.h)});
+}
+
+//- Of the host's copies: cells that no solid is near, to `clear`; the open parts of all
+template<class Backend, int D, class P>
+std::vector<char> PicSolver<Backend, D, P>::clearCells(double clear)
+{
+    const std::vector<double> distance = nodeDistance_.download();
+    const NodeGrid<D> nodes{grid_};
+    std::vector<char> known(grid_.cells());
+    for (int i = 0; i < grid_.cells(); ++i)
+    {
+        const int first = nodes.node(grid_.cellIndex(i));
+        bool far = true;
+        for (int corner = 0; corner < (1 << D); ++corner)
+        {
+            int node = first;
+            for (int d = 0; d < D; ++d) node += (corner >> d & 1)*nodes.stride(d);
+            far = far && distance[node] >= clear;
+        }
+        known[i] = far;
+    }
+    return known;
+}
+
+} // namespace riprap

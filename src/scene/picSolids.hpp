@@ -1,0 +1,195 @@
+/*  PicSolver: solids that move with the water. Nothing of this is called in a scene that has none.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "pic/cutCells/obstacleDistance.hpp"
+#include "scene/picSolver.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::setSolids()
+{
+    if (!inside_.scene) return;
+    solidSide_ = dynamic_cast<SolidSide<D, P>*>(inside_.scene.get());
+    if (!solidSide_) throw std::invalid_argument("solids of another dimension or precision than the fluid's");
+    solidSide_->external();             // forces from outside are to come
+    bodies_ = std::make_unique<PicBodies<D>>(config_, *inside_.solids, *inside_.scene);
+    insideMoves_ = true;
+}
+
+//- What bodies leave of the grid that walls and obstacles have cut
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::cutByBodies(const PicCut& base, std::vector<double>& distance)
+{
+    bodies_->read();
+    for (int d = 0; d < D; ++d)
+    {
+        bodyGrid_.aperture[d] = base.walls.aperture[d];
+        bodyGrid_.wallVelocity[d] = base.walls.wallVelocity[d];
+    }
+    cutBodies(grid_, bodies_->bodies(), std::max(steepest(), 0), bodyGrid_);
+    const NodeGrid<D> nodes{grid_};
+    for (const auto& b : bodies_->bodies())
+    {
+        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        const double reach = b.reach + bandNodes*grid_.h;
+        for (int d = 0; d < D; ++d)
+        {
+            low[d] = std::max(0, int(std::ceil((b.centre[d] - reach - grid_.origin[d])/grid_.h)));
+            high[d] = std::min(grid_.n[d], int(std::floor((b.centre[d] + reach - grid_.origin[d])/grid_.h)));
+        }
+        typename UniformGrid<D>::Index x{{0, 0, 0}};
+        for (x.c[2] = low[2]; x.c[2] <= high[2]; ++x.c[2])
+            for (x.c[1] = low[1]; x.c[1] <= high[1]; ++x.c[1])
+                for (x.c[0] = low[0]; x.c[0] <= high[0]; ++x.c[0])
+                {
+                    const int n = nodes.node(x);
+                    distance[n] = std::min(distance[n], b.shape.distance(nodes.position(n)));
+                }
+    }
+}
+
+//- The closed parts of faces move with bodies as predicted, or as in the step before
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
+{
+    std::vector<double> velocity[D];
+    bodyVelocities(grid_, bodies_->withVelocities(predicted), bodyGrid_.shares, base_.walls.aperture, base_.walls.wallVelocity, bodyGrid_.aperture, velocity);
+    for (int d = 0; d < D; ++d) wallVelocity_[d].upload(context_, std::vector<real>(velocity[d].begin(), velocity[d].end()));
+}
+
+//- Solved with the pressure, or walls for it; then what the water does to them
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::projectWithBodies(double dt)
+{
+    useBodyVelocities(true);
+    bodies_->fill(bodyGrid_.terms);
+    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, bodies_->weak() ? nullptr : &bodyGrid_.terms);
+    bodies_->act(bodyGrid_.terms, pressure_.download().data());
+}
+
+//- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else that of the closed part of a face
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::setSolidVelocity()
+{
+    constexpr double about = 1.5;               // cells
+    for (int component = 0; component < D; ++component)
+    {
+        std::vector<real> w = wallVelocity_[component].download();
+        if (bodies_)
+        {
+            const auto moving = bodies_->withVelocities(false);
+            std::vector<double> nearest(w.size(), about*grid_.h);
+            bodies_->eachFaceNear(grid_, component, about, [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
+            {
+                const int i = grid_.face(component, f);
+                const double distance = moving[body].shape.distance(x);
+                if (!(distance < nearest[i])) return;
+                nearest[i] = distance;
+                double v = 0;
+                for (int m = 0; m < bodyModes<D>; ++m) v += modeVelocity(m, component, x - moving[body].centre)*moving[body].velocity[m];
+                w[i] = real(v);
+            });
+        }
+        solidVelocity_[component].upload(context_, w);
+    }
+}
+
+//- What viscosity has taken from the water beside bodies in a step dt, they have got: across each pair of faces of which one lies in the water and one in
+//  the body mu (u - w)/theta h^(D - 2)
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::dragBodies(double dt)
+{
+    const double stress = config_.viscosity*(D == 2 ? 1.0 : grid_.h);
+    bodies_->startDrag();
+    for (int component = 0; component < D; ++component)
+    {
+        const std::vector<real> u = u_[component].download(), w = solidVelocity_[component].download();
+        const std::vector<real> distance = faceDistance_[component].download();
+        const std::vector<unsigned char> layer = layer_[component].download();
+        const ViscousFaces<D, real> faces{grid_, component, layer.data(), nullptr, false, distance.data(), w.data()};
+        // the mean of a face's corners, by which faces are told, differs from the distance of its middle by the bend of the surface
+        bodies_->eachFaceNear(grid_, component, 0.1, [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
+        {
+            const int i = grid_.face(component, f);
+            if (!faces.inSolid(i)) return;
+            for (int d = 0; d < D; ++d)
+                for (int offset = -1; offset <= 1; offset += 2)
+                {
+                    typename UniformGrid<D>::Index at = f;
+                    at.c[d] += offset;
+                    if (at.c[d] < 0 || at.c[d] >= grid_.layers(component, d)) continue;
+                    const int j = grid_.face(component, at);
+                    if (!faces.open(j)) continue;
+                    const real theta = faces.theta(j, i);
+                    Vec<D, double> surface = x;
+                    surface[d] += offset*(1 - theta)*grid_.h;
+                    bodies_->drag(body, component, stress*(double(u[j]) - faces.onSurface(j, i, theta))/theta, surface);
+                }
+        });
+    }
+    bodies_->endDrag(dt, config_.viscosity, bodyGrid_.terms);
+}
+
+//- Eq. 20: each cell knows the contacts that reach it
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::slowBetweenSolids()
+{
+    const std::vector<ContactArea<D>> areas = bodies_->contacts(grid_);
+    if (areas.empty()) return;
+    const double reach = std::sqrt(contactAlong*contactAlong + contactAcross*contactAcross);
+    std::vector<std::pair<int, int>> pairs;
+    for (int k = 0; k < int(areas.size()); ++k)
+    {
+        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        for (int d = 0; d < D; ++d)
+        {
+            const double s = areas[k].point[d]/grid_.h;
+            low[d] = std::max(0, floorInt(s - reach));
+            high[d] = std::min(grid_.n[d] - 1, floorInt(s + reach));
+        }
+        typename UniformGrid<D>::Index c{{0, 0, 0}};
+        for (c.c[2] = low[2]; c.c[2] <= high[2]; ++c.c[2])
+            for (c.c[1] = low[1]; c.c[1] <= high[1]; ++c.c[1])
+                for (c.c[0] = low[0]; c.c[0] <= high[0]; ++c.c[0]) pairs.push_back({grid_.cell(c), k});
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<int> first(grid_.cells() + 1, 0), contact(pairs.size());
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+    {
+        ++first[pairs[p].first + 1];
+        contact[p] = pairs[p].second;
+    }
+    for (int c = 0; c < grid_.cells(); ++c) first[c + 1] += first[c];
+    contactFirst_.upload(context_, first);
+    contactOf_.upload(context_, contact);
+    contactAreas_.upload(context_, areas);
+    forEach(context_, n_, SlowBetweenSolids<D, real>
+        {grid_, particles(), contactFirst_.data(), contactOf_.data(), contactAreas_.data(), bodies_->contactVelocity()});
+}
+
+//- \return false when a guard of the solids has fired
+template<class Backend, int D, class P>
+bool PicSolver<Backend, D, P>::advanceSolids(double dt, double before)
+{
+    const double from = clock_.time;
+    if (!bodies_->finite()) return false;
+    // a clump feels a force from outside a step of its own later
+    constexpr int leastOfClumps = 8;
+    const int steps = std::max(solidSide_->subcycles(dt), bodies_->clumps() ? leastOfClumps : 1);
+    const double first = dt/steps;
+    // leapfrog's velocities are behind by half the last step, and get the new force for it
+    const double lag = bodies_->verlet() ? 0 : 2*(solidSide_->kickTime(dt, steps) - dt) + first;
+    bodies_->push(before, lag, solidSide_->kickTime(first, 1));
+    if (!solidSide_->advanceTo(steps == 1 ? from + dt : from + first, first, 1)) return false;
+    bodies_->hold();
+    if (steps > 1 && !solidSide_->advanceTo(from + dt, dt - first, steps - 1)) return false;
+    subcycles_ = steps;
+    return true;
+}
+
+} // namespace riprap

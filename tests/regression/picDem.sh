@@ -1,0 +1,89 @@
+#!/bin/bash
+# Water by PIC: a run, its fields, exact restart, and one message for every entry that can be wrong and every mesh that does not fit.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL picDem no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam
+do
+    command -v $program >/dev/null || { echo "FAIL picDem no $program"; exit 1; }
+done
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+suite=picDem
+. "$root/tests/regression/setParticlesCases"
+
+control()   # ENTRIES, the last of which count
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver picDem; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.1;
+deltaT 1e-3; adjustTimeStep yes; maxCo 0.5; sampleInterval 0.05; writeControl adjustableRunTime; writeInterval 0.05; writeFormat ascii; writePrecision 12; $1"
+}
+pic() { dictionary constant/picProperties <<<"$1"; }
+good()          # after a mesh: everything else as it should be, and half the tank full
+{
+    control ''; pic ''
+    dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
+    dictionary system/setParticlesDict <<<"spacing 0.005; regions ( pool { set fluid; source box; box (0 0 -1) (0.1 0.05 1); velocity (0 0 0); pressure hydrostatic; } );"
+    setParticles >log 2>&1 || cat log
+}
+
+# A run and its fields
+tank2; good
+riprapFoam >log 2>&1; says run '^End'
+says volumeEachStep 'Volume = [0-9.e-]+, error = -?[0-9.e-]+, put right so far'
+for field in p U alpha.water lagrangian/fluid/positions
+do
+    [[ -s 0.1/$field ]] && pass "wrote.$field" || fail "wrote.$field" "no 0.1/$field"
+done
+
+# The same in two runs, to the bit
+mkdir whole; cp -r 0.1 whole
+rm -rf 0.05 0.1
+control 'endTime 0.05;'; riprapFoam >log 2>&1
+control ''; riprapFoam >log 2>&1
+for file in p U lagrangian/fluid/positions lagrangian/fluid/U uniform/riprap/picState
+do
+    cmp -s "0.1/$file" "whole/0.1/$file" && pass "restart.$file" || fail "restart.$file" "0.1/$file is not what one run writes"
+done
+rm -rf whole 0.05 0.1
+
+# Entries
+while IFS=$'\t' read -r name message entries
+do
+    [[ $name == \#* ]] && continue
+    pic "$entries"
+    refused "$name" "$message.*picProperties|picProperties.*$message" riprapFoam
+done <"$root/tests/regression/wrongPicEntries.tsv"
+pic ''
+
+wrongControl()      # NAME MESSAGE ENTRIES
+{
+    control "$3"
+    refused "$1" "$2" riprapFoam
+    control ''
+}
+wrongControl maxCoLarge 'Entry maxCo is 1.5: it must be from 1e-06 to 1' 'maxCo 1.5;'
+wrongControl maxCoNegative 'Entry maxCo is -0.5: it must be from' 'maxCo -0.5;'
+wrongControl deltaT 'deltaT' 'adjustTimeStep no; deltaT -1;'
+dictionary constant/fluidProperties <<<'mu 1e-3;'; refused noRho "rho.* not found|'rho'" riprapFoam
+dictionary constant/fluidProperties <<<'rho -1000; mu 1e-3;'; refused rhoNegative 'Entry rho is -1000: it must be positive' riprapFoam
+dictionary constant/fluidProperties <<<'rho 1000; mu 1e-3;'
+dictionary system/fvSolution </dev/null; refused noSolver "solvers.*not found|'solvers'" riprapFoam
+dictionary system/fvSolution <<<'solvers { }'; refused noPressure "'?p'?.* not found|keyword p " riprapFoam
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
+
+# No water
+rm -rf 0; refused noParticles 'lagrangian|setParticles' riprapFoam
+
+# Meshes
+mesh()      # NAME MESSAGE
+{
+    good
+    refused "$1" "$2" riprapFoam
+}
+block 0.2 0.1 0.01 '20 11 1' "$sides $lower $open $flat"; mesh notSquare 'PIC needs a mesh that is one block of equal squares'
+block 0.2 0.1 0.01 '20 10 1' "$sides $lower $open $flat"
+sed -i 's/simpleGrading (1 1 1)/simpleGrading (1 3 1)/' system/blockMeshDict; blockMesh >log 2>&1; mesh graded 'PIC needs a mesh that is one block of equal squares .*without grading'
+block 0.2 0.1 0.01 '20 10 1' "$sides $lower upper { type symmetryPlane; faces ((3 7 6 2)); } $flat"; mesh patchType 'Patch upper has the type symmetryPlane.*valid are wall, patch'

@@ -1,0 +1,95 @@
+#!/bin/bash
+# Obstacles and solids in the water of picDem: a run with both, exact restart, solids without water as with solver dem, and what is refused.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL picSolids no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam
+do
+    command -v $program >/dev/null || { echo "FAIL picSolids no $program"; exit 1; }
+done
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+suite=picSolids
+. "$root/tests/regression/setParticlesCases"
+
+control()       # SOLVER END MORE
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver $1; startFrom latestTime; startTime 0; stopAt endTime; endTime $2;
+deltaT 1e-3; adjustTimeStep yes; maxCo 0.3; sampleInterval 0.01; writeControl adjustableRunTime; writeInterval 0.02; writeFormat ascii; writePrecision 12; $3"
+}
+pressure()      # ENTRIES of p
+{
+    dictionary system/fvSolution <<<"solvers { p { $1 } }"
+}
+water() { dictionary constant/picProperties <<<"device cpu; precision double; $1"; }
+stones()        # MORE ENTRIES of the pair
+{
+    dictionary constant/solidProperties <<<"materials { stone { rho 2500; E 1e9; nu 0.25; } } contact { normal linear; tangential history; }
+pairs { default { restitution 0.5; friction 0.3; stiffness 1e5; $1 } } walls { material stone; }"
+}
+fill()          # REGIONS
+{
+    dictionary system/setParticlesDict <<<"spacing 0.005; packing square; regions ( $1 );"
+    rm -rf 0; setParticles >log 2>&1 || fail fill "$(oneLine)"
+}
+sum() { cat "$1"/lagrangian/*/{positions,U} "$1"/p 2>/dev/null | cksum; }
+
+pond='water { set fluid; source box; box (0 0 0) (0.2 0.06 0.01); clip yes; }'
+pair='stones { set solids; material stone; radius 0.021; source csv; file "stones.csv"; }'
+coupled='solver coupledPCG; tolerance 1e-9; relTol 0; preconditioner DIC;'
+tank2
+mkdir -p constant; printf 'x,y,z\n0.06,0.045,0.005\n0.13,0.07,0.005\n' >stones.csv; cp stones.csv constant/
+control picDem 0.04 ''; pressure "$coupled"; water ''; stones 'gap 0.01;'
+geometry 'sill { type searchableBox; min (-1 -1 -1); max (0.03 0.02 1); }'
+fill "$pond $pair"
+riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
+says obstacles 'obstacles +\(sill\), moving: 0'
+says solids 'coupling +implicit, contactVelocity 1'
+says solved 'coupledPCG: +Solving for p, Initial residual'
+says forces 'Solids: steps = [0-9]+ \([0-9]+\), [0-9]+ a step of the fluid, .*force of the fluid'
+whole=$(sum 0.04)
+rm -rf 0.04; riprapFoam >log 2>&1
+says continues 'Continuing exactly from time 0.02'
+[[ $(sum 0.04) == "$whole" ]] && pass exact || fail exact 'the continued run ends elsewhere'
+rm -rf 0.0*
+
+water 'coupling weak; contactVelocity 0.5;'; pressure 'solver cudaPCG; tolerance 1e-9;'; control picDem 0.01 ''
+riprapFoam >log 2>&1 && pass weak || fail weak "$(grep -m1 -A3 ERROR log)"
+rm -rf 0.0*
+
+# Without water: what solver dem does
+motion='functions { stones { type groupMotion; libs ("libriprapFoam.so"); groups (free); } }'
+rm constant/geometry; dictionary system/setParticlesDict <<<"regions ( $pair );"
+rm -rf 0; setParticles >log 2>&1 || fail dryFill "$(oneLine)"
+pressure "$coupled"; water ''
+for solver in dem picDem
+do
+    control $solver 0.1 "$motion"
+    riprapFoam >log 2>&1 || fail "dry$solver" "$(grep -m1 -A3 ERROR log)"
+    cp postProcessing/stones/0/groupMotion.dat $solver.dat; rm -rf 0.[0-9]* postProcessing
+done
+cmp -s dem.dat picDem.dat && pass dry || fail dry 'solids without water move otherwise than with solver dem'
+
+# What is refused
+control picDem 0.01 ''; fill "$pond $pair"
+pressure 'solver cudaPCG; tolerance 1e-9;'
+refused device 'solver cudaPCG of p cannot move solids with the water. Valid: coupledPCG.*fvSolution' riprapFoam
+pressure 'solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0;'
+refused host 'solver PCG of p cannot move free bodies with the water. Valid: coupledPCG' riprapFoam
+pressure "$coupled"
+water 'coupling strong;'
+refused coupling 'coupling.*strong.*weak|coupling.*strong.*implicit' riprapFoam
+water 'contactVelocity 1.5;'
+refused contactVelocity 'contactVelocity.*1.5' riprapFoam
+water 'walls { slip noSlip; motion { gone { patches (gone); solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0 0 0); } } } }'
+refused motion 'no constant/geometry: picDem moves entries of that dictionary' riprapFoam
+water ''
+geometry 'far { type searchableBox; min (5 5 -1); max (6 6 1); }'
+refused obstacle 'Surface far of constant/geometry, .* does not meet the mesh' riprapFoam
+rm constant/geometry
+fill "$pond stones { set solids; material stone; radius 0.01; source csv; file \"stones.csv\"; }"
+refused small 'solid particle 0 of radius 0.01.* m is smaller than 4 cells' riprapFoam
+exit 0
