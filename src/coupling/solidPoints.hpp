@@ -3,7 +3,7 @@
     Over a step of the fluid a solid moves from x_n to x_{n+1}; the fluid sees it on the straight line between them, with the
     mean velocity u = (x_{n+1} - x_n)/dt: volume that it takes is then the way that it went.
     The acceleration that extrapolation takes is that of u, smoothed over (1 + M/m) h/c0: h/c0 is what pressure needs to pass a
-    particle, M = 2 rho0 V h/R the water about a solid particle that its pressure moves. Pressure of an acceleration that pressure
+    particle, M = 2 rho0 V h/R the water about a solid particle that its pressure moves; of the parts of a rigid body M and m are the body's. Pressure of an acceleration that pressure
     makes: taken at once, it would swing where M > m.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -28,6 +28,7 @@ struct SolidPoints
     const int* active;          // slots in use
     real* mass;                 // rho0 V [kg]
     const real* massOfKey;
+    const real* addedOfKey;     // M/m
     std::int64_t* last[D];      // x_n, fixed point in the fluid's box
     real* own[D];               // u [m/s]
     real* velocity;             // u of the step before, D a key
@@ -106,6 +107,42 @@ struct PlacePoints
     }
 };
 
+//- Is there fluid in the cells about any point?
+template<int D, class P>
+struct MeetFluid
+{
+    static constexpr const char* name = "meetFluid";
+
+    Box<D, P> box;
+    CellGrid<D, P> grid;
+    SolidView<D, P> solids;
+    const std::uint32_t* key;
+    const int* active;
+    const int* fluidStart;      // of each cell
+    int* meets;                 // set to 1: whoever writes it writes the same
+
+    HD void operator()(int i) const
+    {
+        if (i >= *active) return;
+        const Vec<D, std::int64_t> x = pointPosition(box, solids, solids.slotOf[key[i]]);
+        Vec<D, typename P::real> r;
+        for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x.c[d]));
+        bool found = false;
+        grid.forEachRange(r, fluidStart, [&](int begin, int end) { found = found || end > begin; });
+        if (found) *meets = 1;
+    }
+};
+
+template<class R>
+struct ClearForces
+{
+    static constexpr const char* name = "clearForces";
+
+    R* force;
+
+    HD void operator()(int i) const { force[i] = 0; }
+};
+
 //- Velocities of the start, which no step has yet shown
 template<int D, class P>
 struct FirstVelocities
@@ -140,7 +177,6 @@ struct MovePoints
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];
     real halfSkin;
-    double h;                   // [m]
     double responseTime;        // h/c0 [s]
     bool half;
     ClockData* clock;
@@ -160,7 +196,7 @@ struct MovePoints
             const real u = real(double(way)*box.unit[d]/clock->dt);
             q.velocity.c[d] = points.own[d][i] = u;
             p.c[d] = box.pairPosition(d, half ? from + way/2 : x.c[d]);
-            if (!half) follow(d, i, key, slot, x.c[d], u);
+            if (!half) follow(d, i, key, x.c[d], u);
             const real s = box.template separation<real>(d, p.c[d], reference[d][i]);
             distance2 += s*s;
             speed2 += u*u;
@@ -181,20 +217,33 @@ private:
         records.store(i, q);
     }
 
-    HD void follow(int d, int i, int key, int slot, std::int64_t x, real u) const
+    HD void follow(int d, int i, int key, std::int64_t x, real u) const
     {
         real& before = points.velocity[std::size_t(key)*D + d];
         real& a = points.acceleration[std::size_t(key)*D + d];
-        const double added = 2*double(points.mass[i])*h/(double(solids.fields.mass[slot])*double(solids.fields.radius[slot]));
-        const double share = 1 - exp(-clock->dt/((1 + added)*responseTime));
+        const double share = 1 - exp(-clock->dt/((1 + double(points.addedOfKey[key]))*responseTime));
         a += real(share*((double(u) - before)/clock->dt - a));
         before = u;
         points.last[d][i] = x;
     }
 };
 
-//- The force that solids are given over a step. The fluid gets that of each instant half in the step before it and half in the
-//  one after it: `share` makes the solids' impulse the same
+//- What of the force at the step's beginning, and of the force one step before, solids get
+struct ForceShares { double now, before; };
+
+template<class R>
+struct KeepForces
+{
+    static constexpr const char* name = "keepForces";
+
+    const R* force;
+    R* before;
+
+    HD void operator()(int i) const { before[i] = force[i]; }
+};
+
+//- The force that solids are given over a step, by those of its beginning and of the beginning of the step before. The fluid gets that of each
+//  instant half in the step before it and half in the one after it: the shares make the solids' impulse the same
 template<int D, class P>
 struct HoldForces
 {
@@ -202,13 +251,18 @@ struct HoldForces
     static constexpr const char* name = "holdForces";
 
     const real* force;
+    const real* before;         // null: not needed
     real* external;
-    double share;
+    double share, shareBefore;
 
     HD void operator()(int key) const
     {
         constexpr int width = D + spins<D>;
-        for (int d = 0; d < D; ++d) external[std::size_t(key)*width + d] = real(share*force[std::size_t(key)*D + d]);
+        for (int d = 0; d < D; ++d)
+        {
+            const std::size_t at = std::size_t(key)*D + d;
+            external[std::size_t(key)*width + d] = real(share*force[at] + (before ? shareBefore*before[at] : 0));
+        }
     }
 };
 

@@ -39,6 +39,9 @@ public:
     virtual int subcycles(double dt) = 0;
     virtual double kickTime(double dt, int subcycles) = 0;
 
+    //- What external() holds acts over dt at once
+    virtual void push(double dt) = 0;
+
     //- To time t, dt from now. \return false when a guard of the solids has fired
     virtual bool advanceTo(double t, double dt, int subcycles) = 0;
 

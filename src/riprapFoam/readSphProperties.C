@@ -152,8 +152,8 @@ static void readCoupling(checkedDictionary& sph, sphSettings& settings)
     coupling.kind = sph.choice("coupling", sphNames::coupling, coupling.kind);
 
     checkedDictionary coeffs(sph.subDict("couplingCoeffs"));
-    coupling.impulse =
-        coeffs.either("fluidForce", "impulse", "held", coupling.impulse);
+    settings.autoFluidForce = !coeffs.found("fluidForce");
+    coupling.force = coeffs.choice("fluidForce", sphNames::fluidForce, coupling.force);
     coupling.viscosity =
         coeffs.either("viscosity", "yes", "no", coupling.viscosity);
     coupling.xsph = coeffs.either("XSPH", "yes", "no", coupling.xsph);

@@ -79,6 +79,13 @@ const Enum<riprap::CouplingKind> coupling
     {riprap::CouplingKind::extrapolated, "extrapolated"}
 });
 
+const Enum<riprap::FluidForceKind> fluidForce
+({
+    {riprap::FluidForceKind::held, "held"},
+    {riprap::FluidForceKind::interpolated, "interpolated"},
+    {riprap::FluidForceKind::impulse, "impulse"}
+});
+
 } // End namespace sphNames
 } // End namespace Foam
 

@@ -39,6 +39,27 @@ DemConfig onDeviceOf(const SphConfig& fluid, DeviceKind device, DemConfig solids
     return solids;
 }
 
+//- 2 rho0 V h/R over m: a layer of h of water about a particle, or about a rigid body as if it were round
+std::vector<double> addedShares(const SphConfig& fluid, const SolidInput& solids)
+{
+    const DemParticles& p = solids.input.particles;
+    const double layer = 2*fluid.density*fluid.smoothingRatio*fluid.spacing;
+    std::vector<double> whole(solids.input.clumps.size(), 0.0), added(p.size());
+    for (std::size_t i = 0; i < p.clump.size(); ++i) if (p.clump[i] >= 0) whole.at(p.clump[i]) += solids.volume[i];
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        const int clump = p.clump.empty() ? -1 : p.clump[i];
+        if (clump < 0) added[i] = layer*solids.volume[i]/(p.mass[i]*p.radius[i]);
+        else
+        {
+            const double V = whole[clump], pi = std::acos(-1.0);
+            const double R = fluid.dimensions == 2 ? std::sqrt(V/pi) : std::cbrt(0.75*V/pi);
+            added[i] = layer*V/(solids.input.clumps[clump].mass*R);
+        }
+    }
+    return added;
+}
+
 } // namespace
 
 std::unique_ptr<SphScene> createSphDemScene
@@ -54,6 +75,7 @@ std::unique_ptr<SphScene> createSphDemScene
     part.scene = createDemScene(onDeviceOf(here, here.device, solids.config), solids.input);
     part.coupling = solids.coupling;
     part.volume = solids.volume;
+    part.added = addedShares(config, solids);
     return createSphScene(here, fluid, walls, std::move(motion), std::move(part));
 }
 

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "dem/motion/push.hpp"
 #include "scene/demSolver.hpp"
 
 namespace riprap
@@ -40,8 +41,18 @@ double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
 }
 
 template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::push(double dt)
+{
+    forEach(context_, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
+    if (!nClumps_) return;
+    forEach(context_, nClumps_, PushClumps<D, P>
+        {clumps_.data(), box_, fields(), groups_.data(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.data(), dt});
+}
+
+template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 {
+    gatherClumps(nullptr);      // they begin the step with forces that hold the fluid's of now
     readClock();
     host_.target = t;
     host_.lastStep = std::int64_t(1) << 62;

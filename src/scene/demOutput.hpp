@@ -363,6 +363,7 @@ void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& forc
     }
     if (sleeps()) wakeChanged(external_.download(), all);
     external_.upload(context_, all);
+    gatherClumps(nullptr);
 }
 
 template<class Backend, int D, class P>

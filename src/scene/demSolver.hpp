@@ -117,6 +117,7 @@ public:
     real* external() override;
     int subcycles(double dt) override;
     double kickTime(double dt, int subcycles) override;
+    void push(double dt) override;
     bool advanceTo(double t, double dt, int subcycles) override;
     void beginReport() override;
     void endReport() override;
@@ -152,6 +153,7 @@ private:
     template<class Law> void contactPass(ForceTurn);
     template<class Law> void wallPass(ForceTurn);
     void bondPass(ForceTurn);
+    void gatherClumps(const DemClockData* clock);
     void forces(ForceTurn = ForceTurn::inStep);
     MoveWalls wallMover(DemClockData*);
     void step();

@@ -226,12 +226,19 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
         bondPass(turn);
         forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active(), !Backend::gpu});
     }
-    if (nClumps_)
-        forEach(context_, nClumps_, GatherClumps<D, P>
-        {
-            clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(),
-            external_.size() ? external_.data() : nullptr, clock_.data()
-        });
+    gatherClumps(clock_.data());
+}
+
+//- Forces of their members on clumps; in a step of the clock's, or now
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
+{
+    if (!nClumps_) return;
+    forEach(context_, nClumps_, GatherClumps<D, P>
+    {
+        clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(),
+        external_.size() ? external_.data() : nullptr, clock
+    });
 }
 
 template<class Backend, int D, class P>

@@ -11,6 +11,7 @@ struct SolidPart
 {
     std::unique_ptr<DemScene> scene;
     CouplingConfig coupling;
+    std::vector<double> added;  // of each: mass of the water that its pressure moves over its own, or that of the rigid body that it is of
     std::vector<double> volume;
 };
 

@@ -23,7 +23,11 @@ void SphSolver<Backend, D, P>::rebuild()
     fluid_.permute(context_, fluidSort_.order(), n_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
     if (nBodies_) rebuildWalls();
-    if (solids_) sortSolids();
+    if (solids_)
+    {
+        sortSolids();
+        meetFluid();
+    }
     buildLists();
     // sorted walls need their pressures anew; and the symplectic scheme's density pass sees those of the state at hand, so
     // that a restart does too
@@ -78,7 +82,7 @@ void SphSolver<Backend, D, P>::buildLists()
         int* overflow = clock_.data()->overflow;
         parts_.fluidFluid.build
         (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
-        if (solids_)
+        if (solidsMeet_)
         {
             const auto solid = solidRecords_.view();
             parts_.fluidSolid.build

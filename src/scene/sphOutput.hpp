@@ -209,11 +209,11 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     add("wall", "motion", wallReference_.bytes() + wallRest_.bytes() + poses_.bytes(), nWalls_);
     if (solids_)
     {
-        const std::size_t own = solidOwn_[0].bytes()*D + solidMass_.bytes() + solidMassOfKey_.bytes();
+        const std::size_t own = solidOwn_[0].bytes()*D + solidMass_.bytes() + solidMassOfKey_.bytes() + solidAddedOfKey_.bytes();
         add("solid points", "records", solidRecords_.bytes(), nSolids_);
         add("solid points", "cells", solidSort_.bytes() + solidReference_.bytes() + solidLast_.bytes(), nSolids_);
         add("solid points", "velocity, mass", own + solidVelocity_.bytes() + solidAcceleration_.bytes(), nSolids_);
-        add("solid points", "force", solidForce_.bytes(), nSolids_);
+        add("solid points", "force", solidForce_.bytes() + solidForceBefore_.bytes(), nSolids_);
         add("fluid", "action of solids", actionA_[0].bytes()*D + actionRate_.bytes() + actionDrift_[0].bytes()*D, n_);
         for (const ArrayInfo& a : solidScene_->arrays()) r.push_back(a);
     }

@@ -28,9 +28,11 @@ void SphSolver<Backend, D, P>::setSolids(SolidPart part)
     for (auto& u : solidOwn_) u.allocate(context_, std::size_t(nSolids_) + 16);
     solidMass_.allocate(context_, std::size_t(nSolids_) + 16);
     for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_}) a->allocate(context_, all);
+    if (coupling_.force == FluidForceKind::interpolated) solidForceBefore_.allocate(context_, all);
     std::vector<real> mass(nSolids_);
     for (int k = 0; k < nSolids_; ++k) mass[k] = real(config_.density*part.volume[k]);
     solidMassOfKey_.upload(context_, mass);
+    solidAddedOfKey_.upload(context_, std::vector<real>(part.added.begin(), part.added.end()));
     allocateAction();
     forEach(context_, nSolids_, FirstVelocities<D, P>{solids_->view(), solidPoints()});
 }
@@ -51,6 +53,7 @@ SolidPoints<D, P> SphSolver<Backend, D, P>::solidPoints()
     p.active = solidSort_.active();
     p.mass = solidMass_.data();
     p.massOfKey = solidMassOfKey_.data();
+    p.addedOfKey = solidAddedOfKey_.data();
     for (int d = 0; d < D; ++d)
     {
         p.last[d] = solidLast_.data() + std::size_t(d)*nSolids_;
@@ -66,7 +69,7 @@ template<class Backend, int D, class P>
 SolidAction<D, typename P::real> SphSolver<Backend, D, P>::solidAction()
 {
     SolidAction<D, real> a{};
-    if (!solids_) return a;
+    if (!solidsMeet_) return a;
     for (int d = 0; d < D; ++d)
     {
         a.a[d] = actionA_[d].data();
@@ -122,26 +125,64 @@ void SphSolver<Backend, D, P>::sortSolids()
     forEach(context_, nSolids_, place);
 }
 
+//- Half a step's impulse of the fluid at once, as the fluid gets it
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::pushSolids()
+{
+    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
+    context_.synchronise();
+    solids_->push(0.5*host_.dt);
+}
+
+//- Until the next sort: without fluid near any of them nothing passes between the two, and nothing is computed
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::meetFluid()
+{
+    meets_.upload(context_, std::vector<int>(1, 0));
+    forEach(context_, nSolids_, MeetFluid<D, P>
+        {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data()});
+    solidsMeet_ = meets_.download()[0] != 0;
+    if (!solidsMeet_) forEach(context_, nSolids_*D, ClearForces<real>{solidForce_.data()});
+}
+
+//- What of the last two forces solids get at a fraction of the step, so that the impulse of whole steps is what docs/coupling.md has
+template<class Backend, int D, class P>
+ForceShares SphSolver<Backend, D, P>::forceShares(double fraction) const
+{
+    const double ratio = host_.previousDt/host_.dt;     // 0 in the first step
+    if (coupling_.force != FluidForceKind::interpolated) return ForceShares{0.5*(1 + ratio), 0};
+    const double slope = 0.5*ratio + (ratio > 0 ? (fraction - 0.5)/ratio : 0);
+    return ForceShares{1 + slope, -slope};
+}
+
 //- Solids over the step that the clock has begun; the fluid's force of its start acts on them
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::advanceSolids()
 {
-    const double impulse = 0.5*(host_.previousDt + host_.dt);
-    const auto advance = [&](double t, double dt, int steps, bool pushed)
+    const auto advance = [&](double t, double dt, int steps, const ForceShares& shares)
     {
-        const double share = pushed ? impulse/solids_->kickTime(dt, steps) : 0;
-        forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), solids_->external(), share});
+        const double scale = dt/solids_->kickTime(dt, steps);
+        forEach(context_, nSolids_, HoldForces<D, P>
+            {solidForce_.data(), solidForceBefore_.data(), solids_->external(), scale*shares.now, scale*shares.before});
         context_.synchronise();
         return solids_->advanceTo(t, dt, steps);
     };
-    subcycles_ = solids_->subcycles(host_.dt);
-    const double first = host_.dt/subcycles_;
-    if (subcycles_ == 1 || !coupling_.impulse)
+    const int steps = subcycles_ = solids_->subcycles(host_.dt);
+    const double begin = host_.time - host_.dt, part = host_.dt/steps;
+    const auto end = [&](int k) { return k == steps ? host_.time : begin + k*part; };
+    bool good = true;
+    if (coupling_.force == FluidForceKind::interpolated)
     {
-        if (advance(host_.time, host_.dt, subcycles_, true)) return;
+        for (int k = 0; k < steps && good; ++k) good = advance(end(k + 1), part, 1, forceShares((k + 0.5)/steps));
+        forEach(context_, nSolids_*D, KeepForces<real>{solidForce_.data(), solidForceBefore_.data()});
     }
-    else if (advance(host_.time - host_.dt + first, first, 1, true) && advance(host_.time, host_.dt - first, subcycles_ - 1, false))
-        return;
+    else if (coupling_.force == FluidForceKind::held) good = advance(host_.time, host_.dt, steps, forceShares(0.5));
+    else
+    {
+        pushSolids();
+        good = advance(host_.time, host_.dt, steps, ForceShares{0, 0});
+    }
+    if (good) return;
     host_.halt = Halt::solids;
     host_.active = 0;
     writeClock();
@@ -152,7 +193,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::showForces()
 {
     if (!solids_) return;
-    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), solids_->external(), 1.0});
+    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
     context_.synchronise();
 }
 
@@ -161,7 +202,7 @@ void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
-        config_.smoothingRatio*config_.spacing, config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
+        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     forEach(context_, nSolids_, move);
 }
@@ -170,7 +211,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::solidPressurePass(bool inStep)
 {
     const bool extrapolated = coupling_.kind == CouplingKind::extrapolated;
-    if (!solids_ || (!extrapolated && coupling_.kind != CouplingKind::pressureApproximation)) return;
+    if (!solidsMeet_ || (!extrapolated && coupling_.kind != CouplingKind::pressureApproximation)) return;
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
@@ -186,7 +227,7 @@ template<class Backend, int D, class P>
 template<Part part>
 void SphSolver<Backend, D, P>::solidPass()
 {
-    if (!solids_) return;
+    if (!solidsMeet_) return;
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
@@ -203,7 +244,7 @@ void SphSolver<Backend, D, P>::solidPass()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::solidForcePass()
 {
-    if (!solids_) return;
+    if (!solidsMeet_) return;
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
@@ -223,16 +264,18 @@ CouplingState SphSolver<Backend, D, P>::coupling()
     readClock();
     s.subcycles = subcycles_;
     const std::vector<real> force = solidForce_.download();
+    const std::vector<real> before = solidForceBefore_.size() ? solidForceBefore_.download() : std::vector<real>(force.size(), real(0));
     const std::vector<std::int32_t> keys = solids_->order();
     s.force.assign(3*keys.size(), 0.0);
     for (std::size_t i = 0; i < keys.size(); ++i)
         for (int d = 0; d < D; ++d)
         {
-            const double f = force[std::size_t(keys[i])*D + d];
+            const std::size_t at = std::size_t(keys[i])*D + d;
+            const double f = force[at];
             s.force[3*i + config_.axes[d]] = f;
             s.total[config_.axes[d]] += f;
+            if (coupling_.force != FluidForceKind::impulse) s.pending[config_.axes[d]] += 0.5*host_.dt*(f - before[at]);
         }
-    for (int d = 0; d < 3; ++d) s.pending[d] = 0.5*host_.dt*s.total[d];
     return s;
 }
 

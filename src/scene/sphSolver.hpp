@@ -103,6 +103,9 @@ private:
     void loadSolids(const std::vector<std::int32_t>& words, std::size_t at);
     SolidPoints<D, P> solidPoints();
     SolidAction<D, real> solidAction();
+    ForceShares forceShares(double fraction) const;
+    void meetFluid();
+    void pushSolids();
     SolidTerms<real> solidTerms() const;
     Source<Backend, D, P> solidSource();
     Source<Backend, D, P> fluidAboutSolids();
@@ -164,13 +167,16 @@ private:
 
     std::unique_ptr<DemScene> solidScene_;
     SolidSide<D, P>* solids_ = nullptr;         // the same; null: there are none
+    bool solidsMeet_ = false;                   // is there fluid near any solid?
+    Array<Backend, int> meets_;
     CouplingConfig coupling_;
     int nSolids_ = 0, subcycles_ = 0;
     Records<Backend, D, P> solidRecords_;
     CellSort<Backend> solidSort_;
     Array<Backend, position> solidReference_;
     Array<Backend, std::int64_t> solidLast_;
-    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidVelocity_, solidAcceleration_, solidForce_;
+    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidAddedOfKey_, solidVelocity_, solidAcceleration_, solidForce_,
+        solidForceBefore_;
     Array<Backend, real> actionA_[D], actionRate_, actionDrift_[D];
 
     Array<Backend, ClockData> clock_;

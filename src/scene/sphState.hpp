@@ -2,7 +2,7 @@
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
     bytes of the clock, walls, wall fields, cycle fitted, solids; the clock; each field in the device's order; those of moving
-    walls; of solids velocity, acceleration and force by key, and the state of their own scene, its length before it; a checksum
+    walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
     (FNV-1a over all words before it).
 */
 #pragma once
@@ -47,8 +47,9 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     if (nBodies_) append(wall_, nWalls_);
     if (solids_)
     {
-        for (const auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_})
+        for (const auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
         {
+            if (!a->size()) continue;
             const std::vector<real> values = a->download();
             detail::appendBytes(words, values.data(), values.size()*sizeof(real));
         }
@@ -84,7 +85,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     const std::size_t solidsAt = expected - 1, solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
     if (solids_)
     {
-        expected += 3*solidWords + 1;
+        expected += (solidForceBefore_.size() ? 4 : 3)*solidWords + 1;
         if (expected > words.size()) fail("wrong length");
         expected += words[expected - 2];
     }
@@ -125,8 +126,9 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words, std::size_t at)
 {
     const std::size_t bytes = std::size_t(nSolids_)*D*sizeof(real);
-    for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_})
+    for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
     {
+        if (!a->size()) continue;
         context_.toDevice(a->data(), &words[at], bytes);
         at += (bytes + 3)/4;
     }

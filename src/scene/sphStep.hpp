@@ -227,6 +227,7 @@ void SphSolver<Backend, D, P>::step()
         wallForcePass(nullptr);
     }
     solidForcePass();
+    if (solids_ && coupling_.force == FluidForceKind::impulse) pushSolids();
 }
 
 } // namespace riprap

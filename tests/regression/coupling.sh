@@ -68,7 +68,7 @@ fill "$above"
 says bothSets 'Written 160 particles to 0/lagrangian/fluid'
 says bothSets2 'Written 10 particles, 13 bonds'
 riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
-says coupling 'coupling +pressureGradient, fluidForce held, viscosity yes, XSPH no, antiClump no'
+says coupling 'coupling +pressureGradient, fluidForce impulse, viscosity yes, XSPH no, antiClump no'
 says subcycles 'timeIntegration +leapfrog, step [0-9.e-]+ s \(.*\): [0-9]+ a step of the fluid'
 says step 'Solids: steps = [0-9]+ \([0-9]+\), [0-9]+ a step of the fluid'
 for field in fluid/positions fluid/p solids/positions solids/U solids/origId
@@ -93,15 +93,34 @@ do
     riprapFoam >log 2>&1 && pass "run.$kind" || fail "run.$kind" "$(grep -m1 -A3 ERROR log)"
     says "says.$kind" "coupling +$kind"
 done
-rm -rf 0.0* postProcessing; fluid ''
+for force in held interpolated
+do
+    rm -rf 0.0* postProcessing; fluid "couplingCoeffs { fluidForce $force; }"
+    riprapFoam >log 2>&1 && pass "run.$force" || fail "run.$force" "$(grep -m1 -A3 ERROR log)"
+    says "says.$force" "fluidForce $force"
+    cp 0.02/lagrangian/fluid/positions fluid; rm -r 0.02; riprapFoam >log 2>&1
+    says "restart.$force" 'Continuing exactly from time 0.01'
+    cmp -s fluid 0.02/lagrangian/fluid/positions && pass "restartExact.$force" || fail "restartExact.$force" "other positions"
+done
+rm -rf 0.0* postProcessing; fluid ''; solids 'groups { block { localDamping 0.1; } }'
+fill "$above"; riprapFoam -dry-run >log 2>&1; says heldByLocalDamping 'fluidForce held'
+solids ''; sed -i 's/material rubber; radius/rigid yes; material rubber; radius/; /^bonds/d' system/setParticlesDict; rm -rf 0; setParticles >log 2>&1
+says rigidBody 'block: one rigid body, mass 0\.128 kg, centre \(0\.05 0\.046 0\.005\), principal moments of inertia \(0 0 4\.864e-06\)'    # m (32 + 4 + 2) mm2
+says rigidCount 'Written 10 particles, 0 bonds and 1 clumps'
+riprapFoam >log 2>&1 && pass run.rigid || fail run.rigid "$(grep -m1 -A3 ERROR log)"
+says rigidLog 'particles +10, clumps 1, bonds 0'
+rm -rf 0.0* postProcessing; fill "$above"
 riprapFoam -dry-run >log 2>&1 && pass dryRun || fail dryRun "$(grep -m1 -A3 ERROR log)"
 says memory 'solid points'
 
 # What is refused
+fluid 'couplingCoeffs { fluidForce impulse; }'; solids 'groups { block { localDamping 0.1; } }'
+wrong impulseDamped 'Entry fluidForce of couplingCoeffs is impulse, but group block .* local damping.*held and interpolated' riprapFoam
+solids ''
 fluid 'coupling glue;'; wrong word 'coupling.*glue.*stationary.*pressureGradient.*pressureApproximation.*extrapolated' riprapFoam
 fluid 'couplingCoeffs { XSPH yes; }'; wrong xsph 'Entry XSPH of couplingCoeffs is yes, but XSPH of constant/sphProperties is none' riprapFoam
 fluid 'antiClump none; couplingCoeffs { antiClump yes; }'; wrong antiClump 'Entry antiClump of couplingCoeffs is yes' riprapFoam
-fluid 'couplingCoeffs { fluidForce late; }'; wrong fluidForce 'fluidForce.*late.*impulse held' riprapFoam
+fluid 'couplingCoeffs { fluidForce late; }'; wrong fluidForce 'fluidForce.*late.*held.*interpolated.*impulse' riprapFoam
 fluid 'couplingCoeffs { drag yes; }'; wrong entry 'drag.*viscosity' riprapFoam
 fluid ''; solids 'precision double;'; wrong precision 'Entry precision is double, and mixed in constant/sphProperties' riprapFoam
 solids ''; fill '(0.04 0.03 0) (0.06 0.038 0.01)'

@@ -248,6 +248,8 @@ bad largest 'Entry largestRadius is 0.001, less than radius 0.005' "a { $glass $
 bad velocity 'regions.a.velocity' "a { $glass $box velocity fast; }"
 bad spin 'regions.a.spin' "a { $glass $box spin fast; }"
 bad clipWord 'clip has the unknown word maybe' "a { $glass $box clip maybe; }"
+bad rigidClumps 'Entry rigid is yes, but the bodies of source clumpsFromSurface are rigid ones already' 'a { set solids; material glass; source clumpsFromSurface; file "octa.stl"; rigid yes; }'
+bad rigidWord 'rigid.*maybe.*yes.*no' "a { $glass source box; box (0 0 0) (0.02 0.02 0.02); radius 0.005; rigid maybe; }"
 bad clumps2D 'clumpsFromSurface needs a case in 3D' 'a { set solids; material glass; source clumpsFromSurface; file "octa.stl"; }'
 bad noType "'type' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { groups (free); gapTolerance 0; } );'
 bad noGroups "'groups' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { type cement; gapTolerance 0; } );'

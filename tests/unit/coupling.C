@@ -2,6 +2,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <set>
 #include "sceneTest.hpp"
 #include "scene/sphDemScene.hpp"
 #include "sph/kernels/wendlandC2.hpp"
@@ -59,6 +60,28 @@ protected:
         return s;
     }
 
+    //- The same block as one rigid body
+    SolidInput rigid(SolidInput s) const
+    {
+        DemInput& in = s.input;
+        const std::size_t n = in.particles.size();
+        DemClump body;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            body.mass += in.particles.mass[i];
+            for (int d = 0; d < 3; ++d) body.position[d] += in.particles.position[3*i + d]/double(n);
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            for (int d = 0; d < 3; ++d)
+                for (int e = 0; e < 3; ++e)
+                    if (e != d) body.inertia[d] += in.particles.mass[i]*std::pow(in.particles.position[3*i + e] - body.position[e], 2);
+        in.clumps.push_back(body);
+        in.particles.clump.assign(n, 0);
+        in.bonds = DemBonds();
+        in.bondTypes.clear();
+        return s;
+    }
+
     SphConfig waterBox() const
     {
         SphConfig c = config();
@@ -101,7 +124,9 @@ protected:
         const FluidState f = s.fluid();
         for (std::size_t i = 0; i < f.id.size(); ++i) add(f.velocity, i, c.density*std::pow(c.spacing, D()));
         const DemState q = s.solids()->particles();
-        for (std::size_t i = 0; i < q.id.size(); ++i) add(q.velocity, i, q.mass[i]);
+        // parts of a rigid body show its velocity of the middle of the step
+        const std::vector<double> body = s.solids()->clumps().velocity;
+        for (std::size_t i = 0; i < q.id.size(); ++i) add(body.empty() ? q.velocity : body, body.empty() ? i : 0, q.mass[i]);
         const CouplingState now = s.coupling();
         for (int d = 0; d < D(); ++d) p.sum[d] += now.pending[d];
         return p;
@@ -147,27 +172,37 @@ TEST_P(Coupling, ForceOfOnePair)
     }
 }
 
-//- What the fluid loses the solids gain, step by step, whatever the scheme
+//- What the fluid loses the solids gain, step by step, whatever the scheme; bonded bodies and rigid ones
 TEST_P(Coupling, MomentumIsKept)
 {
+    struct Case { IntegratorKind scheme; FluidForceKind force; bool rigid; };
+    const Case cases[] =
+    {
+        {IntegratorKind::leapfrog, FluidForceKind::held, false}, {IntegratorKind::symplectic, FluidForceKind::impulse, false},
+        {IntegratorKind::symplectic, FluidForceKind::interpolated, false}, {IntegratorKind::leapfrog, FluidForceKind::interpolated, true},
+        {IntegratorKind::symplectic, FluidForceKind::held, true}, {IntegratorKind::symplectic, FluidForceKind::impulse, true}
+    };
     for (const CouplingKind kind : allKinds)
-        for (const IntegratorKind scheme : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+        for (const Case& now : cases)
         {
-            SCOPED_TRACE(std::string(nameOf(kind)) + (scheme == IntegratorKind::leapfrog ? ", leapfrog" : ", symplectic"));
+            static const char* forces[] = {", held", ", interpolated", ", impulse"};
+            SCOPED_TRACE(std::string(nameOf(kind)) + (now.scheme == IntegratorKind::leapfrog ? ", leapfrog" : ", symplectic")
+              + forces[int(now.force)] + (now.rigid ? ", rigid" : ", bonded"));
             SphConfig c = waterBox();
-            c.integrator = scheme;
+            c.integrator = now.scheme;
             c.acousticCourant = 0.2;
             const double size = 0.6*c.spacing;
             SolidInput solids = block(c, 5, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
+            if (now.rigid) solids = rigid(solids);
             solids.coupling.kind = kind;
-            solids.coupling.impulse = scheme == IntegratorKind::symplectic;
+            solids.coupling.force = now.force;
             const auto s = createSphDemScene(c, waterAround(c, {{0.3, 0.3, 0.3}}, 5*size), {}, solids);
             const Momentum before = momentum(*s, c);
             const double start = std::sqrt(std::pow(s->coupling().total[0], 2) + std::pow(s->coupling().total[1], 2));
             const SphReport report = s->advance(1, 20);
             ASSERT_EQ(report.stop, StopReason::none);
             const Momentum after = momentum(*s, c);
-            EXPECT_GT(s->coupling().subcycles, 1);
+            if (!now.rigid) { EXPECT_GT(s->coupling().subcycles, 1); }
             // each velocity is rounded a few times a step
             for (int d = 0; d < D(); ++d) EXPECT_NEAR(after.sum[d], before.sum[d], 40*epsilon()*after.size) << "axis " << d;
             EXPECT_GT(start*report.time, 1e-4*after.size) << "or the test would prove nothing";
@@ -176,6 +211,44 @@ TEST_P(Coupling, MomentumIsKept)
             for (const double v : q.velocity) speed = std::max(speed, std::abs(v));
             EXPECT_GT(speed, 1e-3) << "the solids must have been moved";
         }
+}
+
+//- A held force is late by half a step, one on the line through the last two is not: errors of the first and of the second order in the step
+TEST_P(Coupling, OrderOfTheForceInTime)
+{
+    if (D() == 3 || mixed()) GTEST_SKIP() << "neither the third dimension nor rounding adds anything";
+    const auto centre = [&](FluidForceKind force, double dt)
+    {
+        SphConfig c = waterBox();
+        c.integrator = IntegratorKind::symplectic;
+        c.viscosityModel = ViscosityKind::none;
+        c.adjustTimeStep = false;
+        c.fixedTimeStep = dt;
+        const double size = c.spacing;
+        SolidInput solids = block(c, 4, size, {{0.3, 0.3, 0}});
+        solids.config.timeStep = 2e-5;          // another one would be another solid
+        solids.coupling.force = force;
+        FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 4*size);
+        for (std::size_t i = 0; i < water.size(); ++i)
+        {
+            water.density[i] = c.density*(1.01 + 0.005*std::sin(2*std::acos(-1.0)*water.position[3*i]));
+            for (int d = 0; d < 3; ++d) water.velocity[3*i + d] = 0;
+        }
+        const auto s = createSphDemScene(c, water, {}, solids);
+        s->advance(0.016);
+        const DemState q = s->solids()->particles();
+        double x = 0;
+        for (std::size_t i = 0; i < q.id.size(); ++i) x += q.position[3*i]/double(q.id.size());
+        return x;
+    };
+    const auto order = [&](FluidForceKind force)
+    {
+        const double a = centre(force, 1e-4), b = centre(force, 5e-5), d = centre(force, 2.5e-5);
+        return std::log2(std::abs(a - b)/std::abs(b - d));
+    };
+    EXPECT_NEAR(order(FluidForceKind::held), 1, 0.3);
+    EXPECT_GT(order(FluidForceKind::interpolated), 1.7);
+    EXPECT_GT(order(FluidForceKind::impulse), 1.7);
 }
 
 //- Solids that are all held cost no subcycles, and stay where they are; one that is free brings them back
@@ -208,9 +281,9 @@ TEST_P(Coupling, HeldSolidsTakeOneStep)
     }
 }
 
-//- Nothing is dissipated: fluid and solids together keep their energy. Forces are second order in the step and Eqs. 32 and 34 exchange
-//  a little more than they should (docs/theory.md): 2 % of the kinetic energy. Extrapolated pressure does work that no energy answers
-//  for: 2.2 % was lost here
+//- Nothing is dissipated: fluid and solids together keep their energy, but for the second order in the step and what Eqs. 32 and 34 exchange more than
+//  they should (docs/theory.md): 2 % of the kinetic energy. The water stands off the block by another gap than it was put at; until it has found that,
+//  pressure that solids take from the fluid does work p dV on it that no energy answers for: 2 % and 1.4 % at this pressure, by itself (docs/coupling.md)
 TEST_P(Coupling, EnergyIsKept)
 {
     if (D() == 3) GTEST_SKIP() << "the third dimension adds nothing";
@@ -228,7 +301,7 @@ TEST_P(Coupling, EnergyIsKept)
         const double side = 6*c.spacing, low = 0.4;
         SolidInput solids = block(c, 6, c.spacing, {{low, low, 0}});
         solids.coupling.kind = kind;
-        solids.coupling.impulse = true;     // bonds are not damped
+        solids.coupling.force = FluidForceKind::impulse;     // bonds are not damped
         FluidInput water = waterAround(c, {{low, low, 0}}, side);
         for (std::size_t i = 0; i < water.size(); ++i)
         {
@@ -243,10 +316,46 @@ TEST_P(Coupling, EnergyIsKept)
             const SphEnergy e = s->energy();
             return e.kinetic + e.elastic + s->solids()->energy().total();
         };
-        const double before = total(), kinetic = s->energy().kinetic;
         s->advance(0.1);
-        EXPECT_NEAR(total(), before, (kind == CouplingKind::extrapolated ? 0.04 : 0.02)*kinetic);
+        const double before = total(), kinetic = s->energy().kinetic;
+        s->advance(0.2);
+        EXPECT_NEAR(total(), before, 0.02*kinetic);
         EXPECT_GT(s->solids()->energy().total(), 1e-6*kinetic) << "the solids must have taken part";
+    }
+}
+
+//- A rigid body a twentieth as heavy as the water that it displaces, pushed about by it: the reversible step holds it, whatever the coupling
+TEST_P(Coupling, LightBodiesAreStable)
+{
+    if (D() == 3 || !mixed()) GTEST_SKIP() << "neither the third dimension nor precision adds anything";
+    for (const CouplingKind kind : allKinds)
+    {
+        SCOPED_TRACE(nameOf(kind));
+        SphConfig c = waterBox();
+        c.soundSpeed = 10;
+        c.maxVelocity = 1;
+        c.integrator = IntegratorKind::symplectic;
+        c.acousticCourant = 0.4;
+        c.viscosityModel = ViscosityKind::none;
+        SolidInput solids = rigid(block(c, 6, c.spacing, {{0.3, 0.6, 0}}));
+        for (double& m : solids.input.particles.mass) m *= 0.05/0.8;
+        solids.input.clumps[0].mass *= 0.05/0.8;
+        for (double& j : solids.input.clumps[0].inertia) j *= 0.05/0.8;
+        solids.coupling.kind = kind;
+        solids.coupling.force = FluidForceKind::impulse;
+        FluidInput water = waterAround(c, {{0.3, 0.6, 0}}, 6*c.spacing);
+        for (std::size_t i = 0; i < water.size(); ++i)
+        {
+            const double x = 2*std::acos(-1.0)*water.position[3*i], y = 2*std::acos(-1.0)*water.position[3*i + 1];
+            water.velocity[3*i] = 0.3*std::sin(y);
+            water.velocity[3*i + 1] = 0.3*std::sin(x);
+            water.density[i] = 1.01*c.density;
+        }
+        const auto s = createSphDemScene(c, water, {}, solids);
+        const double kinetic = s->energy().kinetic;
+        const SphReport r = s->advance(0.4);
+        EXPECT_EQ(r.stop, StopReason::none);
+        EXPECT_LT(s->solids()->energy().total(), 0.02*kinetic) << "as a body that moves with the water has";
     }
 }
 
@@ -260,7 +369,7 @@ TEST_P(Coupling, ContinuesToTheBit)
             const double size = 0.6*c.spacing;
             SolidInput solids = block(c, 4, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
             solids.coupling.kind = kind;
-            solids.coupling.impulse = scheme == IntegratorKind::symplectic;
+            solids.coupling.force = scheme == IntegratorKind::symplectic ? FluidForceKind::impulse : FluidForceKind::interpolated;
             const FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 4*size);
             const auto a = createSphDemScene(c, water, {}, solids), b = createSphDemScene(c, water, {}, solids);
             a->advance(0.01);
@@ -295,7 +404,7 @@ void expectClose(const FluidState& a, const FluidState& b, const SphConfig& c)
     }
 }
 
-//- Solids far from any fluid: they fall as if alone, and the fluid does what it does alone
+//- Solids far from any fluid: they fall as if alone, the fluid does what it does alone, and no pass between the two is launched
 TEST_P(Coupling, FarApartNothingPasses)
 {
     SphConfig c = config();
@@ -312,8 +421,62 @@ TEST_P(Coupling, FarApartNothingPasses)
     if (GetParam().device == DeviceKind::cpu) expectSameBits(both->fluid(), alone->fluid());
     else expectClose(both->fluid(), alone->fluid(), c);
     for (const double force : both->coupling().force) EXPECT_EQ(force, 0);
+    const std::set<std::string> coupling {"solidMomentumPass", "solidDensityPass", "solidForce", "solidPressure", "listFluidSolid", "listSolidFluid"};
+    for (const KernelInfo& k : both->kernels()) EXPECT_EQ(coupling.count(k.name), 0u) << k.name << " was launched";
     const DemState q = both->solids()->particles();
     for (std::size_t i = 0; i < q.id.size(); ++i) EXPECT_NEAR(q.velocity[3*i + 1], -0.05, 1e-5);
+}
+
+//- They meet: what falls into the water is seen when it gets there
+TEST_P(Coupling, SolidsThatComeNearMeetTheFluid)
+{
+    SphConfig c = config();
+    c.wallSpacing = c.spacing;
+    c.domainMax[1] = 2;
+    SolidInput solids = block(c, 2, c.spacing, {{0.4, 1.0, D() == 3 ? 0.3 : 0.0}});
+    solids.input.particles.velocity.assign(solids.input.particles.position.size(), 0.0);
+    for (std::size_t i = 0; i < solids.input.particles.size(); ++i) solids.input.particles.velocity[3*i + 1] = -5;
+    FluidInput f = lattice(c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
+    const auto s = createSphDemScene(c, f, {}, solids);
+    const auto largest = [&] { double most = 0; for (const double v : s->coupling().force) most = std::max(most, std::abs(v)); return most; };
+    s->advance(0.01);
+    EXPECT_EQ(largest(), 0);
+    s->advance(0.09);
+    EXPECT_GT(largest(), 0);
+}
+
+//- What the solids do not use is not computed: without bonds no kernel of bonds, without clumps none of clumps; without solids no kernel of theirs
+TEST_P(Coupling, CostsOnlyWhatIsThere)
+{
+    const SphConfig c = waterBox();
+    const double size = 0.6*c.spacing;
+    const SolidInput bonded = block(c, 3, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
+    SolidInput loose(bonded);
+    loose.input.bonds = DemBonds();
+    loose.input.bondTypes.clear();
+    const FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 3*size);
+    const auto launched = [&](const std::vector<KernelInfo>& kernels, const std::string& part)
+    {
+        std::int64_t n = 0;
+        for (const KernelInfo& k : kernels)
+        {
+            std::string name = k.name;
+            std::transform(name.begin(), name.end(), name.begin(), [](unsigned char x) { return char(std::tolower(x)); });
+            if (name.find(part) != std::string::npos) n += k.launches;
+        }
+        return n;
+    };
+    const auto of = [&](const SolidInput& in) { auto s = createSphDemScene(c, water, {}, in); s->advance(1, 5); return s->solids()->kernels(); };
+    EXPECT_GT(launched(of(bonded), "bond"), 0);
+    EXPECT_EQ(launched(of(bonded), "clump"), 0);
+    EXPECT_EQ(launched(of(loose), "bond"), 0);
+    EXPECT_EQ(launched(of(loose), "clump"), 0);
+    EXPECT_GT(launched(of(rigid(bonded)), "clump"), 0);
+    EXPECT_EQ(launched(of(rigid(bonded)), "bond"), 0);
+    const auto alone = createSphScene(c, water, {});
+    alone->advance(1, 5);
+    EXPECT_EQ(launched(alone->kernels(), "solid"), 0);
+    EXPECT_EQ(alone->solids(), nullptr);
 }
 
 TEST_P(Coupling, RefusesWhatDoesNotFit)

@@ -25,26 +25,40 @@ Foam::coupledSolids::coupledSolids
         boundary
     ),
     coupling_(fluid.coupling)
-{}
+{
+    if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::impulse;
+    for (const demGroup& g : asRead_.groups)
+    {
+        // it takes a share of the unbalanced force, of which the fluid's must be a part
+        if (g.group.localDamping <= 0 || coupling_.force != riprap::FluidForceKind::impulse) continue;
+        if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::held;
+        else
+        {
+            FatalIOErrorInFunction(fluid.dict)
+                << "Entry fluidForce of couplingCoeffs is impulse, but group " << g.group.name.c_str()
+                << " of constant/solidProperties has local damping, which must see the fluid's force: valid are held and interpolated"
+                << exit(FatalIOError);
+        }
+    }
+}
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 //- Of which particles keep the water out: mass over density; members of a
-//  clump share that of the clump as their own volumes are
+//  clump share that of the clump as their own masses are
 std::vector<double> Foam::coupledSolids::volumes() const
 {
     const riprap::DemParticles& p = input_.particles;
-    const int D = settings_.config.dimensions;
     const auto density = [&](std::size_t i)
     {
         return settings_.materials[p.material.empty() ? 0 : p.material[i]].density;
     };
 
-    std::vector<double> shares(input_.clumps.size(), 0.0);
+    std::vector<double> members(input_.clumps.size(), 0.0);
     for (std::size_t i = 0; i < p.clump.size(); ++i)
     {
-        if (p.clump[i] >= 0) shares[p.clump[i]] += std::pow(p.radius[i], D);
+        if (p.clump[i] >= 0) members[p.clump[i]] += p.mass[i];
     }
 
     std::vector<double> volume(p.size());
@@ -53,8 +67,7 @@ std::vector<double> Foam::coupledSolids::volumes() const
         const int clump = p.clump.empty() ? -1 : p.clump[i];
         volume[i] = clump < 0
           ? p.mass[i]/density(i)
-          : input_.clumps[clump].mass/density(i)
-           *std::pow(p.radius[i], D)/shares[clump];
+          : input_.clumps[clump].mass/density(i)*p.mass[i]/members[clump];
     }
     return volume;
 }

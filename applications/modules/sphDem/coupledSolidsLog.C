@@ -16,7 +16,7 @@ void Foam::coupledSolids::logModels() const
 {
     Info<< nl << "Solids in the fluid" << nl;
     logItem("coupling") << sphNames::coupling[coupling_.kind]
-        << ", fluidForce " << (coupling_.impulse ? "impulse" : "held")
+        << ", fluidForce " << sphNames::fluidForce[coupling_.force]
         << ", viscosity " << (coupling_.viscosity ? "yes" : "no")
         << ", XSPH " << (coupling_.xsph ? "yes" : "no")
         << ", antiClump " << (coupling_.antiClump ? "yes" : "no") << nl;

@@ -141,11 +141,11 @@ struct GatherClumps
     const int* member;          // keys of particles
     const int* slotOf;          // where a key is
     const typename P::real* external;
-    const DemClockData* clock;
+    const DemClockData* clock;  // null: now
 
     HD void operator()(int k) const
     {
-        if (!clock->active) return;
+        if (clock && !clock->active) return;
         ClumpData& c = clumps[k];
         double f[3] = {}, m[3] = {};
         for (int e = first[k]; e < first[k + 1]; ++e)

@@ -9,6 +9,7 @@
 
 #include "closedSurface.H"
 #include "momentOfInertia.H"
+#include "principalAxes.H"
 #include "mathematicalConstants.H"
 #include "quaternion.H"
 #include "solidRegions.H"
@@ -81,32 +82,6 @@ static DynamicList<ball> cover(DynamicList<ball> candidates, label most, scalar 
     return chosen;
 }
 
-
-// Principal moments, and the axes as the columns of a rotation, by Jacobi's turns: OpenFOAM's own eigenValues lose those that are equal
-static vector principal(tensor J, tensor& axes)
-{
-    axes = tensor::I;
-    for (label sweep = 0; sweep < 50; ++sweep)
-    {
-        for (direction p = 0; p < 2; ++p)
-        {
-            for (direction q = p + 1; q < 3; ++q)
-            {
-                const scalar apart = J[3*p + q];
-                if (mag(apart) <= 1e-16*mag(J)) continue;
-                const scalar angle = 0.5*Foam::atan2(2*apart, J[3*q + q] - J[3*p + p]);
-                tensor turn(tensor::I);
-                turn[3*p + p] = turn[3*q + q] = Foam::cos(angle);
-                turn[3*p + q] = Foam::sin(angle);
-                turn[3*q + p] = -Foam::sin(angle);
-                J = turn.T() & J & turn;
-                axes = axes & turn;
-            }
-        }
-    }
-    return vector(J.xx(), J.yy(), J.zz());
-}
-
 } // namespace Foam
 
 
@@ -145,7 +120,7 @@ void Foam::readClumps(checkedDictionary& dict, const solidSpace& space, solidReg
     }
 
     tensor axes;
-    const vector moments(principal(J, axes));
+    const vector moments(principalMoments(J, axes));
     const quaternion turn(axes);
 
     DynamicList<point> position;

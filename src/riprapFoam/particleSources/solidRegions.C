@@ -212,9 +212,15 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
     vector velocity(Zero), spin(Zero);
     if (dict.found("velocity")) velocity = region.dict.get<vector>("velocity");
     if (dict.found("spin")) spin = region.dict.get<vector>("spin");
+    const bool rigid = dict.either("rigid", "yes", "no", false);
 
     dict.found("source");
     const word source(region.dict.get<word>("source"));
+    if (rigid && source == "clumpsFromSurface")
+    {
+        FatalIOErrorInFunction(region.dict)
+            << "Entry rigid is yes, but the bodies of source clumpsFromSurface are rigid ones already: leave it out" << exit(FatalIOError);
+    }
     scalarField unitMass;
     if (source == "csv")
     {
@@ -267,6 +273,7 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
             region.mass[i] = settings.materials[region.material[i]].density*volume;
         }
     }
+    if (rigid && n) makeRigid(space, group, velocity, spin, region);
     return region;
 }
 
