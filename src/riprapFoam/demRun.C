@@ -37,7 +37,7 @@ demRun readDemRun(const Time& time)
         run.brokenBefore = count(dict, "brokenBefore");
         run.timeStep = dict.get<scalar>("timeStep");
         run.stepFraction = dict.get<scalar>("stepFraction");
-        run.maxDeltaT = dict.get<scalar>("maxDeltaT");
+        run.maxDeltaT = dict.getOrDefault<scalar>("maxDeltaT", 0);
     });
     return run;
 }
