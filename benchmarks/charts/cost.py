@@ -2,15 +2,19 @@
 """Error against cost, one chart a scene, one panel a quantity
 
 Cost is wall time a simulated second: runs of a scene may end at different times. Points of equal settings and different
-spacings are joined; a label names only what differs between the chart's rows.
+spacings are joined; a label names only what differs between the chart's rows. Errors of exactly zero (a bond that held, or broke, as it should)
+stand at the foot of the chart.
 """
 from riprap import plotting
 
 from . import groups, newest, number
 
 
+foot = 1e-16
+
+
 def draw(scene, rows, peers, path):
-    rows = [r for r in rows if 'quick' not in r['run'] and costOf(r) and number(r['error'])]
+    rows = [r for r in rows if 'quick' not in r['run'] and costOf(r) and number(r['error']) is not None]
     rows = newest(rows, ('run', 'settings', 'spacing', 'precision', 'device', 'machine', 'quantity'))
     if not rows:
         print(f'{scene}: no complete runs to draw')
@@ -26,7 +30,7 @@ def draw(scene, rows, peers, path):
         mine = [r for r in rows if r['quantity'] == quantity]
         for i, (label, points) in enumerate(groups(mine, labels).items()):
             points.sort(key=costOf)
-            axis.loglog([costOf(p) for p in points], [abs(float(p['error'])) for p in points], '-',
+            axis.loglog([costOf(p) for p in points], [max(abs(float(p['error'])), foot) for p in points], '-',
                         marker=plotting.markers[i % len(plotting.markers)], markersize=5, linewidth=1,
                         color=plotting.colours[i % len(plotting.colours)], label=label)
         for i, (peer, points) in enumerate(groups([p for p in others if p['quantity'] == quantity],

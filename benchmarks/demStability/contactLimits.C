@@ -2,13 +2,16 @@
 
     Bodies rest on each other in a periodic lattice (or are bonded) and get velocities of 1e-9 of an overlap a sqrt(m/k). The kinetic
     energy of a stable scene stays of that size; it is unstable when it has grown 1e6-fold within 3000 steps. Theory: 2/w of the
-    lattice's fastest mode (normalModes.hpp). Also one body on a floor with a dashpot, whose force is taken at the half step:
-    x^2 + 4 zeta x = 4, x = dt sqrt(k/m).
+    lattice's fastest mode (normalModes.hpp). With dashpots, whose forces are taken at the half step: one body on a floor,
+    x^2 + 4 zeta x/(1 + zeta x/2) = 4, x = dt sqrt(k/m); packings, dem/packingLimit.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "demResults.hpp"
 #include "normalModes.hpp"
+
+#include "dem/contact/normal/linearSpring.hpp"
+#include "dem/packingLimit.hpp"
 
 #include <random>
 
@@ -54,7 +57,16 @@ void lattice(DemResults& results, const char* name, const LatticeOptions& o)
         k.bending = c.dimensions == 2 ? 1/3.0 : 0.25;
         k.twist = 0.5*o.stiffnessRatio;
     }
-    const double theory = 2/fastestMode(latticePoints(o.lattice, o.bonded ? 0 : o.overlap), c.periodic, k);
+    double theory = 2/fastestMode(latticePoints(o.lattice, o.bonded ? 0 : o.overlap), c.periodic, k);
+    if (o.restitution < 1)
+    {
+        PackedContact packed;
+        packed.dimensions = c.dimensions;
+        packed.inertia = c.dimensions == 3 ? 0.4 : 0.5;
+        packed.kappa = k.shear;
+        packed.twoZeta = LinearSpring::make(in.pairs[0].properties).twoZeta;
+        theory = packingLimit(packed);
+    }
     for (const DemIntegratorKind integrator : integrators)
     {
         const double found = largest(0.5*theory, 1.3*theory, 2e-3*theory, [&](double step)
@@ -76,7 +88,12 @@ void onFloor(DemResults& results, double restitution)
     // where the dashpot may not pull, e is reached with less damping: take the law's own
     in.pairs[0].properties.attraction = true;
     const double ln = std::log(restitution), zeta = restitution < 1 ? -ln/std::sqrt(ln*ln + 9.8696044) : 0;
-    const double theory = 2*(std::sqrt(1 + zeta*zeta) - zeta);
+    double theory = 0, above = 2;
+    while (above - theory > 1e-9)
+    {
+        const double x = 0.5*(theory + above);
+        (x*x + 4*zeta*x/(1 + 0.5*zeta*x) < 4 ? theory : above) = x;
+    }
     for (const DemIntegratorKind integrator : integrators)
     {
         const double found = largest(0.5*theory, 1.5*theory, 1e-3, [&](double step) { return stable(c, in, integrator, step, true); });
@@ -108,6 +125,16 @@ void contactLimits(DemResults& results)
             o.stiffnessRatio = ratio;
             lattice(results, (word + (ratio > 0 ? ", kt/kn = " + std::to_string(ratio).substr(0, 3) : std::string(", smooth"))).c_str(), o);
         }
+    for (const auto& [word, kind] : {std::pair<const char*, Lattice>{"hexagonal", Lattice::hexagonal}, {"close packing", Lattice::closePacked}})
+        for (const double ratio : {0.0, 0.5})
+            for (const double e : {0.9, 0.5, 0.1})
+            {
+                o.lattice = kind;
+                o.tangential = ratio > 0;
+                o.stiffnessRatio = ratio;
+                o.restitution = e;
+                lattice(results, (std::string(word) + (ratio > 0 ? ", kt/kn = 0.5" : ", smooth") + ", e = " + std::to_string(e).substr(0, 3)).c_str(), o);
+            }
     o = LatticeOptions();
     o.lattice = Lattice::closePacked;
     o.normal = NormalKind::hertz;

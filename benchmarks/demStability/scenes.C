@@ -102,6 +102,7 @@ void latticeScene(const LatticeOptions& o, DemConfig& c, DemInput& in)
     PairProperties& p = in.pairs[0].properties;
     p.friction = o.tangential ? 1e6 : 0;
     p.stiffnessRatio = o.tangential ? o.stiffnessRatio : -1;
+    p.restitution = o.restitution;
     if (o.normal == NormalKind::hertz)
     {
         // tangent stiffness 1 at rest: 2 E* sqrt(R* overlap), with E* = E/(2 (1 - nu^2)) of two alike, R* = 1/2

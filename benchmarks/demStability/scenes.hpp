@@ -20,6 +20,7 @@ struct LatticeOptions
     bool tangential = false, bonded = false;
     double stiffnessRatio = 1;          // k_t/k_n of contacts, ks/kn of bonds
     double overlap = 1e-3;              // in the state of rest [radii]
+    double restitution = 1;
 };
 
 //- Positions of a periodic lattice of bodies of radius 1 that overlap, and its box

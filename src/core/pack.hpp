@@ -88,6 +88,41 @@ HD Pack<R> squareRoot(Pack<R> a)
 template<class R>
 HD Pack<R> selectGreater(Pack<R> a, Pack<R> b, Pack<R> x, Pack<R> y) { return Pack<R>(a.v > b.v ? x.v : y.v); }
 
+//- Four or eight 32-bit integers, as they lie in memory
+template<int lanes>
+struct IntegerPack
+{
+    typedef std::int32_t vec __attribute__((vector_size(lanes*4)));
+    typedef std::int32_t loose __attribute__((vector_size(lanes*4), aligned(4), may_alias));
+    HD static vec load(const void* p) { return *reinterpret_cast<const loose*>(p); }
+};
+
+//- Bit l: the sign of lane l, of a register of 32-bit or 64-bit lanes
+template<class V>
+HD unsigned signBits(const V& v)
+{
+#ifdef __AVX__
+    typedef float eight __attribute__((vector_size(32)));
+    typedef float four __attribute__((vector_size(16)));
+    typedef double wide __attribute__((vector_size(32)));
+    if constexpr (sizeof(V) == 16) return unsigned(__builtin_ia32_movmskps(four(v)));
+    else if constexpr (sizeof(v[0]) == 4) return unsigned(__builtin_ia32_movmskps256(eight(v)));
+    else return unsigned(__builtin_ia32_movmskpd256(wide(v)));
+#else
+    unsigned bits = 0;
+    for (unsigned l = 0; l < sizeof(V)/sizeof(v[0]); ++l) bits |= unsigned(v[l] < 0) << l;
+    return bits;
+#endif
+}
+
+//- Bit l: a > b in lane l
+template<class R>
+HD unsigned greaterBits(Pack<R> a, Pack<R> b)
+{
+    const typename Pack<R>::mask m = a.v > b.v;
+    return signBits(m);
+}
+
 //- Lanes 0 .. count-1 keep a, the others become b
 template<class R>
 HD Pack<R> keepFirst(Pack<R> a, int count, R b)

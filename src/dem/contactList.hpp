@@ -100,7 +100,7 @@ public:
     //- Room for so many entries
     void reserve(Context<Backend>& context, std::size_t entries, int histories, bool rests)
     {
-        if (entries > entry_.size())
+        if (entries + 8 > entry_.size())         // a register that begins with the last may reach past it
         {
             const std::size_t room = entries + entries/(Backend::gpu ? 16 : 8) + 64;
             entry_.allocate(context, room);

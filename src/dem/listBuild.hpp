@@ -120,6 +120,7 @@ struct BlockEntries
     }
 };
 
+//- Half lists (CPU)
 template<class Backend, int D, class P>
 struct WriteContacts
 {
@@ -127,6 +128,7 @@ struct WriteContacts
     ContactSearch<Backend, D, P> search;
     const int* active;
     ContactListView<Backend, typename P::real> list;
+    int words;                  // of a history; those that do not touch are zero
 
     HD void operator()(int i) const
     {
@@ -136,7 +138,8 @@ struct WriteContacts
         {
             const std::size_t e = list.index(i, k++);
             list.entry[e] = std::uint32_t(j);
-            if (!Backend::gpu) list.owner[e] = i;
+            list.owner[e] = i;
+            for (int c = 0; c < words; ++c) list.history[e*words + c] = 0;
             if (list.rest) list.rest[e] = 0;
         });
     }

@@ -130,7 +130,7 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
         static constexpr int room = 64;
 
         int count = 0;
-        int entry[room + lanes], slot[room + lanes];
+        int entry[room + lanes], slot[room + lanes], i[room + lanes], j[room + lanes];
         int next = 0, nextSlot = 0;
     };
 
@@ -184,8 +184,8 @@ private:
         return dx;
     }
 
-    //- The next entries that touch, a register of candidates at a time. Whether a near pair touches is anybody's guess: it is
-    //  written, and counts or not, without a branch
+    //- The next entries that touch, a register of candidates at a time. Those that touched and no longer do forget: what does not
+    //  touch has a history of zeros
     HD void collect(Batch& b, int last, int blockEnd) const
     {
         b.count = 0;
@@ -198,22 +198,35 @@ private:
             const Places pi = places([&](int l) { return this->list.owner[at(l)]; });
             const Places pj = places([&](int l) { return List::other(this->list.entry[at(l)]); });
             const T reach = pi.radius + pj.radius + gap, r2 = squaredNorm(line(pi, pj));
-            const T near = selectGreater(reach*reach, r2, T(real(1)), T(real(0)));
-            for (int l = 0; l < used; ++l)
+            const unsigned there = (1u << used) - 1;
+            const auto entries = IntegerPack<lanes>::load(this->list.entry + b.next);
+            const auto others = entries & std::int32_t(~List::touching);
+            unsigned hits = greaterBits(reach*reach, r2) & there;
+            const unsigned crossing = signBits(others > blockEnd - 1) & there;
+            if (!simple)
+                for (unsigned left = hits; left; left &= left - 1)
+                {
+                    const int l = __builtin_ctz(left), e = b.next + l;
+                    if (!touches(this->list.owner[e], List::other(this->list.entry[e]), e, r2.v[l])) hits &= ~(1u << l);
+                }
+            for (unsigned left = signBits(entries) & there & ~hits; left; left &= left - 1) forget(b.next + __builtin_ctz(left));
+            for (unsigned left = hits; left; left &= left - 1)
             {
-                const int e = b.next + l;
-                const std::uint32_t entry = this->list.entry[e];
-                const int j = List::other(entry);
-                bool hit = near.v[l] != 0;
-                if (!simple) hit = hit && touches(this->list.owner[e], j, e, r2.v[l]);
-                const bool crosses = j >= blockEnd;
-                b.entry[b.count] = e;
-                b.slot[b.count] = crosses ? b.nextSlot : -1;
-                b.nextSlot += crosses;
-                b.count += hit;
-                if (!hit && (entry & List::touching)) this->list.entry[e] = std::uint32_t(j);
+                const int l = __builtin_ctz(left), e = b.next + l, k = b.count++;
+                const unsigned bit = 1u << l;
+                b.entry[k] = e;
+                b.i[k] = this->list.owner[e];
+                b.j[k] = List::other(this->list.entry[e]);
+                b.slot[k] = crossing & bit ? b.nextSlot + __builtin_popcount(crossing & (bit - 1)) : -1;
             }
+            b.nextSlot += __builtin_popcount(crossing);
         }
+    }
+
+    void forget(std::size_t e) const
+    {
+        this->list.entry[e] &= ~List::touching;
+        for (int c = 0; c < 4*rows; ++c) this->list.history[e*4*rows + c] = 0;
     }
 
     //- Where gaps and rests vary, nearness is not touching
@@ -276,9 +289,10 @@ private:
     HD void evaluate(const Batch& b, int first) const
     {
         const int used = std::min(lanes, b.count - first);
-        const auto entry = [&](int l) { return b.entry[first + (l < used ? l : 0)]; };     // idle lanes repeat the first pair
-        const auto owner = [&](int l) { return this->list.owner[entry(l)]; };
-        const auto other = [&](int l) { return List::other(this->list.entry[entry(l)]); };
+        const auto lane = [&](int l) { return first + (l < used ? l : 0); };        // idle lanes repeat the first pair
+        const auto entry = [&](int l) { return b.entry[lane(l)]; };
+        const auto owner = [&](int l) { return b.i[lane(l)]; };
+        const auto other = [&](int l) { return b.j[lane(l)]; };
         const Places placeA = places(owner), placeB = places(other);
         const ContactBody<D, T> bodyA = bodies(owner, placeA), bodyB = bodies(other, placeB);
         typename Law::template Parameters<T> parameters;
@@ -293,13 +307,8 @@ private:
         }
         else setPairs(entry, parameters, gap);
         T h[4*rows + 1];
-        alignas(32) real held[lanes];
-        for (int l = 0; l < lanes; ++l) held[l] = real((this->list.entry[entry(l)] & List::touching) != 0);
         for (int r = 0; r < rows; ++r)
-        {
             loadRows([&](int l) { return this->list.history + (std::size_t(entry(l))*rows + r)*4; }, h + 4*r);
-            for (int c = 4*r; c < 4*r + 4; ++c) h[c] = selectGreater(T::load(held), T(real(0)), h[c], T(real(0)));
-        }
         const Vec<D, T> dx = line(placeA, placeB);
         const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))), inverse = T(real(1))/distance;
         const Vec<D, T> n = inverse*dx;
@@ -337,8 +346,8 @@ private:
             const int at = first + l, slot = b.slot[at];
             const std::size_t e = b.entry[at];
             for (int r = 0; r < rows; ++r) *reinterpret_cast<LooseRow*>(this->list.history + (e*rows + r)*4) = memory[r][l];
-            const int i = this->list.owner[e], j = List::other(this->list.entry[e]);
-            this->list.entry[e] |= List::touching;
+            const int i = b.i[at], j = b.j[at];
+            this->list.entry[e] = std::uint32_t(j) | List::touching;
             for (int w = 0; w < words4; ++w)
             {
                 LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(i)*words + 4*w);
@@ -355,36 +364,6 @@ private:
             }
             if (slot >= 0) deferred->acts[slot] = 1;
         }
-    }
-};
-
-//- A particle's force from its block's sum and what earlier blocks left to it
-template<int D, class P>
-struct CollectForces
-{
-    using real = typename P::real;
-    static constexpr const char* name = "collectForces";
-    static constexpr int words = DeferredForces<D, real>::width;
-
-    const DeferredForces<D, real>* deferred;
-    const real* sums;
-    SolidFields<D, P> fields;
-    const DemClockData* clock;
-    const int* active;
-
-    void operator()(int i) const
-    {
-        if (!clock->active || i >= *active || fields.asleep(i)) return;
-        real total[words];
-        for (int k = 0; k < words; ++k) total[k] = sums[std::size_t(i)*words + k];
-        for (int s = deferred->firstOf[i]; s < deferred->firstOf[i + 1]; ++s)
-        {
-            const int slot = deferred->slotOf[s];
-            if (!deferred->acts[slot]) continue;
-            for (int k = 0; k < words; ++k) total[k] += deferred->force[std::size_t(slot)*words + k];
-        }
-        for (int d = 0; d < D; ++d) fields.f[d][i] = total[d];
-        for (int c = 0; c < spins<D>; ++c) fields.m[c][i] = total[(D == 3 ? 4 : D) + c];
     }
 };
 

@@ -37,6 +37,7 @@ demRun readDemRun(const Time& time)
         run.brokenBefore = count(dict, "brokenBefore");
         run.timeStep = dict.get<scalar>("timeStep");
         run.stepFraction = dict.get<scalar>("stepFraction");
+        run.maxDeltaT = dict.getOrDefault<scalar>("maxDeltaT", 0);
     });
     return run;
 }
@@ -50,6 +51,7 @@ void writeDemRun(const Time& time, const demRun& run)
     dict.add("brokenBefore", exact(run.brokenBefore));
     dict.add("timeStep", exact(run.timeStep));
     dict.add("stepFraction", exact(run.stepFraction));
+    dict.add("maxDeltaT", exact(run.maxDeltaT));
 
     writeState(dict);
 }

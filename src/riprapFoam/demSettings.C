@@ -17,15 +17,14 @@ namespace Foam
 
 static void readTimeStep(const dictionary& dict, riprap::DemConfig& config)
 {
-    if (!dict.getOrDefault<Switch>("adjustTimeStep", false))
+    checkedDictionary control(dict);
+    if (dict.getOrDefault<Switch>("adjustTimeStep", false))
     {
-        config.timeStep = checkedDictionary(dict).positive("deltaT");
+        config.maxTimeStep = control.found("maxDeltaT") ? control.positive("maxDeltaT") : 0;
     }
-    else if (dict.found("maxDeltaT"))
+    else
     {
-        IOWarningInFunction(dict)
-            << "Entry maxDeltaT is not used by solver dem: stepFraction of"
-            << " constant/solidProperties sets the step" << endl;
+        config.timeStep = control.positive("deltaT");
     }
 }
 

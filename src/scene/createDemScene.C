@@ -37,7 +37,7 @@ void checkConfig(const DemConfig& c)
     require(c.dimensions == 2 || (c.axes[0] == 0 && c.axes[1] == 1), "axes are 0, 1, 2 in 3D");
     require(c.rolling == RollingKind::none || c.tangential != TangentialKind::none,
         "rolling friction needs friction: with tangential none bodies slide, and nothing makes them roll");
-    require(c.timeStep >= 0 && std::isfinite(c.timeStep), "the time step must not be negative");
+    require(c.timeStep >= 0 && std::isfinite(c.timeStep) && c.maxTimeStep >= 0, "the time step must not be negative");
     require(c.sleepSpeed >= 0 && std::isfinite(c.sleepSpeed) && c.sleepAfter >= 0 && std::isfinite(c.sleepAfter),
         "the speed below which particles sleep, and the time before they do, must not be negative");
     require(c.stepFraction > 0, "the fraction of the critical step must be positive");
@@ -268,7 +268,8 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     if (plan.timeStep > plan.hardStop*(1 + 1e-9) && !config.allowLargeStep)
     {
         std::ostringstream s;
-        s << "the time step of " << plan.timeStep << " s is above 0.5 sqrt(m/k) = " << plan.hardStop << " s; limits:";
+        s << "the time step of " << plan.timeStep << " s is above " << plan.hardStop
+          << " s: above 0.5 sqrt(m/k), or what the springs of a close packing stand; limits:";
         for (const StepLimit& l : plan.limits) s << "\n    " << l.name << " " << l.critical << " s (" << l.cause << ")";
         throw std::invalid_argument(s.str());
     }

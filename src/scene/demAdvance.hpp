@@ -38,7 +38,11 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             do
             {
                 step();
-                if (sleeps() && clock_.data()->active && clock_.data()->step % stepsPerCheck == 0) checkSleep(false);
+                if (sleeps() && clock_.data()->active && clock_.data()->step % stepsPerCheck == 0)
+                {
+                    collectForces();
+                    checkSleep(false);
+                }
             }
             while (clock_.data()->active && !interrupted_);
         }
@@ -57,6 +61,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             else if (host_.needRebuild) stepsPerBatch_ = std::max(2, std::min(windowSteps, taken + 1));
         }
     }
+    collectForces();
 }
 
 template<class Backend, int D, class P>

@@ -12,6 +12,7 @@ namespace riprap
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::rebuild(bool fresh)
 {
+    collectForces();
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
     forEach(context_, n_, keys);
     sort_.sort(context_, n_);
@@ -56,7 +57,8 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
         int entries = 0;
         context_.toHost(&entries, list_.base() + blocks, sizeof(int));
         list_.reserve(context_, entries, histories_, nBonds_ > 0);
-        forEach(context_, n_, WriteContacts<Backend, D, P>{search(), sort_.active(), list_.view()});
+        forEach(context_, n_, WriteContacts<Backend, D, P>
+        {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(histories_)});
         if (fresh) return;
         forEach(context_, n_, InvertOrder{sort_.order(), inverse_.data()});
         withLaw(config_, [&](auto law)

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <sstream>
 #include "dem/bond/parallelBond.hpp"
+#include "dem/contact/normal/linearSpring.hpp"
+#include "dem/contact/tangential/historySpring.hpp"
+#include "dem/contact/tangential/oneStepSpring.hpp"
+#include "dem/packingLimit.hpp"
 #include "scene/demScene.hpp"
 
 namespace riprap
@@ -15,7 +19,7 @@ namespace
 {
 
 //- Smallest mass and radius of a material's particles, and their highest speed
-struct Lightest { double mass = 1e300, radius = 1e300, speed = 0, top = -1e300; bool any = false; };
+struct Lightest { double mass = 1e300, radius = 1e300, speed = 0; std::size_t count = 0; };
 
 std::vector<Lightest> lightest(const DemConfig& c, const DemInput& in)
 {
@@ -25,7 +29,7 @@ std::vector<Lightest> lightest(const DemConfig& c, const DemInput& in)
     {
         Lightest& l = r[p.material.empty() ? 0 : p.material[i]];
         const int clump = p.clump.empty() ? -1 : p.clump[i];
-        l.any = true;
+        ++l.count;
         l.mass = std::min(l.mass, clump < 0 ? p.mass[i] : in.clumps[clump].mass);
         l.radius = std::min(l.radius, p.radius[i]);
         double v2 = 0;
@@ -63,7 +67,7 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
     for (int end = 0; end < (pair.a == pair.b ? 1 : 2); ++end)
     {
         const Lightest& l = all[end ? pair.b : pair.a];
-        if (!l.any) continue;
+        if (!l.count) continue;
         double k = q.normalStiffness;
         std::string how = "k = ";
         if (c.normal == NormalKind::cellSpring) k = l.mass*q.gravity/(q.theta*q.cellSize);
@@ -82,6 +86,73 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
         }
         plan.limits.push_back(StepLimit{"contact " + between, std::sqrt(l.mass/k), words(how, k, "N/m") + words(", m =", l.mass, "kg")});
     }
+}
+
+//- What a close packing of a material's particles stands, of sqrt(m/k), with its dashpots or by its springs alone. Where stiffness is
+//  constant: that of Hertz contacts at rest is far below that of the impact which limits the step
+PackedContact packedContact(const DemConfig& c, const PairProperties& q, bool dashpots)
+{
+    PackedContact p;
+    p.dimensions = c.dimensions;
+    p.inertia = c.dimensions == 3 ? 0.4 : 0.5;
+    p.tangentialSpring = c.tangential == TangentialKind::history;
+    if (q.friction > 0 && p.tangentialSpring) p.kappa = HistorySpring::make(q).kappa;
+    if (q.friction > 0 && c.tangential == TangentialKind::oneStep) p.kappa = dashpots ? OneStepSpring::make(q).kappa : 0;
+    if (c.rolling == RollingKind::spring) p.rolling = q.rollingFriction;
+    p.tangentialDamping = q.tangentialDamping;
+    if (!dashpots) return p;
+    p.rollingDamping = q.rollingDamping;
+    if (c.normal == NormalKind::cellSpring) p.plainDamping = 2*q.alpha;
+    else p.twoZeta = LinearSpring::make(q).twoZeta;
+    return p;
+}
+
+struct PackedLimit { double springs = 1e300, all = 1e300; std::string between; };
+
+//- Of those that are enough of their kind to surround one
+PackedLimit packedLimit(const DemConfig& c, const DemInput& in, const std::vector<Lightest>& all)
+{
+    PackedLimit least;
+    if (c.normal == NormalKind::hertz) return least;
+    for (const DemPair& pair : in.pairs)
+    {
+        const Lightest& l = all[pair.a];
+        if (pair.a != pair.b || l.count <= (c.dimensions == 3 ? 12u : 6u)) continue;
+        const PairProperties& q = pair.properties;
+        const double k = c.normal == NormalKind::cellSpring ? l.mass*q.gravity/(q.theta*q.cellSize) : q.normalStiffness;
+        const double unit = std::sqrt(l.mass/k), limit = unit*packingLimit(packedContact(c, q, true));
+        least.springs = std::min(least.springs, unit*packingLimit(packedContact(c, q, false)));
+        if (limit >= least.all) continue;
+        least.all = limit;
+        least.between = in.materials[pair.a].name + "-" + in.materials[pair.b].name;
+    }
+    return least;
+}
+
+//- The step, and what sets it
+void setStep(const DemConfig& c, const PackedLimit& packed, DemPlan& plan)
+{
+    double least = 1e300;
+    for (const StepLimit& l : plan.limits)
+        if (l.critical < least) { least = l.critical; plan.cause = l.name + ": " + l.cause; }
+    plan.timeStep = c.timeStep > 0 ? c.timeStep : c.stepFraction*least;
+    if (c.timeStep > 0) plan.cause = "given";
+    else if (packed.all < plan.timeStep && !c.allowLargeStep)
+    {
+        plan.timeStep = packed.all;
+        plan.cause = "close packing of " + packed.between + ", springs and dashpots";
+    }
+    if (c.maxTimeStep > 0 && c.timeStep == 0 && plan.timeStep > c.maxTimeStep)
+    {
+        plan.timeStep = c.maxTimeStep;
+        plan.cause = "maxDeltaT";
+    }
+    if (plan.timeStep <= packed.all*(1 + 1e-9)) return;
+    std::ostringstream s;
+    s.precision(4);
+    s << packed.between << ": where they are packed closely, steps above " << packed.all << " s make them jitter, by "
+      << (plan.timeStep > packed.springs ? "their springs" : "their dashpots") << "; the step is " << plan.timeStep << " s";
+    plan.warnings.push_back(s.str());
 }
 
 //- sqrt(m/k) of bonds, of translation and of rotation
@@ -132,7 +203,7 @@ void addRayleigh(const DemInput& in, const std::vector<Lightest>& all, DemPlan& 
     for (std::size_t m = 0; m < all.size(); ++m)
     {
         const double nu = in.materials[m].poisson, G = in.materials[m].young/(2*(1 + nu)), R = all[m].radius;
-        if (!all[m].any || !(G > 0)) continue;
+        if (!all[m].count || !(G > 0)) continue;
         const double density = all[m].mass/(4.0/3*M_PI*R*R*R);
         plan.limits.push_back(StepLimit
         {"Rayleigh " + in.materials[m].name, M_PI*R*std::sqrt(density/G)/(0.1631*nu + 0.8766), words("R =", R, "m")});
@@ -169,16 +240,13 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     const std::vector<Lightest> all = lightest(c, in);
     for (const DemPair& pair : in.pairs) addContact(c, in, pair, all, plan);
     addBonds(c, in, plan);
-    double hard = 1e300;
+    const PackedLimit packed = packedLimit(c, in, all);
+    double hard = packed.springs;
     for (const StepLimit& l : plan.limits) hard = std::min(hard, 0.5*l.critical);
     plan.hardStop = hard;
     if (c.normal == NormalKind::hertz) addRayleigh(in, all, plan);
     warnOfGap(c, in, plan);
-    double least = 1e300;
-    for (const StepLimit& l : plan.limits)
-        if (l.critical < least) { least = l.critical; plan.cause = l.name + ": " + l.cause; }
-    plan.timeStep = c.timeStep > 0 ? c.timeStep : c.stepFraction*least;
-    if (c.timeStep > 0) plan.cause = "given";
+    setStep(c, packed, plan);
 
     // state twice (for sorting), records, cells; half lists with histories twice (before and after a rebuild). A GPU keeps full lists once,
     // and what touches beside them; about as much

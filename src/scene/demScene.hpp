@@ -47,7 +47,8 @@ struct DemConfig
     DemIntegratorKind integrator = DemIntegratorKind::leapfrog;
     double timeStep = 0;                    // [s]; 0: stepFraction of the smallest limit (DemPlan::limits)
     double stepFraction = 0.2;              // of sqrt(m/k), or Rayleigh's time; paper 2's Eq. 18 is 2 pi/gamma of sqrt(m/k)
-    bool allowLargeStep = false;            // else a step above 0.5 sqrt(m/k) is refused
+    double maxTimeStep = 0;                 // of the step by stepFraction [s]; 0: no limit
+    bool allowLargeStep = false;            // else a step above DemPlan::hardStop is refused
 
     // Neighbours: what the search adds to contact, as a fraction of the smallest diameter; < 0: chosen by the scene
     double skin = -1;
@@ -177,7 +178,7 @@ struct DemPlan
     std::size_t particles = 0, clumps = 0, bonds = 0, wallElements = 0;
     std::size_t bytes = 0;                  // device memory, about
     double timeStep = 0;                    // that will be taken
-    double hardStop = 0;                    // 0.5 sqrt(m/k), smallest over all
+    double hardStop = 0;                    // 0.5 sqrt(m/k), smallest over all, or what springs of a close packing stand
     std::string cause;                      // what sets the step
     std::vector<StepLimit> limits;
     std::vector<std::string> warnings;      // e.g. paper 2's spring eats the gap at this speed

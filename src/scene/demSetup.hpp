@@ -415,6 +415,7 @@ void DemSolver<Backend, D, P>::prime()
     if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), clock_.data(), 1e300});
     rebuild(true);
     forces();
+    collectForces();
     readClock();
     host_.active = 0;
     writeClock();

@@ -14,7 +14,7 @@
 #include "coupling/solidView.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
-#include "dem/scatterPass.hpp"
+#include "dem/collectPass.hpp"
 #include "dem/motion/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
@@ -50,6 +50,7 @@ struct DemParts<Cpu, D, P>
 {
     DeferredForces<D, typename P::real> deferred;
     Array<Cpu, typename P::real> sums;
+    bool uncollected = false;                       // forces are not yet in the fields
 };
 #endif
 
@@ -155,6 +156,12 @@ private:
     void bondPass(ForceTurn);
     void gatherClumps(const DemClockData* clock);
     void forces(ForceTurn = ForceTurn::inStep);
+    bool movesAtOnce() const;
+#ifndef __CUDACC__
+    CollectedForce<D, P> collected();
+#endif
+    void collectForces();
+    void moveParticles();
     MoveWalls wallMover(DemClockData*);
     void step();
 

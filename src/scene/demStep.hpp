@@ -161,7 +161,6 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         pass.sums = parts_.sums.data();
         pass.largestGap = real(largestGap_);
         forEachTask(context_, parts_.deferred.blocks, pass);
-        forEach(context_, n_, CollectForces<D, P>{&parts_.deferred, parts_.sums.data(), fields(), clock_.data(), sort_.active()});
     }
 #endif
 }
@@ -184,6 +183,7 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
     pass.gap = gaps_.data();
     pass.materials = int(input_.materials.size());
     pass.clock = forceClock(turn);
+    pass.adds = Backend::gpu && turn != ForceTurn::ahead;
     pass.skipsAsleep = !Backend::gpu;
     int near = n_;
     if constexpr (Backend::gpu)
@@ -224,8 +224,16 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
     if (nBonds_)
     {
         bondPass(turn);
-        forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active(), !Backend::gpu});
+        if constexpr (Backend::gpu)
+            forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active()});
     }
+#ifndef __CUDACC__
+    if constexpr (!Backend::gpu)
+    {
+        parts_.uncollected = true;
+        if (!movesAtOnce()) collectForces();
+    }
+#endif
     gatherClumps(clock_.data());
 }
 
@@ -239,6 +247,52 @@ void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
         clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(),
         external_.size() ? external_.data() : nullptr, clock
     });
+}
+
+//- On the CPU: where a step moves particles as it adds up their forces
+template<class Backend, int D, class P>
+bool DemSolver<Backend, D, P>::movesAtOnce() const
+{ return !Backend::gpu && !nClumps_ && config_.integrator == DemIntegratorKind::leapfrog; }
+
+#ifndef __CUDACC__
+template<class Backend, int D, class P>
+CollectedForce<D, P> DemSolver<Backend, D, P>::collected()
+{
+    const bool walls = nWalls_ && wallMemory_.entries;
+    return CollectedForce<D, P>
+    {
+        &parts_.deferred, parts_.sums.data(), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.force.data(), bondTable(),
+        bondForce_.data(), fields().id
+    };
+}
+#endif
+
+//- On the CPU: forces into the fields, where they are not yet
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::collectForces()
+{
+#ifndef __CUDACC__
+    if constexpr (!Backend::gpu)
+    {
+        if (parts_.uncollected) forEach(context_, n_, CollectForces<D, P>{collected(), fields(), sort_.active()});
+        parts_.uncollected = false;
+    }
+#endif
+}
+
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::moveParticles()
+{
+#ifndef __CUDACC__
+    if constexpr (!Backend::gpu)
+        if (parts_.uncollected)
+        {
+            forEach(context_, n_, MoveCollected<D, P>{collected(), mover()});
+            parts_.uncollected = false;
+            return;
+        }
+#endif
+    forEach(context_, n_, mover());
 }
 
 template<class Backend, int D, class P>
@@ -255,7 +309,7 @@ void DemSolver<Backend, D, P>::step()
     for (int d = 0; d < D; ++d) kick.gravity[d] = config_.gravity[config_.axes[d]];
     const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
     if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), box_, kick, verlet, clock_.data()});
-    forEach(context_, n_, mover());
+    moveParticles();
     forces();
     if (!verlet) return;
     FinishVerlet<D, P> finish{};

@@ -66,6 +66,17 @@ solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
 fill "bar { $glass source box; box (0 0 0) (0.06 0.02 0.01); }" 'bonds ( bar { type cement; groups (free); gapTolerance 1e-6; } );'
 says bonds2 'bonds bar: 16'                             # 2 x 5 + 6
 [[ -s 0/uniform/lagrangian/solids/bonds/a ]] && pass bondFiles || fail bondFiles "no bonds in 0/uniform/lagrangian/solids"
+square='source clumpsFromOutline; outline ((0 0 0) (0.02 0 0) (0.02 0.02 0) (0 0.02 0)); spheres 9;'
+fill "brick { set solids; material glass; $square centres ((0.05 0.05 0) (0.1 0.05 0)); orientation random; }"
+says outline 'brick: 2 clumps of 9 spheres.* area 0\.0004 m2, .* \(0 0 2\.66667e-08\) m4'   # a^4/6
+says outlineMass 'mass 2 kg per metre, 2 clumps'        # 2500 a^2 twice
+control 'endTime 0.02; writeInterval 0.01;'
+riprapFoam >log 2>&1 && pass outlineRuns || fail outlineRuns "$(grep -m1 -A3 ERROR log)"
+rm -rf 0.[0-9]*
+control 'maxDeltaT 2e-6; endTime 1e-4; sampleInterval 1e-4; writeInterval 1e-4;'
+riprapFoam >log 2>&1
+says maxDeltaT 'Particle steps = 50 \(50\), deltaT = 2e-06 s, limit: maxDeltaT'
+rm -rf 0.[0-9]* 1e-*; control ''
 tank3; solids ''; control ''
 fill 'cube { set solids; material glass; radius 0.005; source box; box (0 0 0) (0.04 0.04 0.04); }'
 says square3 'cube: 64 particles'
@@ -76,6 +87,13 @@ fill 'rock { set solids; material glass; source clumpsFromSurface; file "octa.st
 says clumps 'rock: 2 clumps of [0-9]+ spheres'
 says clumpInertia 'moments of inertia per density \(8\.53333e-10 8\.53333e-10 8\.53333e-10\)'      # m r^2/5
 says clumpMass 'mass 0\.0533333 kg, 2 clumps'          # rho 4/3 r^3 twice, r = 0.02
+cp 0/uniform/lagrangian/solids/clumps/orientationReal given; cp 0/lagrangian/solids/positions asGiven
+fill 'rock { set solids; material glass; source clumpsFromSurface; file "octa.stl"; centres ((0.025 0.03 0.02) (0.075 0.03 0.02)); orientation turned; axis (0 0 1); angle 90; }'
+says clumpTurned 'rock: 2 clumps of [0-9]+ spheres'
+cmp -s given 0/uniform/lagrangian/solids/clumps/orientationReal && fail clumpTurns "turned clumps stand as given" || pass clumpTurns
+fill 'rock { set solids; material glass; source clumpsFromSurface; file "octa.stl"; centres ((0.025 0.03 0.02) (0.075 0.03 0.02)); orientation random; seed 3; }'
+cmp -s asGiven 0/lagrangian/solids/positions && fail clumpRandom "random clumps stand as given" || pass clumpRandom
+fill 'rock { set solids; material glass; source clumpsFromSurface; file "octa.stl"; centres ((0.025 0.03 0.02) (0.075 0.03 0.02)); }'
 
 control 'writeFormat binary; functions { energy { type solidEnergies; libs ("libriprapFoam.so"); } }'
 riprapFoam >log 2>&1 && pass clumpsRun || fail clumpsRun "$(grep -m1 -A3 ERROR log)"
@@ -251,6 +269,10 @@ bad clipWord 'clip has the unknown word maybe' "a { $glass $box clip maybe; }"
 bad rigidClumps 'Entry rigid is yes, but the bodies of source clumpsFromSurface are rigid ones already' 'a { set solids; material glass; source clumpsFromSurface; file "octa.stl"; rigid yes; }'
 bad rigidWord 'rigid.*maybe.*yes.*no' "a { $glass source box; box (0 0 0) (0.02 0.02 0.02); radius 0.005; rigid maybe; }"
 bad clumps2D 'clumpsFromSurface needs a case in 3D' 'a { set solids; material glass; source clumpsFromSurface; file "octa.stl"; }'
+bad outline3 'Entry outline needs at least three points' 'a { set solids; material glass; source clumpsFromOutline; outline ((0 0 0) (1 0 0)); }'
+bad outlineCrosses 'Entry outline crosses itself' 'a { set solids; material glass; source clumpsFromOutline; outline ((0 0 0) (1 1 0) (1 0 0) (0 1 0)); }'
+bad orientation 'orientation has the unknown word upside; valid are .*random' "a { set solids; material glass; $square orientation upside; }"
+bad angle "'angle' not found" "a { set solids; material glass; $square orientation turned; }"
 bad noType "'type' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { groups (free); gapTolerance 0; } );'
 bad noGroups "'groups' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { type cement; gapTolerance 0; } );'
 bad noTolerance "'gapTolerance' not found.*bonds.a" "a { $glass $box }" 'bonds ( a { type cement; groups (free); } );'

@@ -147,6 +147,52 @@ TEST(ContactLaws, Restitution)
         }
 }
 
+//- At the default step, 0.2 sqrt(m/k), wherever within the step the impact begins. What is left is of second order: four times less at
+//  half the step. Without dashpot.hpp's two corrections the mean of e = 0.5 is 1.9 % low, and single impacts by up to 9 %
+template<class Law>
+void restitutionOfCoarseSteps(PairProperties p, double speed, double root)
+{
+    const double e = p.restitution;
+    const auto errors = [&](double fraction)
+    {
+        const int places = 50;
+        double mean = 0, worst = 0;
+        for (int k = 0; k < places; ++k)
+        {
+            Body<3> a, b;
+            makeBodies(a, b);
+            approach(a, b, speed, 0);
+            const double dt = fraction*root;
+            b.x.c[0] += (k + 0.5)/places*speed*dt;
+            collide<Law>(a, b, p, dt);
+            const double error = (b.v.c[0] - a.v.c[0])/speed/e - 1;
+            mean += error/places;
+            worst = std::max(worst, std::abs(error));
+        }
+        return std::pair<double, double>(std::abs(mean), worst);
+    };
+    const auto coarse = errors(0.2), fine = errors(0.05);
+    // a dashpot that pulls may make the last step one more
+    EXPECT_LT(coarse.first, 5e-3) << e;
+    EXPECT_LT(coarse.second, p.attraction ? 0.06 : 0.02) << e;
+    EXPECT_LT(fine.first, 1e-3) << e;
+    EXPECT_LT(fine.second, p.attraction ? 0.015 : 5e-3) << e;
+}
+TEST(ContactLaws, RestitutionAtTheDefaultStep)
+{
+    // the lighter body's sqrt(m/k); Hertz: at the overlap of this impact
+    for (const bool attraction : {false, true})
+        for (const double e : {0.9, 0.5})
+        {
+            PairProperties p = linear(1e5, e), q = glass(e);
+            p.attraction = q.attraction = attraction;
+            restitutionOfCoarseSteps<Smooth<LinearSpring>>(p, 0.5, std::sqrt(0.011/1e5));
+            const double speed = 2, R = reduced(0.01, 0.015), m = reduced(0.011, 0.031), E = q.effectiveYoung();
+            const double overlap = std::pow(15*m*speed*speed/(16*E*std::sqrt(R)), 0.4);
+            restitutionOfCoarseSteps<Smooth<Hertz>>(q, speed, std::sqrt(0.011/(2*E*std::sqrt(R*overlap))));
+        }
+}
+
 TEST(ContactLaws, DashpotDoesNotPull)
 {
     for (const bool attraction : {false, true})
@@ -310,7 +356,7 @@ TEST(ContactLaws, HistoryTurnsWithTheContact)
 {
     const auto p = HistorySpring::make([] { PairProperties q; q.friction = 1e9; q.stiffnessRatio = 1; return q; }());
     ContactGeometry<3, double> g{};
-    g.dt = 1e-3;
+    g.dt = g.since = 1e-3;
     NormalForce<double> fn{1, 1, 1, 0};
     double h[3] = {0, 0.002, 0};
     for (int k = 0; k <= 100; ++k)
@@ -335,7 +381,7 @@ void storesNoMoreThanIsPutIn(PairProperties q, double stiffness)
     ContactGeometry<D, double> g{};
     g.n = filled<D>(0.0);
     g.n.c[0] = 1;
-    g.dt = 1e-5;
+    g.dt = g.since = 1e-5;
     double h[3] = {}, stored = 0, highest = 0;
     unsigned seed = 1;
     const auto random = [&] { seed = seed*1664525u + 1013904223u; return seed/4294967296.0 - 0.5; };
@@ -376,7 +422,7 @@ TEST(ContactLaws, RollingFriction)
     g.reducedRadius = 0.01;
     g.reducedMass = 0.02;
     g.roll = Spin<3, double>{{0, -3, 0}};
-    g.dt = 1e-5;
+    g.dt = g.since = 1e-5;
     const NormalForce<double> fn{5, 5, 1e4, 0};
     const double limit = 0.2*0.01*5;
     EXPECT_NEAR((ConstantTorque::moment<3, double>(ConstantTorque::make(q), g, fn, nullptr).c[1]), -limit, 1e-15);
@@ -421,7 +467,7 @@ TEST(ContactLaws, PacksAreScalars)
         g[l].reducedMass = 0.01f;
         g[l].meanMass = 0.02f;
         g[l].reducedRadius = 0.005f;
-        g[l].dt = 1e-6f;
+        g[l].dt = g[l].since = 1e-6f;
         for (std::size_t k = 0; k < sizeof(g[l])/sizeof(float); ++k) words[k].v[l] = word[k];
         for (int c = 0; c < 6; ++c) hp[c].v[l] = h[l][c] = 1e-4f*(c - l);
     }

@@ -4,6 +4,7 @@
 */
 #include "dem/bond/calibration.hpp"
 #include "demTest.hpp"
+#include "dem/packingLimit.hpp"
 
 namespace riprap
 {
@@ -42,6 +43,55 @@ TEST(DemPlan, LimitsOfSprings)
     p = planDemScene(c, in);
     ASSERT_EQ(p.warnings.size(), 1u);
     EXPECT_NE(p.warnings[0].find("1.401 m/s"), std::string::npos) << p.warnings[0];
+}
+
+//- What a close packing stands: its normal modes (fcc: w^2 = 8 and 40 kappa, hexagonal: 6 and 24 kappa of k/m), and steps that follow
+TEST(DemPlan, PackedParticles)
+{
+    PackedContact packed;
+    EXPECT_NEAR(packingLimit(packed), 2/std::sqrt(8.0), 1e-9);
+    packed.kappa = 0.8;
+    EXPECT_NEAR(packingLimit(packed), 2/std::sqrt(32.0), 1e-9);
+    packed.dimensions = 2;
+    packed.inertia = 0.5;
+    EXPECT_NEAR(packingLimit(packed), 2/std::sqrt(24*0.8), 1e-9);
+    packed.kappa = 0;
+    EXPECT_NEAR(packingLimit(packed), 2/std::sqrt(6.0), 1e-9);
+
+    DemConfig c;
+    c.normal = NormalKind::linear;
+    c.tangential = TangentialKind::history;
+    DemInput in = oneMaterial(4e4);
+    PairProperties& q = in.pairs[0].properties;
+    q.friction = 0.5;
+    q.stiffnessRatio = 1;
+    const double unit = std::sqrt(0.01/4e4);
+    for (int k = 0; k < 13; ++k)
+    {
+        // few of them cannot surround one
+        if (k) EXPECT_NEAR(planDemScene(c, in).hardStop, 0.5*unit, 1e-12);
+        addParticle(in, {{0.05 + 0.05*k, 0.5, 0.5}}, {{0, 0, 0}}, 0.01, 0.01);
+    }
+    DemPlan p = planDemScene(c, in);
+    EXPECT_NEAR(p.hardStop, 2/std::sqrt(40.0)*unit, 1e-9*unit);
+    EXPECT_NEAR(p.timeStep, 0.2*unit, 1e-12);
+    EXPECT_TRUE(p.warnings.empty());
+    // dashpots: the automatic step gives way, a given one is warned of
+    q.restitution = 0.5;
+    p = planDemScene(c, in);
+    EXPECT_LT(p.timeStep, 0.13*unit);
+    EXPECT_NE(p.cause.find("close packing"), std::string::npos);
+    EXPECT_TRUE(p.warnings.empty());
+    const double stands = p.timeStep;
+    c.timeStep = 1.1*stands;
+    p = planDemScene(c, in);
+    ASSERT_EQ(p.warnings.size(), 1u);
+    EXPECT_NE(p.warnings[0].find("dashpots"), std::string::npos) << p.warnings[0];
+    c.timeStep = 0;
+    c.maxTimeStep = 0.5*stands;
+    p = planDemScene(c, in);
+    EXPECT_NEAR(p.timeStep, 0.5*stands, 1e-15);
+    EXPECT_EQ(p.cause, "maxDeltaT");
 }
 
 //- Rayleigh's time of a sphere: pi R sqrt(rho/G)/(0.1631 nu + 0.8766)

@@ -85,7 +85,13 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
     riprap::DemConfig& config = settings_.config;
     config.startTime = runTime_.value();
     moving_ = Pair<scalar>(config.startTime, config.startTime);
-    if (continued && config.timeStep == 0 && config.stepFraction == run_.stepFraction)
+    if
+    (
+        continued
+     && config.timeStep == 0
+     && config.stepFraction == run_.stepFraction
+     && config.maxTimeStep == run_.maxDeltaT
+    )
     {
         // That of the start, not an estimate from where the solids are now
         config.timeStep = run_.timeStep;
@@ -111,6 +117,7 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
     run_.brokenBefore += solids.lostBonds;
     run_.timeStep = scene_->plan().timeStep;
     run_.stepFraction = config.stepFraction;
+    run_.maxDeltaT = config.maxTimeStep;
     run_.time = runTime_.value();
     run_.particles = solids.particles.size();
     run_.device = sphNames::device[scene_->device()];

@@ -89,11 +89,10 @@ struct GatherBonds
     SolidFields<D, P> fields;
     ForceClock clock;
     const int* active;
-    bool skipsAsleep;
 
     HD void operator()(int i) const
     {
-        if (!clock.active() || i >= *active || (skipsAsleep && fields.asleep(i))) return;
+        if (!clock.active() || i >= *active) return;
         Vec<D, real> f = filled<D>(real(0));
         Spin<D, real> m = filled<spins<D>>(real(0));
         if (sum(table, force, fields.id[i], f, m)) fields.addForce(i, f, m);

@@ -59,11 +59,14 @@ struct Contact
         const Parameters<T>& p, const ContactGeometry<D, T>& g, const T& armA, const T& armB, T* h, NormalForce<T>& fn
     )
     {
-        return evaluate<D, T>(p, g, g, armA, armB, h, fn);
+        fn = Normal::force(p.normal, g, h);
+        const Tangent<D, T> ft = Tangential::force(p.tangential, g, fn, h + tangentialAt<D>);
+        const Spin<D, T> m = Rolling::template moment<D, T>(p.rolling, g, fn, h + rollingAt<D>);
+        const Spin<D, T> turn = tangentMoment(g.n, ft);
+        return ContactForce<D, T>{fromTangent(g.n, ft) - fn.force*g.n, armA*turn + m, armB*turn - m};
     }
 
-    //- The forces of the last step once more, from what it left in h: what is remembered has had its increment, and laws without
-    //  memory need the step
+    //- The forces of the last step once more, from what it left in h: what is remembered has had its increment
     template<int D, class T>
     HD static ContactForce<D, T> repeat
     (
@@ -71,32 +74,14 @@ struct Contact
     )
     {
         ContactGeometry<D, T> still = g;
-        still.dt = T(0.0f);
-        if constexpr (Tangential::vectorHistory) return evaluate<D, T>(p, still, still, armA, armB, h, fn);
-        else return evaluate<D, T>(p, still, g, armA, armB, h, fn);
+        still.since = T(0.0f);
+        return evaluate<D, T>(p, still, armA, armB, h, fn);
     }
 
     template<int D, class T>
     HD static T energy(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, const T* h)
     {
         return Normal::energy(p.normal, g, h) + Tangential::template energy<D, T>(p.tangential, fn, h + tangentialAt<D>);
-    }
-
-private:
-
-    //- gt: the geometry for the tangential law, whose step may be another
-    template<int D, class T>
-    HD static ContactForce<D, T> evaluate
-    (
-        const Parameters<T>& p, const ContactGeometry<D, T>& g, const ContactGeometry<D, T>& gt, const T& armA, const T& armB,
-        T* h, NormalForce<T>& fn
-    )
-    {
-        fn = Normal::force(p.normal, g, h);
-        const Tangent<D, T> ft = Tangential::force(p.tangential, gt, fn, h + tangentialAt<D>);
-        const Spin<D, T> m = Rolling::template moment<D, T>(p.rolling, g, fn, h + rollingAt<D>);
-        const Spin<D, T> turn = tangentMoment(g.n, ft);
-        return ContactForce<D, T>{fromTangent(g.n, ft) - fn.force*g.n, armA*turn + m, armB*turn - m};
     }
 };
 
@@ -133,6 +118,7 @@ HD ContactGeometry<D, T> pairGeometry
     g.meanMass = T(0.5f)*sum;
     g.reducedRadius = a.radius*b.radius/(a.radius + b.radius);
     g.dt = dt;
+    g.since = dt;
     return g;
 }
 
@@ -154,6 +140,7 @@ HD ContactGeometry<D, T> wallGeometry
     g.meanMass = a.mass;
     g.reducedRadius = a.radius;
     g.dt = dt;
+    g.since = dt;
     return g;
 }
 

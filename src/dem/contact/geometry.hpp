@@ -31,7 +31,8 @@ struct ContactGeometry
     T reducedMass;              // m* = m_A m_B/(m_A + m_B) [kg]
     T meanMass;                 // m_ij = (m_A + m_B)/2 [kg]
     T reducedRadius;            // R* = R_A R_B/(R_A + R_B) [m]
-    T dt;                       // [s]
+    T dt;                       // the step that led here [s]
+    T since;                    // [s] by which what is remembered grows: dt, or 0 where a force is but read once more
 };
 
 //- What a normal law says

@@ -94,10 +94,14 @@ struct MoveSolids : SolidMotion<D, P>
 
     HD void operator()(int i) const
     {
-        const DemClockData& t = *this->clock;
-        if (!t.active || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
-        if (s.asleep(i)) return;
+        if (this->clock->active && i < *this->active && !s.asleep(i)) move(i, s.force(i), s.momentOn(i));
+    }
+
+    HD void move(int i, const Vec<D, real>& force, const Spin<D, real>& moment) const
+    {
+        const DemClockData& t = *this->clock;
+        const SolidFields<D, P>& s = this->fields;
         Vec<D, std::int64_t> x = s.position(i);
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
@@ -105,9 +109,10 @@ struct MoveSolids : SolidMotion<D, P>
         if (member) follow(clumps[s.clump[i]], s.id[i], x, v, w);
         else
         {
-            const int motion = this->groups[s.group[i]].motion;
-            if (motion >= 0) prescribe(motion, t.time - 0.5*t.dt, x, v, w);
-            else this->kick(i, v, w, real(verlet ? 0.5*t.dt : 0.5*(t.previousDt + t.dt)));
+            const GroupData<D, real>& group = this->groups[s.group[i]];
+            const real dt = real(verlet ? 0.5*t.dt : 0.5*(t.previousDt + t.dt));
+            if (group.motion >= 0) prescribe(group.motion, t.time - 0.5*t.dt, x, v, w);
+            else this->kick(group, this->external ? s.id[i] : 0, s.mass[i], s.inverseInertia[i], force, moment, v, w, dt);
             for (int d = 0; d < D; ++d) x.c[d] += std::int64_t(rint(v.c[d]*t.dt*box.unitsPerMetre[d]));
         }
         for (int d = 0; d < D; ++d) { s.x[d][i] = x.c[d]; s.v[d][i] = v.c[d]; }

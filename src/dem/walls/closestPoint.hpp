@@ -51,4 +51,19 @@ HD Vec<3, double> closestPoint(const Vec<3, double>* v, const Vec<3, double>& x,
     return v[0] + (vb*denominator)*ab + (vc*denominator)*ac;
 }
 
+//- Unit normal of a segment or a triangle
+HD Vec<2, double> elementNormal(const Vec<2, double>* v)
+{
+    const Vec<2, double> a = v[1] - v[0];
+    const double length = sqrt(squaredNorm(a));
+    return Vec<2, double>{{-a.c[1]/length, a.c[0]/length}};
+}
+
+HD Vec<3, double> elementNormal(const Vec<3, double>* v)
+{
+    const Vec<3, double> n = cross(v[1] - v[0], v[2] - v[0]);
+    const double length = sqrt(squaredNorm(n));
+    return Vec<3, double>{{n.c[0]/length, n.c[1]/length, n.c[2]/length}};
+}
+
 } // namespace riprap

@@ -58,6 +58,7 @@ struct WallPass : WallSearch<D, P>
     ForceClock clock;
     const int* listed;          // those that are near walls; null: the kernel runs over all
     StepState<D, P> state;      // of fused steps, which add up the forces themselves
+    bool adds;                  // to the fields' forces; else whoever sums them up finds them here
     bool skipsAsleep;           // sums that forces are added to are those of when it fell asleep
 
     HD void operator()(int k) const
@@ -87,7 +88,7 @@ struct WallPass : WallSearch<D, P>
             force = force + f;
             moment = moment + m;
         }
-        if (!fused) this->fields.addForce(i, force, moment);
+        if (adds) this->fields.addForce(i, force, moment);
     }
 
     //- Where a particle touches a wall; returns how often
@@ -111,10 +112,23 @@ struct WallPass : WallSearch<D, P>
             for (int c = 0; c < D; ++c) v[c] = this->surface.at(this->surface.element[e*D + c]);
             int feature;
             const Vec<D, double> p = closestPoint(v, X, feature);
-            const double distance = sqrt(squaredNorm(p - X));
+            Vec<D, double> n = p - X;
+            double distance = sqrt(squaredNorm(n));
             if (distance >= within || distance < 1e-300) continue;
-            if (feature != insideElement && !this->surface.closestThere(e, feature, p, X)) continue;
-            add(WallTouch<D>{(1/distance)*(p - X), distance, feature}, touch, touches);
+            if (feature != insideElement)
+            {
+                if (!this->surface.closestThere(e, feature, p, X)) continue;
+                n = (1/distance)*n;
+            }
+            else
+            {
+                // the element's own normal: all faces of one plane say the same, to the last digit
+                n = elementNormal(v);
+                const double height = dot(n, v[0] - X);
+                if (height < 0) n = -1.0*n;
+                distance = fabs(height);
+            }
+            add(WallTouch<D>{n, distance, feature}, touch, touches);
         }
         return touches;
     }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  source clumpsFromSurface;  file "rock.stl";  spheres 30;  centres ((0 0 0.1) (0 0 0.3));
+/*  source clumpsFromSurface;  file "rock.stl";                     // 3D
+    source clumpsFromOutline;  outline ((0 0 0) (2 0 0) (1 1 0));   // 2D: a closed line of points, without crossings
+    spheres 30;  centres ((0 0 0.1) (0 0 0.3));
+    orientation random;  seed 1;            // or turned; axis (0 0 1); angle 30; default: given, as the shape stands
 
-    A rigid body for each centre: spheres that fill the closed surface, while mass and inertia are those of the surface
-    itself. Spheres touch the surface from inside; the largest that is not yet covered comes next (a greedy cover by
-    inscribed balls, as Bradshaw & O'Sullivan 2004 begin). `resolution`: lattice points along the longest side at which
-    balls are tried. Without centres the body is where the file has it.
+    A rigid body for each centre: spheres (disks) that fill the shape, while mass and inertia are those of the shape
+    itself. They touch it from inside; the largest that is not yet covered comes next (a greedy cover by inscribed balls,
+    as Bradshaw & O'Sullivan 2004 begin). `resolution`: lattice points along the longest side at which balls are
+    tried. Without centres the body is where the shape was given. Random: uniform over all rotations (Shoemake 1992).
 */
 
+#include "clumpShape.H"
 #include "closedSurface.H"
 #include "momentOfInertia.H"
 #include "principalAxes.H"
@@ -14,38 +18,19 @@
 #include "quaternion.H"
 #include "solidRegions.H"
 #include "triSurfaceSearch.H"
+#include "unitConversion.H"
+
+#include <random>
 
 namespace Foam
 {
-
-struct ball
-{
-    point centre;
-    scalar radius;
-};
-
 
 // Balls that touch the surface from inside, at the points of a lattice
 static DynamicList<ball> inscribed(const triSurface& surface, label resolution)
 {
     const triSurfaceSearch search(surface);
     const boundBox box(surface.points(), false);
-    const scalar step = cmptMax(box.span())/resolution;
-    DynamicList<point> lattice;
-    const Vector<label> n
-    (
-        label(box.span().x()/step) + 1, label(box.span().y()/step) + 1, label(box.span().z()/step) + 1
-    );
-    const vector margin(0.5*(box.span() - step*vector(n.x() - 1, n.y() - 1, n.z() - 1)));
-    for (label k = 0; k < n.z(); ++k)
-    {
-        for (label j = 0; j < n.y(); ++j)
-        {
-            for (label i = 0; i < n.x(); ++i) lattice.append(box.min() + margin + step*vector(i, j, k));
-        }
-    }
-
-    const pointField points(lattice);
+    const pointField points(shapeLattice(box, resolution));
     const boolList in(search.calcInside(points));
     DynamicList<ball> balls;
     forAll(points, i)
@@ -82,64 +67,134 @@ static DynamicList<ball> cover(DynamicList<ball> candidates, label most, scalar 
     return chosen;
 }
 
+
+static clumpShape surfaceShape(checkedDictionary& dict, const Time& time, label resolution)
+{
+    const auto surface = readClosedSurface(dict, time);
+    clumpShape shape;
+    shape.longest = cmptMax(boundBox(surface->points(), false).span());
+    tensor J(Zero);
+    momentOfInertia::massPropertiesSolid(*surface, 1, shape.volume, shape.middle, J);
+    shape.moments = principalMoments(J, shape.axes);
+    shape.balls = inscribed(*surface, resolution);
+    return shape;
+}
+
+
+enum class orientationKind {given, turned, random};
+
+static const Enum<orientationKind> orientationNames
+({
+    {orientationKind::given, "given"},
+    {orientationKind::turned, "turned"},
+    {orientationKind::random, "random"}
+});
+
+
+// A rotation for each of so many bodies. In 2D about the empty direction
+static tensorField readOrientations(checkedDictionary& dict, const riprap::DemConfig& config, label n)
+{
+    using constant::mathematical::twoPi;
+    tensorField all(n, tensor::I);
+    const bool planar = config.dimensions == 2;
+    vector out(Zero);
+    out[config.axes[2]] = 1;
+
+    const orientationKind kind = dict.choice("orientation", orientationNames, orientationKind::given);
+    if (kind == orientationKind::turned)
+    {
+        const scalar angle = degToRad(dict.number("angle"));
+        vector axis(out);
+        if (!planar)
+        {
+            dict.found("axis");
+            axis = dict.dict().get<vector>("axis");
+        }
+        if (!(mag(axis) > SMALL))
+        {
+            FatalIOErrorInFunction(dict.dict()) << "Entry axis is " << axis << ": it needs a length" << exit(FatalIOError);
+        }
+        all = quaternion(axis/mag(axis), angle).R();
+    }
+    if (kind == orientationKind::random)
+    {
+        std::mt19937_64 generator(dict.whole("seed", 1, 0, labelMax));
+        // Not std::uniform_real_distribution: the same numbers with every library
+        auto uniform = [&]() { return scalar(generator() >> 11)*0x1p-53; };
+        for (tensor& R : all)
+        {
+            if (planar)
+            {
+                R = quaternion(out, twoPi*uniform()).R();
+                continue;
+            }
+            const scalar u = uniform(), a = twoPi*uniform(), b = twoPi*uniform();
+            const scalar p = Foam::sqrt(1 - u), q = Foam::sqrt(u);
+            R = quaternion(q*Foam::cos(b), vector(p*Foam::sin(a), p*Foam::cos(a), q*Foam::sin(b))).R();
+        }
+    }
+    return all;
+}
+
 } // namespace Foam
 
 
-void Foam::readClumps(checkedDictionary& dict, const solidSpace& space, solidRegion& region)
+void Foam::readClumps(checkedDictionary& dict, const word& source, const solidSpace& space, solidRegion& region)
 {
-    if (space.settings.config.dimensions != 3)
+    const riprap::DemConfig& config = space.settings.config;
+    const bool planar = config.dimensions == 2, outline = source == "clumpsFromOutline";
+    if (planar != outline)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Source clumpsFromSurface needs a case in 3D" << exit(FatalIOError);
+            << "Source " << source << " needs a case in " << (outline ? "2D" : "3D") << "; in " << (planar ? "2D" : "3D")
+            << " it is " << (planar ? "clumpsFromOutline" : "clumpsFromSurface") << exit(FatalIOError);
     }
 
-    const auto surface = readClosedSurface(dict, space.mesh.time());
     const label most = dict.whole("spheres", 50, 1, 10000);
     const label resolution = dict.whole("resolution", 40, 4, 400);
-    const scalar longest = cmptMax(boundBox(surface->points(), false).span());
-    const scalar smallest = dict.positive("smallestRadius", 0.02*longest);
-
-    scalar volume = 0;
-    point middle(Zero);
-    tensor J(Zero);
-    momentOfInertia::massPropertiesSolid(*surface, 1, volume, middle, J);
-
-    const DynamicList<ball> balls(cover(inscribed(*surface, resolution), most, smallest));
+    const clumpShape shape
+    (
+        outline ? outlineShape(dict, config, resolution) : surfaceShape(dict, space.mesh.time(), resolution)
+    );
+    const scalar smallest = dict.positive("smallestRadius", 0.02*shape.longest);
+    const DynamicList<ball> balls(cover(shape.balls, most, smallest));
     if (balls.empty())
     {
         FatalIOErrorInFunction(dict.dict())
-            << "No sphere of at least smallestRadius " << smallest << " m fits into the surface"
-            << exit(FatalIOError);
+            << "No sphere of at least smallestRadius " << smallest << " m fits into the "
+            << (outline ? "outline" : "surface") << exit(FatalIOError);
     }
 
-    pointField centres(1, middle);
+    pointField centres(1, shape.middle);
     if (dict.found("centres")) centres = dict.dict().get<pointField>("centres");
     if (centres.empty())
     {
         FatalIOErrorInFunction(dict.dict()) << "Entry centres is empty" << exit(FatalIOError);
     }
-
-    tensor axes;
-    const vector moments(principalMoments(J, axes));
-    const quaternion turn(axes);
+    const tensorField rotation(readOrientations(dict, config, centres.size()));
+    const scalar mid = space.mesh.bounds().midpoint()[config.axes[2]];
 
     DynamicList<point> position;
-    DynamicList<scalar> radius, mass;
+    DynamicList<scalar> radius;
     DynamicList<label> clump;
-    for (const point& centre : centres)
+    forAll(centres, c)
     {
+        point centre(centres[c]);
+        if (planar) centre[config.axes[2]] = mid;
         riprap::DemClump body;
-        body.mass = volume;
+        body.mass = shape.volume;
+        // 2D: the body's axes are those of space as it is made
+        const quaternion turn(planar ? tensor(tensor::I) : rotation[c] & shape.axes);
         for (direction d = 0; d < vector::nComponents; ++d)
         {
             body.position[d] = centre[d];
-            body.inertia[d] = moments[d];
+            body.inertia[d] = shape.moments[d];
             body.orientation[d + 1] = turn.v()[d];
         }
         body.orientation[0] = turn.w();
         for (const ball& b : balls)
         {
-            position.append(b.centre + centre - middle);
+            position.append(centre + (rotation[c] & (b.centre - shape.middle)));
             radius.append(b.radius);
             clump.append(region.clumps.size());
         }
@@ -149,9 +204,10 @@ void Foam::readClumps(checkedDictionary& dict, const solidSpace& space, solidReg
     region.radius = radius;
     region.clump = clump;
 
-    scalar filled = 0;
-    for (const ball& b : balls) filled = max(filled, b.radius);
+    scalar largest = 0;
+    for (const ball& b : balls) largest = max(largest, b.radius);
     Info<< "    " << region.name << ": " << centres.size() << " clumps of " << balls.size()
-        << " spheres, radius " << balls.last().radius << " to " << filled << " m; volume " << volume
-        << " m3, principal moments of inertia per density " << moments << " m5" << nl;
+        << " spheres, radius " << balls.last().radius << " to " << largest << " m; " << (planar ? "area " : "volume ")
+        << shape.volume << (planar ? " m2" : " m3") << ", principal moments of inertia per density " << shape.moments
+        << (planar ? " m4" : " m5") << nl;
 }

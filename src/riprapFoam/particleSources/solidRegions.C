@@ -226,9 +226,9 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
     {
         readSolidList(dict, space, region);
     }
-    else if (source == "clumpsFromSurface")
+    else if (source == "clumpsFromSurface" || source == "clumpsFromOutline")
     {
-        readClumps(dict, space, region);
+        readClumps(dict, source, space, region);
     }
     else
     {
@@ -237,6 +237,7 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
         {
             wordList valid(volumes);
             valid.append("clumpsFromSurface");
+            valid.append("clumpsFromOutline");
             dict.unknownWord("source", source, valid);
         }
         unitMass = placeInVolume(dict, space, region);

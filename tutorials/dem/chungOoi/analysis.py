@@ -108,6 +108,8 @@ sample = 'system/controlDict:sampleInterval '
 friction, e = 'pairs/default/friction ', 'pairs/default/restitution '
 linear, pulls = 'contact/normal linear', 'pairs/default/attraction yes'
 
+kharazLaws = (('hertz', ()), ('linear', (f'pairs/default/stiffnessRatio {1.48/1.72:.6f}',)))
+
 tests = [
     Variant('pair', test('pair', 0.5, '2e-8', '6e-5')),
     Variant('pair-mixed', test('pair', 0.5, '2e-8', '6e-5', 'precision mixed')),
@@ -130,7 +132,10 @@ tests = [
       for mu in ('0.2', '0.5', '1')),
     *(Variant(f'kharaz-{law}', test('kharaz', 1, '5e-9', '3e-5', f'contact/normal {law}', friction + '0.092', sample + '1e-6',
                                     'walls/material anvil', 'pairs/default/stiffness 1.72e7', *more))
-      for law, more in (('hertz', ()), ('linear', (f'pairs/default/stiffnessRatio {1.48/1.72:.6f}',)))),
+      for law, more in kharazLaws),
+    *(Variant(f'kharazPair-{law}', test('kharazPair', 5, '5e-9', '3e-5', f'contact/normal {law}', friction + '0.092', sample + '1e-6',
+                                        'walls/planes/floor/point (0 0 -1)', 'pairs/default/stiffness 1.72e7', *more))
+      for law, more in kharazLaws),
 ]
 
 Study(

@@ -176,7 +176,7 @@ measured = {'e_t': 'tangential restitution', 'omega_rad_s': 'spin', 'rebound_ang
 def kharazCurves(run):
     """{quantity: (angle of incidence, value)} of DEM05"""
     rows = {name: [] for name in measured}
-    for s in spheres(run):
+    for s in (s for s in spheres(run) if s.material == 'dem05'):
         angle = math.degrees(math.atan2(s.U[0, 0], -s.U[0, 2]))
         rows['omega_rad_s'].append((angle, s.W[-1, 1]))
         # MFIX's rebound angle is that of the centre
@@ -186,14 +186,19 @@ def kharazCurves(run):
     return {name: np.array(r).T for name, r in rows.items()}
 
 
-def kharaz(run):
+def kharazPair(run):
+    """DEM05 on spheres that stand for the wall"""
+    return kharaz(run, 'particle_particle')
+
+
+def kharaz(run, against='particle_wall'):
     """DEM05: against MFIX's own run with the same law, and against the experiment beside it"""
     law = 'HERTZIAN' if run.solid['contact']['normal'] == 'hertz' else 'LINEAR'
     out = []
     for name, (angle, value) in kharazCurves(run).items():
         data, experiment = records('DEM05_mfix_' + name), records('DEM05_exp_kharaz_' + name)
         mine = np.char.startswith(data['model'], law)
-        x, y = data['impact_angle_deg'][mine], data['particle_wall'][mine]
+        x, y = data['impact_angle_deg'][mine], data[against][mine]
         out.append(Quantity(f'{measured[name]}: rms against MFIX / largest',
                             error=rms(np.interp(x, angle, value) - y)/abs(y).max()))
         far = [rms(np.interp(experiment['impact_angle_deg'], *curve) - experiment[name])

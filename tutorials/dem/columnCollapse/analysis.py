@@ -120,12 +120,14 @@ def compare(runs, results):
         value = exponent(runs, [n for n in runs if n.startswith(kind) and n.count('-') == 1])
         if value is not None:
             result.append(Quantity(f'exponent above a = 2, {kind}', value, expected, abs(value - expected)))
-    packings = [runs[n] for n in ('disks-2', 'disks-2-seed2', 'disks-2-seed3') if n in runs]
-    if len(packings) > 1:
+    for size in ('disks-2', 'disks-2-fine'):
+        packings = [runs[n] for n in (size, size + '-seed2', size + '-seed3') if n in runs]
+        if len(packings) < 2:
+            continue
         far = [runOut(r, lastTime(r)) for r in packings]
         law = float(np.mean([staronHinch(aspectRatio(r)) for r in packings]))
-        result += [Quantity('run-out of disks-2, mean over packings, Staron & Hinch', float(np.mean(far)), law, abs(np.mean(far)/law - 1)),
-                   Quantity('run-out of disks-2, range over packings / mean', float(np.ptp(far)/np.mean(far)))]
+        result += [Quantity(f'run-out of {size}, mean over packings, Staron & Hinch', float(np.mean(far)), law, abs(np.mean(far)/law - 1)),
+                   Quantity(f'run-out of {size}, range over packings / mean', float(np.ptp(far)/np.mean(far)))]
     return result
 
 
@@ -202,10 +204,19 @@ Study(
               variant('disks-4', 0.1, 0.4, 1.6), variant('disks-7', 0.08, 0.56, 1.8), variant('disks-10', 0.07, 0.7, 2.0),
               variant('disks-2-seed2', 0.15, 0.3, 1.4, extra='; system/column:seed 2'),
               variant('disks-2-seed3', 0.15, 0.3, 1.4, extra='; system/column:seed 3'),
-              variant('disks-2-fine', 0.3, 0.6, 1.8), variant('disks-2-friction0.5', 0.15, 0.3, 1.4, extra='; pairs/grain-grain/friction 0.5'),
+              variant('disks-2-fine', 0.3, 0.6, 1.8),
+              variant('disks-2-fine-seed2', 0.3, 0.6, 1.8, extra='; system/column:seed 2'),
+              variant('disks-2-fine-seed3', 0.3, 0.6, 1.8, extra='; system/column:seed 3'),
+              variant('disks-2-friction0.5', 0.15, 0.3, 1.4, extra='; pairs/grain-grain/friction 0.5'),
               variant('spheres-0.5', 0.15, 0.075, 0.8, spheres=True), variant('spheres-1', 0.1, 0.1, 0.9, spheres=True),
               variant('spheres-2', 0.07, 0.14, 1.0, spheres=True), variant('spheres-4', 0.05, 0.2, 1.1, spheres=True),
               variant('spheres-7', 0.04, 0.28, 1.2, spheres=True), variant('spheres-10', 0.04, 0.4, 1.3, spheres=True),
+              # the same in more grains: minutes on a GPU, hours on a CPU
+              variant('spheres-1-fine', 0.2, 0.2, 1.3, spheres=True), variant('spheres-1-finer', 0.4, 0.4, 1.8, spheres=True),
+              variant('spheres-4-fine', 0.1, 0.4, 1.6, spheres=True), variant('spheres-10-fine', 0.08, 0.8, 1.8, spheres=True),
+              variant('spheres-10-finer', 0.16, 1.6, 2.6, spheres=True),
+              variant('spheres-1-rolling-fine', 0.2, 0.2, 1.7, spheres=True, rolling=False),
+              variant('spheres-1-rolling-finer', 0.4, 0.4, 2.4, spheres=True, rolling=False),
               variant('spheres-1-rollingFriction0.3', 0.1, 0.1, 0.9, spheres=True, extra='; pairs/grain-grain/rollingFriction 0.3'),
               variant('spheres-1-rolling', 0.1, 0.1, 1.2, spheres=True, rolling=False),
               variant('spheres-1-plates0.2', 0.1, 0.1, 0.9, spheres=True, rolling=False, plates=0.2),

@@ -3,13 +3,13 @@
         f_n = 4/3 E* sqrt(R* delta) delta + c V_n,    S_n = 2 E* sqrt(R* delta),    c = 2 zeta sqrt(m* S_n)
         1/E* = (1 - nu_A^2)/E_A + (1 - nu_B^2)/E_B
 
-    zeta from the restitution coefficient, see restitution.hpp. For disks the sphere's formula is taken per metre of depth.
+    zeta from the restitution coefficient, see restitution.hpp and dashpot.hpp. For disks the sphere's formula is taken per metre of depth.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
+#include "dem/contact/normal/dashpot.hpp"
 #include "dem/contact/pairProperties.hpp"
 
 namespace riprap
@@ -32,9 +32,9 @@ struct Hertz
     {
         NormalForce<T> f;
         f.stiffness = T(2.0f)*p.E*squareRoot(g.reducedRadius*g.overlap);
-        f.damping = p.twoZeta*squareRoot(g.reducedMass*f.stiffness);
+        f.damping = dashpot(p.twoZeta, f.stiffness, g);
         f.elastic = T(2.0/3.0)*f.stiffness*g.overlap;
-        f.force = maximum(f.elastic + f.damping*g.approach, p.floor);
+        f.force = maximum(f.elastic + f.damping*dashpotApproach(g), p.floor);
         return f;
     }
 

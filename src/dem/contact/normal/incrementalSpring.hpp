@@ -8,7 +8,7 @@
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
+#include "dem/contact/normal/dashpot.hpp"
 #include "dem/contact/pairProperties.hpp"
 
 namespace riprap
@@ -30,11 +30,11 @@ struct IncrementalSpring
     HD static NormalForce<T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, T* h)
     {
         NormalForce<T> f;
-        h[0] = maximum(h[0] + p.k*g.approach*g.dt, T(0.0f));
+        h[0] = maximum(h[0] + p.k*g.approach*g.since, T(0.0f));
         f.stiffness = p.k;
-        f.damping = p.twoZeta*squareRoot(g.reducedMass*p.k);
+        f.damping = dashpot(p.twoZeta, f.stiffness, g);
         f.elastic = h[0];
-        f.force = maximum(f.elastic + f.damping*g.approach, p.floor);
+        f.force = maximum(f.elastic + f.damping*dashpotApproach(g), p.floor);
         return f;
     }
 

@@ -2,14 +2,14 @@
 
         f_n = k delta + 2 zeta sqrt(m* k) V_n
 
-    k [N/m] (2D: per metre of depth, [N/m2]); zeta from the restitution coefficient, see restitution.hpp. `floor` is 0 where
+    k [N/m] (2D: per metre of depth, [N/m2]); zeta from the restitution coefficient, see restitution.hpp and dashpot.hpp. `floor` is 0 where
     the dashpot must not pull, and very low where it may.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
+#include "dem/contact/normal/dashpot.hpp"
 #include "dem/contact/pairProperties.hpp"
 
 namespace riprap
@@ -32,9 +32,9 @@ struct LinearSpring
     {
         NormalForce<T> f;
         f.stiffness = p.k;
-        f.damping = p.twoZeta*squareRoot(g.reducedMass*p.k);
+        f.damping = dashpot(p.twoZeta, f.stiffness, g);
         f.elastic = p.k*g.overlap;
-        f.force = maximum(f.elastic + f.damping*g.approach, p.floor);
+        f.force = maximum(f.elastic + f.damping*dashpotApproach(g), p.floor);
         return f;
     }
 

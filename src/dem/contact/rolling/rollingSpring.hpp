@@ -31,7 +31,7 @@ struct RollingSpring
         const T k = T(2.25f)*fn.stiffness*arm*arm;
         Spin<D, T> m;
         for (int c = 0; c < spins<D>; ++c) m.c[c] = h[c];
-        m = turned(g.n, m) + (k*g.dt)*g.roll;
+        m = turned(g.n, m) + (k*g.since)*g.roll;
         const T limit = arm*maximum(fn.force, T(0.0f));
         const T share = minimum(T(1.0f), limit/squareRoot(maximum(squaredNorm(m), T(1e-36f))));
         m = share*m;

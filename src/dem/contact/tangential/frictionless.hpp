@@ -13,7 +13,6 @@ namespace riprap
 struct Frictionless
 {
     template<int D> static constexpr int history = 0;
-    static constexpr bool vectorHistory = false;
 
     template<class T> struct Parameters { T unused; };
 

@@ -22,7 +22,6 @@ namespace riprap
 struct HistorySpring
 {
     template<int D> static constexpr int history = spins<D>;
-    static constexpr bool vectorHistory = true;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
 
@@ -39,7 +38,7 @@ struct HistorySpring
         Tangent<D, T> s;
         for (int c = 0; c < spins<D>; ++c) s.c[c] = h[c];
         const T k = p.kappa*fn.stiffness;
-        s = turned(g.n, s) + g.dt*g.slip;
+        s = turned(g.n, s) + g.since*g.slip;
         s = coulombShare(k*k*squaredNorm(s), p.mu, fn.force)*s;
         for (int c = 0; c < spins<D>; ++c) h[c] = s.c[c];
         const Tangent<D, T> f = k*s + (p.rootKappa*fn.damping)*g.slip;

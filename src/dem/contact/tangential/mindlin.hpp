@@ -27,7 +27,6 @@ namespace riprap
 struct Mindlin
 {
     template<int D> static constexpr int history = spins<D>;
-    static constexpr bool vectorHistory = true;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
 
@@ -43,7 +42,7 @@ struct Mindlin
         const T root = squareRoot(p.kappa*fn.stiffness);
         Tangent<D, T> q;
         for (int c = 0; c < spins<D>; ++c) q.c[c] = h[c];
-        q = turned(g.n, q) + (root*g.dt)*g.slip;
+        q = turned(g.n, q) + (root*g.since)*g.slip;
         q = coulombShare(root*root*squaredNorm(q), p.mu, fn.force)*q;
         for (int c = 0; c < spins<D>; ++c) h[c] = q.c[c];
         const Tangent<D, T> f = root*q + (p.rootKappa*fn.damping)*g.slip;

@@ -17,7 +17,6 @@ namespace riprap
 struct OneStepSpring
 {
     template<int D> static constexpr int history = 0;
-    static constexpr bool vectorHistory = false;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
 

@@ -102,10 +102,19 @@ def slide():
     return [[0, 0, radius - weight/k, 0.1, 0, 0, 0, 0, 0, radius, 'mfix']]
 
 
+angles = [0, 0.5, 1, 1.5, 2] + [2.5*i for i in range(1, 27)]
+
+
 def kharaz():
     """MFIX's DEM05: its angles"""
-    angles = [0, 0.5, 1, 1.5, 2] + [2.5*i for i in range(1, 27)]
     return [flying(0.01*i, 0.0025, 'dem05', 3.9, math.radians(degrees)) for i, degrees in enumerate(angles)]
+
+
+def kharazPair():
+    """The same on spheres of fifty times the radius and the wall's material, too heavy to move"""
+    size = 50*0.0025
+    targets = [[0.3*(i - 15), 0, -size, 0, 0, 0, 0, 0, 0, size, 'heavyAnvil'] for i in range(len(angles))]
+    return [flying(0.3*(i - 15), 0.0025, 'dem05', 3.9, math.radians(degrees)) for i, degrees in enumerate(angles)] + targets
 
 
 rows = globals()[readDictionary('system/test')['name']]()
