@@ -67,7 +67,9 @@ static boxSide sideOf
             bool within = patch.size() > 0;
             forAll(patch, facei)
             {
-                within = within && mag(patch.faceCentres()[facei][axis] - at) < hair;
+                within =
+                    within
+                 && mag(patch.faceCentres()[facei][axis] - at) < hair;
                 area += mag(patch.faceAreas()[facei][axis]);
             }
             const scalar whole = span[(axis + 1) % 3]*span[(axis + 2) % 3];
