@@ -47,7 +47,8 @@ class Release:
     def theory(self):
         """Times and heights of the centre by potential flow"""
         tank = Tank(self.body, self.W, self.depth, size=self.R/12)
-        t, x = tank.heave(self.displacement, self.t[-1], steps=int(self.t[-1]*1500))
+        end = max(self.t[-1], 3)        # one swing of the slowest
+        t, x = tank.heave(self.displacement, end, steps=int(end*1500))
         return t, self.depth + self.body.centre + x
 
     def fall(self):
