@@ -69,7 +69,7 @@ TEST(DemPlan, PackedParticles)
     for (int k = 0; k < 13; ++k)
     {
         // few of them cannot surround one
-        if (k) EXPECT_NEAR(planDemScene(c, in).hardStop, 0.5*unit, 1e-12);
+        if (k > 0) { EXPECT_NEAR(planDemScene(c, in).hardStop, 0.5*unit, 1e-12); }
         addParticle(in, {{0.05 + 0.05*k, 0.5, 0.5}}, {{0, 0, 0}}, 0.01, 0.01);
     }
     DemPlan p = planDemScene(c, in);
