@@ -64,7 +64,7 @@ rm -rf 0.0*
 motion='functions { stones { type groupMotion; libs ("libriprapFoam.so"); groups (free); } }'
 rm constant/geometry; dictionary system/setParticlesDict <<<"regions ( $pair );"
 rm -rf 0; setParticles >log 2>&1 || fail dryFill "$(oneLine)"
-pressure "$coupled"; water ''
+pressure "$coupled"; dictionary constant/picProperties <<<"device cpu; precision mixed;"     # as dem's default
 for solver in dem picDem
 do
     control $solver 0.1 "$motion"
