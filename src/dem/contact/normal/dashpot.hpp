@@ -34,7 +34,8 @@ HD T dashpot(const T& twoZeta, const T& S, const ContactGeometry<D, T>& g)
 template<int D, class T>
 HD T dashpotApproach(const ContactGeometry<D, T>& g)
 {
-    const T none(0.0f), perStep = g.overlap/g.dt, half = T(0.5f)*g.approach;
+    // a scene that has not begun has no step
+    const T none(0.0f), perStep = g.overlap/maximum(g.dt, T(1e-30f)), half = T(0.5f)*g.approach;
     const T partly = half + selectGreater(g.approach, none, perStep, -perStep);
     return selectGreater(selectGreater(g.approach, none, g.approach, -g.approach), perStep, partly, g.approach);
 }
