@@ -11,11 +11,13 @@ def draw(rows, peers, path):
     if not rows:
         print('demStability: no rows to draw')
         return
-    fig, (limits, drift, pile, creep) = plotting.figure(2, 2, width=6.4, height=4.6)
+    fig, (limits, drift, pile, creep, gap, damping) = plotting.figure(3, 2, width=6.4, height=4.6)
     drawLimits(limits, [r for r in rows if r['test'] == 'limits' and r['integrator'] == 'leapfrog'])
     drawDrift(drift, [r for r in rows if r['test'] == 'drift'])
     drawPile(pile, [p for p in peers if p['case'] == 'step'])
     drawCreep(creep, [r for r in rows if r['test'] == 'creep'])
+    drawGap(gap, [r for r in rows if r['test'] == 'gapLeft'])
+    drawDamping(damping, [r for r in rows if r['test'] == 'localDamping'])
     plotting.save(fig, path)
 
 
@@ -55,3 +57,25 @@ def drawCreep(axis, rows):
     axis.loglog([stepOf(r) for r in rows], [number(r['measured']) for r in rows], 'o', color=plotting.colours[0], label='measured')
     axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='speed / $(g \\sqrt{m/k})$', title='One-step spring on a slope of 10 degrees')
     axis.legend(fontsize=7)
+
+
+def drawGap(axis, rows):
+    for i, (scene, points) in enumerate(groups(rows, lambda r: r['scene']).items()):
+        v = np.array([stepOf(r) for r in points])
+        slope = np.polyfit(v, [1 - number(r['theory']) for r in points], 1)[0]
+        axis.plot([0, 1/slope], [1, 0], '-', color=plotting.colours[i], linewidth=1, label=f'{scene}: $1 - {slope:.2f} v$')
+        axis.plot(v, [number(r['measured']) for r in points], plotting.markers[i], color=plotting.colours[i], markersize=5)
+    axis.set(xlabel='$v\\ /\\ (2 dx/\\sqrt{\\theta dx/g})$', ylabel='gap left / $2 dx$', ylim=(0, 1.02), xlim=(0, 1.5),
+             title="Paper 2's stiffness $m g/(\\theta dx)$ in an impact")
+    axis.legend(fontsize=7, title='lines: theory', title_fontsize=7)
+
+
+def drawDamping(axis, rows):
+    alpha = np.array([0, 1])
+    for i, (scene, points) in enumerate(groups(rows, lambda r: r['scene']).items()):
+        sign = 1 if scene == 'rising' else -1
+        axis.plot(alpha, 1 + sign*alpha, '-', color=plotting.colours[i], linewidth=1, label=f'{scene}: $1 {"+" if sign > 0 else "-"} \\alpha$')
+        axis.plot([stepOf(r) for r in points], [number(r['measured']) for r in points], plotting.markers[i], color=plotting.colours[i], markersize=5)
+    axis.axhline(1, color='0.5', linestyle=':', linewidth=1)
+    axis.set(xlabel='local damping $\\alpha$', ylabel='acceleration / $g$', title='Local damping in free flight')
+    axis.legend(fontsize=7, title='lines: theory', title_fontsize=7)

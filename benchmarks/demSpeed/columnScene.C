@@ -1,5 +1,6 @@
 #include "columnScene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -13,16 +14,29 @@ namespace
 
 constexpr double diameter = 0.01, density = 2500, period = 30*diameter;
 
-std::vector<double> readBed(const std::string& file)
+//- Lines of x y z, or of x y z r
+struct Bed
 {
-    std::FILE* in = popen(("gzip -dc '" + file + "'").c_str(), "r");
-    if (!in) throw std::runtime_error("cannot read " + file);
-    std::vector<double> x;
-    double value;
-    while (std::fscanf(in, "%lf", &value) == 1) x.push_back(value);
-    if (pclose(in) != 0 || x.empty()) throw std::runtime_error("cannot read " + file);
-    return x;
-}
+    std::vector<double> position, radius;
+
+    explicit Bed(const std::string& file)
+    {
+        std::FILE* in = popen(("gzip -dc '" + file + "'").c_str(), "r");
+        if (!in) throw std::runtime_error("cannot read " + file);
+        char line[256];
+        int columns = 0;
+        while (std::fgets(line, sizeof line, in))
+        {
+            double v[4];
+            const int read = std::sscanf(line, "%lf %lf %lf %lf", v, v + 1, v + 2, v + 3);
+            if (!columns) columns = read;
+            if (read != columns || read < 3) { pclose(in); throw std::runtime_error(file + " has a line that is not x y z [r]"); }
+            position.insert(position.end(), v, v + 3);
+            radius.push_back(read > 3 ? v[3] : 0.5*diameter);
+        }
+        if (pclose(in) != 0 || radius.empty()) throw std::runtime_error("cannot read " + file);
+    }
+};
 
 //- A rectangle of two triangles
 DemWall rectangle(const Vector3& corner, const Vector3& a, const Vector3& b)
@@ -47,8 +61,6 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     c.normal = NormalKind::hertz;
     c.tangential = TangentialKind::history;
     c.rolling = o.rolling ? RollingKind::spring : RollingKind::none;
-    c.timeStep = 2e-5;
-
     in.materials.push_back(DemMaterial{"stone", 1e7, 0.25});
     DemPair pair;
     pair.properties.restitution = 0.7;
@@ -57,8 +69,10 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     pair.properties.rollingDamping = 0.1;
     in.pairs.push_back(pair);
 
-    const std::vector<double> x = readBed(bed);
-    const std::size_t each = x.size()/3, n = each*o.copies;
+    Bed given(bed);
+    const std::vector<double>& x = given.position;
+    std::vector<double>& radius = given.radius;
+    const std::size_t each = radius.size(), n = each*o.copies;
     DemParticles& p = in.particles;
     p.position.resize(3*n);
     p.radius.resize(n);
@@ -66,8 +80,8 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     // the same sizes in every copy
     std::mt19937 engine(1);
     std::uniform_real_distribution<double> u(0, 1);
-    std::vector<double> radius(each, 0.5*diameter);
     if (o.sizeRatio > 1) for (double& r : radius) r *= std::pow(o.sizeRatio, -u(engine));
+    c.timeStep = 2e-5*(*std::min_element(radius.begin(), radius.end())/(0.5*diameter));
     #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -106,6 +120,21 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     }
     in.walls[0].name = "floor";
     in.walls[1].name = "back";
+}
+
+void writeBed(const std::string& file, const DemState& s, int copies)
+{
+    std::FILE* out = popen(("gzip -9c >'" + file + "'").c_str(), "w");
+    if (!out) throw std::runtime_error("cannot write " + file);
+    std::vector<std::size_t> order(s.id.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+    for (std::size_t k = 0; k < order.size()/copies; ++k)
+    {
+        const double* x = &s.position[3*order[k]];
+        std::fprintf(out, "%.7f %.7f %.7f %.7f\n", x[0], x[1], x[2], s.radius[order[k]]);
+    }
+    if (pclose(out) != 0) throw std::runtime_error("cannot write " + file);
 }
 
 void bondedScene(int side, DemConfig& c, DemInput& in)

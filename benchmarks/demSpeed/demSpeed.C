@@ -2,11 +2,12 @@
     included.
 
         demSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--steps N] [--warmUp N] [--copies N] [--rolling] [--ratio R] [--triangles]
-                 [--bonded SIDE] [--held] [--sleep SPEED] [--skin S] [--bed FILE] [--profile]
+                 [--bonded SIDE] [--held] [--sleep SPEED] [--skin S] [--bed FILE] [--write FILE] [--profile]
 
     Prints a line a run: time by the clock and by the processor, kinetic energy and contacts a particle at the end. 1200 steps are
     24 ms: LAMMPS has 0.1960 J a bed then, LIGGGHTS 0.1938 J. --held keeps the bed at rest by a wall, --sleep lets who is slower sleep after
-    5 ms: begin the timing after that with --warmUp. A second line says what a step must move of a particle at the least, by
+    5 ms: begin the timing after that with --warmUp. --write leaves the bed as it is at the end: settledBed3.xyz.gz and
+    settledBed10.xyz.gz, whose radii differ by factors of 3 and 10, came from --held --ratio. A second line says what a step must move of a particle at the least, by
     count, each array once (records, forces of bonds, lists, histories of what touches), and which share of the machine's measured
     bandwidth (triad) the run reaches by that count.
 
@@ -32,7 +33,7 @@ struct Options
     DemConfig config;
     ColumnOptions column;
     std::int64_t steps = 1200, warmUp = 50;
-    std::string bed = "settledBed.xyz.gz";
+    std::string bed = "settledBed.xyz.gz", written;
     int bonded = 0;             // particles along a side of the block; 0: the column
     bool profile = false;
 };
@@ -78,6 +79,7 @@ Options read(int argc, char** argv)
         else if (a == "--ratio") o.column.sizeRatio = std::stod(value());
         else if (a == "--skin") o.config.skin = std::stod(value());
         else if (a == "--bed") o.bed = value();
+        else if (a == "--write") o.written = value();
         else if (a == "--bonded") o.bonded = std::stoi(value());
         else if (a == "--held") o.column.held = true;
         else if (a == "--sleep") { o.config.sleepSpeed = std::stod(value()); o.config.sleepAfter = 5e-3; }
@@ -126,6 +128,7 @@ int run(const Options& o)
     if (config.sleepSpeed > 0) std::printf("%zu asleep; ", r.asleep);
     if (bonds) std::printf("%zu bonds, %.4g bond-steps/s; ", bonds, double(bonds)*double(r.steps)/wall);
     std::printf("seeded in %.3g s, made in %.3g s\n", seeded, made);
+    if (!o.written.empty()) writeBed(o.written, scene->particles(), o.column.copies);
     if (o.profile)
         for (const KernelInfo& k : scene->kernels())
             if (k.seconds > 0) std::printf("    %-20s %8lld  %.4g s\n", k.name.c_str(), (long long)k.launches, k.seconds);
