@@ -176,6 +176,20 @@ static void readCoupling(checkedDictionary& sph, sphSettings& settings)
 }
 
 
+// Positive, and no more than any scene stands
+static scalar courantNumber
+(
+    checkedDictionary& sph,
+    const word& entry,
+    scalar otherwise,
+    scalar most
+)
+{
+    const scalar value = sph.positive(entry, otherwise);
+    return value > most ? sph.between(entry, otherwise, 0, most) : value;
+}
+
+
 static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& config)
 {
     config.integrator = sph.choice
@@ -188,11 +202,13 @@ static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& confi
     // the shorter step unless density is diffused
     const bool leapfrog =
         config.integrator == riprap::IntegratorKind::leapfrog;
+    // The highest are above what any scene stands (benchmarks/README.md:
+    // 1.82 and 0.595, 0.62, 0.164)
     config.acousticCourant =
-        sph.positive("acousticCourant", leapfrog ? 0.2 : 0.5);
-    config.forceCourant = sph.positive("forceCourant", config.forceCourant);
+        courantNumber(sph, "acousticCourant", leapfrog ? 0.2 : 0.5, leapfrog ? 0.7 : 2);
+    config.forceCourant = courantNumber(sph, "forceCourant", config.forceCourant, 1);
     config.viscousCourant =
-        sph.positive("viscousCourant", config.viscousCourant);
+        courantNumber(sph, "viscousCourant", config.viscousCourant, 0.25);
 }
 
 
