@@ -43,9 +43,11 @@ def isSpheres(run):
     return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] != 'empty'
 
 
-def grains(run, time):
-    cloud = clouds.readCloud(run.path, clouds.nearestTime(run.path, time), ('radius', 'U'), 'solids')
-    return cloud['positions'], cloud['radius'], cloud['U']
+def grains(run, time, *more):
+    """Positions and radii, and fields named, of the grains that are not glued to the floor"""
+    cloud = clouds.readCloud(run.path, clouds.nearestTime(run.path, time), ('radius', 'group', *more), 'solids')
+    free = cloud['group'] == 0
+    return [cloud[name][free] for name in ('positions', 'radius', *more)]
 
 
 def aspectRatio(run):
@@ -74,12 +76,23 @@ def heap(x, r, reach):
 
 def runOut(run, time, reach=0.5*d):
     """(L - L0)/L0 of the heap without grains that rolled off alone"""
-    x, r, _ = grains(run, time)
+    x, r = grains(run, time)
     if not isSpheres(run):
         x = x[:, :2]
     x, r = heap(x, r, reach)
     width = column(run)['width']
     return float((x[:, 0] + r).max()/width - 1)
+
+
+def footOfProfile(run, time):
+    """The same where the heap's depth falls below half a grain: depth of strips two grains wide, 0.6 of it grains (disks 0.8)"""
+    x, r = grains(run, time)
+    size, strip = column(run), 2*d
+    spheres = isSpheres(run)
+    solid = 4/3*np.pi*r**3/(0.6*size['depth']) if spheres else np.pi*r**2/0.8
+    depth = np.bincount((x[:, 0]/strip).astype(int), solid)/strip
+    shallow = np.nonzero(depth < 0.5*d)[0]
+    return float((shallow[0] if len(shallow) else len(depth))*strip/size['width'] - 1)
 
 
 def lastTime(run):
@@ -89,7 +102,7 @@ def lastTime(run):
 def analyse(run):
     a, end = aspectRatio(run), lastTime(run)
     far = runOut(run, end)
-    x, r, U = grains(run, end)
+    x, r = grains(run, end)
     energy = run.table('energy', 'solidEnergies.dat')
     moving = (energy['translation'] + energy['rotation'])[-1]/energy['potential'][0]
     result = [Quantity('aspect ratio', a)]
@@ -101,6 +114,7 @@ def analyse(run):
     before = runOut(run, end - 0.2)
     result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
                Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
+               Quantity('run-out, where half a grain is the depth', footOfProfile(run, end)),
                Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
                Quantity('change of the run-out in the last 0.2 s', far - before),
                Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),
@@ -132,7 +146,7 @@ def compare(runs, results):
 
 
 def drawHeap(axis, run, time):
-    x, r, U = grains(run, time)
+    x, r, U = grains(run, time, 'U')
     plotting.discs(axis, 100*x, 100*r, np.linalg.norm(U, axis=1) if isSpheres(run) else None)
     size = column(run)
     axis.set(xlim=(0, 100*min(size['length'], 5*size['width'] + 0.3)), ylim=(0, 100*1.05*size['height']), aspect='equal',
@@ -169,8 +183,9 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def settings(width, height, duration, spheres=False, rolling=True, plates=None):
-    """height: of the settled column. Random packings are filled loosely and settle"""
+def settings(width, height, duration, spheres=False, rolling=True, plates=None, depth=None, rough=False, friction=0.5):
+    """height: of the settled column. Random packings are filled loosely and settle. plates: friction of side plates, `depth` apart;
+    rough: a floor of glued grains"""
     a = height/width
     filled = height*(0.82/0.65 if not spheres else 0.60/0.45)
     reach = float(staronHinch(a))
@@ -179,16 +194,17 @@ def settings(width, height, duration, spheres=False, rolling=True, plates=None):
     text = '; '.join(f'system/column:{k} {v:.5g}' for k, v in numbers.items())
     # overlaps of a thousandth of a grain under the column's weight
     stiffness = 1000*rho*g*height*(d if spheres else 1)
-    text += f'; constant/geometry:gate/origin ({width:g} -0.01 -1); constant/geometry:gate/span (0 {filled + 0.02:.5g} 2)'
+    text += f'; constant/geometry:gate/origin ({width:g} {0 if rough else -0.01:g} -1); constant/geometry:gate/span (0 {filled + 0.02:.5g} 2)'
     text += ''.join(f'; pairs/{p}/stiffness {stiffness:.5g}' for p in ('grain-grain', 'grain-smooth', 'grain-plate'))
+    if rough:
+        text += '; system/column:glued 1; system/column:bottom -0.01'
     if spheres:
-        text += '; system/column:depth 0.03; system/sides:sides cyclic; pairs/grain-grain/friction 0.5'
+        text += f'; system/column:depth {depth or 0.03:g}; pairs/grain-grain/friction {friction:g}'
+        text += '; system/sides:sides cyclic' if plates is None else f'; system/sides:sides wall; pairs/grain-plate/friction {plates:g}' \
+            + ''.join(f'; walls/materials/{side} plate' for side in ('front', 'back'))
         if rolling:
             text += '; contact/rolling spring; pairs/grain-grain/rollingFriction 0.1' \
                 + ''.join(f'; pairs/grain-{m}/rollingFriction 1e-9' for m in ('smooth', 'plate'))
-        if plates is not None:          # 0.45 column widths apart, as in a channel of 45 mm
-            text += f'; system/column:depth {0.45*width:g}; system/sides:sides wall; pairs/grain-plate/friction {plates}' \
-                + ''.join(f'; walls/materials/{side} plate' for side in ('front', 'back'))
     return ['-set', text, '-endTime', f'{opens + duration:g}']
 
 
@@ -197,6 +213,21 @@ def variant(name, *size, extra='', **more):
     options[1] += extra
     return Variant(name, options)
 
+
+def spheresOf(a, width, name='', **changed):
+    """Glass beads: free to roll, on a floor of glued beads"""
+    height = a*width
+    how = dict(spheres=True, rolling=False, rough=True)
+    how.update(changed)
+    return variant(f'spheres-{a:g}{name}', width, height, float(f'{6*np.sqrt(height/g) + 0.4:.2g}'), **how)
+
+
+def channelOf(a, name='', **changed):
+    """As in the experiments: side plates 39 grains (45 mm) apart, 2500 grains in the side view"""
+    return spheresOf(a, float(f'{50*d/np.sqrt(a):.4g}'), '-channel' + name, **{'plates': 0.5, 'depth': 39*d, **changed})
+
+
+widths = {0.5: 0.15, 1: 0.1, 2: 0.07, 4: 0.05, 7: 0.04, 10: 0.04}
 
 Study(
     scene='columnCollapse',
@@ -208,20 +239,19 @@ Study(
               variant('disks-2-fine-seed2', 0.3, 0.6, 1.8, extra='; system/column:seed 2'),
               variant('disks-2-fine-seed3', 0.3, 0.6, 1.8, extra='; system/column:seed 3'),
               variant('disks-2-friction0.5', 0.15, 0.3, 1.4, extra='; pairs/grain-grain/friction 0.5'),
-              variant('spheres-0.5', 0.15, 0.075, 0.8, spheres=True), variant('spheres-1', 0.1, 0.1, 0.9, spheres=True),
-              variant('spheres-2', 0.07, 0.14, 1.0, spheres=True), variant('spheres-4', 0.05, 0.2, 1.1, spheres=True),
-              variant('spheres-7', 0.04, 0.28, 1.2, spheres=True), variant('spheres-10', 0.04, 0.4, 1.3, spheres=True),
-              # the same in more grains: minutes on a GPU, hours on a CPU
-              variant('spheres-1-fine', 0.2, 0.2, 1.3, spheres=True), variant('spheres-1-finer', 0.4, 0.4, 1.8, spheres=True),
-              variant('spheres-4-fine', 0.1, 0.4, 1.6, spheres=True), variant('spheres-10-fine', 0.08, 0.8, 1.8, spheres=True),
-              variant('spheres-10-finer', 0.16, 1.6, 2.6, spheres=True),
-              variant('spheres-1-rolling-fine', 0.2, 0.2, 1.7, spheres=True, rolling=False),
-              variant('spheres-1-rolling-finer', 0.4, 0.4, 2.4, spheres=True, rolling=False),
-              variant('spheres-1-rollingFriction0.3', 0.1, 0.1, 0.9, spheres=True, extra='; pairs/grain-grain/rollingFriction 0.3'),
-              variant('spheres-1-rolling', 0.1, 0.1, 1.2, spheres=True, rolling=False),
-              variant('spheres-1-plates0.2', 0.1, 0.1, 0.9, spheres=True, rolling=False, plates=0.2),
-              variant('spheres-1-plates0.5', 0.1, 0.1, 0.9, spheres=True, rolling=False, plates=0.5),
-              variant('spheres-1-noSpin', 0.1, 0.1, 0.9, spheres=True, rolling=False, extra='; groups/free/fixed (spin)')],
+              *(spheresOf(a, width) for a, width in widths.items()),
+              spheresOf(1, 0.1, '-seed2', extra='; system/column:seed 2'), spheresOf(1, 0.1, '-seed3', extra='; system/column:seed 3'),
+              spheresOf(1, 0.1, '-friction0.2', friction=0.2),
+              spheresOf(1, 0.1, '-rollingFriction0.1', rolling=True),
+              spheresOf(1, 0.1, '-sleep', extra='; sleep/speed 1e-3; sleep/after 0.02'),
+              # on a flat floor, where a sphere that rolls is not stopped by anything
+              spheresOf(1, 0.1, '-flat', rough=False),
+              spheresOf(1, 0.1, '-flat-rollingFriction0.1', rough=False, rolling=True),
+              spheresOf(1, 0.1, '-flat-noSpin', rough=False, extra='; groups/free/fixed (spin)'),
+              # in more grains, and between plates: minutes on a GPU, hours on a CPU
+              *(spheresOf(a, 2*width, '-fine') for a, width in widths.items()), spheresOf(1, 0.4, '-finer'),
+              spheresOf(1, 0.2, '-fine-flat', rough=False), spheresOf(1, 0.4, '-finer-flat', rough=False),
+              *(channelOf(a) for a in widths), channelOf(1, '-flat', rough=False)],
     quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
     analyse=analyse,
     plot=plot,

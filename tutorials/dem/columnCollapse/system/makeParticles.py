@@ -1,6 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """constant/gate: how the gate goes. From 0.5 s on it retreats at 5 m/s, faster than any grain follows, to the end of the
-floor. Points are dense where it starts, since OpenFOAM puts a spline through them; some are before 0, where a run looks too."""
+floor. Points are dense where it starts, since OpenFOAM puts a spline through them; some are before 0, where a run looks too.
+
+With `glued 1` in system/column also the grains that are glued to the floor (constant/particles.csv, and system/gluedGrains, a region
+of system/setParticlesDict): grains of 5 mm on a square lattice 1.1 grains wide,
+each moved by up to 0.045 grains along both of its axes, so that none falls through; their tops are at y = 0."""
+import os
+import random
+
 from riprap.dictionaries import numberOf, readDictionary
 
 column = readDictionary('system/column')
@@ -17,3 +24,20 @@ end = opens + after
 table += [(end + k*step, way) for k in range(4)] + [(100, way)]
 with open('constant/gate', 'w') as f:
     f.write('(\n' + ''.join(f'({t:g} (({x:.6g} 0 0) (0 0 0)))\n' for t, x in table) + ')\n')
+
+region = 'system/gluedGrains'
+if os.path.exists(region):
+    os.remove(region)
+if numberOf(column['glued']):
+    diameter, spread = 0.005, 0.045
+    counts = [max(1, int(numberOf(column[side])/(1.1*diameter))) for side in ('length', 'depth')]
+    steps = [numberOf(column[side])/n for side, n in zip(('length', 'depth'), counts)]
+    moved = random.Random(1)
+    with open('constant/particles.csv', 'w') as f:
+        f.write('x,y,z,radius,group\n')
+        for i in range(counts[0]):
+            for k in range(counts[1]):
+                x, z = ((n + 0.5)*s + moved.uniform(-spread, spread)*diameter for n, s in zip((i, k), steps))
+                f.write(f'{x:.6f},{-0.5*diameter},{z:.6f},{0.5*diameter},glued\n')
+    with open(region, 'w') as f:
+        f.write('glued { set solids; source csv; file "constant/particles.csv"; material grain; }\n')
