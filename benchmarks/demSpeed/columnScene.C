@@ -93,10 +93,8 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     }
     if (o.triangles)
     {
-        // past the period on both sides: surfaces are not repeated
-        const double past = 2*diameter;
-        in.walls.push_back(rectangle({{-0.001, -past, 0}}, {{2, 0, 0}}, {{0, width + 2*past, 0}}));
-        in.walls.push_back(rectangle({{0, -past, -0.001}}, {{0, width + 2*past, 0}}, {{0, 0, 0.7}}));
+        in.walls.push_back(rectangle({{-0.001, 0, 0}}, {{2, 0, 0}}, {{0, width, 0}}));
+        in.walls.push_back(rectangle({{0, 0, -0.001}}, {{0, width, 0}}, {{0, 0, 0.7}}));
     }
     else
         for (const int d : {2, 0})

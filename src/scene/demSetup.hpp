@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include "dem/walls/repeatSurface.hpp"
 #include "scene/demSolver.hpp"
 #include "scene/demStill.hpp"
 
@@ -386,7 +387,14 @@ void DemSolver<Backend, D, P>::setWalls()
             std::vector<double> vertices;
             for (std::size_t v = 0; v < in.vertices.size(); v += 3)
                 for (int d = 0; d < D; ++d) vertices.push_back(in.vertices[v + config_.axes[d]]);
-            builder.add(vertices, std::vector<int>(in.elements.begin(), in.elements.end()), cell, w);
+            std::vector<int> elements(in.elements.begin(), in.elements.end());
+            for (int d = 0; d < D; ++d)
+            {
+                const int axis = config_.axes[d];
+                if (!config_.periodic[axis] || in.motion >= 0) continue;
+                repeatSurface<D>(vertices, elements, d, config_.domainMin[axis], config_.domainMax[axis], cell);
+            }
+            builder.add(vertices, elements, cell, w);
         }
         walls.push_back(w);
     }

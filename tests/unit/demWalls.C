@@ -77,6 +77,44 @@ TEST_P(DemWalls, TrianglesFeelAsAPlane)
             }
 }
 
+//- A surface goes on across periodic sides, seam included: a sphere that crosses them rolls and bounces as over the plane
+TEST_P(DemWalls, SurfacesCrossPeriodicSides)
+{
+    for (const int D : {2, 3})
+        for (const int n : {1, 3, 30})
+        {
+            DemConfig c = config(D);
+            c.periodic[0] = true;
+            c.periodic[2] = D == 3;
+            c.domainMin = Vector3{{-0.45, -0.5, -0.45}};
+            c.domainMax = Vector3{{0.45, 0.5, 0.45}};
+            c.normal = NormalKind::hertz;
+            c.tangential = TangentialKind::history;
+            c.stepFraction = 0.1;
+            c.gravity = Vector3{{0, -9.81, 0}};
+            DemInput in = oneMaterial();
+            in.pairs[0].properties.friction = 0.3;
+            in.pairs[0].properties.restitution = 0.6;
+            addParticle(in, {{0.4, -0.185, 0.43}}, {{0.4, 0, 0.3}}, 0.01, 0.01);
+            DemState s[2];
+            for (const int mesh : {0, 1})
+            {
+                in.walls.clear();
+                in.walls.push_back(mesh ? meshedPlane(D, n) : planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
+                auto scene = createDemScene(c, in);
+                EXPECT_EQ(scene->advance(0.4).stop, DemStop::none);
+                s[mesh] = scene->particles();
+            }
+            EXPECT_LT(s[1].position[0], -0.3);          // it has crossed
+            if (D == 3) EXPECT_LT(s[1].position[2], -0.3);
+            for (int d = 0; d < 3; ++d)
+            {
+                EXPECT_NEAR(s[0].position[d], s[1].position[d], 1e-10) << D << " " << n;
+                EXPECT_NEAR(s[0].spin[d], s[1].spin[d], 1e-7);
+            }
+        }
+}
+
 //- A sphere that falls beside the end of a plate turns about its edge; on a corner of two plates it rests on both, and only on both
 TEST_P(DemWalls, EdgesAndCorners)
 {

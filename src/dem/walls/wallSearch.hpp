@@ -49,8 +49,47 @@ struct WallSearch
                 {
                     const int cell[3] = {c, y, z}, at = w.firstCell + (z*w.n[1] + y)*w.n[0] + c;
                     for (int k = surface.cellFirst[at]; k < surface.cellFirst[at + 1]; ++k)
-                        if (firstMeeting(w, surface.cellElement[k], cell, from)) near(surface.cellElement[k], x, distance, f);
+                    {
+                        const int e = surface.cellElement[k];
+                        if (firstMeeting(w, e, cell, from) && isNear(e, x, distance)) f(e);
+                    }
                 }
+    }
+
+    //- Where a particle is, and beside a periodic side where it will be once it has crossed it: their number. Walls at rest alone are
+    //- repeated there
+    HD int images(const WallData& w, const Vec<D, double>& x, double distance, Vec<D, double>* at) const
+    {
+        int count = 1;
+        at[0] = x;
+        for (int d = 0; d < D && w.motion < 0; ++d)
+        {
+            const double above = x.c[d] - box.lower[d], below = box.length[d] - above;
+            if (!box.periodic[d] || minimum(above, below) >= distance) continue;
+            const double shift = above < below ? box.length[d] : -box.length[d];
+            for (int k = 0; k < count; ++k)
+            {
+                at[count + k] = at[k];
+                at[count + k].c[d] += shift;
+            }
+            count *= 2;
+        }
+        return count;
+    }
+
+    //- element(e) for each element of a surface near a particle or one of its images, each once
+    template<class F>
+    HD void forEachRepeated(const WallData& w, const Vec<D, double>& x, double distance, const F& f) const
+    {
+        Vec<D, double> at[1 << D];
+        const int count = images(w, x, distance, at);
+        for (int image = 0; image < count; ++image)
+            forEachElement(w, at[image], distance, [&](int e)
+            {
+                // a large element may be near several
+                for (int before = 0; before < image; ++before) if (isNear(e, at[before], distance)) return;
+                f(e);
+            });
     }
 
 private:
@@ -68,13 +107,12 @@ private:
         return true;
     }
 
-    template<class F>
-    HD void near(int e, const Vec<D, double>& x, double distance, const F& f) const
+    HD bool isNear(int e, const Vec<D, double>& x, double distance) const
     {
         Vec<D, double> v[D];
         for (int k = 0; k < D; ++k) v[k] = surface.at(surface.element[e*D + k]);
         int feature;
-        if (squaredNorm(x - closestPoint(v, x, feature)) < distance*distance) f(e);
+        return squaredNorm(x - closestPoint(v, x, feature)) < distance*distance;
     }
 };
 
@@ -110,7 +148,7 @@ struct FindWalls : WallSearch<D, P>
                 }
                 else
                 {
-                    this->forEachElement(w, X, distance, [&](int e)
+                    this->forEachRepeated(w, X, distance, [&](int e)
                     {
                         if constexpr (Write) element[elementFirst[i] + elements] = e;
                         else (void)e;
