@@ -42,7 +42,7 @@ class Bounds:
 
     def unused(self):
         """Bounds that nothing was checked against: a check that silently vanished is a failure"""
-        return [f"{r['run']}: {r['quantity']}" for i, r in enumerate(self.rows) if i not in self.used]
+        return [r for i, r in enumerate(self.rows) if i not in self.used]
 
 
 def root():

@@ -10,6 +10,7 @@ reports observed orders, draws the figure and appends a row a run to benchmarks/
 import argparse
 import fnmatch
 import os
+import shutil
 import subprocess
 import sys
 from dataclasses import dataclass, field
@@ -105,11 +106,13 @@ class Run:
 @dataclass
 class Variant:
     """One run of verify: options of Allrun beside -name; case: another tutorial's directory;
-    mayFail: a model that is shown at its limit and may stop"""
+    mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, left out where there is no GPU unless
+    it is finished and reused, or named by -only"""
     name: str
     options: list = field(default_factory=list)
     case: str = '.'
     mayFail: bool = False
+    large: bool = False
 
 
 @dataclass
@@ -146,6 +149,11 @@ class Study:
         bounds = Bounds(self.scene, level)
         chosen = [v for v in (self.quick if options.quick else self.variants)
                   if fnmatch.fnmatch(v.name, options.only)]
+        left = [v for v in chosen if v.large and options.only == '*' and not shutil.which('nvidia-smi')
+                and not (options.reuse and finished(here, v))]
+        chosen = [v for v in chosen if v not in left]
+        for v in left:
+            print(f'{v.name}: left out, as it takes hours without a GPU (-only {v.name} runs it)')
         runs, results, failures = {}, {}, 0
         for v in chosen:
             try:
@@ -164,7 +172,7 @@ class Study:
         print(f'\n{self.scene} ({level})')
         printTable(rows)
         self.printOrders(runs, results)
-        failures += self.missing(bounds, options)
+        failures += self.missing(bounds, options, left)
         if not bounds.rows:
             print(f'no bounds for {self.scene}, {level}, in tests/regression/tolerances.csv')
             failures += 1
@@ -187,12 +195,13 @@ class Study:
                 print(f'observed order of {quantity}: {order:.2f}   [{errors}]')
 
     @staticmethod
-    def missing(bounds, options):
+    def missing(bounds, options, left):
         if options.only != '*':
             return 0
-        for text in bounds.unused():
-            print(f'bound without a quantity: {text}')
-        return len(bounds.unused())
+        missed = [r for r in bounds.unused() if not any(fnmatch.fnmatch(v.name, r['run']) for v in left)]
+        for r in missed:
+            print(f"bound without a quantity: {r['run']}: {r['quantity']}")
+        return len(missed)
 
 
 def valueOf(quantities, name):
@@ -205,11 +214,21 @@ def headline(quantities, name):
     return found[0] if found else quantities[0]
 
 
+def place(here, variant):
+    """The case that a variant is a run of, and the run's folder"""
+    case = os.path.normpath(os.path.join(here, variant.case))
+    return case, os.path.join(case, 'runs', variant.name)
+
+
+def finished(here, variant):
+    path = place(here, variant)[1]
+    return os.path.exists(os.path.join(path, 'log.riprapFoam')) and Run(path).log['ended']
+
+
 def launch(here, variant, reuse):
     """Run a variant by its tutorial's Allrun; path of the run"""
-    case = os.path.normpath(os.path.join(here, variant.case))
-    path = os.path.join(case, 'runs', variant.name)
-    if reuse and os.path.exists(os.path.join(path, 'log.riprapFoam')) and Run(path).log['ended']:
+    case, path = place(here, variant)
+    if reuse and finished(here, variant):
         print(f'Reusing {variant.name}')
         return path
     command = [os.path.join(case, 'Allrun'), '-name', variant.name, '-noPlot', *variant.options]

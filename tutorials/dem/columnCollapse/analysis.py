@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Collapse of granular columns of several aspect ratios against published scaling laws of the run-out"""
 import os
+import re
 
 import numpy as np
 
@@ -130,17 +131,19 @@ def exponent(runs, names):
 
 def compare(runs, results):
     result = []
-    for kind, expected in (('disks', 0.7), ('spheres', 2/3)):
-        value = exponent(runs, [n for n in runs if n.startswith(kind) and n.count('-') == 1])
+    for kind, names, expected in (('disks', r'disks-[\d.]+$', 0.7), ('spheres', r'spheres-[\d.]+$', 2/3),
+                                  ('spheres in a channel', r'spheres-[\d.]+-channel$', 2/3)):
+        value = exponent(runs, [n for n in runs if re.match(names, n)])
         if value is not None:
             result.append(Quantity(f'exponent above a = 2, {kind}', value, expected, abs(value - expected)))
-    for size in ('disks-2', 'disks-2-fine'):
+    for size, name, expected in (('disks-2', 'Staron & Hinch', staronHinch), ('disks-2-fine', 'Staron & Hinch', staronHinch),
+                                 ('spheres-1', 'Lajeunesse', lajeunesse)):
         packings = [runs[n] for n in (size, size + '-seed2', size + '-seed3') if n in runs]
         if len(packings) < 2:
             continue
         far = [runOut(r, lastTime(r)) for r in packings]
-        law = float(np.mean([staronHinch(aspectRatio(r)) for r in packings]))
-        result += [Quantity(f'run-out of {size}, mean over packings, Staron & Hinch', float(np.mean(far)), law, abs(np.mean(far)/law - 1)),
+        law = float(np.mean([expected(aspectRatio(r)) for r in packings]))
+        result += [Quantity(f'run-out of {size}, mean over packings, {name}', float(np.mean(far)), law, abs(np.mean(far)/law - 1)),
                    Quantity(f'run-out of {size}, range over packings / mean', float(np.ptp(far)/np.mean(far)))]
     return result
 
@@ -164,10 +167,13 @@ def plot(runs, path):
             line, = axis.loglog(a, law(a), linewidth=1, label=label)
             axis.fill_between(a, 0.9*law(a), 1.1*law(a), alpha=0.15, color=line.get_color())
         ours = [r for r in runs if isSpheres(r) == (kind == 'spheres')]
-        for style, chosen in (('o', [r for r in ours if r.name.count('-') == 1]), ('x', [r for r in ours if r.name.count('-') > 1])):
+        plain = r'[a-z]+-[\d.]+$'
+        for style, label, chosen in (('o', 'riprap' + (', slice of six grains' if kind == 'spheres' else ''), [r for r in ours if re.match(plain, r.name)]),
+                                     ('s', 'riprap, channel', [r for r in ours if re.match(r'.*\d-channel$', r.name)]),
+                                     ('x', 'riprap, variants', [r for r in ours if not re.match(plain + r'|.*\d-channel$', r.name)])):
             if chosen:
                 axis.plot([aspectRatio(r) for r in chosen], [runOut(r, lastTime(r)) for r in chosen], style, color='#000000',
-                          markersize=5, label='riprap' + ('' if style == 'o' else ', variants'))
+                          markersize=5, label=label)
         axis.set(title=kind, xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$')
         axis.legend(fontsize=6)
     for run in runs:
@@ -208,10 +214,10 @@ def settings(width, height, duration, spheres=False, rolling=True, plates=None, 
     return ['-set', text, '-endTime', f'{opens + duration:g}']
 
 
-def variant(name, *size, extra='', **more):
+def variant(name, *size, extra='', large=False, **more):
     options = settings(*size, **more)
     options[1] += extra
-    return Variant(name, options)
+    return Variant(name, options, large=large)
 
 
 def spheresOf(a, width, name='', **changed):
@@ -224,7 +230,7 @@ def spheresOf(a, width, name='', **changed):
 
 def channelOf(a, name='', **changed):
     """As in the experiments: side plates 39 grains (45 mm) apart, 2500 grains in the side view"""
-    return spheresOf(a, float(f'{50*d/np.sqrt(a):.4g}'), '-channel' + name, **{'plates': 0.5, 'depth': 39*d, **changed})
+    return spheresOf(a, float(f'{50*d/np.sqrt(a):.4g}'), '-channel' + name, large=True, **{'plates': 0.5, 'depth': 39*d, **changed})
 
 
 widths = {0.5: 0.15, 1: 0.1, 2: 0.07, 4: 0.05, 7: 0.04, 10: 0.04}
@@ -248,9 +254,9 @@ Study(
               spheresOf(1, 0.1, '-flat', rough=False),
               spheresOf(1, 0.1, '-flat-rollingFriction0.1', rough=False, rolling=True),
               spheresOf(1, 0.1, '-flat-noSpin', rough=False, extra='; groups/free/fixed (spin)'),
-              # in more grains, and between plates: minutes on a GPU, hours on a CPU
-              *(spheresOf(a, 2*width, '-fine') for a, width in widths.items()), spheresOf(1, 0.4, '-finer'),
-              spheresOf(1, 0.2, '-fine-flat', rough=False), spheresOf(1, 0.4, '-finer-flat', rough=False),
+              # in more grains, and between plates
+              *(spheresOf(a, 2*width, '-fine', large=True) for a, width in widths.items()), spheresOf(1, 0.4, '-finer', large=True),
+              spheresOf(1, 0.2, '-fine-flat', large=True, rough=False), spheresOf(1, 0.4, '-finer-flat', large=True, rough=False),
               *(channelOf(a) for a in widths), channelOf(1, '-flat', rough=False)],
     quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
     analyse=analyse,
