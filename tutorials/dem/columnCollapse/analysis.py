@@ -112,12 +112,12 @@ def analyse(run):
         laws = [('Staron & Hinch', staronHinch), ('Lagree', lagree)] + laws
     for name, law in laws:
         result.append(Quantity(f'run-out, {name}', far, float(law(a)), abs(far/float(law(a)) - 1)))
-    before = runOut(run, end - 0.2)
+    earlier = float(clouds.nearestTime(run.path, end - 0.2))
     result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
                Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
                Quantity('run-out, where half a grain is the depth', footOfProfile(run, end)),
                Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
-               Quantity('change of the run-out in the last 0.2 s', far - before),
+               Quantity('change of the run-out since 0.2 s before the end', far - runOut(run, earlier) if abs(earlier - end + 0.2) < 0.05 else None),
                Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),
                Quantity('kinetic energy at the end / potential at the start', float(moving))]
     return result
