@@ -6,8 +6,8 @@
 
     Prints a line a run: time by the clock and by the processor, kinetic energy and contacts a particle at the end. 1200 steps are
     24 ms: LAMMPS has 0.1960 J a bed then, LIGGGHTS 0.1938 J. --held keeps the bed at rest by a wall, --sleep lets who is slower sleep after
-    5 ms: begin the timing after that with --warmUp. --write leaves the bed as it is at the end: settledBed3.xyz.gz and
-    settledBed10.xyz.gz, whose radii differ by factors of 3 and 10, came from --held --ratio. A second line says what a step must move of a particle at the least, by
+    5 ms: begin the timing after that with --warmUp. --write leaves the bed as it is at the end: with --held --ratio 3 and
+    150,000 steps it is a settled bed of unequal spheres for --bed. A second line says what a step must move of a particle at the least, by
     count, each array once (records, forces of bonds, lists, histories of what touches), and which share of the machine's measured
     bandwidth (triad) the run reaches by that count.
 
