@@ -69,7 +69,9 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
         {
             rebuild();
             ++rebuilds;
-            do { step(); readClock(); } while (host_.active && !interrupted_);
+            // a step with solids has read its own clock
+            do { step(); if (!solids_) readClock(); } while (host_.active && !interrupted_);
+            if (solids_) readClock();
             if (host_.overflows()) { growLists(); continue; }
             if (interrupted_.exchange(false)) break;
         }
