@@ -99,7 +99,7 @@ void addGate(GateScene& s, const GateOptions& o, GateKind kind, double size, int
     c.normal = NormalKind::linear;
     c.tangential = TangentialKind::none;
     c.integrator = o.solids;
-    c.stepFraction = 0.4;
+    c.stepFraction = o.stepFraction;
     s.solids.coupling.kind = o.coupling;
     s.solids.coupling.force = FluidForceKind::impulse;
     if (kind == GateKind::held) return;

@@ -2,7 +2,7 @@
     its place (gateScene.hpp), in one table. Medians of repeats, timed from outside; kernels in one more repeat.
 
         gateSpeed [-device auto|cpu|gpu] [-particles N] [-size RATIO] [-integrator leapfrog|symplectic] [-solids leapfrog|velocityVerlet]
-                  [-coupling WORD] [-precision mixed|double] [-develop N] [-steps N] [-repeat N] [-kernels 0|1]
+                  [-coupling WORD] [-stepFraction F] [-precision mixed|double] [-develop N] [-steps N] [-repeat N] [-kernels 0|1]
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -54,6 +54,7 @@ GateOptions read(int argc, char** argv)
                 o.coupling = valueOf<CouplingKind>({{"stationary", CouplingKind::stationary}, {"pressureGradient", CouplingKind::pressureGradient},
                     {"pressureApproximation", CouplingKind::pressureApproximation}, {"extrapolated", CouplingKind::extrapolated}}, s);
             }},
+        {"-stepFraction", [&](const std::string& s) { o.stepFraction = positive(s); }},
         {"-particles", [&](const std::string& s) { o.particles = positive(s); }},
         {"-size", [&](const std::string& s) { o.size = positive(s); }},
         {"-develop", [&](const std::string& s) { o.develop = int(positive(s)); }},
