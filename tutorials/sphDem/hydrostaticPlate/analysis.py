@@ -96,7 +96,7 @@ def plotLeaks(runs, path):
     """Water in the plate, and how low the first layer stands, over the size ratio"""
     fig, (share, layer) = plotting.figure(2, width=4.0, height=3.2)
     for k, c in enumerate(couplings):
-        mine = sorted((sizeRatio(r), 100*lost(r), lowestWater(r)) for r in runs if r.name == c or (r.name.startswith('ratio') and r.name.endswith('-' + c)))
+        mine = sorted((sizeRatio(r), 100*lost(r), lowestWater(r)) for r in runs if r.name.startswith('ratio') and r.name.endswith('-' + c))
         if mine:
             ratio, leaked, height = zip(*mine)
             share.plot(ratio, leaked, '-', marker=plotting.markers[k], markersize=4, color=plotting.colours[k], label=c)
@@ -155,7 +155,7 @@ Study(
               Variant('pressureApproximation', ['-set', 'coupling pressureApproximation']),
               Variant('fine', ['-endTime', '1', '-set', sized(8, 8.75e-4)]),
               *(Variant(f'ratio{1.75e-3/s:.3g}-{c}', ['-endTime', '0.6', '-set', f'{ratioOf(s, rows)}; coupling {c}'])
-                for s, rows in ((2.625e-3, 2), (1.75e-3, 3), (8.75e-4, 6), (6.25e-4, 8)) for c in couplings)],
+                for s, rows in ((2.625e-3, 2), (1.75e-3, 3), (1.25e-3, 4), (8.75e-4, 6), (6.25e-4, 8)) for c in couplings)],
     quick=[Variant('quick', ['-endTime', '0.5'])],
     analyse=analyse,
     plot=plot,
