@@ -126,14 +126,21 @@ def plot(runs, path):
     heave.set(xlabel='t [s]', ylabel='centre over its place at rest [mm]', title='dotted: potential flow')
     heave.legend(fontsize=5)
     plotDraughts(draughts, runs)
-    last = runs[0]
+    withClouds = [r for r in runs if clouds.times(r.path)]
+    if withClouds:
+        plotLast(fig, picture, withClouds[0])
+    else:
+        picture.set_visible(False)
+    plotting.save(fig, path)
+
+
+def plotLast(fig, picture, last):
     at = clouds.times(last.path)[-1]
     f, b = clouds.readCloud(last.path, at, ('p',)), clouds.readCloud(last.path, at, ('radius',), 'solids')
     dots = picture.scatter(1e3*f['positions'][:, 0], 1e3*f['positions'][:, 1], c=f['p'], s=1)
     picture.scatter(1e3*b['positions'][:, 0], 1e3*b['positions'][:, 1], s=1, color='#444444')
     fig.colorbar(dots, ax=picture, label='p [Pa]')
     picture.set(aspect='equal', xlabel='x [mm]', ylabel='y [mm]', title=last.name)
-    plotting.save(fig, path)
 
 
 def of(ratio, *more):
