@@ -45,6 +45,12 @@ class Release:
                 low = level
         return level - (y - self.R)
 
+    def meanDraught(self):
+        """Over the last whole swings, half of the run at most but one swing at least"""
+        period = firstSwing(*self.theory())
+        late = self.t > self.t[-1] - max(1, int(0.5*self.t[-1]/period))*period
+        return float(np.mean([self.draught(y) for y in self.y[late]]))
+
     def theory(self):
         """Times and heights of the centre by potential flow"""
         tank = Tank(self.body, self.W, self.depth, size=self.R/12)
@@ -82,11 +88,10 @@ def analyse(run):
         return [Quantity('acceleration [m/s2]', a, exact, abs(a/exact - 1)),
                 Quantity('height at rest on the bottom / R', rest.mean()/r.R, 1, abs(rest.mean()/r.R - 1)),
                 Quantity('still moving [R]', error=float(np.ptp(rest)/r.R))]
-    draught = np.array([r.draught(y) for y in r.y[r.t > 0.5*r.t[-1]]])
-    exact = r.R - r.body.centre
+    draught, exact = r.meanDraught(), r.R - r.body.centre
     t, y = r.theory()
     period, theory = swing(r.t, r.y), firstSwing(t, y)
-    return [Quantity('draught [m]', draught.mean(), exact, abs(draught.mean()/exact - 1)),
+    return [Quantity('draught [m]', draught, exact, abs(draught/exact - 1)),
             Quantity('first swing [s]', period, theory, abs(period/theory - 1)),
             Quantity('heave, rms to 1.5 s / displacement', error=float(rms(r, t, y))),
             Quantity('largest speed / sqrt(g R)', error=float(np.abs(r.v).max()/np.sqrt(g*r.R)))]
@@ -106,7 +111,7 @@ def plotDraughts(axis, runs):
     for k, c in enumerate(('extrapolated', *others)):
         for name, marker in (('cylinder', 'o'), ('sphere', '^')):
             mine = [Release(r) for r in runs if couplingOf(r) == c and r.name.startswith(name) and not r.name.endswith(('coarse', 'fine'))]
-            points = [(r.ratio, np.mean([r.draught(y) for y in r.y[r.t > 0.5*r.t[-1]]])/(r.R - r.body.centre)) for r in mine if r.floats]
+            points = [(r.ratio, r.meanDraught()/(r.R - r.body.centre)) for r in mine if r.floats]
             if points:
                 axis.plot(*zip(*sorted(points)), marker + '-', color=plotting.colours[k], markersize=4, linewidth=0.8, label=f'{name}, {c}')
     axis.axhspan(0.97, 1.03, color='#dddddd')
@@ -165,7 +170,7 @@ Study(
     + [Variant('cylinder-0.5-coarse', ['-spacing', '0.0142857143', *of(0.5)]), Variant('cylinder-0.5-fine', ['-spacing', '0.005', *of(0.5)]),
        Variant('sphere-0.5-coarse', sphere(0.5, '0.0166666667'))]
     + ([Variant(f'sphere-{d}-fine', sphere(d, '0.01')) for d in ratios] if shutil.which('nvidia-smi') else []),
-    quick=[Variant('quick', ['-spacing', '0.0142857143', '-endTime', '1.2', *of(0.3)])],
+    quick=[Variant('quick', ['-endTime', '2', *of(0.3)])],
     analyse=analyse,
     plot=plot,
     orders=[('draught [m]', ['cylinder-0.5-coarse', 'cylinder-0.5', 'cylinder-0.5-fine'])],
