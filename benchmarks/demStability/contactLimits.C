@@ -69,7 +69,7 @@ void lattice(DemResults& results, const char* name, const LatticeOptions& o)
     }
     for (const DemIntegratorKind integrator : integrators)
     {
-        const double found = largest(0.5*theory, 1.3*theory, 2e-3*theory, [&](double step)
+        const double found = bisect(0.5*theory, 1.3*theory, 2e-3*theory, [&](double step)
             { return stable(c, in, integrator, step, o.lattice == Lattice::chain && !o.bonded); });
         results.add({"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
     }
@@ -96,7 +96,7 @@ void onFloor(DemResults& results, double restitution)
     }
     for (const DemIntegratorKind integrator : integrators)
     {
-        const double found = largest(0.5*theory, 1.5*theory, 1e-3, [&](double step) { return stable(c, in, integrator, step, true); });
+        const double found = bisect(0.5*theory, 1.5*theory, 1e-3, [&](double step) { return stable(c, in, integrator, step, true); });
         const std::string name = restitution < 1 ? "one body on a floor, e = " + std::to_string(restitution).substr(0, 4) : "one body on a floor";
         results.add({"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 #include <vector>
+#include "../stability/experiments.hpp"
 
 namespace riprap
 {
@@ -29,20 +30,6 @@ private:
     std::string csv_;
     std::vector<DemResult> rows_;
 };
-
-//- The largest x in [low, high] for which good(x), assuming one crossing; low if none is good, high if all are
-template<class Good>
-double largest(double low, double high, double tolerance, const Good& good)
-{
-    if (!good(low)) return low;
-    if (good(high)) return high;
-    while (high - low > tolerance)
-    {
-        const double middle = 0.5*(low + high);
-        (good(middle) ? low : high) = middle;
-    }
-    return 0.5*(low + high);
-}
 
 //- The experiments
 void contactLimits(DemResults&);

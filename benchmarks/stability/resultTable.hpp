@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 #include "scene/sphScene.hpp"
+#include "experiments.hpp"
 
 namespace riprap
 {
@@ -35,20 +36,6 @@ private:
 const char* wordOf(KernelKind);
 const char* wordOf(IntegratorKind);
 const char* wordOf(WallKind);
-
-//- The largest x in [low, high] for which good(x), assuming one crossing; low if none is good, high if all are
-template<class Good>
-double bisect(double low, double high, double tolerance, const Good& good)
-{
-    if (!good(low)) return low;
-    if (good(high)) return high;
-    while (high - low > tolerance)
-    {
-        const double middle = 0.5*(low + high);
-        (good(middle) ? low : high) = middle;
-    }
-    return 0.5*(low + high);
-}
 
 //- The experiments; quick: fewer kernels, terms and bisections
 void acoustic(ResultTable&, bool quick);

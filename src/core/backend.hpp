@@ -29,6 +29,7 @@ class Context<Cpu>
 public:
     Profile profile;
     void synchronise() {}
+    void follow(const Context&) {}
     void* allocate(std::size_t bytes)
     {
         void* p = std::aligned_alloc(64, (bytes + 127)/64*64);
@@ -69,7 +70,16 @@ public:
         cudaStreamSynchronize(stream);
         cudaEventDestroy(start);
         cudaEventDestroy(stop);
-        cudaStreamDestroy(stream);
+        if (own_) cudaStreamDestroy(stream);
+    }
+
+    //- From now on in the order of another context's launches, which must live longer
+    void follow(const Context& other)
+    {
+        synchronise();
+        if (own_) checkCuda(cudaStreamDestroy(stream), "stream");
+        stream = other.stream;
+        own_ = false;
     }
     void synchronise() { checkCuda(cudaStreamSynchronize(stream), "kernel"); }
     void* allocate(std::size_t bytes)
@@ -90,6 +100,9 @@ public:
         synchronise();
     }
     void zero(void* p, std::size_t bytes) { checkCuda(cudaMemsetAsync(p, 0, bytes, stream), "memset"); }
+
+private:
+    bool own_ = true;
 };
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "coupling/solidPoints.hpp"
 #include "coupling/solidTerms.hpp"
+#include "sph/boundary/extrapolation.hpp"
 
 namespace riprap
 {
@@ -139,7 +140,7 @@ struct SolidPressurePass
     template<class T> using Self = PairParticle<Dim, T>;
 
     static constexpr const char* name = "solidPressure";
-    static constexpr int dimensions = Dim, sources = 1, channels = 2 + 2*Dim;
+    static constexpr int dimensions = Dim, sources = 1, channels = extrapolationSums<Dim>;
     static constexpr bool variableH = VariableH, hasMaxima = false;
 
     Box<Dim, P> box;
@@ -149,7 +150,7 @@ struct SolidPressurePass
     KernelConstants<Dim, real> kernel;
     FluidModel<Dim, P> model;
     SolidPoints<Dim, P> points;
-    bool extrapolated;
+    bool fromAround;            // Adami's; else Eq. 41
     const ClockData* clock;     // in a step; null: now
 
     HD bool enabled() const { return !clock || clock->active; }
@@ -164,37 +165,21 @@ struct SolidPressurePass
     HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
     {
         const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i, j, dx, r2);
-        const T weight = extrapolated ? g.w : T(model.mass)*g.w/j.density;
-        sums[0] += weight;
-        sums[1] += j.pressureTerm*j.density*j.density*weight;
-        for (int d = 0; d < Dim; ++d)
-        {
-            sums[2 + d] += j.density*dx.c[d]*weight;
-            sums[2 + Dim + d] += j.velocity.c[d]*weight;
-        }
+        addToExtrapolation<Dim, T>(j, dx, fromAround ? g.w : T(model.mass)*g.w/j.density, sums);
     }
 
     HD void finish(int i, const real* sums, float*) const
     {
         PairParticle<Dim, real> p;
-        for (int d = 0; d < Dim; ++d) p.velocity.c[d] = points.own[d][i];
-        p.h = model.h0;
-        real pressure = sums[1];
-        if (extrapolated)
+        Vec<Dim, real> u, lift;
+        for (int d = 0; d < Dim; ++d)
         {
-            pressure = 0;
-            if (sums[0] > real(1e-6)*kernel.wFactor)
-            {
-                const real inverse = real(1)/sums[0];
-                pressure = sums[1];
-                for (int d = 0; d < Dim; ++d)
-                {
-                    pressure += (model.gravity.c[d] - points.acceleration[std::size_t(points.key[i])*Dim + d])*sums[2 + d];
-                    p.velocity.c[d] = real(2)*p.velocity.c[d] - sums[2 + Dim + d]*inverse;
-                }
-                pressure = maximum(pressure*inverse, real(0));      // solids do not pull
-            }
+            u.c[d] = points.own[d][i];
+            lift.c[d] = model.gravity.c[d] - points.acceleration[std::size_t(points.key[i])*Dim + d];
         }
+        p.velocity = u;
+        p.h = model.h0;
+        const real pressure = fromAround ? extrapolated<Dim, real>(sums, lift, u, kernel.wFactor, p.velocity) : sums[1];
         p.density = model.rho0*(real(1) + model.eos.deviation(pressure));
         p.pressureTerm = pressure/(p.density*p.density);
         solid.store(i, p);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <vector>
+#include "core/backend.hpp"
 #include "dem/solidFields.hpp"
 
 namespace riprap
@@ -48,6 +49,16 @@ public:
     //- An interval begins that is reported as one; it ends
     virtual void beginReport() = 0;
     virtual void endReport() = 0;
+};
+
+//- Two scenes on one device read and write the same memory: the one that follows launches in the order of the other
+template<class Backend>
+class LaunchOrder
+{
+public:
+    virtual ~LaunchOrder() = default;
+
+    virtual void follow(const Context<Backend>&) = 0;
 };
 
 } // namespace riprap

@@ -57,6 +57,17 @@ struct DemTick
     HD void operator()(int) const { *clock = ticked(*clock); }
 };
 
+//- The clock as the host has it, without a copy that the host would wait for
+struct SetDemClock
+{
+    static constexpr const char* name = "setClock";
+
+    DemClockData value;
+    DemClockData* clocks;
+
+    HD void operator()(int k) const { clocks[k] = value; }
+};
+
 //- When a pass over forces takes place. In fused steps forces are those at the start of a step that the clock has not yet come to, and
 //  what is raised is for the one after it
 enum class ForceTurn : int {inStep, ahead, always};

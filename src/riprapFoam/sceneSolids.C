@@ -5,13 +5,10 @@
 
 #include "sceneSolids.H"
 #include "boundaryFinder.H"
-#include "demNames.H"
+#include "demMotion.H"
 #include "moduleLog.H"
 #include "OSspecific.H"
-#include "particleDomain.H"
 #include "sphNames.H"
-#include "sweptDomain.H"
-#include "wallPoints.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -82,67 +79,6 @@ Foam::sceneSolids::sceneSolids
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::sceneSolids::setWalls(const solidSet& solids)
-{
-    scalar smallest = GREAT;
-    for (const double radius : solids.particles.radius)
-    {
-        smallest = min(smallest, 2*radius);
-    }
-    const autoPtr<geometryWalls> geometry(wallGeometry(runTime_));
-    input_ = demInput
-    (
-        settings_,
-        solids,
-        demWallInput(mesh_, settings_, geometry.get(), movingWalls_, smallest),
-        typeOfBondType_
-    );
-
-    if (movingWalls_.size())
-    {
-        input_.wallMotion =
-            [this](int body, double t) { return movingWalls_.pose(body, t); };
-    }
-    if (movingGroups_.size())
-    {
-        // No motion is asked for what is outside the run
-        const scalar begin = runTime_.value();
-        const scalar end = runTime_.endTime().value();
-        input_.groupMotion = [this, begin, end](int motion, double t)
-        {
-            return rigidMotion(movingGroups_, motion, t, begin, end);
-        };
-    }
-
-    List<boundBox> reference(movingWalls_.size());
-    for (const riprap::DemWall& wall : input_.walls)
-    {
-        for (std::size_t i = 0; wall.motion >= 0 && i < wall.vertices.size(); i += 3)
-        {
-            const double* x = &wall.vertices[i];
-            reference[wall.motion].add(point(x[0], x[1], x[2]));
-        }
-    }
-    Foam::coverMotion
-    (
-        mesh_,
-        movingWalls_,
-        reference,
-        0,
-        settings_.config
-    );
-    // Groups escape like single particles: they widen nothing
-    Foam::coverMotion
-    (
-        mesh_,
-        movingGroups_,
-        List<boundBox>(movingGroups_.size()),
-        0,
-        settings_.config
-    );
-}
-
-
 void Foam::sceneSolids::readInput(bool continued)
 {
     solidSet solids(readSolids(mesh_, asRead_));
@@ -159,7 +95,13 @@ void Foam::sceneSolids::readInput(bool continued)
     {
         config.timeStep = run_.timeStep;
     }
-    setWalls(solids);
+    // No motion is asked for what is outside the run
+    during_ = Pair<scalar>(runTime_.value(), runTime_.endTime().value());
+    input_ = demInputWithMotion
+    (
+        mesh_, settings_, solids, movingWalls_, movingGroups_, during_, typeOfBondType_
+    );
+    coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
 
     if (!continued)
     {

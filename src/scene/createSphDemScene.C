@@ -71,9 +71,6 @@ std::unique_ptr<SphScene> createSphDemScene
     require(!(solids.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
     SphConfig here(config);
     here.device = chooseDevice(config.device, fluid.size(), config.dimensions).device;
-    // momentum is not kept there yet (tests/unit/coupling.C)
-    require(here.device != DeviceKind::gpu || solids.coupling.force != FluidForceKind::impulse || solids.input.clumps.empty(),
-        "rigid bodies with fluidForce impulse run on the CPU alone for now: device cpu, or fluidForce held or interpolated");
     SolidPart part;
     part.scene = createDemScene(onDeviceOf(here, here.device, solids.config), solids.input);
     part.coupling = solids.coupling;

@@ -48,8 +48,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
         }
         else
         {
-            const int batch = sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_;
-            for (int k = 0; k < batch; ++k) step();
+            steps(std::min(sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_, stepsLeft()));
         }
         readClock();
         if (Backend::gpu && sleeps() && host_.step > before && host_.step % stepsPerCheck == 0) checkSleep(false);

@@ -53,7 +53,6 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 {
     gatherClumps(nullptr);      // they begin the step with forces that hold the fluid's of now
-    readClock();
     host_.target = t;
     host_.lastStep = std::int64_t(1) << 62;
     host_.fullDt = dt/subcycles;

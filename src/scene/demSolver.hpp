@@ -79,7 +79,7 @@ struct DemSearchState
 };
 
 template<class Backend, int D, class P>
-class DemSolver : public DemScene, public SolidSide<D, P>
+class DemSolver : public DemScene, public SolidSide<D, P>, public LaunchOrder<Backend>
 {
 public:
 
@@ -112,6 +112,7 @@ public:
     DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
 
     // demCoupling.hpp: what a fluid asks of its solids
+    void follow(const Context<Backend>& fluid) override { context_.follow(fluid); }
     int keys() const override { return n_; }
     SolidView<D, P> view() override { return SolidView<D, P>{box_, fields(), slotOf_.data()}; }
     std::vector<std::int32_t> order() override;
@@ -164,6 +165,8 @@ private:
     void moveParticles();
     MoveWalls wallMover(DemClockData*);
     void step();
+    int stepsLeft() const;
+    void steps(int count);
 
     // demFused.hpp
     bool fuses() const;
@@ -208,11 +211,7 @@ private:
 
     // demAdvance.hpp
     void readClock(int which = 0) { context_.toHost(&host_, clock_.data() + which, sizeof(DemClockData)); }
-    void writeClock()
-    {
-        const DemClockData both[2] = {host_, host_};
-        context_.toDevice(clock_.data(), both, sizeof(both));
-    }
+    void writeClock() { forEach(context_, 2, SetDemClock{host_, clock_.data()}); }
     bool finished() const;
     void setWindow();           // these three: demWindow.hpp
     void sampleGroups(double end);

@@ -319,4 +319,37 @@ void DemSolver<Backend, D, P>::step()
     if (nClumps_) forEach(context_, nClumps_, FinishClumps<D, P>{clumps_.data(), kick, clock_.data()});
 }
 
+//- To the target or the last step; one at least
+template<class Backend, int D, class P>
+int DemSolver<Backend, D, P>::stepsLeft() const
+{
+    const double left = std::min(double(host_.lastStep - host_.step), std::ceil((host_.target - host_.time)/host_.fullDt*(1 - 1e-9)));
+    return int(std::max(1.0, std::min(left, double(windowSteps))));
+}
+
+//- So many steps; those beyond the next rebuild, window or target switch themselves off. In small scenes the host's launches would take longer than the
+//  steps: they are recorded, eight at a time
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::steps(int count)
+{
+#ifdef __CUDACC__
+    if constexpr (std::is_same<Backend, Gpu>::value)
+    {
+        const int together = 8;
+        // motion tables change from window to window, and the fields of large scenes from sort to sort
+        if (!context_.profile.timing && !groupMotions_ && !wallMotions_ && fields_.alternates())
+            for (; count >= together/2; count -= together)
+            {
+                if (parts_.graphs.size() > 16) parts_.graphs.clear();
+                std::vector<const void*> key = graphKey(together);
+                key.push_back(fields().x[0]);       // fields alternate between two places
+                Graph& graph = parts_.graphs[key];
+                if (!graph.recorded()) graph.record(context_, [&] { for (int k = 0; k < together; ++k) step(); });
+                graph.replay(context_);
+            }
+    }
+#endif
+    for (; count > 0; --count) step();
+}
+
 } // namespace riprap

@@ -23,7 +23,7 @@ enum class FluidForceKind {held, interpolated, impulse};
 
 struct CouplingConfig
 {
-    CouplingKind kind = CouplingKind::pressureGradient;
+    CouplingKind kind = CouplingKind::extrapolated;     // the others leak (docs/coupling.md)
     bool viscosity = true;                  // viscous terms of the fluid act between fluid and solids
     bool xsph = false;                      // so does XSPH; where the fluid has it
     bool antiClump = false;                 // so does the anti-clump term; where the fluid has it

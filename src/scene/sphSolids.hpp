@@ -17,6 +17,7 @@ void SphSolver<Backend, D, P>::setSolids(SolidPart part)
     solids_ = dynamic_cast<SolidSide<D, P>*>(solidScene_.get());
     if (!solids_ || solidScene_->device() != device())
         throw std::invalid_argument("solids of another device, dimension or precision than the fluid's");
+    dynamic_cast<LaunchOrder<Backend>&>(*solidScene_).follow(context_);
     coupling_ = part.coupling;
     nSolids_ = solids_->keys();
     const std::size_t all = std::size_t(nSolids_)*D;
@@ -130,7 +131,6 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::pushSolids()
 {
     forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
-    context_.synchronise();
     solids_->push(0.5*host_.dt);
 }
 
@@ -164,7 +164,6 @@ void SphSolver<Backend, D, P>::advanceSolids()
         const double scale = dt/solids_->kickTime(dt, steps);
         forEach(context_, nSolids_, HoldForces<D, P>
             {solidForce_.data(), solidForceBefore_.data(), solids_->external(), scale*shares.now, scale*shares.before});
-        context_.synchronise();
         return solids_->advanceTo(t, dt, steps);
     };
     const int steps = subcycles_ = solids_->subcycles(host_.dt);
@@ -194,7 +193,6 @@ void SphSolver<Backend, D, P>::showForces()
 {
     if (!solids_) return;
     forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
-    context_.synchronise();
 }
 
 template<class Backend, int D, class P>

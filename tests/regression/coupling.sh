@@ -68,7 +68,7 @@ fill "$above"
 says bothSets 'Written 160 particles to 0/lagrangian/fluid'
 says bothSets2 'Written 10 particles, 13 bonds'
 riprapFoam >log 2>&1 && pass run || fail run "$(grep -m1 -A3 ERROR log)"
-says coupling 'coupling +pressureGradient, fluidForce impulse, viscosity yes, XSPH no, antiClump no'
+says coupling 'coupling +extrapolated, fluidForce impulse, viscosity yes, XSPH no, antiClump no'
 says subcycles 'timeIntegration +leapfrog, step [0-9.e-]+ s \(.*\): [0-9]+ a step of the fluid'
 says step 'Solids: steps = [0-9]+ \([0-9]+\), [0-9]+ a step of the fluid'
 for field in fluid/positions fluid/p solids/positions solids/U solids/origId
@@ -87,7 +87,7 @@ cmp -s fluid 0.02/lagrangian/fluid/positions && pass restartFluid || fail restar
 sed -i 's/^(0.04\([0-9]*\) /(0.0400\1 /' 0.01/lagrangian/solids/positions
 rm -r 0.02; riprapFoam >log 2>&1
 says edited 'State in uniform/riprap is not used: lagrangian/solids has been changed'
-for kind in stationary pressureApproximation extrapolated
+for kind in stationary pressureGradient pressureApproximation
 do
     rm -rf 0.0* postProcessing; fluid "coupling $kind;"
     riprapFoam >log 2>&1 && pass "run.$kind" || fail "run.$kind" "$(grep -m1 -A3 ERROR log)"

@@ -7,74 +7,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
+#include "demMotion.H"
 #include "sphNames.H"
-#include "sweptDomain.H"
-#include "wallPoints.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-void Foam::solverModules::dem::buildInput(const solidSet& solids)
-{
-    scalar smallest = GREAT;
-    for (const double radius : solids.particles.radius)
-    {
-        smallest = min(smallest, 2*radius);
-    }
-
-    const autoPtr<geometryWalls> geometry(wallGeometry(runTime_));
-    input_ = demInput
-    (
-        settings_,
-        solids,
-        demWallInput(mesh_, settings_, geometry.get(), movingWalls_, smallest),
-        typeOfBondType_
-    );
-
-    if (movingWalls_.size())
-    {
-        input_.wallMotion =
-            [this](int body, double t) { return movingWalls_.pose(body, t); };
-    }
-    if (movingGroups_.size())
-    {
-        input_.groupMotion = [this](int motion, double t)
-        {
-            return rigidMotion(movingGroups_, motion, t, moving_.first(), moving_.second());
-        };
-    }
-}
-
-
-void Foam::solverModules::dem::coverMotion()
-{
-    List<boundBox> reference(movingWalls_.size());
-    for (const riprap::DemWall& wall : input_.walls)
-    {
-        for (std::size_t i = 0; wall.motion >= 0 && i < wall.vertices.size(); i += 3)
-        {
-            const double* x = &wall.vertices[i];
-            reference[wall.motion].add(point(x[0], x[1], x[2]));
-        }
-    }
-    Foam::coverMotion
-    (
-        mesh_,
-        movingWalls_,
-        reference,
-        0,
-        settings_.config
-    );
-    // Groups escape like single particles: they widen nothing
-    Foam::coverMotion
-    (
-        mesh_,
-        movingGroups_,
-        List<boundBox>(movingGroups_.size()),
-        0,
-        settings_.config
-    );
-}
-
 
 void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
 {
@@ -96,8 +32,11 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
         // That of the start, not an estimate from where the solids are now
         config.timeStep = run_.timeStep;
     }
-    buildInput(solids);
-    coverMotion();
+    input_ = demInputWithMotion
+    (
+        mesh_, settings_, solids, movingWalls_, movingGroups_, moving_, typeOfBondType_
+    );
+    coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
 
     try
     {

@@ -88,7 +88,8 @@ class Run:
                          of('smoothingLength/ratio', '1.25'), of('walls/model', 'extrapolated'),
                          of('walls/spacing', 'fluid'), of('viscosity', 'laminar'),
                          of('antiClump', '0.01'), of('XSPH', '0.5'), of('densityDiffusion', 'none'),
-                         of('shifting', 'none'), of('timeIntegration', 'leapfrog')])
+                         of('shifting', 'none'), of('timeIntegration', 'leapfrog')]
+                        + ([of('coupling', 'extrapolated'), of('couplingCoeffs/fluidForce', 'default')] if self.solid else []))
 
     def energyDrift(self):
         """Energy that left the particles' balance over the run, relative to the largest kinetic

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dam break with an elastic gate: the gate's end against two digitisations of the experiment"""
 import os
+import shutil
 
 import numpy as np
 
@@ -141,8 +142,27 @@ def plotSensitivity(runs, path):
     plotting.save(fig, path)
 
 
+def plotTimes(run, path):
+    """Water and gate every 0.04 s, as the paper's Table 6"""
+    times = [t for t in clouds.times(run.path) if float(t) > 0]
+    fig, axes = plotting.figure(5, -(-len(times)//5), width=2.0, height=1.7)
+    for axis in axes[len(times):]:
+        axis.set_visible(False)
+    for axis, when in zip(axes, times):
+        f, s = clouds.readCloud(run.path, when, ('U',)), clouds.readCloud(run.path, when, ('radius',), 'solids')
+        dots = axis.scatter(1e3*f['positions'][:, 0], 1e3*f['positions'][:, 1], c=np.linalg.norm(f['U'], axis=1), s=0.3, vmin=0, vmax=1.6)
+        axis.scatter(1e3*s['positions'][:, 0], 1e3*s['positions'][:, 1], s=0.3, color='k')
+        axis.set(aspect='equal', xlim=(-5, 200), ylim=(-5, 150))
+        axis.set_title(f'{float(when):g} s', fontsize=7)
+        axis.tick_params(labelsize=5)
+    fig.colorbar(dots, ax=list(axes), label='|U| [m/s]')
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
     byName = {r.name: r for r in runs}
+    if 'pressureGradient' in byName and len(clouds.times(byName['pressureGradient'].path)) > 5:
+        plotTimes(byName['pressureGradient'], path.replace('.png', 'Times.png'))
     if len(byName) > len(mainVariants):
         plotSensitivity(byName, path.replace('.png', 'Sensitivity.png'))
     runs = [r for r in runs if r.name in mainVariants] or runs
@@ -217,6 +237,8 @@ sensitivity = {
     'resolution': [variant('water-3.33mm', f'{gate}spacing 0.003333333333'), variant('gate-0.625mm', sized(6.25e-4, 2.5e-4, 1.75e-3)),
                    variant('gate-0.625mm-undamped', f'{sized(6.25e-4, 2.5e-4, 1.75e-3)}; {undamped}'),
                    variant('fine', sized(6.25e-4, 2.5e-4, 8.75e-4)), variant('fine-undamped', f'{sized(6.25e-4, 2.5e-4, 8.75e-4)}; {undamped}')],
+    'numerics': [variant('double', 'precision double'), variant('solidStep-0.2', f'{solid}stepFraction 0.2'),
+                 *([variant('gpu', 'device gpu')] if shutil.which('nvidia-smi') else [])],
     # the model of the authors in reference/: E = 12 MPa, nu = 0.4 in plane strain, held, nothing damped
     'others': [variant('others', f'{rubber(12e6, 0.4, True)}; {held}; {undamped}'),
                variant('others-beam', f'{rubber(12e6, 0.4)}; {held}; {undamped}')],

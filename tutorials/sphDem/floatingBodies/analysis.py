@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A cylinder or a sphere let go in water: draught at rest against Archimedes, heave against linear potential flow in the same tank"""
 import os
+import shutil
 import sys
 
 import numpy as np
@@ -44,6 +45,12 @@ class Release:
                 low = level
         return level - (y - self.R)
 
+    def meanDraught(self):
+        """Over the last whole swings, half of the run at most but one swing at least"""
+        period = firstSwing(*self.theory())
+        late = self.t > self.t[-1] - max(1, int(0.5*self.t[-1]/period))*period
+        return float(np.mean([self.draught(y) for y in self.y[late]]))
+
     def theory(self):
         """Times and heights of the centre by potential flow"""
         tank = Tank(self.body, self.W, self.depth, size=self.R/12)
@@ -81,11 +88,10 @@ def analyse(run):
         return [Quantity('acceleration [m/s2]', a, exact, abs(a/exact - 1)),
                 Quantity('height at rest on the bottom / R', rest.mean()/r.R, 1, abs(rest.mean()/r.R - 1)),
                 Quantity('still moving [R]', error=float(np.ptp(rest)/r.R))]
-    draught = np.array([r.draught(y) for y in r.y[r.t > 0.5*r.t[-1]]])
-    exact = r.R - r.body.centre
+    draught, exact = r.meanDraught(), r.R - r.body.centre
     t, y = r.theory()
     period, theory = swing(r.t, r.y), firstSwing(t, y)
-    return [Quantity('draught [m]', draught.mean(), exact, abs(draught.mean()/exact - 1)),
+    return [Quantity('draught [m]', draught, exact, abs(draught/exact - 1)),
             Quantity('first swing [s]', period, theory, abs(period/theory - 1)),
             Quantity('heave, rms to 1.5 s / displacement', error=float(rms(r, t, y))),
             Quantity('largest speed / sqrt(g R)', error=float(np.abs(r.v).max()/np.sqrt(g*r.R)))]
@@ -96,45 +102,77 @@ def rms(r, t, y):
     return np.sqrt(np.mean((r.y[at] - np.interp(r.t[at], t, y))**2))/r.displacement
 
 
+def couplingOf(run):
+    return run.sphEntry('coupling', 'extrapolated')
+
+
+def plotDraughts(axis, runs):
+    """Draught at rest over Archimedes', by coupling"""
+    for k, c in enumerate(('extrapolated', *others)):
+        for name, marker in (('cylinder', 'o'), ('sphere', '^')):
+            mine = [Release(r) for r in runs if couplingOf(r) == c and r.name.startswith(name) and not r.name.endswith(('coarse', 'fine'))]
+            points = [(r.ratio, r.meanDraught()/(r.R - r.body.centre)) for r in mine if r.floats]
+            if points:
+                axis.plot(*zip(*sorted(points)), marker + '-', color=plotting.colours[k], markersize=4, linewidth=0.8, label=f'{name}, {c}')
+    axis.axhspan(0.97, 1.03, color='#dddddd')
+    axis.set(xlabel='density over that of water', ylabel='draught / Archimedes')
+    axis.legend(fontsize=5)
+
+
 def plot(runs, path):
-    fig, (heave, picture) = plotting.figure(2)
-    for k, run in enumerate(runs):
+    fig, (heave, draughts, picture) = plotting.figure(3, width=4.2)
+    for k, run in enumerate([r for r in runs if couplingOf(r) == 'extrapolated' and Release(r).floats][:6]):
         r = Release(run)
-        colour = f'C{k % 10}'
-        zero = r.depth + r.body.centre if r.floats else 0
+        colour = plotting.colours[k]
+        zero = r.depth + r.body.centre
         heave.plot(r.t, 1e3*(r.y - zero), color=colour, linewidth=0.9, label=run.name)
-        if r.floats:
-            t, y = r.theory()
-            heave.plot(t, 1e3*(y - zero), color=colour, linewidth=0.9, linestyle=':')
-    heave.set(xlabel='t [s]', ylabel='centre over its place at rest [mm]')
+        t, y = r.theory()
+        heave.plot(t, 1e3*(y - zero), color=colour, linewidth=0.9, linestyle=':')
+    heave.set(xlabel='t [s]', ylabel='centre over its place at rest [mm]', title='dotted: potential flow')
     heave.legend(fontsize=5)
-    last = runs[0]
+    plotDraughts(draughts, runs)
+    withClouds = [r for r in runs if clouds.times(r.path)]
+    if withClouds:
+        plotLast(fig, picture, withClouds[0])
+    else:
+        picture.set_visible(False)
+    plotting.save(fig, path)
+
+
+def plotLast(fig, picture, last):
     at = clouds.times(last.path)[-1]
     f, b = clouds.readCloud(last.path, at, ('p',)), clouds.readCloud(last.path, at, ('radius',), 'solids')
     dots = picture.scatter(1e3*f['positions'][:, 0], 1e3*f['positions'][:, 1], c=f['p'], s=1)
     picture.scatter(1e3*b['positions'][:, 0], 1e3*b['positions'][:, 1], s=1, color='#444444')
     fig.colorbar(dots, ax=picture, label='p [Pa]')
     picture.set(aspect='equal', xlabel='x [mm]', ylabel='y [mm]', title=last.name)
-    plotting.save(fig, path)
 
 
 def of(ratio, *more):
     return ['-set', '; '.join([f'constant/solidProperties:materials/body/rho {1000*ratio:g}', *more])]
 
 
-sphere = ['-spacing', '0.0166666667', '-endTime', '1.6']
 cube = 'system/frontAndBack:frontAndBack wall; system/tank:width 0.5; system/tank:thickness 0.5; system/tank:depth 0.3; system/tank:height 0.5; system/tank:start 0.18'
-couplings = ('stationary', 'pressureApproximation', 'extrapolated')
+ratios = (0.3, 0.5, 0.9, 1.2, 2.7)
+others = ('pressureGradient', 'stationary', 'pressureApproximation')
+
+
+def sphere(ratio, spacing, *more):
+    return ['-spacing', spacing, '-endTime', '2', *of(ratio, cube, *more)]
+
 
 Study(
     scene='floatingBodies',
-    variants=[Variant(f'cylinder-{d}', of(d)) for d in (0.3, 0.5, 0.9, 1.2, 2.7)]
-    + [Variant(f'cylinder-{d}-{c}', of(d, f'coupling {c}')) for c in couplings for d in (0.3, 0.5, 0.9, 1.2, 2.7)]
-    + [Variant('cylinder-0.5-fine', ['-spacing', '0.005', *of(0.5)])]
-    + [Variant(f'sphere-{d}', [*sphere, *of(d, cube)]) for d in (0.3, 0.5, 0.9, 1.2, 2.7)]
-    + [Variant(f'sphere-{d}-extrapolated', [*sphere, *of(d, cube, 'coupling extrapolated')]) for d in (0.3, 0.5, 0.9, 1.2, 2.7)],
-    quick=[Variant('quick', ['-spacing', '0.0142857143', '-endTime', '1.2', *of(0.3)])],
+    variants=[Variant(f'cylinder-{d}', of(d)) for d in ratios]
+    + [Variant(f'sphere-{d}', sphere(d, '0.0125')) for d in ratios]
+    + [Variant(f'cylinder-{d}-{c}', of(d, f'coupling {c}')) for c in others for d in ratios]
+    + [Variant(f'sphere-{d}-pressureGradient', sphere(d, '0.0125', 'coupling pressureGradient')) for d in ratios]
+    + [Variant('cylinder-0.5-coarse', ['-spacing', '0.0142857143', *of(0.5)]), Variant('cylinder-0.5-fine', ['-spacing', '0.005', *of(0.5)]),
+       Variant('sphere-0.5-coarse', sphere(0.5, '0.0166666667'))]
+    + ([Variant(f'sphere-{d}-fine', sphere(d, '0.01')) for d in ratios] if shutil.which('nvidia-smi') else []),
+    quick=[Variant('quick', ['-endTime', '2', *of(0.3)])],
     analyse=analyse,
     plot=plot,
+    orders=[('draught [m]', ['cylinder-0.5-coarse', 'cylinder-0.5', 'cylinder-0.5-fine'])],
     headline='draught [m]',
 ).main(here)

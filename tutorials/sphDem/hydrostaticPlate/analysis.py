@@ -86,7 +86,32 @@ def analyse(run):
             Quantity('share of the water that leaked', error=float(lost(run)))]
 
 
+def sizeRatio(run):
+    """Of the water's spacing to the plate's"""
+    last = clouds.times(run.path)[-1]
+    return run.spacing/(2*clouds.readCloud(run.path, last, ('radius',), 'solids')['radius'][0])
+
+
+def plotLeaks(runs, path):
+    """Water in the plate, and how low the first layer stands, over the size ratio"""
+    fig, (share, layer) = plotting.figure(2, width=4.0, height=3.2)
+    for k, c in enumerate(couplings):
+        mine = sorted((sizeRatio(r), 100*lost(r), lowestWater(r)) for r in runs if r.name.startswith('ratio') and r.name.endswith('-' + c))
+        if mine:
+            ratio, leaked, height = zip(*mine)
+            share.plot(ratio, leaked, '-', marker=plotting.markers[k], markersize=4, color=plotting.colours[k], label=c)
+            layer.plot(ratio, height, '-', marker=plotting.markers[k], markersize=4, color=plotting.colours[k], label=c)
+    layer.axhline(0.5, color='k', linewidth=0.7, linestyle='--')
+    share.set(xlabel='spacing of the water / of the plate', ylabel='water that leaked [%]')
+    layer.set(xlabel='spacing of the water / of the plate', ylabel='first layer over the plate [spacings]')
+    share.legend(fontsize=6)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
+    if any(r.name.startswith('ratio') for r in runs):
+        plotLeaks(runs, path.replace('.png', 'Leaks.png'))
+    runs = [r for r in runs if not r.name.startswith('ratio')] or runs
     fig, (time, shape) = plotting.figure(2)
     for run in runs:
         t, w = middle(run)
@@ -113,13 +138,24 @@ def sized(across, fluid):
     return '; '.join(f'system/plate:{k} {v:.10g}' for k, v in numbers.items())
 
 
+def ratioOf(size, rows):
+    """Plates of other particles and about the same thickness under the same water: widths are whole numbers of them"""
+    numbers = {'size': size, 'radius': size/2, 'gap': 1e-3*size, 'left': -3.5*size, 'leftEnd': 0.5*size, 'rightEnd': L - 0.5*size,
+               'right': L + 3.5*size, 'thickness': size, 'top': rows*size, 'surface': rows*size + H}
+    return '; '.join(f'system/plate:{k} {v:.10g}' for k, v in numbers.items())
+
+
+couplings = ('extrapolated', 'pressureGradient', 'stationary', 'pressureApproximation')
+
 Study(
     scene='hydrostaticPlate',
     variants=[Variant('extrapolated'),
               Variant('pressureGradient', ['-set', 'coupling pressureGradient']),
               Variant('stationary', ['-set', 'coupling stationary']),
               Variant('pressureApproximation', ['-set', 'coupling pressureApproximation']),
-              Variant('fine', ['-endTime', '1', '-set', sized(8, 8.75e-4)])],
+              Variant('fine', ['-endTime', '1', '-set', sized(8, 8.75e-4)]),
+              *(Variant(f'ratio{1.75e-3/s:.3g}-{c}', ['-endTime', '0.6', '-set', f'{ratioOf(s, rows)}; coupling {c}'])
+                for s, rows in ((2.625e-3, 2), (1.75e-3, 3), (1.25e-3, 4), (8.75e-4, 6), (6.25e-4, 8)) for c in couplings)],
     quick=[Variant('quick', ['-endTime', '0.5'])],
     analyse=analyse,
     plot=plot,
