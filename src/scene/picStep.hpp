@@ -132,7 +132,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     {
         for (int d = 0; d < D; ++d)
             forEach(context_, grid_.faces(d), ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
-                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0)});
+                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0), gravity && absorb_[d].size() ? absorb_[d].data() : nullptr, real(dt)});
     };
     if (reflects)
     {
