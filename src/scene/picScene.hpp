@@ -117,7 +117,7 @@ struct PicReport
     double time = 0;                        // [s] reached
     double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
     std::int64_t steps = 0, totalSteps = 0;
-    std::string limit;                      // what set the last step: Courant | viscous | fixed | target | maximum
+    std::string limit;                      // what set the last step: Courant | waves | viscous | fixed | target | maximum
     double maxSpeed = 0;                    // of particles [m/s]
     double maxCourant = 0;
     double volume = 0;                      // of water at the end [m3] (2D: m2), flying particles included
