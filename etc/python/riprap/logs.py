@@ -5,7 +5,7 @@ import re
 _number = r'([-+]?\d*\.?\d+(?:[eE][-+]?\d+)?)'
 _items = {
     'version': r'^\s*riprap(?: version)?\s*:\s*(\S+)',
-    'device': r'^\s*device[\s:]\s*([^(\n]+)',
+    'device': r'^\s*device[\s:]\s*(\S.*?)(?: \(|$)',
     'precision': r'^\s*precision[\s:]\s*(\w+)',
     'fluidParticles': rf'^\s*particles\s+(?:fluid |solids )?{_number}',
     'wallParticles': rf'^\s*particles\s+fluid {_number[1:-1]}, walls {_number}',
