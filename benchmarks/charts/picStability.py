@@ -26,7 +26,7 @@ def drawSteps(axis, rows):
                   color=plotting.colours[i], label=quantity.split(', ')[1])
     axis.set_yticks([k + 0.18 for k in range(len(kinds))], kinds, fontsize=6)
     axis.axvline(0.5, color='k', linestyle='--', linewidth=0.8, label='maxCo of the tutorials')
-    axis.set(xlabel='largest Courant number (8: none found)', title='Energy grows by less than 1 %')
+    axis.set(xlabel='largest Courant number (2: none found)', title='Energy grows by less than 5 %')
     axis.legend(fontsize=6)
 
 

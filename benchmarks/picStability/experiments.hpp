@@ -21,7 +21,7 @@ private:
     std::ofstream csv_;
 };
 
-//- Largest Courant number, by bisection, at which the energy of vortices and of a wave does not grow by more than 1 %
+//- Largest Courant number, by bisection, up to the 2 that a scene takes, at which the energy of vortices does not grow by more than 5 %
 void step(PicRows&);
 
 //- Noise, energy and error of vortices after 4 turns over the blend
