@@ -20,10 +20,13 @@ struct ApplyForces
     const R* from;
     R* u;
     R gravity;                  // g dt of this direction [m/s]
+    const R* absorb;            // rates of zones that absorb waves [1/s], nullptr: there are none (absorb.hpp)
+    R timeStep;
 
     HD void operator()(int i) const
     {
-        u[i] = aperture[i] > R(0) ? from[i] + gravity : (wallVelocity ? wallVelocity[i] : R(0));
+        const R kept = absorb ? 1/(1 + absorb[i]*timeStep) : R(1);
+        u[i] = aperture[i] > R(0) ? from[i]*kept + gravity : (wallVelocity ? wallVelocity[i] : R(0));
     }
 };
 

@@ -53,6 +53,66 @@ static void readWalls
 }
 
 
+static riprap::Vector3 pointOf(const dictionary& dict, const word& entry)
+{
+    const vector x(dict.get<vector>(entry));
+    return riprap::Vector3{{x.x(), x.y(), x.z()}};
+}
+
+
+//- Zones that absorb waves
+static void readAbsorbers(checkedDictionary& pic, riprap::PicConfig& config)
+{
+    const dictionary& zones = pic.subDict("absorb");
+    for (const entry& e : zones)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(zones)
+                << "Entry " << e.keyword() << " must be a dictionary with from,"
+                << " to and rate: a zone that absorbs waves"
+                << exit(FatalIOError);
+        }
+        checkedDictionary dict(e.dict());
+        riprap::PicAbsorber zone;
+        zone.name = e.keyword();
+        for (const word end : {"from", "to"})
+        {
+            if (!dict.found(end))
+            {
+                FatalIOErrorInFunction(e.dict())
+                    << "Zone " << e.keyword() << " needs " << end
+                    << ", a point: where it "
+                    << (end == "from" ? "begins" : "is whole")
+                    << exit(FatalIOError);
+            }
+        }
+        zone.from = pointOf(e.dict(), "from");
+        zone.to = pointOf(e.dict(), "to");
+        zone.rate = dict.notNegative("rate", 0);
+        dict.end();
+
+        scalar length = 0;
+        for (int d = 0; d < config.dimensions; ++d)
+        {
+            const int axis = config.axes[d];
+            length += sqr(zone.to[axis] - zone.from[axis]);
+        }
+        if (!(length > 0))
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Zone " << e.keyword() << " begins and ends at the same"
+                << " place: from and to must differ along a solved direction"
+                << exit(FatalIOError);
+        }
+        if (zone.rate > 0)
+        {
+            config.absorbers.push_back(zone);
+        }
+    }
+}
+
+
 static void readGuards(checkedDictionary& pic, picSettings& settings)
 {
     checkedDictionary dict(pic.subDict("guards"));
@@ -97,6 +157,7 @@ static void readPicProperties
         pic.choice("viscosity", picNames::viscosity, config.viscousScheme);
 
     readWalls(pic, mesh, settings);
+    readAbsorbers(pic, config);
     settings.contactVelocity =
         pic.between("contactVelocity", settings.contactVelocity, 0, 1);
     settings.weak = pic.either("coupling", "weak", "implicit", false);

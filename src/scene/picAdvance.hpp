@@ -22,6 +22,8 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
     const double speed = std::max(slide, largestOver(context_, n_, ParticleSpeed<D, real>{particles()}));
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
+    const double waves = waveStep(grid_.h, std::sqrt(g2));
+    if (waves < dt) { dt = waves; limit = "waves"; }
     if (bodies_)
     {
         const double solid = courantStep(config_.maxCourant, grid_.h, bodies_->fastest(), std::sqrt(g2));

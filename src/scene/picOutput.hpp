@@ -144,15 +144,19 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
     add("p", pressure_.bytes());
     add("sums of cells", toFaces_.bytes());
-    std::size_t u = 0, walls = 0;
+    std::size_t u = 0, walls = 0, absorb = 0, viscous = viscous_.pressure.bytes();
     for (int d = 0; d < D; ++d)
     {
         u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + after_[d].bytes() + carrier_[d].bytes() + layer_[d].bytes();
-        walls += aperture_[d].bytes() + wallVelocity_[d].bytes() + sealed_[d].bytes();
+        walls += aperture_[d].bytes() + wallVelocity_[d].bytes() + sealed_[d].bytes() + faceDistance_[d].bytes() + solidVelocity_[d].bytes();
+        absorb += absorb_[d].bytes();
+        viscous += viscous_.force[d].bytes() + viscous_.source[d].bytes() + viscous_.r[d].bytes() + viscous_.p[d].bytes() + viscous_.q[d].bytes();
     }
     walls += nodeDistance_.bytes() + open_.bytes() + openWeight_.bytes() + cellLayer_.bytes();
     add("u", u);
     add("walls", walls);
+    add("absorb", absorb);
+    add("viscosity", viscous);
     return list;
 }
 

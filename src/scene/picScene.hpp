@@ -18,6 +18,14 @@ namespace riprap
 enum class TransferKind {flip, pic, flipPic, apic};
 enum class ViscousKind {automatic, explicitly, implicitly};     // automatic: explicit where the step is small enough
 
+//- Water in it loses velocity at a rate that grows from `from`, where it is 0, to `to`, as the square of the distance: pic/absorb.hpp
+struct PicAbsorber
+{
+    std::string name;
+    Vector3 from{{0, 0, 0}}, to{{0, 0, 0}};     // [m]
+    double rate = 0;                        // at `to` and beyond [1/s]
+};
+
 struct PicConfig : FluidConfig
 {
     // How
@@ -50,6 +58,8 @@ struct PicConfig : FluidConfig
     // Walls
     bool noSlip = false;
     Vector3 slide[3][2] = {};               // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
+
+    std::vector<PicAbsorber> absorbers;
 
     // Time
     double startTime = 0;                   // [s]
@@ -107,7 +117,7 @@ struct PicReport
     double time = 0;                        // [s] reached
     double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
     std::int64_t steps = 0, totalSteps = 0;
-    std::string limit;                      // what set the last step: Courant | viscous | fixed | target | maximum
+    std::string limit;                      // what set the last step: Courant | waves | viscous | fixed | target | maximum
     double maxSpeed = 0;                    // of particles [m/s]
     double maxCourant = 0;
     double volume = 0;                      // of water at the end [m3] (2D: m2), flying particles included

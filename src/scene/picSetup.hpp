@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include "pic/absorb.hpp"
 #include "pic/cutCells/fillSolids.hpp"
 #include "pic/seeding.hpp"
 #include "scene/picSolver.hpp"
@@ -22,6 +23,7 @@ PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& f
 {
     ownSolver_.controls.tolerance = config.pressureTolerance;
     setGrid();
+    setAbsorbers();
     clock_.time = config.startTime;
     if (cuts())
     {
@@ -61,6 +63,31 @@ void PicSolver<Backend, D, P>::setGrid()
         for (auto* a : {&u_[d], &before_[d], &change_[d], &mass_[d], &aperture_[d]}) a->allocate(context_, faces);
         layer_[d].allocate(context_, faces);
         if (config_.reflection > 0) for (auto* a : {&after_[d], &carrier_[d]}) a->allocate(context_, faces);
+    }
+}
+
+//- Where zones overlap their rates add up
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::setAbsorbers()
+{
+    std::vector<AbsorbingZone<D>> zones;
+    for (const PicAbsorber& a : config_.absorbers)
+    {
+        AbsorbingZone<D> z;
+        for (int d = 0; d < D; ++d)
+        {
+            z.from.c[d] = a.from[config_.axes[d]];
+            z.to.c[d] = a.to[config_.axes[d]];
+        }
+        z.rate = a.rate;
+        zones.push_back(z);
+    }
+    for (int d = 0; d < D && !zones.empty(); ++d)
+    {
+        std::vector<real> rate(grid_.faces(d), real(0));
+        for (int i = 0; i < grid_.faces(d); ++i)
+            for (const AbsorbingZone<D>& z : zones) rate[i] += real(z.at(faceMiddle(grid_, d, i)));
+        absorb_[d].upload(context_, rate);
     }
 }
 

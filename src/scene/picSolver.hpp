@@ -86,6 +86,7 @@ private:
 
     // picSetup.hpp
     void setGrid();
+    void setAbsorbers();
     void setWalls(const PicWalls&);
     void setSides();
     void setFluid(const FluidInput&);
@@ -176,6 +177,7 @@ private:
     Array<Backend, unsigned char> wet_, near_;
     Array<Backend, real> u_[D], before_[D], change_[D], mass_[D], aperture_[D], wallVelocity_[D];
     Array<Backend, real> after_[D], carrier_[D];    // with reflection: of particles after the step, and what carries them
+    Array<Backend, real> absorb_[D];                // rates of zones that absorb waves; empty: there are none
     Array<Backend, unsigned char> layer_[D];
     Array<Backend, double> pressure_, reflected_;   // that of the step, and what takes away the divergence that drift brings
     struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; Array<Backend, double> pressure; } viscous_;      // of the implicit one

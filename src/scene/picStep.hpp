@@ -132,11 +132,13 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     {
         for (int d = 0; d < D; ++d)
             forEach(context_, grid_.faces(d), ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
-                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0)});
+                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0), gravity && absorb_[d].size() ? absorb_[d].data() : nullptr, real(dt)});
     };
     if (reflects)
     {
-        const real part = clock_.steps ? real(0.5*drift/clock_.lastStep) : real(0);
+        // after a step that was much shorter (it ended at a target) the little that its drift did says nothing of a long one
+        constexpr double longest = 2;
+        const real part = clock_.steps ? real(0.5*std::min(drift/clock_.lastStep, longest)) : real(0);
         for (int d = 0; d < D; ++d)
             forEach(context_, grid_.faces(d), KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()});
         if (bodies_) useBodyVelocities(false);

@@ -49,6 +49,41 @@ do
 done
 rm -rf whole 0.05 0.1
 
+# Function objects, riprap's and OpenFOAM's, on a pool at rest: 0.05 m deep, 0.2 m wide, 0.01 m across
+library='libs ("libriprapFoam.so");'
+cell='writeControl timeStep; writeInterval 1;'
+rm -rf 0 postProcessing
+dictionary system/setParticlesDict <<<"spacing 0.005; regions ( pool { set fluid; source box; box (0 0 -1) (0.2 0.05 1); pressure hydrostatic; } );"
+setParticles >log 2>&1
+control "functions
+{
+front { type frontPosition; $library }
+gauges { type waterLevel; $library points ((0.1 0 0)); }
+probes { type particleProbes; $library fields (p); probeLocations ((0.1 0.02 0.005)); }
+energy { type energyBalance; $library }
+points { type probes; libs (\"libsampling.so\"); fields (p); $cell probeLocations ((0.105 0.025 0.005)); }
+volume { type volFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (alpha.water); operation volIntegrate; regionType all; writeFields no; $cell }
+floor { type surfaceFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (p); operation areaAverage; regionType patch; name lower; writeFields no; $cell }
+}"
+riprapFoam >log 2>&1; says functions.run '^End'
+near()      # NAME FILE COLUMN EXPECTED BOUND: at the last time, by number or name of the column
+{
+    local found
+    found=$(awk -v column="$3" '/^#/ { n = split($0, name, /[ \t]+/); for (i = 2; i <= n; ++i) at[name[i]] = i - 1; next }
+        { last = $(column ~ /^[0-9]+$/ ? column : at[column]) } END { print last }' postProcessing/"$2")
+    if awk -v a="$found" -v b="$4" -v bound="$5" 'BEGIN { exit !(a != "" && (a - b)^2 <= bound^2) }'; then pass "functions.$1"
+    else fail "functions.$1" "is ${found:-not there}, expected $4 within $5"; fi
+}
+near level gauges/0/waterLevel.dat level0 0.05 1e-6
+near front front/0/frontPosition.dat front 0.2 1e-3                 # of the particles farthest out: half of their part of a cell
+near probe probes/0/p.dat p0 294.3 0.1                              # 0.03 m deep
+near potential energy/0/energyBalance.dat potential 2.4525 1e-3     # per metre across: rho g 0.2 0.05^2/2
+near speed energy/0/energyBalance.dat maxSpeed 0 1e-6
+near foamProbe points/0/p 2 245.25 0.1                              # the middle of a cell, 0.025 m deep
+near foamVolume volume/0/volFieldValue.dat 2 1e-4 1e-9
+near foamFloor floor/0/surfaceFieldValue.dat 2 490.5 0.2            # 0.05 m deep
+good; rm -rf 0.05 0.1 postProcessing
+
 # Entries
 while IFS=$'\t' read -r name message entries
 do

@@ -4,10 +4,15 @@
 
 Description
     p, U and alpha.water on the mesh. U is the mean of a cell's faces; p and U
-    are 0 where there is no water.
+    are 0 where there is no water. On walls p is that of the cell and what its
+    water weighs down to there, so that forces on patches are of second order;
+    on open patches it is 0.
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "calculatedFvPatchFields.H"
+#include "emptyPolyPatch.H"
+#include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -21,7 +26,8 @@ static void make
     autoPtr<GeometricField<Type, fvPatchField, volMesh>>& field,
     const word& name,
     const fvMesh& mesh,
-    const dimensionSet& dimensions
+    const dimensionSet& dimensions,
+    const word& patchType
 )
 {
     if (field.valid())
@@ -42,7 +48,7 @@ static void make
             ),
             mesh,
             dimensioned<Type>(dimensions, Zero),
-            zeroGradientFvPatchField<Type>::typeName
+            patchType
         )
     );
 }
@@ -54,9 +60,53 @@ static void make
 
 void Foam::solverModules::picDem::makeFields()
 {
-    make(p_, "p", mesh_, dimPressure);
-    make(U_, "U", mesh_, dimVelocity);
-    make(alpha_, "alpha.water", mesh_, dimless);
+    // What is calculated is written with its values, too
+    make
+    (
+        p_, "p", mesh_, dimPressure,
+        calculatedFvPatchField<scalar>::typeName
+    );
+    make
+    (
+        U_, "U", mesh_, dimVelocity,
+        zeroGradientFvPatchField<vector>::typeName
+    );
+    make
+    (
+        alpha_, "alpha.water", mesh_, dimless,
+        zeroGradientFvPatchField<scalar>::typeName
+    );
+}
+
+
+void Foam::solverModules::picDem::setWallPressure()
+{
+    const riprap::PicConfig& c = settings_.config;
+    const vector weight
+    (
+        c.density*vector(c.gravity[0], c.gravity[1], c.gravity[2])
+    );
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.coupled() || isA<emptyPolyPatch>(patch.patch()))
+        {
+            continue;
+        }
+        const scalarField inside(p_->boundaryField()[patchi].patchInternalField());
+        const vectorField down(patch.Cf() - patch.Cn());
+        scalarField wall(patch.size(), Zero);
+        if (isA<wallPolyPatch>(patch.patch()))
+        {
+            forAll(wall, i)
+            {
+                // Of a dry cell p is 0
+                wall[i] = inside[i] != 0 ? inside[i] + (weight & down[i]) : 0;
+            }
+        }
+        p_->boundaryFieldRef()[patchi] = wall;
+    }
 }
 
 
@@ -75,6 +125,7 @@ void Foam::solverModules::picDem::setFields()
     }
 
     p_->correctBoundaryConditions();
+    setWallPressure();
     U_->correctBoundaryConditions();
     alpha_->correctBoundaryConditions();
 }

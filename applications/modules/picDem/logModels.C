@@ -22,6 +22,7 @@ Foam::wordList Foam::solverModules::picDem::modelsOff() const
     DynamicList<word> off;
     off.append("surfaceTension");
     if (c.reflection == 0) off.append("reflection");
+    if (c.absorbers.empty()) off.append("absorb");
     if (c.positionCorrection == 0) off.append("positionCorrection");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
@@ -71,6 +72,11 @@ void Foam::solverModules::picDem::logModels() const
         logItem("viscosity") << picNames::viscosity[c.viscousScheme] << nl;
     }
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
+    for (const riprap::PicAbsorber& zone : c.absorbers)
+    {
+        logItem("absorb") << zone.name.c_str() << ", " << zone.rate << " 1/s"
+            << nl;
+    }
     if (obstacles_.valid())
     {
         logItem("obstacles") << listed(obstacles_->names()).c_str() << ", moving: "

@@ -5,9 +5,9 @@ import re
 _number = r'([-+]?\d*\.?\d+(?:[eE][-+]?\d+)?)'
 _items = {
     'version': r'^\s*riprap(?: version)?\s*:\s*(\S+)',
-    'device': r'^\s*device[\s:]\s*([^(\n]+)',
+    'device': r'^\s*device[\s:]\s*(\S.*?)(?: \(|$)',
     'precision': r'^\s*precision[\s:]\s*(\w+)',
-    'fluidParticles': rf'^\s*particles\s+(?:fluid|solids) {_number}',
+    'fluidParticles': rf'^\s*particles\s+(?:fluid |solids )?{_number}',
     'wallParticles': rf'^\s*particles\s+fluid {_number[1:-1]}, walls {_number}',
     'memory': rf'^\s*memory[\s:].*?{_number} bytes',
     'steps': rf'^Particle steps = \d+ \((?:total )?{_number}',

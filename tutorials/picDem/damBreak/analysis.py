@@ -18,7 +18,7 @@ def cells(n, more=''):
 
 Study(
     scene='picDamBreak',
-    variants=[Variant('n10', cells(10) + ['-endTime', '0.5']), Variant('n20', cells(20)), Variant('n40', cells(40) + ['-endTime', '0.5']),
+    variants=[Variant('n10', cells(10)), Variant('n20', cells(20)), Variant('n40', cells(40)),
               Variant('n20-apic', cells(20, '; constant/picProperties:transfer apic') + ['-endTime', '0.5'])],
     quick=[Variant('n10-quick', cells(10) + ['-endTime', '0.4'])],
     analyse=analyse,

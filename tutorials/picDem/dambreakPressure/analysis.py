@@ -16,7 +16,8 @@ def cells(n, more=''):
 
 Study(
     scene='picDambreakPressure',
-    variants=[Variant('n30', cells(30)), Variant('n60', cells(60)), Variant('n30-freeSlip', cells(30, '; constant/picProperties:walls/slip freeSlip'))],
+    variants=[Variant('n30', cells(30)), Variant('n60', cells(60)), Variant('n120', cells(120)),
+              Variant('n30-freeSlip', cells(30, '; constant/picProperties:walls/slip freeSlip'))],
     quick=[Variant('n30-quick', cells(30) + ['-endTime', '0.6'])],
     analyse=analyse,
     plot=plot,
