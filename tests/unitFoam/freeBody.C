@@ -141,7 +141,7 @@ TEST(FreeBody, ConvergesWithSecondOrderIn2D)
             for (const double y : {0.0, -0.21})
             {
                 const double error = accelerationError<2>(6 << (2*k), 0.001, nullptr, x, y);
-                if (k) EXPECT_LT(std::fabs(error), 0.002) << x << ' ' << y;
+                if (k) { EXPECT_LT(std::fabs(error), 0.002) << x << " " << y; }
                 rms[k] += error*error/8;
             }
     EXPECT_GT(0.25*std::log2(rms[0]/rms[1]), 1.8) << "from " << std::sqrt(rms[0]) << " to " << std::sqrt(rms[1]);
