@@ -103,7 +103,7 @@ do
     case $list in
         overlapping) why='Particles overlap at the start: .*region stones at' ;;
         outside) why='outside the mesh' ;;
-        massless) why='massless.csv.*mass' ;;
+        massless) why='mass is 0: it must be positive' ;;
     esac
     refused $list "$why" setParticles
 done
