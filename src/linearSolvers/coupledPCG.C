@@ -53,6 +53,7 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
     const wetMesh* mesh = dynamic_cast<const wetMesh*>(&matrix().mesh());
     if (mesh && !mesh->system().bodies.empty()) bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_));
     const riprap::BodyDeflation* deflation = bodies.get();
+    const bool deflates = deflation && deflation->columns() > 0;
 
     solveScalarField z(n), p(n, Zero), q(n), r(n), old(n, Zero);
     product(q, psi, deflation, cmpt);
@@ -62,7 +63,7 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
     performance.finalResidual() = performance.initialResidual();
     if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_)) return performance;
 
-    if (deflation)      // the residual has then nothing in the span of Z
+    if (deflates)       // the residual has then nothing in the span of Z
     {
         deflation->correct(r.begin(), psi.begin());
         product(q, psi, deflation, cmpt);
@@ -77,7 +78,7 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
     do
     {
         preconditioner->precondition(z, r, cmpt);
-        if (deflation)
+        if (deflates)
         {
             product(q, z, deflation, cmpt);
             q = r - q;

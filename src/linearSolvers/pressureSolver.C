@@ -119,7 +119,7 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
     if (!system.bodies.empty() && !coupled)
     {
         FatalIOErrorInFunction(controls_) << "solver " << controls.get<word>("solver") << " of " << field_
-            << " cannot move free bodies with the water. Valid: coupledPCG" << exit(FatalIOError);
+            << " cannot move free bodies with the water. Valid: coupledPCG, " << deviceSolver << exit(FatalIOError);
     }
     if (system.rows() < fewRows)
     {

@@ -65,6 +65,30 @@ struct HalfDrift
     }
 };
 
+//- Of the pressure that makes `after`: its impulse, -rho times which gradient `after` is [Pa s]
+struct HalfImpulse
+{
+    static constexpr const char* name = "halfImpulse";
+    const double* p;            // that projects the velocity as particles bring it
+    double* ahead;
+    double timeStep, part;
+
+    HD void operator()(int i) const { ahead[i] = part*(timeStep*p[i] + ahead[i]); }
+};
+
+//- What the water feels in a step: the pressure that is solved for, and by which particles are left ahead
+struct WholePressure
+{
+    static constexpr const char* name = "wholePressure";
+    const int* wet;
+    const double* p;
+    const double* ahead;
+    double* whole;
+    double timeStep;
+
+    HD void operator()(int i) const { whole[i] = wet[i] ? p[i] + ahead[i]/timeStep : 0; }
+};
+
 //- Of the projected velocity u: what particles take (after), what has changed, and what carries them
 template<class R>
 struct VelocityChange

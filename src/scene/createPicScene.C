@@ -83,13 +83,12 @@ DemConfig onDeviceOf(const PicConfig& fluid, DeviceKind device, DemConfig solids
     return solids;
 }
 
-void makeSolids(const PicConfig& c, DeviceKind device, const LinearSolver* solver, PicInside& inside)
+void makeSolids(const PicConfig& c, DeviceKind device, PicInside& inside)
 {
     if (!inside.solids) return;
     const PicSolids& s = *inside.solids;
     require(!(s.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
     require(s.contactVelocity >= 0 && s.contactVelocity <= 1, "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
-    require(s.weak || (solver && !solver->onDevice()), "solids that the water moves need a solver of p that moves them with it: coupledPCG");
     const std::vector<double>& r = s.input.particles.radius;
     for (std::size_t i = 0; i < r.size(); ++i)
         require(2*r[i] >= smallestSolid*c.cellSize, "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
@@ -107,7 +106,7 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
     const DeviceChoice choice = chooseDevice(config.device, fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0), config.dimensions);
     require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly && (!inside.obstacles.empty() || inside.solids)),
         "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or implicit for viscosity");
-    makeSolids(config, choice.device, solver, inside);
+    makeSolids(config, choice.device, inside);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
     if (choice.device == DeviceKind::gpu)

@@ -227,6 +227,19 @@ void PicBodies<D>::fill(std::vector<BodyTerm>& terms) const
 }
 
 template<int D>
+void PicBodies<D>::foresee(const std::vector<BodyTerm>& terms, const double* impulse)
+{
+    for (std::size_t i = 0; i < terms.size(); ++i)
+    {
+        const std::vector<double> against = terms[i].gather(impulse);
+        Modes given{};
+        for (int k = 0; k < modes; ++k) given[k] = -against[k];
+        const Modes change = times(now_[i], given);
+        for (int k = 0; k < modes; ++k) now_[i].predicted[k] += change[k];
+    }
+}
+
+template<int D>
 void PicBodies<D>::act(const std::vector<BodyTerm>& terms, const double* p)
 {
     for (std::size_t i = 0; i < terms.size(); ++i)

@@ -48,6 +48,9 @@ public:
     std::vector<FreeBody<D, Shape>> withVelocities(bool predicted) const;   // else W of the step before
     void fill(std::vector<BodyTerm>&) const;                                // inverse masses and W*
 
+    //- W* with an impulse of the pressure that is known already [Pa s]
+    void foresee(const std::vector<BodyTerm>&, const double* impulse);
+
     //- F from the pressure; W as the terms have it
     void act(const std::vector<BodyTerm>&, const double* p);
 

@@ -57,7 +57,7 @@ PicGridState PicSolver<Backend, D, P>::grid()
 {
     const int cells = grid_.cells();
     PicGridState state;
-    state.pressure = pressure_.download();
+    state.pressure = wholePressure().download();
     const std::vector<real> phi = phi_.download();
     const std::vector<unsigned char> near = near_.download();
     const std::vector<real> open = cuts() ? open_.download() : std::vector<real>();
@@ -82,7 +82,7 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
 {
     const std::size_t m = points.size()/3;
     const std::vector<double> x = solved(points, true);
-    std::vector<double> p = pressure_.download(), distance;
+    std::vector<double> p = wholePressure().download(), distance;
     const std::vector<real> phi = phi_.download();
     SolidField<D, real> solids{};
     if (cuts())
@@ -142,7 +142,7 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     for (const auto& f : set_.info()) list.push_back(ArrayInfo{"fluid", f.name, f.bytes/n, f.bytes});
     const auto add = [&](const char* name, std::size_t bytes) { if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes}); };
     add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
-    add("p", pressure_.bytes());
+    add("p", pressure_.bytes() + reflected_.bytes() + ahead_.bytes() + whole_.bytes());
     add("sums of cells", toFaces_.bytes());
     std::size_t u = 0, walls = 0, absorb = 0, viscous = viscous_.pressure.bytes();
     for (int d = 0; d < D; ++d)

@@ -55,7 +55,7 @@ void PicSolver<Backend, D, P>::setGrid()
     for (auto* a : {&phi_, &carried_, &spare_}) a->allocate(context_, cells);
     for (auto* a : {&wet_, &near_}) a->allocate(context_, cells);
     pressure_.allocate(context_, cells);
-    if (config_.reflection > 0) reflected_.allocate(context_, cells);
+    if (config_.reflection > 0) for (auto* a : {&reflected_, &ahead_, &whole_}) a->allocate(context_, cells);
     pressureStep_.allocate(context_, grid_);
     for (int d = 0; d < D; ++d)
     {
@@ -96,13 +96,15 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
 {
     for (int d = 0; d < D; ++d)
     {
-        const int faces = grid_.faces(d);
-        std::vector<real> a(faces, real(1));
-        for (int i = 0; i < faces; ++i)
+        std::vector<real> a(walls.aperture[d].begin(), walls.aperture[d].end());
+        if (a.empty())
         {
-            const int layer = grid_.faceIndex(d, i).c[d];
-            if (!walls.aperture[d].empty()) a[i] = real(walls.aperture[d][i]);
-            else if (!grid_.periodic[d] && (layer == 0 || layer == grid_.n[d])) a[i] = 0;
+            a.assign(grid_.faces(d), real(1));
+            for (int i = 0; i < grid_.faces(d) && !grid_.periodic[d]; ++i)
+            {
+                const int layer = grid_.faceIndex(d, i).c[d];
+                if (layer == 0 || layer == grid_.n[d]) a[i] = 0;
+            }
         }
         aperture_[d].upload(context_, a);
         if (!walls.wallVelocity[d].empty()) wallsMove_ = true;

@@ -62,14 +62,14 @@ void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
     for (int d = 0; d < D; ++d) wallVelocity_[d].upload(context_, std::vector<real>(velocity[d].begin(), velocity[d].end()));
 }
 
-//- Solved with the pressure, or walls for it; then what the water does to them
+//- Solved with the pressure, or walls for it. The impulse by which particles are left ahead is known before
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::projectWithBodies(double dt)
 {
+    if (config_.reflection > 0 && !bodies_->weak()) bodies_->foresee(bodyGrid_.terms, ahead_.download().data());
     useBodyVelocities(true);
     bodies_->fill(bodyGrid_.terms);
     lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, bodies_->weak() ? nullptr : &bodyGrid_.terms);
-    bodies_->act(bodyGrid_.terms, pressure_.download().data());
 }
 
 //- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else that of the closed part of a face
@@ -141,7 +141,7 @@ void PicSolver<Backend, D, P>::slowBetweenSolids()
 {
     const std::vector<ContactArea<D>> areas = bodies_->contacts(grid_);
     if (areas.empty()) return;
-    const double reach = std::sqrt(contactAlong*contactAlong + contactAcross*contactAcross);
+    const double reach = std::hypot(contactAlong + contactBeyond, contactAcross + contactBeyond);
     std::vector<std::pair<int, int>> pairs;
     for (int k = 0; k < int(areas.size()); ++k)
     {
@@ -168,8 +168,9 @@ void PicSolver<Backend, D, P>::slowBetweenSolids()
     contactFirst_.upload(context_, first);
     contactOf_.upload(context_, contact);
     contactAreas_.upload(context_, areas);
-    forEach(context_, n_, SlowBetweenSolids<D, real>
-        {grid_, particles(), contactFirst_.data(), contactOf_.data(), contactAreas_.data(), bodies_->contactVelocity()});
+    SlowBetweenSolids<D, real> slow{grid_, particles(), contactFirst_.data(), contactOf_.data(), contactAreas_.data(), bodies_->contactVelocity(), {}};
+    for (int d = 0; d < D; ++d) slow.u[d] = (config_.reflection > 0 ? after_ : u_)[d].data();
+    forEach(context_, n_, slow);
 }
 
 //- \return false when a guard of the solids has fired

@@ -132,6 +132,7 @@ private:
     void toGrid();
     void project(double dt, double drift);
     void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
+    Array<Backend, double>& wholePressure() { return config_.reflection > 0 ? whole_ : pressure_; }
     Array<Backend, real>* carrier() { return config_.reflection > 0 ? carrier_ : u_; }
     void toParticles(double dt);
     void moveParticles(double dt);
@@ -180,6 +181,7 @@ private:
     Array<Backend, real> absorb_[D];                // rates of zones that absorb waves; empty: there are none
     Array<Backend, unsigned char> layer_[D];
     Array<Backend, double> pressure_, reflected_;   // that of the step, and what takes away the divergence that drift brings
+    Array<Backend, double> ahead_, whole_;          // with reflection: impulse by which particles are ahead [Pa s]; pressure with that
     struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; Array<Backend, double> pressure; } viscous_;      // of the implicit one
     bool viscousConverged_ = true;
     bool wallsMove_ = false;

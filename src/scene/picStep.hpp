@@ -124,6 +124,7 @@ void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, 
 //  ahead of the projected velocity by dt/2 G: a plain projection (`reflection no`) takes that away and dissipates. The advection-reflection of Zehnder, Narain
 //  & Thomaszewski (2018, ACM Trans. Graph. 37) gives G dt and nothing by turns; here it is half of what the last drift's divergence was, each step.
 //  And the projected velocity lags by dt/2 S where it carries particles. Both come from one more solution: that of the velocity as particles bring it.
+//  The second solution's pressure then lacks what lies in `after`, half of the dynamic pressure: wholePressure() has it.
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::project(double dt, double drift)
 {
@@ -144,6 +145,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
         pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
+        forEach(context_, grid_.cells(), HalfImpulse{reflected_.data(), ahead_.data(), dt, double(part)});
         for (int d = 0; d < D; ++d)
             forEach(context_, grid_.faces(d), HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part});
     }
@@ -151,6 +153,8 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (bodies_) projectWithBodies(dt);
     else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    if (reflects) forEach(context_, grid_.cells(), WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
+    if (bodies_) bodies_->act(bodyGrid_.terms, wholePressure().download().data());
     for (int d = 0; d < D; ++d)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>

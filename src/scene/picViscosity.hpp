@@ -52,11 +52,12 @@ void PicSolver<Backend, D, P>::diffuseImplicitly(double dt, double number)
 
     // what acts beside viscosity, as far as it is known: in a first step nothing
     PressureFields<D, real> f = pressureFields(dt);
+    f.p = wholePressure().data();
     if (clock_.steps) pressureStep_.markWet(context_, f);
     if (clock_.steps && insideMoves_)
     {
         if (viscous_.pressure.size() == 0) viscous_.pressure.allocate(context_, grid_.cells());
-        PressureOfNewCells<D> fill{grid_, pressureStep_.wet(), pressure_.data(), viscous_.pressure.data(), {}};
+        PressureOfNewCells<D> fill{grid_, pressureStep_.wet(), f.p, viscous_.pressure.data(), {}};
         for (int d = 0; d < D; ++d) fill.weight[d] = config_.density*gravity_[d]*grid_.h;
         forEach(context_, grid_.cells(), fill);
         f.p = viscous_.pressure.data();

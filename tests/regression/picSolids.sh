@@ -56,6 +56,12 @@ says continues 'Continuing exactly from time 0.02'
 [[ $(sum 0.04) == "$whole" ]] && pass exact || fail exact 'the continued run ends elsewhere'
 rm -rf 0.0*
 
+# By riprap's own multigrid: the same motion
+pressure 'solver cudaPCG; tolerance 1e-9;'
+riprapFoam >log 2>&1 && pass own || fail own "$(grep -m1 -A3 ERROR log)"
+says ownSolved 'cudaPCG: +Solving for p, Initial residual'
+rm -rf 0.0*
+
 water 'coupling weak; contactVelocity 0.5;'; pressure 'solver cudaPCG; tolerance 1e-9;'; control picDem 0.01 ''
 riprapFoam >log 2>&1 && pass weak || fail weak "$(grep -m1 -A3 ERROR log)"
 rm -rf 0.0*
@@ -75,10 +81,8 @@ cmp -s dem.dat picDem.dat && pass dry || fail dry 'solids without water move oth
 
 # What is refused
 control picDem 0.01 ''; fill "$pond $pair"
-pressure 'solver cudaPCG; tolerance 1e-9;'
-refused device 'solver cudaPCG of p cannot move solids with the water. Valid: coupledPCG.*fvSolution' riprapFoam
 pressure 'solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0;'
-refused host 'solver PCG of p cannot move free bodies with the water. Valid: coupledPCG' riprapFoam
+refused host 'solver PCG of p cannot move free bodies with the water. Valid: coupledPCG, cudaPCG' riprapFoam
 pressure "$coupled"
 water 'coupling strong;'
 refused coupling 'coupling.*strong.*weak|coupling.*strong.*implicit' riprapFoam
@@ -90,6 +94,19 @@ water ''
 geometry 'far { type searchableBox; min (5 5 -1); max (6 6 1); }'
 refused obstacle 'Surface far of constant/geometry, .* does not meet the mesh' riprapFoam
 rm constant/geometry
+printf 'x,y,z\n0.06,0.045,0.005\n0.09,0.045,0.005\n' >overlapping.csv
+printf 'x,y,z\n0.06,0.045,0.005\n0.5,0.045,0.005\n' >outside.csv
+printf 'x,y,z,mass\n0.06,0.045,0.005,0\n' >massless.csv
+for list in overlapping outside massless
+do
+    dictionary system/setParticlesDict <<<"spacing 0.005; packing square; regions ( $pond stones { set solids; material stone; radius 0.021; source csv; file \"$list.csv\"; } );"
+    case $list in
+        overlapping) why='Particles overlap at the start: .*region stones at' ;;
+        outside) why='outside the mesh' ;;
+        massless) why='mass is 0: it must be positive' ;;
+    esac
+    refused $list "$why" setParticles
+done
 fill "$pond stones { set solids; material stone; radius 0.01; source csv; file \"stones.csv\"; }"
 refused small 'solid particle 0 of radius 0.01.* m is smaller than 4 cells' riprapFoam
 exit 0

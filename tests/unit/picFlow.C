@@ -181,5 +181,32 @@ TEST_P(PicFlow, VorticesDecayWithSecondOrder)
     }
 }
 
+//- p = -rho/4 (cos 2kx + cos 2ky) of the same vortices without viscosity: rho U^2/2 where they meet, above the mean, which is 0
+TEST_P(PicFlow, PressureIsTheWholeOfIt)
+{
+    if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
+    for (const double reflection : {0.0, 1.0})
+    {
+        PicConfig c = config(32);
+        c.gravity = {{0, 0, 0}};
+        c.periodic[0] = c.periodic[1] = true;
+        c.viscosity = 0;
+        c.reflection = reflection;
+        FluidInput f = box(c, {{0, 0, 0}}, {{1, 1, 1}}, everywhere);
+        const double k = 2*M_PI;
+        for (std::size_t i = 0; i < f.position.size()/3; ++i)
+        {
+            const double* x = &f.position[3*i];
+            f.velocity[3*i] = -std::cos(k*x[0])*std::sin(k*x[1]);
+            f.velocity[3*i + 1] = std::sin(k*x[0])*std::cos(k*x[1]);
+        }
+        const auto s = scene(c, f, PicInside());
+        s->advance(0.2);
+        const SampleResult q = s->sample({0.25, 0.25, 0.5, 0.75, 0.25, 0.5});
+        // without reflection the vortices have lost 4 % by then
+        for (const double p : q.pressure) EXPECT_NEAR(p, 0.5*c.density, (reflection > 0 ? 0.01 : 0.06)*0.5*c.density) << reflection;
+    }
+}
+
 } // namespace
 } // namespace riprap

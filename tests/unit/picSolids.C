@@ -100,8 +100,7 @@ TEST_P(PicSolidScene, StartsAgainstItsAddedMass)
         s->advance(dt);
         const double theory = (ratio - 1)/(ratio + C)*g;
         const double computed = -s->solids()->particles().velocity[1]/dt;
-        // volume and added mass are 1 % (2D) and 2 % (3D) off on so coarse a grid, and are all that counts where the body is light
-        EXPECT_NEAR(computed, theory, (D() == 2 ? 0.02 : 0.04)*std::abs(theory)) << ratio;
+        EXPECT_NEAR(computed, theory, (D() == 2 ? 0.005 : 0.02)*std::abs(theory)) << ratio;
     }
 }
 

@@ -33,13 +33,6 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     if (waterSolids::there(runTime))
     {
         solids_.reset(new waterSolids(runTime, mesh, asRead_, boundary_));
-        if (!asRead_.weak && pressure_.onDevice())
-        {
-            const dictionary& dict = mesh.solverDict("p");
-            FatalIOErrorInFunction(dict)
-                << "solver " << dict.get<word>("solver") << " of p cannot move"
-                << " solids with the water. Valid: coupledPCG" << exit(FatalIOError);
-        }
     }
     checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }

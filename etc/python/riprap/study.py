@@ -9,6 +9,7 @@ reports observed orders, draws the figure and appends a row a run to benchmarks/
 """
 import argparse
 import fnmatch
+import glob
 import os
 import shutil
 import subprocess
@@ -96,7 +97,7 @@ class Run:
         plus elastic energy and the change of potential energy (dissipation included)"""
         if not hasTable(self.path, 'energy'):
             return None
-        if not self.sph and not self.pic:
+        if glob.glob(os.path.join(self.path, 'postProcessing', 'energy', '*', 'solidEnergies.dat')):
             e = self.table('energy', 'solidEnergies.dat')['total']
             return float((e[-1] - e[0])/abs(e).max()) if abs(e).max() > 0 else 0.0
         e = self.table('energy', 'energyBalance.dat')

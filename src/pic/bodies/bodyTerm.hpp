@@ -46,6 +46,14 @@ struct BodyTerm
             for (int b = 0; b < modes; ++b) velocity[a] -= dt*inverseMass[a*modes + b]*impulse[b];
     }
 
+    //- Is its mean density below this, along any direction in which it gives way?
+    bool lighterThan(double density) const
+    {
+        bool lighter = false;
+        for (int m = 0; m < (modes == 3 ? 2 : 3); ++m) lighter = lighter || inverseMass[m*modes + m]*density*volume > 1;
+        return lighter;
+    }
+
     //- L with L L^T = M^-1, by rows
     std::vector<double> rootOfInverseMass() const
     {

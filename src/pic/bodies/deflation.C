@@ -1,7 +1,7 @@
 /*  SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "pic/bodies/deflation.hpp"
-#include <map>
+#include <algorithm>
 #include <numeric>
 
 namespace riprap
@@ -9,14 +9,14 @@ namespace riprap
 
 BodyDeflation::BodyDeflation(const ReducedSystem& system, const DeflationControls& controls)
 :
-    system_(system),
-    whole_(system.rows(), 0.0),
-    inBox_(system.rows(), 0)
+    system_(system)
 {
-    if (system.bodies.empty()) return;
     connect();
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) if (system.bodies[b].light) light_.push_back(int(b));
+    if (light_.empty()) return;
+    whole_.assign(system.rows(), 0.0);
     placeBodies(controls.margin);
-    for (std::size_t b = 0; b < system.bodies.size(); ++b) z_.push_back(solveLocally(int(b), controls.localIterations));
+    for (std::size_t k = 0; k < light_.size(); ++k) z_.push_back(solveLocally(int(k), controls.localIterations));
     makeCoarse();
 }
 
@@ -44,14 +44,14 @@ void BodyDeflation::placeBodies(double margin)
     const ReducedSystem& s = system_;
     rowOfCell_.assign(std::size_t(s.n[0])*s.n[1]*s.n[2], -1);
     for (int i = 0; i < s.rows(); ++i) rowOfCell_[s.cell[i]] = i;
-    const int count = int(s.bodies.size());
+    const int count = int(light_.size());
     low_.resize(count);
     high_.resize(count);
     Corner least{{1 << 30, 1 << 30, 1 << 30}}, most{{0, 0, 0}};
     for (int b = 0; b < count; ++b)
     {
         Corner low{{1 << 30, 1 << 30, 1 << 30}}, high{{-1, -1, -1}};
-        for (const int r : s.bodies[b].row)
+        for (const int r : s.bodies[light_[b]].row)
         {
             const int c = s.cell[r], x[3] = {c % s.n[0], c/s.n[0] % s.n[1], c/(s.n[0]*s.n[1])};
             for (int d = 0; d < 3; ++d) { low[d] = std::min(low[d], x[d]); high[d] = std::max(high[d], x[d]); }
@@ -72,7 +72,7 @@ void BodyDeflation::placeBodies(double margin)
     std::iota(order_.begin(), order_.end(), 0);
     std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return low_[a][along] < low_[b][along]; });
     firstColumn_.resize(count);
-    for (const int b : order_) { firstColumn_[b] = columns_; columns_ += s.bodies[b].modes; }
+    for (const int b : order_) { firstColumn_[b] = columns_; columns_ += s.bodies[light_[b]].modes; }
 }
 
 double BodyDeflation::rowTimes(int row) const
@@ -86,7 +86,7 @@ double BodyDeflation::rowTimes(int row) const
 BodyDeflation::Local BodyDeflation::solveLocally(int body, int iterations)
 {
     const ReducedSystem& s = system_;
-    const BodyRows& u = s.bodies[body];
+    const BodyRows& u = s.bodies[light_[body]];
     Local z;
     for (int k = low_[body][2]; k <= high_[body][2]; ++k)
         for (int j = low_[body][1]; j <= high_[body][1]; ++j)
@@ -125,78 +125,164 @@ BodyDeflation::Local BodyDeflation::solveLocally(int body, int iterations)
     return z;
 }
 
+namespace
+{
+
+void sortUnique(std::vector<int>& v)
+{
+    std::sort(v.begin(), v.end());
+    v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+} // namespace
+
 //- E = Z^T A Z + (U^T Z)^T (U^T Z)
 void BodyDeflation::makeCoarse()
 {
-    const ReducedSystem& s = system_;
-    const int count = int(s.bodies.size());
-    // bodies beside each row: in their box, and with a surface there
-    std::vector<std::vector<int>> boxesAt(s.rows()), bodiesAt(s.rows());
+    findMeetings();
+    std::vector<int> first(columns_);
+    const int count = int(light_.size());
     for (int b = 0; b < count; ++b)
     {
-        for (const int r : z_[b].row) boxesAt[r].push_back(b);
-        for (const int r : s.bodies[b].row) bodiesAt[r].push_back(b);
+        int least = firstColumn_[b];
+        for (const int c : meets_[b]) least = std::min(least, firstColumn_[c]);
+        for (const int body : touches_[b]) for (const int c : seenBy_[body]) least = std::min(least, firstColumn_[c]);
+        for (int m = 0; m < system_.bodies[light_[b]].modes; ++m) first[firstColumn_[b] + m] = least;
     }
-    // G = U^T Z of each column, by body; then the bodies whose columns meet
-    std::vector<std::map<int, std::vector<double>>> g(columns_);
-    std::vector<std::vector<int>> meets(count), seenBy(count);
-    std::vector<std::map<int, double>> entries(columns_);
+    coarse_ = Skyline(first);
+    multiplyPieces();
+    coupleThroughBodies();
+    coarse_.factorise();
+}
+
+//- Which boxes have rows that are the same or neighbours; which bodies have a surface in a box
+void BodyDeflation::findMeetings()
+{
+    const ReducedSystem& s = system_;
+    const int count = int(light_.size());
+    std::vector<std::vector<int>> boxesAt(s.rows()), bodiesAt(s.rows());
+    for (int b = 0; b < count; ++b) for (const int r : z_[b].row) boxesAt[r].push_back(b);
+    for (std::size_t c = 0; c < s.bodies.size(); ++c) for (const int r : s.bodies[c].row) bodiesAt[r].push_back(int(c));
+    meets_.assign(count, {});
+    touches_.assign(count, {});
+    seenBy_.assign(s.bodies.size(), {});
     for (int b = 0; b < count; ++b)
     {
-        const int modes = s.bodies[b].modes;
-        std::vector<int> touched;
         for (const int r : z_[b].row)
         {
-            for (const int c : bodiesAt[r]) touched.push_back(c);
-            for (const int c : boxesAt[r]) meets[b].push_back(c);
-            for (int k = start_[r]; k < start_[r + 1]; ++k) for (const int c : boxesAt[other_[k]]) meets[b].push_back(c);
+            touches_[b].insert(touches_[b].end(), bodiesAt[r].begin(), bodiesAt[r].end());
+            meets_[b].insert(meets_[b].end(), boxesAt[r].begin(), boxesAt[r].end());
+            for (int k = start_[r]; k < start_[r + 1]; ++k) meets_[b].insert(meets_[b].end(), boxesAt[other_[k]].begin(), boxesAt[other_[k]].end());
+            if (meets_[b].size() > 100000) sortUnique(meets_[b]);
         }
-        const auto unique = [](std::vector<int>& v) { std::sort(v.begin(), v.end()); v.erase(std::unique(v.begin(), v.end()), v.end()); };
-        unique(touched);
-        unique(meets[b]);
-        for (const int c : touched) seenBy[c].push_back(b);
+        sortUnique(meets_[b]);
+        sortUnique(touches_[b]);
+        for (const int c : touches_[b]) seenBy_[c].push_back(b);
+    }
+}
+
+//- A block of E: rows of a's columns, columns of b's
+void BodyDeflation::add(int a, int b, const std::vector<double>& block)
+{
+    const int na = system_.bodies[light_[a]].modes, nb = system_.bodies[light_[b]].modes;
+    for (int i = 0; i < na; ++i)
+        for (int j = 0; j < nb; ++j)
+            if (firstColumn_[b] + j <= firstColumn_[a] + i) coarse_.at(firstColumn_[a] + i, firstColumn_[b] + j) += block[i*nb + j];
+}
+
+//- Z^T A Z: A times a piece is nothing but in its box and beside it
+void BodyDeflation::multiplyPieces()
+{
+    std::vector<int> seen(system_.rows(), -1), slot(system_.rows(), 0), reach;
+    std::vector<double> product;
+    for (int b = 0; b < int(light_.size()); ++b)
+    {
+        const int modes = system_.bodies[light_[b]].modes;
+        reach.clear();
+        const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; slot[r] = int(reach.size()); reach.push_back(r); } };
+        for (const int r : z_[b].row)
+        {
+            meet(r);
+            for (int k = start_[r]; k < start_[r + 1]; ++k) meet(other_[k]);
+        }
+        product.assign(reach.size()*modes, 0.0);
         for (int m = 0; m < modes; ++m)
         {
             for (std::size_t i = 0; i < z_[b].row.size(); ++i) whole_[z_[b].row[i]] = z_[b].value[i*modes + m];
-            const int column = firstColumn_[b] + m;
-            for (const int c : touched)
+            for (std::size_t i = 0; i < reach.size(); ++i) product[i*modes + m] = rowTimes(reach[i]);
+            for (const int r : z_[b].row) whole_[r] = 0;
+        }
+        for (const int c : meets_[b])
+        {
+            if (firstColumn_[c] > firstColumn_[b]) continue;
+            const int others = system_.bodies[light_[c]].modes;
+            std::vector<double> block(modes*others, 0.0);
+            for (std::size_t i = 0; i < z_[c].row.size(); ++i)
             {
-                const BodyRows& u = s.bodies[c];
-                std::vector<double> sum(u.modes, 0.0);
-                for (std::size_t i = 0; i < u.row.size(); ++i)
-                    for (int k = 0; k < u.modes; ++k) sum[k] += u.u[i*u.modes + k]*whole_[u.row[i]];
-                g[column][c] = sum;
+                const int r = z_[c].row[i];
+                if (seen[r] != b) continue;
+                for (int m = 0; m < modes; ++m)
+                    for (int k = 0; k < others; ++k) block[m*others + k] += product[std::size_t(slot[r])*modes + m]*z_[c].value[i*others + k];
             }
-            for (const int c : meets[b])
+            add(b, c, block);
+        }
+    }
+}
+
+//- (U^T Z)^T (U^T Z): columns whose boxes touch the same body
+void BodyDeflation::coupleThroughBodies()
+{
+    std::vector<std::vector<std::vector<double>>> g(light_.size());     // of each box and body in touches_: its modes x the box's
+    for (int b = 0; b < int(light_.size()); ++b)
+    {
+        const int modes = system_.bodies[light_[b]].modes;
+        for (const int c : touches_[b]) g[b].push_back(std::vector<double>(system_.bodies[c].modes*modes, 0.0));
+        for (int m = 0; m < modes; ++m)
+        {
+            for (std::size_t i = 0; i < z_[b].row.size(); ++i) whole_[z_[b].row[i]] = z_[b].value[i*modes + m];
+            for (std::size_t t = 0; t < touches_[b].size(); ++t)
             {
-                std::vector<double> sum(s.bodies[c].modes, 0.0);
-                for (std::size_t i = 0; i < z_[c].row.size(); ++i)
-                {
-                    const double az = rowTimes(z_[c].row[i]);
-                    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += z_[c].value[i*sum.size() + k]*az;
-                }
-                for (std::size_t k = 0; k < sum.size(); ++k) entries[column][firstColumn_[c] + int(k)] += sum[k];
+                const BodyRows& u = system_.bodies[touches_[b][t]];
+                for (std::size_t i = 0; i < u.row.size(); ++i)
+                    for (int k = 0; k < u.modes; ++k) g[b][t][k*modes + m] += u.u[i*u.modes + k]*whole_[u.row[i]];
             }
             for (const int r : z_[b].row) whole_[r] = 0;
         }
     }
-    for (int c = 0; c < count; ++c)
-        for (const int a : seenBy[c])
-            for (const int b : seenBy[c])
-                for (int i = 0; i < s.bodies[a].modes; ++i)
-                    for (int j = 0; j < s.bodies[b].modes; ++j)
-                    {
-                        const std::vector<double>&x = g[firstColumn_[a] + i][c], &y = g[firstColumn_[b] + j][c];
-                        double dot = 0;
-                        for (std::size_t k = 0; k < x.size(); ++k) dot += x[k]*y[k];
-                        entries[firstColumn_[a] + i][firstColumn_[b] + j] += dot;
-                    }
-    std::vector<int> first(columns_);
-    for (int i = 0; i < columns_; ++i) first[i] = entries[i].empty() ? i : std::min(i, entries[i].begin()->first);
-    coarse_ = Skyline(first);
-    for (int i = 0; i < columns_; ++i)
-        for (const auto& [j, value] : entries[i]) if (j <= i) coarse_.at(i, j) = value;
-    coarse_.factorise();
+    const auto of = [&](int b, int c) -> const std::vector<double>&
+    { return g[b][std::lower_bound(touches_[b].begin(), touches_[b].end(), c) - touches_[b].begin()]; };
+    for (int c = 0; c < int(seenBy_.size()); ++c)
+        for (const int a : seenBy_[c])
+            for (const int b : seenBy_[c])
+            {
+                if (firstColumn_[b] > firstColumn_[a]) continue;
+                const int na = system_.bodies[light_[a]].modes, nb = system_.bodies[light_[b]].modes;
+                std::vector<double> block(na*nb, 0.0);
+                for (int k = 0; k < system_.bodies[c].modes; ++k)
+                    for (int i = 0; i < na; ++i)
+                        for (int j = 0; j < nb; ++j) block[i*nb + j] += of(a, c)[k*na + i]*of(b, c)[k*nb + j];
+                add(a, b, block);
+            }
+}
+
+void BodyDeflation::product(const double* x, double* y) const
+{
+    const int n = system_.rows();
+    #pragma omp parallel for if (n > 2048)
+    for (int i = 0; i < n; ++i)
+    {
+        double sum = system_.diagonal[i]*x[i];
+        for (int k = start_[i]; k < start_[i + 1]; ++k) sum += coefficient_[k]*x[other_[k]];
+        y[i] = sum;
+    }
+    addBodies(x, y);
+}
+
+double BodyDeflation::rowSum(int row) const
+{
+    double sum = system_.diagonal[row];
+    for (int k = start_[row]; k < start_[row + 1]; ++k) sum += coefficient_[k];
+    return sum;
 }
 
 void BodyDeflation::addBodies(const double* x, double* y) const
@@ -217,14 +303,14 @@ void BodyDeflation::correct(const double* r, double* z) const
     std::vector<double> c(columns_, 0.0);
     for (std::size_t b = 0; b < z_.size(); ++b)
     {
-        const int modes = system_.bodies[b].modes;
+        const int modes = system_.bodies[light_[b]].modes;
         for (std::size_t i = 0; i < z_[b].row.size(); ++i)
             for (int m = 0; m < modes; ++m) c[firstColumn_[b] + m] += z_[b].value[i*modes + m]*r[z_[b].row[i]];
     }
     coarse_.solve(c);
     for (std::size_t b = 0; b < z_.size(); ++b)
     {
-        const int modes = system_.bodies[b].modes;
+        const int modes = system_.bodies[light_[b]].modes;
         for (std::size_t i = 0; i < z_[b].row.size(); ++i)
             for (int m = 0; m < modes; ++m) z[z_[b].row[i]] += z_[b].value[i*modes + m]*c[firstColumn_[b] + m];
     }

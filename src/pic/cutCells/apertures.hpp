@@ -107,6 +107,8 @@ struct OpenVolumes
     HD void operator()(int i) const
     {
         const int n = nodes.node(nodes.grid.cellIndex(i));
+        // no solid is so near as to reach into the cell
+        if (distance[n] > 1.75*nodes.grid.h) { open[i] = 1; return; }
         const auto at = [&](int corner)
         {
             int c = n;

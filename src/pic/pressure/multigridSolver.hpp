@@ -98,6 +98,9 @@ public:
 
     PressureReport solve(Context<Backend>& context, const MultigridControls& controls);
 
+    //- One V-cycle, from fine().b to fine().z, for a loop that is not ours; after setUp()
+    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps); }
+
     std::size_t bytes() const { return floats_.bytes() + doubles_.bytes() + origins_.bytes(); }
 
 private:

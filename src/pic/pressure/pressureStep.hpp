@@ -1,7 +1,8 @@
 /*  The pressure step: assembles the equation of the wet cells, has it solved, and projects the velocities.
 
     The solver is ours, where the grid is (LinearSolver::onDevice), or the caller's, on the host: then the coefficients, the
-    right-hand side and p of the wet cells cross once each way.
+    right-hand side and p of the wet cells cross once each way. With free bodies our solver is conjugate gradients on the host with the multigrid, where
+    the grid is, as preconditioner: residuals and corrections of the wet cells cross each iteration.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,12 +12,16 @@
 #include <stdexcept>
 #include <utility>
 #include "pic/bodies/bodyTerm.hpp"
+#include "pic/bodies/coupledGradient.hpp"
 #include "pic/pressure/multigridSolver.hpp"
 #include "pic/pressure/pockets.hpp"
 #include "pic/pressure/project.hpp"
 
 namespace riprap
 {
+
+//- Bodies so many times as heavy as water need no deflation: iterations are those of a wall
+static constexpr double heavyRatio = 2;
 
 template<class Backend, int D, class R>
 class PressureStep
@@ -44,8 +49,7 @@ public:
 
         const MultigridControls* controls = solver.onDevice();
         const bool free = bodies && !bodies->empty();
-        if (controls && free) throw std::invalid_argument("free bodies need a solver on the host: coupledPCG");
-        const PressureReport report = controls ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
+        const PressureReport report = controls && !free ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
@@ -66,6 +70,7 @@ public:
 private:
 
     PressureReport solveOnHost(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies);
+    PressureReport solveCoupled(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls);
     static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
 
     MultigridSolver<Backend, D> multigrid_;
@@ -120,7 +125,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
     }
     // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero, and solvers that factorise
     // meet no singular matrix
-    if (pocketCells_)
+    if (pocketCells_ && !solver.onDevice())
         for (const int c : pockets_.roots()) if (row[c] >= 0) r.diagonal[row[c]] *= 2;
     for (int own = 0; own < r.rows(); ++own)
     {
@@ -155,6 +160,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         const std::vector<double> root = b.rootOfInverseMass();
         BodyRows rows;
         rows.modes = b.modes;
+        rows.light = b.lighterThan(heavyRatio*f.density);
         for (std::size_t i = 0; i < b.cell.size(); ++i)
         {
             const auto index = grid.cellIndex(b.cell[i]);
@@ -171,10 +177,33 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         }
         r.bodies.push_back(std::move(rows));
     }
-    PressureReport report = solver.solve(r);
+    const MultigridControls* controls = solver.onDevice();
+    PressureReport report = controls ? solveCoupled(context, r, stored, *controls) : solver.solve(r);
     report.wetCells = r.rows() + lone;
     for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];
     context.toDevice(fine.x - shape.margin, x.data(), x.size()*sizeof(double));
+    return report;
+}
+
+//- stored: where each row lies on the finest level
+template<class Backend, int D, class R>
+PressureReport PressureStep<Backend, D, R>::solveCoupled
+(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls)
+{
+    const FineData<D>& fine = multigrid_.fine();
+    std::vector<float> staged(Backend::gpu ? fine.shape.cells : 0, 0.0f);
+    if (!Backend::gpu) context.zero(fine.b, fine.shape.cells*sizeof(float));
+    PressureReport report = coupledGradient(r, BodyDeflation(r, DeflationControls()), controls, [&](const double* from, double* to)
+    {
+        float* b = Backend::gpu ? staged.data() : fine.b;
+        for (int i = 0; i < r.rows(); ++i) b[stored[i]] = float(from[i]);
+        if (Backend::gpu) context.toDevice(fine.b, staged.data(), staged.size()*sizeof(float));
+        multigrid_.precondition(context, controls.sweeps);
+        if (Backend::gpu) context.toHost(staged.data(), fine.z, staged.size()*sizeof(float));
+        const float* z = Backend::gpu ? staged.data() : fine.z;
+        for (int i = 0; i < r.rows(); ++i) to[i] = z[stored[i]];
+    });
+    report.solver = "cudaPCG";
     return report;
 }
 

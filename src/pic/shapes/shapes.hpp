@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include "core/vec.hpp"
+#include "pic/cutCells/faceCut.hpp"
 
 namespace riprap
 {
@@ -18,6 +19,35 @@ struct Ball
     double radius;
 
     HD double distance(const Vec<D, double>& x) const { return std::sqrt(squaredNorm(x - centre)) - radius; }
+
+    //- Of the line from x along an axis, in parts of its length, what lies inside: from low to high; false: nothing
+    HD bool covers(const Vec<D, double>& x, int axis, double length, double& low, double& high) const
+    {
+        const Vec<D, double> r = x - centre;
+        const double half2 = radius*radius - (squaredNorm(r) - r[axis]*r[axis]);
+        if (!(half2 > 0)) return false;
+        const double half = std::sqrt(half2);
+        low = (-half - r[axis])/length;
+        high = (half - r[axis])/length;
+        low = low > 0 ? low : 0;
+        high = high < 1 ? high : 1;
+        return high > low;
+    }
+
+    HD SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const
+    {
+        double low, high;
+        if (!covers(x, axis, length, low, high)) return {0, {0}};
+        return {high - low, {0.5*(high*high - low*low)}};
+    }
+
+    //- How far behind the plane that touches the surface across an axis the surface lies where it is nearest to x
+    HD double behindPole(const Vec<D, double>& x, int axis) const
+    {
+        const Vec<D, double> r = x - centre;
+        const double far = std::sqrt(squaredNorm(r));
+        return far > 0 ? radius*(1 - std::fabs(r[axis])/far) : radius;
+    }
 };
 
 //- Half space: solid where normal.(x - point) < 0; normal of length 1

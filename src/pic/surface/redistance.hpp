@@ -59,12 +59,29 @@ struct StartDistance
 
     HD void operator()(int i) const
     {
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
+        if (alikeAbout(i)) { phi[i] = sign*band; return; }
+        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         if (!atSurface(grid, carried, c)) { phi[i] = sign*band; return; }
         const R slope = slopeOf(grid, carried, c);
         phi[i] = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
         phi[i] = sign*minimum(absolute(phi[i]), R(grid.h));
+    }
+
+private:
+
+    //- Most cells, by numbers of cells alone: at the ends of rows that may say no, and the long way says the same
+    HD bool alikeAbout(int i) const
+    {
+        const bool wet = carried[i] < 0;
+        int stride = 1;
+        for (int d = 0; d < D; ++d)
+        {
+            if (grid.periodic[d] || i < stride || i + stride >= grid.cells()) return false;
+            if ((carried[i - stride] < 0) != wet || (carried[i + stride] < 0) != wet) return false;
+            stride *= grid.n[d];
+        }
+        return true;
     }
 };
 
@@ -97,6 +114,7 @@ struct SpreadDistance
 
     HD void operator()(int i) const
     {
+        if (farFromAll(i)) { to[i] = from[i]; return; }
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         if (atSurface(grid, carried, c)) { to[i] = from[i]; return; }
         R m[D];
@@ -111,6 +129,23 @@ struct SpreadDistance
         const R sign = carried[i] < 0 ? R(-1) : R(1);
         const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h && fairSlope(slopeOf(grid, carried, c));
         to[i] = sign*(keep ? own : distance);
+    }
+
+private:
+
+    //- Most cells: nothing has reached them or their neighbours yet. By numbers of cells alone: at the ends of rows that may say no, and
+    //  the long way says the same
+    HD bool farFromAll(int i) const
+    {
+        if (absolute(from[i]) < band) return false;
+        int stride = 1;
+        for (int d = 0; d < D; ++d)
+        {
+            if (grid.periodic[d] || i < stride || i + stride >= grid.cells()) return false;
+            if (absolute(from[i - stride]) < band || absolute(from[i + stride]) < band) return false;
+            stride *= grid.n[d];
+        }
+        return true;
     }
 };
 

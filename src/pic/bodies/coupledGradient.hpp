@@ -1,0 +1,97 @@
+/*  Conjugate gradients for the pressure with free bodies, (A + U U^T) x = rhs, on the host: any preconditioner for A alone, deflated by the bodies
+    (deflation.hpp). Flexible: beta of Polak and Ribiere, since a V-cycle in single precision is not quite a constant operator. Residuals are OpenFOAM's
+    (conjugateGradient.hpp). Sums are taken in blocks of rows: the same bits with any number of threads.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <cmath>
+#include "pic/bodies/deflation.hpp"
+
+namespace riprap
+{
+
+//- Sum of f(row); f may write what belongs to its row
+template<class F>
+double sumRows(int rows, const F& f)
+{
+    constexpr int block = 2048;
+    const int blocks = (rows + block - 1)/block;
+    std::vector<double> part(blocks);
+    #pragma omp parallel for if (blocks > 1)
+    for (int b = 0; b < blocks; ++b)
+    {
+        const int end = std::min(rows, (b + 1)*block);
+        double sum = 0;
+        for (int i = b*block; i < end; ++i) sum += f(i);
+        part[b] = sum;
+    }
+    double sum = 0;
+    for (const double p : part) sum += p;
+    return sum;
+}
+
+//- precondition(const double* r, double* z): z = B r
+template<class Precondition>
+PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, const MultigridControls& controls, const Precondition& precondition)
+{
+    constexpr double small = 1e-20;
+    const int n = s.rows();
+    PressureReport report;
+    if (!n) return report;
+    std::vector<double> r(n), z(n), p(n, 0.0), q(n), w(n);
+    double* x = s.x.data();
+
+    bodies.product(x, q.data());
+    const double reference = sumRows(n, [&](int i) { return x[i]; })/n;
+    const double norm = small + sumRows(n, [&](int i)
+    {
+        const double of = bodies.rowSum(i)*reference;
+        return std::fabs(q[i] - of) + std::fabs(s.rhs[i] - of);
+    });
+    double residual = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
+    report.initialResidual = residual;
+    const auto done = [&]
+    {
+        return report.iterations >= controls.minIter && (residual < controls.tolerance || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual));
+    };
+    const bool deflates = bodies.columns() > 0;
+    if (deflates && !done())        // the residual has then nothing in the span of Z
+    {
+        bodies.correct(r.data(), x);
+        bodies.product(x, q.data());
+        residual = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
+    }
+    double rz = 0, alpha = 0;
+    while (!done() && report.iterations < controls.maxIter && residual < 1e300)
+    {
+        precondition(r.data(), z.data());
+        if (deflates)
+        {
+            bodies.product(z.data(), w.data());
+            sumRows(n, [&](int i) { w[i] = r[i] - w[i]; return 0.0; });
+            bodies.correct(w.data(), z.data());
+        }
+        const double before = rz, change = report.iterations ? -alpha*sumRows(n, [&](int i) { return z[i]*q[i]; }) : 0;
+        rz = sumRows(n, [&](int i) { return z[i]*r[i]; });
+        const double beta = before != 0 ? change/before : 0;
+        sumRows(n, [&](int i) { p[i] = z[i] + beta*p[i]; return 0.0; });
+        bodies.product(p.data(), q.data());
+        const double pq = sumRows(n, [&](int i) { return p[i]*q[i]; });
+        if (!(pq > 0)) break;
+        alpha = rz/pq;
+        residual = sumRows(n, [&](int i)
+        {
+            x[i] += alpha*p[i];
+            r[i] -= alpha*q[i];
+            return std::fabs(r[i]);
+        })/norm;
+        ++report.iterations;
+    }
+    report.finalResidual = residual;
+    report.converged = residual < controls.tolerance || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual);
+    return report;
+}
+
+} // namespace riprap
