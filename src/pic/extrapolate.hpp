@@ -62,41 +62,61 @@ struct MarkByMass
     }
 };
 
+//- One pass over the faces of all directions
 template<int D, class R>
 struct Extrapolate
 {
     static constexpr const char* name = "extrapolate";
     UniformGrid<D> grid;
-    int component;
     unsigned char pass;         // 1, 2, ...
-    unsigned char* layer;
-    R* field[4];                // all extrapolated alike
+    unsigned char* layer[D];
+    R* field[4][D];             // all extrapolated alike
     int fields;
+
+    //- Faces of all directions, one after the other
+    HD static int count(const UniformGrid<D>& g)
+    {
+        int n = 0;
+        for (int d = 0; d < D; ++d) n += g.faces(d);
+        return n;
+    }
 
     HD void operator()(int i) const
     {
-        if (layer[i] != unknownFace) return;
+        bool done = false;
+        for (int d = 0; d < D && !done; ++d)
+        {
+            const int n = grid.faces(d);
+            done = i < n;
+            if (done) fill(d, i);
+            i -= n;
+        }
+    }
+
+private:
+
+    HD void fill(int component, int i) const
+    {
+        if (layer[component][i] != unknownFace) return;
         const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
         R sum[4] = {0, 0, 0, 0};
         int count = 0;
         for (int d = 0; d < D; ++d)
             for (int direction = -1; direction <= 1; direction += 2)
             {
-                const int one = along(f, d, direction);
+                const int one = along(component, f, d, direction);
                 if (one < 0) continue;
-                const int two = along(f, d, 2*direction), three = two < 0 ? -1 : along(f, d, 3*direction);
-                for (int k = 0; k < fields; ++k) sum[k] += continued(field[k], one, two, three);
+                const int two = along(component, f, d, 2*direction), three = two < 0 ? -1 : along(component, f, d, 3*direction);
+                for (int k = 0; k < 4; ++k) if (k < fields) sum[k] += continued(field[k][component], one, two, three);
                 ++count;
             }
         if (!count) return;
-        for (int k = 0; k < fields; ++k) field[k][i] = sum[k]/count;
-        layer[i] = pass;
+        for (int k = 0; k < 4; ++k) if (k < fields) field[k][component][i] = sum[k]/count;
+        layer[component][i] = pass;
     }
 
-private:
-
     //- Known face at an offset, -1: none
-    HD int along(typename UniformGrid<D>::Index f, int d, int offset) const
+    HD int along(int component, typename UniformGrid<D>::Index f, int d, int offset) const
     {
         const int n = grid.layers(component, d);
         f.c[d] += offset;
@@ -106,7 +126,7 @@ private:
             f.c[d] += f.c[d] < 0 ? grid.n[d] : -grid.n[d];
         }
         const int j = grid.face(component, f);
-        return layer[j] < pass ? j : -1;
+        return layer[component][j] < pass ? j : -1;
     }
 
     HD R continued(const R* u, int one, int two, int three) const

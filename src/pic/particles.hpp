@@ -22,6 +22,13 @@ struct PicParticles
     R* affine[D*D];             // row d: gradient of component d [1/s]; nullptr unless APIC
     std::int32_t* id;
     const int* start;           // cells + 1 entries; particles from start[cells] on are outside
+
+    HD Vec<D, double> position(int i) const
+    {
+        Vec<D, double> at;
+        for (int d = 0; d < D; ++d) at.c[d] = x[d][i];
+        return at;
+    }
 };
 
 //- Sorts by the cell

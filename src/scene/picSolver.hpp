@@ -155,7 +155,8 @@ private:
     template<class F> void forEachSaved(const F&);
 
     // picAdvance.hpp
-    double timeStep(std::string& limit);
+    double fastest();
+    double timeStep(double speed, std::string& limit);
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);
 
@@ -171,6 +172,7 @@ private:
     CellSort<Backend> sort_;
     ParticleToGrid<Backend, D, real> toFaces_;
     Array<Backend, real> shift_[D];             // of position correction
+    Array<Backend, PlaceInCell<real>> place_;   // for it
 
     Array<Backend, real> phi_, carried_, spare_;
     Array<Backend, unsigned char> wet_, near_;

@@ -108,13 +108,19 @@ void PicSolver<Backend, D, P>::toGrid()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes)
 {
+    Extrapolate<D, real> f{};
+    f.grid = grid_;
+    for (Array<Backend, real>* a : fields)
+    {
+        for (int d = 0; d < D; ++d) f.field[f.fields][d] = a[d].data();
+        ++f.fields;
+    }
+    for (int d = 0; d < D; ++d) f.layer[d] = layer_[d].data();
     for (int pass = 1; pass <= passes; ++pass)
-        for (int d = 0; d < D; ++d)
-        {
-            Extrapolate<D, real> f{grid_, d, static_cast<unsigned char>(pass), layer_[d].data(), {}, 0};
-            for (Array<Backend, real>* a : fields) f.field[f.fields++] = a[d].data();
-            forEach(context_, grid_.faces(d), f);
-        }
+    {
+        f.pass = static_cast<unsigned char>(pass);
+        forEach(context_, f.count(grid_), f);
+    }
 }
 
 //- Forces, then the pressure; the velocity, its change and what carries particles, extended past the surface.
@@ -148,7 +154,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (bodies_) projectWithBodies(dt);
-    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects);
     for (int d = 0; d < D; ++d)
     {
         forEach(context_, grid_.faces(d), VelocityChange<real>
@@ -187,9 +193,11 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
     const bool corrected = config_.positionCorrection > 0;
     if (corrected)
     {
+        forEach(context_, n_, PlaceInCells<D, real>{grid_, particles(), place_.data()});
         CorrectPositions<D, real> f{};
         f.grid = grid_;
         f.particles = particles();
+        f.place = place_.data();
         f.phi = phi_.data();
         f.nearWater = near_.data();
         for (int d = 0; d < D; ++d) f.shift[d] = shift_[d].data();
@@ -274,7 +282,7 @@ void PicSolver<Backend, D, P>::holdVolume()
     const double particle = clock_.particleVolume/grid_.volume();
     const double target = (n_ - flying_)*particle;
     double sums[3];
-    volume_ = waterVolume(sums);
+    volume_ = waterVolume(sums);                                    // until the loop over steps ends and asks again
     const double slope = (sums[2] - sums[1])/(0.1*grid_.h);         // dV/d(-phi)
     if (!(slope > 0) || !(target > 0)) return;
     clock_.drift += (volume_ - target)/target;
@@ -282,7 +290,6 @@ void PicSolver<Backend, D, P>::holdVolume()
     shift = std::max(-largestShift*grid_.h, std::min(shift, largestShift*grid_.h));
     if (std::abs(volume_ - target) < 1e-9*target) return;           // round-off is no loss
     forEach(context_, grid_.cells(), ShiftSurface<D, real>{phi_.data(), real(shift), real(bandCells*grid_.h)});
-    volume_ = waterVolume(sums);
     markWater();
 }
 

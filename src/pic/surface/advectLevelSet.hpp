@@ -35,6 +35,8 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
         first.c[d] = floorInt(s) - 1;
         cubicWeights(R(s - first.c[d] - 1), w[d]);
     }
+    bool in = true;
+    for (int d = 0; d < D; ++d) in = in && first.c[d] >= 0 && first.c[d] + 3 < g.n[d];
     R sum = 0, low = R(1e30), high = R(-1e30);
     for (int k = 0; k < (D == 3 ? 4 : 1); ++k)
         for (int j = 0; j < 4; ++j)
@@ -49,7 +51,7 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
                     weight *= w[2][k];
                     around = around && (k == 1 || k == 2);
                 }
-                const R value = cellValue(g, a, at);
+                const R value = in ? a[g.cell(at)] : cellValue(g, a, at);
                 sum += weight*value;
                 if (around) { low = minimum(low, value); high = maximum(high, value); }
             }

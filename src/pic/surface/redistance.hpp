@@ -18,15 +18,12 @@ namespace riprap
 template<class R> HD bool fairSlope(R slope) { return slope > R(0.75) && slope < R(1.3333); }
 
 template<int D, class R>
-HD R slopeOf(const UniformGrid<D>& g, const R* phi, const typename UniformGrid<D>::Index& c)
+HD R slopeOf(const UniformGrid<D>& g, const CellNeighbours<D, R>& phi)
 {
     R sum = 0;
     for (int d = 0; d < D; ++d)
     {
-        typename UniformGrid<D>::Index low = c, high = c;
-        low.c[d] -= 1;
-        high.c[d] += 1;
-        const R difference = (cellValue(g, phi, high) - cellValue(g, phi, low))/R(2*g.h);
+        const R difference = (phi.above.c[d] - phi.below.c[d])/R(2*g.h);
         sum += difference*difference;
     }
     return squareRoot(sum);
@@ -34,17 +31,12 @@ HD R slopeOf(const UniformGrid<D>& g, const R* phi, const typename UniformGrid<D
 
 //- Is there a cell of the other sign beside it?
 template<int D, class R>
-HD bool atSurface(const UniformGrid<D>& g, const R* phi, const typename UniformGrid<D>::Index& c)
+HD bool atSurface(R own, const CellNeighbours<D, R>& phi)
 {
-    const bool wet = phi[g.cell(c)] < 0;
-    for (int d = 0; d < D; ++d)
-        for (int offset = -1; offset <= 1; offset += 2)
-        {
-            typename UniformGrid<D>::Index at = c;
-            at.c[d] += offset;
-            if ((cellValue(g, phi, at) < 0) != wet) return true;
-        }
-    return false;
+    const bool wet = own < 0;
+    bool other = false;
+    for (int d = 0; d < D; ++d) other = other || (phi.below.c[d] < 0) != wet || (phi.above.c[d] < 0) != wet;
+    return other;
 }
 
 //- Cells at the surface: their distance; all others: the width of the band
@@ -59,10 +51,10 @@ struct StartDistance
 
     HD void operator()(int i) const
     {
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
-        if (!atSurface(grid, carried, c)) { phi[i] = sign*band; return; }
-        const R slope = slopeOf(grid, carried, c);
+        const CellNeighbours<D, R> about(grid, carried, grid.cellIndex(i));
+        if (!atSurface(value, about)) { phi[i] = sign*band; return; }
+        const R slope = slopeOf(grid, about);
         phi[i] = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
         phi[i] = sign*minimum(absolute(phi[i]), R(grid.h));
     }
@@ -98,18 +90,21 @@ struct SpreadDistance
     HD void operator()(int i) const
     {
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
-        if (atSurface(grid, carried, c)) { to[i] = from[i]; return; }
+        const CellNeighbours<D, R> near(grid, from, c);
+        const R before = from[i];
         R m[D];
+        bool far = absolute(before) >= band;
         for (int d = 0; d < D; ++d)
         {
-            typename UniformGrid<D>::Index low = c, high = c;
-            low.c[d] -= 1;
-            high.c[d] += 1;
-            m[d] = minimum(absolute(cellValue(grid, from, low)), absolute(cellValue(grid, from, high)));
+            m[d] = minimum(absolute(near.below.c[d]), absolute(near.above.c[d]));
+            far = far && m[d] >= band;
         }
+        if (far) { to[i] = before; return; }            // nothing has come here, and it is not at the surface
+        const CellNeighbours<D, R> about(grid, carried, c);
+        if (atSurface(carried[i], about)) { to[i] = before; return; }
         const R h = R(grid.h), distance = minimum(godunov<D>(m, h), band), own = absolute(carried[i]);
         const R sign = carried[i] < 0 ? R(-1) : R(1);
-        const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h && fairSlope(slopeOf(grid, carried, c));
+        const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h && fairSlope(slopeOf(grid, about));
         to[i] = sign*(keep ? own : distance);
     }
 };

@@ -22,8 +22,13 @@ namespace riprap
 template<int Order, int D, class R>
 HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x)
 {
+    const InCell<D, R> at(g, x);
     Vec<D, R> v;
-    for (int d = 0; d < D; ++d) v.c[d] = sampleFace<Order>(g, u[d], d, x);
+    for (int d = 0; d < D; ++d)
+    {
+        const Window<Order, D, R> window(g, d, at);
+        v.c[d] = window.whole ? window.sum(u[d]) : sampleAround<Order>(g, u[d], d, x);
+    }
     return v;
 }
 
@@ -69,13 +74,9 @@ struct MoveParticles
 
     HD void operator()(int i) const
     {
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        Vec<D, double> x, to;
-        for (int d = 0; d < D; ++d)
-        {
-            x.c[d] = particles.x[d][i];
-            c.c[d] = floorInt(x.c[d]/grid.h);
-        }
+        const Vec<D, double> x = particles.position(i);
+        const typename UniformGrid<D>::Index c = InCell<D, R>(grid, x).index();
+        Vec<D, double> to;
         if (nearWater[grid.cell(c)])
         {
             to = carried<Order>(grid, u, x, timeStep, order);
