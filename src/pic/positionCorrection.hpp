@@ -16,32 +16,6 @@
 namespace riprap
 {
 
-//- Where particles are in their cells, and along the first axis in which cell: differences between neighbours are exact in single precision
-template<class R>
-struct alignas(16) PlaceInCell
-{
-    R t[3];
-    R cell;
-};
-
-template<int D, class R>
-struct PlaceInCells
-{
-    static constexpr const char* name = "placeInCells";
-    UniformGrid<D> grid;
-    PicParticles<D, R> particles;
-    PlaceInCell<R>* place;
-
-    HD void operator()(int i) const
-    {
-        const InCell<D, R> at(grid, particles.position(i));
-        PlaceInCell<R> p{};
-        for (int d = 0; d < D; ++d) p.t[d] = at.t[d];
-        p.cell = R(at.c[0]);
-        place[i] = p;
-    }
-};
-
 template<int D, class R>
 struct CorrectPositions
 {
@@ -49,7 +23,6 @@ struct CorrectPositions
     static constexpr double largest = 0.1;      // of the spacing, a step
     UniformGrid<D> grid;
     PicParticles<D, R> particles;
-    const PlaceInCell<R>* place;
     const R* phi;
     const unsigned char* nearWater;
     R* shift[D];
@@ -79,7 +52,7 @@ private:
     //- From the particles of the cells that lie within reach, row by row
     HD void addPushes(const InCell<D, R>& at, int i, R* push) const
     {
-        const PlaceInCell<R> own = place[i];
+        const PlaceInCell<R> own = particles.place[i];
         const R reach = spacing*R(1/grid.h), inverse = 1/reach;          // in cells
         int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
         for (int a = 0; a < D; ++a)
@@ -96,7 +69,7 @@ private:
                 const R y = own.t[1] + R(at.c[1] - j), z = D == 3 ? own.t[2] + R(at.c[D - 1] - k) : R(0);
                 for (int p = particles.start[row + low[0]]; p < to; ++p)
                 {
-                    const PlaceInCell<R> other = place[p];
+                    const PlaceInCell<R> other = particles.place[p];
                     const R r[3] = {own.t[0] - other.t[0] + (own.cell - other.cell), y - other.t[1], D == 3 ? z - other.t[2] : R(0)};
                     const R r2 = r[0]*r[0] + r[1]*r[1] + r[2]*r[2];
                     if (!(r2 < reach*reach) || !(r2 > R(0))) continue;

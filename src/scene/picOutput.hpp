@@ -152,9 +152,10 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     }
     walls += nodeDistance_.bytes() + open_.bytes() + openWeight_.bytes() + cellLayer_.bytes();
     add("u", u);
-    std::size_t apart = place_.bytes();
-    for (int d = 0; d < D; ++d) apart += shift_[d].bytes();
-    add("position correction", apart);
+    std::size_t shifts = 0;
+    for (int d = 0; d < D; ++d) shifts += shift_[d].bytes();
+    add("places in cells", place_.bytes());
+    add("position correction", shifts);
     add("walls", walls);
     return list;
 }

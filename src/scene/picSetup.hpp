@@ -219,11 +219,8 @@ void PicSolver<Backend, D, P>::setParticles
     idField_ = set_.template add<std::int32_t>("id");
     set_.allocate(context_, n_);
     sort_.allocate(context_, n_, grid_.cells());
-    if (config_.positionCorrection > 0)
-    {
-        place_.allocate(context_, n_);
-        for (int d = 0; d < D; ++d) shift_[d].allocate(context_, n_);
-    }
+    place_.allocate(context_, n_);
+    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) shift_[d].allocate(context_, n_);
     std::vector<double> component(n_);
     std::vector<real> velocity(n_);
     std::vector<std::int32_t> ids(id);

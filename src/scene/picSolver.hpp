@@ -124,6 +124,7 @@ private:
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
+    template<class F> void withWindows(const F&);
     PicParticles<D, real> particles();
     PressureFields<D, real> pressureFields(double dt, bool reflected = false);
     void sortParticles(PicReport* report = nullptr);
@@ -171,8 +172,8 @@ private:
     int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
     CellSort<Backend> sort_;
     ParticleToGrid<Backend, D, real> toFaces_;
+    Array<Backend, PlaceInCell<real>> place_;   // of particles, from one sort to the next
     Array<Backend, real> shift_[D];             // of position correction
-    Array<Backend, PlaceInCell<real>> place_;   // for it
 
     Array<Backend, real> phi_, carried_, spare_;
     Array<Backend, unsigned char> wet_, near_;

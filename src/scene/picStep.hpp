@@ -19,6 +19,18 @@ void PicSolver<Backend, D, P>::withOrder(const F& f)
     else f(std::integral_constant<int, 3>());
 }
 
+//- Also whether there are places around which the nodes are no block
+template<class Backend, int D, class P>
+template<class F>
+void PicSolver<Backend, D, P>::withWindows(const F& f)
+{
+    withOrder([&](auto order)
+    {
+        if (needsAround(grid_, config_.splineOrder)) f(order, std::true_type());
+        else f(order, std::false_type());
+    });
+}
+
 template<class Backend, int D, class P>
 PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
 {
@@ -31,6 +43,7 @@ PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
     }
     for (int k = 0; k < D*D; ++k) p.affine[k] = affineField_ >= 0 ? set_.template data<real>(affineField_ + k) : nullptr;
     p.id = set_.template data<std::int32_t>(idField_);
+    p.place = place_.data();
     p.start = sort_.start();
     return p;
 }
@@ -62,6 +75,7 @@ void PicSolver<Backend, D, P>::sortParticles(PicReport* report)
     sort_.sort(context_, n_);
     set_.permute(context_, sort_.order(), n_);
     context_.toHost(&n_, sort_.active(), sizeof(int));
+    forEach(context_, n_, PlaceInCells<D, real>{grid_, particles(), place_.data()});
     if (!report || n_ == before) return;
     const auto id = set_.template download<std::int32_t>(context_, idField_);
     std::vector<double> x[D];
@@ -169,9 +183,9 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toParticles(double dt)
 {
-    withOrder([&](auto order)
+    withWindows([&](auto order, auto around)
     {
-        GridToParticle<decltype(order)::value, D, real> f{};
+        GridToParticle<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
         f.particles = particles();
         for (int d = 0; d < D; ++d)
@@ -193,11 +207,9 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
     const bool corrected = config_.positionCorrection > 0;
     if (corrected)
     {
-        forEach(context_, n_, PlaceInCells<D, real>{grid_, particles(), place_.data()});
         CorrectPositions<D, real> f{};
         f.grid = grid_;
         f.particles = particles();
-        f.place = place_.data();
         f.phi = phi_.data();
         f.nearWater = near_.data();
         for (int d = 0; d < D; ++d) f.shift[d] = shift_[d].data();
@@ -205,9 +217,9 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.spacing = real(particleSpacing());
         forEach(context_, n_, f);
     }
-    withOrder([&](auto order)
+    withWindows([&](auto order, auto around)
     {
-        MoveParticles<decltype(order)::value, D, real> f{};
+        MoveParticles<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
         f.particles = particles();
         for (int d = 0; d < D; ++d)

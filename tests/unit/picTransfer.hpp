@@ -36,6 +36,7 @@ struct Cloud
     FieldSet<Backend> set;
     CellSort<Backend> sort;
     ParticleToGrid<Backend, D, R> map;
+    Array<Backend, PlaceInCell<R>> place;
     int n;
     Array<Backend, R> u[D], mass[D];
     std::vector<double> x[D];
@@ -85,6 +86,7 @@ struct Cloud
         for (int d = 0; d < D; ++d) { p.x[d] = set.template data<double>(d); p.v[d] = set.template data<R>(D + d); }
         for (int k = 0; k < D*D; ++k) p.affine[k] = set.template data<R>(2*D + k);
         p.id = set.template data<std::int32_t>(2*D + D*D);
+        p.place = place.data();
         p.start = sort.start();
         return p;
     }
@@ -94,6 +96,8 @@ struct Cloud
         forEach(context, n, PicCellKeys<D, R>{grid, view(), sort.keys(), sort.indices()});
         sort.sort(context, n);
         set.permute(context, sort.order(), n);
+        place.allocate(context, n);
+        forEach(context, n, PlaceInCells<D, R>{grid, view(), place.data()});
     }
 
     template<int Order>

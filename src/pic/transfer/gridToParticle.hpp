@@ -17,7 +17,8 @@
 namespace riprap
 {
 
-template<int Order, int D, class R>
+//- Around: also where the block ends in itself, or is narrower than the spline
+template<int Order, int D, class R, bool Around = true>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
@@ -50,7 +51,7 @@ private:
     {
         const Window<Order, D, R, Affine> window(grid, d, at);
         R pic = 0, change = 0, gradient[D];
-        if (window.whole)
+        if (!Around || window.whole)
         {
             if constexpr (Affine)
             {
@@ -60,7 +61,7 @@ private:
             else if (picPart > 0) pic = window.sum(u[d]);
             if (picPart < 1) change = window.sum(du[d]);
         }
-        else
+        else if constexpr (Around)
         {
             Vec<D, R> around;
             pic = sampleAffineAround<Order>(grid, u[d], d, x, around);

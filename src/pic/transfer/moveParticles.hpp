@@ -18,8 +18,8 @@
 namespace riprap
 {
 
-//- Velocity of the grid at a point
-template<int Order, int D, class R>
+//- Velocity of the grid at a point. Around: also where the block ends in itself, or is narrower than the spline
+template<int Order, bool Around, int D, class R>
 HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x)
 {
     const InCell<D, R> at(g, x);
@@ -27,7 +27,8 @@ HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Ve
     for (int d = 0; d < D; ++d)
     {
         const Window<Order, D, R> window(g, d, at);
-        v.c[d] = window.whole ? window.sum(u[d]) : sampleAround<Order>(g, u[d], d, x);
+        if (!Around || window.whole) v.c[d] = window.sum(u[d]);
+        else if constexpr (Around) v.c[d] = sampleAround<Order>(g, u[d], d, x);
     }
     return v;
 }
@@ -46,18 +47,18 @@ HD Vec<D, double> intoBlock(const UniformGrid<D>& g, Vec<D, double> x)
 }
 
 //- Where the field takes a point in dt (negative: where it came from)
-template<int Order, int D, class R>
+template<int Order, bool Around = true, int D, class R>
 HD Vec<D, double> carried(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x, double dt, int order)
 {
     const auto ahead = [&](const Vec<D, R>& v, double by) { return intoBlock(g, x + by*convert<double>(v)); };
-    const Vec<D, R> k1 = sampleVelocity<Order>(g, u, x);
-    const Vec<D, R> k2 = sampleVelocity<Order>(g, u, ahead(k1, 0.5*dt));
+    const Vec<D, R> k1 = sampleVelocity<Order, Around>(g, u, x);
+    const Vec<D, R> k2 = sampleVelocity<Order, Around>(g, u, ahead(k1, 0.5*dt));
     if (order == 2) return x + dt*convert<double>(k2);
-    const Vec<D, R> k3 = sampleVelocity<Order>(g, u, ahead(k2, 0.75*dt));
+    const Vec<D, R> k3 = sampleVelocity<Order, Around>(g, u, ahead(k2, 0.75*dt));
     return x + (dt/9)*(2.0*convert<double>(k1) + 3.0*convert<double>(k2) + 4.0*convert<double>(k3));
 }
 
-template<int Order, int D, class R>
+template<int Order, int D, class R, bool Around = true>
 struct MoveParticles
 {
     static constexpr const char* name = "moveParticles";
@@ -79,7 +80,7 @@ struct MoveParticles
         Vec<D, double> to;
         if (nearWater[grid.cell(c)])
         {
-            to = carried<Order>(grid, u, x, timeStep, order);
+            to = carried<Order, Around>(grid, u, x, timeStep, order);
             if (shift[0]) displace(to, i);
         }
         else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];

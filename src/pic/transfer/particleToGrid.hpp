@@ -97,7 +97,7 @@ private:
             from = particles.start[cell];
             to = particles.start[cell + 1];
         }
-        for (int p = from; p < to; ++p) addParticle<Affine>(at, p, m, mv);
+        for (int p = from; p < to; ++p) addParticle<Affine>(p, m, mv);
         for (int k = 0; k < c; ++k)
             for (int j = 0; j < b; ++j)
                 for (int i = 0; i < n; ++i)
@@ -133,15 +133,14 @@ private:
     HD R slopeAlong(int axis, int p) const { return Affine ? particles.affine[component*D + axis][p]*R(grid.h) : R(0); }
 
     template<bool Affine>
-    HD void addParticle(const Index& at, int p, R* m, R* mv) const
+    HD void addParticle(int p, R* m, R* mv) const
     {
         constexpr int n = Seen::count, b = Seen::countAcross, c = D == 3 ? b : 1;
-        const double inverse = 1/grid.h;
-        const auto within = [&](int axis) { return R(particles.x[axis][p]*inverse - at.c[axis]); };
+        const PlaceInCell<R> in = particles.place[p];
         R wn[n], wb[b], wc[b] = {R(1)}, cn[n], cb[b], cc[b] = {R(0)};
-        along<true, Affine>(within(component), slopeAlong<Affine>(component, p), wn, cn);
-        along<false, Affine>(within(across(0)), slopeAlong<Affine>(across(0), p), wb, cb);
-        if constexpr (D == 3) along<false, Affine>(within(across(1)), slopeAlong<Affine>(across(1), p), wc, cc);
+        along<true, Affine>(in.t[component], slopeAlong<Affine>(component, p), wn, cn);
+        along<false, Affine>(in.t[across(0)], slopeAlong<Affine>(across(0), p), wb, cb);
+        if constexpr (D == 3) along<false, Affine>(in.t[across(1)], slopeAlong<Affine>(across(1), p), wc, cc);
         const R v = particles.v[component][p];
         for (int i = 0; i < n; ++i) cn[i] *= wn[i];
         for (int k = 0; k < c; ++k)

@@ -92,6 +92,15 @@ HD_APART R sampleAffineAround(UniformGrid<D> g, const R* u, int d, Vec<D, double
     return sum;
 }
 
+//- Is there a place in the block where a window is not whole?
+template<int D>
+bool needsAround(const UniformGrid<D>& g, int order)
+{
+    bool needs = false;
+    for (int d = 0; d < D; ++d) needs = needs || g.periodic[d] || g.n[d] < order + 1;
+    return needs;
+}
+
 //- Component d of a velocity at a point
 template<int Order, int D, class R>
 HD R sampleFace(const UniformGrid<D>& g, const R* u, int d, const Vec<D, double>& x)

@@ -8,39 +8,12 @@
 */
 #pragma once
 
+#include "pic/inCell.hpp"
 #include "pic/shapes/bSpline.hpp"
 #include "pic/transfer/mirror.hpp"
 
 namespace riprap
 {
-
-//- The cell that a point is in, and where in it, 0 .. 1
-template<int D, class R>
-struct InCell
-{
-    int c[D];
-    R t[D];
-
-    HD InCell(const UniformGrid<D>& g, const Vec<D, double>& x)
-    {
-        const double inverse = 1/g.h;
-        for (int a = 0; a < D; ++a)
-        {
-            const double s = x.c[a]*inverse;
-            c[a] = floorInt(s);
-            t[a] = R(s - c[a]);
-        }
-    }
-
-    HD typename UniformGrid<D>::Index index() const
-    {
-        typename UniformGrid<D>::Index i{{0, 0, 0}};
-        for (int a = 0; a < D; ++a) i.c[a] = c[a];
-        return i;
-    }
-
-    HD int cell(const UniformGrid<D>& g) const { return g.cell(index()); }
-};
 
 //- Values of nodes `low` .. of an axis are w of the field: the same for nodes within the block. \return the first of these
 template<int Order, int D, class R>
