@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include "core/cellSort.hpp"
 #include "core/largest.hpp"
+#include "pic/activeRows.hpp"
 #include "pic/cutCells/extendSurface.hpp"
 #include "pic/cutCells/pushOut.hpp"
 #include "pic/extrapolate.hpp"
@@ -172,6 +173,7 @@ private:
     int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
     CellSort<Backend> sort_;
     ParticleToGrid<Backend, D, real> toFaces_;
+    ActiveRows<Backend, D> rows_;               // of the step
     Array<Backend, PlaceInCell<real>> place_;   // of particles, from one sort to the next
     Array<Backend, real> shift_[D];             // of position correction
 

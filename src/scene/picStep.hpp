@@ -102,6 +102,7 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toGrid()
 {
     toFaces_.prepare(context_, grid_, sort_);
+    rows_.find(context_, grid_, toFaces_.occupied(), wet_.data(), sort_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
@@ -133,7 +134,7 @@ void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, 
     for (int pass = 1; pass <= passes; ++pass)
     {
         f.pass = static_cast<unsigned char>(pass);
-        forEach(context_, f.count(grid_), f);
+        rows_.each(context_, f);
     }
 }
 

@@ -268,6 +268,7 @@ public:
         forEach(context, grid.faces(component), GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), u, mass});
     }
 
+    const OccupiedTiles<Backend, D>& occupied() const { return occupied_; }
     std::size_t bytes() const { return occupied_.bytes() + sums_.bytes(); }
 
 private:
