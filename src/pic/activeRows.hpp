@@ -140,6 +140,24 @@ struct OverRows
     }
 };
 
+//- f[d](number of the face) for the faces below a cell along each axis d; at the end of the block those above it, too
+template<int D, class F>
+struct OverFaces
+{
+    static constexpr const char* name = F::name;
+    UniformGrid<D> grid;
+    F f[D];
+
+    HD void operator()(const typename UniformGrid<D>::Index& c) const
+    {
+        for (int d = 0; d < D; ++d)
+        {
+            f[d](grid.faceOf(d, c, 0));
+            if (c.c[d] == grid.n[d] - 1) f[d](grid.faceOf(d, c, 1));
+        }
+    }
+};
+
 template<class Backend, int D>
 class ActiveRows
 {
@@ -171,6 +189,15 @@ public:
     template<class F>
     void each(Context<Backend>& context, const F& f) const
     { forEach(context, count_*CellRows<D>::length, OverRows<D, F>{list_.data(), cells_, f}); }
+
+    //- make(d): what is done with the number of each face of direction d that belongs to them
+    template<class Make>
+    void eachFace(Context<Backend>& context, const UniformGrid<D>& grid, const Make& make) const
+    {
+        using F = decltype(make(0));
+        if constexpr (D == 2) each(context, OverFaces<D, F>{grid, {make(0), make(1)}});
+        else each(context, OverFaces<D, F>{grid, {make(0), make(1), make(2)}});
+    }
 
     std::size_t bytes() const { return has_.bytes() + near_.bytes() + flag_.bytes() + list_.bytes(); }
 

@@ -75,6 +75,7 @@ struct Extrapolate
 
     HD void operator()(typename UniformGrid<D>::Index c) const
     {
+        UNROLL
         for (int d = 0; d < D; ++d)
         {
             fill(d, c);
@@ -93,6 +94,7 @@ private:
         if (layer[component][i] != unknownFace) return;
         R sum[4] = {0, 0, 0, 0};
         int count = 0, stride = 1;
+        UNROLL
         for (int d = 0; d < D; ++d)
         {
             for (int direction = -1; direction <= 1; direction += 2)

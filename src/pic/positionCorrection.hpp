@@ -55,6 +55,7 @@ private:
         const PlaceInCell<R> own = particles.place[i];
         const R reach = spacing*R(1/grid.h), inverse = 1/reach;          // in cells
         int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        UNROLL
         for (int a = 0; a < D; ++a)
         {
             low[a] = at.c[a] + floorInt(own.t[a] - reach);
@@ -82,6 +83,7 @@ private:
     HD void keepAlongSurface(const Vec<D, double>& x, R* push) const
     {
         R normal[D], slope2 = R(1e-12), along = 0;
+        UNROLL
         for (int d = 0; d < D; ++d)
         {
             Vec<D, double> low = x, high = x;

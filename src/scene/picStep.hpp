@@ -151,32 +151,34 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     const bool reflects = config_.reflection > 0;
     const auto force = [&](Array<Backend, real>* from, bool gravity)
     {
-        for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
-                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0)});
+        rows_.eachFace(context_, grid_, [&](int d)
+        {
+            return ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
+                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0)};
+        });
     };
     if (reflects)
     {
         const real part = clock_.steps ? real(0.5*drift/clock_.lastStep) : real(0);
-        for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()});
+        rows_.eachFace(context_, grid_, [&](int d) { return KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()}; });
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
         pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
-        for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part});
+        rows_.eachFace(context_, grid_, [&](int d)
+        { return HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part}; });
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (bodies_) projectWithBodies(dt);
     else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects);
-    for (int d = 0; d < D; ++d)
+    rows_.eachFace(context_, grid_, [&](int d)
     {
-        forEach(context_, grid_.faces(d), VelocityChange<real>
-            {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr, reflects ? carrier_[d].data() : nullptr});
+        return VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr,
+            reflects ? carrier_[d].data() : nullptr};
+    });
+    for (int d = 0; d < D; ++d)
         forEach(context_, grid_.faces(d), MarkByWetCells<D, real>
             {grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()});
-    }
     if (reflects) extrapolate({u_, change_, after_, carrier_}, extrapolationPasses);
     else extrapolate({u_, change_}, extrapolationPasses);
 }
@@ -244,9 +246,9 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
 {
     const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
-    withOrder([&](auto order)
+    withWindows([&](auto order, auto around)
     {
-        AdvectLevelSet<decltype(order)::value, D, real> f{};
+        AdvectLevelSet<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
         for (int d = 0; d < D; ++d) f.u[d] = carrier()[d].data();
         f.from = phi_.data();
@@ -263,16 +265,16 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
     markWater();
 }
 
-//- phi of the carried one
+//- phi of the carried one, which changes in the rows about the water alone
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::redistance()
 {
     const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
-    forEach(context_, cells, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band});
+    forEach(context_, cells, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band, spare_.data()});
     for (int pass = 0; pass <= int(bandCells); ++pass)
     {
-        forEach(context_, cells, SpreadDistance<D, real>{grid_, carried_.data(), phi_.data(), spare_.data(), band});
+        rows_.each(context_, SpreadDistance<D, real>{grid_, carried_.data(), phi_.data(), spare_.data(), band});
         phi_.swap(spare_);
     }
 }

@@ -29,6 +29,7 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
 {
     typename UniformGrid<D>::Index first{{0, 0, 0}};
     R w[D][4];
+    UNROLL
     for (int d = 0; d < D; ++d)
     {
         const double s = x.c[d]/g.h - 0.5;
@@ -38,8 +39,11 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
     bool in = true;
     for (int d = 0; d < D; ++d) in = in && first.c[d] >= 0 && first.c[d] + 3 < g.n[d];
     R sum = 0, low = R(1e30), high = R(-1e30);
+    UNROLL
     for (int k = 0; k < (D == 3 ? 4 : 1); ++k)
+        UNROLL
         for (int j = 0; j < 4; ++j)
+            UNROLL
             for (int i = 0; i < 4; ++i)
             {
                 typename UniformGrid<D>::Index at{{first.c[0] + i, first.c[1] + j, 0}};
@@ -58,7 +62,7 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
     return maximum(low, minimum(sum, high));
 }
 
-template<int Order, int D, class R>
+template<int Order, int D, class R, bool Around = true>
 struct AdvectLevelSet
 {
     static constexpr const char* name = "advectLevelSet";
@@ -75,7 +79,7 @@ struct AdvectLevelSet
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         Vec<D, double> x;
         for (int d = 0; d < D; ++d) x.c[d] = (c.c[d] + 0.5)*grid.h;
-        to[i] = cubicAt(grid, from, intoBlock(grid, carried<Order>(grid, u, x, -timeStep, 3)));
+        to[i] = cubicAt(grid, from, intoBlock(grid, carried<Order, Around>(grid, u, x, -timeStep, 3)));
     }
 };
 

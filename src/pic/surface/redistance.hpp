@@ -48,15 +48,24 @@ struct StartDistance
     const R* carried;
     R* phi;
     R band;
+    R* copy = nullptr;          // of phi; nullptr: none
 
     HD void operator()(int i) const
     {
+        const R distance = start(i);
+        phi[i] = distance;
+        if (copy) copy[i] = distance;
+    }
+
+private:
+
+    HD R start(int i) const
+    {
         const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
         const CellNeighbours<D, R> about(grid, carried, grid.cellIndex(i));
-        if (!atSurface(value, about)) { phi[i] = sign*band; return; }
-        const R slope = slopeOf(grid, about);
-        phi[i] = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
-        phi[i] = sign*minimum(absolute(phi[i]), R(grid.h));
+        if (!atSurface(value, about)) return sign*band;
+        const R slope = slopeOf(grid, about), distance = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
+        return sign*minimum(absolute(distance), R(grid.h));
     }
 };
 
@@ -87,9 +96,11 @@ struct SpreadDistance
     R* to;
     R band;
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { (*this)(grid.cellIndex(i)); }
+
+    HD void operator()(const typename UniformGrid<D>::Index& c) const
     {
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
+        const int i = grid.cell(c);
         const CellNeighbours<D, R> near(grid, from, c);
         const R before = from[i];
         R m[D];

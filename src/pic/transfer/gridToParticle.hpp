@@ -41,6 +41,7 @@ struct GridToParticle
             if (affine) for (int k = 0; k < D*D; ++k) particles.affine[k][i] = 0;
             return;
         }
+        UNROLL
         for (int d = 0; d < D; ++d) affine ? take<true>(d, x, at, i) : take<false>(d, x, at, i);
     }
 

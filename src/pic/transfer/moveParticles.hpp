@@ -24,6 +24,7 @@ HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Ve
 {
     const InCell<D, R> at(g, x);
     Vec<D, R> v;
+    UNROLL
     for (int d = 0; d < D; ++d)
     {
         const Window<Order, D, R> window(g, d, at);

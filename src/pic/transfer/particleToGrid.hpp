@@ -18,6 +18,7 @@
 #include "core/blocks.hpp"
 #include "pic/particles.hpp"
 #include "pic/shapes/bSpline.hpp"
+#include "pic/transfer/mirror.hpp"
 #include "pic/transfer/tiles.hpp"
 
 namespace riprap
@@ -173,22 +174,28 @@ struct GatherTiles
     HD void operator()(int face) const
     {
         const typename UniformGrid<D>::Index at = grid.faceIndex(component, face);
-        int place[3][3] = {};
-        R sign[3][3];
-        int images[3] = {1, 1, 1};
-        for (auto& axis : sign) for (R& one : axis) one = 1;
-        for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], sign[a]);
         R m = 0, mv = 0;
-        for (int k = 0; k < images[2]; ++k)
-            for (int j = 0; j < images[1]; ++j)
-                for (int i = 0; i < images[0]; ++i)
-                    addTiles(typename UniformGrid<D>::Index{{place[0][i], place[1][j], place[2][k]}},
-                        sign[0][i]*sign[1][j]*sign[2][k], m, mv);
+        if (inner(grid, at, 3)) addTiles(at, R(1), m, mv);      // farther from the sides than a particle sees
+        else addWithImages(at, m, mv);
         mass[face] = m;
         u[face] = m > 0 ? mv/m : R(0);
     }
 
 private:
+
+    HD void addWithImages(const typename UniformGrid<D>::Index& at, R& m, R& mv) const
+    {
+        int place[3][3] = {};
+        R sign[3][3];
+        int images[3] = {1, 1, 1};
+        for (auto& axis : sign) for (R& one : axis) one = 1;
+        for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], sign[a]);
+        for (int k = 0; k < images[2]; ++k)
+            for (int j = 0; j < images[1]; ++j)
+                for (int i = 0; i < images[0]; ++i)
+                    addTiles(typename UniformGrid<D>::Index{{place[0][i], place[1][j], place[2][k]}},
+                        sign[0][i]*sign[1][j]*sign[2][k], m, mv);
+    }
 
     HD int low(int a) const { return a == component ? Seen::low : Seen::lowAcross; }
     HD int count(int a) const { return a >= D ? 1 : (a == component ? Seen::count : Seen::countAcross); }
@@ -224,6 +231,7 @@ private:
     {
         constexpr int side = CellTiles<D>::side;
         int from[3] = {0, 0, 0}, to[3] = {0, 0, 0}, within[3] = {0, 0, 0}, stride[3] = {1, 1, 1};      // within: place in the first tile of all
+        UNROLL
         for (int a = 0; a < D; ++a)
         {
             const int faces = Seen::template ofTile<D>(a == component);

@@ -22,6 +22,7 @@ HD int foldWeights(const UniformGrid<D>& g, int component, int axis, int low, R*
     constexpr int nodes = Order + 1;
     const int n = g.n[axis], layers = axis == component ? n + 1 : n, first = low < 0 ? 0 : layers - nodes;
     R sum[nodes] = {};
+    UNROLL
     for (int i = 0; i < nodes; ++i)
     {
         const int j = low + i;
@@ -47,8 +48,10 @@ HD int foldWeights(const UniformGrid<D>& g, int component, int axis, int low, R*
             }
             else one = evenNode(g, axis, j);
         }
+        UNROLL
         for (int k = 0; k < nodes; ++k) sum[k] += (one - first == k ? a*w[i] : R(0)) + (two - first == k ? b*w[i] : R(0));
     }
+    UNROLL
     for (int k = 0; k < nodes; ++k) w[k] = sum[k];
     return first;
 }
@@ -71,6 +74,7 @@ struct Window
     {
         constexpr int beyond = (Order + 1)/2;               // nodes on a side of the block that points within it see
         int step = 1;
+        UNROLL
         for (int a = 0; a < D; ++a)
         {
             const bool own = a == component;
@@ -85,9 +89,12 @@ struct Window
             const int layers = g.n[a] + (own ? 1 : 0);
             if (low < 0 || low + Order >= layers)
             {
-                if (g.periodic[a] || layers < nodes || low < -beyond || low + Order >= layers + beyond) { whole = false; return; }
-                if constexpr (Slopes) foldWeights<Order>(g, component, a, low, slope[a]);
-                low = foldWeights<Order>(g, component, a, low, w[a]);
+                if (g.periodic[a] || layers < nodes || low < -beyond || low + Order >= layers + beyond) whole = false;
+                else
+                {
+                    if constexpr (Slopes) foldWeights<Order>(g, component, a, low, slope[a]);
+                    low = foldWeights<Order>(g, component, a, low, w[a]);
+                }
             }
             first += low*step;
             step *= layers;
@@ -98,13 +105,16 @@ struct Window
     HD R sum(const R* u) const
     {
         R all = 0;
+        UNROLL
         for (int k = 0; k < (D == 3 ? nodes : 1); ++k)
         {
             R plane = 0;
+            UNROLL
             for (int j = 0; j < nodes; ++j)
             {
                 const R* row = u + (first + j*stride[0] + (D == 3 ? k*stride[1] : 0));
                 R line = 0;
+                UNROLL
                 for (int i = 0; i < nodes; ++i) line += w[0][i]*row[i];
                 plane += w[1][j]*line;
             }
@@ -120,13 +130,16 @@ struct Window
         static_assert(Slopes, "a window that has slopes");
         R all = 0;
         for (int a = 0; a < D; ++a) gradient[a] = 0;
+        UNROLL
         for (int k = 0; k < (D == 3 ? nodes : 1); ++k)
         {
             R plane = 0, planeX = 0, planeY = 0;
+            UNROLL
             for (int j = 0; j < nodes; ++j)
             {
                 const R* row = u + (first + j*stride[0] + (D == 3 ? k*stride[1] : 0));
                 R line = 0, lineX = 0;
+                UNROLL
                 for (int i = 0; i < nodes; ++i)
                 {
                     line += w[0][i]*row[i];
