@@ -1,11 +1,12 @@
 /*  picSpeed: time a step of a dam break by particles in cells, by phase.
 
         picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic]
-                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels]
+                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats]
 
     The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a box 4 F columns wide and 2.5 F high. Steps go
     by maxCourant 0.5. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each phase.
-    The particle part is everything but the pressure: transfers, sorting, advection, surface, extrapolation.
+    The particle part is everything but the pressure: transfers, sorting, advection, surface, extrapolation. With --repeats the run is done once
+    more, and the line says whether its state is the same to the bit.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -29,7 +30,7 @@ struct Options
     int dimensions = 3, across = 40;
     double box = 1;
     std::int64_t steps = 40, warmUp = 10;
-    bool kernels = false;
+    bool kernels = false, repeats = false;
 };
 
 template<class T>
@@ -64,6 +65,7 @@ Options read(int argc, char** argv)
         else if (a == "--steps") o.steps = std::stoll(value());
         else if (a == "--warmUp") o.warmUp = std::stoll(value());
         else if (a == "--kernels") o.kernels = true;
+        else if (a == "--repeats") o.repeats = true;
         else throw std::invalid_argument("unknown option " + a);
     }
     if (o.across < 4 || o.steps < 1 || o.warmUp < 1 || !(o.box >= 1)) throw std::invalid_argument("--across: at least 4; --steps and --warmUp: at least 1; --box: at least 1");
@@ -131,10 +133,19 @@ int run(Options o)
     const double wall = seconds(*scene, o.steps, r);
     std::size_t bytes = 0;
     for (const ArrayInfo& a : scene->arrays()) bytes += a.bytes;
+    std::string again;
+    if (o.repeats)
+    {
+        PicReport second;
+        auto other = createPicScene(o.config, column(o), PicWalls());
+        seconds(*other, o.warmUp, second);
+        seconds(*other, o.steps, second);
+        again = other->saveState() == scene->saveState() ? ", repeats to the bit" : ", DOES NOT REPEAT";
+    }
     const std::int64_t cells = std::int64_t(o.config.cells[0])*o.config.cells[1]*o.config.cells[2];
     std::printf("%s, %d threads, %dD, %zu particles, %lld cells, %lld steps: %.4g us a step, %.4g particle-steps/s; %.3g iterations a step, "
-        "%zu bytes a particle, volume error %.2g\n", scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
-        (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall, double(r.pressureIterations)/r.steps, bytes/n, r.volumeError);
+        "%zu bytes a particle, volume error %.2g%s\n", scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
+        (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall, double(r.pressureIterations)/r.steps, bytes/n, r.volumeError, again.c_str());
     if (!o.kernels) return 0;
     scene->timeKernels(true);
     const double timed = seconds(*scene, o.steps, r);

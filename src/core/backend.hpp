@@ -68,6 +68,7 @@ public:
     ~Context()
     {
         cudaStreamSynchronize(stream);
+        cudaFree(parts_);
         cudaEventDestroy(start);
         cudaEventDestroy(stop);
         if (own_) cudaStreamDestroy(stream);
@@ -101,7 +102,21 @@ public:
     }
     void zero(void* p, std::size_t bytes) { checkCuda(cudaMemsetAsync(p, 0, bytes, stream), "memset"); }
 
+    //- Room for partial sums, kept from one sum to the next: to give memory back would wait for the device
+    double* parts(std::size_t n)
+    {
+        if (n > partsRoom_)
+        {
+            if (parts_) release(parts_);
+            parts_ = static_cast<double*>(allocate(n*sizeof(double)));
+            partsRoom_ = n;
+        }
+        return parts_;
+    }
+
 private:
+    double* parts_ = nullptr;
+    std::size_t partsRoom_ = 0;
     bool own_ = true;
 };
 

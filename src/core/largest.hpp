@@ -34,11 +34,11 @@ __global__ void __launch_bounds__(256) largestKernel(int n, F f, double* partial
 template<class F>
 double largestOver(Context<Gpu>& context, int n, const F& f)
 {
-    Array<Gpu, double> partial;
-    partial.allocate(context, sumChunks);
-    profiled(context, F::name, [&] { largestKernel<<<sumChunks, 256, 0, context.stream>>>(n, f, partial.data()); });
-    double most = 0;
-    for (const double value : partial.download()) if (!(value <= most)) most = value;
+    double* partial = context.parts(sumBlocks);
+    profiled(context, F::name, [&] { largestKernel<<<sumBlocks, 256, 0, context.stream>>>(n, f, partial); });
+    double host[sumBlocks], most = 0;
+    context.toHost(host, partial, sizeof(host));
+    for (const double value : host) if (!(value <= most)) most = value;
     return most;
 }
 

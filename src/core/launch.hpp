@@ -128,8 +128,8 @@ void forEachTask(Context<Cpu>& context, int tasks, const F& f)
 #endif
 
 //- Sums of N doubles over particles: f.add(i, sums). Fixed chunks, so that the result does not depend on
-//  the number of threads; up to 256 partial sums are added on the host in order.
-static constexpr int sumChunks = 256;
+//  the number of threads; partial sums are added on the host in order.
+static constexpr int sumChunks = 256, sumBlocks = 1024;     // on the CPU, on the GPU
 
 #ifdef __CUDACC__
 
@@ -156,12 +156,12 @@ __global__ void __launch_bounds__(256) sumKernel(int n, F f, double* partial)
 template<int N, class F>
 std::array<double, N> sumOver(Context<Gpu>& context, int n, const F& f)
 {
-    Array<Gpu, double> partial;
-    partial.allocate(context, sumChunks*N);
-    profiled(context, F::name, [&] { sumKernel<N><<<sumChunks, 256, 0, context.stream>>>(n, f, partial.data()); });
-    const std::vector<double> host = partial.download();
+    double* partial = context.parts(sumBlocks*N);
+    profiled(context, F::name, [&] { sumKernel<N><<<sumBlocks, 256, 0, context.stream>>>(n, f, partial); });
+    double host[sumBlocks*N];
+    context.toHost(host, partial, sizeof(host));
     std::array<double, N> total{};
-    for (int c = 0; c < sumChunks; ++c) for (int k = 0; k < N; ++k) total[k] += host[c*N + k];
+    for (int c = 0; c < sumBlocks; ++c) for (int k = 0; k < N; ++k) total[k] += host[c*N + k];
     return total;
 }
 

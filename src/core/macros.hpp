@@ -3,9 +3,15 @@
 
 #ifdef __CUDACC__
     #define HD __host__ __device__ __forceinline__
+    //- What is rarely called and large: it stands apart, and its registers do not burden who calls it
+    #define HD_APART __host__ __device__ __noinline__
+    //- Before a short loop over arrays that are to stay in registers
+    #define UNROLL _Pragma("unroll")
     //- Before an HD template whose arguments may be of one side alone
     #define EITHER_SIDE _Pragma("nv_exec_check_disable")
 #else
     #define HD inline __attribute__((always_inline))
+    #define HD_APART inline __attribute__((noinline))
+    #define UNROLL
     #define EITHER_SIDE
 #endif

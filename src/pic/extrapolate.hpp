@@ -62,51 +62,69 @@ struct MarkByMass
     }
 };
 
+//- One pass over the faces of a cell: those below it along each axis, at the end of the block those above it, too
 template<int D, class R>
 struct Extrapolate
 {
     static constexpr const char* name = "extrapolate";
     UniformGrid<D> grid;
-    int component;
     unsigned char pass;         // 1, 2, ...
-    unsigned char* layer;
-    R* field[4];                // all extrapolated alike
+    unsigned char* layer[D];
+    R* field[4][D];             // all extrapolated alike
     int fields;
 
-    HD void operator()(int i) const
+    HD void operator()(typename UniformGrid<D>::Index c) const
     {
-        if (layer[i] != unknownFace) return;
-        const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
-        R sum[4] = {0, 0, 0, 0};
-        int count = 0;
+        UNROLL
         for (int d = 0; d < D; ++d)
-            for (int direction = -1; direction <= 1; direction += 2)
-            {
-                const int one = along(f, d, direction);
-                if (one < 0) continue;
-                const int two = along(f, d, 2*direction), three = two < 0 ? -1 : along(f, d, 3*direction);
-                for (int k = 0; k < fields; ++k) sum[k] += continued(field[k], one, two, three);
-                ++count;
-            }
-        if (!count) return;
-        for (int k = 0; k < fields; ++k) field[k][i] = sum[k]/count;
-        layer[i] = pass;
+        {
+            fill(d, c);
+            if (c.c[d] < grid.n[d] - 1) continue;
+            typename UniformGrid<D>::Index last = c;
+            last.c[d] += 1;
+            fill(d, last);
+        }
     }
 
 private:
 
-    //- Known face at an offset, -1: none
-    HD int along(typename UniformGrid<D>::Index f, int d, int offset) const
+    HD void fill(int component, const typename UniformGrid<D>::Index& f) const
+    {
+        const int i = grid.face(component, f);
+        if (layer[component][i] != unknownFace) return;
+        R sum[4] = {0, 0, 0, 0};
+        int count = 0, stride = 1;
+        UNROLL
+        for (int d = 0; d < D; ++d)
+        {
+            for (int direction = -1; direction <= 1; direction += 2)
+            {
+                const auto known = [&](int steps) { return along(component, i, f.c[d], d, stride, direction*steps); };
+                const int one = known(1);
+                if (one < 0) continue;
+                const int two = known(2), three = two < 0 ? -1 : known(3);
+                for (int k = 0; k < 4; ++k) if (k < fields) sum[k] += continued(field[k][component], one, two, three);
+                ++count;
+            }
+            stride *= grid.layers(component, d);
+        }
+        if (!count) return;
+        for (int k = 0; k < 4; ++k) if (k < fields) field[k][component][i] = sum[k]/count;
+        layer[component][i] = pass;
+    }
+
+    //- Known face at an offset along axis d, where face i has index x; -1: none
+    HD int along(int component, int i, int x, int d, int stride, int offset) const
     {
         const int n = grid.layers(component, d);
-        f.c[d] += offset;
-        if (f.c[d] < 0 || f.c[d] >= n)
+        int to = x + offset;
+        if (to < 0 || to >= n)
         {
             if (!grid.periodic[d]) return -1;
-            f.c[d] += f.c[d] < 0 ? grid.n[d] : -grid.n[d];
+            to += to < 0 ? grid.n[d] : -grid.n[d];
         }
-        const int j = grid.face(component, f);
-        return layer[j] < pass ? j : -1;
+        const int j = i + (to - x)*stride;
+        return layer[component][j] < pass ? j : -1;
     }
 
     HD R continued(const R* u, int one, int two, int three) const

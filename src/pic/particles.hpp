@@ -7,8 +7,7 @@
 #pragma once
 
 #include <cstdint>
-#include "core/math.hpp"
-#include "pic/uniformGrid.hpp"
+#include "pic/inCell.hpp"
 
 namespace riprap
 {
@@ -21,7 +20,15 @@ struct PicParticles
     R* v[D];
     R* affine[D*D];             // row d: gradient of component d [1/s]; nullptr unless APIC
     std::int32_t* id;
+    const PlaceInCell<R>* place;
     const int* start;           // cells + 1 entries; particles from start[cells] on are outside
+
+    HD Vec<D, double> position(int i) const
+    {
+        Vec<D, double> at;
+        for (int d = 0; d < D; ++d) at.c[d] = x[d][i];
+        return at;
+    }
 };
 
 //- Sorts by the cell
@@ -45,6 +52,25 @@ struct PicCellKeys
         }
         keys[i] = inside ? grid.cell(c) : grid.cells();
         indices[i] = i;
+    }
+};
+
+//- After sorting
+template<int D, class R>
+struct PlaceInCells
+{
+    static constexpr const char* name = "placeInCells";
+    UniformGrid<D> grid;
+    PicParticles<D, R> particles;
+    PlaceInCell<R>* place;
+
+    HD void operator()(int i) const
+    {
+        const InCell<D, R> at(grid, particles.position(i));
+        PlaceInCell<R> p{};
+        for (int d = 0; d < D; ++d) p.t[d] = at.t[d];
+        p.cell = R(at.c[0]);
+        place[i] = p;
     }
 };
 

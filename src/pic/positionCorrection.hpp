@@ -11,7 +11,7 @@
 #pragma once
 
 #include "pic/particles.hpp"
-#include "pic/transfer/near.hpp"
+#include "pic/transfer/sample.hpp"
 
 namespace riprap
 {
@@ -31,46 +31,69 @@ struct CorrectPositions
 
     HD void operator()(int i) const
     {
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        double s[D];
-        Vec<D, double> x;
+        const Vec<D, double> x = particles.position(i);
+        const InCell<D, R> at(grid, x);
         R push[D], speed2 = 0;
         for (int d = 0; d < D; ++d)
         {
-            x.c[d] = particles.x[d][i];
-            s[d] = x.c[d]/grid.h;
-            c.c[d] = floorInt(s[d]);
             push[d] = 0;
             speed2 += particles.v[d][i]*particles.v[d][i];
             shift[d][i] = 0;
         }
-        if (!nearWater[grid.cell(c)] || !(speed2 > R(0))) return;
-        forEachNear<D>(grid, particles.start, s, double(spacing)/grid.h, [&](int j)
-        {
-            R r[D], r2 = 0;
-            for (int d = 0; d < D; ++d) { r[d] = R(x.c[d] - particles.x[d][j]); r2 += r[d]*r[d]; }
-            if (!(r2 < spacing*spacing) || !(r2 > R(0))) return;
-            const R distance = squareRoot(r2), q = 1 - distance/spacing;
-            for (int d = 0; d < D; ++d) push[d] += q*q*r[d]/distance;
-        });
-        R normal[D];
-        const bool atSurface = sampleCell<1>(grid, phi, x) > R(-grid.h);
-        if (atSurface)
-        {
-            R slope2 = R(1e-12), along = 0;
-            for (int d = 0; d < D; ++d)
-            {
-                Vec<D, double> low = x, high = x;
-                low.c[d] -= 0.5*grid.h;
-                high.c[d] += 0.5*grid.h;
-                normal[d] = (sampleCell<1>(grid, phi, high) - sampleCell<1>(grid, phi, low))/R(grid.h);
-                slope2 += normal[d]*normal[d];
-                along += normal[d]*push[d];
-            }
-            for (int d = 0; d < D; ++d) push[d] -= along*normal[d]/slope2;
-        }
+        if (!nearWater[at.cell(grid)] || !(speed2 > R(0))) return;
+        addPushes(at, i, push);
+        if (sampleCell<1>(grid, phi, x) > R(-grid.h)) keepAlongSurface(x, push);
         const R length = strength*squareRoot(speed2), bound = R(largest)*spacing;
         for (int d = 0; d < D; ++d) shift[d][i] = maximum(-bound, minimum(length*push[d], bound));
+    }
+
+private:
+
+    //- From the particles of the cells that lie within reach, row by row
+    HD void addPushes(const InCell<D, R>& at, int i, R* push) const
+    {
+        const PlaceInCell<R> own = particles.place[i];
+        const R reach = spacing*R(1/grid.h), inverse = 1/reach;          // in cells
+        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        UNROLL
+        for (int a = 0; a < D; ++a)
+        {
+            low[a] = at.c[a] + floorInt(own.t[a] - reach);
+            high[a] = at.c[a] + floorInt(own.t[a] + reach);
+            low[a] = low[a] < 0 ? 0 : low[a];
+            high[a] = high[a] >= grid.n[a] ? grid.n[a] - 1 : high[a];
+        }
+        for (int k = low[2]; k <= high[2]; ++k)
+            for (int j = low[1]; j <= high[1]; ++j)
+            {
+                const int row = grid.n[0]*(j + grid.n[1]*k), to = particles.start[row + high[0] + 1];
+                const R y = own.t[1] + R(at.c[1] - j), z = D == 3 ? own.t[2] + R(at.c[D - 1] - k) : R(0);
+                for (int p = particles.start[row + low[0]]; p < to; ++p)
+                {
+                    const PlaceInCell<R> other = particles.place[p];
+                    const R r[3] = {own.t[0] - other.t[0] + (own.cell - other.cell), y - other.t[1], D == 3 ? z - other.t[2] : R(0)};
+                    const R r2 = r[0]*r[0] + r[1]*r[1] + r[2]*r[2];
+                    if (!(r2 < reach*reach) || !(r2 > R(0))) continue;
+                    const R distance = squareRoot(r2), q = 1 - distance*inverse, part = q*q/distance;
+                    for (int d = 0; d < D; ++d) push[d] += part*r[d];
+                }
+            }
+    }
+
+    HD void keepAlongSurface(const Vec<D, double>& x, R* push) const
+    {
+        R normal[D], slope2 = R(1e-12), along = 0;
+        UNROLL
+        for (int d = 0; d < D; ++d)
+        {
+            Vec<D, double> low = x, high = x;
+            low.c[d] -= 0.5*grid.h;
+            high.c[d] += 0.5*grid.h;
+            normal[d] = (sampleCell<1>(grid, phi, high) - sampleCell<1>(grid, phi, low))/R(grid.h);
+            slope2 += normal[d]*normal[d];
+            along += normal[d]*push[d];
+        }
+        for (int d = 0; d < D; ++d) push[d] -= along*normal[d]/slope2;
     }
 };
 

@@ -107,6 +107,7 @@ std::vector<R> surfaceOf(const UniformGrid<D>& g, const std::vector<double>& fil
     const int n = g.cells();
     std::vector<R> carried(n), phi(n), next(n);
     for (int i = 0; i < n; ++i) carried[i] = R((0.5 - fill[i])*g.h);
+    const bool parts = std::any_of(fill.begin(), fill.end(), [](double f) { return f > 0 && f < 1; });
     for (int sweep = 0;; ++sweep)
     {
         surroundParts(g, fill, carried, band);
@@ -118,7 +119,7 @@ std::vector<R> surfaceOf(const UniformGrid<D>& g, const std::vector<double>& fil
             for (int i = 0; i < n; ++i) SpreadDistance<D, R>{g, carried.data(), phi.data(), next.data(), band}(i);
             phi.swap(next);
         }
-        if (sweep == sweeps) return phi;
+        if (sweep == sweeps || !parts) return phi;
         // towards the phi whose cut cells hold the fill
         #pragma omp parallel for
         for (int i = 0; i < n; ++i)

@@ -32,14 +32,20 @@ struct MarkNearWater
     HD void operator()(int i) const
     {
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
+        const bool in = inner(grid, c, 1);
         bool found = false;
-        for (int k = (D == 3 ? -1 : 0); k <= (D == 3 ? 1 : 0); ++k)
+        for (int k = (D == 3 ? -1 : 0); k <= (D == 3 ? 1 : 0) && !found; ++k)
             for (int j = -1; j <= 1; ++j)
                 for (int l = -1; l <= 1; ++l)
                 {
-                    typename UniformGrid<D>::Index at{{c.c[0] + l, c.c[1] + j, c.c[2] + k}};
-                    for (int d = 0; d < D; ++d) at.c[d] = evenNode(grid, d, at.c[d]);
-                    found = found || wet[grid.cell(at)];
+                    int other = i + l + grid.n[0]*(j + grid.n[1]*k);
+                    if (!in)
+                    {
+                        typename UniformGrid<D>::Index at{{c.c[0] + l, c.c[1] + j, c.c[2] + k}};
+                        for (int d = 0; d < D; ++d) at.c[d] = evenNode(grid, d, at.c[d]);
+                        other = grid.cell(at);
+                    }
+                    found = found || wet[other];
                 }
         near[i] = found;
     }

@@ -10,7 +10,7 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-double PicSolver<Backend, D, P>::timeStep(std::string& limit)
+double PicSolver<Backend, D, P>::timeStep(double speed, std::string& limit)
 {
     if (clock_.initial == 0) { limit = "solids"; return inside_.scene->plan().timeStep; }
     if (!config_.adjustTimeStep) { limit = "fixed"; return config_.fixedTimeStep; }
@@ -19,7 +19,7 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
     for (const auto& axis : grid_.slide)
         for (const auto& side : axis)
             for (const double v : side) slide = std::max(slide, std::abs(v));
-    const double speed = std::max(slide, largestOver(context_, n_, ParticleSpeed<D, real>{particles()}));
+    speed = std::max(slide, speed);
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
     const double waves = waveStep(grid_.h, std::sqrt(g2));
@@ -36,7 +36,11 @@ double PicSolver<Backend, D, P>::timeStep(std::string& limit)
 }
 
 template<class Backend, int D, class P>
-double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit) { return timeStep(limit); }
+double PicSolver<Backend, D, P>::fastest() { return largestOver(context_, n_, ParticleSpeed<D, real>{particles()}); }
+
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit)
+{ return timeStep(clock_.initial && config_.adjustTimeStep ? fastest() : 0, limit); }
 
 //- Without water solids do what they do in a scene of their own, to the bit
 template<class Backend, int D, class P>
@@ -64,8 +68,8 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     if (solidSide_) solidSide_->beginReport();
     while (clock_.time < t && n_ > 0 && (maxSteps <= 0 || report.steps < maxSteps))
     {
-        const double speed = largestOver(context_, n_, ParticleSpeed<D, real>{particles()});
-        double dt = timeStep(report.limit);
+        const double speed = fastest();
+        double dt = timeStep(speed, report.limit);
         const double courant = speed*dt/grid_.h;
         report.maxSpeed = std::max(report.maxSpeed, speed);
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
@@ -89,6 +93,8 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         if (interrupted_) break;
     }
     interrupted_ = false;
+    double sums[3];
+    if (report.steps) volume_ = waterVolume(sums);
     report.viscosityConverged = viscousConverged_;
     if (solidSide_) solidSide_->endReport();
     if (!report.steps) report.minTimeStep = 0;

@@ -143,7 +143,7 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     const auto add = [&](const char* name, std::size_t bytes) { if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes}); };
     add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
     add("p", pressure_.bytes() + reflected_.bytes() + ahead_.bytes() + whole_.bytes());
-    add("sums of cells", toFaces_.bytes());
+    add("sums of tiles", toFaces_.bytes());
     std::size_t u = 0, walls = 0, absorb = 0, viscous = viscous_.pressure.bytes();
     for (int d = 0; d < D; ++d)
     {
@@ -154,6 +154,10 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     }
     walls += nodeDistance_.bytes() + open_.bytes() + openWeight_.bytes() + cellLayer_.bytes();
     add("u", u);
+    std::size_t shifts = 0;
+    for (int d = 0; d < D; ++d) shifts += shift_[d].bytes();
+    add("places in cells", place_.bytes());
+    add("position correction", shifts);
     add("walls", walls);
     add("absorb", absorb);
     add("viscosity", viscous);

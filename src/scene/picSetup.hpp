@@ -248,6 +248,7 @@ void PicSolver<Backend, D, P>::setParticles
     idField_ = set_.template add<std::int32_t>("id");
     set_.allocate(context_, n_);
     sort_.allocate(context_, n_, grid_.cells());
+    place_.allocate(context_, n_);
     if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) shift_[d].allocate(context_, n_);
     std::vector<double> component(n_);
     std::vector<real> velocity(n_);
@@ -277,6 +278,9 @@ template<class Backend, int D, class P>
 std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
 (const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient) const
 {
+    std::vector<double> result(seeds.size(), 0.0);
+    gradient.assign(seeds.size()*D, 0.0);
+    if (std::all_of(v.begin(), v.end(), [](double u) { return u == 0; })) return result;
     constexpr int terms = D + 1;
     const double reach = std::max(grid_.h, 2*config_.spacing);
     const int count = int(x.size()/D);
@@ -288,9 +292,6 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
     std::vector<std::vector<int>> bins(std::size_t(cells[0])*cells[1]*cells[2]);
     for (int p = 0; p < count; ++p)
         bins[index(cellOf(&x[p*D], 0), cellOf(&x[p*D], 1), D == 3 ? cellOf(&x[p*D], D - 1) : 0)].push_back(p);
-    std::vector<double> result(seeds.size(), 0.0);
-    gradient.assign(seeds.size()*D, 0.0);
-    if (std::all_of(v.begin(), v.end(), [](double u) { return u == 0; })) return result;
     #pragma omp parallel for
     for (std::size_t s = 0; s < seeds.size()/D; ++s)
     {

@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include "core/cellSort.hpp"
 #include "core/largest.hpp"
+#include "pic/activeRows.hpp"
 #include "pic/cutCells/extendSurface.hpp"
 #include "pic/cutCells/pushOut.hpp"
 #include "pic/extrapolate.hpp"
@@ -125,6 +126,7 @@ private:
 
     // picStep.hpp
     template<class F> void withOrder(const F&);
+    template<class F> void withWindows(const F&);
     PicParticles<D, real> particles();
     PressureFields<D, real> pressureFields(double dt, bool reflected = false);
     void sortParticles(PicReport* report = nullptr);
@@ -157,7 +159,8 @@ private:
     template<class F> void forEachSaved(const F&);
 
     // picAdvance.hpp
-    double timeStep(std::string& limit);
+    double fastest();
+    double timeStep(double speed, std::string& limit);
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);
 
@@ -172,6 +175,8 @@ private:
     int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
     CellSort<Backend> sort_;
     ParticleToGrid<Backend, D, real> toFaces_;
+    ActiveRows<Backend, D> rows_;               // of the step
+    Array<Backend, PlaceInCell<real>> place_;   // of particles, from one sort to the next
     Array<Backend, real> shift_[D];             // of position correction
 
     Array<Backend, real> phi_, carried_, spare_;

@@ -19,6 +19,18 @@ void PicSolver<Backend, D, P>::withOrder(const F& f)
     else f(std::integral_constant<int, 3>());
 }
 
+//- Also whether there are places around which the nodes are no block
+template<class Backend, int D, class P>
+template<class F>
+void PicSolver<Backend, D, P>::withWindows(const F& f)
+{
+    withOrder([&](auto order)
+    {
+        if (needsAround(grid_, config_.splineOrder)) f(order, std::true_type());
+        else f(order, std::false_type());
+    });
+}
+
 template<class Backend, int D, class P>
 PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
 {
@@ -31,6 +43,7 @@ PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
     }
     for (int k = 0; k < D*D; ++k) p.affine[k] = affineField_ >= 0 ? set_.template data<real>(affineField_ + k) : nullptr;
     p.id = set_.template data<std::int32_t>(idField_);
+    p.place = place_.data();
     p.start = sort_.start();
     return p;
 }
@@ -62,6 +75,7 @@ void PicSolver<Backend, D, P>::sortParticles(PicReport* report)
     sort_.sort(context_, n_);
     set_.permute(context_, sort_.order(), n_);
     context_.toHost(&n_, sort_.active(), sizeof(int));
+    forEach(context_, n_, PlaceInCells<D, real>{grid_, particles(), place_.data()});
     if (!report || n_ == before) return;
     const auto id = set_.template download<std::int32_t>(context_, idField_);
     std::vector<double> x[D];
@@ -88,6 +102,7 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toGrid()
 {
     toFaces_.prepare(context_, grid_, sort_);
+    rows_.find(context_, grid_, toFaces_.occupied(), wet_.data(), sort_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
@@ -108,13 +123,19 @@ void PicSolver<Backend, D, P>::toGrid()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes)
 {
+    Extrapolate<D, real> f{};
+    f.grid = grid_;
+    for (Array<Backend, real>* a : fields)
+    {
+        for (int d = 0; d < D; ++d) f.field[f.fields][d] = a[d].data();
+        ++f.fields;
+    }
+    for (int d = 0; d < D; ++d) f.layer[d] = layer_[d].data();
     for (int pass = 1; pass <= passes; ++pass)
-        for (int d = 0; d < D; ++d)
-        {
-            Extrapolate<D, real> f{grid_, d, static_cast<unsigned char>(pass), layer_[d].data(), {}, 0};
-            for (Array<Backend, real>* a : fields) f.field[f.fields++] = a[d].data();
-            forEach(context_, grid_.faces(d), f);
-        }
+    {
+        f.pass = static_cast<unsigned char>(pass);
+        rows_.each(context_, f);
+    }
 }
 
 //- Forces, then the pressure; the velocity, its change and what carries particles, extended past the surface.
@@ -131,37 +152,39 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     const bool reflects = config_.reflection > 0;
     const auto force = [&](Array<Backend, real>* from, bool gravity)
     {
-        for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
-                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0), gravity && absorb_[d].size() ? absorb_[d].data() : nullptr, real(dt)});
+        rows_.eachFace(context_, grid_, [&](int d)
+        {
+            return ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
+                from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0), gravity && absorb_[d].size() ? absorb_[d].data() : nullptr, real(dt)};
+        });
     };
     if (reflects)
     {
         // after a step that was much shorter (it ended at a target) the little that its drift did says nothing of a long one
         constexpr double longest = 2;
         const real part = clock_.steps ? real(0.5*std::min(drift/clock_.lastStep, longest)) : real(0);
-        for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()});
+        rows_.eachFace(context_, grid_, [&](int d) { return KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()}; });
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
         pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
         forEach(context_, grid_.cells(), HalfImpulse{reflected_.data(), ahead_.data(), dt, double(part)});
-        for (int d = 0; d < D; ++d)
-            forEach(context_, grid_.faces(d), HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part});
+        rows_.eachFace(context_, grid_, [&](int d)
+        { return HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part}; });
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (bodies_) projectWithBodies(dt);
-    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_);
+    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects);
     if (reflects) forEach(context_, grid_.cells(), WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
     if (bodies_) bodies_->act(bodyGrid_.terms, wholePressure().download().data());
-    for (int d = 0; d < D; ++d)
+    rows_.eachFace(context_, grid_, [&](int d)
     {
-        forEach(context_, grid_.faces(d), VelocityChange<real>
-            {u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr, reflects ? carrier_[d].data() : nullptr});
+        return VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr,
+            reflects ? carrier_[d].data() : nullptr};
+    });
+    for (int d = 0; d < D; ++d)
         forEach(context_, grid_.faces(d), MarkByWetCells<D, real>
             {grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()});
-    }
     if (reflects) extrapolate({u_, change_, after_, carrier_}, extrapolationPasses);
     else extrapolate({u_, change_}, extrapolationPasses);
 }
@@ -169,9 +192,9 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toParticles(double dt)
 {
-    withOrder([&](auto order)
+    withWindows([&](auto order, auto around)
     {
-        GridToParticle<decltype(order)::value, D, real> f{};
+        GridToParticle<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
         f.particles = particles();
         for (int d = 0; d < D; ++d)
@@ -203,9 +226,9 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.spacing = real(particleSpacing());
         forEach(context_, n_, f);
     }
-    withOrder([&](auto order)
+    withWindows([&](auto order, auto around)
     {
-        MoveParticles<decltype(order)::value, D, real> f{};
+        MoveParticles<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
         f.particles = particles();
         for (int d = 0; d < D; ++d)
@@ -229,9 +252,9 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
 {
     const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
-    withOrder([&](auto order)
+    withWindows([&](auto order, auto around)
     {
-        AdvectLevelSet<decltype(order)::value, D, real> f{};
+        AdvectLevelSet<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
         for (int d = 0; d < D; ++d) f.u[d] = carrier()[d].data();
         f.from = phi_.data();
@@ -248,16 +271,16 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
     markWater();
 }
 
-//- phi of the carried one
+//- phi of the carried one, which changes in the rows about the water alone
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::redistance()
 {
     const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
-    forEach(context_, cells, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band});
+    forEach(context_, cells, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band, spare_.data()});
     for (int pass = 0; pass <= int(bandCells); ++pass)
     {
-        forEach(context_, cells, SpreadDistance<D, real>{grid_, carried_.data(), phi_.data(), spare_.data(), band});
+        rows_.each(context_, SpreadDistance<D, real>{grid_, carried_.data(), phi_.data(), spare_.data(), band});
         phi_.swap(spare_);
     }
 }
@@ -280,7 +303,7 @@ void PicSolver<Backend, D, P>::holdVolume()
     const double particle = clock_.particleVolume/grid_.volume();
     const double target = (n_ - flying_)*particle;
     double sums[3];
-    volume_ = waterVolume(sums);
+    volume_ = waterVolume(sums);                                    // until the loop over steps ends and asks again
     const double slope = (sums[2] - sums[1])/(0.1*grid_.h);         // dV/d(-phi)
     if (!(slope > 0) || !(target > 0)) return;
     clock_.drift += (volume_ - target)/target;
@@ -288,7 +311,6 @@ void PicSolver<Backend, D, P>::holdVolume()
     shift = std::max(-largestShift*grid_.h, std::min(shift, largestShift*grid_.h));
     if (std::abs(volume_ - target) < 1e-9*target) return;           // round-off is no loss
     forEach(context_, grid_.cells(), ShiftSurface<D, real>{phi_.data(), real(shift), real(bandCells*grid_.h)});
-    volume_ = waterVolume(sums);
     markWater();
 }
 

@@ -36,6 +36,7 @@ struct Cloud
     FieldSet<Backend> set;
     CellSort<Backend> sort;
     ParticleToGrid<Backend, D, R> map;
+    Array<Backend, PlaceInCell<R>> place;
     int n;
     Array<Backend, R> u[D], mass[D];
     std::vector<double> x[D];
@@ -85,6 +86,7 @@ struct Cloud
         for (int d = 0; d < D; ++d) { p.x[d] = set.template data<double>(d); p.v[d] = set.template data<R>(D + d); }
         for (int k = 0; k < D*D; ++k) p.affine[k] = set.template data<R>(2*D + k);
         p.id = set.template data<std::int32_t>(2*D + D*D);
+        p.place = place.data();
         p.start = sort.start();
         return p;
     }
@@ -94,6 +96,8 @@ struct Cloud
         forEach(context, n, PicCellKeys<D, R>{grid, view(), sort.keys(), sort.indices()});
         sort.sort(context, n);
         set.permute(context, sort.order(), n);
+        place.allocate(context, n);
+        forEach(context, n, PlaceInCells<D, R>{grid, view(), place.data()});
     }
 
     template<int Order>
@@ -329,6 +333,60 @@ PIC_TEST(AffineTransferKeepsAngularMomentum)
     }
     EXPECT_NEAR(affine/onGrid, 1, 1000*C::epsilon);
     EXPECT_GT(std::abs(pic/onGrid - 1), 1e-4);
+}
+
+//- Values and gradients from a block of nodes, images beyond the sides folded onto it, are those node by node: beside walls that water slides along
+//  and that it sticks to, around periodic ends, and in a block that is narrower than a cubic spline
+PIC_TEST(WindowsAreTheNodes)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    Random random(23);
+    int whole = 0, folded = 0;
+    for (int kind = 0; kind < 4; ++kind)
+    {
+        UniformGrid<D> g{};
+        g.h = 0.125;
+        for (int d = 0; d < D; ++d)
+        {
+            g.n[d] = kind == 3 && d == 1 ? 2 : 6 + d;
+            g.periodic[d] = kind == 2 && d == 0;
+            for (bool& side : g.sticks[d]) side = kind == 1;
+        }
+        std::vector<R> u[D];
+        for (int d = 0; d < D; ++d)
+            for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+        for (int p = 0; p < 300; ++p)
+        {
+            Vec<D, double> x;
+            for (int d = 0; d < D; ++d)
+            {
+                const double s = random(0, g.n[d]);
+                x.c[d] = g.h*(p % 3 ? s : (s < 0.5*g.n[d] ? 0.1*s : g.n[d] - 0.1*(g.n[d] - s)));       // a third of them beside the sides
+            }
+            forOrders([&](auto order)
+            {
+                constexpr int Order = decltype(order)::value;
+                for (int d = 0; d < D; ++d)
+                {
+                    const Window<Order, D, R, true> window(g, d, InCell<D, R>(g, x));
+                    if (!window.whole) { EXPECT_TRUE(needsAround(g, Order)); continue; }
+                    ++whole;
+                    const Stencil<Order, D, R> nodes(g, d, x);
+                    for (int a = 0; a < D; ++a) folded += nodes.first.c[a] < 0;
+                    Vec<D, R> expected;
+                    R gradient[D];
+                    const R value = window.sum(u[d].data(), gradient), exact = sampleAffineAround<Order>(g, u[d].data(), d, x, expected);
+                    EXPECT_NEAR(value, exact, 100*C::epsilon);
+                    EXPECT_NEAR(window.sum(u[d].data()), exact, 100*C::epsilon);
+                    for (int a = 0; a < D; ++a) { EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h); }
+                }
+            });
+        }
+    }
+    EXPECT_GT(whole, 1000);
+    EXPECT_GT(folded, 100);
 }
 
 //- A turn about the middle of the block: the end of the path is off by dt^2 or dt^3

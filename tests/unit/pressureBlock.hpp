@@ -66,7 +66,8 @@ struct Block
         return c;
     }
 
-    void project(LinearSolver& solver)
+    //- before: the same water with other velocities, projected first with the same coefficients
+    void project(LinearSolver& solver, const Block* before = nullptr)
     {
         Context<Backend> context;
         Array<Backend, R> phiD, apertureD[D], wallD[D], uD[D];
@@ -90,7 +91,17 @@ struct Block
         }
         PressureStep<Backend, D, R> step;
         step.allocate(context, grid);
-        report = step.project(context, f, solver);
+        if (before)
+        {
+            pD.upload(context, before->p);
+            for (int d = 0; d < D; ++d) uD[d].upload(context, before->u[d]);
+            f.timeStep = before->timeStep;
+            step.project(context, f, solver);
+            pD.upload(context, p);
+            for (int d = 0; d < D; ++d) uD[d].upload(context, u[d]);
+            f.timeStep = timeStep;
+        }
+        report = step.project(context, f, solver, nullptr, before != nullptr);
         pocketCells = step.pocketCells();
         context.synchronise();
         p = pD.download();

@@ -46,6 +46,21 @@ struct MarkWet
     HD void operator()(int i) const { wet[i] = isWet(f, i, f.grid.cellIndex(i)); }
 };
 
+//- What leaves a cell through its faces, over their area [m/s]
+template<int D, class R>
+HD double outflow(const PressureFields<D, R>& f, const typename UniformGrid<D>::Index& x)
+{
+    double flux = 0;
+    for (int d = 0; d < D; ++d)
+        for (int side = 0; side < 2; ++side)
+        {
+            const int face = f.grid.faceOf(d, x, side);
+            const double a = f.aperture[d][face], wall = f.wallVelocity[d] ? (1 - a)*double(f.wallVelocity[d][face]) : 0;
+            flux += (side ? 1 : -1)*(a*double(f.u[d][face]) + wall);
+        }
+    return flux;
+}
+
 template<int D, class R>
 struct Assemble
 {
@@ -66,12 +81,11 @@ struct Assemble
             if (wet[cell])
             {
                 guess = f.p[cell];
+                flux = outflow(f, x);
                 for (int d = 0; d < D; ++d)
                     for (int side = 0; side < 2; ++side)
                     {
-                        const int face = f.grid.faceOf(d, x, side);
-                        const double a = f.aperture[d][face];
-                        flux += (side ? 1 : -1)*faceFlux(d, face, a);
+                        const double a = f.aperture[d][f.grid.faceOf(d, x, side)];
                         if (!(a > 0)) continue;
                         const int n = f.grid.neighbour(x, d, side ? 1 : -1);
                         if (n < 0) s += a/endTheta;
@@ -85,13 +99,35 @@ struct Assemble
         out.rhs[i] = -f.density*f.grid.h/f.timeStep*flux;
         out.x[i] = guess;
     }
+};
 
-private:
+//- The same where the coefficients are those of the last projection: of the active tiles only
+template<int D, class R>
+struct AssembleSource
+{
+    static constexpr const char* name = "pressureSource";
+    PressureFields<D, R> f;
+    const int* wet;
+    FineData<D> out;
+    TiledCells<D> cells;
 
-    HD double faceFlux(int d, int face, double a) const
+    HD void operator()(int i) const
     {
-        const double wall = f.wallVelocity[d] ? (1 - a)*double(f.wallVelocity[d][face]) : 0;
-        return a*double(f.u[d][face]) + wall;
+        Place<D> c;
+        if (!cells.at(i, c)) return;
+        double flux = 0, guess = 0;
+        if (out.shape.inside(c))
+        {
+            const auto x = gridIndex<D>(c);
+            const int cell = f.grid.cell(x);
+            if (wet[cell])
+            {
+                flux = outflow(f, x);
+                if (out.inverse[c.c] > 0) guess = f.p[cell];
+            }
+        }
+        out.rhs[c.c] = -f.density*f.grid.h/f.timeStep*flux;
+        out.x[c.c] = guess;
     }
 };
 

@@ -2,7 +2,7 @@
     right-hand side sums to zero over the pocket, and then up to a constant.
 
     Pockets are found by joining cells across open faces to trees whose root is the smallest cell number (K. Komura, Comput.
-    Phys. Commun. 194 (2015) 54): the outcome does not depend on the order of the joins. What does not sum to zero (round-off, or walls
+    Phys. Commun. 194 (2015) 54; each cell begins under a neighbour, and ways up are shortened before the joins): the outcome does not depend on the order of the joins. What does not sum to zero (round-off, or walls
     that squeeze a closed volume) is spread over the pocket's cells by their diagonals, and p gets a mean of zero in it. Sums
     over pockets are of integers, so that their order does not matter either.
 
@@ -38,6 +38,16 @@ HD void join(int* parent, int a, int b)
     }
 }
 
+//- The neighbour of the smallest number that a cell is joined to, if smaller than its own: its first parent, set without a join
+template<int D>
+HD int firstParent(const FineData<D>& f, const Place<D>& c)
+{
+    if (!(f.inverse[c.c] > 0)) return c.c;
+    for (int d = D - 1; d >= 0; --d)
+        if (f.a[d][c.c] > 0 && f.shape.below(c, d) < c.c) return f.shape.below(c, d);
+    return c.c;
+}
+
 template<int D>
 struct StartPockets
 {
@@ -51,8 +61,35 @@ struct StartPockets
     {
         Place<D> c;
         if (!cells.at(i, c)) return;
-        parent[c.c] = c.c;
+        parent[c.c] = firstParent(f, c);
         for (int k = 0; k < 3; ++k) sums[3*c.c + k] = 0;
+    }
+};
+
+//- Shorter ways to the root: a cell's parent becomes one a few parents up. Ways grow shorter by that factor each time, whatever the order
+template<int D>
+struct ShortenPockets
+{
+    static constexpr const char* name = "pressurePocketShorten";
+    static constexpr int parentsUp = 4;
+    FineData<D> f;
+    TiledCells<D> cells;
+    int* parent;
+
+    HD void operator()(int i) const
+    {
+        Place<D> c;
+        if (!cells.at(i, c)) return;
+        int up = sharedRead(parent + c.c);
+        if (up == c.c) return;
+        const int before = up;
+        for (int k = 0; k < parentsUp; ++k)
+        {
+            const int next = sharedRead(parent + up);
+            if (next == up) break;
+            up = next;
+        }
+        if (up != before) sharedWrite(parent + c.c, up);
     }
 };
 
@@ -68,8 +105,9 @@ struct JoinPockets
     {
         Place<D> c;
         if (!cells.at(i, c) || !(f.inverse[c.c] > 0)) return;
+        const int joined = firstParent(f, c);
         for (int d = 0; d < D; ++d)
-            if (f.a[d][c.c] > 0) join(parent, c.c, f.shape.below(c, d));
+            if (f.a[d][c.c] > 0 && f.shape.below(c, d) != joined) join(parent, c.c, f.shape.below(c, d));
     }
 };
 
@@ -88,8 +126,8 @@ struct CountTies
         Place<D> c;
         if (!cells.at(i, c) || !(f.inverse[c.c] > 0)) return;
         const int root = rootOf(parent, c.c);
-        lowerTo(parent + c.c, root);
-        if (f.s[c.c] > 0) addShared(sums + 3*root, 1);
+        sharedWrite(parent + c.c, root);
+        if (f.s[c.c] > 0) raise(sums + 3*root);
     }
 };
 
@@ -147,8 +185,8 @@ struct SumPockets
         if (!cells.at(i, c) || !(f.inverse[c.c] > 0)) return;
         std::int64_t* s = sums + 3*parent[c.c];
         if (s[0]) return;
-        addShared(s + 1, std::int64_t(value[c.c]*scale[0]));
-        addShared(s + 2, byDiagonal ? pocketWeight(f, c.c) : 1);
+        addSharedTogether(s + 1, std::int64_t(value[c.c]*scale[0]));
+        addSharedTogether(s + 2, byDiagonal ? pocketWeight(f, c.c) : 1);
     }
 };
 
@@ -207,6 +245,8 @@ public:
     int find(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells)
     {
         forEach(context, cells.all(), StartPockets<D>{f, cells, parent_.data(), sums_.data()});
+        constexpr int times = Backend::gpu ? 5 : 1;         // cells in a row, one after the other, need but one
+        for (int k = 0; k < times; ++k) forEach(context, cells.all(), ShortenPockets<D>{f, cells, parent_.data()});
         forEach(context, cells.all(), JoinPockets<D>{f, cells, parent_.data()});
         forEach(context, cells.all(), CountTies<D>{f, cells, parent_.data(), sums_.data()});
         measure(context, f, cells, f.rhs);

@@ -36,15 +36,20 @@ public:
     }
 
     //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
-    //  becomes that at the end of the step
-    PressureReport project(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr)
+    //  becomes that at the end of the step. sameWater: surface and open parts are those of the last projection
+    PressureReport project
+    (Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false)
     {
         const FineData<D>& fine = multigrid_.fine();
-        markWet(context, f);
-        forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
-        multigrid_.setUp(context);
+        if (sameWater) forEach(context, multigrid_.fineCells().all(), AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
+        else
+        {
+            markWet(context, f);
+            forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
+            multigrid_.setUp(context);
+            pocketCells_ = pockets_.find(context, fine, multigrid_.fineCells());
+        }
         const TiledCells<D> cells = multigrid_.fineCells();
-        pocketCells_ = pockets_.find(context, fine, cells);
         if (pocketCells_) pockets_.balance(context, fine, cells);
 
         const MultigridControls* controls = solver.onDevice();

@@ -29,15 +29,21 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
 {
     typename UniformGrid<D>::Index first{{0, 0, 0}};
     R w[D][4];
+    UNROLL
     for (int d = 0; d < D; ++d)
     {
         const double s = x.c[d]/g.h - 0.5;
         first.c[d] = floorInt(s) - 1;
         cubicWeights(R(s - first.c[d] - 1), w[d]);
     }
+    bool in = true;
+    for (int d = 0; d < D; ++d) in = in && first.c[d] >= 0 && first.c[d] + 3 < g.n[d];
     R sum = 0, low = R(1e30), high = R(-1e30);
+    UNROLL
     for (int k = 0; k < (D == 3 ? 4 : 1); ++k)
+        UNROLL
         for (int j = 0; j < 4; ++j)
+            UNROLL
             for (int i = 0; i < 4; ++i)
             {
                 typename UniformGrid<D>::Index at{{first.c[0] + i, first.c[1] + j, 0}};
@@ -49,14 +55,14 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
                     weight *= w[2][k];
                     around = around && (k == 1 || k == 2);
                 }
-                const R value = cellValue(g, a, at);
+                const R value = in ? a[g.cell(at)] : cellValue(g, a, at);
                 sum += weight*value;
                 if (around) { low = minimum(low, value); high = maximum(high, value); }
             }
     return maximum(low, minimum(sum, high));
 }
 
-template<int Order, int D, class R>
+template<int Order, int D, class R, bool Around = true>
 struct AdvectLevelSet
 {
     static constexpr const char* name = "advectLevelSet";
@@ -73,7 +79,7 @@ struct AdvectLevelSet
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         Vec<D, double> x;
         for (int d = 0; d < D; ++d) x.c[d] = (c.c[d] + 0.5)*grid.h;
-        to[i] = cubicAt(grid, from, intoBlock(grid, carried<Order>(grid, u, x, -timeStep, 3)));
+        to[i] = cubicAt(grid, from, intoBlock(grid, carried<Order, Around>(grid, u, x, -timeStep, 3)));
     }
 };
 

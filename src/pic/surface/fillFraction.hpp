@@ -11,7 +11,8 @@
 #pragma once
 
 #include "pic/cutCells/extendSurface.hpp"
-#include "pic/transfer/near.hpp"
+#include "pic/particles.hpp"
+#include "pic/transfer/mirror.hpp"
 
 namespace riprap
 {
@@ -30,22 +31,43 @@ HD R surfaceOfFill(R alpha)
     return -maximum(-half, minimum(t, half));
 }
 
+//- The spline of a cell's middle for a particle at t in a cell `offset` further, seen in a mirror or not
+template<class R>
+HD R fillWeight(int offset, bool mirrored, R t)
+{
+    if (offset == 0) return R(0.75) - (t - R(0.5))*(t - R(0.5));
+    return (offset < 0) != mirrored ? R(0.5)*t*t : R(0.5)*(1 - t)*(1 - t);
+}
+
+//- From the particles of the cells about cell c; beyond the sides stand those cells' mirror images, or what comes around
 template<int D, class R>
 HD R fillOf(const UniformGrid<D>& g, const PicParticles<D, R>& particles, const typename UniformGrid<D>::Index& c, R particleCells)
 {
-    double node[D];
-    for (int d = 0; d < D; ++d) node[d] = c.c[d] + 0.5;
-    const double inverse = 1/g.h, reach = BSpline<2>::support;
+    const bool in = inner(g, c, 1);
     R sum = 0;
-    forEachImage<D>(g, node, reach, [&](const double* s)
-    {
-        forEachNear<D>(g, particles.start, s, reach, [&](int p)
-        {
-            R w = 1;
-            for (int d = 0; d < D; ++d) w *= BSpline<2>::value(R(s[d] - particles.x[d][p]*inverse));
-            sum += w;
-        });
-    });
+    for (int k = (D == 3 ? -1 : 0); k <= (D == 3 ? 1 : 0); ++k)
+        for (int j = -1; j <= 1; ++j)
+            for (int i = -1; i <= 1; ++i)
+            {
+                const int offset[3] = {i, j, k};
+                typename UniformGrid<D>::Index at = c;
+                bool mirrored[3] = {false, false, false};
+                for (int d = 0; d < D; ++d)
+                {
+                    at.c[d] += offset[d];
+                    if (in) continue;
+                    mirrored[d] = !g.periodic[d] && (at.c[d] < 0 || at.c[d] >= g.n[d]);
+                    at.c[d] = evenNode(g, d, at.c[d]);
+                }
+                const int cell = g.cell(at);
+                for (int p = particles.start[cell]; p < particles.start[cell + 1]; ++p)
+                {
+                    const PlaceInCell<R> place = particles.place[p];
+                    R w = 1;
+                    for (int d = 0; d < D; ++d) w *= fillWeight(offset[d], mirrored[d], place.t[d]);
+                    sum += w;
+                }
+            }
     return sum*particleCells;
 }
 

@@ -18,15 +18,12 @@ namespace riprap
 template<class R> HD bool fairSlope(R slope) { return slope > R(0.75) && slope < R(1.3333); }
 
 template<int D, class R>
-HD R slopeOf(const UniformGrid<D>& g, const R* phi, const typename UniformGrid<D>::Index& c)
+HD R slopeOf(const UniformGrid<D>& g, const CellNeighbours<D, R>& phi)
 {
     R sum = 0;
     for (int d = 0; d < D; ++d)
     {
-        typename UniformGrid<D>::Index low = c, high = c;
-        low.c[d] -= 1;
-        high.c[d] += 1;
-        const R difference = (cellValue(g, phi, high) - cellValue(g, phi, low))/R(2*g.h);
+        const R difference = (phi.above.c[d] - phi.below.c[d])/R(2*g.h);
         sum += difference*difference;
     }
     return squareRoot(sum);
@@ -34,17 +31,12 @@ HD R slopeOf(const UniformGrid<D>& g, const R* phi, const typename UniformGrid<D
 
 //- Is there a cell of the other sign beside it?
 template<int D, class R>
-HD bool atSurface(const UniformGrid<D>& g, const R* phi, const typename UniformGrid<D>::Index& c)
+HD bool atSurface(R own, const CellNeighbours<D, R>& phi)
 {
-    const bool wet = phi[g.cell(c)] < 0;
-    for (int d = 0; d < D; ++d)
-        for (int offset = -1; offset <= 1; offset += 2)
-        {
-            typename UniformGrid<D>::Index at = c;
-            at.c[d] += offset;
-            if ((cellValue(g, phi, at) < 0) != wet) return true;
-        }
-    return false;
+    const bool wet = own < 0;
+    bool other = false;
+    for (int d = 0; d < D; ++d) other = other || (phi.below.c[d] < 0) != wet || (phi.above.c[d] < 0) != wet;
+    return other;
 }
 
 //- Cells at the surface: their distance; all others: the width of the band
@@ -56,32 +48,24 @@ struct StartDistance
     const R* carried;
     R* phi;
     R band;
+    R* copy = nullptr;          // of phi; nullptr: none
 
     HD void operator()(int i) const
     {
-        const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
-        if (alikeAbout(i)) { phi[i] = sign*band; return; }
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
-        if (!atSurface(grid, carried, c)) { phi[i] = sign*band; return; }
-        const R slope = slopeOf(grid, carried, c);
-        phi[i] = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
-        phi[i] = sign*minimum(absolute(phi[i]), R(grid.h));
+        const R distance = start(i);
+        phi[i] = distance;
+        if (copy) copy[i] = distance;
     }
 
 private:
 
-    //- Most cells, by numbers of cells alone: at the ends of rows that may say no, and the long way says the same
-    HD bool alikeAbout(int i) const
+    HD R start(int i) const
     {
-        const bool wet = carried[i] < 0;
-        int stride = 1;
-        for (int d = 0; d < D; ++d)
-        {
-            if (grid.periodic[d] || i < stride || i + stride >= grid.cells()) return false;
-            if ((carried[i - stride] < 0) != wet || (carried[i + stride] < 0) != wet) return false;
-            stride *= grid.n[d];
-        }
-        return true;
+        const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
+        const CellNeighbours<D, R> about(grid, carried, grid.cellIndex(i));
+        if (!atSurface(value, about)) return sign*band;
+        const R slope = slopeOf(grid, about), distance = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
+        return sign*minimum(absolute(distance), R(grid.h));
     }
 };
 
@@ -112,40 +96,27 @@ struct SpreadDistance
     R* to;
     R band;
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { (*this)(grid.cellIndex(i)); }
+
+    HD void operator()(const typename UniformGrid<D>::Index& c) const
     {
-        if (farFromAll(i)) { to[i] = from[i]; return; }
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
-        if (atSurface(grid, carried, c)) { to[i] = from[i]; return; }
+        const int i = grid.cell(c);
+        const CellNeighbours<D, R> near(grid, from, c);
+        const R before = from[i];
         R m[D];
+        bool far = absolute(before) >= band;
         for (int d = 0; d < D; ++d)
         {
-            typename UniformGrid<D>::Index low = c, high = c;
-            low.c[d] -= 1;
-            high.c[d] += 1;
-            m[d] = minimum(absolute(cellValue(grid, from, low)), absolute(cellValue(grid, from, high)));
+            m[d] = minimum(absolute(near.below.c[d]), absolute(near.above.c[d]));
+            far = far && m[d] >= band;
         }
+        if (far) { to[i] = before; return; }            // nothing has come here, and it is not at the surface
+        const CellNeighbours<D, R> about(grid, carried, c);
+        if (atSurface(carried[i], about)) { to[i] = before; return; }
         const R h = R(grid.h), distance = minimum(godunov<D>(m, h), band), own = absolute(carried[i]);
         const R sign = carried[i] < 0 ? R(-1) : R(1);
-        const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h && fairSlope(slopeOf(grid, carried, c));
+        const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h && fairSlope(slopeOf(grid, about));
         to[i] = sign*(keep ? own : distance);
-    }
-
-private:
-
-    //- Most cells: nothing has reached them or their neighbours yet. By numbers of cells alone: at the ends of rows that may say no, and
-    //  the long way says the same
-    HD bool farFromAll(int i) const
-    {
-        if (absolute(from[i]) < band) return false;
-        int stride = 1;
-        for (int d = 0; d < D; ++d)
-        {
-            if (grid.periodic[d] || i < stride || i + stride >= grid.cells()) return false;
-            if (absolute(from[i - stride]) < band || absolute(from[i + stride]) < band) return false;
-            stride *= grid.n[d];
-        }
-        return true;
     }
 };
 

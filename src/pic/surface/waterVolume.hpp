@@ -47,15 +47,9 @@ HD double waterFraction(const UniformGrid<D>& g, const R* phi, int i, double shi
 {
     const double value = phi[i] + shift;
     if (absolute(value) > 2*g.h) return value < 0 ? 1 : 0;
-    const typename UniformGrid<D>::Index c = g.cellIndex(i);
+    const CellNeighbours<D, R> near(g, phi, g.cellIndex(i));
     double m[D];
-    for (int d = 0; d < D; ++d)
-    {
-        typename UniformGrid<D>::Index low = c, high = c;
-        low.c[d] -= 1;
-        high.c[d] += 1;
-        m[d] = 0.5*(double(cellValue(g, phi, high)) - double(cellValue(g, phi, low)));
-    }
+    for (int d = 0; d < D; ++d) m[d] = 0.5*(double(near.above.c[d]) - double(near.below.c[d]));
     return cutFraction<D>(value, m);
 }
 

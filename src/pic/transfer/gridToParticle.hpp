@@ -17,7 +17,8 @@
 namespace riprap
 {
 
-template<int Order, int D, class R>
+//- Around: also where the block ends in itself, or is narrower than the spline
+template<int Order, int D, class R, bool Around = true>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
@@ -32,33 +33,47 @@ struct GridToParticle
 
     HD void operator()(int i) const
     {
-        Vec<D, double> x;
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        for (int d = 0; d < D; ++d)
-        {
-            x.c[d] = particles.x[d][i];
-            c.c[d] = floorInt(x.c[d]/grid.h);
-        }
-        if (!nearWater[grid.cell(c)])
+        const Vec<D, double> x = particles.position(i);
+        const InCell<D, R> at(grid, x);
+        if (!nearWater[at.cell(grid)])
         {
             for (int d = 0; d < D; ++d) particles.v[d][i] += fall[d];
             if (affine) for (int k = 0; k < D*D; ++k) particles.affine[k][i] = 0;
             return;
         }
-        for (int d = 0; d < D; ++d)
+        UNROLL
+        for (int d = 0; d < D; ++d) affine ? take<true>(d, x, at, i) : take<false>(d, x, at, i);
+    }
+
+private:
+
+    template<bool Affine>
+    HD void take(int d, const Vec<D, double>& x, const InCell<D, R>& at, int i) const
+    {
+        const Window<Order, D, R, Affine> window(grid, d, at);
+        R pic = 0, change = 0, gradient[D];
+        if (!Around || window.whole)
         {
-            R pic = 0, v = 0;
-            if (affine)
+            if constexpr (Affine)
             {
-                R gradient[D];
-                pic = sampleAffine<Order>(grid, u[d], d, x, gradient);
-                for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
+                pic = window.sum(u[d], gradient);
+                for (int a = 0; a < D; ++a) gradient[a] *= R(1/grid.h);
             }
-            else if (picPart > 0) pic = sampleFace<Order>(grid, u[d], d, x);
-            if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + sampleFace<Order>(grid, du[d], d, x));
-            if (picPart > 0) v += picPart*pic;
-            particles.v[d][i] = v;
+            else if (picPart > 0) pic = window.sum(u[d]);
+            if (picPart < 1) change = window.sum(du[d]);
         }
+        else if constexpr (Around)
+        {
+            Vec<D, R> around;
+            pic = sampleAffineAround<Order>(grid, u[d], d, x, around);
+            for (int a = 0; a < D; ++a) gradient[a] = around.c[a];
+            change = sampleAround<Order>(grid, du[d], d, x);
+        }
+        if constexpr (Affine) for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
+        R v = 0;
+        if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + change);
+        if (picPart > 0) v += picPart*pic;
+        particles.v[d][i] = v;
     }
 };
 
@@ -78,14 +93,8 @@ struct VelocityNow
 
     HD void operator()(int i) const
     {
-        Vec<D, double> x;
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        for (int d = 0; d < D; ++d)
-        {
-            x.c[d] = particles.x[d][i];
-            c.c[d] = floorInt(x.c[d]/grid.h);
-        }
-        const bool water = nearWater[grid.cell(c)];
+        const Vec<D, double> x = particles.position(i);
+        const bool water = nearWater[InCell<D, R>(grid, x).cell(grid)];
         result[i] = particles.v[component][i] + (water ? part*sampleFace<Order>(grid, du, component, x) : fall);
     }
 };

@@ -77,6 +77,15 @@ HD R faceValue(const UniformGrid<D>& g, const R* u, int d, typename UniformGrid<
     return sum;
 }
 
+//- Do cells up to `reach` away all lie within the block?
+template<int D>
+HD bool inner(const UniformGrid<D>& g, const typename UniformGrid<D>::Index& c, int reach)
+{
+    bool in = true;
+    for (int d = 0; d < D; ++d) in = in && c.c[d] >= reach && c.c[d] < g.n[d] - reach;
+    return in;
+}
+
 //- Value of a field of cells, even about the sides
 template<int D, class R>
 HD R cellValue(const UniformGrid<D>& g, const R* a, typename UniformGrid<D>::Index c)
@@ -84,5 +93,34 @@ HD R cellValue(const UniformGrid<D>& g, const R* a, typename UniformGrid<D>::Ind
     for (int d = 0; d < D; ++d) c.c[d] = evenNode(g, d, c.c[d]);
     return a[g.cell(c)];
 }
+
+//- Values below and above along each axis: below.c[d], above.c[d]
+template<int D, class R>
+struct CellNeighbours
+{
+    Vec<D, R> below, above;
+
+    HD CellNeighbours(const UniformGrid<D>& g, const R* a, const typename UniformGrid<D>::Index& c)
+    {
+        const int i = g.cell(c);
+        int stride = 1;
+        if (inner(g, c, 1))
+            for (int d = 0; d < D; ++d)
+            {
+                below.c[d] = a[i - stride];
+                above.c[d] = a[i + stride];
+                stride *= g.n[d];
+            }
+        else
+            for (int d = 0; d < D; ++d)
+            {
+                typename UniformGrid<D>::Index low = c, high = c;
+                low.c[d] -= 1;
+                high.c[d] += 1;
+                below.c[d] = cellValue(g, a, low);
+                above.c[d] = cellValue(g, a, high);
+            }
+    }
+};
 
 } // namespace riprap

@@ -18,12 +18,19 @@
 namespace riprap
 {
 
-//- Velocity of the grid at a point
-template<int Order, int D, class R>
+//- Velocity of the grid at a point. Around: also where the block ends in itself, or is narrower than the spline
+template<int Order, bool Around, int D, class R>
 HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x)
 {
+    const InCell<D, R> at(g, x);
     Vec<D, R> v;
-    for (int d = 0; d < D; ++d) v.c[d] = sampleFace<Order>(g, u[d], d, x);
+    UNROLL
+    for (int d = 0; d < D; ++d)
+    {
+        const Window<Order, D, R> window(g, d, at);
+        if (!Around || window.whole) v.c[d] = window.sum(u[d]);
+        else if constexpr (Around) v.c[d] = sampleAround<Order>(g, u[d], d, x);
+    }
     return v;
 }
 
@@ -41,18 +48,18 @@ HD Vec<D, double> intoBlock(const UniformGrid<D>& g, Vec<D, double> x)
 }
 
 //- Where the field takes a point in dt (negative: where it came from)
-template<int Order, int D, class R>
+template<int Order, bool Around = true, int D, class R>
 HD Vec<D, double> carried(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x, double dt, int order)
 {
     const auto ahead = [&](const Vec<D, R>& v, double by) { return intoBlock(g, x + by*convert<double>(v)); };
-    const Vec<D, R> k1 = sampleVelocity<Order>(g, u, x);
-    const Vec<D, R> k2 = sampleVelocity<Order>(g, u, ahead(k1, 0.5*dt));
+    const Vec<D, R> k1 = sampleVelocity<Order, Around>(g, u, x);
+    const Vec<D, R> k2 = sampleVelocity<Order, Around>(g, u, ahead(k1, 0.5*dt));
     if (order == 2) return x + dt*convert<double>(k2);
-    const Vec<D, R> k3 = sampleVelocity<Order>(g, u, ahead(k2, 0.75*dt));
+    const Vec<D, R> k3 = sampleVelocity<Order, Around>(g, u, ahead(k2, 0.75*dt));
     return x + (dt/9)*(2.0*convert<double>(k1) + 3.0*convert<double>(k2) + 4.0*convert<double>(k3));
 }
 
-template<int Order, int D, class R>
+template<int Order, int D, class R, bool Around = true>
 struct MoveParticles
 {
     static constexpr const char* name = "moveParticles";
@@ -69,16 +76,12 @@ struct MoveParticles
 
     HD void operator()(int i) const
     {
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        Vec<D, double> x, to;
-        for (int d = 0; d < D; ++d)
-        {
-            x.c[d] = particles.x[d][i];
-            c.c[d] = floorInt(x.c[d]/grid.h);
-        }
+        const Vec<D, double> x = particles.position(i);
+        const typename UniformGrid<D>::Index c = InCell<D, R>(grid, x).index();
+        Vec<D, double> to;
         if (nearWater[grid.cell(c)])
         {
-            to = carried<Order>(grid, u, x, timeStep, order);
+            to = carried<Order, Around>(grid, u, x, timeStep, order);
             if (shift[0]) displace(to, i);
         }
         else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];

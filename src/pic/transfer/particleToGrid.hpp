@@ -6,18 +6,20 @@
     are conserved to round-off, and with APIC angular momentum about the nodes. At the sides of the block images of the particles count as well (mirror.hpp):
     the mass stays, the wall takes momentum. What runs along a side that water sticks to has no image: the particles' gradients tell what it is there.
 
-    In two passes, so that the weights of a particle are found once: each cell sums its own particles over the faces that they can see; each face
-    adds what the cells about it have for it, in their order: the same input gives the same bits.
+    In two passes, so that the weights of a particle are found once: a block of threads takes a tile of 64 cells, each of which sums its own particles over the faces that
+    they can see; then cell by cell of that neighbourhood all of them add theirs to the tile's sums, different cells to different faces. Each face adds what the
+    tiles about it have for it, in their order: the same input gives the same bits.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include <algorithm>
-#include "core/cellSort.hpp"
+#include "core/blocks.hpp"
 #include "pic/particles.hpp"
 #include "pic/shapes/bSpline.hpp"
-#include "pic/transfer/near.hpp"
+#include "pic/transfer/mirror.hpp"
+#include "pic/transfer/tiles.hpp"
 
 namespace riprap
 {
@@ -30,124 +32,170 @@ struct SeenFaces
     static constexpr int lowAcross = Order == 3 ? -2 : -1, countAcross = Order == 3 ? 5 : 3;
 
     template<int D> static constexpr int all() { return count*countAcross*(D == 3 ? countAcross : 1); }
+
+    //- Along an axis, of all cells of a tile
+    template<int D> HD static constexpr int ofTile(bool own) { return CellTiles<D>::side - 1 + (own ? count : countAcross); }
+    template<int D> HD static constexpr int allOfTile() { return ofTile<D>(true)*ofTile<D>(false)*(D == 3 ? ofTile<D>(false) : 1); }
 };
 
-//- 1 for each cell that has particles
-struct HasParticles
-{
-    static constexpr const char* name = "hasParticles";
-    const int* start;
-    int cells;
-    int* slot;                  // cells + 1
-    HD void operator()(int c) const { slot[c] = c < cells && start[c + 1] > start[c]; }
-};
+template<class R>
+struct alignas(2*sizeof(R)) FaceSum { R mass, momentum; };
 
-//- Sums of a cell's particles; those for one of its faces stand `stride` apart from those for the next
+
+//- Sums of the tiles that have particles
 template<int Order, int D, class R>
-struct SumCells
+struct SumTiles
 {
     static constexpr const char* name = "particleToGrid";
+    static constexpr int threads = CellTiles<D>::cells;
     using Seen = SeenFaces<Order>;
+    using Index = typename UniformGrid<D>::Index;
+    static constexpr int all = Seen::template all<D>(), allOfTile = Seen::template allOfTile<D>();
+    struct Shared { FaceSum<R> sum[allOfTile]; };
+
     UniformGrid<D> grid;
+    CellTiles<D> tiles;
+    const int* list;
     PicParticles<D, R> particles;
     int component;
     bool affine;
-    const int* slot;            // of a cell that has particles
-    int stride;
-    R* mass;
-    R* momentum;
+    FaceSum<R>* sums;           // tile after tile
 
-    //- The directions across the faces' own
-    HD int across(int k) const { return component <= k ? k + 1 : k; }
-
-    HD void operator()(int cell) const
+    HD void operator()(const Team& team, Shared& shared, int block) const
     {
-        const int from = particles.start[cell], to = particles.start[cell + 1];
-        if (from == to) return;
-        R m[Seen::template all<D>()] = {}, mv[Seen::template all<D>()] = {};
-        const typename UniformGrid<D>::Index at = grid.cellIndex(cell);
-        for (int p = from; p < to; ++p) affine ? add<true>(at, p, m, mv) : add<false>(at, p, m, mv);
-        for (int k = 0; k < Seen::template all<D>(); ++k)
-        {
-            mass[std::size_t(k)*stride + slot[cell]] = m[k];
-            momentum[std::size_t(k)*stride + slot[cell]] = mv[k];
-        }
+        const Index first = tiles.first(list[block]);
+        team.each(allOfTile, [&](int k) { shared.sum[k] = FaceSum<R>{R(0), R(0)}; });
+        for (int k = team.index; k < threads; k += team.size) affine ? addCell<true>(team, shared, first, k) : addCell<false>(team, shared, first, k);
+        team.each(allOfTile, [&](int k) { sums[std::size_t(block)*allOfTile + k] = shared.sum[k]; });
     }
 
 private:
 
-    //- Weights of `Count` faces along an axis, the first of which lies at s0 (in cells), and how the affine part changes along it
-    template<bool Affine, int Count>
-    HD void along(int axis, double s0, double inverse, int p, R* w, R* change) const
+    //- The directions across the faces' own
+    HD int across(int k) const { return component <= k ? k + 1 : k; }
+
+    HD int ofTile(int a) const { return Seen::template ofTile<D>(a == component); }
+
+    template<bool Affine>
+    HD void addCell(const Team& team, Shared& shared, const Index& first, int number) const
     {
-        const R s = R(s0 - particles.x[axis][p]*inverse);
-        const R slope = Affine ? particles.affine[component*D + axis][p]*R(grid.h) : R(0);
-        for (int i = 0; i < Count; ++i)
+        constexpr int side = CellTiles<D>::side, n = Seen::count, b = Seen::countAcross, c = D == 3 ? b : 1;
+        const int local[3] = {number % side, number/side % side, D == 3 ? number/(side*side) : 0};
+        Index at = first;
+        bool exists = true;
+        int stride[3] = {1, ofTile(0), ofTile(0)*ofTile(1)}, place = 0;
+        for (int a = 0; a < D; ++a)
         {
-            w[i] = BSpline<Order>::value(s + i);
-            change[i] = slope*(s + i);
+            at.c[a] += local[a];
+            exists = exists && at.c[a] < grid.n[a];
+            place += local[a]*stride[a];
+        }
+        R m[all] = {}, mv[all] = {};
+        int from = 0, to = 0;
+        if (exists)
+        {
+            const int cell = grid.cell(at);
+            from = particles.start[cell];
+            to = particles.start[cell + 1];
+        }
+        for (int p = from; p < to; ++p) addParticle<Affine>(p, m, mv);
+        for (int k = 0; k < c; ++k)
+            for (int j = 0; j < b; ++j)
+                for (int i = 0; i < n; ++i)
+                {
+                    if (from < to)
+                    {
+                        FaceSum<R>& sum = shared.sum[place + i*stride[component] + j*stride[across(0)] + (D == 3 ? k*stride[across(1)] : 0)];
+                        sum.mass += m[i + n*(j + b*k)];
+                        sum.momentum += mv[i + n*(j + b*k)];
+                    }
+                    team.wait();
+                }
+    }
+
+    //- Weights of the faces along an axis that particles of a cell see, and how the affine part changes along it; t: where in the cell, 0 .. 1
+    template<bool Own, bool Affine>
+    HD void along(R t, R slope, R* w, R* change) const
+    {
+        constexpr int seen = Own ? Seen::count : Seen::countAcross, nodes = Order + 1;
+        constexpr R first = Own ? R(Seen::low) : R(Seen::lowAcross) + R(0.5);
+        const bool upper = seen > nodes && t >= R(0.5);         // which of them have a weight depends on the half of the cell
+        R weight[nodes];
+        BSpline<Order>::weights(t - first - (upper ? R(1) : R(0)), weight);
+        for (int i = 0; i < seen; ++i)
+        {
+            const R inLower = i < nodes ? weight[i < nodes ? i : 0] : R(0), inUpper = i > 0 ? weight[i > 0 ? i - 1 : 0] : R(0);
+            w[i] = upper ? inUpper : inLower;
+            change[i] = Affine ? slope*(first + i - t) : R(0);
         }
     }
 
     template<bool Affine>
-    HD void add(const typename UniformGrid<D>::Index& at, int p, R* m, R* mv) const
+    HD R slopeAlong(int axis, int p) const { return Affine ? particles.affine[component*D + axis][p]*R(grid.h) : R(0); }
+
+    template<bool Affine>
+    HD void addParticle(int p, R* m, R* mv) const
     {
-        constexpr int n = Seen::count, b = Seen::countAcross, c = D == 3 ? Seen::countAcross : 1;
-        const double inverse = 1/grid.h;
+        constexpr int n = Seen::count, b = Seen::countAcross, c = D == 3 ? b : 1;
+        const PlaceInCell<R> in = particles.place[p];
         R wn[n], wb[b], wc[b] = {R(1)}, cn[n], cb[b], cc[b] = {R(0)};
-        along<Affine, n>(component, at.c[component] + Seen::low, inverse, p, wn, cn);
-        along<Affine, b>(across(0), at.c[across(0)] + Seen::lowAcross + 0.5, inverse, p, wb, cb);
-        if constexpr (D == 3) along<Affine, b>(across(1), at.c[across(1)] + Seen::lowAcross + 0.5, inverse, p, wc, cc);
+        along<true, Affine>(in.t[component], slopeAlong<Affine>(component, p), wn, cn);
+        along<false, Affine>(in.t[across(0)], slopeAlong<Affine>(across(0), p), wb, cb);
+        if constexpr (D == 3) along<false, Affine>(in.t[across(1)], slopeAlong<Affine>(across(1), p), wc, cc);
         const R v = particles.v[component][p];
+        for (int i = 0; i < n; ++i) cn[i] *= wn[i];
         for (int k = 0; k < c; ++k)
             for (int j = 0; j < b; ++j)
             {
                 const R row = wb[j]*wc[k], speed = v + cb[j] + cc[k];
                 for (int i = 0; i < n; ++i)
                 {
-                    const R w = row*wn[i];
-                    m[i + n*(j + b*k)] += w;
-                    mv[i + n*(j + b*k)] += w*(Affine ? speed + cn[i] : v);
+                    m[i + n*(j + b*k)] += row*wn[i];
+                    mv[i + n*(j + b*k)] += row*(wn[i]*speed + cn[i]);
                 }
             }
     }
 };
 
-//- A face adds what the cells about it, and about its images beyond the sides, have for it
+//- A face adds what the tiles about it, and about its images beyond the sides, have for it
 template<int Order, int D, class R>
-struct GatherCells
+struct GatherTiles
 {
-    static constexpr const char* name = "gatherCells";
+    static constexpr const char* name = "gatherTiles";
     using Seen = SeenFaces<Order>;
     UniformGrid<D> grid;
-    const int* start;           // of the cells' particles
+    CellTiles<D> tiles;
+    const int* placeOf;         // of a tile among those that have particles; -1: it has none
     int component;
-    const int* slot;
-    int stride;
-    const R* cellMass;
-    const R* cellMomentum;
+    const FaceSum<R>* sums;
     R* u;                       // velocity [m/s], 0 where no particle is near
     R* mass;                    // in particles
 
     HD void operator()(int face) const
     {
         const typename UniformGrid<D>::Index at = grid.faceIndex(component, face);
-        int place[3][3] = {};
-        R sign[3][3];
-        int images[3] = {1, 1, 1};
-        for (auto& axis : sign) for (R& one : axis) one = 1;
-        for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], sign[a]);
         R m = 0, mv = 0;
-        for (int k = 0; k < images[2]; ++k)
-            for (int j = 0; j < images[1]; ++j)
-                for (int i = 0; i < images[0]; ++i)
-                    addCells(typename UniformGrid<D>::Index{{place[0][i], place[1][j], place[2][k]}},
-                        sign[0][i]*sign[1][j]*sign[2][k], m, mv);
+        if (inner(grid, at, 3)) addTiles(at, R(1), m, mv);      // farther from the sides than a particle sees
+        else addWithImages(at, m, mv);
         mass[face] = m;
         u[face] = m > 0 ? mv/m : R(0);
     }
 
 private:
+
+    HD void addWithImages(const typename UniformGrid<D>::Index& at, R& m, R& mv) const
+    {
+        int place[3][3] = {};
+        R sign[3][3];
+        int images[3] = {1, 1, 1};
+        for (auto& axis : sign) for (R& one : axis) one = 1;
+        for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], sign[a]);
+        for (int k = 0; k < images[2]; ++k)
+            for (int j = 0; j < images[1]; ++j)
+                for (int i = 0; i < images[0]; ++i)
+                    addTiles(typename UniformGrid<D>::Index{{place[0][i], place[1][j], place[2][k]}},
+                        sign[0][i]*sign[1][j]*sign[2][k], m, mv);
+    }
 
     HD int low(int a) const { return a == component ? Seen::low : Seen::lowAcross; }
     HD int count(int a) const { return a >= D ? 1 : (a == component ? Seen::count : Seen::countAcross); }
@@ -179,72 +227,61 @@ private:
         return found;
     }
 
-    HD void addCells(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv) const
+    HD void addTiles(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv) const
     {
-        int from[3] = {0, 0, 0}, to[3] = {0, 0, 0};         // cells that see the face
+        constexpr int side = CellTiles<D>::side;
+        int from[3] = {0, 0, 0}, to[3] = {0, 0, 0}, within[3] = {0, 0, 0}, stride[3] = {1, 1, 1};      // within: place in the first tile of all
+        UNROLL
         for (int a = 0; a < D; ++a)
         {
-            from[a] = at.c[a] - low(a) - count(a) + 1;
-            to[a] = at.c[a] - low(a);
-            from[a] = from[a] < 0 ? 0 : from[a];
-            to[a] = to[a] >= grid.n[a] ? grid.n[a] - 1 : to[a];
+            const int faces = Seen::template ofTile<D>(a == component);
+            within[a] = at.c[a] - low(a);
+            from[a] = within[a] < faces ? 0 : (within[a] - faces + side)/side;
+            to[a] = within[a]/side;
+            to[a] = to[a] < tiles.n[a] ? to[a] : tiles.n[a] - 1;
+            if (a < 2) stride[a + 1] = stride[a]*faces;
         }
-        const int step[3] = {stepOf(0), stepOf(1), stepOf(2)};
         for (int k = from[2]; k <= to[2]; ++k)
             for (int j = from[1]; j <= to[1]; ++j)
-            {
-                const int row = grid.n[0]*(j + grid.n[1]*k);
-                if (from[0] > to[0] || start[row + to[0] + 1] == start[row + from[0]]) continue;
-                const int fixed = step[1]*(at.c[1] - j - low(1)) + (D == 3 ? step[2]*(at.c[2] - k - low(2)) : 0);
                 for (int i = from[0]; i <= to[0]; ++i)
                 {
-                    if (start[row + i + 1] == start[row + i]) continue;
-                    const std::size_t number = std::size_t(fixed + step[0]*(at.c[0] - i - low(0)))*stride + slot[row + i];
-                    const R seen = cellMass[number];
-                    m += seen;
-                    mv += sign*cellMomentum[number];
+                    const int place = placeOf[i + tiles.n[0]*(j + tiles.n[1]*k)];
+                    if (place < 0) continue;
+                    int number = within[0] - side*i + stride[1]*(within[1] - side*j);
+                    if constexpr (D == 3) number += stride[2]*(within[2] - side*k);
+                    const FaceSum<R> sum = sums[std::size_t(place)*Seen::template allOfTile<D>() + number];
+                    m += sum.mass;
+                    mv += sign*sum.momentum;
                 }
-            }
     }
-
-    //- By how much the number of a face within a cell's sums grows along an axis
-    HD int stepOf(int a) const { return a == component ? 1 : (a == (component == 0 ? 1 : 0) ? Seen::count : Seen::count*Seen::countAcross); }
 };
 
-//- The sums of cells, and the map to the faces
+//- The sums of tiles, and the map to the faces
 template<class Backend, int D, class R>
 class ParticleToGrid
 {
 public:
 
-    //- After the particles were sorted: which cells have any. sort: theirs
-    void prepare(Context<Backend>& context, const UniformGrid<D>& grid, CellSort<Backend>& sort)
-    {
-        const int cells = grid.cells();
-        slot_.allocate(context, std::size_t(cells) + 1);
-        forEach(context, cells + 1, HasParticles{sort.start(), cells, slot_.data()});
-        sort.scan(context, slot_.data(), cells + 1);
-        context.toHost(&occupied_, slot_.data() + cells, sizeof(int));
-    }
+    //- After the particles were sorted: which tiles have any. sort: theirs
+    void prepare(Context<Backend>& context, const UniformGrid<D>& grid, CellSort<Backend>& sort) { occupied_.find(context, grid, sort); }
 
     //- Velocity u and mass of all faces of one direction
     template<int Order>
     void map(Context<Backend>& context, const UniformGrid<D>& grid, const PicParticles<D, R>& particles, int component, bool affine, R* u, R* mass)
     {
-        const int stride = std::max(occupied_, 1);
-        const std::size_t all = std::size_t(stride)*SeenFaces<Order>::template all<D>();
-        for (auto& a : sums_) if (a.size() < all) a.allocate(context, all + all/8);
-        forEach(context, grid.cells(), SumCells<Order, D, R>{grid, particles, component, affine, slot_.data(), stride, sums_[0].data(), sums_[1].data()});
-        forEach(context, grid.faces(component), GatherCells<Order, D, R>
-            {grid, particles.start, component, slot_.data(), stride, sums_[0].data(), sums_[1].data(), u, mass});
+        const CellTiles<D>& tiles = occupied_.tiles();
+        const std::size_t all = std::size_t(std::max(occupied_.count(), 1))*SeenFaces<Order>::template allOfTile<D>();
+        if (sums_.size() < all) sums_.allocate(context, all + all/8);
+        forEachBlock(context, occupied_.count(), SumTiles<Order, D, R>{grid, tiles, occupied_.list(), particles, component, affine, sums_.data()});
+        forEach(context, grid.faces(component), GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), u, mass});
     }
 
-    std::size_t bytes() const { return slot_.bytes() + sums_[0].bytes() + sums_[1].bytes(); }
+    const OccupiedTiles<Backend, D>& occupied() const { return occupied_; }
+    std::size_t bytes() const { return occupied_.bytes() + sums_.bytes(); }
 
 private:
-    Array<Backend, int> slot_;          // of a cell among those with particles
-    Array<Backend, R> sums_[2];         // mass, momentum
-    int occupied_ = 0;
+    OccupiedTiles<Backend, D> occupied_;
+    Array<Backend, FaceSum<R>> sums_;
 };
 
 } // namespace riprap
