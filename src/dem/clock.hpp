@@ -19,19 +19,37 @@ struct DemClockData
     double dt = 0, previousDt = 0;          // of this step and the one before [s]
     double windowEnd = 1e300;               // motion tables reach so far
     double fullDt = 0;                      // of a step that no target shortens
+    double searched = 0;                    // when neighbours were sought
     std::int64_t step = 0, lastStep = 0;
     int active = 0;
     int needRebuild = 0;
     int needWindow = 0;
     DemHalt halt = DemHalt::none;
+    int aged[2] = {0, 0};                   // neighbours, by the ways of particles against those near them; by the ways alone
+    int far[2] = {0, 0};                    // farther than that was foreseen, likewise
+
+    //- Lists hold as long as one of the two says so
+    HD void settleAge()
+    {
+        if (aged[0] && aged[1]) needRebuild = 1;
+        if (far[0] && far[1] && halt == DemHalt::none) halt = DemHalt::tooFar;
+    }
+
+    //- Neighbours are new
+    HD void search()
+    {
+        needRebuild = aged[0] = aged[1] = far[0] = far[1] = 0;
+        searched = time;
+    }
 };
 
-static_assert(sizeof(DemClockData) == 8*8 + 4*4, "DemClockData has padding");
+static_assert(sizeof(DemClockData) == 9*8 + 8*4, "DemClockData has padding");
 
 //- The clock of the next step; active 0: there is none for now
 HD DemClockData ticked(DemClockData c)
 {
     c.active = 0;
+    c.settleAge();
     if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep) return c;
     const double remaining = c.target - c.time;
     double dt = c.fullDt;

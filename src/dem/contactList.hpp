@@ -56,6 +56,17 @@ struct ContactListView : ContactListLayout
         return Backend::gpu ? (std::size_t(c/together)*stride + e)*together + c % together : e*historyWords(H) + c;
     }
 
+    //- What entry e remembers, H numbers, to `to` or from there, where they lie one after the other
+    HD void unload(int H, std::size_t e, R* to) const
+    {
+        for (int first = 0; first < H; first += wordsTogether(H)) copyWords(wordsTogether(H), history + place(H, e, first), to + first);
+    }
+
+    HD void load(int H, std::size_t e, const R* from) const
+    {
+        for (int first = 0; first < H; first += wordsTogether(H)) copyWords(wordsTogether(H), from + first, history + place(H, e, first));
+    }
+
     template<int H>
     HD R& remembered(std::size_t e, int c) const { return history[place(H, e, c)]; }
 
@@ -81,6 +92,15 @@ struct ContactListView : ContactListLayout
             for (int c = 0; c < together; ++c) w.c[c] = first + c < H ? h[first + c] : R(0);
             *reinterpret_cast<HistoryWords<together, R>*>(history + place(H, e, first)) = w;
         }
+    }
+
+private:
+
+    //- In one piece where there are four
+    HD static void copyWords(int together, const R* from, R* to)
+    {
+        if (together == 4) *reinterpret_cast<HistoryWords<4, R>*>(to) = *reinterpret_cast<const HistoryWords<4, R>*>(from);
+        else for (int c = 0; c < together; ++c) to[c] = from[c];
     }
 };
 

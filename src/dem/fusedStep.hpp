@@ -1,6 +1,6 @@
 /*  A whole step in one kernel (GPU): forces at the positions at hand, then kick and drift. A particle reads its neighbours' old records
-    and writes its own new ones; what walls and bonds do to it has been put beside it by kernels of their own, over those alone that
-    have any.
+    and writes its own new ones; what walls that are surfaces and bonds do to it has been put beside it by kernels of their own, over those
+    alone that have any.
 
     Every thread works out the step's clock for itself from that of the step before; flags go to the new clock, so that a step begins
     for all particles or for none.
@@ -32,8 +32,7 @@ struct FusedStep
     const DemClockData* now;
     DemClockData* next;
 
-    const int* wallFirst;           // entries of a particle, and the forces of each
-    const real* wallForce;
+    WallPass<D, P, Law> walls;
     BondTable bonds;
     const BondForce<D, real>* bondForce;
     bool sleeping;                  // may anyone be asleep?
@@ -49,7 +48,7 @@ struct FusedStep
         Spin<D, real> moment = filled<spins<D>>(real(0));
         contacts.sum(i, high, self, material, real(now->dt), force, moment);
         const Own own = state.own[i];
-        if (own.flags & Own::nearWall) addWalls(i, force, moment);
+        if (own.flags & Own::nearWall) addWalls(i, self, material, force, moment);
         if (own.flags & Own::bonded) GatherBonds<D, P>::sum(bonds, bondForce, own.id, force, moment);
         move(i, high, self, own, material, force, moment);
     }
@@ -63,7 +62,7 @@ private:
         return t.active;
     }
 
-    //- While steps go on, flags are raised by those whom they concern, and were not by the step before
+    //- While steps go on, flags are raised by those whom they concern; what the steps before have raised stays
     HD void publish(const DemClockData& t) const
     {
         next->time = t.time;
@@ -72,20 +71,39 @@ private:
         next->previousDt = t.previousDt;
         next->windowEnd = t.windowEnd;
         next->fullDt = t.fullDt;
+        next->searched = t.searched;
         next->step = t.step;
         next->lastStep = t.lastStep;
         next->active = t.active;
         next->needWindow = t.needWindow;
+        for (int k = 0; k < 2; ++k)
+        {
+            if (t.aged[k]) next->aged[k] = 1;
+            if (t.far[k]) next->far[k] = 1;
+        }
         if (t.active) return;
         next->needRebuild = t.needRebuild;
         next->halt = t.halt;
     }
 
-    HD void addWalls(int i, Vec<D, real>& force, Spin<D, real>& moment) const
+    //- Planes here; surfaces, which take more, have had their pass
+    HD void addWalls(int i, const ContactBody<D, real>& self, int material, Vec<D, real>& force, Spin<D, real>& moment) const
     {
-        for (int e = wallFirst[i]; e < wallFirst[i + 1]; ++e)
+        const WallMemory<D, real>& memory = walls.memory;
+        for (int e = memory.entryFirst[i]; e < memory.entryFirst[i + 1]; ++e)
         {
-            const real* kept = wallForce + (long long)e*wallWords<D>;
+            const WallData& w = walls.walls[memory.entry[e].wall];
+            if (w.plane)
+            {
+                Vec<D, real> f = filled<D>(real(0));
+                Spin<D, real> m = filled<spins<D>>(real(0));
+                real energy = 0, overlap = 0;
+                walls.planeForce(e, w, self, material, walls.inMetres(state.place(i)), f, m, energy, overlap);
+                force = force + f;
+                moment = moment + m;
+                continue;
+            }
+            const real* kept = memory.force + (long long)e*wallWords<D>;
             for (int d = 0; d < D; ++d) force.c[d] += kept[d];
             for (int c = 0; c < spins<D>; ++c) moment.c[c] += kept[D + c];
         }
@@ -121,7 +139,7 @@ private:
         if (mover.fields.turn[0]) mover.followTurn(i, w, t.dt);
         const Vec<D, real> single = convert<real>(v);
         state.to.store(i, p, ContactBody<D, real>{single, w, self.radius, self.mass}, material);
-        mover.checkSkin(i, p, x, single, t.fullDt, false, next);
+        mover.checkSkin(i, p, x, single, t, false, next);
     }
 };
 

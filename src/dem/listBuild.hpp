@@ -225,7 +225,7 @@ struct KeepContacts
             if constexpr (Write)
             {
                 partner[at] = j;
-                for (int c = 0; c < words; ++c) history[std::size_t(at)*words + c] = list.history[list.place(histories, e, c)];
+                list.unload(histories, e, history + std::size_t(at)*words);
             }
             ++at;
         }
@@ -259,13 +259,13 @@ struct WriteFullLists
         {
             const std::size_t e = list.index(i, isNear ? near++ : far++);
             std::uint32_t entry = std::uint32_t(j);
-            for (int c = begin; c < end; ++c)
-                if (keptPartner[c] == j)
-                {
-                    entry |= List::touching;
-                    const int words = List::historyWords(histories);
-                    for (int k = 0; k < words; ++k) list.history[list.place(histories, e, k)] = keptHistory[std::size_t(c)*words + k];
-                }
+            int kept = -1;
+            for (int c = begin; c < end; ++c) if (keptPartner[c] == j) kept = c;
+            if (kept >= 0)
+            {
+                entry |= List::touching;
+                list.load(histories, e, keptHistory + std::size_t(kept)*List::historyWords(histories));
+            }
             list.entry[e] = entry;
             if (list.rest) list.rest[e] = 0;
         });

@@ -70,7 +70,7 @@ void DemSolver<Backend, D, P>::fusedStep()
     if constexpr (Backend::gpu)
     {
         const StepState<D, P> state = stepState();
-        if (nWalls_ && wallMemory_.entries) wallPass<Law>(ForceTurn::ahead);
+        if (surfaces_ && wallMemory_.entries) wallPass<Law>(ForceTurn::ahead);
         if (nBonds_) bondPass(ForceTurn::ahead);
         FusedStep<Backend, D, P, Law> step{};
         setModel(step.contacts);
@@ -80,8 +80,7 @@ void DemSolver<Backend, D, P>::fusedStep()
         step.state = state;
         step.now = clock_.data() + parts_.current;
         step.next = clock_.data() + 1 - parts_.current;
-        step.wallFirst = wallMemory_.entryFirst.data();
-        step.wallForce = wallMemory_.force.data();
+        if (nWalls_) step.walls = wallKernel<Law>(ForceTurn::ahead);
         step.bonds = bondTable();
         step.bondForce = bondForce_.data();
         step.sleeping = sleeps();
@@ -105,8 +104,8 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
             reinterpret_cast<const void*>(std::size_t(count)), reinterpret_cast<const void*>(std::size_t(parts_.current)),
             records_.view().a, parts_.records.view().a, list.entry, list.history, list.base, list.count, list.rest,
             reinterpret_cast<const void*>(list.stride), walls.entryFirst, walls.entry, walls.element, walls.on, walls.normal,
-            walls.history, walls.force, reinterpret_cast<const void*>(std::size_t(wallMemory_.entries)), parts_.wallList.data(),
-            reinterpret_cast<const void*>(std::size_t(parts_.nearWalls)), external_.data()
+            walls.history, walls.force, reinterpret_cast<const void*>(std::size_t(wallMemory_.entries > 0)), parts_.wallList.data(),
+            reinterpret_cast<const void*>(parts_.wallList.size()), external_.data()
         };
     }
     return key;
@@ -122,7 +121,7 @@ void DemSolver<Backend, D, P>::fusedSteps(int count)
         if constexpr (std::is_same<Backend, Gpu>::value)
         {
             // what is recorded must not change from batch to batch: motion tables do, and fields that are sorted
-            const int together = 8;
+            const int together = stepsTogether;
             if (!context_.profile.timing && !groupMotions_ && !wallMotions_ && turnField_ < 0)
                 for (; count >= together; count -= together)
                 {
@@ -138,13 +137,42 @@ void DemSolver<Backend, D, P>::fusedSteps(int count)
     });
 }
 
+//- Steps until there is something for the host to do. Those beyond switch themselves off, but cost their launch: the device has the
+//  next few in hand while the host looks at the last ones, unless new neighbours are due by then, as they were the last time
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
+{
+    if constexpr (Backend::gpu)
+    {
+        auto& glances = parts_.glances;
+        std::int64_t launched = 0;
+        bool over = false;
+        while (!over)
+        {
+            const bool due = stepsSince_ + launched >= stepsExpected_;
+            while (launched < count && glances.waiting() < (due ? 1 : glances.most))
+            {
+                const int batch = int(std::min<std::int64_t>(stepsTogether, count - launched));
+                fusedSteps(batch);
+                glances.ask(context_, clock_.data() + parts_.current);
+                launched += batch;
+            }
+            host_ = glances.take(context_);
+            host_.settleAge();
+            over = !host_.active || host_.needRebuild || finished() || (launched == count && !glances.waiting());
+        }
+        while (glances.waiting()) host_ = glances.take(context_);
+        host_.settleAge();
+    }
+}
+
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
 {
     if constexpr (Backend::gpu)
     {
         if (finished()) return;
-        if (host_.needRebuild) { rebuild(); ++rebuilds; }
+        if (host_.needRebuild) { rebuild(); ++rebuilds; forgetSearch(); }
         setWindow();
         host_.needRebuild = 0;
         writeClock();
@@ -152,17 +180,20 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data()));
         forEach(context_, n_, mover());
         readClock();
+        host_.settleAge();
         openSteps();
         if (sleeps()) checkSleep(true);
         while (!finished())
         {
             if (host_.needRebuild)
             {
+                stepsExpected_ = stepsSince_;
                 closeSteps();
                 parts_.moved = true;
                 rebuild();
                 parts_.moved = false;
                 ++rebuilds;
+                forgetSearch();
                 openSteps();
                 if (sleeps()) checkSleep(true);
             }
@@ -171,20 +202,13 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
             const std::int64_t before = host_.step;
             const int begin = parts_.current;
             const double left = std::min(double(host_.lastStep - host_.step), std::ceil((host_.target - host_.time)/host_.fullDt) + 1);
-            const int most = sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_;
-            const int batch = int(std::min<double>(most, left));
+            const double most = sleeps() ? stepsPerCheck - host_.step % stepsPerCheck : left;
             writeClock();
-            fusedSteps(batch);
-            readClock(parts_.current);
+            runAhead(std::int64_t(std::min(most, left)));
             const int taken = int(host_.step - before);
-            parts_.current = (begin + taken) % 2;
-            if (sleeps())
-            {
-                if (taken && host_.step % stepsPerCheck == 0) checkSleep(true);
-                continue;
-            }
-            if (taken == stepsPerBatch_ && !host_.needRebuild) stepsPerBatch_ = std::min(windowSteps, stepsPerBatch_ + 8);
-            else if (host_.needRebuild && taken + 8 < stepsPerBatch_) stepsPerBatch_ = std::max(8, (taken + 8)/8*8);
+            parts_.current = int((begin + taken) % 2);
+            stepsSince_ += taken;
+            if (sleeps() && taken && host_.step % stepsPerCheck == 0) checkSleep(true);
         }
         closeSteps();
         writeClock();

@@ -19,7 +19,9 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh)
     bool forcesHold = true;
     if constexpr (Backend::gpu) forcesHold = !parts_.moved;
     fields_.permute(context_, sort_.order(), n_, fField_, forcesHold ? fField_ : mField_ + S);
+    if constexpr (Backend::gpu) parts_.frames.clear(context_);
     forEach(context_, n_, PlaceSolids<D, P>{mover(), slotOf_.data()});
+    settleFrames();
     if (nBonds_) forEach(context_, nBonds_, LoseBonds<D, P>{bondFields()});
     if constexpr (Backend::gpu) buildFullLists(fresh);
     else
@@ -133,8 +135,8 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         if (!nWalls_) return;
         wallMemory_.entries = total[2];
         writeWalls(fresh, total[3]);
-        g.nearWalls = total[4];
-        g.wallList.allocate(context_, std::size_t(g.nearWalls) + 1);
+        const std::size_t nearWalls = total[4];
+        if (g.wallList.size() < nearWalls) g.wallList.allocate(context_, nearWalls + nearWalls/8 + 32);
         forEach(context_, n_, ListNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
     }
 }
@@ -155,7 +157,30 @@ void DemSolver<Backend, D, P>::countWalls()
 
 template<class Backend, int D, class P>
 WallSearch<D, P> DemSolver<Backend, D, P>::wallSearch()
-{ return WallSearch<D, P>{box_, fields(), walls_.data(), nWalls_, surface(), reach_, sort_.active()}; }
+{ return WallSearch<D, P>{box_, fields(), walls_.data(), nWalls_, surface(), wallReach(), sort_.active()}; }
+
+//- Walls are listed from farther away where a particle's way is measured against others that move with it: walls do not
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::wallReach() const
+{
+    if constexpr (Backend::gpu) if (parts_.frames.on()) return reach_ + (wallSkins - 1)*2*double(halfSkin_);
+    return reach_;
+}
+
+//- How far particles may go, now that they are in their places
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::settleFrames()
+{
+    if constexpr (Backend::gpu)
+    {
+        if (!parts_.frames.on()) return;
+        const double skin = 2*double(halfSkin_), touch = 2*radii_.largest + largestGap_;
+        double way = wallSkins*skin;
+        if (wallMotions_) way -= double(halfSkin_);
+        way = std::min(way, 0.5*(parts_.frames.width() - touch));
+        parts_.frames.settle(context_, way, way);
+    }
+}
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)

@@ -380,7 +380,7 @@ std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
     put("contacts", "lists and histories", list_.bytes() + oldList_.bytes());
     if constexpr (Backend::gpu)
     {
-        put("solids", "fused steps", parts_.records.bytes() + parts_.low.bytes() + parts_.own.bytes());
+        put("solids", "fused steps", parts_.records.bytes() + parts_.low.bytes() + parts_.own.bytes() + parts_.frames.bytes());
         put("contacts", "rebuilding", parts_.nearCount.bytes() + parts_.keptFirst.bytes() + parts_.keptPartner.bytes()
           + parts_.keptHistory.bytes() + parts_.wallListFirst.bytes() + parts_.wallList.bytes());
     }

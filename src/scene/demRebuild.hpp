@@ -43,14 +43,15 @@ struct PlaceSolids
     HD void operator()(int i) const
     {
         const SolidFields<D, P>& s = mover.fields;
-        if (i == 0) mover.clock->needRebuild = 0;
+        if (i == 0) mover.clock->search();
         const bool in = i < *mover.active;
         slotOf[s.id[i]] = in ? i : -1;
         if (!in) return;
         Vec<D, typename P::position> p;
         for (int d = 0; d < D; ++d) mover.reference[d][i] = p.c[d] = mover.box.pairPosition(d, s.x[d][i]);
-        mover.solids.store
-        (i, p, ContactBody<D, typename P::real>{convert<typename P::real>(s.velocity(i)), s.spin(i), s.radius[i], s.mass[i]}, s.material[i]);
+        const Vec<D, typename P::real> v = convert<typename P::real>(s.velocity(i));
+        mover.frames.include(mover.box, p, v);
+        mover.solids.store(i, p, ContactBody<D, typename P::real>{v, s.spin(i), s.radius[i], s.mass[i]}, s.material[i]);
     }
 };
 

@@ -37,6 +37,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     setClumps();
     setWalls();
     given_ = nullptr;
+    setFrames();
     prime();
 }
 
@@ -369,6 +370,7 @@ void DemSolver<Backend, D, P>::setWalls()
         WallData w{};
         w.material = in.material;
         w.plane = in.plane;
+        surfaces_ = surfaces_ || !in.plane;
         w.motion = in.motion;
         wallMotions_ = std::max(wallMotions_, in.motion + 1);
         for (int d = 0; d < 3; ++d) w.frame.R[4*d] = 1;
@@ -408,6 +410,14 @@ void DemSolver<Backend, D, P>::setWalls()
     if (wallMotions_) poses_.allocate(context_, std::size_t(wallMotions_)*samples*poseNumbers);
 }
 
+//- Where steps are fused a particle's way is measured against what is around it. Who sleeps does not look where others go
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setFrames()
+{
+    if constexpr (Backend::gpu)
+        if (fuses() && !sleeps()) parts_.frames.set(context_, box_, 3*(2*radii_.largest + reach_), 2e6);
+}
+
 //- First neighbours and forces, with a step of no length
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::prime()
@@ -427,7 +437,8 @@ void DemSolver<Backend, D, P>::prime()
     readClock();
     host_.active = 0;
     writeClock();
-    if (host_.needRebuild) rebuild();
+    // on the GPU once more: what a rebuild needs besides is loaded and has its memory before the first step
+    if (Backend::gpu || host_.needRebuild) rebuild();
     context_.synchronise();
 }
 

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include "core/cellSort.hpp"
+#include "core/glances.hpp"
 #include "core/graph.hpp"
 #include "coupling/solidView.hpp"
 #include "dem/bond/bondPass.hpp"
@@ -35,8 +36,9 @@ struct DemParts
     Array<Backend, OwnWords<real>> own;
     Array<Backend, int> nearCount, keptFirst, keptPartner, wallListFirst, wallList, totals;
     Array<Backend, real> keptHistory;
-    int nearWalls = 0;
+    LocalFrameMemory<Backend, D, P> frames;         // of fused steps
     int current = 0;                                // records and clock that the next step begins with
+    Glances<Backend, DemClockData> glances;
     bool moved = false;                             // forces are not yet those of the positions at hand
 
 #ifdef __CUDACC__
@@ -128,6 +130,7 @@ private:
 
     // demSetup.hpp
     void setReach();
+    void setFrames();
     void setBox();
     void setDomain();
     void setFields();
@@ -153,6 +156,7 @@ private:
     template<class Law> void setModel(PairModel<Backend, D, P, Law>&);
     ForceClock forceClock(ForceTurn);
     template<class Law> void contactPass(ForceTurn);
+    template<class Law> WallPass<D, P, Law> wallKernel(ForceTurn);
     template<class Law> void wallPass(ForceTurn);
     void bondPass(ForceTurn);
     void gatherClumps(const DemClockData* clock);
@@ -175,6 +179,8 @@ private:
     void closeSteps();
     template<class Law> void fusedStep();
     void fusedSteps(int count);
+    void runAhead(std::int64_t count);
+    void forgetSearch() { host_.search(); stepsSince_ = 0; }
     std::vector<const void*> graphKey(int count);
     void runFused(std::int64_t& rebuilds);
 
@@ -184,6 +190,8 @@ private:
     void buildContacts(bool fresh);
     void buildFullLists(bool fresh);
     WallSearch<D, P> wallSearch();
+    double wallReach() const;
+    void settleFrames();
     void countWalls();
     void writeWalls(bool fresh, int elements);
     void buildWalls(bool fresh);
@@ -288,6 +296,7 @@ private:
     Array<Backend, int> memberFirst_, member_;
 
     int nWalls_ = 0;
+    bool surfaces_ = false;     // are there walls that are no planes?
     Array<Backend, WallData> walls_;
     Array<Backend, double> vertices_;
     Array<Backend, int> elements_, sharedFirst_, shared_, cellFirst_, cellElement_;
@@ -299,7 +308,10 @@ private:
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     DemParts<Backend, D, P> parts_;
     int stepsPerBatch_ = 16;
+    std::int64_t stepsExpected_ = 16, stepsSince_ = 0;  // fused: between the last two searches, since the last one
+    static constexpr int stepsTogether = 8;         // recorded
     static constexpr int stepsPerCheck = 8;         // of who sleeps and wakes
+    static constexpr double wallSkins = 5;          // skins within which walls are listed where steps are fused
     Array<Backend, std::int32_t> wakes_, waits_;
     std::atomic<bool> interrupted_{false};
 };

@@ -269,6 +269,7 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
 #endif
     for (int d = 0; d < D; ++d) box_.set(d, s.lower[d], s.length[d], config_.periodic[config_.axes[d]]);
     setDomain();
+    setFrames();
     sort_.allocate(context_, n_, classes_.cells());
     if (radii_.largest + reach_ != cell) setWalls();
 }

@@ -108,6 +108,7 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
         m.domainMin[d] = domainMin_[d];
         m.domainMax[d] = domainMax_[d];
     }
+    if constexpr (Backend::gpu) m.frames = parts_.frames.view();
     m.halfSkin = halfSkin_;
     m.suddenWay = suddenWay_;
     m.motions = groupMotions();
@@ -167,7 +168,7 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
 
 template<class Backend, int D, class P>
 template<class Law>
-void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
+WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
 {
     WallPass<D, P, Law> pass{};
     pass.box = box_;
@@ -175,7 +176,7 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
     pass.walls = walls_.data();
     pass.wallCount = nWalls_;
     pass.surface = surface();
-    pass.reach = reach_;
+    pass.reach = wallReach();
     pass.active = sort_.active();
     pass.solids = records_.view();
     pass.memory = wallMemory(wallMemory_);
@@ -185,7 +186,6 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
     pass.clock = forceClock(turn);
     pass.adds = Backend::gpu && turn != ForceTurn::ahead;
     pass.skipsAsleep = !Backend::gpu;
-    int near = n_;
     if constexpr (Backend::gpu)
     {
         if (turn == ForceTurn::ahead)
@@ -193,10 +193,20 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
+        // as many threads as there is room for: recorded launches stay what they are while numbers change
         pass.listed = parts_.wallList.data();
-        near = parts_.nearWalls;
+        pass.listedCount = parts_.wallListFirst.data() + n_;
     }
-    forEach(context_, near, pass);
+    return pass;
+}
+
+template<class Backend, int D, class P>
+template<class Law>
+void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
+{
+    int near = n_;
+    if constexpr (Backend::gpu) near = int(parts_.wallList.size());
+    forEach(context_, near, wallKernel<Law>(turn));
 }
 
 template<class Backend, int D, class P>

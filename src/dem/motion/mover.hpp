@@ -10,6 +10,7 @@
 */
 #pragma once
 
+#include "core/localFrames.hpp"
 #include "dem/motion/clump.hpp"
 #include "dem/motion/motionTable.hpp"
 #include "dem/solidRecords.hpp"
@@ -78,6 +79,7 @@ struct MoveSolids : SolidMotion<D, P>
     SolidRecords<D, P> solids;
     bool verlet;
     position* reference[D];     // where neighbours were found
+    LocalFrames<D, P> frames;       // fused steps: what the way since then is measured against
     real halfSkin;
     real suddenWay;             // [m] more than its speed foretells, that a particle may go in a step: blows of a fluid
     std::int64_t domainMin[D], domainMax[D];        // fixed point; everything where periodic
@@ -121,7 +123,7 @@ struct MoveSolids : SolidMotion<D, P>
         Vec<D, position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
         solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], s.mass[i]}, s.material[i]);
-        checkSkin(i, p, x, convert<real>(v), t.fullDt, member, this->clock);
+        checkSkin(i, p, x, convert<real>(v), t, member, this->clock);
     }
 
     //- A member of a rigid body is where the body has it
@@ -165,10 +167,11 @@ struct MoveSolids : SolidMotion<D, P>
     //- Ask for new neighbours before the next step could carry the particle past half the skin; refuse a step that already did
     HD void checkSkin
     (
-        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, double fullDt, bool member,
+        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, bool member,
         DemClockData* raised
     ) const
     {
+        if (frames.frame) return checkFrame(i, p, x, v, t, raised);
         real distance2 = 0, speed2 = 0;
         for (int d = 0; d < D; ++d)
         {
@@ -177,12 +180,28 @@ struct MoveSolids : SolidMotion<D, P>
             speed2 += v.c[d]*v.c[d];
         }
         // 5/4 of a step's way must be left
-        const real distance = squareRoot(distance2), left = halfSkin - suddenWay - distance, way = real(1.25*fullDt);
+        const real distance = squareRoot(distance2), left = halfSkin - suddenWay - distance, way = real(1.25*t.fullDt);
         const bool in = inside(x), enough = left >= 0 && way*way*speed2 <= left*left;
         if (!enough || !in) raised->needRebuild = 1;
         // not so written that a number which is none slips through
         if (!(distance <= halfSkin)) raised->halt = DemHalt::tooFar;
         else if (member && !in) raised->halt = DemHalt::clumpEscaped;
+    }
+
+    //- The same against what is around it
+    HD void checkFrame
+    (
+        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, DemClockData* raised
+    ) const
+    {
+        Vec<D, position> from;
+        for (int d = 0; d < D; ++d) from.c[d] = reference[d][i];
+        const WaySince<real> way = frames.since(box, from, p, v, real(t.time - t.searched), real(1.25*t.fullDt));
+        if (!(way.relativeNext + suddenWay <= halfSkin && way.wholeNext + suddenWay <= way.limit)) raised->aged[0] = 1;
+        if (!(way.wholeNext + suddenWay <= halfSkin)) raised->aged[1] = 1;
+        if (!(way.relative <= halfSkin && way.whole <= way.limit)) raised->far[0] = 1;
+        if (!(way.whole <= halfSkin)) raised->far[1] = 1;
+        if (!inside(x)) raised->needRebuild = 1;
     }
 };
 

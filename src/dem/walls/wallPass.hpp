@@ -56,14 +56,15 @@ struct WallPass : WallSearch<D, P>
     const real* gap;
     int materials;
     ForceClock clock;
-    const int* listed;          // those that are near walls; null: the kernel runs over all
+    const int* listed;          // those that are near walls, and how many; null: the kernel runs over all
+    const int* listedCount;
     StepState<D, P> state;      // of fused steps, which add up the forces themselves
     bool adds;                  // to the fields' forces; else whoever sums them up finds them here
     bool skipsAsleep;           // sums that forces are added to are those of when it fell asleep
 
     HD void operator()(int k) const
     {
-        if (!clock.active()) return;
+        if (!clock.active() || (listed && k >= *listedCount)) return;
         const int i = listed ? listed[k] : k;
         if (i >= *this->active || (skipsAsleep && this->fields.asleep(i))) return;
         const int first = memory.entryFirst[i], last = memory.entryFirst[i + 1];
@@ -76,6 +77,7 @@ struct WallPass : WallSearch<D, P>
         Spin<D, real> moment = filled<S>(real(0));
         for (int e = first; e < last; ++e)
         {
+            if (fused && this->walls[memory.entry[e].wall].plane) continue;     // the step's own
             Vec<D, real> f = filled<D>(real(0));
             Spin<D, real> m = filled<S>(real(0));
             real energy = 0, overlap = 0;
@@ -91,20 +93,41 @@ struct WallPass : WallSearch<D, P>
         if (adds) this->fields.addForce(i, force, moment);
     }
 
+    HD Vec<D, double> inMetres(const Vec<D, std::int64_t>& at) const
+    {
+        Vec<D, double> x;
+        for (int d = 0; d < D; ++d) x.c[d] = this->box.toMetres(d, at.c[d]);
+        return x;
+    }
+
+    //- A plane is touched in one place: what that remembers is in the entry's first slot
+    HD void planeForce
+    (
+        int e, const WallData& w, const ContactBody<D, real>& body, int material, const Vec<D, double>& x, Vec<D, real>& force,
+        Spin<D, real>& moment, real& energy, real& overlap
+    ) const
+    {
+        const int pair = material*materials + w.material, slot = e*wallTouches;
+        const bool touched = memory.on[slot];
+        real h[H + 1] = {};
+        if (touched) for (int c = 0; c < H; ++c) h[c] = memory.history[slot*H + c];
+        WallTouch<D> touch[1];
+        const bool touches = findPlane(w, intoFrame<D>(w.frame.R, w.frame.T, x), double(body.radius) + double(gap[pair]), touch[0]);
+        if (touches != touched)
+        {
+            memory.on[slot] = touches;
+            for (int d = 0; d < D; ++d) memory.normal[slot*D + d] = real(touch[0].normal.c[d]);
+        }
+        if (!touches) return;
+        touchForce(w, pair, body, x, touch[0], h, force, moment, energy, overlap);
+        for (int c = 0; c < H; ++c) memory.history[slot*H + c] = h[c];
+    }
+
     //- Where a particle touches a wall; returns how often
     HD int findTouches(const WallEntry& entry, const WallData& w, const Vec<D, double>& X, double within, WallTouch<D>* touch) const
     {
         int touches = 0;
-        if (w.plane)
-        {
-            Vec<D, double> n;
-            for (int d = 0; d < D; ++d) n.c[d] = -w.normal[d];
-            double height = 0;
-            for (int d = 0; d < D; ++d) height += (X.c[d] - w.point[d])*w.normal[d];
-            if (height >= within) return 0;
-            touch[0] = WallTouch<D>{n, height, insideElement};
-            return 1;
-        }
+        if (w.plane) return findPlane(w, X, within, touch[0]);
         for (int k = 0; k < entry.count; ++k)
         {
             const int e = memory.element[entry.first + k];
@@ -135,11 +158,14 @@ struct WallPass : WallSearch<D, P>
 
 private:
 
-    HD Vec<D, double> inMetres(const Vec<D, std::int64_t>& at) const
+    HD static bool findPlane(const WallData& w, const Vec<D, double>& X, double within, WallTouch<D>& touch)
     {
-        Vec<D, double> x;
-        for (int d = 0; d < D; ++d) x.c[d] = this->box.toMetres(d, at.c[d]);
-        return x;
+        Vec<D, double> n;
+        for (int d = 0; d < D; ++d) n.c[d] = -w.normal[d];
+        double height = 0;
+        for (int d = 0; d < D; ++d) height += (X.c[d] - w.point[d])*w.normal[d];
+        touch = WallTouch<D>{n, height, insideElement};
+        return height < within;
     }
 
     //- One of them a direction: a face before an edge, the nearer before the farther
@@ -166,32 +192,38 @@ private:
     {
         const WallEntry entry = memory.entry[e];
         const WallData& w = this->walls[entry.wall];
+        if (w.plane) return planeForce(e, w, body, material, x, force, moment, energy, overlap);
         const int pair = material*materials + w.material;
         const Vec<D, double> X = intoFrame<D>(w.frame.R, w.frame.T, x);
         WallTouch<D> touch[wallTouches];
         const int touches = findTouches(entry, w, X, double(body.radius) + double(gap[pair]), touch);
         real h[wallTouches][H + 1];
         recall(e, touches, touch, h);
-        for (int k = 0; k < touches; ++k)
-        {
-            const Vec<D, double> n = outOfFrame<D>(w.frame.R, touch[k].normal);
-            const real distance = real(touch[k].distance);
-            Vec<D, real> velocity = surfaceVelocity(w.frame, x + touch[k].distance*n);
-            Spin<D, real> spin;
-            for (int c = 0; c < S; ++c) spin.c[c] = real(w.frame.spin[D == 2 ? 2 : c]);
-            real armA;
-            auto g = wallGeometry<D, real>
-            (body, velocity, spin, convert<real>(n), distance, gap[pair], real(clock.dt()), armA);
-            // the difference of doubles, not of floats
-            g.overlap = maximum(real(double(body.radius) + double(gap[pair]) - touch[k].distance), real(1e-12));
-            NormalForce<real> fn;
-            const auto f = Law::template evaluate<D, real>(parameters[pair], g, armA, real(0), h[k], fn);
-            force = force + f.force;
-            moment = moment + f.momentA;
-            energy += Law::template energy<D, real>(parameters[pair], g, fn, h[k]);
-            overlap = maximum(overlap, g.overlap);
-        }
+        for (int k = 0; k < touches; ++k) touchForce(w, pair, body, x, touch[k], h[k], force, moment, energy, overlap);
         remember(e, touches, touch, h);
+    }
+
+    HD void touchForce
+    (
+        const WallData& w, int pair, const ContactBody<D, real>& body, const Vec<D, double>& x, const WallTouch<D>& touch, real* h,
+        Vec<D, real>& force, Spin<D, real>& moment, real& energy, real& overlap
+    ) const
+    {
+        const Vec<D, double> n = outOfFrame<D>(w.frame.R, touch.normal);
+        const real distance = real(touch.distance);
+        const Vec<D, real> velocity = surfaceVelocity(w.frame, x + touch.distance*n);
+        Spin<D, real> spin;
+        for (int c = 0; c < S; ++c) spin.c[c] = real(w.frame.spin[D == 2 ? 2 : c]);
+        real armA;
+        auto g = wallGeometry<D, real>(body, velocity, spin, convert<real>(n), distance, gap[pair], real(clock.dt()), armA);
+        // the difference of doubles, not of floats
+        g.overlap = maximum(real(double(body.radius) + double(gap[pair]) - touch.distance), real(1e-12));
+        NormalForce<real> fn;
+        const auto f = Law::template evaluate<D, real>(parameters[pair], g, armA, real(0), h, fn);
+        force = force + f.force;
+        moment = moment + f.momentA;
+        energy += Law::template energy<D, real>(parameters[pair], g, fn, h);
+        overlap = maximum(overlap, g.overlap);
     }
 
     HD Vec<D, real> surfaceVelocity(const WallFrame& f, const Vec<D, double>& x) const
