@@ -106,7 +106,10 @@ TEST_P(DemWalls, SurfacesCrossPeriodicSides)
                 s[mesh] = scene->particles();
             }
             EXPECT_LT(s[1].position[0], -0.3);          // it has crossed
-            if (D == 3) EXPECT_LT(s[1].position[2], -0.3);
+            if (D == 3)
+            {
+                EXPECT_LT(s[1].position[2], -0.3);
+            }
             for (int d = 0; d < 3; ++d)
             {
                 EXPECT_NEAR(s[0].position[d], s[1].position[d], 1e-10) << D << " " << n;
