@@ -112,7 +112,10 @@ TEST_P(PicEconomy, DryCellsLaunchNothing)
     c.domainMax[1] = 2;
     const Cost tall = cost(c);
     for (const auto& k : small.launches)
-        if (k.first.compare(0, 8, "pressure")) EXPECT_EQ(tall.launches.at(k.first), k.second) << k.first;
+        if (k.first.compare(0, 8, "pressure"))
+        {
+            EXPECT_EQ(tall.launches.at(k.first), k.second) << k.first;
+        }
 }
 
 } // namespace
