@@ -21,7 +21,7 @@ struct MultigridControls
 struct BodyRows
 {
     int modes = 0;
-    bool light = true;                      // so much lighter than what it moves that it is worth a deflation (bodies/deflation.hpp)
+    bool light = true;                      // so much lighter than what it moves that it is worth a deflation (pic/bodies/deflation.hpp)
     std::vector<int> row;                   // rows beside it, ascending
     std::vector<double> u;                  // modes values a row
 };
