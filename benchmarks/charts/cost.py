@@ -15,7 +15,9 @@ foot = 1e-16
 
 def draw(scene, rows, peers, path):
     rows = [r for r in rows if 'quick' not in r['run'] and costOf(r) and number(r['error']) is not None]
-    rows = newest(rows, ('run', 'settings', 'spacing', 'precision', 'device', 'machine', 'quantity'))
+    for row in rows:
+        row['host'] = '' if 'NVIDIA' in row['device'] else row['machine']       # of a GPU it does not matter
+    rows = newest(rows, ('run', 'settings', 'spacing', 'precision', 'device', 'host', 'quantity'))
     if not rows:
         print(f'{scene}: no complete runs to draw')
         return
@@ -26,18 +28,23 @@ def draw(scene, rows, peers, path):
     for axis in axes[len(quantities):]:
         axis.set_visible(False)
     labels = labelMaker(rows)
+    styles = {label: i for i, label in enumerate(groups(rows, labels))}         # the same in all panels
+    handles = {}
     for axis, quantity in zip(axes, quantities):
         mine = [r for r in rows if r['quantity'] == quantity]
-        for i, (label, points) in enumerate(groups(mine, labels).items()):
+        for label, points in groups(mine, labels).items():
             points.sort(key=costOf)
-            axis.loglog([costOf(p) for p in points], [max(abs(float(p['error'])), foot) for p in points], '-',
-                        marker=plotting.markers[i % len(plotting.markers)], markersize=5, linewidth=1,
-                        color=plotting.colours[i % len(plotting.colours)], label=label)
+            i = styles[label]
+            handles[label], = axis.loglog([costOf(p) for p in points], [max(abs(float(p['error'])), foot) for p in points], '-',
+                                          marker=plotting.markers[i % len(plotting.markers)], markersize=5, linewidth=1,
+                                          color=plotting.colours[i % len(plotting.colours)], label=label)
         for i, (peer, points) in enumerate(groups([p for p in others if p['quantity'] == quantity],
                                                   lambda p: p['peer']).items()):
             plotting.measured(axis, [costOf(p) for p in points], [float(p['error']) for p in points], peer, i)
-        axis.set(xlabel='wall time a simulated second [s]', ylabel=f'error: {quantity}', title=scene)
-        axis.legend(fontsize=7, loc='upper center', bbox_to_anchor=(0.5, -0.16), frameon=False)
+            handles[peer] = axis.lines[-1]
+        axis.set(xlabel='wall time a simulated second [s]', title=f'{scene}: error of\n{quantity}')
+        axis.title.set_fontsize(9)
+    fig.legend(handles.values(), handles.keys(), fontsize=7, loc='upper center', bbox_to_anchor=(0.5, 0), ncol=min(2, columns), frameon=False)
     plotting.save(fig, path)
 
 
@@ -57,7 +64,8 @@ def labelMaker(rows):
         except (KeyError, ValueError):
             pass
         pairs['precision'] = row['precision']
-        pairs['device'] = row['device'].split(',')[0] + f" ({row['machine'].split('(')[-1].rstrip(')')})"
+        threads = row['machine'].split('(')[-1].rstrip(')')
+        pairs['device'] = row['device'].split(',')[0] + ('' if 'NVIDIA' in row['device'] else f' ({threads})')
         return pairs
     all_ = [settings(r) for r in rows]
     varying = [k for k in all_[0] if len({s.get(k) for s in all_}) > 1]
