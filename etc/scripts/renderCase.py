@@ -13,6 +13,7 @@ import os
 import re
 import sys
 
+from paraview import servermanager
 from paraview import simple as pv
 
 cloud = 'lagrangian/fluid'
@@ -78,16 +79,34 @@ def aim(view, bounds, shape):
     view.CameraParallelScale = 0.6*max(size[1], size[0]*shape[1]/shape[0])*(1 if flat else 1.25)
 
 
+def crop(bounds, particles, times):
+    """Of a 2D tank that is higher than wide, what lies above nearly all of the water is left out: there only drops fly"""
+    if bounds[5] - bounds[4] >= 0.05*(bounds[1] - bounds[0]) or bounds[3] - bounds[2] <= bounds[1] - bounds[0]:
+        return bounds
+    heights = []
+    for time in times:
+        particles.UpdatePipeline(time)
+        data = servermanager.Fetch(particles)
+        blocks = [data] if data.IsA('vtkDataSet') else [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())]
+        while any(b is not None and not b.IsA('vtkDataSet') for b in blocks):
+            blocks = [c for b in blocks if b is not None
+                      for c in ([b] if b.IsA('vtkDataSet') else [b.GetBlock(i) for i in range(b.GetNumberOfBlocks())])]
+        y = sorted(b.GetPoint(i)[1] for b in blocks if b is not None for i in range(b.GetNumberOfPoints()))
+        heights.append(y[int(0.99*len(y))])
+    top = bounds[2] + 1.15*(max(heights) - bounds[2])
+    return (*bounds[:3], min(bounds[3], max(top, bounds[2] + 0.6*(bounds[1] - bounds[0]))), *bounds[4:])
+
+
 def main(case, field='U', *times):
     foam = glob.glob(os.path.join(case, '*.foam'))[0]
     particles, tank = openCase(foam, [cloud]), openCase(foam, ['internalMesh'])
     known = list(particles.TimestepValues)
     wanted = [min(known, key=lambda t: abs(t - float(w))) for w in times] or known[-1:]
-    shape = (560, 620)
     columns = min(3, len(wanted))
     rows = -(-len(wanted)//columns)
     tank.UpdatePipeline(wanted[-1])
-    bounds = tank.GetDataInformation().GetBounds()
+    bounds = crop(tank.GetDataInformation().GetBounds(), particles, wanted)
+    shape = (560, max(360, min(620, round(60 + 560*(bounds[3] - bounds[2])/(bounds[1] - bounds[0])))))
     scale = pv.GetColorTransferFunction(field)
     scale.ApplyPreset('Viridis (matplotlib)', True)
     layout = pv.CreateLayout('picture')
