@@ -28,6 +28,13 @@ class Wave:
         x = (np.arange(levels.shape[1]) + 0.5)*self.L/levels.shape[1]
         self.mode = 2*np.mean(levels*np.cos(self.k*x), axis=1)
 
+    def steepPeriod(self):
+        """Longer than linear theory's by the wave's steepness e = k a, to the second order: Tadjbakhsh & Keller (1960), J. Fluid Mech. 8, 442:
+        w/sqrt(g k) = w0 + e^2 w2/2, w0^2 = tanh(k H), w2 = (9 w0^-7 - 12 w0^-3 - 3 w0 - 2 w0^5)/32; e^2/8 of the period in deep water [s]"""
+        w0 = np.sqrt(np.tanh(self.k*self.H))
+        w2 = (9*w0**-7 - 12*w0**-3 - 3*w0 - 2*w0**5)/32
+        return exactPeriod()/(1 + 0.5*(self.k*self.amplitude)**2*w2/w0)
+
     def fit(self):
         """omega and decay rate of A sin(omega t) + B cos(omega t) + C, all times exp(-decay t):
         linear least squares inside, a search over a shrinking grid outside"""
