@@ -29,7 +29,7 @@ PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& f
     {
         sides_ = walls;
         allocateCut();
-        setSolids();
+        setSolids(fluid.size() > 0);
         cutGrid(clock_.time, 1);
     }
     else setWalls(walls);

@@ -11,12 +11,12 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::setSolids()
+void PicSolver<Backend, D, P>::setSolids(bool inWater)
 {
     if (!inside_.scene) return;
     solidSide_ = dynamic_cast<SolidSide<D, P>*>(inside_.scene.get());
     if (!solidSide_) throw std::invalid_argument("solids of another dimension or precision than the fluid's");
-    solidSide_->external();             // forces from outside are to come
+    if (inWater) solidSide_->external();        // forces from outside are to come
     bodies_ = std::make_unique<PicBodies<D>>(config_, *inside_.solids, *inside_.scene);
     insideMoves_ = true;
 }

@@ -115,7 +115,7 @@ private:
     std::vector<char> clearCells(double clear);
 
     // picSolids.hpp
-    void setSolids();
+    void setSolids(bool inWater);
     void cutByBodies(const PicCut& base, std::vector<double>& distance);
     void useBodyVelocities(bool predicted);
     void projectWithBodies(double dt);
