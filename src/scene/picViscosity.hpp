@@ -94,7 +94,7 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::solveViscous(real k)
 {
     constexpr int most = 2000;
-    const double tolerance = sizeof(real) == 4 ? 1e-6 : 1e-10;      // of the source
+    const double tolerance = sizeof(real) == 4 ? 1e-6 : 1e-10;      // of the source or the first residual
     const auto dot = [&](Array<Backend, real>* a, Array<Backend, real>* b)
     {
         double sum = 0;
@@ -108,8 +108,8 @@ void PicSolver<Backend, D, P>::solveViscous(real k)
     for (int d = 0; d < D; ++d)
         forEach(context_, grid_.faces(d), ViscousResidual<D, real>
             {viscousFaces(d), viscous_.source[d].data(), u_[d].data(), viscous_.r[d].data(), viscous_.p[d].data(), k});
-    const double enough = tolerance*tolerance*dot(viscous_.source, viscous_.source);
     double rr = dot(viscous_.r, viscous_.r);
+    const double enough = tolerance*tolerance*std::max(dot(viscous_.source, viscous_.source), rr);  // from rest walls that slide are all there is
     for (int iteration = 0; rr > enough; ++iteration)
     {
         if (iteration == most) { viscousConverged_ = false; break; }
