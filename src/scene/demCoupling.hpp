@@ -44,9 +44,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::push(double dt)
 {
     forEach(context_, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
-    if (!nClumps_) return;
-    forEach(context_, nClumps_, PushClumps<D, P>
-        {clumps_.data(), box_, fields(), groups_.data(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.data(), dt});
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), dt});
 }
 
 template<class Backend, int D, class P>

@@ -143,6 +143,7 @@ void SphSolver<Backend, D, P>::meetFluid()
         {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data()});
     solidsMeet_ = meets_.download()[0] != 0;
     if (!solidsMeet_) forEach(context_, nSolids_*D, ClearForces<real>{solidForce_.data()});
+    else if (Backend::gpu) forEach(context_, n_, ClearAction<D, real>{solidAction()});
 }
 
 //- What of the last two forces solids get at a fraction of the step, so that the impulse of whole steps is what docs/coupling.md has
@@ -206,6 +207,14 @@ void SphSolver<Backend, D, P>::moveSolids(bool half)
 }
 
 template<class Backend, int D, class P>
+template<class Pass>
+void SphSolver<Backend, D, P>::runOverSolids(const Pass& pass)
+{
+    if constexpr (Backend::gpu) pairLoop(context_, pass, parts_.solidShift, nSolids_);
+    else pairLoop(context_, pass);
+}
+
+template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::solidPressurePass(bool inStep)
 {
     const bool extrapolated = coupling_.kind == CouplingKind::extrapolated;
@@ -213,11 +222,11 @@ void SphSolver<Backend, D, P>::solidPressurePass(bool inStep)
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        run(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>
+        runOverSolids(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>
         {
             box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), kernelConstants<Kernel>(), model_, solidPoints(),
             extrapolated, inStep ? clock_.data() : nullptr
-        }, nSolids_);
+        });
     });
 }
 
@@ -246,11 +255,11 @@ void SphSolver<Backend, D, P>::solidForcePass()
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        run(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
+        runOverSolids(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
         {
             box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), solidTerms(), kernelConstants<Kernel>(), model_,
             solidPoints(), clock_.data()
-        }, nSolids_);
+        });
     });
 }
 
