@@ -90,7 +90,8 @@ class Run:
                          of('walls/spacing', 'fluid'), of('viscosity', 'laminar'),
                          of('antiClump', '0.01'), of('XSPH', '0.5'), of('densityDiffusion', 'none'),
                          of('shifting', 'none'), of('timeIntegration', 'leapfrog')]
-                        + ([of('coupling', 'extrapolated'), of('couplingCoeffs/fluidForce', 'default')] if self.solid else []))
+                        + ([of('coupling', 'extrapolated'), of('couplingCoeffs/fluidForce', 'default'), f"subcycles={self.log['subcycles'] or 1:.0f}"]
+                           if self.solid else []))
 
     def energyDrift(self):
         """Energy that left the particles' balance over the run, relative to the largest kinetic
@@ -108,7 +109,7 @@ class Run:
 @dataclass
 class Variant:
     """One run of verify: options of Allrun beside -name; case: another tutorial's directory;
-    mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, left out where there is no GPU unless
+    mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone; left out where there is none unless
     it is finished and reused, or named by -only"""
     name: str
     options: list = field(default_factory=list)
@@ -155,7 +156,7 @@ class Study:
                 and not (options.reuse and finished(here, v))]
         chosen = [v for v in chosen if v not in left]
         for v in left:
-            print(f'{v.name}: left out, as it takes hours without a GPU (-only {v.name} runs it)')
+            print(f'{v.name}: left out without a GPU: large, or meant for one (-only {v.name} runs it)')
         runs, results, failures = {}, {}, 0
         for v in chosen:
             try:
@@ -169,7 +170,7 @@ class Study:
                 print(f'{v.name}: {"stopped, which is allowed" if v.mayFail else "FAILED"}: {problem}')
         if self.compare:
             results['between runs'] = self.compare(runs, results)
-        rows, out = check(bounds, results)
+        rows, out, findings = check(bounds, results)
         failures += out
         print(f'\n{self.scene} ({level})')
         printTable(rows)
@@ -185,7 +186,8 @@ class Study:
             images = os.path.join(root(), 'docs', 'images')
             os.makedirs(images, exist_ok=True)
             self.plot(list(runs.values()), os.path.join(images, self.scene + '.png'))
-        print(f'{self.scene}: ' + (f'{failures} out of bounds' if failures else 'all within bounds'))
+        told = f'; findings that miss their bounds: {findings}' if findings else ''
+        print(f'{self.scene}: ' + (f'{failures} out of bounds' if failures else 'all within bounds') + told)
         return failures
 
     def printOrders(self, runs, results):
