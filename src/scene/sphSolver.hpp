@@ -30,8 +30,8 @@ template<int D, class P>
 struct BackendParts<Gpu, D, P>
 {
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
-    int solidShift = 0;         // log2 of the lanes a solid
     Graph graph;
+    int solidShift = 0;         // log2 of the lanes a solid
 };
 #endif
 
