@@ -50,6 +50,14 @@ void DemSolver<Backend, D, P>::push(double dt)
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 {
+    if (still_)
+    {
+        host_.previousDt = host_.dt;
+        host_.dt = host_.fullDt = dt;
+        host_.time = host_.target = t;
+        ++host_.step;
+        return true;
+    }
     gatherClumps(nullptr);      // they begin the step with forces that hold the fluid's of now
     host_.target = t;
     host_.lastStep = std::int64_t(1) << 62;
@@ -70,6 +78,11 @@ void DemSolver<Backend, D, P>::beginReport()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::endReport()
 {
+    if (still_)
+    {
+        writeClock();
+        forces(ForceTurn::always);      // to be read
+    }
     readClock();
     finishReport(lastReport_, reportFrom_);
 }

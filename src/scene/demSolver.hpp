@@ -121,6 +121,7 @@ public:
     std::vector<std::int32_t> order() override;
     real* external() override;
     int subcycles(double dt) override;
+    bool still() const override { return still_; }
     double kickTime(double dt, int subcycles) override;
     void push(double dt) override;
     bool advanceTo(double t, double dt, int subcycles) override;

@@ -130,6 +130,7 @@ void SphSolver<Backend, D, P>::sortSolids()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::pushSolids()
 {
+    if (solids_->still()) return;
     forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
     solids_->push(0.5*host_.dt);
 }
@@ -168,6 +169,7 @@ void SphSolver<Backend, D, P>::advanceSolids()
         return solids_->advanceTo(t, dt, steps);
     };
     const int steps = subcycles_ = solids_->subcycles(host_.dt);
+    if (solids_->still()) { solids_->advanceTo(host_.time, host_.dt, steps); return; }
     const double begin = host_.time - host_.dt, part = host_.dt/steps;
     const auto end = [&](int k) { return k == steps ? host_.time : begin + k*part; };
     bool good = true;
@@ -199,7 +201,7 @@ void SphSolver<Backend, D, P>::showForces()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
-    if (!solids_) return;
+    if (!solids_ || (half && solids_->still())) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
         config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
