@@ -10,7 +10,6 @@ _items = {
     'fluidParticles': rf'^\s*particles\s+(?:fluid |solids )?{_number}',
     'wallParticles': rf'^\s*particles\s+fluid {_number[1:-1]}, walls {_number}',
     'memory': rf'^\s*memory[\s:].*?{_number} bytes',
-    'subcycles': r'^Solids: steps = .*?(\d+) a step of the fluid',
     'steps': rf'^Particle steps = \d+ \((?:total )?{_number}',
     'deviceTime': rf'^Device time = {_number}',
     'executionTime': rf'ExecutionTime = {_number}',

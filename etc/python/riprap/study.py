@@ -90,8 +90,17 @@ class Run:
                          of('walls/spacing', 'fluid'), of('viscosity', 'laminar'),
                          of('antiClump', '0.01'), of('XSPH', '0.5'), of('densityDiffusion', 'none'),
                          of('shifting', 'none'), of('timeIntegration', 'leapfrog')]
-                        + ([of('coupling', 'extrapolated'), of('couplingCoeffs/fluidForce', 'default'), f"subcycles={self.log['subcycles'] or 1:.0f}"]
-                           if self.solid else []))
+                        + (self.solidSettings() if self.solid else []))
+
+    def solidSettings(self):
+        """Of solids in the fluid; steps of theirs are told by their share of sqrt(m/k), since their number swings with the fluid's step"""
+        words = [f"{key}={self.sphEntry(path, default)}" for key, path, default in
+                 (('coupling', 'coupling', 'extrapolated'), ('couplingCoeffs/fluidForce', 'couplingCoeffs/fluidForce', 'default'))]
+        words.append(f"stepFraction={entry(self.solid, 'stepFraction', '0.2')}")
+        bonds = [f"{numberOf(bond['E']):g}" for bond in self.solid.get('bonds', {}).values() if isinstance(bond, dict) and 'E' in bond]
+        words += [f'E={E}' for E in bonds] or [f"rho={next(iter(self.solid['materials'].values()))['rho']}"]      # of the first material
+        damping = {group['localDamping'] for group in self.solid.get('groups', {}).values() if isinstance(group, dict) and 'localDamping' in group}
+        return words + [f'localDamping={d}' for d in sorted(damping)]
 
     def energyDrift(self):
         """Energy that left the particles' balance over the run, relative to the largest kinetic
@@ -127,6 +136,7 @@ class Study:
     plot: callable                  # ([Run], path of the figure)
     headline: str                   # the quantity whose error goes to benchmarks/results
     orders: list = field(default_factory=list)      # (quantity, [names of variants])
+    recorded: list = None           # names of variants that go to benchmarks/results, if not all
     compare: callable = None        # {name: Run}, {name: [Quantity]} -> [Quantity] between runs
 
     def main(self, here):
@@ -180,6 +190,8 @@ class Study:
             print(f'no bounds for {self.scene}, {level}, in tests/regression/tolerances.csv')
             failures += 1
         for name, run in runs.items():
+            if self.recorded is not None and name not in self.recorded:
+                continue
             q = headline(results[name], self.headline)
             records.append(self.scene, run, q.name, q.checked)
         if runs and not options.quick:

@@ -277,5 +277,8 @@ Study(
     analyse=analyse,
     plot=plot,
     compare=compare,
+    # coupling, damping, resolution, precision, steps, device; what the gate is and how it is held is another chart
+    recorded=['quick', 'pressureGradient', 'stationary', 'pressureApproximation', 'extrapolated',
+              *(v.name for kind in ('damping', 'resolution', 'numerics') for v in sensitivity[kind] if not v.name.startswith(('bond', 'damping')))],
     headline='largest x of the end [mm]',
 ).main(here)
