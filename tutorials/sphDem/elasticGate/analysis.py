@@ -237,6 +237,7 @@ sensitivity = {
                    variant('gate-0.625mm-undamped', f'{sized(6.25e-4, 2.5e-4, 1.75e-3)}; {undamped}'),
                    variant('fine', sized(6.25e-4, 2.5e-4, 8.75e-4)), variant('fine-undamped', f'{sized(6.25e-4, 2.5e-4, 8.75e-4)}; {undamped}')],
     'numerics': [variant('double', 'precision double'), variant('solidStep-0.2', f'{solid}stepFraction 0.2'),
+                 variant('solidStep-0.9-undamped', f'{undamped}; {solid}stepFraction 0.9'),
                  variant('gpu', 'device gpu', large=True)],
     # the model of the authors in reference/: E = 12 MPa, nu = 0.4 in plane strain, held, nothing damped
     'others': [variant('others', f'{rubber(12e6, 0.4, True)}; {held}; {undamped}'),
