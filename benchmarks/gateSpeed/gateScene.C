@@ -99,7 +99,8 @@ void addGate(GateScene& s, const GateOptions& o, GateKind kind, double size, int
     c.normal = NormalKind::linear;
     c.tangential = TangentialKind::none;
     c.integrator = o.solids;
-    c.stepFraction = o.stepFraction;
+    // what is held has contacts alone, whose limit is another; it takes no steps
+    c.stepFraction = kind == GateKind::held ? std::min(o.stepFraction, 0.5) : o.stepFraction;
     s.solids.coupling.kind = o.coupling;
     s.solids.coupling.force = FluidForceKind::impulse;
     if (kind == GateKind::held) return;

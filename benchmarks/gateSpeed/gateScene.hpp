@@ -21,7 +21,7 @@ struct GateOptions
     DemIntegratorKind solids = DemIntegratorKind::velocityVerlet;
     CouplingKind coupling = CouplingKind::pressureGradient;
     double particles = 20000;       // of water
-    double stepFraction = 0.4;      // of the gate's sqrt(m/k)
+    double stepFraction = 0.9;      // of the gate's sqrt(m/k); its bonds stand 1
     double size = 1;                // of the gate's particles over the water's
     int develop = 100, steps = 100, repeat = 5;
     bool kernels = false;

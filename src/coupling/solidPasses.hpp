@@ -12,6 +12,22 @@
 namespace riprap
 {
 
+//- Nothing of solids yet, for fluid that has none near until the next sort
+template<int D, class R>
+struct ClearAction
+{
+    static constexpr const char* name = "clearSolidAction";
+
+    SolidAction<D, R> action;
+
+    HD void operator()(int i) const
+    {
+        for (int d = 0; d < D; ++d) action.a[d][i] = 0;
+        action.rate[i] = 0;
+        if (action.drift[0]) for (int d = 0; d < D; ++d) action.drift[d][i] = 0;
+    }
+};
+
 //- Sums that FluidPass adds to its own: acceleration, density rate, drift of XSPH
 template<class Backend, int Dim, class P, class Kernel, bool VariableH, Part part>
 struct SolidToFluidPass
@@ -22,7 +38,7 @@ struct SolidToFluidPass
 
     static constexpr const char* name = part == Part::density ? "solidDensityPass" : "solidMomentumPass";
     static constexpr int dimensions = Dim, sources = 1, channels = 2*Dim + 1;
-    static constexpr bool variableH = VariableH, hasMaxima = false;
+    static constexpr bool variableH = VariableH, hasMaxima = false, sparse = true;      // sums are cleared at each sort
 
     Box<Dim, P> box;
     CellGrid<Dim, P> grid;

@@ -28,6 +28,10 @@ public:
     virtual ~SolidSide() = default;
 
     virtual int keys() const = 0;
+
+    //- Nothing of them can move: steps of theirs are but time
+    virtual bool still() const = 0;
+
     virtual SolidView<D, P> view() = 0;
 
     //- Keys of the particles that are there, in the order in which they are read back

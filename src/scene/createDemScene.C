@@ -269,7 +269,7 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     {
         std::ostringstream s;
         s << "the time step of " << plan.timeStep << " s is above " << plan.hardStop
-          << " s: above 0.5 sqrt(m/k), or what the springs of a close packing stand; limits:";
+          << " s: above 0.5 sqrt(m/k) (of bonds without dashpots: all of it), or what the springs of a close packing stand; limits:";
         for (const StepLimit& l : plan.limits) s << "\n    " << l.name << " " << l.critical << " s (" << l.cause << ")";
         throw std::invalid_argument(s.str());
     }

@@ -44,14 +44,20 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::push(double dt)
 {
     forEach(context_, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
-    if (!nClumps_) return;
-    forEach(context_, nClumps_, PushClumps<D, P>
-        {clumps_.data(), box_, fields(), groups_.data(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.data(), dt});
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), dt});
 }
 
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 {
+    if (still_)
+    {
+        host_.previousDt = host_.dt;
+        host_.dt = host_.fullDt = dt;
+        host_.time = host_.target = t;
+        ++host_.step;
+        return true;
+    }
     gatherClumps(nullptr);      // they begin the step with forces that hold the fluid's of now
     host_.target = t;
     host_.lastStep = std::int64_t(1) << 62;
@@ -72,6 +78,11 @@ void DemSolver<Backend, D, P>::beginReport()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::endReport()
 {
+    if (still_)
+    {
+        writeClock();
+        forces(ForceTurn::always);      // to be read
+    }
     readClock();
     finishReport(lastReport_, reportFrom_);
 }

@@ -170,7 +170,8 @@ DemBonds bondsWithin(const DemConfig&, const DemParticles&, int group, double to
 //- A time that limits the step, and what it comes from: sqrt(m/k) of contacts and bonds, Rayleigh's time of spheres
 //  pi R sqrt(rho/G)/(0.1631 nu + 0.8766). Hertz contacts: k at the overlap of an impact at the speed that particles have or can
 //  fall to in the domain
-struct StepLimit { std::string name; double critical = 0; std::string cause; };
+//- hardStop: the largest step, of `critical`
+struct StepLimit { std::string name; double critical = 0; std::string cause; double hardStop = 0.5; };
 
 //- What a scene would take, before it is made
 struct DemPlan
@@ -178,7 +179,7 @@ struct DemPlan
     std::size_t particles = 0, clumps = 0, bonds = 0, wallElements = 0;
     std::size_t bytes = 0;                  // device memory, about
     double timeStep = 0;                    // that will be taken
-    double hardStop = 0;                    // 0.5 sqrt(m/k), smallest over all, or what springs of a close packing stand
+    double hardStop = 0;                    // the limits' smallest, or what springs of a close packing stand
     std::string cause;                      // what sets the step
     std::vector<StepLimit> limits;
     std::vector<std::string> warnings;      // e.g. paper 2's spring eats the gap at this speed

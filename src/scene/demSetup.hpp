@@ -335,7 +335,11 @@ void DemSolver<Backend, D, P>::setClumps()
     std::vector<int> first(nClumps_ + 1, 0), member;
     const auto& of = given_->particles.clump;
     for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
-    for (int k = 0; k < nClumps_; ++k) first[k + 1] += first[k];
+    for (int k = 0; k < nClumps_; ++k)
+    {
+        largestClump_ = std::max(largestClump_, first[k + 1]);
+        first[k + 1] += first[k];
+    }
     member.resize(std::max(1, first[nClumps_]));
     std::vector<int> next(first.begin(), first.end() - 1);
     for (int i = 0; i < n_ && !of.empty(); ++i)

@@ -16,6 +16,7 @@
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
 #include "dem/collectPass.hpp"
+#include "dem/motion/clumpSums.hpp"
 #include "dem/motion/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
@@ -120,6 +121,7 @@ public:
     std::vector<std::int32_t> order() override;
     real* external() override;
     int subcycles(double dt) override;
+    bool still() const override { return still_; }
     double kickTime(double dt, int subcycles) override;
     void push(double dt) override;
     bool advanceTo(double t, double dt, int subcycles) override;
@@ -160,6 +162,7 @@ private:
     template<class Law> void wallPass(ForceTurn);
     void bondPass(ForceTurn);
     void gatherClumps(const DemClockData* clock);
+    ClumpMembers<D, P> clumpMembers();
     void forces(ForceTurn = ForceTurn::inStep);
     bool movesAtOnce() const;
 #ifndef __CUDACC__
@@ -290,7 +293,7 @@ private:
     Array<Backend, BondParameters<real>> bondTypes_;
     Array<Backend, int> bondFirst_, bondReference_;
 
-    int nClumps_ = 0;
+    int nClumps_ = 0, largestClump_ = 0;
     Array<Backend, ClumpData> clumps_;
     Array<Backend, double> offset_;
     Array<Backend, int> memberFirst_, member_;

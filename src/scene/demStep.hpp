@@ -219,7 +219,8 @@ void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
-    forEach(context_, nBonds_, pass);
+    if constexpr (Backend::gpu) forEachBlock(context_, (nBonds_ + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
+    else forEach(context_, nBonds_, pass);
 }
 
 //- All forces at the positions at hand
@@ -251,12 +252,13 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
 {
-    if (!nClumps_) return;
-    forEach(context_, nClumps_, GatherClumps<D, P>
-    {
-        clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(),
-        external_.size() ? external_.data() : nullptr, clock
-    });
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), clock});
+}
+
+template<class Backend, int D, class P>
+ClumpMembers<D, P> DemSolver<Backend, D, P>::clumpMembers()
+{
+    return {clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.size() ? external_.data() : nullptr};
 }
 
 //- On the CPU: where a step moves particles as it adds up their forces

@@ -105,7 +105,9 @@ void SphSolver<Backend, D, P>::allocateLists()
 {
     if constexpr (Backend::gpu)
     {
-        shift_ = n_ <= 24000 ? 3 : (n_ <= 200000 ? 2 : (n_ <= 500000 ? 1 : 0));
+        // threads a particle, so that small scenes fill the machine
+        const auto shiftOf = [](int n) { return n <= 24000 ? 3 : (n <= 200000 ? 2 : (n <= 500000 ? 1 : 0)); };
+        shift_ = shiftOf(n_);
         const double pi = 3.14159265358979323846, r = grid_.radius;
         const double sphere = D == 2 ? pi*r*r : 4*pi*r*r*r/3;
         const int lanes = 1 << shift_;
@@ -115,9 +117,10 @@ void SphSolver<Backend, D, P>::allocateLists()
         if (solids_)
         {
             // grown when they do not fit
+            parts_.solidShift = shiftOf(nSolids_);
             const long long warps = ((long long)nSolids_ << shift_)/32 + 1;
             parts_.fluidSolid.allocate(context_, n_, shift_, true, int(warps*capacity + 256));
-            parts_.solidFluid.allocate(context_, nSolids_, shift_, true, int(warps*capacity/2 + 256));
+            parts_.solidFluid.allocate(context_, nSolids_, parts_.solidShift, true, int(warps*capacity/2 + 256));
         }
         if (nWalls_)
         {
@@ -141,7 +144,7 @@ void SphSolver<Backend, D, P>::growLists()
         if (host_.overflow[1]) parts_.fluidWall.allocate(context_, n_, shift_, true, grown(host_.overflow[1]));
         if (host_.overflow[2]) parts_.wallFluid.allocate(context_, nWalls_, shift_, true, grown(host_.overflow[2]));
         if (host_.overflow[3]) parts_.fluidSolid.allocate(context_, n_, shift_, true, grown(host_.overflow[3]));
-        if (host_.overflow[4]) parts_.solidFluid.allocate(context_, nSolids_, shift_, true, grown(host_.overflow[4]));
+        if (host_.overflow[4]) parts_.solidFluid.allocate(context_, nSolids_, parts_.solidShift, true, grown(host_.overflow[4]));
         parts_.graph.clear();
         for (int& o : host_.overflow) o = 0;
         writeClock();

@@ -130,6 +130,7 @@ void SphSolver<Backend, D, P>::sortSolids()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::pushSolids()
 {
+    if (solids_->still()) return;
     forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
     solids_->push(0.5*host_.dt);
 }
@@ -143,6 +144,7 @@ void SphSolver<Backend, D, P>::meetFluid()
         {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data()});
     solidsMeet_ = meets_.download()[0] != 0;
     if (!solidsMeet_) forEach(context_, nSolids_*D, ClearForces<real>{solidForce_.data()});
+    else if (Backend::gpu) forEach(context_, n_, ClearAction<D, real>{solidAction()});
 }
 
 //- What of the last two forces solids get at a fraction of the step, so that the impulse of whole steps is what docs/coupling.md has
@@ -167,6 +169,7 @@ void SphSolver<Backend, D, P>::advanceSolids()
         return solids_->advanceTo(t, dt, steps);
     };
     const int steps = subcycles_ = solids_->subcycles(host_.dt);
+    if (solids_->still()) { solids_->advanceTo(host_.time, host_.dt, steps); return; }
     const double begin = host_.time - host_.dt, part = host_.dt/steps;
     const auto end = [&](int k) { return k == steps ? host_.time : begin + k*part; };
     bool good = true;
@@ -198,11 +201,19 @@ void SphSolver<Backend, D, P>::showForces()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
-    if (!solids_) return;
+    if (!solids_ || (half && solids_->still())) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
         config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     forEach(context_, nSolids_, move);
+}
+
+template<class Backend, int D, class P>
+template<class Pass>
+void SphSolver<Backend, D, P>::runOverSolids(const Pass& pass)
+{
+    if constexpr (Backend::gpu) pairLoop(context_, pass, parts_.solidShift, nSolids_);
+    else pairLoop(context_, pass);
 }
 
 template<class Backend, int D, class P>
@@ -213,11 +224,11 @@ void SphSolver<Backend, D, P>::solidPressurePass(bool inStep)
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        run(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>
+        runOverSolids(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>
         {
             box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), kernelConstants<Kernel>(), model_, solidPoints(),
             extrapolated, inStep ? clock_.data() : nullptr
-        }, nSolids_);
+        });
     });
 }
 
@@ -246,11 +257,11 @@ void SphSolver<Backend, D, P>::solidForcePass()
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        run(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
+        runOverSolids(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
         {
             box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), solidTerms(), kernelConstants<Kernel>(), model_,
             solidPoints(), clock_.data()
-        }, nSolids_);
+        });
     });
 }
 

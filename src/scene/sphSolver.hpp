@@ -31,6 +31,7 @@ struct BackendParts<Gpu, D, P>
 {
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
     Graph graph;
+    int solidShift = 0;         // log2 of the lanes a solid
 };
 #endif
 
@@ -116,6 +117,7 @@ private:
     void solidPressurePass(bool inStep);
     template<Part part> void solidPass();
     void solidForcePass();
+    template<class Pass> void runOverSolids(const Pass&);
 
     // sphAdvance.hpp
     void setPoses(double begin, double end);

@@ -73,6 +73,45 @@ TEST_P(CouplingScope, SolidsThatComeNearMeetTheFluid)
     EXPECT_GT(largest(), 0);
 }
 
+//- Two rigid bodies in water run into each other, touch and part; what both and the water have of momentum stays
+TEST_P(CouplingScope, BodiesCollideInWater)
+{
+    SphConfig c = waterBox();
+    c.integrator = IntegratorKind::symplectic;
+    const double size = 0.6*c.spacing, side = 3*size, apart = 0.5*size, z = D() == 3 ? 0.3 : 0.0;
+    SolidInput both = rigid(block(c, 3, size, {{0.3, 0.4, z}}));
+    const SolidInput right = rigid(block(c, 3, size, {{0.3 + side + apart, 0.4, z}}));
+    DemParticles& p = both.input.particles;
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(p.position, right.input.particles.position);
+    append(p.radius, right.input.particles.radius);
+    append(p.mass, right.input.particles.mass);
+    append(both.volume, right.volume);
+    p.clump.resize(p.radius.size(), 1);
+    both.input.clumps.push_back(right.input.clumps[0]);
+    both.input.clumps[0].velocity[0] = 1;
+    both.input.clumps[1].velocity[0] = -1;
+    both.input.pairs[0].properties.normalStiffness = 1e6;
+    both.coupling.kind = CouplingKind::extrapolated;
+    both.coupling.force = FluidForceKind::impulse;
+    const auto s = createSphDemScene(c, waterAround(c, {{0.3, 0.4, 0.3}}, 2*side + apart), {}, both);
+    const Momentum before = momentum(*s, c);
+    bool touched = false, parted = false;
+    for (int k = 0; k < 40; ++k)
+    {
+        ASSERT_EQ(s->advance(1, 2).stop, StopReason::none);
+        const bool touch = s->solids()->contacts().a.size() > 0;
+        const DemClumpState body = s->solids()->clumps();
+        touched = touched || touch;
+        parted = parted || (touched && !touch && body.velocity[3] > body.velocity[0]);
+        EXPECT_GT(body.position[3] - body.position[0], 0.95*side) << "they must not go into each other";
+    }
+    EXPECT_TRUE(touched);
+    EXPECT_TRUE(parted);
+    const Momentum after = momentum(*s, c);
+    for (int d = 0; d < D(); ++d) EXPECT_NEAR(after.sum[d], before.sum[d], 160*epsilon()*after.size) << "axis " << d;
+}
+
 //- What the solids do not use is not computed: without bonds no kernel of bonds, without clumps none of clumps; without solids no kernel of theirs
 TEST_P(CouplingScope, CostsOnlyWhatIsThere)
 {

@@ -124,7 +124,7 @@ protected:
         const DemState q = s.solids()->particles();
         // parts of a rigid body show its velocity of the middle of the step
         const std::vector<double> body = s.solids()->clumps().velocity;
-        for (std::size_t i = 0; i < q.id.size(); ++i) add(body.empty() ? q.velocity : body, body.empty() ? i : 0, q.mass[i]);
+        for (std::size_t i = 0; i < q.id.size(); ++i) add(body.empty() ? q.velocity : body, body.empty() ? i : q.clump[i], q.mass[i]);
         const CouplingState now = s.coupling();
         for (int d = 0; d < D(); ++d) p.sum[d] += now.pending[d];
         return p;

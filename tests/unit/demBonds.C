@@ -143,6 +143,40 @@ TEST_P(DemBonded, ContactAfterBreakage)
     EXPECT_EQ(scene->particles().brokenBonds[0], 1);
 }
 
+//- A block of bonded particles that shakes stands the largest step that is not refused, whatever its bonds; dashpots halve that step
+TEST_P(DemBonded, StandsTheLargestStep)
+{
+    for (const int D : {2, 3})
+        for (const double shear : {0.1, 1.0, 3.0})
+            for (const double factor : {0.5, 1.0})
+            {
+                SCOPED_TRACE(std::to_string(D) + "D, G/E " + std::to_string(shear) + ", radius " + std::to_string(factor));
+                DemConfig c = config(D);
+                c.stepFraction = 1;
+                DemInput in = oneMaterial(1);
+                std::mt19937 engine(7);
+                std::uniform_real_distribution<double> u(-1, 1);
+                const int across = D == 3 ? 5 : 8;
+                for (int k = 0; k < (D == 3 ? across : 1); ++k)
+                    for (int j = 0; j < across; ++j)
+                        for (int i = 0; i < across; ++i)
+                            addParticle(in, {{i*spacing - 0.1, j*spacing - 0.1, D == 3 ? k*spacing - 0.1 : 0}},
+                                {{1e-3*u(engine), 1e-3*u(engine), D == 3 ? 1e-3*u(engine) : 0}});
+                in.bondTypes.push_back(bondType(1e6, shear*1e6, factor));
+                in.bonds = bondsWithin(c, in.particles, 0, 1e-4);
+                const DemPlan plan = planDemScene(c, in);
+                EXPECT_NEAR(plan.hardStop, plan.timeStep, 1e-9*plan.timeStep) << plan.cause;
+                auto scene = createDemScene(c, in);
+                scene->advance(1e9, 1);
+                const double before = scene->energy().total();
+                scene->advance(1e9, 4000);
+                // at this step the fastest modes' energy is known to their order only
+                EXPECT_LT(scene->energy().total(), 4*before);
+                in.bondTypes[0].dampingRatio = 0.01;
+                EXPECT_NEAR(planDemScene(c, in).hardStop, 0.5*plan.hardStop, 1e-9*plan.hardStop);
+            }
+}
+
 //- A bonded triangle thrown and spun keeps momentum and energy
 TEST_P(DemBonded, FreeBodyKeepsMomentumAndEnergy)
 {

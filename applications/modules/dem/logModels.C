@@ -168,7 +168,7 @@ void Foam::solverModules::dem::logTimeStep() const
     logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
         << ", deltaT " << plan.timeStep << " s, limit: " << plan.cause.c_str()
         << nl;
-    logItem("") << "hard stop " << plan.hardStop << " s (0.5 sqrt(m/k), or a close packing's)"
+    logItem("") << "hard stop " << plan.hardStop << " s (0.5 sqrt(m/k), of undamped bonds all of it, or a close packing's)"
         << (c.allowLargeStep ? ", overridden by allowLargeStep" : "") << nl;
     for (const std::string& warning : plan.warnings)
     {

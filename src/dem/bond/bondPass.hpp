@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/blocks.hpp"
 #include "dem/bond/parallelBond.hpp"
 #include "dem/clock.hpp"
 #include "dem/listBuild.hpp"
@@ -43,13 +44,13 @@ struct BondPass
 
     HD void operator()(int k) const
     {
-        if (!clock.active()) return;
-        BondForce<D, real>& stored = bonds.force[k];
-        if (bonds.broken[k])
-        {
-            stored = BondForce<D, real>{};
-            return;
-        }
+        if (clock.active()) bonds.force[k] = compute(k, bonds.history + k*bondHistory<D>);
+    }
+
+    //- history: of this bond, read and written
+    HD BondForce<D, real> compute(int k, real* history) const
+    {
+        if (bonds.broken[k]) return BondForce<D, real>{};
         const int i = bonds.slotOf[bonds.ids[0][k]], j = bonds.slotOf[bonds.ids[1][k]];
         int unused;
         const ContactBody<D, real> a = solids.body(i, unused), b = solids.body(j, unused);
@@ -66,15 +67,44 @@ struct BondPass
         Vec<D, real> n;
         for (int d = 0; d < D; ++d) n.c[d] = real(line[d]/distance);
         const double stretch = distance - (double(a.radius) + double(b.radius)) - bonds.rest[k];
-        BondForce<D, real> f = bondForce
-        (bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock.dt()), bonds.history + k*bondHistory<D>);
+        BondForce<D, real> f = bondForce(bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock.dt()), history);
         if (f.broken != BondBreak::none)
         {
             bonds.broken[k] = int(f.broken);
             clock.raised->needRebuild = 1;      // the two may touch from now on
             f = BondForce<D, real>{};
         }
-        stored = f;
+        return f;
+    }
+};
+
+//- The same by blocks of the GPU. Forces and histories are records: threads that write one each write words far apart, ten times what memory
+//  must move. So a block's records pass through shared memory, whole
+template<int D, class P>
+struct BondBlocks
+{
+    using real = typename P::real;
+    using Force = BondForce<D, real>;
+    static constexpr const char* name = "bonds";
+    static constexpr int threads = 256, historyWords = bondHistory<D>*sizeof(real)/4, forceWords = sizeof(Force)/4;
+    struct Shared { alignas(8) unsigned history[threads*historyWords], force[threads*forceWords]; };
+
+    BondPass<D, P> pass;
+
+    HD void operator()(const Team& team, Shared& shared, int block) const
+    {
+        if (!pass.clock.active()) return;       // the same for all threads
+        const int first = block*threads, count = pass.bonds.n - first < threads ? pass.bonds.n - first : threads;
+        unsigned* histories = reinterpret_cast<unsigned*>(pass.bonds.history) + std::size_t(first)*historyWords;
+        unsigned* forces = reinterpret_cast<unsigned*>(pass.bonds.force) + std::size_t(first)*forceWords;
+        team.each(count*historyWords, [&](int w) { shared.history[w] = histories[w]; });
+        team.each(count, [&](int k)
+        {
+            reinterpret_cast<Force*>(shared.force)[k]
+              = pass.compute(first + k, reinterpret_cast<real*>(shared.history) + k*bondHistory<D>);
+        });
+        team.each(count*historyWords, [&](int w) { histories[w] = shared.history[w]; });
+        team.each(count*forceWords, [&](int w) { forces[w] = shared.force[w]; });
     }
 };
 

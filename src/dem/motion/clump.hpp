@@ -1,4 +1,4 @@
-/*  Rigid bodies of several spheres: a body's state, its motion, and the forces that its members hand to it.
+/*  Rigid bodies of several spheres: a body's state and its motion; dem/motion/clumpSums.hpp has what its members hand to it.
 
     Translation by leapfrog as for particles. Rotation keeps the angular momentum L in space:
         L_{n+1/2} = L_{n-1/2} + M_n dt                 w(q, L) = R(q) I^-1 R(q)^T L
@@ -126,50 +126,6 @@ struct FinishClumps
     const DemClockData* clock;
 
     HD void operator()(int k) const { if (clock->active) kick(clumps[k], 0.5*clock->dt); }
-};
-
-//- Forces and moments of a clump's members about its centre, in the order of its members
-template<int D, class P>
-struct GatherClumps
-{
-    static constexpr const char* name = "gatherClumps";
-
-    ClumpData* clumps;
-    Box<D, P> box;
-    SolidFields<D, P> fields;
-    const int* first;           // members of each clump
-    const int* member;          // keys of particles
-    const int* slotOf;          // where a key is
-    const typename P::real* external;
-    const DemClockData* clock;  // null: now
-
-    HD void operator()(int k) const
-    {
-        if (clock && !clock->active) return;
-        ClumpData& c = clumps[k];
-        double f[3] = {}, m[3] = {};
-        for (int e = first[k]; e < first[k + 1]; ++e)
-        {
-            const int i = slotOf[member[e]];
-            if (i < 0) continue;
-            Vec<3, double> arm{{0, 0, 0}}, force{{0, 0, 0}};
-            for (int d = 0; d < D; ++d)
-            {
-                arm.c[d] = double(std::int64_t(std::uint64_t(fields.x[d][i]) - std::uint64_t(c.x[d])))*box.unit[d];
-                force.c[d] = double(fields.f[d][i]);
-                if (external) force.c[d] += double(external[(long long)member[e]*(D + spins<D>) + d]);
-                f[d] += force.c[d];
-            }
-            const Vec<3, double> t = cross(arm, force);
-            for (int s = 0; s < spins<D>; ++s)
-            {
-                const int d = D == 2 ? 2 : s;
-                m[d] += t.c[d] + double(fields.m[s][i]);
-                if (external) m[d] += double(external[(long long)member[e]*(D + spins<D>) + D + s]);
-            }
-        }
-        for (int d = 0; d < 3; ++d) { c.f[d] = f[d]; c.m[d] = m[d]; }
-    }
 };
 
 } // namespace riprap

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A cylinder or a sphere let go in water: draught at rest against Archimedes, heave against linear potential flow in the same tank"""
 import os
-import shutil
 import sys
 
 import numpy as np
@@ -165,11 +164,12 @@ Study(
     scene='floatingBodies',
     variants=[Variant(f'cylinder-{d}', of(d)) for d in ratios]
     + [Variant(f'sphere-{d}', sphere(d, '0.0125')) for d in ratios]
-    + [Variant(f'cylinder-{d}-{c}', of(d, f'coupling {c}')) for c in others for d in ratios]
+    # stationary: water squeezed between the heaviest one and the floor
+    + [Variant(f'cylinder-{d}-{c}', of(d, f'coupling {c}'), mayFail=(d, c) == (2.7, 'stationary')) for c in others for d in ratios]
     + [Variant(f'sphere-{d}-pressureGradient', sphere(d, '0.0125', 'coupling pressureGradient')) for d in ratios]
     + [Variant('cylinder-0.5-coarse', ['-spacing', '0.0142857143', *of(0.5)]), Variant('cylinder-0.5-fine', ['-spacing', '0.005', *of(0.5)]),
        Variant('sphere-0.5-coarse', sphere(0.5, '0.0166666667'))]
-    + ([Variant(f'sphere-{d}-fine', sphere(d, '0.01')) for d in ratios] if shutil.which('nvidia-smi') else []),
+    + [Variant(f'sphere-{d}-fine', sphere(d, '0.01'), large=True) for d in ratios],
     quick=[Variant('quick', ['-endTime', '2', *of(0.3)])],
     analyse=analyse,
     plot=plot,

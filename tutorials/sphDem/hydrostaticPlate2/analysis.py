@@ -53,8 +53,8 @@ def plot(runs, path):
 
 Study(
     scene='hydrostaticPlate2',
-    variants=[Variant('pressureGradient'),
-              Variant('extrapolated', ['-set', 'coupling extrapolated'])],
+    variants=[Variant('extrapolated'),
+              Variant('pressureGradient', ['-set', 'coupling pressureGradient'])],
     quick=[Variant('quick', ['-endTime', '0.25'])],
     analyse=analyse,
     plot=plot,
