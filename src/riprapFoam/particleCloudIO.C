@@ -6,8 +6,6 @@
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "Time.H"
-#include "indexedOctree.H"
-#include "treeDataCell.H"
 
 #include <cstring>
 
@@ -135,41 +133,6 @@ static void writeCloudProperties(const polyMesh& mesh, const particleCloud& c)
 }
 
 } // namespace Foam
-
-
-Foam::labelList Foam::locateParticles
-(
-    const polyMesh& mesh,
-    const pointField& points,
-    const labelList& hint,
-    bool nearest
-)
-{
-    labelList cell(points.size(), -1);
-    const auto& tree = mesh.cellTree();
-
-    label last = -1;
-    forAll(points, i)
-    {
-        const point& p = points[i];
-        const label guess = hint.size() == points.size() ? hint[i] : last;
-
-        if (guess >= 0 && guess < mesh.nCells() && mesh.pointInCell(p, guess))
-        {
-            cell[i] = guess;
-        }
-        else if (mesh.nCells())
-        {
-            cell[i] = tree.findInside(p);
-            if (cell[i] < 0 && nearest)
-            {
-                cell[i] = tree.findNearest(p, sqr(GREAT)).index();
-            }
-        }
-        last = cell[i];
-    }
-    return cell;
-}
 
 
 void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
