@@ -6,8 +6,6 @@
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "Time.H"
-#include "indexedOctree.H"
-#include "treeDataCell.H"
 
 #include <cstring>
 
@@ -134,70 +132,7 @@ static void writeCloudProperties(const polyMesh& mesh, const particleCloud& c)
     );
 }
 
-// From cell to cell through the face that the point is farthest outside of; -1: it leaves the mesh, or is too far for a walk. The search in
-// OpenFOAM's tree of cells takes each of them apart into tetrahedra, a millisecond a point
-static label walkToCell(const polyMesh& mesh, const point& p, label celli)
-{
-    constexpr label longest = 1000;
-    for (label step = 0; step < longest; ++step)
-    {
-        label through = -1;
-        scalar most = 0;
-        for (const label facei : mesh.cells()[celli])
-        {
-            const scalar side = mesh.faceOwner()[facei] == celli ? 1 : -1;
-            const vector& area = mesh.faceAreas()[facei];
-            const scalar outside = side*((p - mesh.faceCentres()[facei]) & area)/mag(area);
-            if (outside > most)
-            {
-                most = outside;
-                through = facei;
-            }
-        }
-        if (through < 0) return celli;
-        if (!mesh.isInternalFace(through)) return -1;
-        celli = mesh.faceOwner()[through] == celli ? mesh.faceNeighbour()[through] : mesh.faceOwner()[through];
-    }
-    return -1;
-}
-
 } // namespace Foam
-
-
-Foam::labelList Foam::locateParticles
-(
-    const polyMesh& mesh,
-    const pointField& points,
-    const labelList& hint,
-    bool nearest
-)
-{
-    labelList cell(points.size(), -1);
-    const auto& tree = mesh.cellTree();
-
-    label last = -1;
-    forAll(points, i)
-    {
-        const point& p = points[i];
-        label guess = hint.size() == points.size() && hint[i] >= 0 ? hint[i] : last;
-        if (guess >= 0 && guess < mesh.nCells()) guess = walkToCell(mesh, p, guess);
-
-        if (guess >= 0 && guess < mesh.nCells() && mesh.pointInCell(p, guess))
-        {
-            cell[i] = guess;
-        }
-        else if (mesh.nCells())
-        {
-            cell[i] = tree.findInside(p);
-            if (cell[i] < 0 && nearest)
-            {
-                cell[i] = tree.findNearest(p, sqr(GREAT)).index();
-            }
-        }
-        if (cell[i] >= 0) last = cell[i];
-    }
-    return cell;
-}
 
 
 void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
