@@ -79,7 +79,7 @@ private:
     void prime();
     double skinRatio() const;
     void setFrames();
-    static constexpr double wallSkin = 0.25;    // GPU: of the support, within which walls are listed
+    static constexpr double wallSkin = D == 2 ? 0.5 : 0.25;     // GPU: what lists of walls reach beyond the support, of it
 
     // sphNeighbours.hpp
     void rebuild();

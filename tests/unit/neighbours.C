@@ -140,7 +140,7 @@ public:
 
 private:
 
-    static constexpr double wallSkin() { return 0.25; }
+    static constexpr double wallSkin() { return Dim == 2 ? 0.5 : 0.25; }
     SphConfig config_;
     double support_, skin_;
     std::vector<double> walls_, now_, from_, oldFrom_;
