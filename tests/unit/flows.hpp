@@ -181,9 +181,35 @@ protected:
         return s;
     }
 
+    //- A current along a floor, all of it as fast: nothing in it comes nearer, but other parts of the floor do
+    Flow sliding() const
+    {
+        SphConfig c = flowConfig({{3, 1, 0.9}}, false);
+        c.periodic[0] = c.periodic[2] = true;
+        c.viscosityModel = ViscosityKind::none;
+        const double level = 3*c.spacing;
+        Flow s{"sliding", c, lattice(c, {{0, level, 0}}, {{3, level + 0.2, deep(0.9)}}), floorOf(c, 1, level, 3), {}, {}};
+        set(s.fluid, [](const Vector3&) { return Vector3{{1.9, 0, 0}}; });
+        return s;
+    }
+
+    //- Two lumps that have nothing between them, and meet
+    Flow meeting() const
+    {
+        Flow s{"meeting", flowConfig({{3, 1, 0.9}}, false), {}, {}, {}, {}};
+        const double side = 3*s.c.spacing;
+        s.fluid = lattice(s.c, {{1.5 - 0.3 - side, 0.4, deep(0.4)}}, {{1.5 - 0.3, 0.4 + side, deep(0.4 + side)}});
+        const FluidInput other = lattice(s.c, {{1.5 + 0.3, 0.4, deep(0.4)}}, {{1.5 + 0.3 + side, 0.4 + side, deep(0.4 + side)}});
+        s.fluid.position.insert(s.fluid.position.end(), other.position.begin(), other.position.end());
+        s.fluid.density.insert(s.fluid.density.end(), other.density.begin(), other.density.end());
+        s.fluid.velocity.assign(s.fluid.position.size(), 0.0);
+        set(s.fluid, [](const Vector3& x) { return Vector3{{x[0] < 1.5 ? 1.2 : -1.2, 0, 0}}; });
+        return s;
+    }
+
     std::vector<Flow> allFlows() const
     {
-        return {sheared(), rotating(), breaking(WallKind::extrapolated, IntegratorKind::leapfrog), breaking(WallKind::stationary, IntegratorKind::symplectic),
+        return {sliding(), meeting(), sheared(), rotating(), breaking(WallKind::extrapolated, IntegratorKind::leapfrog), breaking(WallKind::stationary, IntegratorKind::symplectic),
             spray(), piston(), plunging(), carried()};
     }
 
