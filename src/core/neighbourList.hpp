@@ -24,6 +24,7 @@ struct ListBuild
     Box<D, P> box;
     CellGrid<D, P> grid;
     RecordsView<Gpu, D, P> target, source;
+    real radius;                // of the lists; the grid's or more
     const int* start;
     const int* targets;         // device count
     bool sameSet;
@@ -42,9 +43,9 @@ struct ListBuild
         const auto xi = target.loadPosition(i);
         Vec<D, real> relative;
         for (int d = 0; d < D; ++d) relative.c[d] = box.pairRelative(d, xi.c[d]);
-        const real r2max = grid.radius*grid.radius;
+        const real r2max = radius*radius;
         const int lanes = 1 << shift;
-        grid.forEachRange(relative, start, [&](int begin, int end)
+        const auto look = [&](int begin, int end)
         {
             for (int j = begin + lane; j < end; j += lanes)
             {
@@ -53,7 +54,9 @@ struct ListBuild
                 for (int d = 0; d < D; ++d) dx.c[d] = box.template separation<real>(d, xi.c[d], xj.c[d]);
                 if (squaredNorm(dx) < r2max && !(sameSet && i == j)) f(unsigned(j));
             }
-        });
+        };
+        if (radius > grid.radius) grid.forEachRangeWithin(relative, radius, start, look);
+        else grid.forEachRange(relative, start, look);
     }
 };
 
@@ -134,17 +137,17 @@ public:
         poolUsed_.allocate(context, 1);
     }
 
-    //- Lists of all pairs within the grid's radius; name: of the launch
+    //- Lists of all pairs within a radius, not below the grid's; name: of the launch
     void build
     (
-        Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid, const RecordsView<Gpu, D, P>& target,
+        Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid, typename P::real radius, const RecordsView<Gpu, D, P>& target,
         const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet, int* overflow,
         const char* name
     )
     {
         const ListBuild<D, P> b
         {
-            box, grid, target, source, start, targets, sameSet, shift_, capacity_, pooled_,
+            box, grid, target, source, radius, start, targets, sameSet, shift_, capacity_, pooled_,
             entries_.data(), base_.data(), count_.data(), poolUsed_.data(), overflow
         };
         if (n_ == 0) return;

@@ -12,6 +12,7 @@
 
 #include "coupling/solidView.hpp"
 #include "core/cellGrid.hpp"
+#include "core/localFrames.hpp"
 #include "sph/fluidFields.hpp"
 #include "sph/time/clock.hpp"
 
@@ -84,6 +85,7 @@ struct PlacePoints
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];
     FluidModel<D, P> model;
+    LocalFrames<D, P> frames;
 
     HD void operator()(int i) const
     {
@@ -104,6 +106,7 @@ struct PlacePoints
         q.h = model.h0;
         records.storePosition(i, p);
         records.store(i, q);
+        if constexpr (Backend::gpu) frames.include(box, p, q.velocity);
     }
 };
 
@@ -180,36 +183,52 @@ struct MovePoints
     double responseTime;        // h/c0 [s]
     bool half;
     ClockData* clock;
+    LocalFrames<D, P> frames;   // GPU: what the way since the search is measured against, as the fluid's is
 
     HD void operator()(int i) const
     {
         if (!clock->active || i >= *points.active) return;
         const int key = int(points.key[i]), slot = solids.slotOf[key];
-        if (slot < 0) return;       // it has left since it was sorted: where it was, until the next sort
+        // it has left since it was sorted: where it was, until the next sort
+        if (slot < 0) { if (!half) checkSkin(i, records.loadPosition(i), filled<D>(real(0))); return; }
         const Vec<D, std::int64_t> x = pointPosition(box, solids, slot);
         PairParticle<D, real> q = records.template load<false>(i);
         Vec<D, typename P::position> p;
-        real distance2 = 0, speed2 = 0;
+        Vec<D, real> own;
         for (int d = 0; d < D; ++d)
         {
             const std::int64_t from = points.last[d][i], way = std::int64_t(std::uint64_t(x.c[d]) - std::uint64_t(from));
             const real u = real(double(way)*box.unit[d]/clock->dt);
-            q.velocity.c[d] = points.own[d][i] = u;
+            q.velocity.c[d] = own.c[d] = points.own[d][i] = u;
             p.c[d] = box.pairPosition(d, half ? from + way/2 : x.c[d]);
             if (!half) follow(d, i, key, x.c[d], u);
-            const real s = box.template separation<real>(d, p.c[d], reference[d][i]);
-            distance2 += s*s;
-            speed2 += u*u;
         }
         records.storePosition(i, p);
         storeVelocity(i, q);
-        if (half) return;
-        const real distance = squareRoot(distance2);
-        if (distance > halfSkin) clock->skinViolations = 1;
-        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > halfSkin) clock->needRebuild = 1;
+        if (!half) checkSkin(i, p, own);
     }
 
 private:
+
+    //- As the fluid's Mover does
+    HD void checkSkin(int i, const Vec<D, typename P::position>& p, const Vec<D, real>& u) const
+    {
+        const real ahead = real(1.25)*real(clock->fullDt);
+        Vec<D, typename P::position> from;
+        real distance2 = 0, speed2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            from.c[d] = reference[d][i];
+            const real s = box.template separation<real>(d, p.c[d], from.c[d]);
+            distance2 += s*s;
+            speed2 += u.c[d]*u.c[d];
+        }
+        if constexpr (Backend::gpu)
+            if (frames.frame) return clock->notice(frames.since(box, from, p, u, real(clock->time - clock->searched), ahead), halfSkin);
+        const real distance = squareRoot(distance2);
+        if (distance > halfSkin) clock->skinViolations = 1;
+        if (distance + ahead*squareRoot(speed2) > halfSkin) clock->needRebuild = 1;
+    }
 
     HD void storeVelocity(int i, PairParticle<D, real> q) const
     {

@@ -136,13 +136,14 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
     host_.minDt = 1e300;
     host_.maxDt = 0;
-    host_.needRebuild = 0;
-    host_.skinViolations = 0;
+    host_.needRebuild = host_.aged[0] = host_.aged[1] = 0;
+    host_.skinViolations = host_.missed[0] = host_.missed[1] = 0;
     // also before and after all steps: what the last one did is said in its own call, before anyone writes it, and while
     // the records are those that it saw
     if (host_.halt == Halt::none) host_.halt = limits_.halt(host_);
     writeClock();
     runToTarget(report.rebuilds);
+    host_.settleAge();
     if (host_.halt == Halt::none)
     {
         host_.halt = limits_.halt(host_);

@@ -21,18 +21,29 @@ void SphSolver<Backend, D, P>::rebuild()
     forEach(context_, n_, keys);
     fluidSort_.sort(context_, n_);
     fluid_.permute(context_, fluidSort_.order(), n_);
+    if constexpr (Backend::gpu) parts_.frames.clear(context_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
     if (nBodies_) rebuildWalls();
-    if (solids_)
-    {
-        sortSolids();
-        meetFluid();
-    }
+    if (solids_) sortSolids();
+    settleFrames();
+    if (solids_) meetFluid();
     buildLists();
     // sorted walls need their pressures anew; and the symplectic scheme's density pass sees those of the state at hand, so
     // that a restart does too
     if (nBodies_ || config_.integrator == IntegratorKind::symplectic) wallPass(false);
     solidPressurePass(false);
+}
+
+//- How far particles may go, now that they and the walls are in their places
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::settleFrames()
+{
+    if constexpr (Backend::gpu)
+    {
+        if (!parts_.frames.on()) return;
+        const double support = grid_.radius - 2*double(halfSkin_), alongWalls = double(parts_.wallRadius) - support;
+        parts_.frames.settle(context_, 0.5*(parts_.frames.width() - support), nBodies_ ? 0.5*alongWalls : alongWalls);
+    }
 }
 
 //- A rebuild between two calls of advance. Recorded cycles hold an even number of them: two, so that pointers are as recorded
@@ -60,9 +71,14 @@ void SphSolver<Backend, D, P>::rebuildWalls()
         wall_.releaseSpare();
         wallSort_.releaseScratch();
     }
-    PlaceWalls<Backend, D, P> place;
+    PlaceWalls<Backend, D, P> place{};
     place.box = box_;
     place.records = wallRecords_.view();
+    if constexpr (Backend::gpu)
+    {
+        parts_.frames.clearStill(context_);
+        place.frames = parts_.frames.view();
+    }
     for (int d = 0; d < D; ++d)
     {
         place.x[d] = wall_.template data<std::int64_t>(wallXField_ + d);
@@ -81,22 +97,22 @@ void SphSolver<Backend, D, P>::buildLists()
         const auto fluid = fluidRecords_.view();
         int* overflow = clock_.data()->overflow;
         parts_.fluidFluid.build
-        (context_, box_, grid_, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
+        (context_, box_, grid_, grid_.radius, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
         if (solidsMeet_)
         {
             const auto solid = solidRecords_.view();
             parts_.fluidSolid.build
-            (context_, box_, grid_, fluid, solid, solidSort_.start(), fluidSort_.active(), false, overflow + 3, "listFluidSolid");
+            (context_, box_, grid_, grid_.radius, fluid, solid, solidSort_.start(), fluidSort_.active(), false, overflow + 3, "listFluidSolid");
             parts_.solidFluid.build
-            (context_, box_, grid_, solid, fluid, fluidSort_.start(), solidSort_.active(), false, overflow + 4, "listSolidFluid");
+            (context_, box_, grid_, grid_.radius, solid, fluid, fluidSort_.start(), solidSort_.active(), false, overflow + 4, "listSolidFluid");
         }
         if (!nWalls_) return;
         const auto wall = wallRecords_.view();
         parts_.fluidWall.build
-        (context_, box_, grid_, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1, "listFluidWall");
+        (context_, box_, grid_, parts_.wallRadius, fluid, wall, wallSort_.start(), fluidSort_.active(), false, overflow + 1, "listFluidWall");
         if (config_.wallModel == WallKind::extrapolated || nBodies_)
             parts_.wallFluid.build
-            (context_, box_, grid_, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2, "listWallFluid");
+            (context_, box_, grid_, parts_.wallRadius, wall, fluid, fluidSort_.start(), wallSort_.active(), false, overflow + 2, "listWallFluid");
     }
 }
 
@@ -124,7 +140,7 @@ void SphSolver<Backend, D, P>::allocateLists()
         }
         if (nWalls_)
         {
-            const int wallBlocks = int(0.1*sphere/std::pow(config_.wallSpacing, D)/lanes) + 1;
+            const int wallBlocks = int(0.1*sphere*std::pow(parts_.wallRadius/grid_.radius, D)/std::pow(config_.wallSpacing, D)/lanes) + 1;
             const long long warps = ((long long)n_ << shift_)/32 + 1, wallWarps = ((long long)nWalls_ << shift_)/32 + 1;
             parts_.fluidWall.allocate(context_, n_, shift_, true, int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256));
             if (config_.wallModel == WallKind::extrapolated || nBodies_)

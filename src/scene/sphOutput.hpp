@@ -125,6 +125,8 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
     r.velocity.assign(3*m, 0.0);
     r.centroid.assign(3*m, 0.0);
     if (!m || !n_) return r;
+    // fluid may have left its cells by more than the search allows for
+    if constexpr (Backend::gpu) if (parts_.frames.on()) sortNow();
     std::vector<position> x(m*D);
     for (std::size_t i = 0; i < m; ++i)
         for (int d = 0; d < D; ++d)
@@ -167,19 +169,39 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
 }
 
 template<class Backend, int D, class P>
+NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
+{
+    NeighbourCounts r;
+    r.particles = activeFluid();
+    refreshRecords();
+    const double support = 2*config_.smoothingRatio*config_.spacing;
+    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n)
+    {
+        if (!n || !source.start) return std::int64_t(0);
+        Array<Backend, real> result;
+        result.allocate(context_, n);
+        run(CountPass<Backend, D, P>{box_, grid_, {source}, target, real(support*support), result.data(), n}, n);
+        std::int64_t sum = 0;
+        for (const real c : result.download()) sum += std::int64_t(c);
+        return sum;
+    };
+    const int n = int(r.particles);
+    r.fluid = count(fluidSource(false), fluidRecords_.view(), n);
+    r.walls = count(wallSource(), fluidRecords_.view(), n);
+    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated)) r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_);
+    if (!solidsMeet_) return r;
+    int solids = 0;
+    context_.toHost(&solids, solidSort_.active(), sizeof(int));
+    r.solids = count(solidSource(), fluidRecords_.view(), n);
+    r.aboutSolids = count(fluidAboutSolids(), solidRecords_.view(), solids);
+    return r;
+}
+
+template<class Backend, int D, class P>
 double SphSolver<Backend, D, P>::neighboursPerParticle()
 {
-    const int n = activeFluid();
-    if (!n) return 0;
-    refreshRecords();
-    Array<Backend, real> result;
-    result.allocate(context_, n);
-    const double support = 2*config_.smoothingRatio*config_.spacing;
-    CountPass<Backend, D, P> pass{box_, grid_, {fluidSource(false), wallSource()}, real(support*support), result.data(), n};
-    run(pass, n);
-    double sum = 0;
-    for (const real c : result.download()) sum += c;
-    return sum/n;
+    const NeighbourCounts c = countNeighbours();
+    return c.particles ? double(c.fluid + c.walls)/double(c.particles) : 0;
 }
 
 template<class Backend, int D, class P>
@@ -202,7 +224,9 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     for (const auto& f : fluid_.info()) add("fluid", f.name, f.bytes, n_);
     add("fluid", "records", fluidRecords_.bytes(), n_);
     add("fluid", "reference", fluidReference_.bytes(), n_);
-    add("fluid", "cells", fluidSort_.bytes(), n_);
+    std::size_t cells = fluidSort_.bytes();
+    if constexpr (Backend::gpu) cells += parts_.frames.bytes();
+    add("fluid", "cells", cells, n_);
     for (const auto& f : wall_.info()) add("wall", f.name, f.bytes, nWalls_);
     add("wall", "records", wallRecords_.bytes(), nWalls_);
     add("wall", "cells", wallSort_.bytes(), nWalls_);

@@ -81,7 +81,7 @@ struct Suspicion
     }
 };
 
-//- Neighbours within the support
+//- Neighbours within the support, of one set among another
 template<class Backend, int Dim, class P>
 struct CountPass
 {
@@ -90,12 +90,13 @@ struct CountPass
     template<class T> using Self = T;
 
     static constexpr const char* name = "countNeighbours";
-    static constexpr int dimensions = Dim, sources = 2, channels = 1;
+    static constexpr int dimensions = Dim, sources = 1, channels = 1;
     static constexpr bool variableH = false, hasMaxima = false;
 
     Box<Dim, P> box;
     CellGrid<Dim, P> grid;
-    Source<Backend, Dim, P> source[2];
+    Source<Backend, Dim, P> source[1];
+    RecordsView<Backend, Dim, P> target;
     real support2;
     real* result;
     int count;
@@ -103,7 +104,7 @@ struct CountPass
     HD bool enabled() const { return true; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }
-    HD Vec<Dim, typename P::position> position(int i) const { return source[0].records.loadPosition(i); }
+    HD Vec<Dim, typename P::position> position(int i) const { return target.loadPosition(i); }
     template<class T> HD T self(int) const { return T(real(0)); }
 
     template<int S, class T>

@@ -64,15 +64,17 @@ struct PlaceFluid : Mover<Backend, D, P>
 
     HD void operator()(int i) const
     {
-        if (i == 0) this->clock->needRebuild = 0;
+        if (i == 0) this->clock->search();
         if (i >= *this->count) return;
         const Vec<D, std::int64_t> x = this->position(i);
         Vec<D, real> v;
+        [[maybe_unused]] Vec<D, typename P::position> p;
         for (int d = 0; d < D; ++d)
         {
             v.c[d] = this->fluid.v[d][i];
-            this->reference[d][i] = this->box.pairPosition(d, x.c[d]);
+            p.c[d] = this->reference[d][i] = this->box.pairPosition(d, x.c[d]);
         }
+        if constexpr (Backend::gpu) this->frames.include(this->box, p, v);
         this->record(i, x, v, this->fluid.deviation[i]);
     }
 };
@@ -86,6 +88,7 @@ struct PlaceWalls
     std::int64_t* x[D];
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];     // null where walls are fixed
+    LocalFrames<D, P> frames;
 
     HD void operator()(int i) const
     {
@@ -96,6 +99,7 @@ struct PlaceWalls
             if (reference[d]) reference[d][i] = p.c[d];
         }
         records.storePosition(i, p);
+        frames.includeStill(box, p);
     }
 };
 

@@ -115,6 +115,14 @@ struct WallState
     std::vector<double> position, velocity, pressure;   // 3 n, 3 n, n; in the order of WallInput
 };
 
+//- Pairs nearer than the support (2h at rest density) among those that the passes of a step look at now
+struct NeighbourCounts
+{
+    std::int64_t particles = 0;
+    std::int64_t fluid = 0, walls = 0, solids = 0;      // neighbours of all fluid particles
+    std::int64_t aboutWalls = 0, aboutSolids = 0;       // fluid about wall points, where anything asks for it, and about solids
+};
+
 class DemScene;
 struct CouplingState;
 
@@ -149,7 +157,8 @@ public:
     virtual std::vector<ArrayInfo> arrays() const = 0;
     virtual std::vector<KernelInfo> kernels() const = 0;
     virtual void timeKernels(bool on) = 0;  // measure seconds a kernel (slows small scenes)
-    virtual double neighboursPerParticle() = 0;
+    virtual double neighboursPerParticle() = 0;     // solids left out
+    virtual NeighbourCounts countNeighbours() = 0;
 
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;

@@ -19,6 +19,7 @@ SphSolver<Backend, D, P>::SphSolver
     setFluid(fluid);
     setWalls(walls);
     setSolids(std::move(solids));
+    setFrames();
     allocateLists();
     if (nBodies_) setPoses(config_.startTime, config_.startTime);
     prime();
@@ -32,7 +33,7 @@ double SphSolver<Backend, D, P>::skinRatio() const
     if (!Backend::gpu) return 0.1;
     // small scenes are bound by launches, of which a rebuild has many
     const bool symplectic = config_.integrator == IntegratorKind::symplectic;
-    return n_ <= 24000 ? (symplectic ? 0.5 : 0.35) : (n_ <= 200000 ? 0.2 : 0.16);
+    return n_ <= 24000 ? (symplectic ? 0.4 : 0.25) : (n_ <= 200000 ? 0.12 : 0.08);
 }
 
 template<class Backend, int D, class P>
@@ -109,6 +110,23 @@ void SphSolver<Backend, D, P>::setBox()
     const double volume = [&] { double v = 1; for (int d = 0; d < D; ++d) v *= box_.length[d]; return v; }();
     const double cells = std::max(1e3, std::min(4e8, 2*volume/std::pow(c.spacing, D)));
     grid_.set(box_, radius, reach, Backend::gpu ? 4 : 6, cells);
+}
+
+//- On the GPU fluid's way is measured against what is around it, and walls are listed from farther away
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setFrames()
+{
+    wallWay_ = halfSkin_;
+    if constexpr (Backend::gpu)
+    {
+        const double skin = 2*double(halfSkin_), radius = grid_.radius, support = radius - skin;
+        parts_.wallRadius = grid_.radius;
+        double reach = support + std::max(skin, wallSkin*support);
+        for (int d = 0; d < D; ++d) if (box_.periodic[d] && box_.length[d] < 4*reach) reach = radius;
+        parts_.wallRadius = real(reach);
+        if (nBodies_) wallWay_ = real(0.5*(reach - support));
+        parts_.frames.set(context_, box_, 2*radius, 2e6);
+    }
 }
 
 template<class Backend, int D, class P>

@@ -121,8 +121,9 @@ void SphSolver<Backend, D, P>::sortSolids()
 {
     forEach(context_, nSolids_, PointKeys<D, P>{box_, grid_, solids_->view(), solidSort_.keys(), solidSort_.indices()});
     solidSort_.sort(context_, nSolids_);
-    PlacePoints<Backend, D, P> place{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_};
+    PlacePoints<Backend, D, P> place{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_, {}};
     for (int d = 0; d < D; ++d) place.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
+    if constexpr (Backend::gpu) place.frames = parts_.frames.view();
     forEach(context_, nSolids_, place);
 }
 
@@ -203,8 +204,9 @@ void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_ || (half && solids_->still())) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
-        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data()};
+        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data(), {}};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
+    if constexpr (Backend::gpu) move.frames = parts_.frames.view();
     forEach(context_, nSolids_, move);
 }
 

@@ -29,7 +29,11 @@ template<class Backend, int D, class P> struct BackendParts { };
 template<int D, class P>
 struct BackendParts<Gpu, D, P>
 {
+    using real = typename P::real;
+
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
+    LocalFrameMemory<Gpu, D, P> frames;
+    real wallRadius = 0;        // lists of walls and about walls reach farther than the grid's: fluid slides along them
     Graph graph;
     int solidShift = 0;         // log2 of the lanes a solid
 };
@@ -60,6 +64,7 @@ public:
     std::vector<KernelInfo> kernels() const override;
     void timeKernels(bool on) override { context_.profile.timing = on; }
     double neighboursPerParticle() override;
+    NeighbourCounts countNeighbours() override;
     DemScene* solids() override { return solidScene_.get(); }
     CouplingState coupling() override;
     std::string deviceName() const override;
@@ -74,9 +79,12 @@ private:
     void setWalls(const WallInput&);
     void prime();
     double skinRatio() const;
+    void setFrames();
+    static constexpr double wallSkin = D == 2 ? 0.5 : 0.25;     // GPU: what lists of walls reach beyond the support, of it
 
     // sphNeighbours.hpp
     void rebuild();
+    void settleFrames();
     void sortNow();
     void rebuildWalls();
     void buildLists();
@@ -143,7 +151,8 @@ private:
     FluidModel<D, P> model_;
     StepLimits limits_;
     TermParameters<D, real> terms_;
-    real halfSkin_ = 0;
+    real halfSkin_ = 0;         // [m] way of a particle, against those near it, for which neighbours hold
+    real wallWay_ = 0;          // of a wall that moves
     double emptyCoordinate_ = 0;
 
     int n_ = 0;                 // fluid particles with memory

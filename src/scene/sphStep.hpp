@@ -77,6 +77,7 @@ M SphSolver<Backend, D, P>::mover()
     m.records = fluidRecords_.view();
     for (int d = 0; d < D; ++d) m.reference[d] = fluidReference_.data() + std::size_t(d)*n_;
     m.halfSkin = halfSkin_;
+    if constexpr (Backend::gpu) m.frames = parts_.frames.view();
     m.count = fluidSort_.active();
     m.clock = clock_.data();
     return m;
@@ -105,7 +106,7 @@ void SphSolver<Backend, D, P>::moveWalls(bool half)
         m.reference[d] = wallReference_.data() + std::size_t(d)*nWalls_;
     }
     m.table = PoseTable{poses_.data(), poseIntervals, poseBegin_, poseStep_};
-    m.halfSkin = halfSkin_;
+    m.halfSkin = wallWay_;
     m.half = half;
     m.clock = clock_.data();
     forEach(context_, nWalls_, m);

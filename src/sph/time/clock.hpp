@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include "core/launch.hpp"
+#include "core/localFrames.hpp"
 
 namespace riprap
 {
@@ -40,6 +41,34 @@ struct ClockData
     float speed = 0;            // largest c + |v|, and the others, seen by the last tick
     float acceleration = 0;
     float deviation = 0;
+    int aged[2] = {0, 0};       // neighbours, by the ways of particles against those near them; by the ways alone
+    int missed[2] = {0, 0};     // pairs may have been, likewise
+    double searched = 0;        // when neighbours were sought
+
+    //- A particle's way: does it still hold, and after the next step?
+    template<class R>
+    HD void notice(const WaySince<R>& way, R halfSkin)
+    {
+        if (way.relative > halfSkin || way.whole > way.limit) missed[0] = 1;
+        if (way.whole > halfSkin) missed[1] = 1;
+        if (way.relativeNext > halfSkin || way.wholeNext > way.limit) aged[0] = 1;
+        if (way.wholeNext > halfSkin) aged[1] = 1;
+    }
+
+    //- Lists hold as long as one of the two says so
+    HD void settleAge()
+    {
+        if (aged[0] && aged[1]) needRebuild = 1;
+        if (missed[0] && missed[1]) skinViolations = 1;
+    }
+
+    //- Neighbours are new
+    HD void search()
+    {
+        settleAge();
+        needRebuild = aged[0] = aged[1] = missed[0] = missed[1] = 0;
+        searched = time;
+    }
 
     HD bool overflows() const
     {
@@ -49,7 +78,7 @@ struct ClockData
     }
 };
 
-static_assert(sizeof(ClockData) == 9*8 + 18*4, "ClockData has padding");
+static_assert(sizeof(ClockData) == 10*8 + 22*4, "ClockData has padding");
 
 struct StepLimits
 {
@@ -110,6 +139,7 @@ struct Tick
     {
         ClockData& c = *clock;
         c.active = 0;
+        c.settleAge();
         if (c.halt != Halt::none || c.needRebuild) return;
         if (c.overflows()) return;
         c.acceleration = sqrtf(c.maxima[0]);

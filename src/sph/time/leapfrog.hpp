@@ -7,6 +7,7 @@
 */
 #pragma once
 
+#include "core/localFrames.hpp"
 #include "sph/fluidFields.hpp"
 #include "sph/time/clock.hpp"
 
@@ -25,6 +26,7 @@ struct Mover
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];     // pair positions when the neighbours were found
     real halfSkin;
+    LocalFrames<D, P> frames;               // GPU: what the way since then is measured against
     const int* count;
     ClockData* clock;
 
@@ -63,6 +65,7 @@ struct Mover
     //  growing step and one step's acceleration.
     HD void checkSkin(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& u) const
     {
+        if constexpr (Backend::gpu) if (frames.frame) return checkFrame(i, x, u);
         real distance2 = 0, speed2 = 0;
         for (int d = 0; d < D; ++d)
         {
@@ -74,6 +77,29 @@ struct Mover
         const real margin = real(1.25)*squareRoot(speed2)*real(clock->fullDt);
         if (distance > halfSkin) clock->skinViolations = 1;
         if (distance + margin > halfSkin || !model.inside(box, x)) clock->needRebuild = 1;
+    }
+
+private:
+
+    //- The same against what is around it
+    HD void checkFrame(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& u) const
+    {
+        Vec<D, typename P::position> from, p;
+        for (int d = 0; d < D; ++d)
+        {
+            from.c[d] = reference[d][i];
+            p.c[d] = box.pairPosition(d, x.c[d]);
+        }
+        const real time = real(clock->time - clock->searched), ahead = real(1.25)*real(clock->fullDt);
+        WaySince<real> way = frames.since(box, from, p, u, time, ahead);
+        // what is at rest in its frame may be on its way in a step
+        real a2 = 0;
+        for (int d = 0; d < D; ++d) a2 += fluid.a[d][i]*fluid.a[d][i];
+        const real pushed = ahead*ahead*squareRoot(a2);
+        way.relativeNext += pushed;
+        way.wholeNext += pushed;
+        clock->notice(way, halfSkin);
+        if (!model.inside(box, x)) clock->needRebuild = 1;
     }
 };
 
