@@ -45,14 +45,15 @@ struct ClockData
     int missed[2] = {0, 0};     // pairs may have been, likewise
     double searched = 0;        // when neighbours were sought
 
-    //- A particle's way: does it still hold, and after the next step?
+    //- A particle's way: does it still hold, and after the next step? Read before written: the whole way of nearly everyone is too long
+    //  for the box at rest, and a million stores to one word take longer than the step
     template<class R>
     HD void notice(const WaySince<R>& way, R halfSkin)
     {
-        if (way.relative > halfSkin || way.whole > way.limit) missed[0] = 1;
-        if (way.whole > halfSkin) missed[1] = 1;
-        if (way.relativeNext > halfSkin || way.wholeNext > way.limit) aged[0] = 1;
-        if (way.wholeNext > halfSkin) aged[1] = 1;
+        if ((way.relative > halfSkin || way.whole > way.limit) && !missed[0]) missed[0] = 1;
+        if (way.whole > halfSkin && !missed[1]) missed[1] = 1;
+        if ((way.relativeNext > halfSkin || way.wholeNext > way.limit) && !aged[0]) aged[0] = 1;
+        if (way.wholeNext > halfSkin && !aged[1]) aged[1] = 1;
     }
 
     //- Lists hold as long as one of the two says so
