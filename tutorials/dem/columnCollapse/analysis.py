@@ -157,7 +157,39 @@ def drawHeap(axis, run, time):
     axis.grid(False)
 
 
+def plotChannels(runs, path):
+    """Run-out beside the law, from where 99 % of the grains are to the last one of the heap, and the deposits"""
+    fig, axes = plotting.figure(2, 1, width=6, height=4)
+    a = np.geomspace(0.4, 12, 200)
+    line, = axes[0].loglog(a, lajeunesse(a), linewidth=1, label='Lajeunesse et al. 2005, 10 %')
+    axes[0].fill_between(a, 0.9*lajeunesse(a), 1.1*lajeunesse(a), alpha=0.15, color=line.get_color())
+    sizes = ('-channel', '-channel-half', '-channel-larger')
+    for size, marker in zip(sizes, 'sv^'):
+        chosen = sorted((r for r in runs if r.name.endswith(size)), key=aspectRatio)
+        if not chosen:
+            continue
+        grain, front = [aspectRatio(r) for r in chosen], [runOut(r, lastTime(r)) for r in chosen]
+        most = [np.quantile(grains(r, lastTime(r))[0][:, 0], 0.99)/column(r)['width'] - 1 for r in chosen]
+        axes[0].errorbar(grain, front, [np.subtract(front, most), np.zeros(len(front))], fmt='k' + marker, markersize=5, capsize=3,
+                         markerfacecolor='none', linewidth=0.8, label='riprap' + size.replace('-', ' ') + '; bar: to 99 % of the grains')
+    for run in sorted((r for r in runs if r.name.endswith('-channel')), key=aspectRatio):
+        x, r = grains(run, lastTime(run))
+        size, strip = column(run), 2*d
+        depth = np.bincount((x[:, 0]/strip).astype(int), 4/3*np.pi*r**3/(0.6*size['depth']))/strip
+        axes[1].plot((np.arange(len(depth)) + 0.5)*strip/size['width'], depth/size['width'], linewidth=1.2, label=f'a = {aspectRatio(run):.2g}')
+    axes[0].set(xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$', title='spheres in a channel, rough floor')
+    axes[1].set(xlabel='$x/L_0$', ylabel='depth / $L_0$', title='deposits')
+    for axis in axes:
+        axis.legend(fontsize=7)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
+    channels = [r for r in runs if '-channel' in r.name]
+    if channels:
+        plotChannels(channels, path.replace('.png', 'Channel.png'))
+    if len(channels) == len(runs):
+        return
     shown = next((r for r in runs if r.name == 'disks-2'), runs[0])
     fig, axes = plotting.figure(3, 2, width=4.8, height=3.4)
     a = np.geomspace(0.3, 15, 100)
@@ -228,9 +260,9 @@ def spheresOf(a, width, name='', **changed):
     return variant(f'spheres-{a:g}{name}', width, height, float(f'{6*np.sqrt(height/g) + 0.4:.2g}'), **how)
 
 
-def channelOf(a, name='', **changed):
-    """As in the experiments: side plates 39 grains (45 mm) apart, 2500 grains in the side view"""
-    return spheresOf(a, float(f'{50*d/np.sqrt(a):.4g}'), '-channel' + name, large=True, **{'plates': 0.5, 'depth': 39*d, **changed})
+def channelOf(a, name='', size=1, **changed):
+    """As in the experiments: side plates 39 grains (45 mm) apart, 2500 grains in the side view; size: times as many across"""
+    return spheresOf(a, float(f'{50*size*d/np.sqrt(a):.4g}'), '-channel' + name, large=True, **{'plates': 0.5, 'depth': 39*d, **changed})
 
 
 widths = {0.5: 0.15, 1: 0.1, 2: 0.07, 4: 0.05, 7: 0.04, 10: 0.04}
@@ -257,7 +289,8 @@ Study(
               # in more grains, and between plates
               *(spheresOf(a, 2*width, '-fine', large=True) for a, width in widths.items()), spheresOf(1, 0.4, '-finer', large=True),
               spheresOf(1, 0.2, '-fine-flat', large=True, rough=False), spheresOf(1, 0.4, '-finer-flat', large=True, rough=False),
-              *(channelOf(a) for a in widths), channelOf(1, '-flat', rough=False)],
+              *(channelOf(a) for a in widths), channelOf(1, '-flat', rough=False),
+              channelOf(4, '-half', 0.5), channelOf(4, '-larger', 1.6)],
     quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
     analyse=analyse,
     plot=plot,
