@@ -141,8 +141,12 @@ def plot(runs, path):
 def plotLast(fig, picture, last):
     at = clouds.times(last.path)[-1]
     f, b = clouds.readCloud(last.path, at, ('p',)), clouds.readCloud(last.path, at, ('radius',), 'solids')
-    dots = picture.scatter(1e3*f['positions'][:, 0], 1e3*f['positions'][:, 1], c=f['p'], s=1)
-    picture.scatter(1e3*b['positions'][:, 0], 1e3*b['positions'][:, 1], s=1, color='#444444')
+    # of a sphere's tank the slice through its middle
+    tank = last.dictionary('system/tank')
+    inSlice = [np.abs(cloud['positions'][:, 2] - 0.5*numberOf(tank['thickness'])) < 0.75*last.spacing for cloud in (f, b)]
+    x, y = (cloud['positions'][kept] for cloud, kept in zip((f, b), inSlice))
+    dots = picture.scatter(1e3*x[:, 0], 1e3*x[:, 1], c=f['p'][inSlice[0]], s=1)
+    picture.scatter(1e3*y[:, 0], 1e3*y[:, 1], s=1, color='#444444')
     fig.colorbar(dots, ax=picture, label='p [Pa]')
     picture.set(aspect='equal', xlabel='x [mm]', ylabel='y [mm]', title=last.name)
 
