@@ -71,12 +71,12 @@ private:
         real r2, real dt, real* h, Vec<D, real>& force, Spin<D, real>& moment
     ) const
     {
-        const real distance = squareRoot(maximum(r2, real(1e-30)));
+        const real toUnit = inverseRoot(maximum(r2, real(1e-30))), distance = r2*toUnit;
         real gap = this->gap[pair];
         if (this->list.rest) gap -= this->list.rest[e];
         if (self.radius + other.radius + gap <= distance) return false;
         real armA, armB;
-        const auto g = pairGeometry<D, real>(self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
+        const auto g = pairGeometry<D, real>(self, other, toUnit*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
         const auto f = Law::template evaluate<D, real>(this->parameters[pair], g, armA, armB, h, fn);
         this->list.template remember<H>(e, h);
