@@ -75,6 +75,8 @@ void DemSolver<Backend, D, P>::setPairs()
             all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
         }
         parameters_.upload(context_, all);
+        sole_.assign(all.begin(), all.begin() + sizeof(Parameters)/sizeof(real));
+        sole_.push_back(gaps[0]);
         histories_ = Law::template history<D>;
     });
 }
