@@ -1,6 +1,7 @@
 /*  The cell-linked grid: shape, cell of a position, and the rows of cells that a sphere touches.
 
-    Cells are stored x fastest. A row is a line of cells along x: particles of a row's cells lie side by side in
+    Cells are stored x fastest; of the other axes y before z, or where asked for the one with fewer cells: in a long scene what is near is then
+    near in memory too. A row is a line of cells along x: particles of a row's cells lie side by side in
     memory, so a search is a few contiguous ranges. Cells are fine along x (ranges are trimmed to the sphere) and
     1/reach of the search radius along the other axes.
 */
@@ -22,13 +23,14 @@ struct CellGrid
     int n[3] = {1, 1, 1};
     real inverse[3];            // 1/cell size [1/m]
     real size[3];               // cell size [m]
+    int stride[3] = {1, 1, 1};  // cells from one to the next along each axis
     bool periodic[3] = {false, false, false};
     int reach = 1;              // rows to each side that a search visits
     int cells = 0;
     real radius = 0;            // search radius: support plus skin [m]
 
     //- Cover the box with cells for a search radius; about cellsPerRadius cells along x in one radius
-    void set(const Box<D, P>& box, double searchRadius, int rowReach, double cellsPerRadius, double maxCells)
+    void set(const Box<D, P>& box, double searchRadius, int rowReach, double cellsPerRadius, double maxCells, bool shortFirst = false)
     {
         radius = real(searchRadius);
         reach = rowReach;
@@ -49,6 +51,9 @@ struct CellGrid
             inverse[d] = real(n[d]/box.length[d]);
         }
         cells = n[0]*n[1]*n[2];
+        const int first = shortFirst && n[2] < n[1] ? 2 : 1;
+        stride[first] = n[0];
+        stride[3 - first] = n[0]*n[first];
     }
 
     //- Cell index of a position (metres above the box's corner), clamped into the grid
@@ -57,9 +62,8 @@ struct CellGrid
         int index = 0;
         for (int d = D - 1; d >= 0; --d)
         {
-            int c = floorInt(x.c[d]*inverse[d]);
-            c = c < 0 ? 0 : (c >= n[d] ? n[d] - 1 : c);
-            index = index*n[d] + c;
+            const int c = floorInt(x.c[d]*inverse[d]);
+            index += (c < 0 ? 0 : (c >= n[d] ? n[d] - 1 : c))*stride[d];
         }
         return index;
     }
@@ -89,7 +93,7 @@ private:
         const int cy = floorInt(x.c[1]*inverse[1]);
         if constexpr (D == 2)
         {
-            for (int dy = -reachY; dy <= reachY; ++dy) row(x, wrap(cy + dy, 1), r2 - square(gap(x, cy, dy, 1)), start, f);
+            for (int dy = -reachY; dy <= reachY; ++dy) row(x, wrap(cy + dy, 1)*stride[1], r2 - square(gap(x, cy, dy, 1)), start, f);
         }
         else
         {
@@ -102,7 +106,7 @@ private:
                 for (int dy = -reachY; dy <= reachY; ++dy)
                 {
                     const int y = wrap(cy + dy, 1);
-                    row(x, y < 0 ? -1 : z*n[1] + y, rz2 - square(gap(x, cy, dy, 1)), start, f);
+                    row(x, y < 0 ? -1 : z*stride[2] + y*stride[1], rz2 - square(gap(x, cy, dy, 1)), start, f);
                 }
             }
         }
@@ -126,13 +130,12 @@ private:
     }
 
     template<class F>
-    HD void row(const Vec<D, real>& x, int rowIndex, real halfWidth2, const int* start, const F& f) const
+    HD void row(const Vec<D, real>& x, int first, real halfWidth2, const int* start, const F& f) const
     {
-        if (rowIndex < 0 || halfWidth2 <= 0) return;
+        if (first < 0 || halfWidth2 <= 0) return;
         // a hair wider than exact, so that rounding of x never loses a neighbour
         const real half = squareRoot(halfWidth2)*real(1.001);
         int low = floorInt((x.c[0] - half)*inverse[0]), high = floorInt((x.c[0] + half)*inverse[0]);
-        const int first = rowIndex*n[0];
         if (periodic[0])
         {
             if (low < 0) { range(start, first + low + n[0], first + n[0] - 1, f); low = 0; }

@@ -1,7 +1,7 @@
 /*  forEach and sums over particles: the one place where kernels start.
 
     A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i) const`; on the GPU blocks are of 256
-    threads, and `static constexpr int residentBlocks` asks for so many of them on a processor at a time.
+    threads; `static constexpr int residentBlocks` asks for so many of 128 threads on a processor at a time.
 */
 #pragma once
 
@@ -28,11 +28,13 @@ __global__ void __launch_bounds__(256) forEachKernel(int n, F f)
     if (i < n) f(i);
 }
 
-//- For kernels that wait for memory: registers are held to what so many blocks leave to each
+//- For kernels that wait for memory: registers are held to what so many blocks leave to each. Small blocks share a small scene out evenly
+static constexpr int residentThreads = 128;
+
 template<int blocks, class F>
-__global__ void __launch_bounds__(256, blocks) forEachResident(int n, F f)
+__global__ void __launch_bounds__(residentThreads, blocks) forEachResident(int n, F f)
 {
-    const int i = blockIdx.x*256 + threadIdx.x;
+    const int i = blockIdx.x*residentThreads + threadIdx.x;
     if (i < n) f(i);
 }
 
@@ -65,7 +67,8 @@ void forEach(Context<Gpu>& context, int n, const F& f)
     profiled(context, F::name, [&]
     {
         constexpr int resident = ResidentBlocks<F>::value;
-        if constexpr (resident > 0) forEachResident<resident><<<(n + 255)/256, 256, 0, context.stream>>>(n, f);
+        constexpr int threads = residentThreads;
+        if constexpr (resident > 0) forEachResident<resident><<<(n + threads - 1)/threads, threads, 0, context.stream>>>(n, f);
         else forEachKernel<<<(n + 255)/256, 256, 0, context.stream>>>(n, f);
     });
 }

@@ -84,6 +84,10 @@ HD Pack<R> squareRoot(Pack<R> a)
     return r;
 }
 
+template<class R> HD Pack<R> inverse(Pack<R> a) { return Pack<R>(R(1))/a; }
+template<class R> HD Pack<R> inverseRoot(Pack<R> a) { return inverse(squareRoot(a)); }
+template<class R> HD Pack<R> rootOfRatio(Pack<R> a, Pack<R> b) { return squareRoot(a/b); }
+
 //- a > b ? x : y, lane by lane
 template<class R>
 HD Pack<R> selectGreater(Pack<R> a, Pack<R> b, Pack<R> x, Pack<R> y) { return Pack<R>(a.v > b.v ? x.v : y.v); }

@@ -20,6 +20,16 @@ HD void raise(int* flag)
 #endif
 }
 
+//- The same where nearly everyone does: who finds it set leaves it alone, since as many writes to one place would wait for each other
+HD void raiseOnce(int* flag)
+{
+#ifdef __CUDA_ARCH__
+    if (!*flag) raise(flag);
+#else
+    if (!__atomic_load_n(flag, __ATOMIC_RELAXED)) raise(flag);
+#endif
+}
+
 HD void raise(std::int64_t* flag)
 {
 #ifdef __CUDA_ARCH__

@@ -66,7 +66,7 @@ HD Vec<3, T> turned(const Vec<3, T>& n, const Vec<3, T>& s)
 {
     const Vec<3, T> p = s - dot(s, n)*n;
     const T before = squaredNorm(s), after = squaredNorm(p), tiny(1e-36f);
-    return squareRoot(before/maximum(after, tiny))*p;
+    return rootOfRatio(before, maximum(after, tiny))*p;
 }
 
 //- A relative spin without twist about n (none in 2D)

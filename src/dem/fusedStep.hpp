@@ -9,6 +9,7 @@
 */
 #pragma once
 
+#include "core/prefetch.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/gatherPass.hpp"
 #include "dem/motion/mover.hpp"
@@ -24,7 +25,7 @@ struct FusedStep
     using position = typename P::position;
     using Own = OwnWords<real>;
     static constexpr const char* name = "step";
-    static constexpr int residentBlocks = sizeof(real) == 4 ? (Law::template history<D> > 4 ? 3 : 4) : 2;
+    static constexpr int residentBlocks = sizeof(real) == 4 ? (Law::template history<D> > 4 ? 6 : 8) : 4;
 
     ContactGather<Backend, D, P, Law> contacts;
     MoveSolids<D, P> mover;
@@ -41,6 +42,7 @@ struct FusedStep
     {
         if (!begins(i) || i >= *contacts.active) return;
         if (sleeping && (state.own[i].flags & Own::asleep)) return;
+        prefetchOwn(i);
         int material;
         const Vec<D, position> high = state.from.position(i);
         const ContactBody<D, real> self = state.from.body(i, material);
@@ -54,6 +56,17 @@ struct FusedStep
     }
 
 private:
+
+    //- What the end of the step needs of its particle would take as long as a neighbour does, with nothing to do meanwhile
+    HD void prefetchOwn(int i) const
+    {
+        prefetch(state.own + i);
+        for (int d = 0; d < D; ++d)
+        {
+            prefetch(state.low[d] + i);
+            prefetch(mover.reference[d] + i);
+        }
+    }
 
     HD bool begins(int i) const
     {

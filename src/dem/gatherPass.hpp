@@ -29,13 +29,27 @@ struct ContactGather : PairModel<Backend, D, P, Law>
         Vec<D, real>& force, Spin<D, real>& moment
     ) const
     {
+        if (this->materials == 1) sumOver<true>(i, xi, self, mi, dt, force, moment);
+        else sumOver<false>(i, xi, self, mi, dt, force, moment);
+    }
+
+private:
+
+    //- alone: there is one material
+    template<bool alone>
+    HD void sumOver
+    (
+        int i, const Vec<D, typename P::position>& xi, const ContactBody<D, real>& self, int mi, real dt,
+        Vec<D, real>& force, Spin<D, real>& moment
+    ) const
+    {
         const List& list = this->list;
         const int count = list.count[i];
-        const std::size_t first = list.index(i, 0);
+        const std::uint32_t first = std::uint32_t(list.index(i, 0));        // as blocks begin
         std::uint32_t next = count ? list.entry[first] : 0;
         for (int k = 0; k < count; ++k)
         {
-            const std::size_t e = first + std::size_t(k)*List::width;
+            const std::uint32_t e = first + std::uint32_t(k*List::width);
             const std::uint32_t entry = next;
             if (k + 1 < count) next = list.entry[e + List::width];
             const int j = List::other(entry);
@@ -56,29 +70,28 @@ struct ContactGather : PairModel<Backend, D, P, Law>
                 if (!touched) words = this->solids.words(j);
                 int mj;
                 const ContactBody<D, real> other = SolidRecords<D, P>::bodyOf(aj, words, mj);
-                touches = contact(e, this->pairOf(mi, mj), self, other, dx, r2, dt, h, force, moment);
+                touches = contact<alone>(e, this->pairOf(mi, mj), self, other, dx, r2, dt, h, force, moment);
             }
             if (touches != touched) list.entry[e] = std::uint32_t(j) | (touches ? List::touching : 0u);
         }
     }
 
-private:
-
     //- False: they are near, but do not touch
+    template<bool alone>
     HD bool contact
     (
         std::size_t e, int pair, const ContactBody<D, real>& self, const ContactBody<D, real>& other, const Vec<D, real>& dx,
         real r2, real dt, real* h, Vec<D, real>& force, Spin<D, real>& moment
     ) const
     {
-        const real distance = squareRoot(maximum(r2, real(1e-30)));
-        real gap = this->gap[pair];
+        const real toUnit = inverseRoot(maximum(r2, real(1e-30))), distance = r2*toUnit;
+        real gap = alone ? this->soleGap : this->gap[pair];
         if (this->list.rest) gap -= this->list.rest[e];
         if (self.radius + other.radius + gap <= distance) return false;
         real armA, armB;
-        const auto g = pairGeometry<D, real>(self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
+        const auto g = pairGeometry<D, real>(self, other, toUnit*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
-        const auto f = Law::template evaluate<D, real>(this->parameters[pair], g, armA, armB, h, fn);
+        const auto f = Law::template evaluate<D, real>(alone ? this->sole : this->parameters[pair], g, armA, armB, h, fn);
         this->list.template remember<H>(e, h);
         force = force + f.force;
         moment = moment + f.momentA;

@@ -80,7 +80,7 @@ struct SizeClasses
     }
 
     //- reach: what is added to two radii
-    void set(const Box<D, P>& box, const RadiusClasses& radii, double reach)
+    void set(const Box<D, P>& box, const RadiusClasses& radii, double reach, bool shortFirst)
     {
         classes = int(radii.classes);
         firstCell[0] = 0;
@@ -90,7 +90,7 @@ struct SizeClasses
             largest[k] = real(radii.top[from]);
             if (double(largest[k]) < radii.top[from]) largest[k] = std::nextafter(largest[k], real(1e30));
             const double cells = std::min(1e8, std::max(1e3, 8*radii.count[from]));
-            grid[k].set(box, 2*radii.top[from] + reach, 1, 2, cells);
+            grid[k].set(box, 2*radii.top[from] + reach, 1, 2, cells, shortFirst);
             firstCell[k + 1] = firstCell[k] + grid[k].cells;
         }
     }

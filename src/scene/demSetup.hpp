@@ -75,6 +75,8 @@ void DemSolver<Backend, D, P>::setPairs()
             all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
         }
         parameters_.upload(context_, all);
+        sole_.assign(all.begin(), all.begin() + sizeof(Parameters)/sizeof(real));
+        sole_.push_back(gaps[0]);
         histories_ = Law::template history<D>;
     });
 }
@@ -121,7 +123,7 @@ void DemSolver<Backend, D, P>::setDomain()
         domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : box_.toFixed(d, config_.domainMin[axis]);
         domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis]);
     }
-    classes_.set(box_, radii_, reach_);
+    classes_.set(box_, radii_, reach_, Backend::gpu);
 }
 
 //- A field from values(i)

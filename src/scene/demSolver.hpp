@@ -278,6 +278,7 @@ private:
 
     Array<Backend, GroupData<D, real>> groups_;
     Array<Backend, real> parameters_, gaps_;
+    std::vector<real> sole_;    // numbers of the first material with itself, its gap behind them
     Array<Backend, real> external_;
     std::vector<double> motionSamples_, poseSamples_;
     Array<Backend, double> motions_, poses_;

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include <cstring>
 #include "scene/demSolver.hpp"
 
 namespace riprap
@@ -127,6 +128,8 @@ void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
     m.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
     m.gap = gaps_.data();
     m.materials = int(input_.materials.size());
+    std::memcpy(&m.sole, sole_.data(), sizeof(m.sole));
+    m.soleGap = sole_.back();
     m.clock = forceClock(ForceTurn::always);
     m.active = sort_.active();
 }

@@ -114,9 +114,9 @@ HD ContactGeometry<D, T> pairGeometry
     armB = b.radius + half;
     setMotion(g, a, b, armA, armB);
     const T sum = a.mass + b.mass;
-    g.reducedMass = a.mass*b.mass/sum;
+    g.reducedMass = a.mass*b.mass*inverse(sum);
     g.meanMass = T(0.5f)*sum;
-    g.reducedRadius = a.radius*b.radius/(a.radius + b.radius);
+    g.reducedRadius = a.radius*b.radius*inverse(a.radius + b.radius);
     g.dt = dt;
     g.since = dt;
     return g;

@@ -197,11 +197,10 @@ struct MoveSolids : SolidMotion<D, P>
         Vec<D, position> from;
         for (int d = 0; d < D; ++d) from.c[d] = reference[d][i];
         const WaySince<real> way = frames.since(box, from, p, v, real(t.time - t.searched), real(1.25*t.fullDt));
-        // read before written: what all raise would be a queue before one word
-        if (!(way.relativeNext + suddenWay <= halfSkin && way.wholeNext + suddenWay <= way.limit) && !raised->aged[0]) raised->aged[0] = 1;
-        if (!(way.wholeNext + suddenWay <= halfSkin) && !raised->aged[1]) raised->aged[1] = 1;
-        if (!(way.relative <= halfSkin && way.whole <= way.limit) && !raised->far[0]) raised->far[0] = 1;
-        if (!(way.whole <= halfSkin) && !raised->far[1]) raised->far[1] = 1;
+        if (!(way.relativeNext + suddenWay <= halfSkin && way.wholeNext + suddenWay <= way.limit)) raiseOnce(raised->aged);
+        if (!(way.wholeNext + suddenWay <= halfSkin)) raiseOnce(raised->aged + 1);
+        if (!(way.relative <= halfSkin && way.whole <= way.limit)) raiseOnce(raised->far);
+        if (!(way.whole <= halfSkin)) raiseOnce(raised->far + 1);
         if (!inside(x)) raised->needRebuild = 1;
     }
 };

@@ -27,7 +27,7 @@ template<int D, class T>
 HD T dashpot(const T& twoZeta, const T& S, const ContactGeometry<D, T>& g)
 {
     const T root = twoZeta*squareRoot(g.reducedMass*S);
-    return g.reducedMass*root/(g.reducedMass + T(0.25f)*g.dt*root);
+    return g.reducedMass*root*inverse(g.reducedMass + T(0.25f)*g.dt*root);
 }
 
 //- The rate of approach that the dashpot is to be given
@@ -35,7 +35,7 @@ template<int D, class T>
 HD T dashpotApproach(const ContactGeometry<D, T>& g)
 {
     // a scene that has not begun has no step
-    const T none(0.0f), perStep = g.overlap/maximum(g.dt, T(1e-30f)), half = T(0.5f)*g.approach;
+    const T none(0.0f), perStep = g.overlap*inverse(maximum(g.dt, T(1e-30f))), half = T(0.5f)*g.approach;
     const T partly = half + selectGreater(g.approach, none, perStep, -perStep);
     return selectGreater(selectGreater(g.approach, none, g.approach, -g.approach), perStep, partly, g.approach);
 }

@@ -33,7 +33,7 @@ struct RollingSpring
         for (int c = 0; c < spins<D>; ++c) m.c[c] = h[c];
         m = turned(g.n, m) + (k*g.since)*g.roll;
         const T limit = arm*maximum(fn.force, T(0.0f));
-        const T share = minimum(T(1.0f), limit/squareRoot(maximum(squaredNorm(m), T(1e-36f))));
+        const T share = minimum(T(1.0f), limit*inverseRoot(maximum(squaredNorm(m), T(1e-36f))));
         m = share*m;
         for (int c = 0; c < spins<D>; ++c) h[c] = m.c[c];
         const T inertia = g.reducedMass*g.reducedRadius*g.reducedRadius*T(D == 2 ? 1.5f : 1.4f);

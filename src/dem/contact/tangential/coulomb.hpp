@@ -14,7 +14,7 @@ template<class T>
 HD T coulombShare(T square, T mu, T normal)
 {
     const T limit = mu*maximum(normal, T(0.0f)), tiny(1e-36f);
-    return minimum(T(1.0f), limit/squareRoot(maximum(square, tiny)));
+    return minimum(T(1.0f), limit*inverseRoot(maximum(square, tiny)));
 }
 
 } // namespace riprap
