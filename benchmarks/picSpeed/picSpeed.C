@@ -1,11 +1,11 @@
 /*  picSpeed: time a step of a dam break by particles in cells, by phase.
 
-        picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic]
+        picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic] [--affine yes|no]
                  [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats]
 
     The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a box 4 F columns wide and 2.5 F high. Steps go
-    by maxCourant 0.5. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each phase.
-    The particle part is everything but the pressure: transfers, sorting, advection, surface, extrapolation. With --repeats the run is done once
+    by maxCourant 0.5. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each kernel and each part.
+    The particle part is transfers, motion and sort; correction of positions, surface, velocities on the grid and pressure are told apart. With --repeats the run is done once
     more, and the line says whether its state is the same to the bit.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -56,6 +56,7 @@ Options read(int argc, char** argv)
         else if (a == "--precision") o.config.precision = oneOf<PrecisionKind>(a, value(), {{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}});
         else if (a == "--transfer")
             o.config.transfer = oneOf<TransferKind>(a, value(), {{"flip", TransferKind::flip}, {"pic", TransferKind::pic}, {"flipPic", TransferKind::flipPic}, {"apic", TransferKind::apic}});
+        else if (a == "--affine") o.config.affine = oneOf<bool>(a, value(), {{"yes", true}, {"no", false}});
         else if (a == "--dim") o.dimensions = oneOf<int>(a, value(), {{"2", 2}, {"3", 3}});
         else if (a == "--across") o.across = std::stoi(value());
         else if (a == "--box") o.box = std::stod(value());
@@ -109,17 +110,39 @@ double seconds(PicScene& scene, std::int64_t steps, PicReport& r)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-//- Launches a step, of all so far, and seconds a step of each kernel
-void printKernels(const PicScene& scene, std::int64_t steps, std::int64_t allSteps)
+//- The part of a step that a kernel belongs to
+const char* partOf(const std::string& kernel)
 {
-    double sum = 0;
+    static const std::map<std::string, const char*> parts
+    {
+        {"picKeys", "sort"}, {"sort", "sort"}, {"clearCells", "sort"}, {"countCells", "sort"}, {"scan", "sort"}, {"putInOrder", "sort"},
+        {"hasParticles", "to grid"}, {"listOccupied", "to grid"}, {"particleToGrid", "to grid"}, {"gatherTiles", "to grid"},
+        {"gridToParticle", "to particles"}, {"moveParticles", "motion"}, {"correctPositions", "correction of positions"},
+        {"markWetCells", "surface"}, {"markNearWater", "surface"}, {"waterVolume", "surface"}, {"countFlying", "surface"}, {"advectLevelSet", "surface"},
+        {"holdSurface", "surface"}, {"startDistance", "surface"}, {"spreadDistance", "surface"}, {"shiftSurface", "surface"}
+    };
+    const auto at = parts.find(kernel);
+    if (at != parts.end()) return at->second;
+    return kernel.compare(0, 8, "pressure") == 0 ? "pressure" : "velocities on the grid";
+}
+
+//- Launches a step, of all so far, and seconds a step of each kernel and each part
+void printKernels(const PicScene& scene, std::size_t particles, std::int64_t steps, std::int64_t allSteps)
+{
+    double sum = 0, ofParticles = 0;
+    std::map<std::string, double> parts;
     for (const KernelInfo& k : scene.kernels())
         if (k.seconds > 0)
         {
             sum += k.seconds;
+            parts[partOf(k.name)] += k.seconds;
             std::printf("    %-28s %8.1f launches, %10.3f us a step\n", k.name.c_str(), double(k.launches)/allSteps, 1e6*k.seconds/steps);
         }
     std::printf("    %-28s %8s           %10.3f us a step\n", "all of these", "", 1e6*sum/steps);
+    for (const auto& p : parts) std::printf("  %-30s %8s           %10.3f us a step\n", p.first.c_str(), "", 1e6*p.second/steps);
+    for (const char* p : {"sort", "to grid", "to particles", "motion"}) ofParticles += parts[p];
+    std::printf("  %-30s %8s           %10.3f us a step, %.4g particle-steps/s\n", "transfers, motion and sort", "", 1e6*ofParticles/steps,
+        double(particles)*double(steps)/ofParticles);
 }
 
 int run(Options o)
@@ -150,7 +173,7 @@ int run(Options o)
     scene->timeKernels(true);
     const double timed = seconds(*scene, o.steps, r);
     std::printf("    with every kernel timed %.4g us a step\n", 1e6*timed/r.steps);
-    printKernels(*scene, r.steps, r.totalSteps);
+    printKernels(*scene, n, r.steps, r.totalSteps);
     return 0;
 }
 

@@ -48,10 +48,10 @@ public:
     }
 
     //- Memory for n particles. Large sets share one spare array a size of element, so that a permutation sorts field
-    //  after field; small ones have a spare for each field and are sorted in one launch.
-    void allocate(Context<Backend>& context, std::size_t n)
+    //  after field; small ones, and those that ask for it, have a spare for each field and are sorted in one launch.
+    void allocate(Context<Backend>& context, std::size_t n, bool spareForEach = false)
     {
-        tight_ = n >= tightFrom;
+        tight_ = n >= tightFrom && !spareForEach;
         for (Field& f : fields_)
         {
             f.now.allocate(context, n*f.bytes);
@@ -84,6 +84,11 @@ public:
 
     template<class T>
     T* data(int field) { return reinterpret_cast<T*>(fields_[field].now.data()); }
+
+    //- Spare of a field that has its own, for a sort by the caller's launch, and what ends it: spares become the fields
+    template<class T>
+    T* spare(int field) { return reinterpret_cast<T*>(fields_[field].next.data()); }
+    void takeSpares() { for (Field& f : fields_) f.now.swap(f.next); }
 
     //- Sort every field but those of [skipFrom, skipTo); pointers from data() change
     void permute(Context<Backend>& context, const std::uint32_t* order, int n, int skipFrom = 0, int skipTo = 0)

@@ -1,6 +1,7 @@
 /*  Where there is something to do about the water: rows of 32 cells that have water or particles within `reach` cells.
 
-    Passes over these alone cost what the water costs, whatever the box around it. Found by tiles, hence somewhat generous.
+    Passes over these alone cost what the water costs, whatever the box around it. Found by tiles, hence somewhat generous. Rows that the water has left since they
+    were last found are listed after them: passes that must leave no trace there visit those, too.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,15 +12,15 @@
 namespace riprap
 {
 
-//- 1 for each tile that has particles or a wet cell
-template<int D>
+//- 1 for each tile that has particles or a cell in the water
+template<int D, class R>
 struct HasWater
 {
     static constexpr const char* name = "hasWater";
     UniformGrid<D> grid;
     CellTiles<D> tiles;
     const int* place;           // of tiles that have particles; -1: none
-    const unsigned char* wet;
+    const R* phi;
     unsigned char* has;
 
     HD void operator()(int t) const
@@ -34,7 +35,7 @@ struct HasWater
             if constexpr (D == 3) c.c[2] += k/(tiles.side*tiles.side);
             bool in = true;
             for (int d = 0; d < D; ++d) in = in && c.c[d] < grid.n[d];
-            found = in && wet[grid.cell(c)];
+            found = in && phi[grid.cell(c)] < R(0);
         }
         has[t] = found;
     }
@@ -100,15 +101,18 @@ struct FlagRows
     CellTiles<D> tiles;
     CellRows<D> rows;
     const unsigned char* near;  // tiles
-    int* flag;                  // rows + 1
+    const unsigned char* before;    // rows: were they listed the last time?
+    int* flag;                  // rows that are, rows that no longer are, and one
 
     HD void operator()(int r) const
     {
+        const int n = rows.count();
+        if (r == n) { flag[2*n] = 0; return; }
         flag[r] = 0;
-        if (r == rows.count()) return;
         const typename UniformGrid<D>::Index c = rows.first(r);
         const int row = tiles.n[0]*(c.c[1]/tiles.side + (D == 3 ? tiles.n[1]*(c.c[2]/tiles.side) : 0)), from = c.c[0]/tiles.side;
         for (int i = from; i < from + rows.length/tiles.side && i < tiles.n[0]; ++i) if (near[row + i]) flag[r] = 1;
+        flag[n + r] = before[r] && !flag[r];
     }
 };
 
@@ -118,9 +122,19 @@ struct ListRows
     static constexpr const char* name = "listRows";
     CellRows<D> rows;
     const int* before;          // flags, summed up
+    unsigned char* active;
     Vec<3, int>* list;          // first cells
+    int* counts;                // of rows that are, of all that are listed
 
-    HD void operator()(int r) const { if (before[r + 1] > before[r]) list[before[r]] = rows.first(r); }
+    HD void operator()(int r) const
+    {
+        const int n = rows.count();
+        active[r] = before[r + 1] > before[r];
+        for (const int k : {r, n + r}) if (before[k + 1] > before[k]) list[before[k]] = rows.first(r);
+        if (r > 0) return;
+        counts[0] = before[n];
+        counts[1] = before[2*n];
+    }
 };
 
 //- f(cell's indices) for the cells of listed rows
@@ -137,6 +151,50 @@ struct OverRows
         typename UniformGrid<D>::Index c = list[i/CellRows<D>::length];
         c.c[0] += i % CellRows<D>::length;
         if (c.c[0] < n) f(c);
+    }
+};
+
+//- Sums over the cells of listed rows
+template<int D, class F>
+struct SumRows
+{
+    static constexpr const char* name = F::name;
+    UniformGrid<D> grid;
+    const Vec<3, int>* list;
+    F f;
+
+    HD void add(int i, double* sums) const
+    {
+        typename UniformGrid<D>::Index c = list[i/CellRows<D>::length];
+        c.c[0] += i % CellRows<D>::length;
+        if (c.c[0] < grid.n[0]) f.add(grid.cell(c), sums);
+    }
+};
+
+//- f(number of the cell)
+template<int D, class F>
+struct OverCells
+{
+    static constexpr const char* name = F::name;
+    UniformGrid<D> grid;
+    F f;
+
+    HD void operator()(const typename UniformGrid<D>::Index& c) const { f(grid.cell(c)); }
+};
+
+//- f(number of the face) for the faces of direction d
+template<int D, class F>
+struct OverFacesOf
+{
+    static constexpr const char* name = F::name;
+    UniformGrid<D> grid;
+    int d;
+    F f;
+
+    HD void operator()(const typename UniformGrid<D>::Index& c) const
+    {
+        const int sides = c.c[d] == grid.n[d] - 1 ? 2 : 1;
+        for (int side = 0; side < sides; ++side) f(grid.faceOf(d, c, side));
     }
 };
 
@@ -164,48 +222,82 @@ class ActiveRows
 public:
     static constexpr int reach = 8;             // cells
 
+    //- All rows count as listed so far: the first time the arrays' contents are swept away everywhere
+    void forget() { active_ = Array<Backend, unsigned char>(); count_ = all_ = 0; }
+
+    //- Have they been found?
+    bool found() const { return active_.size() > 0; }
+
     //- particles: tiles that have any. sort: whose scratch is used
-    void find(Context<Backend>& context, const UniformGrid<D>& grid, const OccupiedTiles<Backend, D>& particles, const unsigned char* wet, CellSort<Backend>& sort)
+    template<class R>
+    void find(Context<Backend>& context, const UniformGrid<D>& grid, const OccupiedTiles<Backend, D>& particles, const R* phi, CellSort<Backend>& sort)
     {
         const CellTiles<D>& tiles = particles.tiles();
         const CellRows<D> rows(grid);
         const int n = rows.count();
         for (auto* a : {&has_, &near_}) a->allocate(context, tiles.count());
-        flag_.allocate(context, std::size_t(n) + 1);
+        if (!found()) active_.upload(context, std::vector<unsigned char>(n, 1));
+        flag_.allocate(context, 2*std::size_t(n) + 1);
         list_.allocate(context, n);
-        forEach(context, tiles.count(), HasWater<D>{grid, tiles, particles.place(), wet, has_.data()});
+        counts_.allocate(context, 2);
+        forEach(context, tiles.count(), HasWater<D, R>{grid, tiles, particles.place(), phi, has_.data()});
         IsNearWater<D> near{tiles, {}, has_.data(), near_.data(), reach/tiles.side};
         for (int d = 0; d < D; ++d) near.periodic[d] = grid.periodic[d];
         for (int d = 0; d < D; ++d) if (grid.periodic[d]) near.reach = reach/tiles.side + 1;     // the last tile of a ring may be a short one
         forEach(context, tiles.count(), near);
-        forEach(context, n + 1, FlagRows<D>{tiles, rows, near_.data(), flag_.data()});
-        sort.scan(context, flag_.data(), n + 1);
-        forEach(context, n, ListRows<D>{rows, flag_.data(), list_.data()});
-        context.toHost(&count_, flag_.data() + n, sizeof(int));
-        cells_ = grid.n[0];
+        forEach(context, n + 1, FlagRows<D>{tiles, rows, near_.data(), active_.data(), flag_.data()});
+        sort.scan(context, flag_.data(), 2*n + 1);
+        forEach(context, n, ListRows<D>{rows, flag_.data(), active_.data(), list_.data(), counts_.data()});
+        int counts[2];
+        context.toHost(counts, counts_.data(), sizeof(counts));
+        count_ = counts[0];
+        all_ = counts[1];
+        grid_ = grid;
     }
 
     //- f(indices) for each cell of theirs
     template<class F>
-    void each(Context<Backend>& context, const F& f) const
-    { forEach(context, count_*CellRows<D>::length, OverRows<D, F>{list_.data(), cells_, f}); }
+    void each(Context<Backend>& context, const F& f) const { over(context, count_, f); }
+
+    //- f(number of the cell)
+    template<class F>
+    void eachCell(Context<Backend>& context, const F& f) const { over(context, count_, OverCells<D, F>{grid_, f}); }
+
+    //- The same also where there was water
+    template<class F>
+    void eachCellOfBoth(Context<Backend>& context, const F& f) const { over(context, all_, OverCells<D, F>{grid_, f}); }
 
     //- make(d): what is done with the number of each face of direction d that belongs to them
     template<class Make>
-    void eachFace(Context<Backend>& context, const UniformGrid<D>& grid, const Make& make) const
+    void eachFace(Context<Backend>& context, const Make& make) const
     {
         using F = decltype(make(0));
-        if constexpr (D == 2) each(context, OverFaces<D, F>{grid, {make(0), make(1)}});
-        else each(context, OverFaces<D, F>{grid, {make(0), make(1), make(2)}});
+        if constexpr (D == 2) over(context, count_, OverFaces<D, F>{grid_, {make(0), make(1)}});
+        else over(context, count_, OverFaces<D, F>{grid_, {make(0), make(1), make(2)}});
     }
 
-    std::size_t bytes() const { return has_.bytes() + near_.bytes() + flag_.bytes() + list_.bytes(); }
+    //- f(number of the face) of direction d, also where there was water
+    template<class F>
+    void eachFaceOfBoth(Context<Backend>& context, int d, const F& f) const { over(context, all_, OverFacesOf<D, F>{grid_, d, f}); }
+
+    template<int N, class F>
+    std::array<double, N> sum(Context<Backend>& context, const F& f) const
+    { return sumOver<N>(context, count_*CellRows<D>::length, SumRows<D, F>{grid_, list_.data(), f}); }
+
+    std::size_t bytes() const { return has_.bytes() + near_.bytes() + active_.bytes() + flag_.bytes() + list_.bytes(); }
 
 private:
+
+    template<class F>
+    void over(Context<Backend>& context, int rows, const F& f) const
+    { forEach(context, rows*CellRows<D>::length, OverRows<D, F>{list_.data(), grid_.n[0], f}); }
+
     Array<Backend, unsigned char> has_, near_;  // tiles
-    Array<Backend, int> flag_;
+    Array<Backend, unsigned char> active_;      // rows
+    Array<Backend, int> flag_, counts_;
     Array<Backend, Vec<3, int>> list_;
-    int count_ = 0, cells_ = 0;
+    UniformGrid<D> grid_;
+    int count_ = 0, all_ = 0;
 };
 
 } // namespace riprap

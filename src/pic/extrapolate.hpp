@@ -88,10 +88,23 @@ struct Extrapolate
 
 private:
 
+    static constexpr int reach = 3;             // faces looked at along an axis
+
     HD void fill(int component, const typename UniformGrid<D>::Index& f) const
     {
         const int i = grid.face(component, f);
         if (layer[component][i] != unknownFace) return;
+        bool inside = true;
+        UNROLL
+        for (int d = 0; d < D; ++d) inside = inside && f.c[d] >= reach && f.c[d] < grid.layers(component, d) - reach;
+        if (inside) fillFrom<true>(component, f, i);
+        else fillFrom<false>(component, f, i);
+    }
+
+    //- Inside: all that is looked at lies within the block
+    template<bool Inside>
+    HD void fillFrom(int component, const typename UniformGrid<D>::Index& f, int i) const
+    {
         R sum[4] = {0, 0, 0, 0};
         int count = 0, stride = 1;
         UNROLL
@@ -99,7 +112,7 @@ private:
         {
             for (int direction = -1; direction <= 1; direction += 2)
             {
-                const auto known = [&](int steps) { return along(component, i, f.c[d], d, stride, direction*steps); };
+                const auto known = [&](int steps) { return along<Inside>(component, i, f.c[d], d, stride, direction*steps); };
                 const int one = known(1);
                 if (one < 0) continue;
                 const int two = known(2), three = two < 0 ? -1 : known(3);
@@ -114,16 +127,20 @@ private:
     }
 
     //- Known face at an offset along axis d, where face i has index x; -1: none
+    template<bool Inside>
     HD int along(int component, int i, int x, int d, int stride, int offset) const
     {
-        const int n = grid.layers(component, d);
-        int to = x + offset;
-        if (to < 0 || to >= n)
+        int by = offset;
+        if constexpr (!Inside)
         {
-            if (!grid.periodic[d]) return -1;
-            to += to < 0 ? grid.n[d] : -grid.n[d];
+            const int to = x + offset;
+            if (to < 0 || to >= grid.layers(component, d))
+            {
+                if (!grid.periodic[d]) return -1;
+                by += to < 0 ? grid.n[d] : -grid.n[d];
+            }
         }
-        const int j = i + (to - x)*stride;
+        const int j = i + by*stride;
         return layer[component][j] < pass ? j : -1;
     }
 

@@ -19,15 +19,34 @@ struct InCell
     int c[D];
     R t[D];                     // 0 .. 1
 
-    HD InCell(const UniformGrid<D>& g, const Vec<D, double>& x)
+    HD InCell() {}
+    HD InCell(const UniformGrid<D>& g, const Vec<D, double>& x) : InCell(1/g.h, x) {}
+
+    //- inverse: 1/h
+    HD InCell(double inverse, const Vec<D, double>& x)
     {
-        const double inverse = 1/g.h;
+        UNROLL
         for (int a = 0; a < D; ++a)
         {
             const double s = x.c[a]*inverse;
             c[a] = floorInt(s);
             t[a] = R(s - c[a]);
         }
+    }
+
+    //- Of a point that lies further by `by` in cells
+    HD InCell ahead(const R* v, R by) const
+    {
+        InCell to;
+        UNROLL
+        for (int a = 0; a < D; ++a)
+        {
+            const R s = t[a] + by*v[a];
+            const int cells = floorInt(s);
+            to.c[a] = c[a] + cells;
+            to.t[a] = s - cells;
+        }
+        return to;
     }
 
     HD typename UniformGrid<D>::Index index() const

@@ -31,6 +31,16 @@ struct PicParticles
     }
 };
 
+//- The cell of a point; one more than there are: it is in none
+template<int D, class R>
+HD std::uint32_t cellKey(const UniformGrid<D>& grid, double inverse, const Vec<D, double>& x)
+{
+    const InCell<D, R> at(inverse, x);
+    bool inside = true;
+    for (int d = 0; d < D; ++d) inside = inside && at.c[d] >= 0 && at.c[d] < grid.n[d];
+    return inside ? at.cell(grid) : grid.cells();
+}
+
 //- Sorts by the cell
 template<int D, class R>
 struct PicCellKeys
@@ -43,34 +53,61 @@ struct PicCellKeys
 
     HD void operator()(int i) const
     {
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        bool inside = true;
-        for (int d = 0; d < D; ++d)
-        {
-            c.c[d] = floorInt(particles.x[d][i]/grid.h);
-            inside = inside && c.c[d] >= 0 && c.c[d] < grid.n[d];
-        }
-        keys[i] = inside ? grid.cell(c) : grid.cells();
+        keys[i] = cellKey<D, R>(grid, 1/grid.h, particles.position(i));
         indices[i] = i;
     }
 };
 
-//- After sorting
+//- Particles into the order of their cells, with their places there
 template<int D, class R>
-struct PlaceInCells
+struct PutInOrder
 {
-    static constexpr const char* name = "placeInCells";
-    UniformGrid<D> grid;
-    PicParticles<D, R> particles;
+    static constexpr const char* name = "putInOrder";
+    double inverse;             // 1/h
+    const std::uint32_t* order;
+    PicParticles<D, R> from, to;
     PlaceInCell<R>* place;
 
     HD void operator()(int i) const
     {
-        const InCell<D, R> at(grid, particles.position(i));
+        if (from.affine[0]) put<true>(i);
+        else put<false>(i);
+    }
+
+private:
+
+    //- All is read before anything is written, so that a thread waits once
+    template<bool Affine>
+    HD void put(int i) const
+    {
+        const int j = int(order[i]);
+        const Vec<D, double> x = from.position(j);
+        R v[D], affine[Affine ? D*D : 1];
+        UNROLL
+        for (int d = 0; d < D; ++d) v[d] = from.v[d][j];
+        if constexpr (Affine)
+        {
+            UNROLL
+            for (int k = 0; k < D*D; ++k) affine[k] = from.affine[k][j];
+        }
+        const std::int32_t id = from.id[j];
+        const InCell<D, R> at(inverse, x);
         PlaceInCell<R> p{};
-        for (int d = 0; d < D; ++d) p.t[d] = at.t[d];
+        UNROLL
+        for (int d = 0; d < D; ++d)
+        {
+            p.t[d] = at.t[d];
+            to.x[d][i] = x.c[d];
+            to.v[d][i] = v[d];
+        }
         p.cell = R(at.c[0]);
         place[i] = p;
+        if constexpr (Affine)
+        {
+            UNROLL
+            for (int k = 0; k < D*D; ++k) to.affine[k][i] = affine[k];
+        }
+        to.id[i] = id;
     }
 };
 

@@ -213,7 +213,7 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     sortParticles();
     markWater();
     volume_ = waterVolume(sums);
-    flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+    flying_ = sumOverWater<1>(CountFlying<D, real>{grid_, particles(), near_.data()})[0];
 }
 
 //- Solids alone: arrays of one particle that does not count, and no surface
@@ -246,7 +246,7 @@ void PicSolver<Backend, D, P>::setParticles
         for (int k = 1; k < D*D; ++k) set_.template add<real>("affine");
     }
     idField_ = set_.template add<std::int32_t>("id");
-    set_.allocate(context_, n_);
+    set_.allocate(context_, n_, true);
     sort_.allocate(context_, n_, grid_.cells());
     place_.allocate(context_, n_);
     if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) shift_[d].allocate(context_, n_);

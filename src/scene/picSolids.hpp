@@ -69,7 +69,7 @@ void PicSolver<Backend, D, P>::projectWithBodies(double dt)
     if (config_.reflection > 0 && !bodies_->weak()) bodies_->foresee(bodyGrid_.terms, ahead_.download().data());
     useBodyVelocities(true);
     bodies_->fill(bodyGrid_.terms);
-    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, bodies_->weak() ? nullptr : &bodyGrid_.terms);
+    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, bodies_->weak() ? nullptr : &bodyGrid_.terms, false, &rows_);
 }
 
 //- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else that of the closed part of a face

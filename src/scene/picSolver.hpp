@@ -127,9 +127,10 @@ private:
     // picStep.hpp
     template<class F> void withOrder(const F&);
     template<class F> void withWindows(const F&);
-    PicParticles<D, real> particles();
+    template<int N, class F> std::array<double, N> sumOverWater(const F&);
+    PicParticles<D, real> particles(bool spare = false);
     PressureFields<D, real> pressureFields(double dt, bool reflected = false);
-    void sortParticles(PicReport* report = nullptr);
+    void sortParticles(PicReport* report = nullptr, bool keysKnown = false);
     void markWater();
     void toGrid();
     void project(double dt, double drift);

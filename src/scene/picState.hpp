@@ -113,10 +113,11 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         cutForStep_ = insideMoves_ && clock_.steps > 0;
     }
     sortParticles();
+    rows_.forget();
     markWater();
     double sums[3];
     volume_ = waterVolume(sums);
-    flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+    flying_ = sumOverWater<1>(CountFlying<D, real>{grid_, particles(), near_.data()})[0];
     context_.synchronise();
 }
 

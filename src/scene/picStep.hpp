@@ -31,18 +31,20 @@ void PicSolver<Backend, D, P>::withWindows(const F& f)
     });
 }
 
+//- spare: those that a sort fills
 template<class Backend, int D, class P>
-PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles()
+PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles(bool spare)
 {
+    const auto field = [&](auto type, int k) { using T = decltype(type); return spare ? set_.template spare<T>(k) : set_.template data<T>(k); };
     PicParticles<D, real> p{};
     p.count = n_;
     for (int d = 0; d < D; ++d)
     {
-        p.x[d] = set_.template data<double>(xField_ + d);
-        p.v[d] = set_.template data<real>(vField_ + d);
+        p.x[d] = field(double(), xField_ + d);
+        p.v[d] = field(real(), vField_ + d);
     }
-    for (int k = 0; k < D*D; ++k) p.affine[k] = affineField_ >= 0 ? set_.template data<real>(affineField_ + k) : nullptr;
-    p.id = set_.template data<std::int32_t>(idField_);
+    for (int k = 0; k < D*D; ++k) p.affine[k] = affineField_ >= 0 ? field(real(), affineField_ + k) : nullptr;
+    p.id = field(std::int32_t(), idField_);
     p.place = place_.data();
     p.start = sort_.start();
     return p;
@@ -66,16 +68,22 @@ PressureFields<D, typename P::real> PicSolver<Backend, D, P>::pressureFields(dou
     return f;
 }
 
+//- f.add(cell, sums) over the cells about the water; over all before these are known
+template<class Backend, int D, class P>
+template<int N, class F>
+std::array<double, N> PicSolver<Backend, D, P>::sumOverWater(const F& f)
+{ return rows_.found() ? rows_.template sum<N>(context_, f) : sumOver<N>(context_, grid_.cells(), f); }
+
 //- By cells; those that have left the block come last and are dropped
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::sortParticles(PicReport* report)
+void PicSolver<Backend, D, P>::sortParticles(PicReport* report, bool keysKnown)
 {
     const int before = n_;
-    forEach(context_, n_, PicCellKeys<D, real>{grid_, particles(), sort_.keys(), sort_.indices()});
+    if (!keysKnown) forEach(context_, n_, PicCellKeys<D, real>{grid_, particles(), sort_.keys(), sort_.indices()});
     sort_.sort(context_, n_);
-    set_.permute(context_, sort_.order(), n_);
+    forEach(context_, n_, PutInOrder<D, real>{1/grid_.h, sort_.order(), particles(), particles(true), place_.data()});
+    set_.takeSpares();
     context_.toHost(&n_, sort_.active(), sizeof(int));
-    forEach(context_, n_, PlaceInCells<D, real>{grid_, particles(), place_.data()});
     if (!report || n_ == before) return;
     const auto id = set_.template download<std::int32_t>(context_, idField_);
     std::vector<double> x[D];
@@ -92,9 +100,16 @@ void PicSolver<Backend, D, P>::sortParticles(PicReport* report)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::markWater()
 {
-    const int cells = grid_.cells();
-    forEach(context_, cells, MarkWetCells<D, real>{pressureFields(0), wet_.data()});
-    forEach(context_, cells, MarkNearWater<D>{grid_, wet_.data(), near_.data()});
+    const MarkWetCells<D, real> wet{pressureFields(0), wet_.data()};
+    const MarkNearWater<D> near{grid_, wet_.data(), near_.data()};
+    if (rows_.found())
+    {
+        rows_.eachCell(context_, wet);
+        rows_.eachCell(context_, near);
+        return;
+    }
+    forEach(context_, grid_.cells(), wet);
+    forEach(context_, grid_.cells(), near);
 }
 
 //- Velocities of the particles on all faces about the water
@@ -102,20 +117,20 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toGrid()
 {
     toFaces_.prepare(context_, grid_, sort_);
-    rows_.find(context_, grid_, toFaces_.occupied(), wet_.data(), sort_);
+    rows_.find(context_, grid_, toFaces_.occupied(), phi_.data(), sort_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
         withOrder([&](auto order)
         {
-            toFaces_.template map<decltype(order)::value>(context_, grid_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data());
+            toFaces_.template map<decltype(order)::value>(context_, grid_, rows_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data());
         });
         if (grid_.periodic[d])
         {
             forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, before_[d].data()});
             forEach(context_, faces, CopyPeriodic<D, real>{grid_, d, mass_[d].data()});
         }
-        forEach(context_, faces, MarkByMass<D, real>{grid_, d, mass_[d].data(), aperture_[d].data(), layer_[d].data()});
+        rows_.eachFaceOfBoth(context_, d, MarkByMass<D, real>{grid_, d, mass_[d].data(), aperture_[d].data(), layer_[d].data()});
     }
     extrapolate({before_}, 3);
 }
@@ -152,7 +167,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     const bool reflects = config_.reflection > 0;
     const auto force = [&](Array<Backend, real>* from, bool gravity)
     {
-        rows_.eachFace(context_, grid_, [&](int d)
+        rows_.eachFace(context_, [&](int d)
         {
             return ApplyForces<D, real>{aperture_[d].data(), wallsMove_ ? wallVelocity_[d].data() : nullptr,
                 from[d].data(), u_[d].data(), gravity ? real(gravity_[d]*dt) : real(0), gravity && absorb_[d].size() ? absorb_[d].data() : nullptr, real(dt)};
@@ -163,28 +178,27 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         // after a step that was much shorter (it ended at a target) the little that its drift did says nothing of a long one
         constexpr double longest = 2;
         const real part = clock_.steps ? real(0.5*std::min(drift/clock_.lastStep, longest)) : real(0);
-        rows_.eachFace(context_, grid_, [&](int d) { return KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()}; });
+        rows_.eachFace(context_, [&](int d) { return KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()}; });
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
-        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_);
-        forEach(context_, grid_.cells(), HalfImpulse{reflected_.data(), ahead_.data(), dt, double(part)});
-        rows_.eachFace(context_, grid_, [&](int d)
+        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_, nullptr, false, &rows_);
+        rows_.eachCellOfBoth(context_, HalfImpulse{reflected_.data(), ahead_.data(), dt, double(part)});
+        rows_.eachFace(context_, [&](int d)
         { return HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part}; });
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (bodies_) projectWithBodies(dt);
-    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects);
-    if (reflects) forEach(context_, grid_.cells(), WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
+    else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects, &rows_);
+    if (reflects) rows_.eachCellOfBoth(context_, WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
     if (bodies_) bodies_->act(bodyGrid_.terms, wholePressure().download().data());
-    rows_.eachFace(context_, grid_, [&](int d)
+    rows_.eachFace(context_, [&](int d)
     {
         return VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr,
             reflects ? carrier_[d].data() : nullptr};
     });
-    for (int d = 0; d < D; ++d)
-        forEach(context_, grid_.faces(d), MarkByWetCells<D, real>
-            {grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()});
+    rows_.eachFace(context_, [&](int d)
+    { return MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()}; });
     if (reflects) extrapolate({u_, change_, after_, carrier_}, extrapolationPasses);
     else extrapolate({u_, change_}, extrapolationPasses);
 }
@@ -218,6 +232,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
     {
         CorrectPositions<D, real> f{};
         f.grid = grid_;
+        f.inverse = 1/grid_.h;
         f.particles = particles();
         f.phi = phi_.data();
         f.nearWater = near_.data();
@@ -230,6 +245,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
     {
         MoveParticles<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
+        f.inverse = 1/grid_.h;
         f.particles = particles();
         for (int d = 0; d < D; ++d)
         {
@@ -242,6 +258,8 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.order = config_.advectionOrder;
         f.inside = cuts();
         f.margin = wallMargin*grid_.h;
+        f.keys = cuts() ? nullptr : sort_.keys();
+        f.indices = sort_.indices();
         forEach(context_, n_, f);
     });
 }
@@ -250,7 +268,6 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
 {
-    const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
     withWindows([&](auto order, auto around)
     {
@@ -261,10 +278,10 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
         f.to = carried_.data();
         f.timeStep = dt;
         f.band = band;
-        forEach(context_, cells, f);
+        rows_.eachCellOfBoth(context_, f);
     });
-    sortParticles(&report);
-    forEach(context_, cells, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), cuts() ? open_.data() : nullptr,
+    sortParticles(&report, !cuts());        // solids have moved particles since
+    rows_.eachCell(context_, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), cuts() ? open_.data() : nullptr,
         cuts() ? openWeight_.data() : nullptr, carried_.data(), band});
     if (cuts()) extendSurface(carried_);
     redistance();
@@ -275,9 +292,8 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::redistance()
 {
-    const int cells = grid_.cells();
     const real band = real(bandCells*grid_.h);
-    forEach(context_, cells, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band, spare_.data()});
+    rows_.eachCellOfBoth(context_, StartDistance<D, real>{grid_, carried_.data(), phi_.data(), band, spare_.data()});
     for (int pass = 0; pass <= int(bandCells); ++pass)
     {
         rows_.each(context_, SpreadDistance<D, real>{grid_, carried_.data(), phi_.data(), spare_.data(), band});
@@ -289,7 +305,7 @@ void PicSolver<Backend, D, P>::redistance()
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::waterVolume(double* sums)
 {
-    const auto s = sumOver<3>(context_, grid_.cells(), WaterVolume<D, real>{grid_, phi_.data(), cuts() ? open_.data() : nullptr, 0.05*grid_.h});
+    const auto s = sumOverWater<3>(WaterVolume<D, real>{grid_, phi_.data(), cuts() ? open_.data() : nullptr, 0.05*grid_.h});
     for (int k = 0; k < 3; ++k) sums[k] = s[k];
     return s[0];
 }
@@ -299,7 +315,7 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::holdVolume()
 {
     constexpr double largestShift = 0.1;        // of a cell, a step
-    flying_ = sumOver<1>(context_, grid_.cells(), CountFlying<D, real>{grid_, particles(), near_.data()})[0];
+    flying_ = sumOverWater<1>(CountFlying<D, real>{grid_, particles(), near_.data()})[0];
     const double particle = clock_.particleVolume/grid_.volume();
     const double target = (n_ - flying_)*particle;
     double sums[3];
@@ -310,7 +326,7 @@ void PicSolver<Backend, D, P>::holdVolume()
     double shift = (volume_ - target)/slope;
     shift = std::max(-largestShift*grid_.h, std::min(shift, largestShift*grid_.h));
     if (std::abs(volume_ - target) < 1e-9*target) return;           // round-off is no loss
-    forEach(context_, grid_.cells(), ShiftSurface<D, real>{phi_.data(), real(shift), real(bandCells*grid_.h)});
+    rows_.eachCell(context_, ShiftSurface<D, real>{phi_.data(), real(shift), real(bandCells*grid_.h)});
     markWater();
 }
 

@@ -32,10 +32,10 @@ void PicSolver<Backend, D, P>::diffuse(double dt)
     const double number = config_.viscosity/config_.density*dt/(grid_.h*grid_.h);
     if (diffusesImplicitly(dt)) { diffuseImplicitly(dt, number); return; }
     const real k = real(number), half = real(0.5);
-    for (int d = 0; d < D; ++d)
-        forEach(context_, grid_.faces(d), Diffuse<D, real>{viscousFaces(d), before_[d].data(), before_[d].data(), change_[d].data(), real(0), real(1), k});
-    for (int d = 0; d < D; ++d)
-        forEach(context_, grid_.faces(d), Diffuse<D, real>{viscousFaces(d), before_[d].data(), change_[d].data(), u_[d].data(), half, half, half*k});
+    rows_.eachFace(context_, [&](int d)
+    { return Diffuse<D, real>{viscousFaces(d), before_[d].data(), before_[d].data(), change_[d].data(), real(0), real(1), k}; });
+    rows_.eachFace(context_, [&](int d)
+    { return Diffuse<D, real>{viscousFaces(d), before_[d].data(), change_[d].data(), u_[d].data(), half, half, half*k}; });
 }
 
 template<class Backend, int D, class P>

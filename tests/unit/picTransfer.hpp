@@ -36,7 +36,9 @@ struct Cloud
     FieldSet<Backend> set;
     CellSort<Backend> sort;
     ParticleToGrid<Backend, D, R> map;
+    ActiveRows<Backend, D> rows;
     Array<Backend, PlaceInCell<R>> place;
+    Array<Backend, R> water;
     int n;
     Array<Backend, R> u[D], mass[D];
     std::vector<double> x[D];
@@ -64,7 +66,7 @@ struct Cloud
         for (int d = 0; d < D; ++d) set.template add<R>("v");
         for (int d = 0; d < D*D; ++d) set.template add<R>("c");
         set.template add<std::int32_t>("id");
-        set.allocate(context, n);
+        set.allocate(context, n, true);
         sort.allocate(context, n, grid.cells());
         std::vector<std::int32_t> id(n);
         for (int i = 0; i < n; ++i) id[i] = i;
@@ -79,13 +81,14 @@ struct Cloud
         }
     }
 
-    PicParticles<D, R> view()
+    PicParticles<D, R> view(bool spare = false)
     {
+        const auto field = [&](auto type, int k) { using T = decltype(type); return spare ? set.template spare<T>(k) : set.template data<T>(k); };
         PicParticles<D, R> p{};
         p.count = n;
-        for (int d = 0; d < D; ++d) { p.x[d] = set.template data<double>(d); p.v[d] = set.template data<R>(D + d); }
-        for (int k = 0; k < D*D; ++k) p.affine[k] = set.template data<R>(2*D + k);
-        p.id = set.template data<std::int32_t>(2*D + D*D);
+        for (int d = 0; d < D; ++d) { p.x[d] = field(double(), d); p.v[d] = field(R(), D + d); }
+        for (int k = 0; k < D*D; ++k) p.affine[k] = field(R(), 2*D + k);
+        p.id = field(std::int32_t(), 2*D + D*D);
         p.place = place.data();
         p.start = sort.start();
         return p;
@@ -95,16 +98,18 @@ struct Cloud
     {
         forEach(context, n, PicCellKeys<D, R>{grid, view(), sort.keys(), sort.indices()});
         sort.sort(context, n);
-        set.permute(context, sort.order(), n);
         place.allocate(context, n);
-        forEach(context, n, PlaceInCells<D, R>{grid, view(), place.data()});
+        forEach(context, n, PutInOrder<D, R>{1/grid.h, sort.order(), view(), view(true), place.data()});
+        set.takeSpares();
     }
 
     template<int Order>
     void toGrid(bool affine = false)
     {
         map.prepare(context, grid, sort);
-        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, view(), d, affine, u[d].data(), mass[d].data());
+        water.upload(context, std::vector<R>(grid.cells(), R(-1)));
+        rows.find(context, grid, map.occupied(), water.data(), sort);
+        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, rows, view(), d, affine, u[d].data(), mass[d].data());
     }
 
     Vec<D, double> faceAt(int d, int i) const
@@ -335,6 +340,64 @@ PIC_TEST(AffineTransferKeepsAngularMomentum)
     EXPECT_GT(std::abs(pic/onGrid - 1), 1e-4);
 }
 
+struct MarkCell
+{
+    static constexpr const char* name = "markCell";
+    unsigned char* to;
+    HD void operator()(int i) const { to[i] = 1; }
+};
+
+//- Rows about the water are visited, those that it has left once more, and no others
+PIC_TEST(RowsAreThoseAboutTheWater)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    Context<Backend> context;
+    UniformGrid<D> g{};
+    g.h = 0.1;
+    g.n[0] = 128;
+    for (int d = 1; d < D; ++d) g.n[d] = 8;
+    CellSort<Backend> sort;
+    sort.allocate(context, 1, g.cells());
+    sort.sort(context, 0);
+    OccupiedTiles<Backend, D> particles;
+    particles.find(context, g, sort);
+    ActiveRows<Backend, D> rows;
+    Array<Backend, R> phi;
+    const auto visited = [&](bool both)
+    {
+        Array<Backend, unsigned char> marks;
+        marks.upload(context, std::vector<unsigned char>(g.cells(), 0));
+        if (both) rows.eachCellOfBoth(context, MarkCell{marks.data()});
+        else rows.eachCell(context, MarkCell{marks.data()});
+        return marks.download();
+    };
+    const auto cover = [&](const std::vector<unsigned char>& marks, int columns)
+    {
+        for (int i = 0; i < g.cells(); ++i) if (bool(marks[i]) != (g.cellIndex(i).c[0] < columns)) return false;
+        return true;
+    };
+    const auto find = [&](int wet)
+    {
+        std::vector<R> distance(g.cells());
+        for (int i = 0; i < g.cells(); ++i) distance[i] = g.cellIndex(i).c[0] < wet ? R(-1) : R(1);
+        phi.upload(context, distance);
+        rows.find(context, g, particles, phi.data(), sort);
+    };
+    find(20);
+    EXPECT_TRUE(cover(visited(false), 32));
+    EXPECT_TRUE(cover(visited(true), 128)) << "all count as listed before";
+    find(40);
+    EXPECT_TRUE(cover(visited(false), 64)) << "8 cells beyond the water";
+    EXPECT_TRUE(cover(visited(true), 64));
+    find(20);
+    EXPECT_TRUE(cover(visited(false), 32));
+    EXPECT_TRUE(cover(visited(true), 64));
+    find(20);
+    EXPECT_TRUE(cover(visited(true), 32));
+}
+
 //- Values and gradients from a block of nodes, images beyond the sides folded onto it, are those node by node: beside walls that water slides along
 //  and that it sticks to, around periodic ends, and in a block that is narrower than a cubic spline
 PIC_TEST(WindowsAreTheNodes)
@@ -343,7 +406,7 @@ PIC_TEST(WindowsAreTheNodes)
     using R = typename C::real;
     constexpr int D = C::D;
     Random random(23);
-    int whole = 0, folded = 0;
+    int whole = 0, folded = 0, inner = 0;
     for (int kind = 0; kind < 4; ++kind)
     {
         UniformGrid<D> g{};
@@ -381,12 +444,45 @@ PIC_TEST(WindowsAreTheNodes)
                     EXPECT_NEAR(value, exact, 100*C::epsilon);
                     EXPECT_NEAR(window.sum(u[d].data()), exact, 100*C::epsilon);
                     for (int a = 0; a < D; ++a) { EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h); }
+                    const InCell<D, R> at(g, x);
+                    if (!InnerNodes<Order, D, R>::has(g, at.c)) continue;
+                    ++inner;
+                    const InnerNodes<Order, D, R> block(at.t);
+                    EXPECT_NEAR(block.sum(g, at.c, d, u[d].data()), exact, 100*C::epsilon);
                 }
             });
         }
     }
     EXPECT_GT(whole, 1000);
     EXPECT_GT(folded, 100);
+    EXPECT_GT(inner, 100);
+}
+
+//- A path whose points lie well within the block is the same whichever way they are sampled
+PIC_TEST(PathsInsideAreThoseAnywhere)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    Random random(29);
+    UniformGrid<D> g{};
+    g.h = 0.125;
+    for (int d = 0; d < D; ++d) g.n[d] = 9 + d;
+    std::vector<R> u[D];
+    for (int d = 0; d < D; ++d)
+        for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+    Vec<3, const R*> field{};
+    for (int d = 0; d < 3; ++d) field.c[d] = u[d < D ? d : D - 1].data();
+    for (int p = 0; p < 300; ++p)
+    {
+        Vec<D, double> x;
+        for (int d = 0; d < D; ++d) x.c[d] = g.h*random(0, g.n[d]);
+        for (const int order : {2, 3})
+        {
+            const Vec<D, double> to = carried<2>(g, field.c, x, 0.1, order), anywhere = carriedAnywhere<2, true>(g, field, x, 0.1, order);
+            for (int d = 0; d < D; ++d) { EXPECT_NEAR(to.c[d], anywhere.c[d], 100*C::epsilon*g.h); }
+        }
+    }
 }
 
 //- A turn about the middle of the block: the end of the path is off by dt^2 or dt^3

@@ -30,13 +30,15 @@ struct OpenWeights
     HD void operator()(int i) const
     {
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
+        const bool in = inner(grid, c, 1);
         R sum = 0;
         for (int k = (D == 3 ? -1 : 0); k <= (D == 3 ? 1 : 0); ++k)
             for (int j = -1; j <= 1; ++j)
                 for (int l = -1; l <= 1; ++l)
                 {
                     const R w = part(l)*part(j)*(D == 3 ? part(k) : R(1));
-                    sum += w*cellValue(grid, open, typename UniformGrid<D>::Index{{c.c[0] + l, c.c[1] + j, c.c[2] + k}});
+                    sum += w*(in ? open[i + l + grid.n[0]*(j + grid.n[1]*k)]
+                        : cellValue(grid, open, typename UniformGrid<D>::Index{{c.c[0] + l, c.c[1] + j, c.c[2] + k}}));
                 }
         weight[i] = sum;
     }

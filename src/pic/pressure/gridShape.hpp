@@ -8,6 +8,7 @@
 */
 #pragma once
 
+#include <cstdint>
 #include "core/macros.hpp"
 
 namespace riprap
@@ -135,8 +136,18 @@ private:
 template<int D>
 struct DenseCells
 {
-    int size[D];
+    static constexpr int most = 1 << 15;        // cells: quotients are exact
     int cells;
+
+    explicit HD DenseCells(const GridShape<D>& shape)
+    {
+        cells = shape.cells;
+        for (int d = 0; d < D - 1; ++d)
+        {
+            size_[d] = shape.size[d];
+            inverse_[d] = 0xffffffffu/unsigned(size_[d]) + 1;
+        }
+    }
 
     HD int all() const { return cells; }
     HD int halves() const { return cells/2; }
@@ -144,7 +155,12 @@ struct DenseCells
     HD bool at(int i, Place<D>& p) const
     {
         p.c = i;
-        for (int d = 0; d < D - 1; ++d) { p.x[d] = i % size[d]; i /= size[d]; }
+        for (int d = 0; d < D - 1; ++d)
+        {
+            const int quotient = size_[d] == 1 ? i : int(std::uint64_t(unsigned(i))*inverse_[d] >> 32);
+            p.x[d] = i - quotient*size_[d];
+            i = quotient;
+        }
         p.x[D - 1] = i;
         return true;
     }
@@ -158,6 +174,10 @@ struct DenseCells
         p.c += sum & 1;
         return true;
     }
+
+private:
+    int size_[D];
+    unsigned inverse_[D];       // 2^32 over size, rounded up: a product instead of a division
 };
 
 } // namespace riprap

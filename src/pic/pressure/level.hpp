@@ -59,7 +59,9 @@ struct FirstSweep
     HD void operator()(int i) const
     {
         Place<D> p;
-        if (cells.half(i, 0, p)) level.x[p.c] = level.b[p.c]*level.inverse[p.c];
+        if (!cells.half(i, 0, p)) return;
+        const float inverse = level.inverse[p.c];
+        if (inverse > 0) level.x[p.c] = level.b[p.c]*inverse;
     }
 };
 
@@ -75,7 +77,8 @@ struct Sweep
     {
         Place<D> p;
         if (!cells.half(i, colour, p)) return;
-        level.x[p.c] = (level.b[p.c] + level.neighbourSum(p))*level.inverse[p.c];
+        const float inverse = level.inverse[p.c];
+        if (inverse > 0) level.x[p.c] = (level.b[p.c] + level.neighbourSum(p))*inverse;
     }
 };
 

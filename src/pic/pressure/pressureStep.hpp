@@ -11,6 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include "pic/activeRows.hpp"
 #include "pic/bodies/bodyTerm.hpp"
 #include "pic/bodies/coupledGradient.hpp"
 #include "pic/pressure/multigridSolver.hpp"
@@ -36,9 +37,13 @@ public:
     }
 
     //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
-    //  becomes that at the end of the step. sameWater: surface and open parts are those of the last projection
+    //  becomes that at the end of the step. sameWater: surface and open parts are those of the last projection. rows: those about the water, where
+    //  alone faces may need a correction; nullptr: all
     PressureReport project
-    (Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false)
+    (
+        Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false,
+        const ActiveRows<Backend, D>* rows = nullptr
+    )
     {
         const FineData<D>& fine = multigrid_.fine();
         if (sameWater) forEach(context, multigrid_.fineCells().all(), AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
@@ -59,7 +64,8 @@ public:
 
         if (pocketCells_) pockets_.level(context, fine, cells);
         forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
-        for (int d = 0; d < D; ++d) forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
+        if (rows) rows->eachFace(context, [&](int d) { return CorrectVelocity<D, R>{f, wet_.data(), d}; });
+        else for (int d = 0; d < D; ++d) forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
         if (free) moveBodies(context, f, *bodies);
         return report;
     }

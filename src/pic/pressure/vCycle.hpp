@@ -18,6 +18,7 @@ namespace riprap
 static constexpr int maxTailLevels = 14;
 static constexpr int bottomSweeps = 2;
 static constexpr int tailCells = 3000;
+static_assert(2*tailCells <= DenseCells<2>::most, "padded levels of the tail must be small enough for its quotients");
 
 //- Each pass over n items: a launch of its own
 template<class Backend>
@@ -68,13 +69,7 @@ struct TailCycle
         }
     }
 
-    HD DenseCells<D> dense(int l) const
-    {
-        DenseCells<D> cells;
-        for (int d = 0; d < D; ++d) cells.size[d] = level[l].shape.size[d];
-        cells.cells = level[l].shape.cells;
-        return cells;
-    }
+    HD DenseCells<D> dense(int l) const { return DenseCells<D>(level[l].shape); }
 };
 
 //- x of the finest level from its b

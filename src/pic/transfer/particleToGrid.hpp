@@ -16,10 +16,10 @@
 
 #include <algorithm>
 #include "core/blocks.hpp"
+#include "pic/activeRows.hpp"
 #include "pic/particles.hpp"
 #include "pic/shapes/bSpline.hpp"
 #include "pic/transfer/mirror.hpp"
-#include "pic/transfer/tiles.hpp"
 
 namespace riprap
 {
@@ -43,11 +43,12 @@ struct alignas(2*sizeof(R)) FaceSum { R mass, momentum; };
 
 
 //- Sums of the tiles that have particles
-template<int Order, int D, class R>
+template<int Order, int D, class R, int Component, bool Affine>
 struct SumTiles
 {
     static constexpr const char* name = "particleToGrid";
     static constexpr int threads = CellTiles<D>::cells;
+    static constexpr int residentBlocks = D == 3 && Order == 2 && sizeof(R) == 4 ? (Affine ? 8 : 10) : 0;   // measured to be fastest
     using Seen = SeenFaces<Order>;
     using Index = typename UniformGrid<D>::Index;
     static constexpr int all = Seen::template all<D>(), allOfTile = Seen::template allOfTile<D>();
@@ -57,33 +58,59 @@ struct SumTiles
     CellTiles<D> tiles;
     const int* list;
     PicParticles<D, R> particles;
-    int component;
-    bool affine;
     FaceSum<R>* sums;           // tile after tile
 
     HD void operator()(const Team& team, Shared& shared, int block) const
     {
         const Index first = tiles.first(list[block]);
         team.each(allOfTile, [&](int k) { shared.sum[k] = FaceSum<R>{R(0), R(0)}; });
-        for (int k = team.index; k < threads; k += team.size) affine ? addCell<true>(team, shared, first, k) : addCell<false>(team, shared, first, k);
+        for (int k = team.index; k < threads; k += team.size) addCell(team, shared, first, k);
         team.each(allOfTile, [&](int k) { sums[std::size_t(block)*allOfTile + k] = shared.sum[k]; });
     }
 
 private:
 
     //- The directions across the faces' own
-    HD int across(int k) const { return component <= k ? k + 1 : k; }
+    static constexpr int acrossOne = Component == 0 ? 1 : 0, acrossTwo = Component == 2 ? 1 : 2;
 
-    HD int ofTile(int a) const { return Seen::template ofTile<D>(a == component); }
+    HD static constexpr int ofTile(int a) { return Seen::template ofTile<D>(a == Component); }
 
-    template<bool Affine>
-    HD void addCell(const Team& team, Shared& shared, const Index& first, int number) const
+    //- What a particle brings
+    struct Brought
+    {
+        R t[D], v, slope[Affine ? D : 1];
+
+        template<int Axis>
+        HD R along() const
+        {
+            if constexpr (Affine) return slope[Axis];
+            else return R(0);
+        }
+    };
+
+    HD Brought read(int p) const
+    {
+        Brought b;
+        const PlaceInCell<R> in = particles.place[p];
+        UNROLL
+        for (int a = 0; a < D; ++a) b.t[a] = in.t[a];
+        b.v = particles.v[Component][p];
+        if constexpr (Affine)
+        {
+            UNROLL
+            for (int a = 0; a < D; ++a) b.slope[a] = particles.affine[Component*D + a][p]*R(grid.h);
+        }
+        return b;
+    }
+
+    HD void addCell(const Team& team, Shared& shared, const Index& corner, int number) const
     {
         constexpr int side = CellTiles<D>::side, n = Seen::count, b = Seen::countAcross, c = D == 3 ? b : 1;
+        constexpr int stride[3] = {1, ofTile(0), ofTile(0)*ofTile(1)};
         const int local[3] = {number % side, number/side % side, D == 3 ? number/(side*side) : 0};
-        Index at = first;
+        Index at = corner;
         bool exists = true;
-        int stride[3] = {1, ofTile(0), ofTile(0)*ofTile(1)}, place = 0;
+        int place = 0;
         for (int a = 0; a < D; ++a)
         {
             at.c[a] += local[a];
@@ -98,14 +125,17 @@ private:
             from = particles.start[cell];
             to = particles.start[cell + 1];
         }
-        for (int p = from; p < to; ++p) addParticle<Affine>(p, m, mv);
+        if (from < to) addParticles(from, to, m, mv);
+        UNROLL
         for (int k = 0; k < c; ++k)
+            UNROLL
             for (int j = 0; j < b; ++j)
+                UNROLL
                 for (int i = 0; i < n; ++i)
                 {
                     if (from < to)
                     {
-                        FaceSum<R>& sum = shared.sum[place + i*stride[component] + j*stride[across(0)] + (D == 3 ? k*stride[across(1)] : 0)];
+                        FaceSum<R>& sum = shared.sum[place + i*stride[Component] + j*stride[acrossOne] + (D == 3 ? k*stride[acrossTwo] : 0)];
                         sum.mass += m[i + n*(j + b*k)];
                         sum.momentum += mv[i + n*(j + b*k)];
                     }
@@ -113,8 +143,20 @@ private:
                 }
     }
 
+    //- The next particle is read while one is added
+    HD void addParticles(int from, int to, R* m, R* mv) const
+    {
+        Brought next = read(from);
+        for (int p = from; p < to; ++p)
+        {
+            const Brought now = next;
+            if (p + 1 < to) next = read(p + 1);
+            add(now, m, mv);
+        }
+    }
+
     //- Weights of the faces along an axis that particles of a cell see, and how the affine part changes along it; t: where in the cell, 0 .. 1
-    template<bool Own, bool Affine>
+    template<bool Own>
     HD void along(R t, R slope, R* w, R* change) const
     {
         constexpr int seen = Own ? Seen::count : Seen::countAcross, nodes = Order + 1;
@@ -122,6 +164,7 @@ private:
         const bool upper = seen > nodes && t >= R(0.5);         // which of them have a weight depends on the half of the cell
         R weight[nodes];
         BSpline<Order>::weights(t - first - (upper ? R(1) : R(0)), weight);
+        UNROLL
         for (int i = 0; i < seen; ++i)
         {
             const R inLower = i < nodes ? weight[i < nodes ? i : 0] : R(0), inUpper = i > 0 ? weight[i > 0 ? i - 1 : 0] : R(0);
@@ -130,24 +173,22 @@ private:
         }
     }
 
-    template<bool Affine>
-    HD R slopeAlong(int axis, int p) const { return Affine ? particles.affine[component*D + axis][p]*R(grid.h) : R(0); }
-
-    template<bool Affine>
-    HD void addParticle(int p, R* m, R* mv) const
+    HD void add(const Brought& p, R* m, R* mv) const
     {
         constexpr int n = Seen::count, b = Seen::countAcross, c = D == 3 ? b : 1;
-        const PlaceInCell<R> in = particles.place[p];
         R wn[n], wb[b], wc[b] = {R(1)}, cn[n], cb[b], cc[b] = {R(0)};
-        along<true, Affine>(in.t[component], slopeAlong<Affine>(component, p), wn, cn);
-        along<false, Affine>(in.t[across(0)], slopeAlong<Affine>(across(0), p), wb, cb);
-        if constexpr (D == 3) along<false, Affine>(in.t[across(1)], slopeAlong<Affine>(across(1), p), wc, cc);
-        const R v = particles.v[component][p];
+        along<true>(p.t[Component], p.template along<Component>(), wn, cn);
+        along<false>(p.t[acrossOne], p.template along<acrossOne>(), wb, cb);
+        if constexpr (D == 3) along<false>(p.t[acrossTwo], p.template along<acrossTwo>(), wc, cc);
+        UNROLL
         for (int i = 0; i < n; ++i) cn[i] *= wn[i];
+        UNROLL
         for (int k = 0; k < c; ++k)
+            UNROLL
             for (int j = 0; j < b; ++j)
             {
-                const R row = wb[j]*wc[k], speed = v + cb[j] + cc[k];
+                const R row = wb[j]*wc[k], speed = p.v + cb[j] + cc[k];
+                UNROLL
                 for (int i = 0; i < n; ++i)
                 {
                     m[i + n*(j + b*k)] += row*wn[i];
@@ -265,15 +306,27 @@ public:
     //- After the particles were sorted: which tiles have any. sort: theirs
     void prepare(Context<Backend>& context, const UniformGrid<D>& grid, CellSort<Backend>& sort) { occupied_.find(context, grid, sort); }
 
-    //- Velocity u and mass of all faces of one direction
+    //- Velocity u and mass of the faces of one direction that rows have
     template<int Order>
-    void map(Context<Backend>& context, const UniformGrid<D>& grid, const PicParticles<D, R>& particles, int component, bool affine, R* u, R* mass)
+    void map
+    (
+        Context<Backend>& context, const UniformGrid<D>& grid, const ActiveRows<Backend, D>& rows, const PicParticles<D, R>& particles, int component,
+        bool affine, R* u, R* mass
+    )
     {
         const CellTiles<D>& tiles = occupied_.tiles();
         const std::size_t all = std::size_t(std::max(occupied_.count(), 1))*SeenFaces<Order>::template allOfTile<D>();
         if (sums_.size() < all) sums_.allocate(context, all + all/8);
-        forEachBlock(context, occupied_.count(), SumTiles<Order, D, R>{grid, tiles, occupied_.list(), particles, component, affine, sums_.data()});
-        forEach(context, grid.faces(component), GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), u, mass});
+        const auto sum = [&](auto direction, auto withGradient)
+        {
+            forEachBlock(context, occupied_.count(), SumTiles<Order, D, R, decltype(direction)::value, decltype(withGradient)::value>
+                {grid, tiles, occupied_.list(), particles, sums_.data()});
+        };
+        const auto sumAlong = [&](auto direction) { affine ? sum(direction, std::true_type()) : sum(direction, std::false_type()); };
+        if (component == 0) sumAlong(std::integral_constant<int, 0>());
+        else if (component == 1) sumAlong(std::integral_constant<int, 1>());
+        else if constexpr (D == 3) sumAlong(std::integral_constant<int, 2>());
+        rows.eachFaceOfBoth(context, component, GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), u, mass});
     }
 
     const OccupiedTiles<Backend, D>& occupied() const { return occupied_; }
