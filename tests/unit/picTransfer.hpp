@@ -104,7 +104,7 @@ struct Cloud
     void toGrid(bool affine = false)
     {
         map.prepare(context, grid, sort);
-        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, view(), d, affine, u[d].data(), mass[d].data());
+        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, view(), d, affine, nullptr, u[d].data(), mass[d].data());
     }
 
     Vec<D, double> faceAt(int d, int i) const
