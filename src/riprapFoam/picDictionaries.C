@@ -8,6 +8,7 @@
 #include "fluidProperties.H"
 #include "IOdictionary.H"
 #include "particleDomain.H"
+#include "picOpenings.H"
 #include "slidingWalls.H"
 #include "sphNames.H"
 #include "Time.H"
@@ -158,6 +159,7 @@ static void readPicProperties
 
     readWalls(pic, mesh, settings);
     readAbsorbers(pic, config);
+    readOpenings(pic.subDict("openings"), mesh, config);
     settings.contactVelocity =
         pic.between("contactVelocity", settings.contactVelocity, 0, 1);
     settings.weak = pic.either("coupling", "weak", "implicit", false);

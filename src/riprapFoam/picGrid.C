@@ -124,7 +124,11 @@ void Foam::picGrid::numberCells(const fvMesh& mesh)
 
 
 //- Everything inside is open, and so are faces of patches of type patch
-void Foam::picGrid::openSides(const fvMesh& mesh)
+void Foam::picGrid::openSides
+(
+    const fvMesh& mesh,
+    const riprap::PicConfig& config
+)
 {
     riprap::UniformGrid<3> grid;
     for (int d = 0; d < 3; ++d)
@@ -147,6 +151,10 @@ void Foam::picGrid::openSides(const fvMesh& mesh)
                 open[i] = 0;
             }
         }
+        if (!config.openings.empty())
+        {
+            walls_.opening[d].assign(open.size(), -1);
+        }
     }
 
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -154,6 +162,15 @@ void Foam::picGrid::openSides(const fvMesh& mesh)
         if (isA<emptyPolyPatch>(patch) || isA<wallPolyPatch>(patch))
         {
             continue;
+        }
+
+        int number = -1;
+        for (std::size_t k = 0; k < config.openings.size(); ++k)
+        {
+            if (config.openings[k].name == patch.name())
+            {
+                number = int(k);
+            }
         }
 
         forAll(patch, facei)
@@ -170,6 +187,10 @@ void Foam::picGrid::openSides(const fvMesh& mesh)
                     grid.cellIndex(gridCell_[patch.faceCells()[facei]]);
                 f.c[d] += along > 0;
                 walls_.aperture[d][grid.face(d, f)] = 1;
+                if (number >= 0)
+                {
+                    walls_.opening[d][grid.face(d, f)] = number;
+                }
             }
         }
     }
@@ -190,7 +211,7 @@ Foam::picGrid::picGrid(const fvMesh& mesh, const riprap::PicConfig& config)
 
     setSize(mesh);
     numberCells(mesh);
-    openSides(mesh);
+    openSides(mesh, config);
 }
 
 

@@ -25,6 +25,13 @@ const Enum<riprap::ViscousKind> viscosity
     {riprap::ViscousKind::implicitly, "implicit"}
 });
 
+const Enum<riprap::OpeningKind> opening
+({
+    {riprap::OpeningKind::velocity, "velocity"},
+    {riprap::OpeningKind::flowRate, "flowRate"},
+    {riprap::OpeningKind::level, "level"}
+});
+
 const Enum<int> spline
 ({
     {1, "linear"},

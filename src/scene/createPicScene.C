@@ -106,6 +106,9 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
     const DeviceChoice choice = chooseDevice(config.device, fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0), config.dimensions);
     require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly && (!inside.obstacles.empty() || inside.solids)),
         "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or implicit for viscosity");
+    const int openings = int(config.openings.size());
+    for (const auto& of : walls.opening)
+        for (const int number : of) require(number >= -1 && number < openings, "a face belongs to an opening that is not there");
     makeSolids(config, choice.device, inside);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA

@@ -20,6 +20,7 @@ double PicSolver<Backend, D, P>::timeStep(double speed, std::string& limit)
         for (const auto& side : axis)
             for (const double v : side) slide = std::max(slide, std::abs(v));
     speed = std::max(slide, speed);
+    if (opens()) speed = std::max(speed, openingSpeed(clock_.time));
     double dt = courantStep(config_.maxCourant, grid_.h, speed, std::sqrt(g2));
     limit = "Courant";
     const double waves = waveStep(grid_.h, std::sqrt(g2));
@@ -104,8 +105,10 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.flying = std::size_t(flying_);
     const double particle = clock_.particleVolume;
     report.volume = volume_*grid_.volume() + flying_*particle;
-    report.volumeError = n_ > 0 ? report.volume/(n_*particle) - 1 : 0;
+    report.volumeError = n_ > 0 ? report.volume/(n_*particle + (opens() ? openBalance() : 0)) - 1 : 0;
     report.volumeDrift = clock_.drift;
+    for (std::size_t k = 0; k < openings_.in.size(); ++k)
+        report.passed.push_back(PicPassage{openings_.in[k], openings_.out[k], double(openings_.in[k] - openings_.out[k])*particle + openBalance(int(k))});
     return report;
 }
 

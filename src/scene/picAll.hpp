@@ -7,6 +7,7 @@
 #include "core/device.hpp"
 #include "scene/picSetup.hpp"
 #include "scene/picCut.hpp"
+#include "scene/picOpenings.hpp"
 #include "scene/picSolids.hpp"
 #include "scene/picStep.hpp"
 #include "scene/picViscosity.hpp"

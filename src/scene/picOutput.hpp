@@ -161,6 +161,9 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     add("walls", walls);
     add("absorb", absorb);
     add("viscosity", viscous);
+    std::size_t openings = openings_.flags.bytes() + openings_.buffer.bytes() + openings_.second.bytes();
+    for (int d = 0; d < D; ++d) openings += openings_.face[d].bytes() + openings_.cell[d].bytes() + openings_.gate[d].bytes();
+    add("openings", openings);
     return list;
 }
 

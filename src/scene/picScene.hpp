@@ -7,6 +7,7 @@
 */
 #pragma once
 
+#include <functional>
 #include <memory>
 #include "pic/pressure/linearSolver.hpp"
 #include "scene/demScene.hpp"
@@ -24,6 +25,19 @@ struct PicAbsorber
     std::string name;
     Vector3 from{{0, 0, 0}}, to{{0, 0, 0}};     // [m]
     double rate = 0;                        // at `to` and beyond [1/s]
+};
+
+enum class OpeningKind {velocity, flowRate, level};
+
+//- A part of the sides through which water comes and goes (pic/openings): its velocity is given, or what flows in, over the part of it that is under water, or
+//  the height of the water that stands beyond. As functions of time [s]
+struct PicOpening
+{
+    std::string name;
+    OpeningKind kind = OpeningKind::level;
+    std::function<Vector3(double)> velocity;        // [m/s]
+    std::function<double(double)> flowRate;         // into the domain [m3/s] (2D: m2/s)
+    std::function<double(double)> level;            // against gravity, from the world's origin [m]; of velocity and flowRate: up to which there is a flow, null: as the water stands
 };
 
 struct PicConfig : FluidConfig
@@ -60,6 +74,7 @@ struct PicConfig : FluidConfig
     Vector3 slide[3][2] = {};               // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
 
     std::vector<PicAbsorber> absorbers;
+    std::vector<PicOpening> openings;
 
     // Time
     double startTime = 0;                   // [s]
@@ -78,6 +93,7 @@ struct PicWalls
 {
     std::vector<double> aperture[3];        // 0 closed .. 1 open
     std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
+    std::vector<int> opening[3];            // on the sides: number of the opening a face belongs to, -1: none; empty: there are none
 };
 
 //- A surface inside the domain, oriented or not
@@ -111,6 +127,13 @@ struct PicInside
     bool empty() const { return obstacles.empty() && !scene; }
 };
 
+//- Particles that have come in and gone out through an opening since the very start
+struct PicPassage
+{
+    std::int64_t in = 0, out = 0;
+    double volume = 0;                      // of the water that came in, less what went out [m3] (2D: m2)
+};
+
 //- What one call of advance did
 struct PicReport
 {
@@ -126,6 +149,7 @@ struct PicReport
     std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
+    std::vector<PicPassage> passed;         // an opening each
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
     bool pressureConverged = true, viscosityConverged = true;

@@ -25,15 +25,17 @@ PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& f
     setGrid();
     setAbsorbers();
     clock_.time = config.startTime;
+    sides_ = walls;
+    if (!config.openings.empty()) setOpenings(sides_);
     if (cuts())
     {
-        sides_ = walls;
         allocateCut();
         setSolids(fluid.size() > 0);
         cutGrid(clock_.time, 1);
     }
-    else setWalls(walls);
+    else setWalls(sides_);
     setFluid(fluid);
+    if (opens()) startOpenings();
     context_.synchronise();
 }
 
@@ -108,6 +110,7 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
         }
         aperture_[d].upload(context_, a);
         if (!walls.wallVelocity[d].empty()) wallsMove_ = true;
+        if (opens()) keepOpenParts(d, a);
     }
     setSides();
     if (!wallsMove_) return;
@@ -117,6 +120,7 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
         std::copy(walls.wallVelocity[d].begin(), walls.wallVelocity[d].end(), w.begin());
         wallVelocity_[d].upload(context_, w);
     }
+    if (opens()) writeOpenFaces();
 }
 
 //- Water sticks to a side of the block that is closed all over
@@ -254,6 +258,7 @@ void PicSolver<Backend, D, P>::setParticles
     std::vector<real> velocity(n_);
     std::vector<std::int32_t> ids(id);
     if (ids.empty()) { ids.resize(n_); std::iota(ids.begin(), ids.end(), 0); }
+    clock_.nextId = n_ ? std::int64_t(*std::max_element(ids.begin(), ids.end())) + 1 : 0;
     for (int d = 0; d < D; ++d)
     {
         const double length = grid_.n[d]*grid_.h, margin = grid_.periodic[d] ? 0 : wallMargin*grid_.h;

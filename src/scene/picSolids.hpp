@@ -60,6 +60,7 @@ void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
     std::vector<double> velocity[D];
     bodyVelocities(grid_, bodies_->withVelocities(predicted), bodyGrid_.shares, base_.walls.aperture, base_.walls.wallVelocity, bodyGrid_.aperture, velocity);
     for (int d = 0; d < D; ++d) wallVelocity_[d].upload(context_, std::vector<real>(velocity[d].begin(), velocity[d].end()));
+    if (opens()) writeOpenFaces();
 }
 
 //- Solved with the pressure, or walls for it. The impulse by which particles are left ahead is known before

@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -15,6 +15,8 @@
 #include "pic/cutCells/pushOut.hpp"
 #include "pic/extrapolate.hpp"
 #include "pic/forces.hpp"
+#include "pic/openings/inflow.hpp"
+#include "pic/openings/openFaces.hpp"
 #include "pic/positionCorrection.hpp"
 #include "pic/pressure/pressureStep.hpp"
 #include "pic/speed.hpp"
@@ -43,6 +45,7 @@ struct PicClock
     double drift = 0;                       // of the volume, put right so far, relative
     std::int64_t steps = 0;
     std::int64_t initial = 0;               // particles at the very start
+    std::int64_t nextId = 0;                // of the next one that comes in
 };
 
 template<class Backend, int D, class P>
@@ -103,6 +106,25 @@ private:
     std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
     int steepest() const;
     void dropInside(std::vector<double>& x);
+
+    // picOpenings.hpp
+    bool opens() const { return !openings_.faces.empty(); }
+    void setOpenings(PicWalls&);
+    void keepOpenParts(int d, const std::vector<real>& aperture);
+    std::vector<double> atOpenings(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells);
+    void startOpenings();
+    void setOpenFaces(double t);
+    void writeOpenFaces();
+    void pushOpenFaces(double dt);
+    void letIn(double dt);
+    void append(const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities);
+    void reserve(std::size_t particles);
+    int leftThrough(const Vec<D, double>& x) const;
+    double openingSpeed(double t) const;
+    std::size_t openingMemorySize() const { return 2*openings_.faces.size() + 3*openings_.in.size(); }
+    double openBalance(int opening = -1) const;
+    std::vector<double> openingMemory() const;
+    void setOpeningMemory(const double*);
 
     // picCut.hpp
     bool cuts() const { return !inside_.empty(); }
@@ -191,6 +213,21 @@ private:
     struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; Array<Backend, double> pressure; } viscous_;      // of the implicit one
     bool viscousConverged_ = true;
     bool wallsMove_ = false;
+
+    //- Of the sides: faces, in the order of their directions, what is given at each in this step, and what has passed through each opening
+    struct OpeningFaces
+    {
+        std::vector<OpenFace<D>> faces;
+        std::vector<int> number[D];             // of a face's opening, -1: none
+        std::vector<real> open, given;
+        std::vector<unsigned char> leaves;
+        std::vector<double> rate;               // of openings: velocity inward that the flow makes [m/s]
+        std::vector<double> owed;               // volume that has gone out but not as particles [m^D]
+        std::vector<std::int64_t> in, out;      // particles
+        Array<Backend, int> face[D], cell[D];
+        Array<Backend, unsigned char> gate[D], flags;
+        Array<Backend, real> buffer, second;
+    } openings_;
 
     PicWalls sides_;
     PicInside inside_;

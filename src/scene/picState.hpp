@@ -1,7 +1,8 @@
 /*  PicSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, cells, bytes of the clock; the clock; each field of the
-    particles in the device's order; phi, p, and the velocities of the faces, their last changes and what particles took; of solids, each after its length, what bodies
+    particles in the device's order; phi, p, and the velocities of the faces, their last changes and what particles took; what openings
+    remember; of solids, each after its length, what bodies
     remember and the state of their own scene; a checksum (FNV-1a over all words before it).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -16,7 +17,7 @@ namespace riprap
 
 namespace detail
 {
-static constexpr std::int32_t picMagic = 0x72697032, picVersion = 3;
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 4;
 static constexpr int picHeader = 9;
 }
 
@@ -45,6 +46,11 @@ std::vector<std::int32_t> PicSolver<Backend, D, P>::saveState()
         if (size) context_.toHost(bytes.data(), data, size);
         detail::appendBytes(words, bytes.data(), size);
     });
+    if (opens())
+    {
+        const std::vector<double> memory = openingMemory();
+        detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
+    }
     if (bodies_)
     {
         const std::vector<double> memory = bodies_->memory();
@@ -74,11 +80,14 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[7] != grid_.cells()) fail("it has " + std::to_string(words[7]) + " cells, the mesh " + std::to_string(grid_.cells()));
     if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");
     const int n = words[5];
-    if (n < 0 || std::size_t(n) > set_.size()) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(set_.size()));
+    if (n < 0 || (std::size_t(n) > set_.size() && !opens())) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(set_.size()));
     const int before = n_;
+    if (opens()) reserve(n);
     n_ = n;
     std::size_t at = detail::picHeader + clockWords, expected = at + 1;
     forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    const std::size_t openingsAt = expected - 1;
+    if (opens()) expected += 2*openingMemorySize();
     const std::size_t solidsAt = expected - 1;
     std::vector<double> memory;
     if (bodies_ && words.size() > expected)
@@ -107,11 +116,18 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         if (size) context_.toDevice(data, &words[at], size);
         at += (size + 3)/4;
     });
+    if (opens())
+    {
+        std::vector<double> memory(openingMemorySize());
+        std::memcpy(memory.data(), &words[openingsAt], memory.size()*sizeof(double));
+        setOpeningMemory(memory.data());
+    }
     if (cuts())
     {
         cutGrid(clock_.time, clock_.lastStep > 0 ? clock_.lastStep : 1);
         cutForStep_ = insideMoves_ && clock_.steps > 0;
     }
+    if (opens()) setOpenFaces(clock_.time);
     sortParticles();
     rows_.forget();
     markWater();

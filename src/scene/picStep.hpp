@@ -85,13 +85,31 @@ void PicSolver<Backend, D, P>::sortParticles(PicReport* report, bool keysKnown)
     set_.takeSpares();
     context_.toHost(&n_, sort_.active(), sizeof(int));
     if (!report || n_ == before) return;
-    const auto id = set_.template download<std::int32_t>(context_, idField_);
+    const int left = before - n_;
+    std::vector<std::int32_t> id(left);
     std::vector<double> x[D];
-    for (int d = 0; d < D; ++d) x[d] = set_.template download<double>(context_, xField_ + d);
-    for (int i = n_; i < before; ++i)
+    context_.toHost(id.data(), set_.template data<std::int32_t>(idField_) + n_, left*sizeof(std::int32_t));
+    for (int d = 0; d < D; ++d)
+    {
+        x[d].resize(left);
+        context_.toHost(x[d].data(), set_.template data<double>(xField_ + d) + n_, left*sizeof(double));
+    }
+    for (int i = 0; i < left; ++i)
     {
         Vector3 at{{emptyCoordinate_, emptyCoordinate_, emptyCoordinate_}};
-        for (int d = 0; d < D; ++d) at[config_.axes[d]] = grid_.origin[d] + x[d][i];
+        Vec<D, double> place;
+        for (int d = 0; d < D; ++d)
+        {
+            place.c[d] = x[d][i];
+            at[config_.axes[d]] = grid_.origin[d] + x[d][i];
+        }
+        const int through = opens() ? leftThrough(place) : -1;
+        if (through >= 0)
+        {
+            ++openings_.out[through];
+            openings_.owed[through] -= clock_.particleVolume;
+            continue;
+        }
         report->escaped.push_back(at);
         report->escapedId.push_back(id[i]);
     }
@@ -123,7 +141,10 @@ void PicSolver<Backend, D, P>::toGrid()
         const int faces = grid_.faces(d);
         withOrder([&](auto order)
         {
-            toFaces_.template map<decltype(order)::value>(context_, grid_, rows_, particles(), d, affineField_ >= 0, before_[d].data(), mass_[d].data());
+            toFaces_.template map<decltype(order)::value>
+            (
+                context_, grid_, rows_, particles(), d, affineField_ >= 0, opens() ? u_[d].data() : nullptr, before_[d].data(), mass_[d].data()
+            );
         });
         if (grid_.periodic[d])
         {
@@ -188,6 +209,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
+    if (opens()) pushOpenFaces(dt);
     if (bodies_) projectWithBodies(dt);
     else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects, &rows_);
     if (reflects) rows_.eachCellOfBoth(context_, WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
@@ -252,6 +274,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
             f.u[d] = carrier()[d].data();
             f.aperture[d] = aperture_[d].data();
             f.shift[d] = corrected ? shift_[d].data() : nullptr;
+            f.gate[d] = opens() ? openings_.gate[d].data() : nullptr;
         }
         f.nearWater = near_.data();
         f.timeStep = dt;
@@ -317,7 +340,7 @@ void PicSolver<Backend, D, P>::holdVolume()
     constexpr double largestShift = 0.1;        // of a cell, a step
     flying_ = sumOverWater<1>(CountFlying<D, real>{grid_, particles(), near_.data()})[0];
     const double particle = clock_.particleVolume/grid_.volume();
-    const double target = (n_ - flying_)*particle;
+    const double target = (n_ - flying_)*particle + (opens() ? openBalance()/grid_.volume() : 0);
     double sums[3];
     volume_ = waterVolume(sums);                                    // until the loop over steps ends and asks again
     const double slope = (sums[2] - sums[1])/(0.1*grid_.h);         // dV/d(-phi)
@@ -340,12 +363,14 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
 {
     const double before = clock_.steps ? clock_.lastStep : 0;
     if (insideMoves_ && !cutForStep_) cutGrid(clock_.time, dt);
+    if (opens()) setOpenFaces(clock_.time);
     if (bodies_) bodies_->predict(dt, before);
     clock_.lastKick = kick(dt);
     project(clock_.lastKick, dt);
     toParticles(clock_.lastKick);
     if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
     moveParticles(dt);
+    if (opens()) letIn(dt);
     if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
     moveSurface(dt, report);
     holdVolume();

@@ -84,6 +84,27 @@ near foamVolume volume/0/volFieldValue.dat 2 1e-4 1e-9
 near foamFloor floor/0/surfaceFieldValue.dat 2 490.5 0.2            # 0.05 m deep
 good; rm -rf 0.05 0.1 postProcessing
 
+# A channel with a given flow on one side and a level on the other: 0.05 m deep at 0.2 m/s; steady, and exact when continued
+block 0.2 0.1 0.01 '20 10 1' "in { type patch; faces ((0 4 7 3)); } out { type patch; faces ((1 2 6 5)); } $lower $open $flat"
+good; control ''
+dictionary system/setParticlesDict <<<"spacing 0.005; regions ( pool { set fluid; source box; box (0 0 -1) (0.2 0.05 1); velocity (0.2 0 0); pressure hydrostatic; } );"
+setParticles >log 2>&1
+pic 'openings { in { type flowRate; flowRate 1e-4; } out { type level; level table ((0 0.05) (1 0.05)); } }'
+control "endTime 0.2; functions { gauges { type waterLevel; $library points ((0.1 0 0)); } energy { type energyBalance; $library } }"
+riprapFoam >log 2>&1; says openings.run '^End'
+says openings.passed 'Opening in: particles in = [1-9][0-9]*, out = 0, volume in all = 0.00[0-9]*'
+near channelLevel gauges/0/waterLevel.dat level0 0.05 5e-4
+near channelSpeed energy/0/energyBalance.dat maxSpeed 0.2 0.01
+mkdir whole; cp -r 0.2 whole
+rm -rf 0.1[0-9]* 0.2
+riprapFoam >log 2>&1
+for file in p lagrangian/fluid/positions uniform/riprap/picState
+do
+    cmp -s "0.2/$file" "whole/0.2/$file" && pass "openings.restart.$file" || fail "openings.restart.$file" "0.2/$file is not what one run writes"
+done
+rm -rf whole 0.05 0.1 0.1[0-9]* 0.2 postProcessing
+tank2; good
+
 # Entries
 while IFS=$'\t' read -r name message entries
 do

@@ -67,8 +67,8 @@ TEST_P(PicEconomy, WhatIsOffCostsNothing)
     const Cost plain = cost(c);
     none(plain, implicitViscosity);
     none(plain, solids);
-    none(plain, {"diffuse", "copyPeriodic"});
-    EXPECT_EQ(plain.arrays.count("absorb") + plain.arrays.count("viscosity"), 0u);
+    none(plain, {"diffuse", "copyPeriodic", "setOpenFaces", "pushOpenFaces", "readOpenFaces"});
+    EXPECT_EQ(plain.arrays.count("absorb") + plain.arrays.count("viscosity") + plain.arrays.count("openings"), 0u);
     // apertures of the faces alone: no velocities of walls, no distances, no open parts of cells
     EXPECT_EQ(plain.bytes.at("walls"), faces(c)*(mixed() ? sizeof(float) : sizeof(double)));
 

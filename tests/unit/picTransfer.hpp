@@ -109,7 +109,7 @@ struct Cloud
         map.prepare(context, grid, sort);
         water.upload(context, std::vector<R>(grid.cells(), R(-1)));
         rows.find(context, grid, map.occupied(), water.data(), sort);
-        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, rows, view(), d, affine, u[d].data(), mass[d].data());
+        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, rows, view(), d, affine, nullptr, u[d].data(), mass[d].data());
     }
 
     Vec<D, double> faceAt(int d, int i) const

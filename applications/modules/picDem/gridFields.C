@@ -6,7 +6,7 @@ Description
     p, U and alpha.water on the mesh. U is the mean of a cell's faces; p and U
     are 0 where there is no water. On walls p is that of the cell and what its
     water weighs down to there, so that forces on patches are of second order;
-    on open patches it is 0.
+    on patches that are open to the atmosphere it is 0.
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
@@ -97,7 +97,12 @@ void Foam::solverModules::picDem::setWallPressure()
         const scalarField inside(p_->boundaryField()[patchi].patchInternalField());
         const vectorField down(patch.Cf() - patch.Cn());
         scalarField wall(patch.size(), Zero);
-        if (isA<wallPolyPatch>(patch.patch()))
+        bool opening = false;
+        for (const riprap::PicOpening& o : c.openings)
+        {
+            opening = opening || o.name == patch.name();
+        }
+        if (opening || isA<wallPolyPatch>(patch.patch()))
         {
             forAll(wall, i)
             {

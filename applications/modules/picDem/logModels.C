@@ -23,6 +23,7 @@ Foam::wordList Foam::solverModules::picDem::modelsOff() const
     off.append("surfaceTension");
     if (c.reflection == 0) off.append("reflection");
     if (c.absorbers.empty()) off.append("absorb");
+    if (c.openings.empty()) off.append("openings");
     if (c.positionCorrection == 0) off.append("positionCorrection");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
@@ -76,6 +77,11 @@ void Foam::solverModules::picDem::logModels() const
     {
         logItem("absorb") << zone.name.c_str() << ", " << zone.rate << " 1/s"
             << nl;
+    }
+    for (const riprap::PicOpening& opening : c.openings)
+    {
+        logItem("opening") << opening.name.c_str() << ", "
+            << picNames::opening[opening.kind] << nl;
     }
     if (obstacles_.valid())
     {

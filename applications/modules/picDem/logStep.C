@@ -31,6 +31,14 @@ void Foam::solverModules::picDem::report()
         << report_.volumeError << ", put right so far = "
         << report_.volumeDrift << endl;
 
+    for (std::size_t k = 0; k < report_.passed.size(); ++k)
+    {
+        const riprap::PicPassage& p = report_.passed[k];
+        Info<< "Opening " << settings_.config.openings[k].name.c_str()
+            << ": particles in = " << label(p.in) << ", out = " << label(p.out)
+            << ", volume in all = " << p.volume << endl;
+    }
+
     if (!report_.pressureConverged)
     {
         WarningInFunction

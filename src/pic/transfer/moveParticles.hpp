@@ -107,6 +107,7 @@ struct MoveParticles
     const R* aperture[D];
     const unsigned char* nearWater;
     const R* shift[D];          // what position correction adds [m]; nullptr: none
+    const unsigned char* gate[D];       // closed faces of the sides through which water leaves; nullptr: there are none
     double timeStep;
     int order;                  // 2 or 3
     bool inside;                // are there closed faces inside the block?
@@ -171,7 +172,8 @@ private:
         const bool low = x < margin, high = x > length - margin;
         if (!low && !high) return x;
         c.c[d] = low ? 0 : grid.n[d];
-        if (aperture[d][grid.face(d, c)] > R(0)) return x;
+        const int face = grid.face(d, c);
+        if (aperture[d][face] > R(0) || (gate[d] && gate[d][face])) return x;
         R& v = particles.v[d][i];
         if (low ? v < 0 : v > 0) v = 0;
         return low ? margin : length - margin;

@@ -4,7 +4,7 @@
 
     in units of a particle's mass; C_p only with APIC (Jiang et al. 2015, Eqs. 8-10). W, a product of B-splines, sums to one over the faces: mass and momentum
     are conserved to round-off, and with APIC angular momentum about the nodes. At the sides of the block images of the particles count as well (mirror.hpp):
-    the mass stays, the wall takes momentum. What runs along a side that water sticks to has no image: the particles' gradients tell what it is there.
+    the mass stays, the wall takes momentum; where water comes in by a side that moves with w, images have 2 w - v. What runs along a side that water sticks to has no image: the particles' gradients tell what it is there.
 
     In two passes, so that the weights of a particle are found once: a block of threads takes a tile of 64 cells, each of which sums its own particles over the faces that
     they can see; then cell by cell of that neighbourhood all of them add theirs to the tile's sums, different cells to different faces. Each face adds what the
@@ -209,6 +209,7 @@ struct GatherTiles
     const int* placeOf;         // of a tile among those that have particles; -1: it has none
     int component;
     const FaceSum<R>* sums;
+    const R* last;              // velocities of the step before, which sides have; nullptr: sides rest
     R* u;                       // velocity [m/s], 0 where no particle is near
     R* mass;                    // in particles
 
@@ -231,11 +232,19 @@ private:
         int images[3] = {1, 1, 1};
         for (auto& axis : sign) for (R& one : axis) one = 1;
         for (int a = 0; a < D; ++a) images[a] = imagesOf(a, at.c[a], place[a], sign[a]);
+        const int own = component;
         for (int k = 0; k < images[2]; ++k)
             for (int j = 0; j < images[1]; ++j)
                 for (int i = 0; i < images[0]; ++i)
-                    addTiles(typename UniformGrid<D>::Index{{place[0][i], place[1][j], place[2][k]}},
-                        sign[0][i]*sign[1][j]*sign[2][k], m, mv);
+                {
+                    const R before = m, odd = sign[0][i]*sign[1][j]*sign[2][k];
+                    const typename UniformGrid<D>::Index image{{place[0][i], place[1][j], place[2][k]}};
+                    addTiles(image, odd, m, mv);
+                    if (!last || !(odd < 0)) continue;
+                    typename UniformGrid<D>::Index side = at;
+                    side.c[own] = image.c[own] < at.c[own] ? 0 : grid.n[own];
+                    mv += 2*last[grid.face(own, side)]*(m - before);
+                }
     }
 
     HD int low(int a) const { return a == component ? Seen::low : Seen::lowAcross; }
@@ -306,12 +315,12 @@ public:
     //- After the particles were sorted: which tiles have any. sort: theirs
     void prepare(Context<Backend>& context, const UniformGrid<D>& grid, CellSort<Backend>& sort) { occupied_.find(context, grid, sort); }
 
-    //- Velocity u and mass of the faces of one direction that rows have
+    //- Velocity u and mass of the faces of one direction that rows have. last: what sides have that move, nullptr: they rest
     template<int Order>
     void map
     (
         Context<Backend>& context, const UniformGrid<D>& grid, const ActiveRows<Backend, D>& rows, const PicParticles<D, R>& particles, int component,
-        bool affine, R* u, R* mass
+        bool affine, const R* last, R* u, R* mass
     )
     {
         const CellTiles<D>& tiles = occupied_.tiles();
@@ -326,7 +335,7 @@ public:
         if (component == 0) sumAlong(std::integral_constant<int, 0>());
         else if (component == 1) sumAlong(std::integral_constant<int, 1>());
         else if constexpr (D == 3) sumAlong(std::integral_constant<int, 2>());
-        rows.eachFaceOfBoth(context, component, GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), u, mass});
+        rows.eachFaceOfBoth(context, component, GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), last, u, mass});
     }
 
     const OccupiedTiles<Backend, D>& occupied() const { return occupied_; }

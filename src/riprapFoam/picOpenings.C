@@ -1,0 +1,170 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "picOpenings.H"
+#include "checkedDictionary.H"
+#include "Function1.H"
+#include "listed.H"
+#include "picNames.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Of type patch itself: walls, cyclics and empty ones are derived from it
+static void requirePatch
+(
+    const dictionary& dict,
+    const word& name,
+    const polyMesh& mesh
+)
+{
+    DynamicList<word> open;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.type() == polyPatch::typeName)
+        {
+            open.append(patch.name());
+        }
+    }
+    if (!open.found(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no patch " << name << " of type patch; the mesh has "
+            << listed(wordList(open)).c_str() << exit(FatalIOError);
+    }
+}
+
+
+template<class Type>
+static std::shared_ptr<Function1<Type>> series
+(
+    checkedDictionary& dict,
+    const word& opening,
+    const word& entry,
+    const char* what
+)
+{
+    if (!dict.found(entry))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Opening " << opening << " needs " << entry << ", " << what
+            << exit(FatalIOError);
+    }
+    dict.subDict(entry + "Coeffs");
+    return std::shared_ptr<Function1<Type>>
+    (
+        Function1<Type>::New(entry, dict.dict()).ptr()
+    );
+}
+
+
+static std::function<scalar(scalar)> heights
+(
+    checkedDictionary& dict,
+    const word& opening,
+    const riprap::PicConfig& config
+)
+{
+    scalar g2 = 0;
+    for (int d = 0; d < config.dimensions; ++d)
+    {
+        g2 += sqr(config.gravity[config.axes[d]]);
+    }
+    if (!(g2 > 0))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Opening " << opening << " has a level, and there is no gravity"
+            << " that says what is up" << exit(FatalIOError);
+    }
+    const auto level =
+        series<scalar>(dict, opening, "level", "a height against gravity [m]");
+    return [level](scalar t) { return level->value(t); };
+}
+
+
+static riprap::PicOpening readOpening
+(
+    const dictionary& entries,
+    const word& name,
+    const polyMesh& mesh,
+    const riprap::PicConfig& config
+)
+{
+    using riprap::OpeningKind;
+    checkedDictionary dict(entries);
+    riprap::PicOpening opening;
+    opening.name = name;
+
+    if (!dict.found("type"))
+    {
+        FatalIOErrorInFunction(entries)
+            << "Opening " << name << " needs a type, one of "
+            << listed(picNames::opening.toc()).c_str() << exit(FatalIOError);
+    }
+    opening.kind = dict.choice("type", picNames::opening, OpeningKind::level);
+
+    if (opening.kind == OpeningKind::velocity)
+    {
+        const auto u =
+            series<vector>(dict, name, "velocity", "a vector [m/s]");
+        opening.velocity = [u](scalar t)
+        {
+            const vector v(u->value(t));
+            return riprap::Vector3{{v.x(), v.y(), v.z()}};
+        };
+    }
+    else if (opening.kind == OpeningKind::flowRate)
+    {
+        const auto rate =
+            series<scalar>(dict, name, "flowRate", "into the mesh [m3/s]");
+        const scalar thickness =
+            config.dimensions == 2 ? mesh.bounds().span()[config.axes[2]] : 1;
+        opening.flowRate = [rate, thickness](scalar t)
+        {
+            return rate->value(t)/thickness;
+        };
+    }
+
+    if (opening.kind == OpeningKind::level || dict.found("level"))
+    {
+        opening.level = heights(dict, name, config);
+    }
+    dict.end();
+    return opening;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::readOpenings
+(
+    const dictionary& openings,
+    const polyMesh& mesh,
+    riprap::PicConfig& config
+)
+{
+    for (const entry& e : openings)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(openings)
+                << "Entry " << e.keyword() << " must be a dictionary: a patch"
+                << " through which water comes and goes" << exit(FatalIOError);
+        }
+        requirePatch(openings, e.keyword(), mesh);
+        config.openings.push_back
+        (
+            readOpening(e.dict(), e.keyword(), mesh, config)
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,224 @@
+/*  Openings of the sides of PIC: steady flow in a channel, a basin that is filled, water that follows the level beyond, exact restart.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "picSceneTest.hpp"
+#include "pic/openings/inflow.hpp"
+
+namespace riprap
+{
+namespace
+{
+
+class PicOpenings : public PicSceneTest
+{
+protected:
+
+    static bool everywhere(double, double) { return true; }
+
+    //- Which opening each face of the lower and the upper side along x belongs to, -1: none
+    PicWalls sides(const PicConfig& c, int lower, int upper) const
+    {
+        PicWalls w;
+        const int n = c.cells[0], rows = c.cells[1]*c.cells[2];
+        w.opening[0].assign((n + 1)*rows, -1);
+        for (int j = 0; j < rows; ++j)
+        {
+            w.opening[0][(n + 1)*j] = lower;
+            w.opening[0][(n + 1)*j + n] = upper;
+        }
+        return w;
+    }
+
+    static std::function<double(double)> constant(double value) { return [value](double) { return value; }; }
+
+    static PicOpening level(const char* name, double height)
+    {
+        PicOpening o;
+        o.name = name;
+        o.kind = OpeningKind::level;
+        o.level = constant(height);
+        return o;
+    }
+
+    static PicOpening flow(const char* name, double rate)
+    {
+        PicOpening o;
+        o.name = name;
+        o.kind = OpeningKind::flowRate;
+        o.flowRate = constant(rate);
+        return o;
+    }
+
+    static PicOpening velocity(const char* name, double along)
+    {
+        PicOpening o;
+        o.name = name;
+        o.kind = OpeningKind::velocity;
+        o.velocity = [along](double) { return Vector3{{along, 0, 0}}; };
+        return o;
+    }
+
+    static std::unique_ptr<PicScene> open(const PicConfig& c, const FluidInput& f, const PicWalls& w) { return createPicScene(c, f, w); }
+
+    static double fastest(PicScene& s)
+    {
+        double v = 0;
+        for (const double u : s.fluid().velocity) v = std::max(v, std::abs(u));
+        return v;
+    }
+
+    //- Height at which half of the water is air, above (x, z)
+    static double surface(PicScene& s, double x, double z)
+    {
+        double low = 0, high = 1;
+        for (int k = 0; k < 40; ++k)
+        {
+            const double y = 0.5*(low + high);
+            (s.sample({x, y, z}).volumeFraction[0] > 0.5 ? low : high) = y;
+        }
+        return low;
+    }
+};
+
+RIPRAP_ALL_SETUPS(PicOpenings);
+
+//- A stream of uniform velocity and depth is a solution: given on one side, held by the level or carried off on the other. Whatever the
+//  level's place in a cell; water changes once
+TEST_P(PicOpenings, AStreamStaysUniform)
+{
+    if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
+    constexpr double u = 0.8;
+    for (const double depth : {0.5, 0.52, 0.545})
+        for (const bool byFlow : {true, false})
+        {
+            PicConfig c = config(D() == 2 ? 16 : 8);
+            c.spacing = 0.1*c.cellSize;
+            if (D() == 3)
+            {
+                c.spacing = 0.25*c.cellSize;
+                if (depth != 0.5) continue;
+            }
+            c.openings = byFlow ? std::vector<PicOpening>{flow("river", u*depth), level("sea", depth)}
+                : std::vector<PicOpening>{velocity("river", u), velocity("weir", u)};
+            FluidInput f = box(c, {{0, 0, 0}}, {{1, depth, 1}}, everywhere);
+            for (std::size_t i = 0; i < f.position.size()/3; ++i) f.velocity[3*i] = u;
+            const auto s = open(c, f, sides(c, 0, 1));
+            const std::size_t before = s->fluid().id.size();
+            const double t = 1.25;
+            const PicReport r = s->advance(t);
+            const FluidState state = s->fluid();
+            double worst = 0;
+            for (std::size_t i = 0; i < state.id.size(); ++i)
+                for (int d = 0; d < D(); ++d) worst = std::max(worst, std::abs(state.velocity[3*i + d] - (d ? 0 : u)));
+            EXPECT_LT(worst, 0.02*u) << depth << ' ' << byFlow;
+            EXPECT_NEAR(surface(*s, 0.5, 0.5), depth, 0.1*c.cellSize) << depth << ' ' << byFlow;
+            ASSERT_EQ(r.passed.size(), 2u);
+            EXPECT_TRUE(r.escaped.empty());
+            const double all = double(before)*u*t;
+            EXPECT_NEAR(double(r.passed[0].in), all, 0.02*all) << depth << ' ' << byFlow;
+            EXPECT_NEAR(double(r.passed[1].out), all, 0.04*all) << depth << ' ' << byFlow;
+            EXPECT_EQ(r.passed[0].out + r.passed[1].in, 0);
+            EXPECT_EQ(std::int64_t(state.id.size()), std::int64_t(before) + r.passed[0].in - r.passed[1].out);
+        }
+}
+
+//- dh/dt = Q/A
+TEST_P(PicOpenings, ABasinIsFilled)
+{
+    if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
+    PicConfig c = config(D() == 2 ? 16 : 8);
+    c.openings = {flow("pump", 0.1)};
+    const auto s = open(c, box(c, {{0, 0, 0}}, {{1, 0.25, 1}}, everywhere), sides(c, 0, -1));
+    const PicReport r = s->advance(2);
+    EXPECT_NEAR(r.passed[0].volume, 0.2, 1e-6*0.2);
+    EXPECT_NEAR(r.volume, 0.45, 1e-3*0.45);
+    EXPECT_LT(std::abs(r.volumeError), 1e-3);
+    double mean = 0;
+    for (const double x : {0.3, 0.5, 0.7, 0.9}) mean += 0.25*surface(*s, x, 0.5);
+    EXPECT_NEAR(mean, 0.45, 0.3*c.cellSize);
+    std::vector<std::int32_t> id = s->fluid().id;
+    std::sort(id.begin(), id.end());
+    EXPECT_TRUE(std::adjacent_find(id.begin(), id.end()) == id.end());
+}
+
+//- As much beyond as inside: rest
+TEST_P(PicOpenings, EqualLevelsRest)
+{
+    if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
+    for (const double depth : {0.5, 0.53})
+    {
+        PicConfig c = config(D() == 2 ? 16 : 8);
+        c.spacing = (D() == 2 ? 0.08 : 0.25)*c.cellSize;
+        const double filled = std::lround(depth/c.spacing)*c.spacing;
+        c.openings = {level("sea", filled)};
+        const auto s = open(c, box(c, {{0, 0, 0}}, {{1, filled, 1}}, everywhere), sides(c, -1, 0));
+        const PicReport r = s->advance(1);
+        EXPECT_LT(fastest(*s), 1e-6) << depth;
+        EXPECT_EQ(r.passed[0].in + r.passed[0].out, 0);
+    }
+}
+
+//- A basin beside water that stands higher, or lower, takes its level
+TEST_P(PicOpenings, ABasinTakesTheLevelBeyond)
+{
+    if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
+    for (const double beyond : {0.55, 0.35})
+    {
+        PicConfig c = config(16);
+        c.viscosity = 1000*0.02;
+        c.openings = {level("sea", beyond)};
+        const auto s = open(c, box(c, {{0, 0, 0}}, {{1, 0.45, 1}}, everywhere), sides(c, -1, 0));
+        const PicReport r = s->advance(10);
+        EXPECT_NEAR(r.volume, beyond, 0.3*c.cellSize) << beyond;
+        EXPECT_LT(std::abs(r.volumeError), 2e-3);
+    }
+}
+
+//- The same in two runs, to the bit, though a new scene begins with the particles of the first instant
+TEST_P(PicOpenings, ARunContinuesToTheBit)
+{
+    if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
+    PicConfig c = config(8);
+    c.jitter = 0.3;
+    c.openings = {flow("river", 0.4), level("sea", 0.5)};
+    FluidInput f = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, everywhere);
+    const auto once = open(c, f, sides(c, 0, 1));
+    once->advance(0.4);
+    const auto saved = once->saveState();
+    once->advance(0.8);
+    const auto again = open(c, f, sides(c, 0, 1));
+    again->loadState(saved);
+    again->advance(0.8);
+    EXPECT_EQ(once->saveState(), again->saveState());
+}
+
+//- Volumes that enter are kept to the last bit, and particles lie where the flow has taken them
+TEST(PicInflow, KeepsVolume)
+{
+    UniformGrid<2> g{};
+    g.h = 0.1;
+    g.n[0] = g.n[1] = 4;
+    OpenFace<2> f;
+    f.direction = 0;
+    f.corner.c[1] = 0.2;
+    f.wet = 0.6;
+    f.extent = g.h;
+    const double volume = 0.0025, q = 0.3, dt = 0.01;
+    std::vector<Vec<2, double>> places;
+    for (int k = 0; k < 1000; ++k) enter(f, g, q, dt, volume, 2, 1, true, 1e-4, places);
+    EXPECT_NEAR(double(places.size())*volume + f.kept, q*0.6*g.h*1000*dt, 1e-12);
+    EXPECT_LT(f.kept, volume);
+    for (const auto& x : places)
+    {
+        EXPECT_GT(x.c[0], 0);
+        EXPECT_LE(x.c[0], q*dt + 1e-12);
+        EXPECT_GT(x.c[1], 0.2);
+        EXPECT_LT(x.c[1], 0.26);
+    }
+    enter(f, g, -q, dt, volume, 2, 1, true, 1e-4, places);
+    EXPECT_NEAR(double(places.size())*volume + f.kept, q*0.6*g.h*1000*dt, 1e-12);
+}
+
+} // namespace
+} // namespace riprap
