@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Picture of a case's solids by ParaView, off-screen
 
-usage: [xvfb-run -a] pvbatch renderSolids.py CASE [field=NAME] [bonds] [box=X0,Y0,X1,Y1] [oblique] [columns=N] [TIME ...]
+usage: [xvfb-run -a] pvbatch renderSolids.py CASE [field=NAME] [bonds] [box=X0,Y0,X1,Y1] [oblique] [water] [columns=N] [TIME ...]
 
 Opens CASE/<name>.foam in ParaView's OpenFOAM reader, as a user would, draws each body of lagrangian/solids as a sphere of its radius, coloured by a field (default U,
 its magnitude), at the given times (default: the last), and saves CASE/<name>-solids.png.
-bonds: bodies in grey; over them the whole bonds of VTK/bonds as lines coloured by their tension, in a 2D case. box: the part to be seen. oblique: from the side and above.
+bonds: bodies in grey; over them the whole bonds of VTK/bonds as lines coloured by their tension, in a 2D case. box: the part to be seen. oblique: from the side and above. water: the surface where
+half of a cell is water (alpha.water), and the tank's outline.
 (pvbatch takes words that begin with - for its own.)
 """
 import glob
@@ -81,6 +82,16 @@ def drawBonds(view, bonds, scale, withBar, lift):
         bar(view, scale, [0.33, 0.06])
 
 
+def drawWater(view, tank):
+    surface = pv.Contour(Input=pv.CellDatatoPointData(Input=tank), ContourBy=['POINTS', 'alpha.water'], Isosurfaces=[0.5])
+    shown = pv.Show(surface, view)
+    shown.ColorArrayName = [None, '']
+    shown.DiffuseColor = shown.AmbientColor = [0.30, 0.55, 0.80]
+    shown.Opacity, shown.Specular = 0.45, 0.4
+    outline = pv.Show(pv.Outline(Input=tank), view)
+    outline.DiffuseColor = outline.AmbientColor = [0.2, 0.2, 0.2]
+
+
 def label(view, time, title):
     text = pv.Show(pv.Text(Text=f't = {time:.4g} s' + title), view)
     text.Color = [0, 0, 0]
@@ -96,7 +107,13 @@ def aim(view, bounds, shape, oblique):
     view.CameraFocalPoint = centre
     view.CameraPosition = [c + 3*max(size)*d/length for c, d in zip(centre, direction)]
     view.CameraViewUp = [0, 1, 0]
-    view.CameraParallelScale = 0.53*max(size[1], size[0]*shape[1]/shape[0])*(1.1 if oblique else 1)
+    # half of what the picture must hold, upwards and to the side
+    n = [d/length for d in direction]
+    up = [(i == 1) - n[1]*n[i] for i in range(3)]
+    up = [u/math.sqrt(sum(v*v for v in up)) for u in up]
+    side = [up[1]*n[2] - up[2]*n[1], up[2]*n[0] - up[0]*n[2], up[0]*n[1] - up[1]*n[0]]
+    high, wide = (sum(abs(a)*s for a, s in zip(axis, size)) for axis in (up, side))
+    view.CameraParallelScale = 0.53*max(high, wide*shape[1]/shape[0])
 
 
 def rangeOf(source, time, association, name):
@@ -116,10 +133,10 @@ class Options:
         if not words:
             sys.exit(__doc__)
         self.case, self.times = words[0], []
-        self.field, self.bonds, self.box, self.oblique, self.columns = 'U', False, None, False, 2
+        self.field, self.bonds, self.box, self.oblique, self.water, self.columns = 'U', False, None, False, False, 2
         for word in words[1:]:
             name, _, value = word.partition('=')
-            if name in ('bonds', 'oblique') and not value:
+            if name in ('bonds', 'oblique', 'water') and not value:
                 setattr(self, name, True)
             elif name == 'field' and value:
                 self.field = value
@@ -131,7 +148,7 @@ class Options:
                 try:
                     self.times.append(float(word))
                 except ValueError:
-                    sys.exit(f"renderSolids.py: '{word}' is no time and none of field=NAME, bonds, box=X0,Y0,X1,Y1, oblique, columns=N")
+                    sys.exit(f"renderSolids.py: '{word}' is no time and none of field=NAME, bonds, box=X0,Y0,X1,Y1, oblique, water, columns=N")
 
 
 def main():
@@ -170,6 +187,8 @@ def main():
         view.ViewTime = time
         plain(view)
         drawBodies(view, particles, None if o.bonds else o.field, scale, i == 0)
+        if o.water:
+            drawWater(view, tank)
         if o.bonds:
             drawBonds(view, sources[i], scale, i == 0, bounds[5] - bounds[4] + 0.05*(bounds[1] - bounds[0]))
         label(view, time, '' if i else ';  colour: ' + title)

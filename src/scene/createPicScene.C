@@ -87,7 +87,6 @@ void makeSolids(const PicConfig& c, DeviceKind device, PicInside& inside)
 {
     if (!inside.solids) return;
     const PicSolids& s = *inside.solids;
-    require(!(s.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
     require(s.contactVelocity >= 0 && s.contactVelocity <= 1, "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
     const std::vector<double>& r = s.input.particles.radius;
     for (std::size_t i = 0; i < r.size(); ++i)

@@ -76,6 +76,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
         else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
         else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h)) report.stop = StopReason::solids;
+        else if (bodies_ && bodies_->acrossPeriodic(grid_)) report.stop = StopReason::solids;
         if (report.stop != StopReason::none) { findOffender(report, courant); break; }
         // equal steps to the target; the last one ends there to the bit
         const double left = t - clock_.time;

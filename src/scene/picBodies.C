@@ -42,7 +42,8 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     verlet_(solids.config.integrator == DemIntegratorKind::velocityVerlet),
     clumps_(!solids.input.clumps.empty()),
     weak_(solids.weak),
-    beta_(solids.contactVelocity)
+    beta_(solids.contactVelocity),
+    stir_(solids.config.sleepAfter > 0 ? solids.config.sleepSpeed/solids.config.sleepAfter : 0)
 {
     for (int d = 0; d < 3; ++d) axes_[d] = config.axes[d];
     for (int d = 0; d < D; ++d) gravity_[d] = config.gravity[axes_[d]];
@@ -170,6 +171,26 @@ void PicBodies<D>::read()
 }
 
 template<int D>
+bool PicBodies<D>::sleeps(const Now& n) const
+{
+    bool still = stir_ > 0 && memory_[n.body].begun && all_[n.body].clump < 0 && groups_[all_[n.body].group].motion < 0;
+    for (const double v : n.velocity) still = still && v == 0;
+    return still;
+}
+
+//- Does the water's force on a sleeper differ from what it got by more than it sleeps through?
+template<int D>
+bool PicBodies<D>::stirred(const Now& n) const
+{
+    const Body& b = all_[n.body];
+    const Memory& m = memory_[n.body];
+    const double radius = bodies_[&n - now_.data()].reach;
+    double change = 0;
+    for (int k = 0; k < modes; ++k) change += std::abs(m.force[k] - m.given[k])/(k < D ? 1 : radius);
+    return change > stir_*b.mass;
+}
+
+template<int D>
 void PicBodies<D>::predict(double dt, double before)
 {
     const double kick = before > 0 ? 0.5*(before + dt) : 0.5*dt;
@@ -178,6 +199,13 @@ void PicBodies<D>::predict(double dt, double before)
         const Body& b = all_[n.body];
         const DemGroup& group = groups_[b.group];
         Memory& m = memory_[n.body];
+        n.asleep = before > 0 && sleeps(n);
+        if (n.asleep)                           // a wall
+        {
+            n.inverse.fill(0);
+            n.predicted.fill(0);
+            continue;
+        }
         if (group.motion >= 0 && motion_)
         {
             const RigidMotion r = motion_(group.motion, scene_.time() + 0.5*dt);
@@ -301,9 +329,17 @@ void PicBodies<D>::send() { scene_.setExternalForces(forces_, moments_); }
 template<int D>
 void PicBodies<D>::push(double before, double lag, double kick)
 {
-    for (const Now& n : now_)
+    for (Now& n : now_)
     {
         Memory& m = memory_[n.body];
+        if (n.asleep)
+        {
+            n.asleep = !stirred(n);
+            m.start.fill(0);
+            m.begun = n.asleep;
+            put(n, n.asleep ? m.given : m.force);
+            continue;
+        }
         Modes change{}, force{};
         for (int k = 0; k < modes; ++k) change[k] = 0.5*before*(m.force[k] - m.old[k]);
         const Modes jump = times(n, change);
@@ -321,7 +357,12 @@ void PicBodies<D>::push(double before, double lag, double kick)
 template<int D>
 void PicBodies<D>::hold()
 {
-    for (const Now& n : now_) put(n, memory_[n.body].force);
+    for (const Now& n : now_)
+    {
+        Memory& m = memory_[n.body];
+        if (!n.asleep) m.given = m.force;
+        put(n, m.given);
+    }
     send();
 }
 
@@ -338,6 +379,18 @@ double PicBodies<D>::fastest() const
         if (!(speed <= most)) most = speed;         // no number stays
     }
     return most;
+}
+
+template<int D>
+bool PicBodies<D>::acrossPeriodic(const UniformGrid<D>& grid) const
+{
+    for (const auto& b : bodies_)
+        for (int d = 0; d < D; ++d)
+        {
+            const double low = b.centre[d] - b.reach - grid.origin[d], high = grid.n[d]*grid.h - (b.centre[d] + b.reach - grid.origin[d]);
+            if (grid.periodic[d] && (low < 0 || high < 0)) return true;
+        }
+    return false;
 }
 
 //- Where solids touch each other or walls, in the middle of what is left between them
@@ -383,7 +436,7 @@ std::vector<double> PicBodies<D>::memory() const
     std::vector<double> v;
     for (const Memory& m : memory_)
     {
-        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle}) v.insert(v.end(), a->begin(), a->end());
+        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) v.insert(v.end(), a->begin(), a->end());
         v.push_back(m.begun);
     }
     return v;
@@ -392,13 +445,13 @@ std::vector<double> PicBodies<D>::memory() const
 template<int D>
 bool PicBodies<D>::setMemory(const std::vector<double>& v)
 {
-    constexpr std::size_t each = 4*modes + 1;
+    constexpr std::size_t each = 5*modes + 1;
     if (v.size() != each*memory_.size()) return false;
     for (std::size_t b = 0; b < memory_.size(); ++b)
     {
         const double* from = &v[b*each];
         Memory& m = memory_[b];
-        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle}) { std::copy(from, from + modes, a->begin()); from += modes; }
+        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) { std::copy(from, from + modes, a->begin()); from += modes; }
         m.begun = *from != 0;
     }
     return true;

@@ -14,6 +14,9 @@
     hit the water many times as hard as the body. Here it is the smaller of that force and the mean over the step before, 0 where they do not agree in
     direction: contacts that last are foreseen, blows are not.
 
+    Solids at rest sleep, where they may (dem/motion/sleep.hpp): the water sees them as walls, and they feel the force under which they fell asleep until the water's differs from it by what
+    would set them in motion faster than v_s within the time after which they sleep. Who sleeps has velocity 0 to the bit, which nobody has who is pushed.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
@@ -93,6 +96,7 @@ public:
     void endDrag(double dt, double viscosity, const std::vector<BodyTerm>&);
 
     double fastest() const;                     // [m/s], the turning surface's
+    bool acrossPeriodic(const UniformGrid<D>&) const;       // does one reach across a periodic side? The grid would see a part of it alone
     bool finite() const { return finite_; }     // is the water's force on all of them a number?
     double contactVelocity() const { return beta_; }
     std::vector<ContactArea<D>> contacts(const UniformGrid<D>&) const;
@@ -113,7 +117,7 @@ private:
     };
 
     //- Of a body between two steps
-    struct Memory { Modes force{}, old{}, start{}, middle{}; bool begun = false; };
+    struct Memory { Modes force{}, old{}, start{}, middle{}, given{}; bool begun = false; };      // given: to the solid, last
 
     //- Of those that are there
     struct Now
@@ -122,6 +126,7 @@ private:
         Modes velocity{}, total{}, predicted{}, drag{};
         std::array<double, modes*modes> inverse{};
         Vec<3, double> arm{{0, 0, 0}};          // from the centre to the particle that carries the force
+        bool asleep = false;
     };
 
     Modes times(const Now& n, const Modes& force) const;
@@ -131,6 +136,8 @@ private:
     double spinSign() const;
     std::vector<double> forces_, moments_;
     void put(const Now&, const Modes& force);
+    bool sleeps(const Now&) const;
+    bool stirred(const Now&) const;
     void send();
 
     int axes_[3];
@@ -144,6 +151,7 @@ private:
     std::vector<FreeBody<D, Shape>> bodies_;
     bool verlet_ = false, clumps_ = false, weak_ = false, finite_ = true;
     double beta_ = 1;
+    double stir_ = 0;                           // [m/s2] change of acceleration that wakes; 0: nobody sleeps
     std::vector<Ball<D>> ballOfId_;
     int largestId_ = 0;
 };

@@ -178,6 +178,86 @@ TEST_P(PicSolidScene, RestsOnTheFloorAndContinuesToTheBit)
     EXPECT_LT(std::abs(r.volumeError), 1e-3);
 }
 
+//- A ball on the floor falls asleep in still water; a wave that another one makes, which begins to move far away, wakes it before anything touches it
+TEST_P(PicSolidScene, SleepsAtRestAndWakesByFlow)
+{
+    if (D() == 3) GTEST_SKIP() << "seconds saved";
+    PicConfig c = config(32);
+    const double a = 2.6*c.cellSize, begins = 0.6;
+    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    auto solids = balls(c, {{{0.7, a, 0.5}}, {{0.2, 0.2, 0.5}}}, a, 2700);
+    solids->input.pairs[0].properties.friction = 0.5;
+    DemWall floor;
+    floor.plane = true;
+    floor.normal = {{0, 1, 0}};
+    solids->input.walls.push_back(floor);
+    solids->input.groups.resize(2);
+    solids->input.groups[1].motion = 0;
+    solids->input.particles.group = {0, 1};
+    solids->input.groupMotion = [&](int, double t)
+    {
+        RigidMotion m;
+        m.centre = {{0.2 + 0.5*std::max(0.0, t - begins), 0.2, 0.5}};
+        m.velocity[0] = t < begins ? 0 : 0.5;
+        return m;
+    };
+    solids->config.sleepSpeed = 0.02;
+    solids->config.sleepAfter = 0.1;
+    PicInside inside;
+    inside.solids = solids;
+    const auto s = createPicScene(c, water, PicWalls(), &solver, std::move(inside));
+    EXPECT_EQ(s->advance(begins).stop, StopReason::none);
+    EXPECT_EQ(s->solids()->lastReport().asleep, 1u);
+    s->advance(begins + 0.3);
+    EXPECT_EQ(s->solids()->lastReport().asleep, 0u);
+    const DemState now = s->solids()->particles();
+    const int sleeper = now.id[0] == 0 ? 0 : 1, mover = 1 - sleeper;
+    EXPECT_GT(std::abs(now.position[3*sleeper] - 0.7), 1e-4);
+    EXPECT_GT(now.position[3*sleeper] - now.position[3*mover], 3*a) << "not by contact";
+}
+
+//- Of a solid across a periodic side the grid would see a part alone
+TEST_P(PicSolidScene, IsStoppedAtAPeriodicSide)
+{
+    if (D() == 3) GTEST_SKIP() << "seconds saved";
+    PicConfig c = config(16);
+    c.gravity = {{0, 0, 0}};
+    c.periodic[0] = true;
+    auto solids = balls(c, {{{0.8, 0.5, 0.5}}}, 0.15, 1000);
+    solids->input.particles.velocity = {0.5, 0, 0};
+    PicInside inside;
+    inside.solids = solids;
+    const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+    EXPECT_EQ(s->advance(0.05).stop, StopReason::none);
+    const PicReport r = s->advance(1);
+    EXPECT_EQ(r.stop, StopReason::solids);
+    EXPECT_LT(r.time, 0.3);
+}
+
+//- From rest, in mixed precision, walls that slide are all that moves the water
+TEST_P(PicSolidScene, ShearFromRestTurnsANeutralCylinder)
+{
+    if (D() == 3) GTEST_SKIP() << "a plane flow";
+    PicConfig c = config(32);
+    c.gravity = {{0, 0, 0}};
+    c.periodic[0] = true;
+    c.noSlip = true;
+    c.viscosity = 0.02*c.density;
+    c.maxTimeStep = 0.02;
+    c.slide[1][0] = {{-0.5, 0, 0}};
+    c.slide[1][1] = {{0.5, 0, 0}};
+    PicInside inside;
+    inside.solids = balls(c, {{{0.5, 0.5, 0.5}}}, 0.125, 1000);
+    const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+    EXPECT_EQ(s->advance(3).stop, StopReason::none);
+    const DemState q = s->solids()->particles();
+    EXPECT_NEAR(q.position[0], 0.5, 1e-3);
+    EXPECT_NEAR(q.position[1], 0.5, 1e-3);
+    // less than half the shear rate, which is that of wide and slow shear: walls are near, and shear takes H^2/(pi^2 nu) = 5 s to settle
+    EXPECT_LT(-q.spin[2], 0.5);
+    EXPECT_GT(-q.spin[2], 0.35);
+}
+
 //- Water between a turning cylinder and a round tank that it sticks to (Couette): velocity, and the moment 4 pi mu w r^2 R^2/(R^2 - r^2)
 TEST_P(PicSolidScene, FeelsTheMomentOfWaterThatSticks)
 {

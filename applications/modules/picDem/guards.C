@@ -38,8 +38,10 @@ void Foam::solverModules::picDem::checkStop() const
     {
         FatalErrorInFunction
             << "Solids: their contacts stopped them (above), the water's force"
-            << " on one is not a number, or one would go "
-            << settings_.config.maxCourantEver << " cells in a step, at t = "
+            << " on one is not a number, one would go "
+            << settings_.config.maxCourantEver << " cells in a step, or one"
+            << " reaches across a periodic side, where picDem cannot follow"
+            << " it, at t = "
             << report_.time << " s." << nl << advice() << exit(FatalError);
     }
     else

@@ -31,14 +31,10 @@ def closest(x):
 
 
 def arrival(run):
-    """When a cylinder first touches the far wall, between two written times; nan: not yet"""
-    times, x = cylinders(run)
-    limit = tank(run, 'tank') - tank(run, 'gap') - radius
-    front = [p[:, 0].max() for p in x]
-    for k in range(1, len(times)):
-        if front[k] >= limit*(1 - 1e-3):
-            return times[k]
-    return float('nan')
+    """The first sample at which a cylinder touches the far wall; nan: not yet"""
+    motion = run.table('stack', 'groupMotion.dat')
+    there = motion['freeMaxX'] >= (tank(run, 'tank') - tank(run, 'gap'))*(1 - 1e-3)     # of their surfaces
+    return float(motion['Time'][np.argmax(there)]) if there.any() else float('nan')
 
 
 def water(run, k):
@@ -81,15 +77,30 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def layers(n):
-    """So many, at cells of 1 mm"""
-    return f'system/tank:stackHeight {0.002 + 0.01 + (n - 1)*0.0103924 + 0.0005:.6g}'
+def case(layers, beta, cell=0.001, gap=2):
+    """Gap in cells; lengths along which cylinders lie are stretched by it"""
+    gap *= cell
+    pitch = 2*radius + gap
+    nx = round(26*pitch/cell)
+    of = dict(cellSize=cell, gap=gap, pitch=pitch, tank=nx*cell, nx=nx, ny=round(0.3/cell), waterWidth=6*pitch + gap, stackWidth=6*pitch,
+              stackHeight=gap + 2*radius + (layers - 1)*pitch*0.75**0.5 + 0.5*cell)
+    text = '; '.join(f'system/tank:{key} {value:.8g}' for key, value in of.items())
+    return ['-set', f'contactVelocity {beta}; {text}; system/setParticlesDict:spacing {cell/2:.8g}; '
+            f'constant/solidProperties:pairs/default/cellSize {cell:.8g}; constant/solidProperties:pairs/default/gap {gap:.8g}']
 
 
+def fine(layers, beta):
+    """The paper's cells; the Courant number keeps the step of the coarser ones"""
+    options = case(layers, beta, 0.0005)
+    return [options[0], options[1] + '; system/controlDict:maxCo 1']
+
+
+every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in (('05', 0.5), ('1', 1))]
 Study(
     scene='damBreakCylinders',
-    variants=[Variant('6-beta05'), Variant('6-beta1', ['-set', 'contactVelocity 1'])]
-    + [Variant(f'{n}-beta{b}', ['-set', f'contactVelocity {v}; {layers(n)}']) for n in (8, 10, 12) for b, v in (('05', 0.5), ('1', 1))],
+    variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
+    + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)]
+    + [Variant(f'{n}-beta{name}-fine', fine(n, beta), large=True) for n, name, beta in every],
     quick=[Variant('6-quick', ['-endTime', '0.04'])],
     analyse=analyse,
     plot=plot,
