@@ -33,7 +33,7 @@ double SphSolver<Backend, D, P>::skinRatio() const
     if (!Backend::gpu) return 0.1;
     // small scenes are bound by launches, of which a rebuild has many
     const bool symplectic = config_.integrator == IntegratorKind::symplectic;
-    return n_ <= 24000 ? (symplectic ? 0.4 : 0.25) : (n_ <= 200000 ? 0.12 : 0.08);
+    return n_ <= 24000 ? (symplectic ? 0.5 : 0.35) : (n_ <= 200000 ? 0.2 : 0.09);
 }
 
 template<class Backend, int D, class P>
