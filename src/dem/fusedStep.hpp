@@ -9,7 +9,6 @@
 */
 #pragma once
 
-#include "core/prefetch.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/gatherPass.hpp"
 #include "dem/motion/mover.hpp"
@@ -42,31 +41,20 @@ struct FusedStep
     {
         if (!begins(i) || i >= *contacts.active) return;
         if (sleeping && (state.own[i].flags & Own::asleep)) return;
-        prefetchOwn(i);
         int material;
         const Vec<D, position> high = state.from.position(i);
         const ContactBody<D, real> self = state.from.body(i, material);
         Vec<D, real> force = filled<D>(real(0));
         Spin<D, real> moment = filled<spins<D>>(real(0));
+        // first, while there is little else in registers
+        if (state.own[i].flags & Own::nearWall) addWalls(i, self, material, force, moment);
         contacts.sum(i, high, self, material, real(now->dt), force, moment);
         const Own own = state.own[i];
-        if (own.flags & Own::nearWall) addWalls(i, self, material, force, moment);
         if (own.flags & Own::bonded) GatherBonds<D, P>::sum(bonds, bondForce, own.id, force, moment);
         move(i, high, self, own, material, force, moment);
     }
 
 private:
-
-    //- What the end of the step needs of its particle would take as long as a neighbour does, with nothing to do meanwhile
-    HD void prefetchOwn(int i) const
-    {
-        prefetch(state.own + i);
-        for (int d = 0; d < D; ++d)
-        {
-            prefetch(state.low[d] + i);
-            prefetch(mover.reference[d] + i);
-        }
-    }
 
     HD bool begins(int i) const
     {

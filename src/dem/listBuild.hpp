@@ -41,6 +41,7 @@ struct ContactSearch
     SizeClasses<D, P> classes;
     SolidRecords<D, P> solids;
     const int* start;           // first particle of each cell of all classes
+    const int* place;           // where the particles are that cells have side by side; null: just so
     const std::int32_t* clump;  // null: none
     const std::int32_t* id;
     BondTable bonds;
@@ -61,8 +62,9 @@ struct ContactSearch
             classes.grid[k].forEachRangeWithin(relative, distance, start + classes.firstCell[k], [&](int begin, int end)
             {
                 if (!Backend::gpu && begin <= i) begin = i + 1;
-                for (int j = begin; j < end; ++j)
+                for (int k = begin; k < end; ++k)
                 {
+                    const int j = Backend::gpu ? place[k] : k;
                     const SolidA<D, P> other = solids.a[j];
                     Vec<D, real> dx;
                     for (int d = 0; d < D; ++d) dx.c[d] = box.template separation<real>(d, xi.c[d], other.x[d]);
@@ -85,7 +87,7 @@ private:
     }
 };
 
-//- How many entries particles have; on the GPU also how many of them are near, which come first
+//- How many entries particles have (CPU)
 template<class Backend, int D, class P>
 struct CountContacts
 {
@@ -93,14 +95,12 @@ struct CountContacts
     ContactSearch<Backend, D, P> search;
     const int* active;
     int* count;
-    int* nearCount;             // null: not asked for
 
     HD void operator()(int i) const
     {
-        int k = 0, near = 0;
-        if (i < *active) search.forEachCandidate(i, [&](int, bool isNear) { ++k; near += isNear; });
+        int k = 0;
+        if (i < *active) search.forEachCandidate(i, [&](int, bool) { ++k; });
         count[i] = k;
-        if (nearCount) nearCount[i] = near;
     }
 };
 

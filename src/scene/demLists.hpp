@@ -10,16 +10,20 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::rebuild(bool fresh)
+void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     collectForces();
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
     forEach(context_, n_, keys);
     sort_.sort(context_, n_);
     bool forcesHold = true;
-    if constexpr (Backend::gpu) forcesHold = !parts_.moved;
-    fields_.permute(context_, sort_.order(), n_, fField_, forcesHold ? fField_ : mField_ + S);
-    if constexpr (Backend::gpu) parts_.frames.clear(context_);
+    if constexpr (Backend::gpu)
+    {
+        findPlaces(fresh, inPlace);
+        forcesHold = !parts_.moved;
+        parts_.frames.clear(context_);
+    }
+    if (!inPlace) fields_.permute(context_, newOrder(), n_, fField_, forcesHold ? fField_ : mField_ + S);
     forEach(context_, n_, PlaceSolids<D, P>{mover(), slotOf_.data()});
     settleFrames();
     if (nBonds_) forEach(context_, nBonds_, LoseBonds<D, P>{bondFields()});
@@ -33,13 +37,47 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh)
     blockContacts();
 }
 
+//- Which particle goes where
 template<class Backend, int D, class P>
-ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search()
+const std::uint32_t* DemSolver<Backend, D, P>::newOrder() const
+{
+    if constexpr (Backend::gpu) return parts_.order.data();
+    else return sort_.order();
+}
+
+//- On the GPU: lists are counted where particles still are, since their order follows from that
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_unused]] bool inPlace)
+{
+    if constexpr (Backend::gpu)
+    {
+        DemParts<Backend, D, P>& g = parts_;
+        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount}) if (a->size() == 0) a->allocate(context_, n_);
+        if (g.order.size() == 0) g.order.allocate(context_, n_);
+        oldList_.allocate(context_, n_);                // the new shape, for now
+        if (fresh) forEach(context_, n_, RecordPlaces<D, P>{box_, fields(), records_.view()});
+        const int* cellOrder = reinterpret_cast<const int*>(sort_.order());
+        if (nWalls_) countWalls();
+        const int* walls = nWalls_ ? g.foundWalls.data() : nullptr;
+        forEach(context_, n_, CountNeighbours<Backend, D, P>
+        {search(cellOrder), sort_.active(), walls, g.found.data(), g.foundNear.data(), g.cost.data()});
+        forEach(context_, n_, LikeWithLike
+        {
+            n_, sort_.active(), cellOrder, g.found.data(), g.foundNear.data(), walls, g.foundElements.data(), g.cost.data(), inPlace,
+            g.place.data(), inverse_.data(), g.order.data(), oldList_.count(), g.nearCount.data(), wallMemory_.entryFirst.data(),
+            wallMemory_.elementFirst.data()
+        });
+    }
+}
+
+//- place: where the particles are that cells have side by side
+template<class Backend, int D, class P>
+ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
 {
     const SolidFields<D, P> f = fields();
     return ContactSearch<Backend, D, P>
     {
-        box_, classes_, records_.view(), sort_.start(), f.clump, f.id, bondTable(), real(reach_),
+        box_, classes_, records_.view(), sort_.start(), place, f.clump, f.id, bondTable(), real(reach_),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
         real(largestGap_ + 0.5*double(halfSkin_))
     };
@@ -52,7 +90,7 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
     {
         list_.swap(oldList_);
         list_.allocate(context_, n_);
-        forEach(context_, n_, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count(), nullptr});
+        forEach(context_, n_, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count()});
         const int blocks = list_.blocks();
         forEach(context_, blocks, BlockEntries{list_.count(), list_.base(), list_.width});
         exclusiveScan(context_, scan_, list_.base(), blocks + 1);
@@ -80,25 +118,20 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
     {
         DemParts<Backend, D, P>& g = parts_;
         list_.allocate(context_, n_);
-        oldList_.allocate(context_, n_);                // the new shape, for now
-        g.nearCount.allocate(context_, n_);
         g.keptFirst.allocate(context_, std::size_t(n_) + 1);
         g.totals.allocate(context_, 5);
         const int blocks = list_.blocks();
         const ContactListView<Backend, real> old = list_.view();
         if (!fresh)
         {
-            forEach(context_, n_, InvertOrder{sort_.order(), inverse_.data()});
             forEach(context_, n_, KeepContacts<Backend, real, false>
-            {old, histories_, sort_.order(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
+            {old, histories_, newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
             exclusiveScan(context_, scan_, g.keptFirst.data(), n_ + 1);
         }
-        forEach(context_, n_, CountContacts<Backend, D, P>{search(), sort_.active(), oldList_.count(), g.nearCount.data()});
         forEach(context_, blocks, BlockEntries{oldList_.count(), oldList_.base(), list_.width});
         exclusiveScan(context_, scan_, oldList_.base(), blocks + 1);
         if (nWalls_)
         {
-            countWalls();
             g.wallListFirst.allocate(context_, std::size_t(n_) + 1);
             forEach(context_, n_, FlagNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data()});
             for (int* sums : {g.wallListFirst.data(), wallMemory_.entryFirst.data(), wallMemory_.elementFirst.data()})
@@ -121,7 +154,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
             }
             forEach(context_, n_, KeepContacts<Backend, real, true>
             {
-                old, histories_, sort_.order(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
+                old, histories_, newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
                 g.keptHistory.data()
             });
         }
@@ -129,7 +162,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         list_.reserve(context_, total[1], histories_, nBonds_ > 0);
         forEach(context_, n_, WriteFullLists<Backend, D, P>
         {
-            search(), sort_.active(), list_.view(), histories_, g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
+            search(g.place.data()), sort_.active(), list_.view(), histories_, g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
             g.keptPartner.data(), g.keptHistory.data()
         });
         if (!nWalls_) return;
@@ -149,8 +182,18 @@ void DemSolver<Backend, D, P>::countWalls()
     if (wallMotions_) forEach(context_, nWalls_, KeepWallReference{walls_.data()});
     m.entryFirst.allocate(context_, std::size_t(n_) + 1);
     m.elementFirst.allocate(context_, std::size_t(n_) + 1);
-    forEach(context_, n_, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr});
-    if constexpr (Backend::gpu) return;
+    if constexpr (Backend::gpu)
+    {
+        // where particles still are: their order follows
+        for (Array<Backend, int>* a : {&parts_.foundWalls, &parts_.foundElements}) if (a->size() == 0) a->allocate(context_, n_);
+        forEach(context_, n_, FindWalls<D, P, false>
+        {
+            wallSearch(), parts_.foundWalls.data(), parts_.foundElements.data(), nullptr, nullptr,
+            reinterpret_cast<const int*>(sort_.order())
+        });
+        return;
+    }
+    forEach(context_, n_, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
     exclusiveScan(context_, scan_, m.entryFirst.data(), n_ + 1);
     exclusiveScan(context_, scan_, m.elementFirst.data(), n_ + 1);
 }
@@ -199,11 +242,11 @@ void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
     }
     if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(context_, std::size_t(elements) + elements/8 + 1);
     forEach(context_, n_, FindWalls<D, P, true>
-    {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data()});
+    {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data(), nullptr});
     withLaw(config_, [&](auto law)
     {
         forEach(context_, n_, HandOverWalls<D, real, decltype(law)::template history<D>>
-        {wallMemory(oldWallMemory_), wallMemory(m), sort_.order(), sort_.active(), fresh});
+        {wallMemory(oldWallMemory_), wallMemory(m), newOrder(), sort_.active(), fresh});
     });
 }
 

@@ -383,6 +383,8 @@ std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
         put("solids", "fused steps", parts_.records.bytes() + parts_.low.bytes() + parts_.own.bytes() + parts_.frames.bytes());
         put("contacts", "rebuilding", parts_.nearCount.bytes() + parts_.keptFirst.bytes() + parts_.keptPartner.bytes()
           + parts_.keptHistory.bytes() + parts_.wallListFirst.bytes() + parts_.wallList.bytes());
+        put("solids", "order", parts_.place.bytes() + parts_.order.bytes() + parts_.cost.bytes() + parts_.found.bytes()
+          + parts_.foundNear.bytes() + parts_.foundWalls.bytes() + parts_.foundElements.bytes());
     }
     put("bonds", "bonds", bondIds_[0].bytes() + bondIds_[1].bytes() + bondType_.bytes() + bondBroken_.bytes() + bondRest_.bytes()
       + bondHistory_.bytes() + bondForce_.bytes() + bondFirst_.bytes() + bondReference_.bytes());

@@ -31,6 +31,23 @@ struct SolidKeys
     }
 };
 
+//- Positions as a search reads them, of particles in whatever order
+template<int D, class P>
+struct RecordPlaces
+{
+    static constexpr const char* name = "recordPlaces";
+
+    Box<D, P> box;
+    SolidFields<D, P> fields;
+    SolidRecords<D, P> solids;
+
+    HD void operator()(int i) const
+    {
+        for (int d = 0; d < D; ++d) solids.a[i].x[d] = box.pairPosition(d, fields.x[d][i]);
+        solids.a[i].radius = fields.radius[i];
+    }
+};
+
 //- Records and reference positions of sorted particles, and where each key is
 template<int D, class P>
 struct PlaceSolids

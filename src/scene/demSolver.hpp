@@ -15,6 +15,7 @@
 #include "coupling/solidView.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
+#include "dem/likeWithLike.hpp"
 #include "dem/collectPass.hpp"
 #include "dem/motion/clumpSums.hpp"
 #include "dem/motion/sleep.hpp"
@@ -35,6 +36,8 @@ struct DemParts
     SolidRecordMemory<Backend, D, P> records;       // the second ones
     Array<Backend, LowWords<P>> low;
     Array<Backend, OwnWords<real>> own;
+    Array<Backend, int> place, found, foundNear, foundWalls, foundElements, cost;        // of particles in the order of cells
+    Array<Backend, std::uint32_t> order;
     Array<Backend, int> nearCount, keptFirst, keptPartner, wallListFirst, wallList, totals;
     Array<Backend, real> keptHistory;
     LocalFrameMemory<Backend, D, P> frames;         // of fused steps
@@ -188,8 +191,10 @@ private:
     void runFused(std::int64_t& rebuilds);
 
     // demLists.hpp
-    void rebuild(bool fresh = false);
-    ContactSearch<Backend, D, P> search();
+    void rebuild(bool fresh = false, bool inPlace = false);
+    void findPlaces(bool fresh, bool inPlace);
+    const std::uint32_t* newOrder() const;
+    ContactSearch<Backend, D, P> search(const int* place = nullptr);
     void buildContacts(bool fresh);
     void buildFullLists(bool fresh);
     WallSearch<D, P> wallSearch();

@@ -305,7 +305,7 @@ void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int 
     Reader ahead = read;
     ahead.at += std::size_t(entries)*(1 + historyRows()*historyTogether()*sizeof(real)/4);
     if (nWalls_) ahead(walls_.data(), nWalls_*sizeof(WallData));
-    rebuild(true);
+    rebuild(true, Backend::gpu);
     check(int(list_.entries()) == entries && wallMemory_.entries == wallEntries);
     forEachMemory(read);
 }

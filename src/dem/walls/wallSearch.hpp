@@ -126,14 +126,16 @@ struct FindWalls : WallSearch<D, P>
     int* elementFirst;
     WallEntry* entry;
     int* element;
+    const int* place;           // where the particle still is; null: in its place
 
     HD void operator()(int i) const
     {
         int entries = 0, elements = 0;
         if (i < *this->active)
         {
-            const Vec<D, double> x = this->position(i);
-            const double distance = double(this->fields.radius[i]) + this->reach;
+            const int at = place ? place[i] : i;
+            const Vec<D, double> x = this->position(at);
+            const double distance = double(this->fields.radius[at]) + this->reach;
             for (int k = 0; k < this->wallCount; ++k)
             {
                 const WallData& w = this->walls[k];
