@@ -4,6 +4,8 @@
 */
 #include "hostSolver.hpp"
 #include "picSceneTest.hpp"
+#include "pic/bodies/ballUnion.hpp"
+#include "pic/bodies/cutBodies.hpp"
 
 namespace riprap
 {
@@ -315,6 +317,33 @@ TEST_P(PicSolidScene, AloneAreAsInASceneOfTheirOwn)
     EXPECT_EQ(pic->solids()->particles().velocity, dem->particles().velocity);
     EXPECT_EQ(pic->fluid().id.size(), 0u);
     for (const double w : pic->grid().water) EXPECT_EQ(w, 0);
+}
+
+//- Wherever it lies: what chords cut off a ball would be missing in what the water carries of it
+TEST(PicSolids, BallsHaveTheirVolume)
+{
+    constexpr double R = 3.75, volume = 4*M_PI/3*R*R*R;
+    constexpr int places = 12;
+    double mean = 0;
+    for (int k = 0; k < places; ++k)
+    {
+        UniformGrid<3> grid{};
+        grid.h = 1;
+        for (int d = 0; d < 3; ++d) grid.n[d] = 14;
+        FreeBody<3, BallUnion<3>> body;
+        Ball<3> ball;
+        for (int d = 0; d < 3; ++d) body.centre[d] = ball.centre[d] = 6.5 + std::fmod((k + 1)*(0.618 + 0.137*d), 1);
+        ball.radius = body.reach = R;
+        body.shape.balls = {ball};
+        body.velocity.assign(6, 0.0);
+        BodyGrid<3> cut;
+        for (int d = 0; d < 3; ++d) cut.aperture[d].assign(grid.faces(d), 1.0);
+        cutBodies(grid, std::vector<FreeBody<3, BallUnion<3>>>{body}, k % 3, cut);
+        const double error = cut.terms[0].volume/volume - 1;
+        EXPECT_LT(std::abs(error), 0.015) << k;     // circles in the planes of faces, where a plane nearly touches the ball
+        mean += error/places;
+    }
+    EXPECT_LT(std::abs(mean), 0.005);
 }
 
 } // namespace

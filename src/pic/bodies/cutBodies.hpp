@@ -1,7 +1,7 @@
 /*  Free bodies in the grid: their shares of faces, what they leave open, and their terms of the pressure equation.
 
     Where bodies and walls leave less than smallestAperture of a face it is closed, and shares that sum to more than the face are scaled down to it, before J
-    is made of them. In 2D the parts of faces are exact. Their sum is the body's area by chords at the planes of the faces, which misses up to (h/a)^1.5 of it where a plane
+    is made of them. In 3D the parts of faces are by distances at points a quarter of a cell apart. In 2D they are exact. Their sum is the body's area by chords at the planes of the faces, which misses up to (h/a)^1.5 of it where a plane
     nearly touches the body, and its added mass with it; there the mean over the planes of half a cell on either side is taken (inPole), and both converge
     with second order.  A face that is a wall keeps the bodies' shares, so that a body that a wall clips still has a closed surface.
 
@@ -70,6 +70,37 @@ SolidPart<2> inBody(const Shape& shape, Vec<2, double> x, int d, double h)
     return part;
 }
 
+//- A face of direction d in 3D with its lower corner at x. Distances at its corners alone would cut chords off the body: 2.3 % of the volume of a ball of 3.75 cells
+//  a radius, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
+template<class Shape>
+SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
+{
+    constexpr int parts = 4;
+    const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
+    const auto distance = [&](int i, int j)
+    {
+        Vec<3, double> at = x;
+        at[a] += h*i/parts;
+        at[c] += h*j/parts;
+        return shape.distance(at);
+    };
+    const double middle = distance(parts/2, parts/2);
+    if (middle > h) return {0, {0, 0}};
+    if (middle < -h) return {1, {0.5, 0.5}};
+    double corner[parts + 1][parts + 1];
+    for (int i = 0; i <= parts; ++i) for (int j = 0; j <= parts; ++j) corner[i][j] = distance(i, j);
+    SolidPart<3> part{0, {0, 0}};
+    for (int i = 0; i < parts; ++i)
+        for (int j = 0; j < parts; ++j)
+        {
+            const SolidPart<3> p = solidOfSquare(corner[i][j], corner[i + 1][j], corner[i][j + 1], corner[i + 1][j + 1]);
+            part.share += p.share/(parts*parts);
+            part.moment[0] += (p.share*i + p.moment[0])/(parts*parts*parts);
+            part.moment[1] += (p.share*j + p.moment[1])/(parts*parts*parts);
+        }
+    return part;
+}
+
 template<int D, class Shape>
 void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body, std::vector<FaceShare<D>>& shares)
 {
@@ -80,7 +111,6 @@ void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body,
         low[d] = std::max(0, int(std::floor((b.centre[d] - b.reach - grid.origin[d])/grid.h)) - 1);
         high[d] = std::min(grid.n[d], int(std::ceil((b.centre[d] + b.reach - grid.origin[d])/grid.h)) + 1);
     }
-    const auto distance = [&](int node) { return b.shape.distance(nodes.position(node)); };
     typename UniformGrid<D>::Index x;
     for (int d = 0; d < D; ++d)
         for (x.c[2] = low[2]; x.c[2] <= high[2]; ++x.c[2])
@@ -91,13 +121,7 @@ void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body,
                     for (int e = 0; e < D; ++e) in = in && x.c[e] < grid.layers(d, e);
                     if (!in) continue;
                     const int n = nodes.node(x);
-                    SolidPart<D> part;
-                    if constexpr (D == 2) part = inBody(b.shape, nodes.position(n), d, grid.h);
-                    else
-                    {
-                        const int a = nodes.stride(d == 0 ? 1 : 0), c = nodes.stride(d == 2 ? 1 : 2);
-                        part = solidOfSquare(distance(n), distance(n + a), distance(n + c), distance(n + a + c));
-                    }
+                    const SolidPart<D> part = inBody(b.shape, nodes.position(n), d, grid.h);
                     if (!(part.share > 0)) continue;
                     FaceShare<D> s{d, grid.face(d, x), body, part.share, {}};
                     int m = 0;
