@@ -88,7 +88,7 @@ private:
     void prime();
     double skinRatio() const;
     void setFrames();
-    static constexpr double wallSkin = D == 2 ? 0.5 : 0.25;     // GPU: what lists of walls reach beyond the support, of it
+    static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
 
     // sphNeighbours.hpp
     void rebuild();
