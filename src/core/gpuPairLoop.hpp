@@ -5,6 +5,7 @@
 */
 #pragma once
 
+#include <type_traits>
 #include <vector_types.h>
 #include "core/cellGrid.hpp"
 #include "core/launch.hpp"
@@ -93,9 +94,13 @@ __device__ __forceinline__ void mergeMaxima(const Pass& pass, const float* maxim
     }
 }
 
-//- Passes few of whose targets have neighbours (`static constexpr bool sparse = true`): warps without any leave what was there
+//- Passes few of whose targets have neighbours (`static constexpr bool sparse = true`): warps without any leave what was there, unless all
+//  targets are asked for (`HD bool all() const`)
 template<class Pass, class = void> struct Sparse { static constexpr bool value = false; };
 template<class Pass> struct Sparse<Pass, std::void_t<decltype(Pass::sparse)>> { static constexpr bool value = Pass::sparse; };
+
+template<class Pass> __device__ __forceinline__ auto wantsAll(const Pass& pass, int) -> decltype(pass.all()) { return pass.all(); }
+template<class Pass> __device__ __forceinline__ bool wantsAll(const Pass&, long) { return false; }
 
 template<class Pass>
 __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 8 : 4) pairKernel(Pass pass, int shift)
@@ -106,7 +111,7 @@ __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 
     const int i = thread >> shift;
     const bool valid = i < pass.targets();
     if constexpr (Sparse<Pass>::value)
-        if (!__any_sync(0xffffffffu, valid && pass.source[0].list.count[thread] > 0)) return;
+        if (!wantsAll(pass, 0) && !__any_sync(0xffffffffu, valid && pass.source[0].list.count[thread] > 0)) return;
     real sums[Pass::channels];
     for (int k = 0; k < Pass::channels; ++k) sums[k] = 0;
     if (valid)

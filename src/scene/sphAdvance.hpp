@@ -1,6 +1,6 @@
-/*  SphSolver: the loop over steps. On the GPU a cycle (rebuild, then a number of steps) is recorded twice in a graph,
-    because a rebuild swaps the halves of double-buffered fields; steps switch themselves off when neighbours have aged
-    or the target is reached, so the host looks on only now and then.
+/*  SphSolver: the loop over steps. On the GPU a rebuild, a step and several steps are recorded in graphs, each twice because a
+    rebuild swaps the halves of double-buffered fields; steps switch themselves off when neighbours have aged or the target is
+    reached, so the host looks on only after two cycles of a rebuild and a number of steps.
 */
 #pragma once
 
@@ -78,44 +78,76 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
     }
     else if constexpr (Backend::gpu)
     {
-        const auto cycles = [&]
-        {
-            for (int c = 0; c < 2; ++c)
-            {
-                rebuild();
-                for (int k = 0; k < stepsPerCycle_; ++k) step();
-            }
-        };
         const bool wallsAlternate = !nBodies_ || wall_.alternates();
         while (!finished())
         {
             const std::int64_t before = host_.step;
             // large sets rotate through spare memory, and do not need graphs
             const bool graphs = !context_.profile.timing && fluid_.alternates() && wallsAlternate;
-            if (graphs && !parts_.graph.recorded()) parts_.graph.record(context_, cycles);
-            if (graphs) parts_.graph.replay(context_);
-            else cycles();
+            const int steps = stepsAhead();
+            runCycles(steps, graphs);
             rebuilds += 2;
             readClock();
             if (host_.overflows()) { growLists(); continue; }
             const bool interrupted = interrupted_.exchange(false);      // heeded, whatever else ends the loop
             if (finished() || interrupted) break;
-            // fit the length of a cycle to what the skin allows
-            const int taken = int(host_.step - before), room = 2*stepsPerCycle_;
-            int wanted = stepsPerCycle_;
-            // in large strides until it was too long once; then in small ones, since steps that find nothing to do take time too
-            if (taken == room && stepsPerCycle_ < 64) wanted = std::min(64, stepsPerCycle_ + std::max(1, stepsPerCycle_/(cycleFitted_ ? 8 : 2)));
-            else if (8*(taken + 2) <= 7*room)
-            {
-                wanted = std::max(2, taken/2 + 1);
-                cycleFitted_ = true;
-            }
-            if (wanted != stepsPerCycle_)
-            {
-                stepsPerCycle_ = wanted;
-                parts_.graph.clear();
-            }
+            if (steps == stepsPerCycle_) fitCycle(int(host_.step - before));
         }
+    }
+}
+
+//- Steps of the next cycles: no more than could be wanted
+template<class Backend, int D, class P>
+int SphSolver<Backend, D, P>::stepsAhead() const
+{
+    double most = double(host_.lastStep - host_.step);
+    // a step may turn out longer or shorter than the last: some more, and then again
+    if (host_.fullDt > 0) most = std::min(most, 1.05*(host_.target - host_.time)/host_.fullDt + 2);
+    return most < stepsPerCycle_ ? std::max(1, int(most)) : stepsPerCycle_;
+}
+
+//- Twice: a rebuild, and steps of which those that find their neighbours too old switch themselves off
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::runCycles([[maybe_unused]] int steps, [[maybe_unused]] bool graphs)
+{
+    if constexpr (Backend::gpu)
+    {
+        auto& g = parts_.graphs;
+        const auto several = [&] { for (int k = 0; k < g.together; ++k) step(); };
+        for (int c = 0; graphs && !g.recorded && c < 2; ++c)
+        {
+            g.rebuild[c].record(context_, [&] { rebuild(); });
+            g.step[c].record(context_, [&] { step(); });
+            g.steps[c].record(context_, several);
+        }
+        g.recorded = g.recorded || graphs;
+        for (int c = 0; c < 2; ++c)
+        {
+            if (graphs) g.rebuild[c].replay(context_); else rebuild();
+            int k = 0;
+            for (; k + g.together <= steps; k += g.together) { if (graphs) g.steps[c].replay(context_); else several(); }
+            for (; k < steps; ++k) { if (graphs) g.step[c].replay(context_); else step(); }
+        }
+    }
+}
+
+//- The length of a cycle after two of them took so many steps. Those that find nothing to do take time, and so does a rebuild that came too early
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::fitCycle(int taken)
+{
+    constexpr int longest = 128, patience = 2;
+    if (taken < 2*stepsPerCycle_)
+    {
+        // one that was cut short, as by a particle that left, says little
+        stepsPerCycle_ = std::max({2, taken/2, cycleFitted_ ? 7*stepsPerCycle_/8 : 2});
+        cyclesFull_ = 0;
+        cycleFitted_ = true;
+    }
+    else if (!cycleFitted_) stepsPerCycle_ = std::min(longest, stepsPerCycle_ + stepsPerCycle_/2);
+    else if (++cyclesFull_ >= patience)
+    {
+        stepsPerCycle_ = std::min(longest, stepsPerCycle_ + std::max(1, stepsPerCycle_/16));
+        cyclesFull_ = 0;
     }
 }
 
@@ -127,7 +159,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     if (nBodies_)
     {
         setPoses(host_.time, std::max(t, host_.time));
-        if constexpr (Backend::gpu) parts_.graph.clear();   // poses are part of the recorded launches
+        if constexpr (Backend::gpu) parts_.graphs.recorded = false;     // poses are part of the recorded launches
     }
     if (interrupted_) maxSteps = 1;
     const std::int64_t before = host_.step;

@@ -175,25 +175,26 @@ NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
     r.particles = activeFluid();
     refreshRecords();
     const double support = 2*config_.smoothingRatio*config_.spacing;
-    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n)
+    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, bool solids)
     {
         if (!n || !source.start) return std::int64_t(0);
         Array<Backend, real> result;
         result.allocate(context_, n);
-        run(CountPass<Backend, D, P>{box_, grid_, {source}, target, real(support*support), result.data(), n}, n);
+        const CountPass<Backend, D, P> pass{box_, grid_, {source}, target, real(support*support), result.data(), n};
+        if (solids) runOverSolids(pass); else run(pass, n);
         std::int64_t sum = 0;
         for (const real c : result.download()) sum += std::int64_t(c);
         return sum;
     };
     const int n = int(r.particles);
-    r.fluid = count(fluidSource(false), fluidRecords_.view(), n);
-    r.walls = count(wallSource(), fluidRecords_.view(), n);
-    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated)) r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_);
+    r.fluid = count(fluidSource(false), fluidRecords_.view(), n, false);
+    r.walls = count(wallSource(), fluidRecords_.view(), n, false);
+    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated)) r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_, false);
     if (!solidsMeet_) return r;
     int solids = 0;
     context_.toHost(&solids, solidSort_.active(), sizeof(int));
-    r.solids = count(solidSource(), fluidRecords_.view(), n);
-    r.aboutSolids = count(fluidAboutSolids(), solidRecords_.view(), solids);
+    r.solids = count(solidSource(), fluidRecords_.view(), n, false);
+    r.aboutSolids = count(fluidAboutSolids(), solidRecords_.view(), solids, true);
     return r;
 }
 

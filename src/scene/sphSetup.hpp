@@ -33,7 +33,8 @@ double SphSolver<Backend, D, P>::skinRatio() const
     if (!Backend::gpu) return 0.1;
     // small scenes are bound by launches, of which a rebuild has many
     const bool symplectic = config_.integrator == IntegratorKind::symplectic;
-    return n_ <= 24000 ? (symplectic ? 0.5 : 0.35) : (n_ <= 200000 ? 0.2 : 0.09);
+    if (n_ <= 24000) return D == 2 || symplectic ? 0.5 : 0.35;
+    return n_ > 200000 ? 0.07 : (D == 2 ? 0.2 : 0.12);
 }
 
 template<class Backend, int D, class P>

@@ -26,6 +26,14 @@ namespace riprap
 template<class Backend, int D, class P> struct BackendParts { };
 
 #ifdef __CUDACC__
+//- Recorded launches, for either half of the double-buffered fields
+struct StepGraphs
+{
+    static constexpr int together = 4;
+    Graph rebuild[2], step[2], steps[2];
+    bool recorded = false;      // and as things are now
+};
+
 template<int D, class P>
 struct BackendParts<Gpu, D, P>
 {
@@ -34,7 +42,7 @@ struct BackendParts<Gpu, D, P>
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
     LocalFrameMemory<Gpu, D, P> frames;
     real wallRadius = 0;        // lists of walls and about walls reach farther than the grid's: fluid slides along them
-    Graph graph;
+    StepGraphs graphs;
     int solidShift = 0;         // log2 of the lanes a solid
 };
 #endif
@@ -80,7 +88,7 @@ private:
     void prime();
     double skinRatio() const;
     void setFrames();
-    static constexpr double wallSkin = D == 2 ? 0.5 : 0.25;     // GPU: what lists of walls reach beyond the support, of it
+    static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
 
     // sphNeighbours.hpp
     void rebuild();
@@ -130,6 +138,9 @@ private:
     // sphAdvance.hpp
     void setPoses(double begin, double end);
     void runToTarget(std::int64_t& rebuilds);
+    int stepsAhead() const;
+    void runCycles(int steps, bool graphs);
+    void fitCycle(int taken);
     bool finished() const;
     void readClock();
     void writeClock();
@@ -195,8 +206,9 @@ private:
 
     BackendParts<Backend, D, P> parts_;
     int shift_ = 0;             // log2 of the lanes a particle
-    int stepsPerCycle_ = 8;     // steps recorded between two rebuilds
+    int stepsPerCycle_ = 8;     // GPU: steps launched between two rebuilds
     bool cycleFitted_ = false;  // it was too long once: lengthen in small strides
+    int cyclesFull_ = 0;        // since it was, pairs of cycles all of whose steps were wanted
     std::atomic<bool> interrupted_{false};      // until a call of advance has heeded it
 };
 

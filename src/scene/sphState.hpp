@@ -1,7 +1,7 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock, walls, wall fields, cycle fitted, solids; the clock; each field in the device's order; those of moving
+    bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; each field in the device's order; those of moving
     walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
     (FNV-1a over all words before it).
 */
@@ -16,7 +16,7 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 4;
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 5;
 static constexpr int stateHeader = 14;
 
 } // namespace detail
@@ -30,7 +30,7 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
         stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
-        int(cycleFitted_), nSolids_
+        int(cycleFitted_) + 2*cyclesFull_, nSolids_
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     std::vector<unsigned char> bytes;
@@ -107,14 +107,15 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     n_ = reported_ = n;
     shift_ = words[7];
     stepsPerCycle_ = words[8];
-    cycleFitted_ = words[12] != 0;
+    cycleFitted_ = words[12] & 1;
+    cyclesFull_ = words[12]/2;
     // memory laid out by the number of particles
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
     if (solids_) allocateAction();
     if constexpr (Backend::gpu)
     {
-        parts_.graph.clear();
+        parts_.graphs.recorded = false;
         allocateLists();
     }
     writeClock();

@@ -150,7 +150,7 @@ public:
 
 private:
 
-    static constexpr double wallSkin() { return Dim == 2 ? 0.5 : 0.25; }
+    static constexpr double wallSkin() { return Dim == 2 ? 0.5 : 0.2; }
     SphConfig config_;
     double support_, skin_;
     std::vector<double> walls_, now_, from_, oldFrom_, before_;

@@ -19,7 +19,7 @@ struct ExtrapolatedWallPass
 
     static constexpr const char* name = "extrapolatedWall";
     static constexpr int dimensions = Dim, sources = 1, channels = extrapolationSums<Dim>;
-    static constexpr bool variableH = VariableH, hasMaxima = false;
+    static constexpr bool variableH = VariableH, hasMaxima = false, sparse = true;
 
     Box<Dim, P> box;
     CellGrid<Dim, P> grid;
@@ -34,6 +34,8 @@ struct ExtrapolatedWallPass
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }
+    // in a step nobody sees walls about which no fluid is listed: fluid lists walls from as far as walls list fluid
+    HD bool all() const { return !clock; }
     HD Vec<Dim, typename P::position> position(int i) const { return wall.loadPosition(i); }
 
     template<class T>
