@@ -281,7 +281,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.order = config_.advectionOrder;
         f.inside = cuts();
         f.margin = wallMargin*grid_.h;
-        f.keys = cuts() ? nullptr : sort_.keys();
+        f.keys = cuts() || opens() ? nullptr : sort_.keys();
         f.indices = sort_.indices();
         forEach(context_, n_, f);
     });
@@ -303,7 +303,7 @@ void PicSolver<Backend, D, P>::moveSurface(double dt, PicReport& report)
         f.band = band;
         rows_.eachCellOfBoth(context_, f);
     });
-    sortParticles(&report, !cuts());        // solids have moved particles since
+    sortParticles(&report, !cuts() && !opens());     // else solids have moved particles since, or others have come in
     rows_.eachCell(context_, HoldSurface<D, real>{grid_, particles(), real(clock_.particleVolume/grid_.volume()), cuts() ? open_.data() : nullptr,
         cuts() ? openWeight_.data() : nullptr, carried_.data(), band});
     if (cuts()) extendSurface(carried_);
