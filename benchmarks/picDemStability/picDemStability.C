@@ -1,6 +1,6 @@
 /*  picDemStability: where solids in the water of particles in cells fail, by bisection. 2D, double precision, without viscosity.
 
-        picDemStability -csv FILE [density|step|gap|speed]...
+        picDemStability [-csv FILE] [density|step|gap|speed]...
 
     density   least density ratio at which a disk sinks or rises without blowing up, weakly and implicitly coupled, over the step
     step      largest step, implicitly coupled, over the density ratio
@@ -11,14 +11,12 @@
 */
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <exception>
-#include <fstream>
-#include <map>
-#include <stdexcept>
+#include <memory>
 #include <string>
 #include <vector>
 #include "scene/picScene.hpp"
+#include "../picStability/picRows.hpp"
+#include "../stability/experiments.hpp"
 
 using namespace riprap;
 
@@ -26,30 +24,6 @@ namespace
 {
 
 constexpr double g = 9.81, h = 1.0/40, radius = 5*h, level = 0.75;
-
-class Rows
-{
-public:
-
-    explicit Rows(const std::string& csv) : csv_(csv)
-    {
-        if (!csv_) throw std::runtime_error("cannot write " + csv);
-        csv_ << "test,kind,setting,quantity,measured\n";
-    }
-
-    void add(const char* test, const std::string& kind, double setting, const char* quantity, double measured)
-    {
-        std::printf("%-8s %-12s %10.4g  %-50s %12.5g\n", test, kind.c_str(), setting, quantity, measured);
-        std::fflush(stdout);
-        char line[256];
-        std::snprintf(line, sizeof line, "%s,\"%s\",%.6g,\"%s\",%.6g", test, kind.c_str(), setting, quantity, measured);
-        csv_ << line << std::endl;
-    }
-
-private:
-
-    std::ofstream csv_;
-};
 
 struct Scene
 {
@@ -140,23 +114,9 @@ bool moves(const Scene& scene, int steps)
     return true;
 }
 
-//- The bound between good and bad, to 3 %: low where high is bad, high where low is
-template<class Good>
-double bound(double low, double high, bool goodBelow, const Good& good)
-{
-    if (good(goodBelow ? high : low)) return goodBelow ? high : low;
-    if (!good(goodBelow ? low : high)) return goodBelow ? 0 : 1e9;
-    while (high > 1.03*low)
-    {
-        const double middle = std::sqrt(low*high);
-        (good(middle) == goodBelow ? low : high) = middle;
-    }
-    return goodBelow ? low : high;
-}
-
 const double unit = std::sqrt(h/g);         // of steps
 
-void density(Rows& rows)
+void density(PicRows& rows)
 {
     for (const bool weak : {true, false})
         for (const double step : {0.025, 0.05, 0.1, 0.2})
@@ -169,11 +129,11 @@ void density(Rows& rows)
                 s.step = step*unit;
                 return moves(s, 60);
             };
-            rows.add("density", weak ? "weak" : "implicit", step, "least density ratio, 60 steps (0.001: none found)", bound(1e-3, 100, false, good));
+            rows.add("density", weak ? "weak" : "implicit", step, "least density ratio, 60 steps (0.001: none found)", bisectRatio(1e-3, 100, false, good));
         }
 }
 
-void step(Rows& rows)
+void step(PicRows& rows)
 {
     for (const double ratio : {0.01, 0.5, 2.7, 100.0})
     {
@@ -184,11 +144,11 @@ void step(Rows& rows)
             s.step = step*unit;
             return moves(s, std::max(10, int(std::lround(4/step))));
         };
-        rows.add("step", "implicit", ratio, "largest step over sqrt(h/g), 4 sqrt(h/g)", bound(0.05, 3.2, true, good));
+        rows.add("step", "implicit", ratio, "largest step over sqrt(h/g), 4 sqrt(h/g)", bisectRatio(0.05, 3.2, true, good));
     }
 }
 
-void gap(Rows& rows)
+void gap(PicRows& rows)
 {
     for (const double theta : {0.01, 0.1})
     {
@@ -204,11 +164,11 @@ void gap(Rows& rows)
             const std::vector<double> x = scene->solids()->particles().position;
             return x[1] > radius && x[4] > radius && std::hypot(x[3] - x[0], x[4] - x[1]) > 2*radius;
         };
-        rows.add("gap", "implicit", theta, "least gap [cells], 1 s (1e9: more than 3)", bound(0.1, 3, false, good));
+        rows.add("gap", "implicit", theta, "least gap [cells], 1 s (1e9: more than 3)", bisectRatio(0.1, 3, false, good));
     }
 }
 
-void speed(Rows& rows)
+void speed(PicRows& rows)
 {
     for (const double theta : {0.003, 0.01, 0.03, 0.1})
     {
@@ -230,35 +190,11 @@ void speed(Rows& rows)
             }
             return lowest > 0;
         };
-        rows.add("speed", "implicit", theta, "largest speed of an impact that stays in the gap [m/s]", bound(0.1, 30, true, good));
+        rows.add("speed", "implicit", theta, "largest speed of an impact that stays in the gap [m/s]", bisectRatio(0.1, 30, true, good));
     }
 }
 
 } // namespace
 
 int main(int argc, char** argv)
-{
-    const std::map<std::string, void (*)(Rows&)> known{{"density", density}, {"step", step}, {"gap", gap}, {"speed", speed}};
-    try
-    {
-        std::string csv;
-        std::vector<std::string> wanted;
-        for (int k = 1; k < argc; ++k)
-        {
-            const std::string word = argv[k];
-            if (word == "-csv" && k + 1 < argc) csv = argv[++k];
-            else if (known.count(word)) wanted.push_back(word);
-            else throw std::invalid_argument("'" + word + "' is none of density, step, gap, speed, -csv FILE");
-        }
-        if (csv.empty()) throw std::invalid_argument("-csv FILE is needed");
-        if (wanted.empty()) for (const auto& k : known) wanted.push_back(k.first);
-        Rows rows(csv);
-        for (const std::string& w : wanted) known.at(w)(rows);
-    }
-    catch (const std::exception& e)
-    {
-        std::fprintf(stderr, "picDemStability: %s\n", e.what());
-        return 1;
-    }
-    return 0;
-}
+{ return runExperiments<PicRows>(argc, argv, "picDemStability", {{"density", density}, {"step", step}, {"gap", gap}, {"speed", speed}}); }

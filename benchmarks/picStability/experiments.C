@@ -1,9 +1,8 @@
 /*  SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "experiments.hpp"
+#include "../stability/experiments.hpp"
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
 
 namespace riprap
 {
@@ -23,39 +22,7 @@ PicConfig of(const Transfer& t, int n)
     return c;
 }
 
-//- Largest x in low .. high that is good, to 3 %: good at low; high where it is good there
-template<class Good>
-double largest(double low, double high, const Good& good)
-{
-    if (!good(low)) return 0;
-    if (good(high)) return high;
-    while (high > 1.03*low)
-    {
-        const double middle = std::sqrt(low*high);
-        (good(middle) ? low : high) = middle;
-    }
-    return low;
-}
-
 } // namespace
-
-PicRows::PicRows(const std::string& csv)
-:
-    csv_(csv)
-{
-    if (!csv_) throw std::runtime_error("cannot write " + csv);
-    csv_ << "test,kind,setting,quantity,measured\n";
-}
-
-void PicRows::add(const std::string& test, const std::string& kind, double setting, const std::string& quantity, double measured)
-{
-    std::printf("%-10s %-32s %10.4g  %-44s %12.5g\n", test.c_str(), kind.c_str(), setting, quantity.c_str(), measured);
-    std::fflush(stdout);
-    char numbers[2][32];
-    std::snprintf(numbers[0], sizeof numbers[0], "%.6g", setting);
-    std::snprintf(numbers[1], sizeof numbers[1], "%.6g", measured);
-    csv_ << test << ",\"" << kind << "\"," << numbers[0] << ",\"" << quantity << "\"," << numbers[1] << std::endl;
-}
 
 void step(PicRows& rows)
 {
@@ -71,7 +38,7 @@ void step(PicRows& rows)
                 return !o.stopped && o.energy < 1.05;
             };
             const std::string kind = std::string(t.name) + ", RungeKutta" + std::to_string(order);
-            rows.add("step", kind, order, "largest Courant number, vortices", largest(0.1, 2, good));
+            rows.add("step", kind, order, "largest Courant number, vortices", bisectRatio(0.1, 2, true, good));
         }
 }
 

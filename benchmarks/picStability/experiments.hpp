@@ -1,25 +1,14 @@
-/*  The experiments of picStability; rows are printed as they come, and as CSV.
+/*  The experiments of picStability.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include <fstream>
-#include <string>
+#include "picRows.hpp"
 #include "scenes.hpp"
 
 namespace riprap
 {
-
-class PicRows
-{
-public:
-    explicit PicRows(const std::string& csv);
-    void add(const std::string& test, const std::string& kind, double setting, const std::string& quantity, double measured);
-
-private:
-    std::ofstream csv_;
-};
 
 //- Largest Courant number, by bisection, up to the 2 that a scene takes, at which the energy of vortices does not grow by more than 5 %
 void step(PicRows&);

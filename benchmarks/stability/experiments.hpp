@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -71,6 +72,20 @@ double bisect(double low, double high, double tolerance, const Good& good)
         (good(middle) ? low : high) = middle;
     }
     return 0.5*(low + high);
+}
+
+//- The bound between good and bad, to 3 %, where good lies below it or above; the end where all are good, 0 or 1e9 where none is
+template<class Good>
+double bisectRatio(double low, double high, bool goodBelow, const Good& good)
+{
+    if (good(goodBelow ? high : low)) return goodBelow ? high : low;
+    if (!good(goodBelow ? low : high)) return goodBelow ? 0 : 1e9;
+    while (high > 1.03*low)
+    {
+        const double middle = std::sqrt(low*high);
+        (good(middle) == goodBelow ? low : high) = middle;
+    }
+    return goodBelow ? low : high;
 }
 
 } // namespace riprap

@@ -4,7 +4,7 @@
 #include "lduMatrix.H"
 #include "wetMesh.H"
 
-const Foam::word Foam::pressureSolver::deviceSolver("cudaPCG");
+const Foam::word Foam::pressureSolver::deviceSolver(riprap::ownSolver);
 
 namespace
 {

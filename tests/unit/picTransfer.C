@@ -1,1 +1,2 @@
 #include "picTransfer.hpp"
+#include "picPaths.hpp"

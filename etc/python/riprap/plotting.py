@@ -31,6 +31,17 @@ def measured(axis, x, y, label, index=0):
               markeredgecolor='#444444', markersize=5, label=label)
 
 
+def besideMeasured(path, runs, curve, reference, label, xlabel, ylabel):
+    """One figure: what was measured (x, y), and curve(run), x and y, of each run"""
+    fig, (axis,) = figure(1)
+    measured(axis, *reference, label=label)
+    for run in runs:
+        axis.plot(*curve(run), linewidth=1, label=run.name)
+    axis.set(xlabel=xlabel, ylabel=ylabel)
+    axis.legend(fontsize=7)
+    save(fig, path)
+
+
 def discs(axis, positions, radii, colour=None, **options):
     """Bodies to scale in the plane of the first two components, all of one colour or by a value each"""
     size = 2*np.broadcast_to(radii, len(positions))

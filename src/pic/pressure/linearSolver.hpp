@@ -10,6 +10,9 @@
 namespace riprap
 {
 
+//- What fvSolution and the log call our multigrid-preconditioned conjugate gradients, on the CPU too
+constexpr const char* ownSolver = "cudaPCG";
+
 struct MultigridControls
 {
     double tolerance = 1e-8, relTol = 0;    // of OpenFOAM's residual

@@ -262,7 +262,7 @@ PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, con
     context.toHost(&s, state_.data(), sizeof(s));
 
     PressureReport report;
-    report.solver = "cudaPCG";
+    report.solver = ownSolver;
     report.initialResidual = s.initial;
     report.finalResidual = s.residual;
     report.iterations = s.iterations;

@@ -214,7 +214,7 @@ PressureReport PressureStep<Backend, D, R>::solveCoupled
         const float* z = Backend::gpu ? staged.data() : fine.z;
         for (int i = 0; i < r.rows(); ++i) to[i] = z[stored[i]];
     });
-    report.solver = "cudaPCG";
+    report.solver = ownSolver;
     return report;
 }
 

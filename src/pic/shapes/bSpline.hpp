@@ -34,6 +34,14 @@ struct BSpline
         else return floorInt(s) - 1;
     }
 
+    //- The same for a point in the cell that s is counted from, s being 0 .. 1 from a face (`faces`) or -0.5 .. 0.5 from the cell's middle
+    template<class R>
+    HD static int firstInCell(R s, [[maybe_unused]] bool faces)
+    {
+        if constexpr (Order == 2) return faces && s >= R(0.5) ? 0 : -1;
+        else return (s < 0 ? -1 : 0) - (Order == 3 ? 1 : 0);
+    }
+
     //- Values of nodes first .. first + Order at a point that is f = s - first beyond the first
     template<class R>
     HD static void weights(R f, R* w)

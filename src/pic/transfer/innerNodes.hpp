@@ -25,8 +25,7 @@ struct InnerNodes
         //- s: of the point beyond the node of the cell's number
         HD void set(R s, bool faces)
         {
-            if constexpr (Order == 2) low = faces && s >= R(0.5) ? 0 : -1;
-            else low = (!faces && s < 0 ? -1 : 0) - (Order == 3 ? 1 : 0);
+            low = BSpline<Order>::firstInCell(s, faces);
             BSpline<Order>::weights(s - low, w);
         }
     };

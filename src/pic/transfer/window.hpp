@@ -79,9 +79,7 @@ struct Window
         {
             const bool own = a == component;
             const R s = own ? x.t[a] : x.t[a] - R(0.5);     // from the node that has the cell's number
-            int low;
-            if constexpr (Order == 2) low = own && s >= R(0.5) ? 0 : -1;
-            else low = (s < 0 ? -1 : 0) - (Order == 3 ? 1 : 0);
+            int low = Spline::firstInCell(s, own);
             const R f = s - low;
             Spline::weights(f, w[a]);
             if constexpr (Slopes) slopes(f, w[a], slope[a]);

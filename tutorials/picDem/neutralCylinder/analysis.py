@@ -32,14 +32,7 @@ def analyse(run):
 
 
 def plot(runs, path):
-    fig, (axis,) = plotting.figure(1)
-    plotting.measured(axis, *reference(), label='Feng & Michaelides (2002)')
-    for run in runs:
-        t, x, y, u = motion(run)
-        axis.plot(t, y, linewidth=1, label=run.name)
-    axis.set(xlabel='t [s]', ylabel='y [m]')
-    axis.legend(fontsize=7)
-    plotting.save(fig, path)
+    plotting.besideMeasured(path, runs, lambda run: (motion(run)[0], motion(run)[2]), reference(), 'Feng & Michaelides (2002)', 't [s]', 'y [m]')
 
 
 def cells(across):

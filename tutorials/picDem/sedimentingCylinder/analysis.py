@@ -35,14 +35,7 @@ def analyse(run):
 
 
 def plot(runs, path):
-    fig, (axis,) = plotting.figure(1)
-    plotting.measured(axis, *reference(), label='Glowinski et al. (2001)')
-    for run in runs:
-        t, x, y, v = motion(run)
-        axis.plot(t, v, linewidth=1, label=run.name)
-    axis.set(xlabel='t [s]', ylabel='velocity [m/s]')
-    axis.legend(fontsize=7)
-    plotting.save(fig, path)
+    plotting.besideMeasured(path, runs, lambda run: (motion(run)[0], motion(run)[3]), reference(), 'Glowinski et al. (2001)', 't [s]', 'velocity [m/s]')
 
 
 def cells(across):

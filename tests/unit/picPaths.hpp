@@ -1,0 +1,195 @@
+/*  Rows about the water, nodes about a point, paths through the velocity of the grid: the quick ways against the plain ones, orders of the motion.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#include "picCloud.hpp"
+
+namespace riprap
+{
+namespace
+{
+
+struct MarkCell
+{
+    static constexpr const char* name = "markCell";
+    unsigned char* to;
+    HD void operator()(int i) const { to[i] = 1; }
+};
+
+//- Rows about the water are visited, those that it has left once more, and no others
+PIC_TEST(RowsAreThoseAboutTheWater)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    Context<Backend> context;
+    UniformGrid<D> g{};
+    g.h = 0.1;
+    g.n[0] = 128;
+    for (int d = 1; d < D; ++d) g.n[d] = 8;
+    CellSort<Backend> sort;
+    sort.allocate(context, 1, g.cells());
+    sort.sort(context, 0);
+    OccupiedTiles<Backend, D> particles;
+    particles.find(context, g, sort);
+    ActiveRows<Backend, D> rows;
+    Array<Backend, R> phi;
+    const auto visited = [&](bool both)
+    {
+        Array<Backend, unsigned char> marks;
+        marks.upload(context, std::vector<unsigned char>(g.cells(), 0));
+        if (both) rows.eachCellOfBoth(context, MarkCell{marks.data()});
+        else rows.eachCell(context, MarkCell{marks.data()});
+        return marks.download();
+    };
+    const auto cover = [&](const std::vector<unsigned char>& marks, int columns)
+    {
+        for (int i = 0; i < g.cells(); ++i) if (bool(marks[i]) != (g.cellIndex(i).c[0] < columns)) return false;
+        return true;
+    };
+    const auto find = [&](int wet)
+    {
+        std::vector<R> distance(g.cells());
+        for (int i = 0; i < g.cells(); ++i) distance[i] = g.cellIndex(i).c[0] < wet ? R(-1) : R(1);
+        phi.upload(context, distance);
+        rows.find(context, g, particles, phi.data(), sort);
+    };
+    find(20);
+    EXPECT_TRUE(cover(visited(false), 32));
+    EXPECT_TRUE(cover(visited(true), 128)) << "all count as listed before";
+    find(40);
+    EXPECT_TRUE(cover(visited(false), 64)) << "8 cells beyond the water";
+    EXPECT_TRUE(cover(visited(true), 64));
+    find(20);
+    EXPECT_TRUE(cover(visited(false), 32));
+    EXPECT_TRUE(cover(visited(true), 64));
+    find(20);
+    EXPECT_TRUE(cover(visited(true), 32));
+}
+
+//- Values and gradients from a block of nodes, images beyond the sides folded onto it, are those node by node: beside walls that water slides along
+//  and that it sticks to, around periodic ends, and in a block that is narrower than a cubic spline
+PIC_TEST(WindowsAreTheNodes)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    Random random(23);
+    int whole = 0, folded = 0, inner = 0;
+    for (int kind = 0; kind < 4; ++kind)
+    {
+        UniformGrid<D> g{};
+        g.h = 0.125;
+        for (int d = 0; d < D; ++d)
+        {
+            g.n[d] = kind == 3 && d == 1 ? 2 : 6 + d;
+            g.periodic[d] = kind == 2 && d == 0;
+            for (bool& side : g.sticks[d]) side = kind == 1;
+        }
+        std::vector<R> u[D];
+        for (int d = 0; d < D; ++d)
+            for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+        for (int p = 0; p < 300; ++p)
+        {
+            Vec<D, double> x;
+            for (int d = 0; d < D; ++d)
+            {
+                const double s = random(0, g.n[d]);
+                x.c[d] = g.h*(p % 3 ? s : (s < 0.5*g.n[d] ? 0.1*s : g.n[d] - 0.1*(g.n[d] - s)));       // a third of them beside the sides
+            }
+            forOrders([&](auto order)
+            {
+                constexpr int Order = decltype(order)::value;
+                for (int d = 0; d < D; ++d)
+                {
+                    const Window<Order, D, R, true> window(g, d, InCell<D, R>(g, x));
+                    if (!window.whole) { EXPECT_TRUE(needsAround(g, Order)); continue; }
+                    ++whole;
+                    const Stencil<Order, D, R> nodes(g, d, x);
+                    for (int a = 0; a < D; ++a) folded += nodes.first.c[a] < 0;
+                    Vec<D, R> expected;
+                    R gradient[D];
+                    const R value = window.sum(u[d].data(), gradient), exact = sampleAffineAround<Order>(g, u[d].data(), d, x, expected);
+                    EXPECT_NEAR(value, exact, 100*C::epsilon);
+                    EXPECT_NEAR(window.sum(u[d].data()), exact, 100*C::epsilon);
+                    for (int a = 0; a < D; ++a) { EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h); }
+                    const InCell<D, R> at(g, x);
+                    if (!InnerNodes<Order, D, R>::has(g, at.c)) continue;
+                    ++inner;
+                    const InnerNodes<Order, D, R> block(at.t);
+                    EXPECT_NEAR(block.sum(g, at.c, d, u[d].data()), exact, 100*C::epsilon);
+                }
+            });
+        }
+    }
+    EXPECT_GT(whole, 1000);
+    EXPECT_GT(folded, 100);
+    EXPECT_GT(inner, 100);
+}
+
+//- A path whose points lie well within the block is the same whichever way they are sampled
+PIC_TEST(PathsInsideAreThoseAnywhere)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    Random random(29);
+    UniformGrid<D> g{};
+    g.h = 0.125;
+    for (int d = 0; d < D; ++d) g.n[d] = 9 + d;
+    std::vector<R> u[D];
+    for (int d = 0; d < D; ++d)
+        for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+    Vec<3, const R*> field{};
+    for (int d = 0; d < 3; ++d) field.c[d] = u[d < D ? d : D - 1].data();
+    for (int p = 0; p < 300; ++p)
+    {
+        Vec<D, double> x;
+        for (int d = 0; d < D; ++d) x.c[d] = g.h*random(0, g.n[d]);
+        for (const int order : {2, 3})
+        {
+            const Vec<D, double> to = carried<2>(g, field.c, x, 0.1, order), anywhere = carriedAnywhere<2, true>(g, field, x, 0.1, order);
+            for (int d = 0; d < D; ++d) { EXPECT_NEAR(to.c[d], anywhere.c[d], 100*C::epsilon*g.h); }
+        }
+    }
+}
+
+//- A turn about the middle of the block: the end of the path is off by dt^2 or dt^3
+PIC_TEST(MotionHasItsOrder)
+{
+    using C = TypeParam;
+    if (C::mixed) GTEST_SKIP() << "the errors that are compared are smaller than float's";
+    constexpr int D = C::D;
+    Cloud<C> cloud(8, 1, 3, [](const Vec<D, double>&, int) { return 0.0; });
+    const auto& g = cloud.grid;
+    double middle[2] = {0.5*g.n[0]*g.h, 0.5*g.n[1]*g.h};
+    std::vector<typename C::real> u[D];
+    for (int d = 0; d < D; ++d)
+    {
+        u[d].assign(g.faces(d), 0);
+        for (int i = 0; d < 2 && i < g.faces(d); ++i)
+        {
+            const auto at = cloud.faceAt(d, i);
+            u[d][i] = d == 0 ? -(at.c[1] - middle[1]) : at.c[0] - middle[0];
+        }
+    }
+    const typename C::real* field[D];
+    for (int d = 0; d < D; ++d) field[d] = u[d].data();
+    for (const int order : {2, 3})
+    {
+        double error[2];
+        for (int fine = 0; fine < 2; ++fine)
+        {
+            const int steps = fine ? 20 : 10;
+            Vec<D, double> x = filled<D, double>(0.5);
+            x.c[0] = middle[0] + 0.1;
+            x.c[1] = middle[1];
+            for (int s = 0; s < steps; ++s) x = carried<2>(g, field, x, 1.0/steps, order);
+            error[fine] = std::hypot(x.c[0] - middle[0] - 0.1*std::cos(1), x.c[1] - middle[1] - 0.1*std::sin(1));
+        }
+        EXPECT_NEAR(std::log2(error[0]/error[1]), order, 0.1);
+    }
+}
+
+} // namespace
+} // namespace riprap
