@@ -1,10 +1,11 @@
 /*  picSpeed: time a step of a dam break by particles in cells, by phase.
 
         picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic] [--affine yes|no]
-                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats]
+                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats] [--solids N] [--solidCells M] [--pool F]
 
     The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a box 4 F columns wide and 2.5 F high. Steps go
-    by maxCourant 0.5. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each kernel and each part.
+    by maxCourant 0.5. With --pool water stands F columns deep in the whole box instead. --solids: so many disks or spheres of stone, M cells across (8), fall from a lattice two cells apart that
+    begins at the floor. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each kernel and each part.
     The particle part is transfers, motion and sort; correction of positions, surface, velocities on the grid and pressure are told apart. With --repeats the run is done once
     more, and the line says whether its state is the same to the bit.
 
@@ -27,8 +28,8 @@ using namespace riprap;
 struct Options
 {
     PicConfig config;
-    int dimensions = 3, across = 40;
-    double box = 1;
+    int dimensions = 3, across = 40, solids = 0, solidCells = 8;
+    double box = 1, pool = 0;
     std::int64_t steps = 40, warmUp = 10;
     bool kernels = false, repeats = false;
 };
@@ -65,6 +66,9 @@ Options read(int argc, char** argv)
         else if (a == "--tolerance") o.config.pressureTolerance = std::stod(value());
         else if (a == "--steps") o.steps = std::stoll(value());
         else if (a == "--warmUp") o.warmUp = std::stoll(value());
+        else if (a == "--solids") o.solids = std::stoi(value());
+        else if (a == "--solidCells") o.solidCells = std::stoi(value());
+        else if (a == "--pool") o.pool = std::stod(value());
         else if (a == "--kernels") o.kernels = true;
         else if (a == "--repeats") o.repeats = true;
         else throw std::invalid_argument("unknown option " + a);
@@ -92,14 +96,56 @@ FluidInput column(Options& o)
     const double s = 0.5*h;
     c.spacing = s;
     FluidInput f;
-    const int deep = three ? 2*o.across : 1;
-    f.position.reserve(std::size_t(24)*o.across*o.across*deep);
+    const int deep = three ? 2*o.across : 1, wide = 2*(o.pool > 0 ? c.cells[0] : o.across), high = o.pool > 0 ? int(std::lround(2*o.pool*o.across)) : 4*o.across;
+    f.position.reserve(std::size_t(3)*wide*high*deep);
     for (int k = 0; k < deep; ++k)
-        for (int j = 0; j < 4*o.across; ++j)
-            for (int i = 0; i < 2*o.across; ++i) f.position.insert(f.position.end(), {(i + 0.5)*s, (j + 0.5)*s, three ? (k + 0.5)*s : 0.5*h});
+        for (int j = 0; j < high; ++j)
+            for (int i = 0; i < wide; ++i) f.position.insert(f.position.end(), {(i + 0.5)*s, (j + 0.5)*s, three ? (k + 0.5)*s : 0.5*h});
     f.velocity.assign(f.position.size(), 0);
     f.density.assign(f.size(), c.density);
     return f;
+}
+
+//- Stones in layers, the lowest on the floor
+PicInside stones(const Options& o)
+{
+    constexpr double density = 2650, gap = 2;       // cells
+    PicInside inside;
+    if (!o.solids) return inside;
+    const PicConfig& c = o.config;
+    const double h = c.cellSize, radius = 0.5*o.solidCells*h, pitch = (o.solidCells + gap)*h;
+    auto s = std::make_shared<PicSolids>();
+    s->config.domainMin = c.domainMin;
+    s->config.domainMax = c.domainMax;
+    s->config.normal = NormalKind::linear;
+    s->config.tangential = TangentialKind::history;
+    s->input.materials.resize(1);
+    s->input.pairs.resize(1);
+    s->input.pairs[0].properties.normalStiffness = 1e6;
+    s->input.pairs[0].properties.restitution = 0.3;
+    s->input.pairs[0].properties.gap = gap*h;
+    for (int d = 0; d < o.dimensions; ++d)
+        for (int side = 0; side < 2; ++side)
+        {
+            DemWall w;
+            w.plane = true;
+            w.normal = {{0, 0, 0}};
+            w.normal[d] = side ? -1 : 1;
+            w.point = side ? c.domainMax : c.domainMin;
+            s->input.walls.push_back(w);
+        }
+    int n[3];
+    for (int d = 0; d < 3; ++d) n[d] = d < o.dimensions ? int((c.domainMax[d] - c.domainMin[d])/pitch) : 1;
+    if (std::int64_t(n[0])*n[1]*n[2] < o.solids) throw std::invalid_argument("--solids: the box has no room for so many");
+    for (int k = 0; k < o.solids; ++k)
+    {
+        const int at[3] = {k % n[0], k/(n[0]*n[2]), k/n[0] % n[2]};
+        for (int d = 0; d < 3; ++d) s->input.particles.position.push_back(d < o.dimensions ? c.domainMin[d] + (at[d] + 0.5)*pitch : 0.5*h);
+        s->input.particles.radius.push_back(radius);
+        s->input.particles.mass.push_back(density*(o.dimensions == 2 ? M_PI*radius*radius : 4*M_PI/3*radius*radius*radius));
+    }
+    inside.solids = s;
+    return inside;
 }
 
 double seconds(PicScene& scene, std::int64_t steps, PicReport& r)
@@ -116,6 +162,10 @@ const char* partOf(const std::string& kernel)
     static const std::map<std::string, const char*> parts
     {
         {"picKeys", "sort"}, {"sort", "sort"}, {"clearCells", "sort"}, {"countCells", "sort"}, {"scan", "sort"}, {"putInOrder", "sort"},
+        {"bodyDistances", "solids"}, {"restoreDistances", "solids"}, {"findShares", "solids"}, {"measureShares", "solids"}, {"closeByBodies", "solids"}, {"bodyFaceVelocities", "solids"},
+        {"restoreFaces", "solids"}, {"bodyVolumes", "solids"}, {"findBodyCells", "solids"}, {"fillBodyCells", "solids"}, {"sumBodyRows", "solids"}, {"sumBodies", "solids"},
+        {"openVolumes", "solids"}, {"openWeights", "solids"}, {"markKnownCells", "solids"}, {"extendSurface", "solids"}, {"pushOut", "solids"}, {"countCoupled", "solids"}, {"fillCoupled", "solids"},
+        {"keepSorted", "solids"}, {"coupledRows", "pressure"}, {"coupledBodies", "pressure"}, {"coupledAdd", "pressure"},
         {"hasParticles", "to grid"}, {"listOccupied", "to grid"}, {"particleToGrid", "to grid"}, {"gatherTiles", "to grid"},
         {"gridToParticle", "to particles"}, {"moveParticles", "motion"}, {"correctPositions", "correction of positions"},
         {"markWetCells", "surface"}, {"markNearWater", "surface"}, {"waterVolume", "surface"}, {"countFlying", "surface"}, {"advectLevelSet", "surface"},
@@ -149,7 +199,7 @@ int run(Options o)
 {
     FluidInput in = column(o);
     const std::size_t n = in.size();
-    auto scene = createPicScene(o.config, in, PicWalls());
+    auto scene = createPicScene(o.config, in, PicWalls(), nullptr, stones(o));
     in = FluidInput();
     PicReport r;
     seconds(*scene, o.warmUp, r);
@@ -160,7 +210,7 @@ int run(Options o)
     if (o.repeats)
     {
         PicReport second;
-        auto other = createPicScene(o.config, column(o), PicWalls());
+        auto other = createPicScene(o.config, column(o), PicWalls(), nullptr, stones(o));
         seconds(*other, o.warmUp, second);
         seconds(*other, o.steps, second);
         again = other->saveState() == scene->saveState() ? ", repeats to the bit" : ", DOES NOT REPEAT";
@@ -169,6 +219,7 @@ int run(Options o)
     std::printf("%s, %d threads, %dD, %zu particles, %lld cells, %lld steps: %.4g us a step, %.4g particle-steps/s; %.3g iterations a step, "
         "%zu bytes a particle, volume error %.2g%s\n", scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
         (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall, double(r.pressureIterations)/r.steps, bytes/n, r.volumeError, again.c_str());
+    if (o.solids) std::printf("    %d solids, %d steps of theirs in the last one, of %.4g s\n", o.solids, scene->coupling().subcycles, r.lastTimeStep);
     if (!o.kernels) return 0;
     scene->timeKernels(true);
     const double timed = seconds(*scene, o.steps, r);

@@ -255,30 +255,73 @@ void PicBodies<D>::fill(std::vector<BodyTerm>& terms) const
 }
 
 template<int D>
-void PicBodies<D>::foresee(const std::vector<BodyTerm>& terms, const double* impulse)
+std::vector<double> PicBodies<D>::velocities(bool predicted) const
 {
-    for (std::size_t i = 0; i < terms.size(); ++i)
+    std::vector<double> all;
+    all.reserve(now_.size()*modes);
+    for (const Now& n : now_)
     {
-        const std::vector<double> against = terms[i].gather(impulse);
+        const Memory& m = memory_[n.body];
+        const Modes& v = predicted ? n.predicted : (m.begun ? m.middle : n.velocity);
+        all.insert(all.end(), v.begin(), v.end());
+    }
+    return all;
+}
+
+template<int D>
+std::vector<double> PicBodies<D>::roots() const
+{
+    std::vector<double> all(now_.size()*modes*modes, 0.0);
+    for (std::size_t i = 0; i < now_.size(); ++i) rootOfInverseMass(modes, now_[i].inverse.data(), &all[i*modes*modes]);
+    return all;
+}
+
+template<int D>
+bool PicBodies<D>::anyLighter(const std::vector<double>& volume, double density) const
+{
+    bool any = false;
+    for (std::size_t i = 0; i < now_.size(); ++i) any = any || isLighter(modes, now_[i].inverse.data(), volume[i], density);
+    return any;
+}
+
+template<int D>
+void PicBodies<D>::foresee(const std::vector<double>& against)
+{
+    for (std::size_t i = 0; i < now_.size(); ++i)
+    {
         Modes given{};
-        for (int k = 0; k < modes; ++k) given[k] = -against[k];
+        for (int k = 0; k < modes; ++k) given[k] = -against[i*modes + k];
         const Modes change = times(now_[i], given);
         for (int k = 0; k < modes; ++k) now_[i].predicted[k] += change[k];
     }
 }
 
 template<int D>
-void PicBodies<D>::act(const std::vector<BodyTerm>& terms, const double* p)
+void PicBodies<D>::move(const std::vector<double>& against, double dt)
 {
-    for (std::size_t i = 0; i < terms.size(); ++i)
+    for (std::size_t i = 0; i < now_.size(); ++i)
+    {
+        Now& n = now_[i];
+        n.moved = n.predicted;
+        if (weak_) continue;
+        Modes given{};
+        for (int k = 0; k < modes; ++k) given[k] = -dt*against[i*modes + k];
+        const Modes change = times(n, given);
+        for (int k = 0; k < modes; ++k) n.moved[k] += change[k];
+    }
+}
+
+template<int D>
+void PicBodies<D>::act(const std::vector<double>& against)
+{
+    for (std::size_t i = 0; i < now_.size(); ++i)
     {
         Memory& m = memory_[now_[i].body];
-        const std::vector<double> against = terms[i].gather(p);
         m.old = m.force;
         for (int k = 0; k < modes; ++k)
         {
-            m.force[k] = -against[k] + now_[i].drag[k];
-            m.middle[k] = terms[i].velocity[k];
+            m.force[k] = -against[i*modes + k] + now_[i].drag[k];
+            m.middle[k] = now_[i].moved[k];
             finite_ = finite_ && std::isfinite(m.force[k]);
         }
     }
@@ -295,14 +338,14 @@ void PicBodies<D>::drag(int body, int component, double force, const Vec<D, doub
 }
 
 template<int D>
-void PicBodies<D>::endDrag(double dt, double viscosity, const std::vector<BodyTerm>& terms)
+void PicBodies<D>::endDrag(double dt, double viscosity, const std::vector<double>& volume)
 {
     for (std::size_t i = 0; i < now_.size(); ++i)
     {
         Now& n = now_[i];
         const Memory& m = memory_[n.body];
         const Modes& now = m.begun ? m.middle : n.velocity;
-        for (int s = D; s < modes; ++s) n.drag[s] -= 2*viscosity*terms[i].volume*now[s];
+        for (int s = D; s < modes; ++s) n.drag[s] -= 2*viscosity*volume[i]*now[s];
         const Modes change = times(n, n.drag);
         for (int k = 0; k < modes; ++k) n.predicted[k] += dt*change[k];
     }

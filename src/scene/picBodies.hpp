@@ -23,7 +23,8 @@
 
 #include "pic/bodies/ballUnion.hpp"
 #include "pic/bodies/contactArea.hpp"
-#include "pic/bodies/cutBodies.hpp"
+#include "pic/bodies/bodyTerm.hpp"
+#include "pic/bodies/freeBody.hpp"
 #include "scene/picScene.hpp"
 
 namespace riprap
@@ -49,13 +50,19 @@ public:
     //- Those that are there
     const std::vector<FreeBody<D, Shape>>& bodies() const { return bodies_; }
     std::vector<FreeBody<D, Shape>> withVelocities(bool predicted) const;   // else W of the step before
+    std::vector<double> velocities(bool predicted) const;                   // of all, one after the other
     void fill(std::vector<BodyTerm>&) const;                                // inverse masses and W*
+    std::vector<double> roots() const;                                      // L of each, M^-1 = L L^T
+    bool anyLighter(const std::vector<double>& volume, double density) const;
 
-    //- W* with an impulse of the pressure that is known already [Pa s]
-    void foresee(const std::vector<BodyTerm>&, const double* impulse);
+    //- What follows is given J^T p of all, one after the other, for some p: W* with an impulse of the pressure that is known already [Pa s]
+    void foresee(const std::vector<double>& against);
 
-    //- F from the pressure; W as the terms have it
-    void act(const std::vector<BodyTerm>&, const double* p);
+    //- W from W* and the pressure of a kick dt that was solved for
+    void move(const std::vector<double>& against, double dt);
+
+    //- F from the pressure
+    void act(const std::vector<double>& against);
 
     //- Hands F to the solids; blow: [s] part of the change of F that is added for one kick of this length, 0: none
     void push(double before, double lag, double kick);
@@ -93,7 +100,7 @@ public:
     //  does nothing within the water, and on a body that turns it is the moment -2 mu V w, whatever its shape
     void startDrag();
     void drag(int body, int component, double force, const Vec<D, double>& at);
-    void endDrag(double dt, double viscosity, const std::vector<BodyTerm>&);
+    void endDrag(double dt, double viscosity, const std::vector<double>& volume);
 
     double fastest() const;                     // [m/s], the turning surface's
     bool acrossPeriodic(const UniformGrid<D>&) const;       // does one reach across a periodic side? The grid would see a part of it alone
@@ -123,7 +130,7 @@ private:
     struct Now
     {
         int body = 0;
-        Modes velocity{}, total{}, predicted{}, drag{};
+        Modes velocity{}, total{}, predicted{}, moved{}, drag{};
         std::array<double, modes*modes> inverse{};
         Vec<3, double> arm{{0, 0, 0}};          // from the centre to the particle that carries the force
         bool asleep = false;

@@ -29,28 +29,56 @@ void PicSolver<Backend, D, P>::allocateCut()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
 {
-    if (base_.nodeDistance.empty() || base_.moves)
+    const bool anew = base_.nodeDistance.empty() || base_.moves;
+    if (anew)
     {
         base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);
         for (int d = 0; d < D; ++d)
             sealed_[d].upload(context_, std::vector<unsigned char>(base_.sealed[d].begin(), base_.sealed[d].end()));
+        setWalls(base_.walls);
+        nodeDistance_.upload(context_, base_.nodeDistance);
+        if (bodies_) keepBase();
     }
-    std::vector<double> distance = base_.nodeDistance;
-    if (bodies_)
+    else if (bodies_)
     {
-        cutByBodies(base_, distance);
-        PicWalls walls;
-        for (int d = 0; d < D; ++d) { walls.aperture[d] = bodyGrid_.aperture[d]; walls.wallVelocity[d] = bodyGrid_.wallVelocity[d]; }
-        setWalls(walls);
+        bodyCut_.restore(context_, cutFields());
+        measureOpenings(false);                 // where the new cut may not come
     }
-    else setWalls(base_.walls);
-    nodeDistance_.upload(context_, distance);
-    const int cells = grid_.cells();
-    forEach(context_, cells, OpenVolumes<D, real>{{grid_}, nodeDistance_.data(), open_.data()});
-    forEach(context_, cells, OpenWeights<D, real>{grid_, open_.data(), openWeight_.data()});
+    if (bodies_) cutByBodies();
+    measureOpenings(anew);
     for (int d = 0; d < D && sticksInside(); ++d)
         forEach(context_, grid_.faces(d), FaceDistances<D, real>{{grid_}, d, nodeDistance_.data(), faceDistance_[d].data()});
     insideMoves_ = base_.moves || bodies_;
+}
+
+//- Open parts of cells: of all, or of those about the bodies. What an opening's neighbours see of it across a periodic side lies in no block
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::measureOpenings(bool all)
+{
+    const OpenVolumes<D, real> volumes{{grid_}, nodeDistance_.data(), open_.data()};
+    const OpenWeights<D, real> weights{grid_, open_.data(), openWeight_.data()};
+    for (int d = 0; d < D; ++d) all = all || grid_.periodic[d];
+    if (all)
+    {
+        forEach(context_, grid_.cells(), volumes);
+        forEach(context_, grid_.cells(), weights);
+        return;
+    }
+    bodyCut_.eachCell(context_, volumes);
+    bodyCut_.eachCell(context_, weights);
+}
+
+//- The grid without bodies, to put back what they change
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::keepBase()
+{
+    baseDistance_.upload(context_, base_.nodeDistance);
+    for (int d = 0; d < D; ++d)
+    {
+        baseAperture_[d].upload(context_, std::vector<real>(base_.walls.aperture[d].begin(), base_.walls.aperture[d].end()));
+        const std::vector<double>& w = base_.walls.wallVelocity[d];
+        if (!w.empty()) baseVelocity_[d].upload(context_, std::vector<real>(w.begin(), w.end()));
+    }
 }
 
 //- Solids to where they are at the end of the step; particles that they have run over come out. \return false when a guard has fired

@@ -55,6 +55,21 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::keepOpenParts(int d, const std::vector<real>& aperture)
 { for (OpenFace<D>& f : openings_.faces) if (f.direction == d) f.open = double(aperture[f.face]); }
 
+//- What bodies leave open of each, and before they cut: all that walls leave
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::keepOpenParts()
+{
+    const std::vector<double> open = atOpenings(aperture_, nullptr);
+    for (std::size_t k = 0; k < openings_.faces.size(); ++k) openings_.faces[k].open = open[k];
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::openFully()
+{
+    for (int d = 0; d < D; ++d)
+        forEach(context_, int(openings_.face[d].size()), CopyOpenFaces<real>{openings_.face[d].data(), baseAperture_[d].data(), aperture_[d].data()});
+}
+
 //- A field of faces (of cells) at the openings' faces (the cells behind them), in their order
 template<class Backend, int D, class P>
 std::vector<double> PicSolver<Backend, D, P>::atOpenings(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells)

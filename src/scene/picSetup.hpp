@@ -109,7 +109,7 @@ void PicSolver<Backend, D, P>::setWalls(const PicWalls& walls)
             }
         }
         aperture_[d].upload(context_, a);
-        if (!walls.wallVelocity[d].empty()) wallsMove_ = true;
+        if (!walls.wallVelocity[d].empty() || bodies_) wallsMove_ = true;
         if (opens()) keepOpenParts(d, a);
     }
     setSides();

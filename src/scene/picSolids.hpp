@@ -21,56 +21,67 @@ void PicSolver<Backend, D, P>::setSolids(bool inWater)
     insideMoves_ = true;
 }
 
-//- What bodies leave of the grid that walls and obstacles have cut
+//- The grid for bodies to cut
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::cutByBodies(const PicCut& base, std::vector<double>& distance)
+CutFields<D, typename P::real> PicSolver<Backend, D, P>::cutFields()
 {
-    bodies_->read();
+    CutFields<D, real> f{};
     for (int d = 0; d < D; ++d)
     {
-        bodyGrid_.aperture[d] = base.walls.aperture[d];
-        bodyGrid_.wallVelocity[d] = base.walls.wallVelocity[d];
+        f.aperture[d] = aperture_[d].data();
+        f.wallVelocity[d] = wallVelocity_[d].data();
+        f.baseAperture[d] = baseAperture_[d].data();
+        f.baseVelocity[d] = base_.walls.wallVelocity[d].empty() ? nullptr : baseVelocity_[d].data();
     }
-    cutBodies(grid_, bodies_->bodies(), std::max(steepest(), 0), bodyGrid_);
-    const NodeGrid<D> nodes{grid_};
-    for (const auto& b : bodies_->bodies())
-    {
-        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-        const double reach = b.reach + bandNodes*grid_.h;
-        for (int d = 0; d < D; ++d)
-        {
-            low[d] = std::max(0, int(std::ceil((b.centre[d] - reach - grid_.origin[d])/grid_.h)));
-            high[d] = std::min(grid_.n[d], int(std::floor((b.centre[d] + reach - grid_.origin[d])/grid_.h)));
-        }
-        typename UniformGrid<D>::Index x{{0, 0, 0}};
-        for (x.c[2] = low[2]; x.c[2] <= high[2]; ++x.c[2])
-            for (x.c[1] = low[1]; x.c[1] <= high[1]; ++x.c[1])
-                for (x.c[0] = low[0]; x.c[0] <= high[0]; ++x.c[0])
-                {
-                    const int n = nodes.node(x);
-                    distance[n] = std::min(distance[n], b.shape.distance(nodes.position(n)));
-                }
-    }
+    f.distance = nodeDistance_.data();
+    f.baseDistance = baseDistance_.data();
+    f.band = bandNodes*grid_.h;
+    return f;
+}
+
+//- What bodies leave of the grid that walls and obstacles have cut
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::cutByBodies()
+{
+    bodies_->read();
+    if (opens()) openFully();
+    bodyCut_.cut(context_, grid_, bodies_->bodies(), std::max(steepest(), 0), cutFields());
+    if (opens()) keepOpenParts();
+    std::vector<double> velocity;
+    for (const auto& b : bodies_->bodies()) velocity.insert(velocity.end(), b.velocity.begin(), b.velocity.end());
+    bodyCut_.setVelocities(context_, velocity, cutFields());
+    if (opens()) writeOpenFaces();
 }
 
 //- The closed parts of faces move with bodies as predicted, or as in the step before
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
 {
-    std::vector<double> velocity[D];
-    bodyVelocities(grid_, bodies_->withVelocities(predicted), bodyGrid_.shares, base_.walls.aperture, base_.walls.wallVelocity, bodyGrid_.aperture, velocity);
-    for (int d = 0; d < D; ++d) wallVelocity_[d].upload(context_, std::vector<real>(velocity[d].begin(), velocity[d].end()));
+    bodyCut_.setVelocities(context_, bodies_->velocities(predicted), cutFields());
     if (opens()) writeOpenFaces();
 }
 
-//- Solved with the pressure, or walls for it. The impulse by which particles are left ahead is known before
+//- Solved with the pressure, or walls for it. The impulse by which particles are left ahead is known before. Light bodies bring slow modes, which a solver on the host takes away
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::projectWithBodies(double dt)
+void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
 {
-    if (config_.reflection > 0 && !bodies_->weak()) bodies_->foresee(bodyGrid_.terms, ahead_.download().data());
+    if (config_.reflection > 0 && !bodies_->weak()) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
     useBodyVelocities(true);
-    bodies_->fill(bodyGrid_.terms);
-    lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, bodies_->weak() ? nullptr : &bodyGrid_.terms, false, &rows_);
+    const PressureFields<D, real> fields = pressureFields(dt);
+    if (bodies_->weak()) lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_);
+    else if (linearSolver_.onDevice() && !bodies_->anyLighter(bodyCut_.volumes(), heavyRatio*config_.density))
+    {
+        const std::vector<double> roots = bodies_->roots();
+        const BodiesOnGrid<Backend, D> onGrid{bodyCut_, roots};
+        lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_, &onGrid);
+    }
+    else
+    {
+        std::vector<BodyTerm> terms = bodyCut_.terms();
+        bodies_->fill(terms);
+        lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, &terms, sameWater, &rows_);
+    }
+    bodies_->move(bodyCut_.gather(context_, pressure_.data()), dt);
 }
 
 //- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else that of the closed part of a face
@@ -133,7 +144,7 @@ void PicSolver<Backend, D, P>::dragBodies(double dt)
                 }
         });
     }
-    bodies_->endDrag(dt, config_.viscosity, bodyGrid_.terms);
+    bodies_->endDrag(dt, config_.viscosity, bodyCut_.volumes());
 }
 
 //- Eq. 20: each cell knows the contacts that reach it

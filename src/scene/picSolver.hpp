@@ -111,6 +111,8 @@ private:
     bool opens() const { return !openings_.faces.empty(); }
     void setOpenings(PicWalls&);
     void keepOpenParts(int d, const std::vector<real>& aperture);
+    void keepOpenParts();
+    void openFully();
     std::vector<double> atOpenings(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells);
     void startOpenings();
     void setOpenFaces(double t);
@@ -131,6 +133,8 @@ private:
     bool sticksInside() const { return cuts() && config_.noSlip && config_.viscosity > 0; }
     void allocateCut();
     void cutGrid(double t, double dt);
+    void measureOpenings(bool all);
+    void keepBase();
     bool moveInside(double dt, double before);
     SolidField<D, real> solidField();
     void extendSurface(Array<Backend, real>& phi);
@@ -138,9 +142,10 @@ private:
 
     // picSolids.hpp
     void setSolids(bool inWater);
-    void cutByBodies(const PicCut& base, std::vector<double>& distance);
+    CutFields<D, real> cutFields();
+    void cutByBodies();
     void useBodyVelocities(bool predicted);
-    void projectWithBodies(double dt);
+    void projectWithBodies(double dt, bool sameWater);
     void slowBetweenSolids();
     void setSolidVelocity();
     void dragBodies(double dt);
@@ -234,7 +239,9 @@ private:
     SolidSide<D, P>* solidSide_ = nullptr;
     std::unique_ptr<PicBodies<D>> bodies_;      // null: there are none
     PicCut base_;                               // by what does not belong to the solids
-    BodyGrid<D> bodyGrid_;
+    BodyCut<Backend, D> bodyCut_;
+    Array<Backend, real> baseAperture_[D], baseVelocity_[D];    // of the grid without bodies
+    Array<Backend, double> baseDistance_;
     int subcycles_ = 0;
     Array<Backend, int> contactFirst_, contactOf_;
     Array<Backend, ContactArea<D>> contactAreas_;

@@ -210,10 +210,10 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (opens()) pushOpenFaces(dt);
-    if (bodies_) projectWithBodies(dt);
+    if (bodies_) projectWithBodies(dt, reflects);
     else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects, &rows_);
     if (reflects) rows_.eachCellOfBoth(context_, WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
-    if (bodies_) bodies_->act(bodyGrid_.terms, wholePressure().download().data());
+    if (bodies_) bodies_->act(bodyCut_.gather(context_, wholePressure().data()));
     rows_.eachFace(context_, [&](int d)
     {
         return VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr,

@@ -2,10 +2,10 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include "bodyReference.hpp"
 #include "hostSolver.hpp"
 #include "picSceneTest.hpp"
 #include "pic/bodies/ballUnion.hpp"
-#include "pic/bodies/cutBodies.hpp"
 
 namespace riprap
 {

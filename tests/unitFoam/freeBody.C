@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include <gtest/gtest.h>
-#include "pic/bodies/cutBodies.hpp"
+#include "../unit/bodyReference.hpp"
 #include "pic/pressure/pressureStep.hpp"
 #include "pic/shapes/shapes.hpp"
 #include "pressureSolver.H"

@@ -20,6 +20,28 @@ namespace riprap
 
 template<int D> inline constexpr int bodyModes = D == 2 ? 3 : 6;
 
+//- L with L L^T = M^-1, by rows; l is zero on entry
+inline void rootOfInverseMass(int modes, const double* inverseMass, double* l)
+{
+    for (int a = 0; a < modes; ++a)
+        for (int b = 0; b <= a; ++b)
+        {
+            double sum = inverseMass[a*modes + b];
+            for (int k = 0; k < b; ++k) sum -= l[a*modes + k]*l[b*modes + k];
+            if (a != b) l[a*modes + b] = l[b*modes + b] > 0 ? sum/l[b*modes + b] : 0;
+            else if (sum < 0) throw std::invalid_argument("the mass of a body is not positive");
+            else l[a*modes + a] = std::sqrt(sum);
+        }
+}
+
+//- Is a body's mean density below this, along any direction in which it gives way?
+inline bool isLighter(int modes, const double* inverseMass, double volume, double density)
+{
+    bool lighter = false;
+    for (int m = 0; m < (modes == 3 ? 2 : 3); ++m) lighter = lighter || inverseMass[m*modes + m]*density*volume > 1;
+    return lighter;
+}
+
 struct BodyTerm
 {
     int modes = 0;
@@ -46,27 +68,13 @@ struct BodyTerm
             for (int b = 0; b < modes; ++b) velocity[a] -= dt*inverseMass[a*modes + b]*impulse[b];
     }
 
-    //- Is its mean density below this, along any direction in which it gives way?
-    bool lighterThan(double density) const
-    {
-        bool lighter = false;
-        for (int m = 0; m < (modes == 3 ? 2 : 3); ++m) lighter = lighter || inverseMass[m*modes + m]*density*volume > 1;
-        return lighter;
-    }
+    bool lighterThan(double density) const { return isLighter(modes, inverseMass.data(), volume, density); }
 
     //- L with L L^T = M^-1, by rows
     std::vector<double> rootOfInverseMass() const
     {
         std::vector<double> l(modes*modes, 0.0);
-        for (int a = 0; a < modes; ++a)
-            for (int b = 0; b <= a; ++b)
-            {
-                double sum = inverseMass[a*modes + b];
-                for (int k = 0; k < b; ++k) sum -= l[a*modes + k]*l[b*modes + k];
-                if (a != b) l[a*modes + b] = l[b*modes + b] > 0 ? sum/l[b*modes + b] : 0;
-                else if (sum < 0) throw std::invalid_argument("the mass of a body is not positive");
-                else l[a*modes + a] = std::sqrt(sum);
-            }
+        riprap::rootOfInverseMass(modes, inverseMass.data(), l.data());
         return l;
     }
 };

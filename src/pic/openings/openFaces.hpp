@@ -47,6 +47,17 @@ struct PushOpenFaces
     HD void operator()(int k) const { u[face[k]] += push[k]; }
 };
 
+template<class R>
+struct CopyOpenFaces
+{
+    static constexpr const char* name = "copyOpenFaces";
+    const int* face;
+    const R* from;
+    R* to;
+
+    HD void operator()(int k) const { to[face[k]] = from[face[k]]; }
+};
+
 //- A field at the listed faces, or cells
 template<class R>
 struct ReadOpenFaces

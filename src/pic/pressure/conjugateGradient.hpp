@@ -87,6 +87,21 @@ struct SetReference
     }
 };
 
+//- For what bodies add
+template<int D>
+struct ClearDirections
+{
+    static constexpr const char* name = "pressureClear";
+    FineData<D> f;
+    TiledCells<D> cells;
+
+    HD void operator()(int i) const
+    {
+        Place<D> c;
+        if (cells.at(i, c)) f.p[c.c] = f.q[c.c] = 0;
+    }
+};
+
 template<int D>
 struct FirstResidual
 {
@@ -94,19 +109,20 @@ struct FirstResidual
     FineData<D> f;
     TiledCells<D> cells;
     const CgState* state;
+    bool coupled;           // q has the bodies' part of the product with x, p that with ones
 
     HD void add(int i, double* sums) const
     {
         Place<D> c;
         if (!cells.at(i, c)) return;
         const bool unknown = f.inverse[c.c] > 0;
-        const double ax = unknown ? f.apply(c, f.x) : 0, r = unknown ? f.rhs[c.c] - ax : 0;
+        const double ax = unknown ? f.apply(c, f.x) + (coupled ? f.q[c.c] : 0) : 0, r = unknown ? f.rhs[c.c] - ax : 0;
+        const double reference = (f.s[c.c] + (coupled ? f.p[c.c] : 0))*state->xRef;
         f.r[c.c] = r;
         f.b[c.c] = float(r);
         f.p[c.c] = 0;
         f.q[c.c] = 0;
         if (!unknown) return;
-        const double reference = f.s[c.c]*state->xRef;
         sums[0] += std::fabs(r);
         sums[1] += std::fabs(ax - reference) + std::fabs(f.rhs[c.c] - reference);
     }

@@ -11,6 +11,7 @@
 #include "core/deviceSum.hpp"
 #include "core/sort.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
+#include "pic/pressure/coupledRows.hpp"
 #include "pic/pressure/linearSolver.hpp"
 #include "pic/pressure/vCycle.hpp"
 
@@ -96,7 +97,8 @@ public:
     //- After coefficients have changed
     void setUp(Context<Backend>& context);
 
-    PressureReport solve(Context<Backend>& context, const MultigridControls& controls);
+    //- bodies: what free ones add to the matrix, whose slow modes nothing takes away: for those that are heavier than the water
+    PressureReport solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies = nullptr);
 
     //- One V-cycle, from fine().b to fine().z, for a loop that is not ours; after setUp()
     void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps); }
@@ -106,8 +108,9 @@ public:
 private:
 
     void chooseCapacities(const std::vector<int>& count);
-    void start(Context<Backend>& context);
-    void iterate(Context<Backend>& context);
+    void start(Context<Backend>& context, const CoupledView<D>* bodies);
+    void iterate(Context<Backend>& context, const CoupledView<D>* bodies);
+    void forgetLoops() { loop_.forget(); coupledLoop_.forget(); }
 
     bool periodic_[D] = {};
     int sweeps_ = 2;
@@ -122,14 +125,15 @@ private:
     Array<Backend, TileOrigin<D>> origins_;
     Array<Backend, CgState> state_;
     SortScratch<Backend> scan_;
-    DeviceLoop<Backend> loop_;
+    DeviceLoop<Backend> loop_, coupledLoop_;
+    CoupledView<D> recorded_{};             // of coupledLoop_
 };
 
 template<class Backend, int D>
 void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int* cells, const bool* periodic)
 {
     levels_.clear(); cells_.clear(); firstTile_.clear(); active_.clear();
-    loop_.forget();
+    forgetLoops();
     int n[D], tiles = 0;
     for (int d = 0; d < D; ++d) { n[d] = cells[d]; periodic_[d] = periodic[d]; }
     std::size_t floats = 0;
@@ -219,46 +223,65 @@ void MultigridSolver<Backend, D>::chooseCapacities(const std::vector<int>& count
         int& capacity = cells_[l].capacity;
         if (count[l] <= capacity && capacity <= wanted + 2*spare) continue;
         capacity = wanted;
-        loop_.forget();
+        forgetLoops();
     }
 }
 
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::start(Context<Backend>& context)
+void MultigridSolver<Backend, D>::start(Context<Backend>& context, const CoupledView<D>* bodies)
 {
     const int n = cells_[0].all();
     CgState* state = state_.data();
     sumThen<2>(context, n, AverageGuess<D>{fine_, cells_[0]}, partial_.data(), SetReference{state});
-    sumThen<2>(context, n, FirstResidual<D>{fine_, cells_[0], state}, partial_.data(), StartIterations{state});
+    if (bodies)
+    {
+        forEach(context, n, ClearDirections<D>{fine_, cells_[0]});
+        addCoupled(context, *bodies, fine_.x, fine_.q);
+        addCoupled(context, *bodies, static_cast<const double*>(nullptr), fine_.p);
+    }
+    sumThen<2>(context, n, FirstResidual<D>{fine_, cells_[0], state, bodies != nullptr}, partial_.data(), StartIterations{state});
 }
 
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::iterate(Context<Backend>& context)
+void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const CoupledView<D>* bodies)
 {
     const int n = cells_[0].all();
     CgState* state = state_.data();
     double* partial = partial_.data();
+    const ApplyDirection<D> apply{fine_, cells_[0]};
     vCycle<D>(context, levels_, cells_, tail_, sweeps_);
     sumThen<2>(context, n, DotPreconditioned<D>{fine_, cells_[0]}, partial, SetBeta{state});
     forEach(context, n, NewDirection<D>{fine_, cells_[0], state});
-    sumThen<1>(context, n, ApplyDirection<D>{fine_, cells_[0]}, partial, SetAlpha{state});
+    if (bodies)
+    {
+        forEach(context, bodies->rowRoom, SumCoupledRows<D>{*bodies, fine_.p});
+        forEach(context, bodies->sumRoom, SumCoupledBodies<D>{*bodies});
+        sumThen<1>(context, n + bodies->sumRoom, ApplyCoupled<D>{apply, *bodies}, partial, SetAlpha{state});
+        forEach(context, bodies->entryRoom, AddCoupled<D>{*bodies, fine_.q});
+    }
+    else sumThen<1>(context, n, apply, partial, SetAlpha{state});
     sumThen<1>(context, n, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state});
 }
 
 template<class Backend, int D>
-PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, const MultigridControls& controls)
+PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies)
 {
-    if (sweeps_ != controls.sweeps) loop_.forget();
+    if (sweeps_ != controls.sweeps) forgetLoops();
     sweeps_ = controls.sweeps;
+    if (bodies && !(*bodies == recorded_))
+    {
+        coupledLoop_.forget();
+        recorded_ = *bodies;
+    }
     CgState s{};
     s.tolerance = controls.tolerance;
     s.relTol = controls.relTol;
     s.maxIter = controls.maxIter;
     s.minIter = controls.minIter;
     context.toDevice(state_.data(), &s, sizeof(s));
-    start(context);
+    start(context, bodies);
     context.toHost(&s, state_.data(), sizeof(s));
-    if (s.again) loop_.run(context, &state_.data()->again, [&] { iterate(context); });
+    if (s.again) (bodies ? coupledLoop_ : loop_).run(context, &state_.data()->again, [&] { iterate(context, bodies); });
     context.toHost(&s, state_.data(), sizeof(s));
 
     PressureReport report;

@@ -24,6 +24,14 @@ namespace riprap
 //- Bodies so many times as heavy as water need no deflation: iterations are those of a wall
 static constexpr double heavyRatio = 2;
 
+//- Bodies where the grid is, with L of each: M^-1 = L L^T
+template<class Backend, int D>
+struct BodiesOnGrid
+{
+    const BodyCut<Backend, D>& cut;
+    const std::vector<double>& root;
+};
+
 template<class Backend, int D, class R>
 class PressureStep
 {
@@ -37,12 +45,12 @@ public:
     }
 
     //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
-    //  becomes that at the end of the step. sameWater: surface and open parts are those of the last projection. rows: those about the water, where
+    //  becomes that at the end of the step. onGrid: bodies that our solver takes as they are in the grid, none of them light; what becomes of their V is the caller's. sameWater: surface and open parts are those of the last projection. rows: those about the water, where
     //  alone faces may need a correction; nullptr: all
     PressureReport project
     (
         Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false,
-        const ActiveRows<Backend, D>* rows = nullptr
+        const ActiveRows<Backend, D>* rows = nullptr, const BodiesOnGrid<Backend, D>* onGrid = nullptr
     )
     {
         const FineData<D>& fine = multigrid_.fine();
@@ -59,7 +67,14 @@ public:
 
         const MultigridControls* controls = solver.onDevice();
         const bool free = bodies && !bodies->empty();
-        const PressureReport report = controls && !free ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
+        PressureReport report;
+        if (controls && onGrid)
+        {
+            coupled_.set(context, onGrid->cut, scaled(onGrid->root, f), fine);
+            const CoupledView<D> view = coupled_.view();
+            report = multigrid_.solve(context, *controls, &view);
+        }
+        else report = controls && !free ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
@@ -84,6 +99,15 @@ private:
     PressureReport solveCoupled(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls);
     static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
 
+    //- U = J L in the units of the equation
+    static double bodyScale(const PressureFields<D, R>& f) { return std::sqrt(f.density*f.grid.h/f.grid.area()); }
+    static std::vector<double> scaled(std::vector<double> root, const PressureFields<D, R>& f)
+    {
+        for (double& l : root) l *= bodyScale(f);
+        return root;
+    }
+
+    CoupledRows<Backend, D> coupled_;
     MultigridSolver<Backend, D> multigrid_;
     Pockets<Backend, D> pockets_;
     Array<Backend, int> wet_;
@@ -164,8 +188,8 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
             r.offDiagonal.push_back(-face[k].second);
         }
     }
-    // U = J L, M^-1 = L L^T, in the units of the equation
-    const double scale = std::sqrt(f.density*grid.h/grid.area());
+    // M^-1 = L L^T
+    const double scale = bodyScale(f);
     for (const BodyTerm& b : bodies)
     {
         const std::vector<double> root = b.rootOfInverseMass();

@@ -1,9 +1,4 @@
-/*  Free bodies in the grid: their shares of faces, what they leave open, and their terms of the pressure equation.
-
-    Where bodies and walls leave less than smallestAperture of a face it is closed, and shares that sum to more than the face are scaled down to it, before J
-    is made of them. In 3D the parts of faces are by distances at points a quarter of a cell apart. In 2D they are exact. Their sum is the body's area by chords at the planes of the faces, which misses up to (h/a)^1.5 of it where a plane
-    nearly touches the body, and its added mass with it; there the mean over the planes of half a cell on either side is taken (inPole), and both converge
-    with second order.  A face that is a wall keeps the bodies' shares, so that a body that a wall clips still has a closed surface.
+/*  Free bodies in a grid on the host, share by share: what kernels of pic/bodies do must come to the same.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,6 +6,8 @@
 
 #include <algorithm>
 #include "pic/bodies/bodyTerm.hpp"
+#include "pic/bodies/freeBody.hpp"
+#include "pic/bodies/inBody.hpp"
 #include "pic/cutCells/apertures.hpp"
 
 namespace riprap
@@ -25,16 +22,6 @@ struct FaceShare
     Vec<D, double> middle;      // of the share
 };
 
-//- Where a body may be, and its distance; Shape as in pic/shapes
-template<int D, class Shape>
-struct FreeBody
-{
-    Shape shape;
-    Vec<D, double> centre;      // of mass
-    double reach;               // nothing of it is farther from the centre
-    std::vector<double> velocity;
-};
-
 template<int D>
 struct BodyGrid
 {
@@ -42,64 +29,6 @@ struct BodyGrid
     std::vector<FaceShare<D>> shares;
     std::vector<BodyTerm> terms;                        // without masses
 };
-
-//- Faces of direction d from x along the other axis: the part in the body
-template<class Shape>
-SolidPart<2> inBody(const Shape& shape, Vec<2, double> x, int d, double h)
-{
-    constexpr int planes = 8;
-    const int along = 1 - d;
-    Vec<2, double> middle = x;
-    middle[along] += 0.5*h;
-    const double distance = shape.distance(middle);
-    if (distance > h) return {0, {0}};
-    if (distance < -h) return {1, {0.5}};
-    SolidPart<2> part = shape.solidOfLine(x, along, h);
-    const double inPole = 1 - shape.behindPole(middle, d)/h;
-    if (!(inPole > 0)) return part;
-    part.share *= 1 - inPole;
-    part.moment[0] *= 1 - inPole;
-    for (int k = 0; k < planes; ++k)
-    {
-        Vec<2, double> at = x;
-        at[d] += h*((k + 0.5)/planes - 0.5);
-        const SolidPart<2> there = shape.solidOfLine(at, along, h);
-        part.share += inPole/planes*there.share;
-        part.moment[0] += inPole/planes*there.moment[0];
-    }
-    return part;
-}
-
-//- A face of direction d in 3D with its lower corner at x. Distances at its corners alone would cut chords off the body: 2.3 % of the volume of a ball of 3.75 cells
-//  a radius, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
-template<class Shape>
-SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
-{
-    constexpr int parts = 4;
-    const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
-    const auto distance = [&](int i, int j)
-    {
-        Vec<3, double> at = x;
-        at[a] += h*i/parts;
-        at[c] += h*j/parts;
-        return shape.distance(at);
-    };
-    const double middle = distance(parts/2, parts/2);
-    if (middle > h) return {0, {0, 0}};
-    if (middle < -h) return {1, {0.5, 0.5}};
-    double corner[parts + 1][parts + 1];
-    for (int i = 0; i <= parts; ++i) for (int j = 0; j <= parts; ++j) corner[i][j] = distance(i, j);
-    SolidPart<3> part{0, {0, 0}};
-    for (int i = 0; i < parts; ++i)
-        for (int j = 0; j < parts; ++j)
-        {
-            const SolidPart<3> p = solidOfSquare(corner[i][j], corner[i + 1][j], corner[i][j + 1], corner[i + 1][j + 1]);
-            part.share += p.share/(parts*parts);
-            part.moment[0] += (p.share*i + p.moment[0])/(parts*parts*parts);
-            part.moment[1] += (p.share*j + p.moment[1])/(parts*parts*parts);
-        }
-    return part;
-}
 
 template<int D, class Shape>
 void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body, std::vector<FaceShare<D>>& shares)
@@ -128,37 +57,6 @@ void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body,
                     for (int e = 0; e < D; ++e) s.middle[e] = grid.origin[e] + grid.h*(x.c[e] + (e == d ? 0 : part.moment[m++]/part.share));
                     shares.push_back(s);
                 }
-}
-
-//- Velocities of the closed parts of faces, from bodies' velocities: walls (what is open without bodies, and how fast the rest is) and bodies by
-//  their shares; open: what is left
-template<int D, class Shape>
-void bodyVelocities
-(
-    const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>& bodies, const std::vector<FaceShare<D>>& shares,
-    const std::vector<double>* walls, const std::vector<double>* wallVelocity, const std::vector<double>* open, std::vector<double>* velocity
-)
-{
-    for (int d = 0; d < D; ++d)
-    {
-        velocity[d] = wallVelocity[d];
-        velocity[d].resize(grid.faces(d), 0);
-    }
-    // each face is scaled once, by its first share
-    std::vector<char> begun[D];
-    for (int d = 0; d < D; ++d) begun[d].assign(grid.faces(d), 0);
-    for (const FaceShare<D>& s : shares)
-    {
-        const double closed = 1 - open[s.d][s.face];
-        if (!(closed > 0)) continue;
-        double& v = velocity[s.d][s.face];
-        if (!begun[s.d][s.face]) v *= (1 - walls[s.d][s.face])/closed;
-        begun[s.d][s.face] = 1;
-        const Vec<D, double> r = s.middle - bodies[s.body].centre;
-        double speed = 0;
-        for (int m = 0; m < bodyModes<D>; ++m) speed += modeVelocity(m, s.d, r)*bodies[s.body].velocity[m];
-        v += s.share*speed/closed;
-    }
 }
 
 //- up: the direction against gravity, across which volumes are measured

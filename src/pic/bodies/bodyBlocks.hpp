@@ -1,0 +1,132 @@
+/*  Bodies as kernels see them, and the work about them: each has a block of nodes, faces and cells, whose rows along the first axis are numbered through all bodies.
+    So the cost is that of the blocks, whatever the grid around them.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/sharedLowest.hpp"
+#include "pic/bodies/ballUnion.hpp"
+#include "pic/cutCells/apertures.hpp"
+
+namespace riprap
+{
+
+//- A block reaches so many cells beyond its body: distances are known for two (bandNodes)
+static constexpr int blockMargin = 2;
+
+template<int D>
+struct PlacedBody
+{
+    Vec<D, double> centre;      // of mass
+    int firstBall, balls;
+    int low[3], size[3];        // of the block: its first index, and indices along each axis
+
+    HD int rows() const { return size[1]*size[2]; }
+
+    //- Nothing of the body is farther than reach from its centre
+    void setBlock(const UniformGrid<D>& grid, double reach)
+    {
+        for (int d = 0; d < 3; ++d) { low[d] = 0; size[d] = 1; }
+        for (int d = 0; d < D; ++d)
+        {
+            const int first = floorInt((centre[d] - reach - grid.origin[d])/grid.h) - blockMargin, last = floorInt((centre[d] + reach - grid.origin[d])/grid.h) + 1 + blockMargin;
+            low[d] = first > 0 ? first : 0;
+            size[d] = (last < grid.n[d] ? last : grid.n[d]) - low[d] + 1;
+            if (size[d] < 0) size[d] = 0;
+        }
+        if (!size[0]) size[1] = 0;
+    }
+};
+
+//- A row of a block
+struct BlockRow { int body, j, k; };
+
+template<int D>
+struct BodyBlocks
+{
+    UniformGrid<D> grid;
+    int count;
+    const PlacedBody<D>* body;
+    const int* firstRow;        // of each body, and the number of rows
+    const Ball<D>* ball;
+
+    HD BallSet<D> shape(int b) const { return {ball + body[b].firstBall, body[b].balls}; }
+
+    HD BlockRow row(int r) const
+    {
+        int low = 0, high = count;              // the last body that begins at or before it
+        while (high - low > 1)
+        {
+            const int middle = (low + high)/2;
+            if (firstRow[middle] <= r) low = middle;
+            else high = middle;
+        }
+        const int i = r - firstRow[low];
+        return {low, i % body[low].size[1], i/body[low].size[1]};
+    }
+
+    //- The first index of a row
+    HD typename UniformGrid<D>::Index first(const BlockRow& r) const
+    { return {{body[r.body].low[0], body[r.body].low[1] + r.j, body[r.body].low[2] + r.k}}; }
+};
+
+//- f(index) over the cells of rows, as far as the grid has them
+template<int D, class F>
+struct OverBlockCells
+{
+    static constexpr const char* name = F::name;
+    BodyBlocks<D> blocks;
+    F f;
+
+    HD void operator()(int r) const
+    {
+        const BlockRow row = blocks.row(r);
+        const UniformGrid<D>& g = blocks.grid;
+        typename UniformGrid<D>::Index c = blocks.first(row);
+        for (int d = 1; d < D; ++d) if (c.c[d] >= g.n[d]) return;
+        for (int i = 0; i < blocks.body[row.body].size[0] && c.c[0] < g.n[0]; ++i, ++c.c[0]) f(g.cell(c));
+    }
+};
+
+//- Bodies' distances to the nodes about them, where they are the nearest
+template<int D>
+struct LowerDistances
+{
+    static constexpr const char* name = "bodyDistances";
+    BodyBlocks<D> blocks;
+    double band;                // [m]: beyond it nothing is told
+    double* distance;
+
+    HD void operator()(int r) const
+    {
+        const BlockRow row = blocks.row(r);
+        const NodeGrid<D> nodes{blocks.grid};
+        const BallSet<D> shape = blocks.shape(row.body);
+        const int first = nodes.node(blocks.first(row));
+        for (int n = first; n < first + blocks.body[row.body].size[0]; ++n)
+        {
+            const double d = shape.distance(nodes.position(n));
+            if (d < band) lowerTo(distance + n, d);
+        }
+    }
+};
+
+//- As it was without bodies
+template<int D>
+struct RestoreDistances
+{
+    static constexpr const char* name = "restoreDistances";
+    BodyBlocks<D> blocks;
+    const double* base;
+    double* distance;
+
+    HD void operator()(int r) const
+    {
+        const BlockRow row = blocks.row(r);
+        const int first = NodeGrid<D>{blocks.grid}.node(blocks.first(row));
+        for (int n = first; n < first + blocks.body[row.body].size[0]; ++n) distance[n] = base[n];
+    }
+};
+
+} // namespace riprap

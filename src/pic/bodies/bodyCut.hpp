@@ -1,0 +1,237 @@
+/*  Bodies in the grid, where the grid is: distances, apertures, wall velocities and J, of the bodies' blocks alone. What bodies have changed of the grid is put back before
+    they change it anew.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/sort.hpp"
+#include "pic/bodies/bodyRows.hpp"
+
+namespace riprap
+{
+
+//- The grid that bodies cut: with them, and of walls alone
+template<int D, class R>
+struct CutFields
+{
+    R* aperture[D];
+    R* wallVelocity[D];
+    const R* baseAperture[D];
+    const R* baseVelocity[D];       // nullptr: walls rest
+    double* distance;               // nodes
+    const double* baseDistance;
+    double band;                    // that distances are told in [m]
+};
+
+template<class Backend, int D>
+class BodyCut
+{
+public:
+
+    static constexpr int modes = bodyModes<D>;
+
+    //- The grid as it is without the bodies of the last cut
+    template<class R>
+    void restore(Context<Backend>& context, const CutFields<D, R>& f)
+    {
+        RestoreFaces<D, R> faces{sorted(), {}, {}, {}, {}};
+        for (int d = 0; d < D; ++d)
+        {
+            faces.base[d] = f.baseAperture[d];
+            faces.baseVelocity[d] = f.baseVelocity[d];
+            faces.aperture[d] = f.aperture[d];
+            faces.wallVelocity[d] = f.wallVelocity[d];
+        }
+        forEach(context, shareCount_, faces);
+        forEach(context, rowCount_, RestoreDistances<D>{blocks(), f.baseDistance, f.distance});
+    }
+
+    //- Where bodies are: shape, centre and reach of each. f: of walls alone. up: the direction across which volumes are measured
+    template<class Bodies, class R>
+    void cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up, const CutFields<D, R>& f);
+
+    //- Wall velocities of bodies that move like that: modes values a body
+    template<class R>
+    void setVelocities(Context<Backend>& context, const std::vector<double>& velocity, const CutFields<D, R>& f)
+    {
+        velocity_.upload(context, velocity);
+        BodyFaceVelocities<D, R> v{sorted(), {}, {}, {}, share_.data(), arm_.data(), bodyOfShare_.data(), velocity_.data(), {}};
+        for (int d = 0; d < D; ++d)
+        {
+            v.base[d] = f.baseAperture[d];
+            v.baseVelocity[d] = f.baseVelocity[d];
+            v.aperture[d] = f.aperture[d];
+            v.wallVelocity[d] = f.wallVelocity[d];
+        }
+        forEach(context, shareCount_, v);
+    }
+
+    //- f(cell) over the cells about the bodies
+    template<class F>
+    void eachCell(Context<Backend>& context, const F& f) { forEach(context, rowCount_, OverBlockCells<D, F>{blocks(), f}); }
+
+    //- J^T p of each body, modes values each
+    std::vector<double> gather(Context<Backend>& context, const double* p)
+    {
+        forEach(context, rowCount_, SumRowsOfBodies<modes>{cellFirst_.data(), cell_.data(), j_.data(), p, ofRow_.data()});
+        return sumBodies(context, modes);
+    }
+
+    const std::vector<double>& volumes() const { return volume_; }
+
+    //- For solvers on the host; without masses and velocities
+    std::vector<BodyTerm> terms() const;
+
+    BodyBlocks<D> blocks() const { return {grid_, bodyCount_, body_.data(), firstRow_.data(), ball_.data()}; }
+    int bodies() const { return bodyCount_; }
+    int rows() const { return rowCount_; }
+    int entries() const { return entryCount_; }
+    const int* firstRow() const { return firstRow_.data(); }
+    const int* first() const { return cellFirst_.data(); }
+    const int* cell() const { return cell_.data(); }
+    const double* j() const { return j_.data(); }
+
+private:
+
+    template<class Bodies> void place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies);
+    void measure(Context<Backend>& context);
+    void fillRows(Context<Backend>& context, int up);
+
+    ShareRows<D> shares() const { return {shareFirst_.data(), shareX_.data(), share_.data(), arm_.data()}; }
+    SortedShares<D> sorted() const { return {FaceKeys<D>(grid_), shareCount_, scratch_.keys[1].data(), scratch_.values[1].data()}; }
+
+    //- counts[0 .. n - 1] become their sums before each, counts[n] that of all. \return it
+    int sumUp(Context<Backend>& context, Array<Backend, int>& counts, int n)
+    {
+        int all = 0;
+        exclusiveScan(context, scratch_, counts.data(), n + 1);
+        context.toHost(&all, counts.data() + n, sizeof(int));
+        return all;
+    }
+
+    std::vector<double> sumBodies(Context<Backend>& context, int values)
+    {
+        ofBody_.allocate(context, std::size_t(bodyCount_)*values);
+        forEach(context, bodyCount_*values, SumBodies{values, firstRow_.data(), ofRow_.data(), ofBody_.data()});
+        return ofBody_.download();
+    }
+
+    UniformGrid<D> grid_{};
+    int bodyCount_ = 0, rowCount_ = 0, shareCount_ = 0, entryCount_ = 0;
+    std::vector<double> volume_;
+    Array<Backend, PlacedBody<D>> body_;
+    Array<Backend, Ball<D>> ball_;
+    Array<Backend, int> firstRow_;                              // of bodies
+    Array<Backend, int> shareFirst_, shareX_, bodyOfShare_;     // of rows of faces; of shares
+    Array<Backend, double> share_;
+    Array<Backend, Vec<D, double>> arm_;
+    Array<Backend, int> cellFirst_, cellX_, cell_;              // of rows of cells; of entries
+    Array<Backend, double> j_, velocity_, ofRow_, ofBody_;
+    SortScratch<Backend> scratch_;                              // keys[1], values[1]: shares by faces
+};
+
+template<class Backend, int D>
+template<class Bodies, class R>
+void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up, const CutFields<D, R>& f)
+{
+    place(context, grid, bodies);
+    measure(context);
+    CloseByBodies<D, R> close{sorted(), {}, {}, share_.data()};
+    for (int d = 0; d < D; ++d)
+    {
+        close.base[d] = f.baseAperture[d];
+        close.aperture[d] = f.aperture[d];
+    }
+    forEach(context, shareCount_, close);
+    fillRows(context, up);
+    forEach(context, rowCount_, LowerDistances<D>{blocks(), f.band, f.distance});
+}
+
+template<class Backend, int D>
+template<class Bodies>
+void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies)
+{
+    std::vector<PlacedBody<D>> placed(bodies.size());
+    std::vector<Ball<D>> balls;
+    std::vector<int> firstRow(1, 0);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+    {
+        PlacedBody<D>& p = placed[b];
+        p.centre = bodies[b].centre;
+        p.firstBall = int(balls.size());
+        p.balls = int(bodies[b].shape.balls.size());
+        balls.insert(balls.end(), bodies[b].shape.balls.begin(), bodies[b].shape.balls.end());
+        p.setBlock(grid, bodies[b].reach);
+        firstRow.push_back(firstRow.back() + p.rows());
+    }
+    grid_ = grid;
+    bodyCount_ = int(bodies.size());
+    rowCount_ = firstRow.back();
+    body_.upload(context, placed);
+    ball_.upload(context, balls);
+    firstRow_.upload(context, firstRow);
+}
+
+//- Shares, sorted by faces
+template<class Backend, int D>
+void BodyCut<Backend, D>::measure(Context<Backend>& context)
+{
+    const FaceKeys<D> faces(grid_);
+    const int rows = D*rowCount_;
+    for (auto* a : {&shareFirst_, &shareX_}) a->allocate(context, rows + 1);
+    forEach(context, rows + 1, FindShares<D>{blocks(), shareFirst_.data(), shareX_.data()});
+    shareCount_ = sumUp(context, shareFirst_, rows);
+    share_.allocate(context, shareCount_);
+    arm_.allocate(context, shareCount_);
+    bodyOfShare_.allocate(context, shareCount_);
+    for (int k = 0; k < 2; ++k)
+    {
+        scratch_.keys[k].allocate(context, shareCount_);
+        scratch_.values[k].allocate(context, shareCount_);
+    }
+    forEach(context, rows, MeasureShares<D>{blocks(), faces, shareFirst_.data(), shareX_.data(), share_.data(), arm_.data(), bodyOfShare_.data(),
+        scratch_.keys[0].data(), scratch_.values[0].data()});
+    int bits = 1;
+    while ((std::uint64_t(1) << bits) <= faces.none()) ++bits;
+    if (shareCount_) sortPairs(context, scratch_, shareCount_, bits);
+}
+
+template<class Backend, int D>
+void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
+{
+    ofRow_.allocate(context, std::size_t(rowCount_)*modes);
+    forEach(context, rowCount_, VolumesOfRows<D>{blocks(), shares(), up, ofRow_.data()});
+    volume_ = sumBodies(context, 1);
+    for (auto* a : {&cellFirst_, &cellX_}) a->allocate(context, rowCount_ + 1);
+    forEach(context, rowCount_ + 1, FindBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data()});
+    entryCount_ = sumUp(context, cellFirst_, rowCount_);
+    cell_.allocate(context, entryCount_);
+    j_.allocate(context, std::size_t(entryCount_)*modes);
+    forEach(context, rowCount_, FillBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
+}
+
+template<class Backend, int D>
+std::vector<BodyTerm> BodyCut<Backend, D>::terms() const
+{
+    const std::vector<int> firstRow = firstRow_.download(), first = cellFirst_.download(), cell = cell_.download();
+    const std::vector<double> j = j_.download();
+    std::vector<BodyTerm> all(bodyCount_);
+    for (int b = 0; b < bodyCount_; ++b)
+    {
+        BodyTerm& t = all[b];
+        t.modes = modes;
+        t.volume = volume_[b];
+        for (int i = first[firstRow[b]]; i < first[firstRow[b + 1]]; ++i)
+        {
+            bool any = false;
+            for (int m = 0; m < modes; ++m) any = any || j[std::size_t(i)*modes + m] != 0;
+            if (!any) continue;             // within the body, or beside its box
+            t.cell.push_back(cell[i]);
+            t.j.insert(t.j.end(), &j[std::size_t(i)*modes], &j[std::size_t(i)*modes] + modes);
+        }
+    }
+    return all;
+}
+
+} // namespace riprap
