@@ -147,40 +147,26 @@ void PicSolver<Backend, D, P>::dragBodies(double dt)
     bodies_->endDrag(dt, config_.viscosity, bodyCut_.volumes());
 }
 
-//- Eq. 20: each cell knows the contacts that reach it
+//- Eq. 20
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::slowBetweenSolids()
 {
     const std::vector<ContactArea<D>> areas = bodies_->contacts(grid_);
     if (areas.empty()) return;
-    const double reach = std::hypot(contactAlong + contactBeyond, contactAcross + contactBeyond);
-    std::vector<std::pair<int, int>> pairs;
-    for (int k = 0; k < int(areas.size()); ++k)
+    const ContactBoxes<D> boxes(grid_);
+    std::vector<std::pair<int, int>> order;
+    for (int k = 0; k < int(areas.size()); ++k) order.push_back({boxes.number(areas[k].point), k});
+    std::sort(order.begin(), order.end());
+    std::vector<int> box;
+    std::vector<ContactArea<D>> sorted;
+    for (const auto& [b, k] : order)
     {
-        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-        for (int d = 0; d < D; ++d)
-        {
-            const double s = areas[k].point[d]/grid_.h;
-            low[d] = std::max(0, floorInt(s - reach));
-            high[d] = std::min(grid_.n[d] - 1, floorInt(s + reach));
-        }
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
-        for (c.c[2] = low[2]; c.c[2] <= high[2]; ++c.c[2])
-            for (c.c[1] = low[1]; c.c[1] <= high[1]; ++c.c[1])
-                for (c.c[0] = low[0]; c.c[0] <= high[0]; ++c.c[0]) pairs.push_back({grid_.cell(c), k});
+        box.push_back(b);
+        sorted.push_back(areas[k]);
     }
-    std::sort(pairs.begin(), pairs.end());
-    std::vector<int> first(grid_.cells() + 1, 0), contact(pairs.size());
-    for (std::size_t p = 0; p < pairs.size(); ++p)
-    {
-        ++first[pairs[p].first + 1];
-        contact[p] = pairs[p].second;
-    }
-    for (int c = 0; c < grid_.cells(); ++c) first[c + 1] += first[c];
-    contactFirst_.upload(context_, first);
-    contactOf_.upload(context_, contact);
-    contactAreas_.upload(context_, areas);
-    SlowBetweenSolids<D, real> slow{grid_, particles(), contactFirst_.data(), contactOf_.data(), contactAreas_.data(), bodies_->contactVelocity(), {}};
+    contactBoxes_.upload(context_, box);
+    contactAreas_.upload(context_, sorted);
+    SlowBetweenSolids<D, real> slow{grid_, particles(), boxes, int(box.size()), contactBoxes_.data(), contactAreas_.data(), bodies_->contactVelocity(), {}};
     for (int d = 0; d < D; ++d) slow.u[d] = (config_.reflection > 0 ? after_ : u_)[d].data();
     forEach(context_, n_, slow);
 }

@@ -60,6 +60,11 @@ void Foam::waterSolids::logModels() const
     Info<< nl << "Solids in the water" << nl;
     logItem("coupling") << (weak_ ? "weak" : "implicit")
         << ", contactVelocity " << contactVelocity_ << nl;
+    if (scene_->solids()->device() != scene_->device())
+    {
+        logItem("device") << "CPU: so few solids are moved faster there"
+            << nl;
+    }
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
     logSolids(fluidStep, limit);

@@ -101,6 +101,15 @@ private:
     ShareRows<D> shares() const { return {shareFirst_.data(), shareX_.data(), share_.data(), arm_.data()}; }
     SortedShares<D> sorted() const { return {FaceKeys<D>(grid_), shareCount_, scratch_.keys[1].data(), scratch_.values[1].data()}; }
 
+    //- Numbers differ from step to step: some room to spare, since memory is given and taken back slowly
+    template<class T>
+    static void makeRoom(Context<Backend>& context, Array<Backend, T>& a, std::size_t n)
+    {
+        constexpr int share = 8;
+        if (a.bytes() < n*sizeof(T)) a.allocate(context, n + n/share + 1);
+        a.allocate(context, n);
+    }
+
     //- counts[0 .. n - 1] become their sums before each, counts[n] that of all. \return it
     int sumUp(Context<Backend>& context, Array<Backend, int>& counts, int n)
     {
@@ -112,7 +121,7 @@ private:
 
     std::vector<double> sumBodies(Context<Backend>& context, int values)
     {
-        ofBody_.allocate(context, std::size_t(bodyCount_)*values);
+        makeRoom(context, ofBody_, std::size_t(bodyCount_)*values);
         forEach(context, bodyCount_*values, SumBodies{values, firstRow_.data(), ofRow_.data(), ofBody_.data()});
         return ofBody_.download();
     }
@@ -179,16 +188,16 @@ void BodyCut<Backend, D>::measure(Context<Backend>& context)
 {
     const FaceKeys<D> faces(grid_);
     const int rows = D*rowCount_;
-    for (auto* a : {&shareFirst_, &shareX_}) a->allocate(context, rows + 1);
+    for (auto* a : {&shareFirst_, &shareX_}) makeRoom(context, *a, rows + 1);
     forEach(context, rows + 1, FindShares<D>{blocks(), shareFirst_.data(), shareX_.data()});
     shareCount_ = sumUp(context, shareFirst_, rows);
-    share_.allocate(context, shareCount_);
-    arm_.allocate(context, shareCount_);
-    bodyOfShare_.allocate(context, shareCount_);
+    makeRoom(context, share_, shareCount_);
+    makeRoom(context, arm_, shareCount_);
+    makeRoom(context, bodyOfShare_, shareCount_);
     for (int k = 0; k < 2; ++k)
     {
-        scratch_.keys[k].allocate(context, shareCount_);
-        scratch_.values[k].allocate(context, shareCount_);
+        makeRoom(context, scratch_.keys[k], shareCount_);
+        makeRoom(context, scratch_.values[k], shareCount_);
     }
     forEach(context, rows, MeasureShares<D>{blocks(), faces, shareFirst_.data(), shareX_.data(), share_.data(), arm_.data(), bodyOfShare_.data(),
         scratch_.keys[0].data(), scratch_.values[0].data()});
@@ -200,14 +209,14 @@ void BodyCut<Backend, D>::measure(Context<Backend>& context)
 template<class Backend, int D>
 void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
 {
-    ofRow_.allocate(context, std::size_t(rowCount_)*modes);
+    makeRoom(context, ofRow_, std::size_t(rowCount_)*modes);
     forEach(context, rowCount_, VolumesOfRows<D>{blocks(), shares(), up, ofRow_.data()});
     volume_ = sumBodies(context, 1);
-    for (auto* a : {&cellFirst_, &cellX_}) a->allocate(context, rowCount_ + 1);
+    for (auto* a : {&cellFirst_, &cellX_}) makeRoom(context, *a, rowCount_ + 1);
     forEach(context, rowCount_ + 1, FindBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data()});
     entryCount_ = sumUp(context, cellFirst_, rowCount_);
-    cell_.allocate(context, entryCount_);
-    j_.allocate(context, std::size_t(entryCount_)*modes);
+    makeRoom(context, cell_, entryCount_);
+    makeRoom(context, j_, std::size_t(entryCount_)*modes);
     forEach(context, rowCount_, FillBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
 }
 

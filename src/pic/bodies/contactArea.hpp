@@ -30,42 +30,98 @@ struct ContactArea
     Vec<D, double> normal;      // of length 1
 };
 
+//- Boxes of the size of an area's reach: who looks at those about its own finds every area that reaches it. Areas are sorted by boxes, the first axis first
+template<int D>
+struct ContactBoxes
+{
+    double edge;                        // [m]
+    int n[3] = {1, 1, 1};
+
+    explicit ContactBoxes(const UniformGrid<D>& grid)
+    {
+        edge = std::sqrt((contactAlong + contactBeyond)*(contactAlong + contactBeyond) + (contactAcross + contactBeyond)*(contactAcross + contactBeyond))*grid.h;
+        for (int d = 0; d < D; ++d) n[d] = int(grid.n[d]*grid.h/edge) + 3;
+    }
+
+    //- Along an axis; those beyond the block are the last on their side
+    HD int along(double x, int d) const
+    {
+        const int i = floorInt(x/edge) + 1;
+        return i < 0 ? 0 : i < n[d] ? i : n[d] - 1;
+    }
+
+    HD int number(const Vec<D, double>& x) const
+    {
+        int b = 0;
+        for (int d = D - 1; d >= 0; --d) b = b*n[d] + along(x.c[d], d);
+        return b;
+    }
+
+    //- f(first, last) for the rows of boxes about a point
+    template<class F>
+    HD void eachRow(const Vec<D, double>& x, const F& f) const
+    {
+        int at[3] = {0, 0, 0};
+        for (int d = 0; d < D; ++d) at[d] = along(x.c[d], d);
+        for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k)
+            for (int j = -1; j <= 1; ++j)
+            {
+                const int y = at[1] + j, z = at[2] + k;
+                if (y < 0 || y >= n[1] || z < 0 || z >= n[2]) continue;
+                const int row = n[0]*(y + n[1]*z);
+                f(row + (at[0] > 0 ? at[0] - 1 : 0), row + (at[0] < n[0] - 1 ? at[0] + 1 : n[0] - 1));
+            }
+    }
+};
+
 template<int D, class R>
 struct SlowBetweenSolids
 {
     static constexpr const char* name = "slowBetweenSolids";
     UniformGrid<D> grid;
     PicParticles<D, R> particles;
-    const int* first;                   // contacts that reach each cell
-    const int* contact;
+    ContactBoxes<D> boxes;
+    int count;
+    const int* box;                     // of each area, ascending
     const ContactArea<D>* areas;
     double beta;
     const R* u[D];                      // the grid's velocity that particles have after the step
 
     HD void operator()(int i) const
     {
-        typename UniformGrid<D>::Index c{{0, 0, 0}};
         Vec<D, double> x;
-        for (int d = 0; d < D; ++d)
-        {
-            x.c[d] = particles.x[d][i];
-            c.c[d] = floorInt(x.c[d]/grid.h);
-        }
-        const int cell = grid.cell(c);
+        for (int d = 0; d < D; ++d) x.c[d] = particles.x[d][i];
         double factor = 1;
         bool near = false;
-        for (int k = first[cell]; k < first[cell + 1]; ++k)
+        boxes.eachRow(x, [&](int first, int last)
         {
-            const ContactArea<D>& area = areas[contact[k]];
-            const Vec<D, double> r = x - area.point;
-            const double across = dot(r, area.normal), along2 = squaredNorm(r) - across*across;
-            const double along = along2 > 0 ? sqrt(along2) : 0;
-            if (along >= (contactAlong + contactBeyond)*grid.h || absolute(across) > (contactAcross + contactBeyond)*grid.h) continue;
-            near = true;
-            if (along >= contactAlong*grid.h || absolute(across) > contactAcross*grid.h) continue;
-            factor = minimum(factor, beta + (1 - beta)*along/(contactAlong*grid.h));
-        }
+            for (int k = firstFrom(first); k < count && box[k] <= last; ++k)
+            {
+                const Vec<D, double> r = x - areas[k].point;
+                const double across = dot(r, areas[k].normal), along2 = squaredNorm(r) - across*across;
+                const double along = along2 > 0 ? sqrt(along2) : 0;
+                if (along >= (contactAlong + contactBeyond)*grid.h || absolute(across) > (contactAcross + contactBeyond)*grid.h) continue;
+                near = true;
+                if (along >= contactAlong*grid.h || absolute(across) > contactAcross*grid.h) continue;
+                factor = minimum(factor, beta + (1 - beta)*along/(contactAlong*grid.h));
+            }
+        });
         if (near) for (int d = 0; d < D; ++d) particles.v[d][i] = R(factor)*sampleFace<2, D, R>(grid, u[d], d, x);
+    }
+
+private:
+
+    //- The first area of this box or a later one
+    HD int firstFrom(int b) const
+    {
+        int low = 0, high = count;
+        while (low < high)
+        {
+            const int middle = (low + high)/2;
+            if (box[middle] < b) low = middle + 1;
+            else high = middle;
+        }
+        return low;
     }
 };
 
