@@ -48,7 +48,10 @@ struct CorrectPositions
         addPushes(at, i, push);
         if (phi[cell] > R(-deep*grid.h) && sampleCell<1>(grid, phi, x) > R(-grid.h)) keepAlongSurface(x, push);
         const R length = strength*squareRoot(speed2), bound = R(largest)*spacing;
-        for (int d = 0; d < D; ++d) shift[d][i] = maximum(-bound, minimum(length*push[d], bound));
+        for (int d = 0; d < D; ++d) shift[d][i] = push[d] = maximum(-bound, minimum(length*push[d], bound));
+        if (!particles.affine[0]) return;
+        // the velocity becomes that of the new place, as far as the particle knows it
+        for (int d = 0; d < D; ++d) for (int a = 0; a < D; ++a) particles.v[d][i] += particles.affine[d*D + a][i]*push[a];
     }
 
 private:

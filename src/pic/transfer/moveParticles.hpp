@@ -124,7 +124,7 @@ struct MoveParticles
         if (nearWater[grid.cell(c)])
         {
             to = carried<Order, Around>(grid, inverse, u, at, x, timeStep, order);
-            if (shift[0]) displace(to, i);
+            if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
         }
         else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];
         if (inside)
@@ -149,16 +149,6 @@ struct MoveParticles
     }
 
 private:
-
-    //- By the position correction: the velocity becomes that of the new place, as far as the particle knows it
-    HD void displace(Vec<D, double>& to, int i) const
-    {
-        for (int d = 0; d < D; ++d)
-        {
-            to.c[d] += shift[d][i];
-            if (particles.affine[0]) for (int a = 0; a < D; ++a) particles.v[d][i] += particles.affine[d*D + a][i]*shift[a][i];
-        }
-    }
 
     //- The coordinate after walls and periodic ends have had their say
     HD double confined(double x, int d, typename UniformGrid<D>::Index c, int i) const
