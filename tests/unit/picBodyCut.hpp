@@ -2,8 +2,10 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <algorithm>
 #include "backendTest.hpp"
 #include "bodyReference.hpp"
+#include "pic/bodies/contactArea.hpp"
 #include "pic/cutCells/obstacleDistance.hpp"
 #include "pic/pressure/pressureStep.hpp"
 
@@ -247,6 +249,80 @@ BODY_TEST(MovesThemAsTheHostDoes)
     for (std::size_t i = 0; i < p[0].size(); ++i) ASSERT_NEAR(p[1][i], p[0][i], 1e-6*largest) << i;
     EXPECT_LE(iterations[1], iterations[0] + 3);
     EXPECT_EQ(p[1], p[2]);      // repeats to the bit
+}
+
+//- Particles here and there, against every contact: those that none reaches keep their velocity
+BODY_TEST(SlowsWhereContactsReach)
+{
+    constexpr int D = TypeParam::D, n = 2000, contacts = 12;
+    using R = typename TypeParam::real;
+    Context<Backend> context;
+    UniformGrid<D> grid{};
+    grid.h = 0.1;
+    for (int d = 0; d < D; ++d) grid.n[d] = 20;
+    const ContactBoxes<D> boxes(grid);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> in(0, 2);
+    std::vector<std::pair<int, ContactArea<D>>> areas;
+    for (int k = 0; k < contacts; ++k)
+    {
+        ContactArea<D> a;
+        for (int d = 0; d < D; ++d) { a.point[d] = in(random); a.normal[d] = d == k % D; }
+        if (k == 0) a.point[0] = -0.05;         // a wall's
+        areas.push_back({boxes.number(a.point), a});
+    }
+    std::sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<int> box;
+    std::vector<ContactArea<D>> sorted;
+    for (const auto& [b, a] : areas) { box.push_back(b); sorted.push_back(a); }
+    Array<Backend, int> boxOf;
+    Array<Backend, ContactArea<D>> area;
+    boxOf.upload(context, box);
+    area.upload(context, sorted);
+    Array<Backend, double> x[D];
+    Array<Backend, R> v[D], u[D];
+    std::vector<double> at[D];
+    SlowBetweenSolids<D, R> slow{grid, {}, boxes, contacts, boxOf.data(), area.data(), 0.25, {}};
+    for (int d = 0; d < D; ++d)
+    {
+        for (int i = 0; i < n; ++i) at[d].push_back(in(random));
+        x[d].upload(context, at[d]);
+        v[d].upload(context, std::vector<R>(n, R(7)));
+        u[d].upload(context, std::vector<R>(grid.faces(d), R(2)));      // the grid's, everywhere
+        slow.particles.x[d] = x[d].data();
+        slow.particles.v[d] = v[d].data();
+        slow.u[d] = u[d].data();
+    }
+    forEach(context, n, slow);
+    int slowed = 0, taken = 0;
+    for (int d = 0; d < D; ++d)
+    {
+        const std::vector<R> after = v[d].download();
+        for (int i = 0; i < n; ++i)
+        {
+            double factor = 1;
+            bool near = false;
+            for (const ContactArea<D>& a : sorted)
+            {
+                double across = 0, r2 = 0;
+                for (int e = 0; e < D; ++e)
+                {
+                    const double r = at[e][i] - a.point[e];
+                    r2 += r*r;
+                    across += r*a.normal[e];
+                }
+                const double along = std::sqrt(std::max(0.0, r2 - across*across))/grid.h, beside = std::abs(across)/grid.h;
+                if (along < 3.5 && beside <= 3) near = true;
+                if (along < 2 && beside <= 1.5) factor = std::min(factor, 0.25 + 0.75*along/2);
+            }
+            slowed += factor < 1;
+            taken += near;
+            const double wall = std::min(at[d][i], 2 - at[d][i]);       // beside a side the grid's velocity across it is another
+            if (!near || wall > 2*grid.h) { ASSERT_NEAR(after[i], near ? 2*factor : 7, 1e-5) << i; }
+        }
+    }
+    EXPECT_GT(slowed, 20);
+    EXPECT_GT(taken, slowed);
 }
 
 } // namespace
