@@ -101,7 +101,10 @@ public:
     PressureReport solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies = nullptr);
 
     //- One V-cycle, from fine().b to fine().z, for a loop that is not ours; after setUp()
-    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps); }
+    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps, second_); }
+
+    //- The sweeps of a level in one launch where there is one for them, or each in its own; before allocate()
+    void sweepTogether(bool on) { together_ = on; }
 
     std::size_t bytes() const { return floats_.bytes() + doubles_.bytes() + origins_.bytes(); }
 
@@ -114,9 +117,11 @@ private:
 
     bool periodic_[D] = {};
     int sweeps_ = 2;
+    bool together_ = Backend::gpu && D == 2;    // launches bind there
     FineData<D> fine_{};
     std::vector<LevelData<D>> levels_;
     std::vector<TiledCells<D>> cells_;      // of the levels that are not in the tail
+    std::vector<float*> second_;            // of tiled levels: another x, where sweeps are done together
     std::vector<int> firstTile_, active_;
     TailCycle<D> tail_;
     Array<Backend, float> floats_;
@@ -132,7 +137,7 @@ private:
 template<class Backend, int D>
 void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int* cells, const bool* periodic)
 {
-    levels_.clear(); cells_.clear(); firstTile_.clear(); active_.clear();
+    levels_.clear(); cells_.clear(); second_.clear(); firstTile_.clear(); active_.clear();
     forgetLoops();
     int n[D], tiles = 0;
     for (int d = 0; d < D; ++d) { n[d] = cells[d]; periodic_[d] = periodic[d]; }
@@ -147,7 +152,7 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
         level.shape.set(n, periodic, tiled);
         levels_.push_back(level);
         if (tiled) { firstTile_.push_back(tiles); tiles += level.shape.tileCount; }
-        floats += std::size_t(D + 4)*(level.shape.cells + 2*level.shape.margin);
+        floats += std::size_t(D + 4 + (tiled && together_))*(level.shape.cells + 2*level.shape.margin);
         last = small && levels_.size() > 1;
         for (int d = 0; d < D; ++d) n[d] = (n[d] + 1)/2;
     }
@@ -158,6 +163,7 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
     {
         for (int d = 0; d < D; ++d) l.a[d] = take(f, l.shape);
         for (float** v : {&l.s, &l.inverse, &l.x, &l.b}) *v = take(f, l.shape);
+        if (together_ && second_.size() < firstTile_.size()) second_.push_back(take(f, l.shape));
     }
     const GridShape<D>& shape = levels_[0].shape;
     doubles_.allocate(context, std::size_t(D + 6)*(shape.cells + 2*shape.margin));
@@ -249,7 +255,7 @@ void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const Coupl
     CgState* state = state_.data();
     double* partial = partial_.data();
     const ApplyDirection<D> apply{fine_, cells_[0]};
-    vCycle<D>(context, levels_, cells_, tail_, sweeps_);
+    vCycle<D>(context, levels_, cells_, tail_, sweeps_, second_);
     sumThen<2>(context, n, DotPreconditioned<D>{fine_, cells_[0]}, partial, SetBeta{state});
     forEach(context, n, NewDirection<D>{fine_, cells_[0], state});
     if (bodies)

@@ -10,7 +10,7 @@
 
 #include <vector>
 #include "core/oneBlock.hpp"
-#include "pic/pressure/transfer.hpp"
+#include "pic/pressure/relaxTile.hpp"
 
 namespace riprap
 {
@@ -72,27 +72,39 @@ struct TailCycle
     HD DenseCells<D> dense(int l) const { return DenseCells<D>(level[l].shape); }
 };
 
-//- x of the finest level from its b
+//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a level take one launch, as far as there is one for them (2D)
 template<int D, class Backend>
 void vCycle
 (
-    Context<Backend>& context, const std::vector<LevelData<D>>& level, const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps
+    Context<Backend>& context, const std::vector<LevelData<D>>& level, const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
+    const std::vector<float*>& second = std::vector<float*>()
 )
 {
     using Tiled = TiledCells<D>;
     const Launches<Backend> launch{context};
     const int tiled = int(cells.size());        // levels that are not in the tail
+    const bool together = D == 2 && !second.empty() && sweeps == tileSweeps;
     for (int l = 0; l < tiled; ++l)
     {
-        relaxDown(launch, level[l], cells[l], sweeps);
-        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
-        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], tail.dense(0)});
+        LevelData<D> swept = level[l];
+        if (!together) relaxDown(launch, level[l], cells[l], sweeps);
+        else if constexpr (D == 2)
+        {
+            swept.x = second[l];
+            forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, {}});
+        }
+        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{swept, level[l + 1], cells[l + 1]});
+        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{swept, level[l + 1], tail.dense(0)});
     }
     oneBlock(context, tail);
     for (int l = tiled - 1; l >= 0; --l)
     {
-        launch.each(cells[l].halves(), ProlongSweep<D, Tiled>{level[l], level[l + 1], cells[l]});
-        relaxUp(launch, level[l], cells[l], sweeps);
+        if (!together)
+        {
+            launch.each(cells[l].halves(), ProlongSweep<D, Tiled>{level[l], level[l + 1], cells[l]});
+            relaxUp(launch, level[l], cells[l], sweeps);
+        }
+        else if constexpr (D == 2) forEachBlock(context, cells[l].capacity, RelaxTile<true>{level[l], cells[l], level[l].x, second[l], level[l + 1]});
     }
 }
 
