@@ -1,13 +1,14 @@
 /*  A loop whose end the device decides: body() launches one pass, which sets *again; it is repeated while *again is not zero.
 
     On the GPU the pass is recorded once, and a graph with a conditional node repeats it without the host (CUDA 12.4 and
-    later; before, the host reads *again after each pass). It is recorded anew after forget(): whoever changes what the pass
+    later; before, or where RIPRAP_HOST_LOOPS is set in the environment, the host reads *again after each pass: compute-sanitizer does not see into such a node, and reports errors of its own). It is recorded anew after forget(): whoever changes what the pass
     launches must call it. No allocation and no copy to the host may happen in body().
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include <cstdlib>
 #include "core/graph.hpp"
 #include "core/launch.hpp"
 
@@ -58,7 +59,9 @@ public:
     template<class Body>
     void run(Context<Gpu>& context, const int* again, const Body& body)
     {
-        if (context.profile.timing) { plain(context, again, body); return; }    // a graph's kernels cannot be timed one by one
+        // a graph's kernels cannot be timed one by one
+        static const bool onHost = std::getenv("RIPRAP_HOST_LOOPS") != nullptr;
+        if (context.profile.timing || onHost) { plain(context, again, body); return; }
 #if CUDART_VERSION >= 12040
         if (!executable_) record(context, again, body);
         checkCuda(cudaGraphLaunch(executable_, context.stream), "graph launch");

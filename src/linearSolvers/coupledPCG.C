@@ -25,11 +25,13 @@ Foam::coupledPCG::coupledPCG
     lduMatrix::solver(fieldName, matrix, interfaceBouCoeffs, interfaceIntCoeffs, interfaces, solverControls)
 {
     const dictionary& entries = solverControls.subOrEmptyDict("deflation");
-    deflation_.localIterations = entries.lookupOrDefault<label>("localIterations", deflation_.localIterations);
-    deflation_.margin = entries.lookupOrDefault<scalar>("margin", deflation_.margin);
-    if (deflation_.localIterations < 1 || deflation_.margin < 0)
+    bool wrong = false;
+    if (entries.found("localIterations")) wrong = (deflation_.localIterations = entries.get<label>("localIterations")) < 1;
+    if (entries.found("margin")) wrong = (deflation_.margin = entries.get<scalar>("margin")) < 0 || wrong;
+    if (entries.found("hats")) wrong = (deflation_.hats = entries.get<scalar>("hats")) < 0 || wrong;
+    if (wrong)
     {
-        FatalIOErrorInFunction(entries) << "deflation of " << fieldName << " needs localIterations of 1 or more and a margin of 0 or more"
+        FatalIOErrorInFunction(entries) << "deflation of " << fieldName << " needs localIterations of 1 or more, a margin of 0 or more and hats of 0 or more"
             << exit(FatalIOError);
     }
 }

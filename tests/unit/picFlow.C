@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "picSceneTest.hpp"
+#include "pic/surface/waterVolume.hpp"
 
 namespace riprap
 {
@@ -206,6 +207,36 @@ TEST_P(PicFlow, PressureIsTheWholeOfIt)
         // without reflection the vortices have lost 4 % by then
         for (const double p : q.pressure) EXPECT_NEAR(p, 0.5*c.density, (reflection > 0 ? 0.01 : 0.06)*0.5*c.density) << reflection;
     }
+}
+
+//- Planes along the axes, also those that touch a side of the cell, and planes that lean as little as round-off does: no tilt is too small
+template<int D>
+void expectPartsUnderPlanes()
+{
+    for (const double tilt : {0.0, 1e-300, 1e-16, 1e-12, 1e-9})
+        for (const double phi : {-0.5, -0.5 + 1e-10, -0.25, 0.0, 0.3, 0.5 - 1e-10, 0.5})
+            for (int across = 0; across < D; ++across)
+            {
+                double m[D];
+                for (int d = 0; d < D; ++d) m[d] = d == across ? -1 : tilt;
+                EXPECT_NEAR(cutFraction<D>(phi, m), 0.5 - phi, 0.5*tilt + 1e-15) << D << ' ' << tilt << ' ' << phi;
+            }
+    // both parts make the whole; a corner cut off is a simplex
+    const double slopes[3] = {0.3, 1, 2e-6};
+    double product = D == 2 ? 2 : 6, sum = 0;
+    for (int d = 0; d < D; ++d) { product *= slopes[d]; sum += slopes[d]; }
+    const double a = D == 2 ? 0.1 : 1e-6;
+    double m[D], n[D];
+    for (int d = 0; d < D; ++d) m[d] = n[d] = slopes[d];
+    const double corner = cutFraction<D>(0.5*sum - a, m), rest = cutFraction<D>(a - 0.5*sum, n);
+    EXPECT_NEAR(corner, std::pow(a, D)/product, 1e-9*corner);
+    EXPECT_NEAR(corner + rest, 1, 1e-15);
+}
+
+TEST(PicVolume, PartsUnderPlanesAreExact)
+{
+    expectPartsUnderPlanes<2>();
+    expectPartsUnderPlanes<3>();
 }
 
 } // namespace

@@ -153,8 +153,7 @@ TEST_P(PicOpenings, EqualLevelsRest)
         c.openings = {level("sea", filled)};
         const auto s = open(c, box(c, {{0, 0, 0}}, {{1, filled, 1}}, everywhere), sides(c, -1, 0));
         const PicReport r = s->advance(1);
-        // of eight cells in three dimensions 2.6e-6 in double and 5e-6 in mixed precision, at any tolerance of the solver
-        EXPECT_LT(fastest(*s), D() == 3 ? 1e-5 : 1e-6) << depth;
+        EXPECT_LT(fastest(*s), 1e-6) << depth;
         EXPECT_EQ(r.passed[0].in + r.passed[0].out, 0);
     }
 }

@@ -201,28 +201,35 @@ int iterationsWith(int side, int n, const std::vector<double>& densities, const 
     return s.report.iterations;
 }
 
+//- Within a factor of 2 over all density ratios and numbers of bodies
 TEST(FreeBody, IterationsOverDensitiesAndNumbers)
 {
+    int fewest = 1000, most = 0;
     for (const int n : {1, 9, 33})
         for (const auto& densities : {std::vector<double>{1e-3}, {1.0}, {1e3}, {1e-3, 1e3, 0.1, 10, 1}})
         {
             const int iterations = iterationsWith(128, n, densities);
-            EXPECT_LE(iterations, 30) << n << " bodies, density ratio " << densities[0];    // 12 to 30 in the measurements that it was chosen by
+            fewest = std::min(fewest, iterations);
+            most = std::max(most, iterations);
             std::cout << n << " bodies, density ratio " << densities[0] << (densities.size() > 1 ? " and others" : "") << ": " << iterations << " iterations\n";
         }
+    EXPECT_LE(most, 2*fewest);
 }
 
 const std::string own = "solver cudaPCG; tolerance 1e-8;";
 
 TEST(FreeBody, IterationsOfOurMultigrid)
 {
+    int fewest = 1000, most = 0;
     for (const int n : {1, 33, 100})
         for (const auto& densities : {std::vector<double>{1e-3}, {1.0}, {2.7}, {1e3}, {1e-3, 1e3, 0.1, 10, 1}})
         {
             const int iterations = iterationsWith(n > 33 ? 256 : 128, n, densities, own);
-            EXPECT_LE(iterations, 30) << n << " bodies, density ratio " << densities[0];
+            fewest = std::min(fewest, iterations);
+            most = std::max(most, iterations);
             std::cout << n << " bodies, density ratio " << densities[0] << (densities.size() > 1 ? " and others" : "") << ": " << iterations << " iterations\n";
         }
+    EXPECT_LE(most, 2*fewest);
 }
 
 TEST(FreeBody, OurMultigridMovesThemAlike)

@@ -1,25 +1,34 @@
 /*  Deflation of the slow modes that free bodies bring into the pressure equation.
 
     With Atilde = A + U U^T: Z spans about A^-1 U, found for each body on a box about it (p = 0 beyond) by a few steps of conjugate gradients, and
-    Q = Z E^-1 Z^T with E = Z^T Atilde Z. Adapted deflation (A-DEF2; Tang et al. 2009, J. Sci. Comput. 39, 340) preconditions by
-    z = w + Q (r - Atilde w), w = B r, and starts from x + Q (b - Atilde x). E is sparse: only bodies whose boxes or neighbours meet share entries. Bodies that are
-    not light bring no slow modes and are left out of Z.
+    Q = Z E^-1 Z^T with E = Z^T Atilde Z; between bodies that crowd Z has smooth columns as well (hats.hpp). Adapted deflation (A-DEF2; Tang et al. 2009, J. Sci. Comput. 39, 340) preconditions by
+    z = w + Q (r - Atilde w), w = B r, and starts from x + Q (b - Atilde x). E is sparse: only boxes that meet share entries. Bodies that are
+    not light, and motions that hardly move water (a ball's spin), bring no slow modes and are left out of Z.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include <array>
+#include "pic/bodies/hats.hpp"
 #include "pic/bodies/skyline.hpp"
-#include "pic/pressure/linearSolver.hpp"
 
 namespace riprap
 {
 
+//- Chosen by the iterations of crowds (docs/pressure.md): in 2D what a body does reaches farther
 struct DeflationControls
 {
-    int localIterations = 8;
-    double margin = 0.6;            // of the box about a body, in its own half width
+    int localIterations = 0;        // 0: 12 in 2D, 8 in 3D
+    double margin = -1;             // of the box about a body, in its own half width; below 0: 1 in 2D, 0.6 in 3D
+    double hats = 1.5;              // their spacing in mean widths of the bodies; 0: none
+
+    DeflationControls in(int dimensions) const
+    {
+        DeflationControls c(*this);
+        if (c.localIterations == 0) c.localIterations = dimensions == 2 ? 12 : 8;
+        if (c.margin < 0) c.margin = dimensions == 2 ? 1 : 0.6;
+        return c;
+    }
 };
 
 class BodyDeflation
@@ -44,18 +53,10 @@ public:
 
 private:
 
-    using Corner = std::array<int, 3>;
-
-    //- A piece of a vector: rows and their values
-    struct Local
-    {
-        std::vector<int> row;
-        std::vector<double> value;          // modes a row
-    };
-
     void connect();
-    void placeBodies(double margin);
-    Local solveLocally(int body, int iterations);
+    void placeBodies(const DeflationControls& controls);
+    void solveLocally(const BodyRows& body, int iterations, DeflationPiece& z);
+    void order();
     void makeCoarse();
     void findMeetings();
     void multiplyPieces();
@@ -68,12 +69,10 @@ private:
     const ReducedSystem& system_;
     std::vector<int> start_, other_;        // neighbours of each row
     std::vector<double> coefficient_;
-    std::vector<int> light_;                // bodies in Z; what follows is of these, unless it says body
-    std::vector<Corner> low_, high_;        // boxes, cells
     std::vector<int> rowOfCell_;
-    std::vector<int> order_, firstColumn_;  // columns of a body stand together
-    std::vector<Local> z_;
-    std::vector<std::vector<int>> meets_, touches_, seenBy_;    // boxes that meet; bodies that a box touches; of each body, the boxes that do
+    std::vector<DeflationPiece> pieces_;    // of light bodies, then hats
+    std::vector<int> order_, firstColumn_;  // columns of a piece stand together
+    std::vector<std::vector<int>> meets_, touches_, seenBy_;    // pieces that meet; bodies that a piece touches; of each body, the pieces that do
     int columns_ = 0;
     Skyline coarse_{std::vector<int>()};
     std::vector<double> whole_;             // a row each, zero between uses

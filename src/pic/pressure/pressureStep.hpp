@@ -21,8 +21,11 @@
 namespace riprap
 {
 
-//- Bodies so many times as heavy as water need no deflation: iterations are those of a wall
-static constexpr double heavyRatio = 2;
+//- Bodies so many times as heavy as water need no deflation: iterations are those of a wall. In 2D water has no way around but between them, and crowds move more of it
+template<int D> inline constexpr double heavyRatio = D == 2 ? 10 : 2;
+
+//- Nor do those so many times as heavy where the grid is: a few iterations more there cost less than a loop on the host
+inline constexpr double heavyRatioOnDevice = 2;
 
 //- Bodies where the grid is, with L of each: M^-1 = L L^T
 template<class Backend, int D>
@@ -195,7 +198,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         const std::vector<double> root = b.rootOfInverseMass();
         BodyRows rows;
         rows.modes = b.modes;
-        rows.light = b.lighterThan(heavyRatio*f.density);
+        rows.light = b.lighterThan(heavyRatio<D>*f.density);
         for (std::size_t i = 0; i < b.cell.size(); ++i)
         {
             const auto index = grid.cellIndex(b.cell[i]);

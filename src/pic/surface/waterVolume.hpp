@@ -10,12 +10,23 @@
 */
 #pragma once
 
+#include "core/math.hpp"
 #include "pic/transfer/mirror.hpp"
 
 namespace riprap
 {
 
-//- Part of a unit cell under a plane: phi at its centre and its differences over the cell
+//- (b+^D - (b - m)+^D)/m: differences of nearly equal powers would drown in round-off where m is small
+template<int D>
+HD double powerDifference(double b, double m)
+{
+    if (b <= 0) return 0;
+    const double lower = b > m ? b - m : 0.0, part = b > m ? 1.0 : b/m;
+    return part*(D == 2 ? b + lower : b*b + b*lower + lower*lower);
+}
+
+//- Part of a unit cell under a plane: phi at its centre and its differences over the cell. Exact to round-off for every plane: the sums of the formulas
+//  are taken where a is small against what they are divided by, and without the smallest difference in any denominator
 template<int D>
 HD double cutFraction(double phi, double* m)
 {
@@ -23,22 +34,18 @@ HD double cutFraction(double phi, double* m)
     for (int d = 0; d < D; ++d) { m[d] = absolute(m[d]); sum += m[d]; }
     if (phi <= -0.5*sum) return 1;
     if (phi >= 0.5*sum) return 0;
-    // no division by zero; a plane along the axes that touches a side is off by an eighth of this, in 3D more would drown in round-off
-    constexpr double thin = D == 2 ? 1e-6 : 1e-4;
-    for (int d = 0; d < D; ++d) m[d] = maximum(m[d], thin*sum);
-    sum = 0;
-    for (int d = 0; d < D; ++d) sum += m[d];
-    const double a = 0.5*sum - phi;
-    const auto part = [](double b) { return b > 0 ? (D == 2 ? b*b : b*b*b) : 0.0; };
-    double v = part(a);
-    for (int d = 0; d < D; ++d) v -= part(a - m[d]);
-    if constexpr (D == 2) v = (v + part(a - m[0] - m[1]))/(2*m[0]*m[1]);
+    for (int d = 0; d < D; ++d)
+        for (int e = d + 1; e < D; ++e) if (m[e] < m[d]) { const double t = m[d]; m[d] = m[e]; m[e] = t; }
+    const double a = 0.5*sum - absolute(phi);           // the smaller part
+    double v;
+    if constexpr (D == 2) v = powerDifference<2>(a, m[0])/(2*m[1]);
+    else if (a >= m[0] + m[1] && a <= m[2]) v = (a - 0.5*(m[0] + m[1]))/m[2];
     else
     {
-        for (int d = 0; d < D; ++d) for (int e = d + 1; e < D; ++e) v += part(a - m[d] - m[e]);
-        v = (v - part(a - m[0] - m[1] - m[2]))/(6*m[0]*m[1]*m[2]);
+        const auto part = [&](double b) { return powerDifference<3>(b, m[0]); };
+        v = (part(a) - part(a - m[1]) - part(a - m[2]) + part(a - m[1] - m[2]))/(6*m[1]*m[2]);
     }
-    return v < 0 ? 0 : (v > 1 ? 1 : v);
+    return phi < 0 ? 1 - v : v;
 }
 
 //- Part of a cell that is water, phi moved by `shift`
