@@ -13,6 +13,7 @@ from riprap.study import Study, Variant
 here = os.path.dirname(os.path.abspath(__file__))
 opens = 0.5             # [s] when the gate moves
 d = 0.005               # [m] mean diameter
+beadsOnWall = 0.46      # friction: 24.8 degrees, measured for glass beads on the walls of the channel (Lajeunesse et al. 2004)
 g, rho = 9.81, 2500.0
 
 
@@ -145,6 +146,8 @@ def compare(runs, results):
         law = float(np.mean([expected(aspectRatio(r)) for r in packings]))
         result += [Quantity(f'run-out of {size}, mean over packings, {name}', float(np.mean(far)), law, abs(np.mean(far)/law - 1)),
                    Quantity(f'run-out of {size}, range over packings / mean', float(np.ptp(far)/np.mean(far)))]
+    for a, ratios in changes({n: reaches(r) for n, r in runs.items() if '-channel-study' in n}).items():
+        result += [Quantity(f'a = {a}, {term or "as it is"}: change of the run-out', float(change[0])) for term, change in ratios.items()]
     return result
 
 
@@ -184,7 +187,57 @@ def plotChannels(runs, path):
     plotting.save(fig, path)
 
 
+def reaches(run):
+    """Aspect ratio, run-out of the heap and of 99 % of the grains"""
+    end = lastTime(run)
+    return aspectRatio(run), runOut(run, end), float(np.quantile(grains(run, end)[0][:, 0], 0.99)/column(run)['width'] - 1)
+
+
+def changes(found):
+    """found: {name of a run: its reaches}. {aspect ratio: {term: [change of the run-out's ratio to the law, of the heap and of 99 %]}},
+    against the mean over packings, which are told as terms, too"""
+    result = {}
+    for name, (a, *far) in found.items():
+        match = re.match(r'spheres-(\d+)-channel-study-?(.*)$', name)
+        if match:
+            result.setdefault(match.group(1), {})[match.group(2)] = np.array(far)/float(lajeunesse(a))
+    for ratios in result.values():
+        mean = np.mean([r for term, r in ratios.items() if term in packings], axis=0)
+        for term in ratios:
+            ratios[term] = ratios[term]/mean - 1
+        ratios['the law'] = 1/mean[:1] - 1
+    return result
+
+
+packings = ('', 'seed2', 'seed3')
+
+
+def plotTerms(found, path):
+    """What one change at a time does to the run-out"""
+    told = changes(found)
+    names = [t for t in [*packings, *(n[6:] for n in terms if n[6:] not in packings), 'dense', 'the law'] if any(t in r for r in told.values())]
+    fig, axes = plotting.figure(1, 1, width=7, height=0.6 + 0.27*len(names))
+    for shift, (marker, (a, ratios)) in zip((-0.15, 0.15), zip('os', sorted(told.items(), key=lambda item: int(item[0])))):
+        for k, where in enumerate(('heap', '99 % of the grains')):
+            rows = [(names.index(t) + shift, r[k]) for t, r in ratios.items() if k < len(r)]
+            y, x = np.array(rows).T
+            axes[0].plot(100*x, y, marker, color=f'C{shift > 0:d}', markersize=5, markerfacecolor='none' if k else None, label=f'a = {a}, {where}')
+        spread = [100*ratios[t][0] for t in packings if t in ratios]
+        axes[0].axvspan(min(spread), max(spread), alpha=0.12, color=f'C{shift > 0:d}')
+    axes[0].axvline(0, color='k', linewidth=0.6)
+    axes[0].set(yticks=range(len(names)), yticklabels=[n or 'as it is' for n in names], ylim=(len(names) - 0.5, -0.5),
+                xlabel='change of the run-out [%]; bands: three packings', title='spheres in a channel: one thing changed at a time')
+    axes[0].legend(fontsize=7)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
+    studied = {r.name: reaches(r) for r in runs if '-channel-study' in r.name}
+    if studied:
+        plotTerms(studied, path.replace('.png', 'Terms.png'))
+    runs = [r for r in runs if r.name not in studied]
+    if not runs:
+        return
     channels = [r for r in runs if '-channel' in r.name]
     if channels:
         plotChannels(channels, path.replace('.png', 'Channel.png'))
@@ -221,19 +274,21 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def settings(width, height, duration, spheres=False, rolling=True, plates=None, depth=None, rough=False, friction=0.5):
+def settings(width, height, duration, spheres=False, rolling=0.1, plates=None, depth=None, rough=False, friction=0.5, lift=0, stiff=1000):
     """height: of the settled column. Random packings are filled loosely and settle. plates: friction of side plates, `depth` apart;
-    rough: a floor of glued grains"""
+    rough: a floor of glued grains; lift: speed of the gate upwards over sqrt(g H), 0: it retreats; stiff: stiffness over rho g H d"""
     a = height/width
     filled = height*(0.82/0.65 if not spheres else 0.60/0.45)
     reach = float(staronHinch(a))
     numbers = {'width': width, 'height': filled, 'length': width*(1 + 1.3*reach) + 0.3, 'top': filled + 0.1,
                'solidFraction': 0.45 if spheres else 0.65}
     text = '; '.join(f'system/column:{k} {v:.5g}' for k, v in numbers.items())
-    # overlaps of a thousandth of a grain under the column's weight
-    stiffness = 1000*rho*g*height*(d if spheres else 1)
+    # 1000: overlaps of a thousandth of a grain under the column's weight
+    stiffness = stiff*rho*g*height*(d if spheres else 1)
     text += f'; constant/geometry:gate/origin ({width:g} {0 if rough else -0.01:g} -1); constant/geometry:gate/span (0 {filled + 0.02:.5g} 2)'
     text += ''.join(f'; pairs/{p}/stiffness {stiffness:.5g}' for p in ('grain-grain', 'grain-smooth', 'grain-plate'))
+    if lift:
+        text += f'; system/column:lift {lift*np.sqrt(g*height):.4g}'
     if rough:
         text += '; system/column:glued 1; system/column:bottom -0.01'
     if spheres:
@@ -241,7 +296,7 @@ def settings(width, height, duration, spheres=False, rolling=True, plates=None, 
         text += '; system/sides:sides cyclic' if plates is None else f'; system/sides:sides wall; pairs/grain-plate/friction {plates:g}' \
             + ''.join(f'; walls/materials/{side} plate' for side in ('front', 'back'))
         if rolling:
-            text += '; contact/rolling spring; pairs/grain-grain/rollingFriction 0.1' \
+            text += f'; contact/rolling spring; pairs/grain-grain/rollingFriction {rolling:g}' \
                 + ''.join(f'; pairs/grain-{m}/rollingFriction 1e-9' for m in ('smooth', 'plate'))
     return ['-set', text, '-endTime', f'{opens + duration:g}']
 
@@ -255,14 +310,33 @@ def variant(name, *size, extra='', large=False, **more):
 def spheresOf(a, width, name='', **changed):
     """Glass beads: free to roll, on a floor of glued beads"""
     height = a*width
-    how = dict(spheres=True, rolling=False, rough=True)
+    how = dict(spheres=True, rolling=0, rough=True)
     how.update(changed)
     return variant(f'spheres-{a:g}{name}', width, height, float(f'{6*np.sqrt(height/g) + 0.4:.2g}'), **how)
 
 
-def channelOf(a, name='', size=1, **changed):
-    """As in the experiments: side plates 39 grains (45 mm) apart, 2500 grains in the side view; size: times as many across"""
-    return spheresOf(a, float(f'{50*size*d/np.sqrt(a):.4g}'), '-channel' + name, large=True, **{'plates': 0.5, 'depth': 39*d, **changed})
+def channelOf(a, name='', size=1, end='plate', extra='', **changed):
+    """As in the experiments: side plates 39 grains (45 mm) apart, the column against an end wall of the same kind, 2500 grains in the
+    side view; size: times as many across. end: material of the end wall"""
+    wall = f'; walls/materials/symmetry {end}'
+    return spheresOf(a, float(f'{50*size*d/np.sqrt(a):.4g}'), '-channel' + name, large=True, extra=wall + extra,
+                     **{'plates': beadsOnWall, 'depth': 39*d, **changed})
+
+
+def everyPair(entry, value):
+    return ''.join(f'; pairs/grain-{other}/{entry} {value}' for other in ('grain', 'smooth', 'plate'))
+
+
+# what is changed in the channel, one thing at a time
+terms = {
+    'study': {}, 'study-seed2': dict(extra='; system/column:seed 2'), 'study-seed3': dict(extra='; system/column:seed 3'),
+    'study-smoothEnd': dict(end='smooth'), 'study-periodic': dict(plates=None, extra=f'; pairs/grain-plate/friction {beadsOnWall}'),
+    'study-narrow': dict(depth=20*d), 'study-wide': dict(depth=78*d),
+    'study-lift': dict(lift=1), 'study-slowLift': dict(lift=0.5),
+    'study-friction0.3': dict(friction=0.3), 'study-friction0.7': dict(friction=0.7),
+    'study-restitution0.9': dict(extra=everyPair('restitution', 0.9)),
+    'study-rolling0.02': dict(rolling=0.02), 'study-soft': dict(stiff=250), 'study-rougher': dict(extra='; system/column:uneven 0.3'),
+}
 
 
 widths = {0.5: 0.15, 1: 0.1, 2: 0.07, 4: 0.05, 7: 0.04, 10: 0.04}
@@ -280,17 +354,18 @@ Study(
               *(spheresOf(a, width) for a, width in widths.items()),
               spheresOf(1, 0.1, '-seed2', extra='; system/column:seed 2'), spheresOf(1, 0.1, '-seed3', extra='; system/column:seed 3'),
               spheresOf(1, 0.1, '-friction0.2', friction=0.2),
-              spheresOf(1, 0.1, '-rollingFriction0.1', rolling=True),
+              spheresOf(1, 0.1, '-rollingFriction0.1', rolling=0.1),
               spheresOf(1, 0.1, '-sleep', extra='; sleep/speed 1e-3; sleep/after 0.02'),
               # on a flat floor, where a sphere that rolls is not stopped by anything
               spheresOf(1, 0.1, '-flat', rough=False),
-              spheresOf(1, 0.1, '-flat-rollingFriction0.1', rough=False, rolling=True),
+              spheresOf(1, 0.1, '-flat-rollingFriction0.1', rough=False, rolling=0.1),
               spheresOf(1, 0.1, '-flat-noSpin', rough=False, extra='; groups/free/fixed (spin)'),
               # in more grains, and between plates
               *(spheresOf(a, 2*width, '-fine', large=True) for a, width in widths.items()), spheresOf(1, 0.4, '-finer', large=True),
               spheresOf(1, 0.2, '-fine-flat', large=True, rough=False), spheresOf(1, 0.4, '-finer-flat', large=True, rough=False),
               *(channelOf(a) for a in widths), channelOf(1, '-flat', rough=False),
-              channelOf(4, '-half', 0.5), channelOf(4, '-larger', 1.6)],
+              *(channelOf(a, '-' + name, size) for a in (4, 10) for name, size in (('half', 0.5), ('larger', 1.6))),
+              *(channelOf(a, '-' + name, 0.7, **changed) for a in (4, 10) for name, changed in terms.items())],
     quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
     analyse=analyse,
     plot=plot,

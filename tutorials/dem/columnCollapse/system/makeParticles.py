@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """constant/gate: how the gate goes. From 0.5 s on it retreats at 5 m/s, faster than any grain follows, to the end of the
-floor. Points are dense where it starts, since OpenFOAM puts a spline through them; some are before 0, where a run looks too.
+floor, or is lifted at the speed `lift` of system/column. Points are dense where it starts, since OpenFOAM puts a spline through them; some are before 0, where a run looks too.
 
 With `glued 1` in system/column also the grains that are glued to the floor (constant/particles.csv, and system/gluedGrains, a region
 of system/setParticlesDict): grains of 5 mm on a square lattice 1.1 grains wide,
-each moved by up to 0.045 grains along both of its axes, so that none falls through; their tops are at y = 0."""
+each moved by up to 0.045 grains along both of its axes, so that none falls through; their tops are at y = 0, or up to `uneven`
+grains below."""
 import os
 import random
 
 from riprap.dictionaries import numberOf, readDictionary
 
 column = readDictionary('system/column')
-way = numberOf(column['length']) - numberOf(column['width'])
-opens, speed = 0.5, 5.0
+lift = numberOf(column['lift'])
+way = numberOf(column['height']) + 0.1 if lift else numberOf(column['length']) - numberOf(column['width'])
+opens, speed = 0.5, lift or 5.0
 
 table = [(-1, 0), (0.4, 0), (opens - 1e-4, 0), (opens, 0)]
 after, step = 1e-4, 1e-4
@@ -23,13 +25,13 @@ while speed*after < way:
 end = opens + after
 table += [(end + k*step, way) for k in range(4)] + [(100, way)]
 with open('constant/gate', 'w') as f:
-    f.write('(\n' + ''.join(f'({t:g} (({x:.6g} 0 0) (0 0 0)))\n' for t, x in table) + ')\n')
+    f.write('(\n' + ''.join(f'({t:g} (({0 if lift else x:.6g} {x if lift else 0:.6g} 0) (0 0 0)))\n' for t, x in table) + ')\n')
 
 region = 'system/gluedGrains'
 if os.path.exists(region):
     os.remove(region)
 if numberOf(column['glued']):
-    diameter, spread = 0.005, 0.045
+    diameter, spread, uneven = 0.005, 0.045, numberOf(column['uneven'])
     counts = [max(1, int(numberOf(column[side])/(1.1*diameter))) for side in ('length', 'depth')]
     steps = [numberOf(column[side])/n for side, n in zip(('length', 'depth'), counts)]
     moved = random.Random(1)
@@ -38,6 +40,7 @@ if numberOf(column['glued']):
         for i in range(counts[0]):
             for k in range(counts[1]):
                 x, z = ((n + 0.5)*s + moved.uniform(-spread, spread)*diameter for n, s in zip((i, k), steps))
-                f.write(f'{x:.6f},{-0.5*diameter},{z:.6f},{0.5*diameter},glued\n')
+                y = -(0.5 + moved.uniform(0, uneven))*diameter if uneven else -0.5*diameter
+                f.write(f'{x:.6f},{y:.6g},{z:.6f},{0.5*diameter},glued\n')
     with open(region, 'w') as f:
         f.write('glued { set solids; source csv; file "constant/particles.csv"; material grain; }\n')
