@@ -20,7 +20,10 @@ struct MarkWetCells
     HD void operator()(int i) const { wet[i] = isWet(fields, i, fields.grid.cellIndex(i)); }
 };
 
-//- Cells that are wet or touch a wet one, corners included: particles elsewhere fly
+//- Of the cells about a cell, corners and itself included, some or all are wet, else none (0)
+static constexpr unsigned char someWater = 1, allWater = 2;
+
+//- Particles in cells that no wet one touches fly
 template<int D>
 struct MarkNearWater
 {
@@ -33,8 +36,8 @@ struct MarkNearWater
     {
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         const bool in = inner(grid, c, 1);
-        bool found = false;
-        for (int k = (D == 3 ? -1 : 0); k <= (D == 3 ? 1 : 0) && !found; ++k)
+        bool some = false, all = true;
+        for (int k = (D == 3 ? -1 : 0); k <= (D == 3 ? 1 : 0); ++k)
             for (int j = -1; j <= 1; ++j)
                 for (int l = -1; l <= 1; ++l)
                 {
@@ -45,9 +48,10 @@ struct MarkNearWater
                         for (int d = 0; d < D; ++d) at.c[d] = evenNode(grid, d, at.c[d]);
                         other = grid.cell(at);
                     }
-                    found = found || wet[other];
+                    some = some || wet[other];
+                    all = all && wet[other];
                 }
-        near[i] = found;
+        near[i] = all ? allWater : (some ? someWater : 0);
     }
 };
 

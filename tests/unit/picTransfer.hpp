@@ -125,6 +125,61 @@ PIC_TEST(ConstantsAreReproduced)
     });
 }
 
+//- Beside the surface FLIP's change is that of the water: what moves with it gets all of it, spray becomes no faster than it was or the water is; inside all get it
+PIC_TEST(SprayGainsNoEnergy)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    const auto before = [](int d) { return 0.5 - d; };
+    const auto change = [](int d) { return d ? 0.25 : 2.0; };
+    const auto spray = [&](const Vec<D, double>& x, int d) { return before(d) + (x.c[0] < 0.5 ? 0 : std::sin(40*x.c[D - 1] + d)); };
+    for (const unsigned char water : {someWater, allWater})
+    {
+        Cloud<C> cloud(8, 5, 0, spray, true);
+        std::vector<double> x[D];
+        for (int d = 0; d < D; ++d) x[d] = cloud.set.template download<double>(cloud.context, d);
+        Array<Backend, R> du[D];
+        Array<Backend, unsigned char> near;
+        near.upload(cloud.context, std::vector<unsigned char>(cloud.grid.cells(), water));
+        GridToParticle<2, D, R> f{};
+        f.grid = cloud.grid;
+        f.particles = cloud.view();
+        for (int d = 0; d < D; ++d)
+        {
+            cloud.u[d].upload(cloud.context, std::vector<R>(cloud.grid.faces(d), R(before(d) + change(d))));
+            du[d].upload(cloud.context, std::vector<R>(cloud.grid.faces(d), R(change(d))));
+            f.u[d] = cloud.u[d].data();
+            f.du[d] = du[d].data();
+            f.fall[d] = R(d == 1 ? -0.1 : 0);
+        }
+        f.nearWater = near.data();
+        forEach(cloud.context, cloud.n, f);
+        std::vector<R> v[D];
+        for (int d = 0; d < D; ++d) v[d] = cloud.set.template download<R>(cloud.context, D + d);
+        int slowed = 0;
+        for (int i = 0; i < cloud.n; ++i)
+        {
+            Vec<D, double> at;
+            for (int a = 0; a < D; ++a) at.c[a] = x[a][i];
+            double speed2 = 0, fallen2 = 0, grid2 = 0, off = 0;
+            for (int d = 0; d < D; ++d)
+            {
+                const double own = spray(at, d);
+                speed2 += v[d][i]*double(v[d][i]);
+                fallen2 += (own + double(f.fall[d]))*(own + double(f.fall[d]));
+                grid2 += (before(d) + change(d))*(before(d) + change(d));
+                off = std::max(off, std::abs(v[d][i] - own - change(d)));
+            }
+            const bool untouched = off < 100*C::epsilon;
+            if (water == someWater) { EXPECT_LE(speed2, std::max(fallen2, grid2)*(1 + 100*C::epsilon)); }
+            if (water == allWater || at.c[0] < 0.5) { EXPECT_TRUE(untouched); }
+            slowed += !untouched;
+        }
+        EXPECT_EQ(slowed > cloud.n/10, water == someWater);
+    }
+}
+
 //- A linear field on the grid gives particles its values and, with all orders, its gradient
 PIC_TEST(LinearFieldsAreReproduced)
 {

@@ -7,12 +7,19 @@
 
     du is the change of the grid's velocity over the step. Particles with no water about them fall: v_p += g dt.
 
+    Beside the surface du is that of the water continued to faces that no pressure has projected. A particle that moves with that water is given what it is given. One
+    that does not, spray at a wall or between solids, would gain energy from nowhere, at each step again: there v_p is taken towards the grid's velocity u by
+    as much as it takes to
+
+        |v_p| <= max(|v_p + g dt| before, |u|)
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "pic/particles.hpp"
 #include "pic/transfer/sample.hpp"
+#include "pic/wetCells.hpp"
 
 namespace riprap
 {
@@ -26,7 +33,7 @@ struct GridToParticle
     PicParticles<D, R> particles;
     const R* u[D];
     const R* du[D];
-    const unsigned char* nearWater;     // cells: is one of the cells about it wet?
+    const unsigned char* nearWater;     // cells: are some or all of the cells about it wet? (wetCells.hpp)
     R picPart;                  // b: 0 flip .. 1 pic
     bool affine;
     R fall[D];                  // g dt [m/s]
@@ -35,20 +42,30 @@ struct GridToParticle
     {
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(grid, x);
-        if (!nearWater[at.cell(grid)])
+        const unsigned char water = nearWater[at.cell(grid)];
+        if (!water)
         {
             for (int d = 0; d < D; ++d) particles.v[d][i] += fall[d];
             if (affine) for (int k = 0; k < D*D; ++k) particles.affine[k][i] = 0;
             return;
         }
+        const bool bounds = water == someWater && picPart < 1;
+        R ofGrid[D], fallen2 = 0;
         UNROLL
-        for (int d = 0; d < D; ++d) affine ? take<true>(d, x, at, i) : take<false>(d, x, at, i);
+        for (int d = 0; d < D; ++d)
+        {
+            const R fallen = particles.v[d][i] + fall[d];
+            fallen2 += fallen*fallen;
+            ofGrid[d] = affine ? take<true>(d, x, at, i, bounds) : take<false>(d, x, at, i, bounds);
+        }
+        if (bounds) bound(ofGrid, fallen2, i);
     }
 
 private:
 
+    //- \return the grid's velocity, as far as it is asked for
     template<bool Affine>
-    HD void take(int d, const Vec<D, double>& x, const InCell<D, R>& at, int i) const
+    HD R take(int d, const Vec<D, double>& x, const InCell<D, R>& at, int i, bool asked) const
     {
         const Window<Order, D, R, Affine> window(grid, d, at);
         R pic = 0, change = 0, gradient[D];
@@ -59,7 +76,7 @@ private:
                 pic = window.sum(u[d], gradient);
                 for (int a = 0; a < D; ++a) gradient[a] *= R(1/grid.h);
             }
-            else if (picPart > 0) pic = window.sum(u[d]);
+            else if (picPart > 0 || asked) pic = window.sum(u[d]);
             if (picPart < 1) change = window.sum(du[d]);
         }
         else if constexpr (Around)
@@ -74,6 +91,25 @@ private:
         if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + change);
         if (picPart > 0) v += picPart*pic;
         particles.v[d][i] = v;
+        return pic;
+    }
+
+    //- u + s (v - u) with the largest s up to 1 that is no faster than the faster of u and the particle that has but fallen
+    HD void bound(const R* ofGrid, R fallen2, int i) const
+    {
+        R grid2 = 0, now2 = 0, mixed = 0, off2 = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const R v = particles.v[d][i], off = v - ofGrid[d];
+            grid2 += ofGrid[d]*ofGrid[d];
+            now2 += v*v;
+            mixed += off*ofGrid[d];
+            off2 += off*off;
+        }
+        const R most = maximum(fallen2, grid2);
+        if (!(now2 > most) || !(off2 > R(0))) return;
+        const R part = minimum(R(1), (squareRoot(mixed*mixed + off2*(most - grid2)) - mixed)/off2);
+        for (int d = 0; d < D; ++d) particles.v[d][i] = ofGrid[d] + part*(particles.v[d][i] - ofGrid[d]);
     }
 };
 

@@ -62,7 +62,7 @@ def case(name, across=None):
     rho, mu, end = cases[name]
     text = f'constant/fluidProperties:rho {rho}; constant/fluidProperties:mu {mu}'
     if across:
-        text += f'; system/tank:nx {across}; system/tank:ny {int(1.6*across)}; system/tank:spacing {0.05/across:.8g}'
+        text += f'; system/tank:nx {across}; system/tank:ny {int(1.6*across)}; system/tank:spacing {0.1/across:.8g}'
     return ['-endTime', str(end), '-set', text]
 
 
