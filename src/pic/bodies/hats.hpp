@@ -82,9 +82,10 @@ inline std::vector<DeflationPiece> hatsBetween
                 for (at[0] = 0; at[0] <= intervals[0]; ++at[0]) reached[at] = least;
     }
     std::vector<DeflationPiece> hats;
-    for (const auto& [at, bodies] : reached)
+    for (const auto& node : reached)
     {
-        if (bodies < least) continue;
+        const auto& at = node.first;
+        if (node.second < least) continue;
         DeflationPiece hat;
         hat.modes = 1;
         for (int d = 0; d < s.dimensions; ++d)
