@@ -53,7 +53,8 @@ Foam::solidCloud::solidCloud
     input_(input),
     typeOfBondType_(typeOfBondType),
     run_(run),
-    writesState_(writesState)
+    writesState_(writesState),
+    shapes_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("shapes"))
 {}
 
 
@@ -157,6 +158,7 @@ void Foam::solidCloud::fill(particleCloud& particles) const
 void Foam::solidCloud::addProperties(dictionary& properties) const
 {
     addSolidNames(properties, settings_);
+    if (shapes_.size()) properties.add("shapes", shapes_, true);
 }
 
 

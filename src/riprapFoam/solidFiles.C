@@ -101,7 +101,8 @@ void Foam::writeClumpFiles
     const label n = clumps.size();
     vectorField position(n), U(n), omega(n), inertia(n), axis(n);
     scalarField real(n), mass(n);
-    labelField group(n);
+    labelField group(n), shape(n);
+    bool shaped = false;
     forAll(position, i)
     {
         const riprap::DemClump& c = clumps[i];
@@ -116,6 +117,8 @@ void Foam::writeClumpFiles
         real[i] = c.orientation[0];
         mass[i] = c.mass;
         group[i] = c.group;
+        shape[i] = c.shape;
+        shaped = shaped || c.shape >= 0;
     }
 
     const word folder("clumps");
@@ -127,6 +130,7 @@ void Foam::writeClumpFiles
     writeSolidField(time, folder, "mass", mass);
     writeSolidField(time, folder, "inertia", inertia);
     writeSolidField(time, folder, "group", group);
+    if (shaped) writeSolidField(time, folder, "shape", shape);
 }
 
 
@@ -149,6 +153,11 @@ void Foam::readClumpFiles
     const scalarField mass(readSolidField<scalar>(time, folder, "mass", n));
     const vectorField inertia(readSolidField<vector>(time, folder, "inertia", n));
     const labelField group(readSolidField<label>(time, folder, "group", n));
+    labelField shape(n, -1);
+    if (hasSolidField(time, folder, "shape"))
+    {
+        shape = readSolidField<label>(time, folder, "shape", n);
+    }
 
     solids.clumps.resize(n);
     forAll(position, i)
@@ -165,6 +174,7 @@ void Foam::readClumpFiles
         c.orientation[0] = real[i];
         c.mass = mass[i];
         c.group = groupOfFile[group[i]];
+        c.shape = shape[i];
     }
 }
 

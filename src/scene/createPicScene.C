@@ -83,6 +83,21 @@ DemConfig onDeviceOf(const PicConfig& fluid, DeviceKind device, DemConfig solids
     return solids;
 }
 
+//- A shape is as thick as the largest ball in it
+void checkShapes(const PicConfig& c, const PicSolids& s)
+{
+    for (const DemClump& k : s.input.clumps)
+        require(k.shape >= -1 && k.shape < int(s.shapes.size()), "a rigid body has a shape that is not there");
+    for (const PicShape& shape : s.shapes)
+    {
+        require(!shape.distance.empty() && shape.distance.size() == std::size_t(shape.n[0])*shape.n[1]*shape.n[2] && shape.step > 0, "shape " + shape.name + " is not a lattice");
+        for (int d = 0; d < c.dimensions; ++d) require(shape.n[c.axes[d]] > 1, "shape " + shape.name + " is a lattice of one point");
+        const double thickness = -2*(*std::min_element(shape.distance.begin(), shape.distance.end()));
+        require(thickness >= smallestSolid*c.cellSize, "solids of shape " + shape.name + ", " + std::to_string(thickness) + " m thick, are thinner than 4 cells of "
+          + std::to_string(c.cellSize) + " m");
+    }
+}
+
 //- So few are moved by a thread of the CPU in less time than the GPU takes to be told to: 0.1 us a solid and step against some 15 us a step, and their state need not cross the bus
 constexpr std::size_t fewSolids = 128;
 
@@ -92,9 +107,11 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
     if (water && inside.solids->input.particles.size() <= fewSolids) device = DeviceKind::cpu;
     const PicSolids& s = *inside.solids;
     require(s.contactVelocity >= 0 && s.contactVelocity <= 1, "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
+    checkShapes(c, s);
     const std::vector<double>& r = s.input.particles.radius;
+    const std::vector<std::int32_t>& clump = s.input.particles.clump;
     for (std::size_t i = 0; i < r.size(); ++i)
-        require(2*r[i] >= smallestSolid*c.cellSize, "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
+        require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0) || 2*r[i] >= smallestSolid*c.cellSize, "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
           + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of " + std::to_string(c.cellSize) + " m across");
     inside.scene = createDemScene(onDeviceOf(c, device, s.config), s.input);
 }

@@ -114,6 +114,7 @@ struct DemClump
     double mass = 0;
     Vector3 inertia{{0, 0, 0}};             // principal moments [kg m2]; 2D: inertia[2] alone
     int group = 0;
+    int shape = -1;                         // of PicSolids::shapes, by which water sees it; -1: its spheres. Contacts see spheres
 };
 
 enum class BondRadiusKind {mean, harmonic};         // alpha (R_A + R_B)/2 or alpha R_A R_B/(R_A + R_B)

@@ -315,7 +315,8 @@ void DemSolver<Backend, D, P>::setClumps()
         const DemClump& in = input_.clumps[k];
         ClumpData& c = clumps[k];
         c = ClumpData{};
-        for (int e = 0; e < 4; ++e) c.q[e] = in.orientation[e];
+        c.q[0] = in.orientation[0];
+        for (int d = 0; d < 3; ++d) c.q[1 + d] = (D == 2 ? spinSign() : 1)*in.orientation[1 + config_.axes[d]];
         for (int d = 0; d < D; ++d)
         {
             c.x[d] = box_.toFixed(d, in.position[config_.axes[d]]);

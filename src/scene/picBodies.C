@@ -43,6 +43,7 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     clumps_(!solids.input.clumps.empty()),
     weak_(solids.weak),
     beta_(solids.contactVelocity),
+    shapes_(solids.shapes),
     stir_(solids.config.sleepAfter > 0 ? solids.config.sleepSpeed/solids.config.sleepAfter : 0)
 {
     for (int d = 0; d < 3; ++d) axes_[d] = config.axes[d];
@@ -53,6 +54,7 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
         Body b;
         b.clump = int(all_.size());
         b.group = c.group;
+        b.shape = c.shape;
         b.mass = c.mass;
         for (int d = 0; d < 3; ++d) b.inertia[d] = c.inertia[d];
         all_.push_back(b);
@@ -73,6 +75,30 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     memory_.resize(all_.size());
     ballOfId_.resize(largestId_ + 1);
     for (auto* v : {&forces_, &moments_}) v->assign(3*std::size_t(largestId_ + 1), 0.0);
+    for (const PicShape& s : shapes_)
+    {
+        SampledShape<D> u{};
+        for (int d = 0; d < D; ++d)
+        {
+            u.lattice.lower[d] = s.lower[axes_[d]];
+            u.lattice.n[d] = s.n[axes_[d]];
+        }
+        u.lattice.step = s.step;
+        u.lattice.distance = s.distance.data();
+        unplaced_.push_back(u);
+        reachOf_.push_back(u.reach());
+    }
+}
+
+template<int D>
+SampledShape<D> PicBodies<D>::placed(int shape, const Vec<D, double>& centre, const double* q) const
+{
+    SampledShape<D> s = unplaced_[shape];
+    double r[3][3];
+    rotation(q, r);
+    s.centre = centre;
+    for (int d = 0; d < D; ++d) for (int k = 0; k < D; ++k) s.axis[d][k] = r[axes_[d]][axes_[k]];
+    return s;
 }
 
 //- Of spins about axes in this order against those of space
@@ -160,10 +186,15 @@ void PicBodies<D>::read()
             Ball<D> ball;
             for (int d = 0; d < D; ++d) ball.centre[d] = s.position[3*std::size_t(slot[id]) + axes_[d]];
             ball.radius = s.radius[slot[id]];
-            f.shape.balls.push_back(ball);
+            f.shape.balls.balls.push_back(ball);
             ballOfId_[id] = ball;
         }
-        f.reach = f.shape.reach(f.centre);
+        f.reach = f.shape.balls.reach(f.centre);
+        if (body.shape >= 0)
+        {
+            f.shape.sampled = placed(body.shape, f.centre, &c.orientation[4*std::size_t(body.clump)]);
+            f.reach = reachOf_[body.shape];
+        }
         f.velocity.assign(n.velocity.begin(), n.velocity.end());
         now_.push_back(n);
         bodies_.push_back(f);

@@ -21,7 +21,7 @@
 */
 #pragma once
 
-#include "pic/bodies/ballUnion.hpp"
+#include "pic/bodies/bodyShape.hpp"
 #include "pic/bodies/contactArea.hpp"
 #include "pic/bodies/bodyTerm.hpp"
 #include "pic/bodies/freeBody.hpp"
@@ -37,7 +37,7 @@ public:
 
     static constexpr int modes = bodyModes<D>;
     using Modes = std::array<double, modes>;
-    using Shape = BallUnion<D>;
+    using Shape = BodyShape<D>;
 
     PicBodies(const PicConfig&, const PicSolids&, DemScene&);
 
@@ -118,7 +118,7 @@ private:
     struct Body
     {
         std::vector<int> ids;
-        int clump = -1, group = 0;
+        int clump = -1, group = 0, shape = -1;
         double mass = 0;
         Vec<3, double> inertia{{0, 0, 0}};      // principal; 2D: the last
     };
@@ -138,6 +138,7 @@ private:
 
     Modes times(const Now& n, const Modes& force) const;
     void setInverse(Now&, const double* orientation) const;
+    SampledShape<D> placed(int shape, const Vec<D, double>& centre, const double* orientation) const;
     Modes modesOf(const double* vector, const double* turn) const;
     Modes gravityOf(const Body&) const;
     double spinSign() const;
@@ -158,8 +159,11 @@ private:
     std::vector<FreeBody<D, Shape>> bodies_;
     bool verlet_ = false, clumps_ = false, weak_ = false, finite_ = true;
     double beta_ = 1;
+    std::vector<PicShape> shapes_;
     double stir_ = 0;                           // [m/s2] change of acceleration that wakes; 0: nobody sleeps
     std::vector<Ball<D>> ballOfId_;
+    std::vector<SampledShape<D>> unplaced_;     // of shapes_
+    std::vector<double> reachOf_;
     int largestId_ = 0;
 };
 

@@ -107,11 +107,23 @@ struct PicObstacle
     int body = -1;                          // index of its motion, -1: it rests
 };
 
+//- The shape of rigid bodies by signed distances at the points of a lattice about their principal axes (2D: of the plane as given), the first
+//  axis fastest (pic/shapes/sampledShape.hpp)
+struct PicShape
+{
+    std::string name;
+    Vector3 lower{{0, 0, 0}};               // of the first point, from the centre of mass [m]
+    double step = 0;                        // [m]
+    std::array<int, 3> n{{1, 1, 1}};        // points; 2D: one along the empty axis
+    std::vector<double> distance;           // [m]
+};
+
 //- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and gravity
 struct PicSolids
 {
     DemConfig config;
     DemInput input;
+    std::vector<PicShape> shapes;           // of clumps that have one (DemClump::shape)
     bool weak = false;                      // their motion from the last step's pressure, not solved with it
     double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
 };

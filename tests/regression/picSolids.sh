@@ -66,6 +66,19 @@ water 'coupling weak; contactVelocity 0.5;'; pressure 'solver cudaPCG; tolerance
 riprapFoam >log 2>&1 && pass weak || fail weak "$(grep -m1 -A3 ERROR log)"
 rm -rf 0.0*
 
+# A body of its own shape, turned: cut by its outline, continued to the bit
+brick='source clumpsFromOutline; outline ((0 0 0) (0.06 0 0) (0.06 0.045 0) (0 0.045 0)); spheres 12; centres ((0.1 0.055 0.005)); orientation turned; angle 20;'
+water ''; control picDem 0.04 ''; fill "$pond brick { set solids; material stone; $brick }"
+riprapFoam >log 2>&1 && pass shape || fail shape "$(grep -m1 -A3 ERROR log)"
+says shapes 'shapes of rigid bodies +\(brick\)'
+whole=$(sum 0.04)
+rm -rf 0.04; riprapFoam >log 2>&1
+says shapeContinues 'Continuing exactly from time 0.02'
+[[ $(sum 0.04) == "$whole" ]] && pass shapeExact || fail shapeExact 'the continued run ends elsewhere'
+rm -rf 0.0*
+fill "$pond leaf { set solids; material stone; ${brick//0.045/0.02} }"
+refused thin 'solids of shape leaf, .* thinner than 4 cells' riprapFoam
+
 # Without water: what solver dem does
 motion='functions { stones { type groupMotion; libs ("libriprapFoam.so"); groups (free); } }'
 rm constant/geometry; dictionary system/setParticlesDict <<<"regions ( $pair );"

@@ -25,7 +25,7 @@ template<class C> struct CpuBodyCut : BodyCutCase<C> {};
 TYPED_TEST_SUITE(CpuBodyCut, AllCases, CaseNames);
 #endif
 
-//- A closed box with bodies in it: two that share faces, a clump of three balls, one that a side clips
+//- A closed box with bodies in it: two that share faces, a clump of three balls, one that a side clips, one whose shape is a lattice of distances
 template<class C>
 struct CutBox
 {
@@ -34,9 +34,9 @@ struct CutBox
 
     Context<Backend> context;
     UniformGrid<D> grid{};
-    std::vector<FreeBody<D, BallUnion<D>>> bodies;
+    std::vector<FreeBody<D, BodyShape<D>>> bodies;
     BodyGrid<D> reference;
-    std::vector<double> walls[D], baseDistance;
+    std::vector<double> walls[D], baseDistance, lattice;
     Array<Backend, R> aperture[D], wallVelocity[D], base[D];
     Array<Backend, double> distance, of;
     BodyCut<Backend, D> cut;
@@ -69,23 +69,56 @@ struct CutBox
         add({{{{1.33 + shift, 1.2, 0.95}}, 0.26}});          // less than a cell from the first
         add({{{{2.0, 0.7 + shift, 1.4}}, 0.2}, {{{2.2, 0.9 + shift, 1.5}}, 0.2}, {{{2.1, 1.2 + shift, 1.3}}, 0.22}});
         add({{{{0.6, 0.1, 1.7}}, 0.3}});                     // the floor clips it
+        add({{{{1.5, 2.2 - shift, 1.2}}, 0.1}});
+        giveShape(bodies.back());
     }
 
     void add(const std::vector<std::pair<Vec<3, double>, double>>& balls)
     {
-        FreeBody<D, BallUnion<D>> b;
+        FreeBody<D, BodyShape<D>> b;
         b.centre = filled<D>(0.0);
         for (const auto& [at, radius] : balls)
         {
             Ball<D> ball;
             for (int d = 0; d < D; ++d) ball.centre[d] = grid.origin[d] + at[d];
             ball.radius = radius;
-            b.shape.balls.push_back(ball);
+            b.shape.balls.balls.push_back(ball);
             b.centre = b.centre + (1.0/balls.size())*ball.centre;
         }
-        b.reach = b.shape.reach(b.centre);
+        b.reach = b.shape.balls.reach(b.centre);
         for (int m = 0; m < modes; ++m) b.velocity.push_back(0.1*(1 + m) - 0.07*double(bodies.size()));
         bodies.push_back(b);
+    }
+
+    //- An octahedron (a square on its edge), turned a little
+    void giveShape(FreeBody<D, BodyShape<D>>& b)
+    {
+        constexpr double half = 0.3, step = 0.05;
+        constexpr int n = 17;
+        SampledShape<D>& s = b.shape.sampled;
+        s.lattice.step = step;
+        s.centre = b.centre;
+        std::size_t points = 1;
+        for (int d = 0; d < D; ++d)
+        {
+            s.lattice.lower[d] = -0.5*step*(n - 1);
+            s.lattice.n[d] = n;
+            points *= n;
+            for (int k = 0; k < D; ++k) s.axis[d][k] = d == k;
+        }
+        s.axis[0][0] = s.axis[1][1] = 0.8;
+        s.axis[1][0] = 0.6;
+        s.axis[0][1] = -0.6;
+        lattice.clear();
+        for (std::size_t i = 0; i < points; ++i)
+        {
+            double sum = 0;
+            std::size_t rest = i;
+            for (int d = 0; d < D; ++d, rest /= n) sum += std::abs(s.lattice.lower[d] + step*double(rest % n));
+            lattice.push_back((sum - half)/std::sqrt(double(D)));
+        }
+        s.lattice.distance = lattice.data();
+        b.reach = s.reach();
     }
 
     CutFields<D, R> fields()

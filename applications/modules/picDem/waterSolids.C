@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "waterSolids.H"
+#include "listed.H"
 #include "moduleLog.H"
+#include "picShapes.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -25,6 +27,7 @@ Foam::waterSolids::waterSolids
         fluid.config.precision,
         boundary
     ),
+    fluid_(fluid.config),
     weak_(fluid.weak),
     contactVelocity_(fluid.contactVelocity)
 {}
@@ -42,6 +45,12 @@ std::shared_ptr<const riprap::PicSolids> Foam::waterSolids::input
     auto solids = std::make_shared<riprap::PicSolids>();
     solids->config = settings_.config;
     solids->input = input_;
+    solids->shapes = picShapes(runTime_, fluid_);
+    shapes_.clear();
+    for (const riprap::PicShape& shape : solids->shapes)
+    {
+        shapes_.append(shape.name);
+    }
     solids->weak = weak_;
     solids->contactVelocity = contactVelocity_;
     return solids;
@@ -65,6 +74,7 @@ void Foam::waterSolids::logModels() const
         logItem("device") << "CPU: so few solids are moved faster there"
             << nl;
     }
+    if (shapes_.size()) logItem("shapes of rigid bodies") << listed(shapes_).c_str() << nl;
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
     logSolids(fluidStep, limit);

@@ -50,6 +50,7 @@ static void write
 
     particleCloud cloud(solidCloudOf(solids.particles));
     addSolidNames(cloud.properties, settings);
+    if (solids.shapes.size()) cloud.properties.add("shapes", solids.shapes);
     writeParticleCloud(mesh, cloud);
     writeBondFiles(time, bonds);
     writeClumpFiles(time, solids.clumps);

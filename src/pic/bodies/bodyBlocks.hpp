@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/sharedLowest.hpp"
-#include "pic/bodies/ballUnion.hpp"
+#include "pic/bodies/bodyShape.hpp"
 #include "pic/cutCells/apertures.hpp"
 
 namespace riprap
@@ -20,6 +20,7 @@ struct PlacedBody
 {
     Vec<D, double> centre;      // of mass
     int firstBall, balls;
+    int sampled;                // its number among those with a shape of their own; -1: balls
     int low[3], size[3];        // of the block: its first index, and indices along each axis
 
     HD int rows() const { return size[1]*size[2]; }
@@ -50,8 +51,10 @@ struct BodyBlocks
     const PlacedBody<D>* body;
     const int* firstRow;        // of each body, and the number of rows
     const Ball<D>* ball;
+    const SampledShape<D>* sampled;
 
-    HD BallSet<D> shape(int b) const { return {ball + body[b].firstBall, body[b].balls}; }
+    HD ShapeView<D> shape(int b) const
+    { return {{ball + body[b].firstBall, body[b].balls}, body[b].sampled < 0 ? nullptr : sampled + body[b].sampled}; }
 
     HD BlockRow row(int r) const
     {
@@ -102,7 +105,7 @@ struct LowerDistances
     {
         const BlockRow row = blocks.row(r);
         const NodeGrid<D> nodes{blocks.grid};
-        const BallSet<D> shape = blocks.shape(row.body);
+        const ShapeView<D> shape = blocks.shape(row.body);
         const int first = nodes.node(blocks.first(row));
         for (int n = first; n < first + blocks.body[row.body].size[0]; ++n)
         {

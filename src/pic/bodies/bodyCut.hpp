@@ -5,6 +5,7 @@
 */
 #pragma once
 
+#include <map>
 #include "core/sort.hpp"
 #include "pic/bodies/bodyRows.hpp"
 
@@ -83,7 +84,7 @@ public:
     //- For solvers on the host; without masses and velocities
     std::vector<BodyTerm> terms() const;
 
-    BodyBlocks<D> blocks() const { return {grid_, bodyCount_, body_.data(), firstRow_.data(), ball_.data()}; }
+    BodyBlocks<D> blocks() const { return {grid_, bodyCount_, body_.data(), firstRow_.data(), ball_.data(), sampled_.data()}; }
     int bodies() const { return bodyCount_; }
     int rows() const { return rowCount_; }
     int entries() const { return entryCount_; }
@@ -94,6 +95,7 @@ public:
 
 private:
 
+    template<class Bodies> void keepLattices(Context<Backend>& context, const Bodies& bodies);
     template<class Bodies> void place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies);
     void measure(Context<Backend>& context);
     void fillRows(Context<Backend>& context, int up);
@@ -131,6 +133,9 @@ private:
     std::vector<double> volume_;
     Array<Backend, PlacedBody<D>> body_;
     Array<Backend, Ball<D>> ball_;
+    Array<Backend, SampledShape<D>> sampled_;
+    Array<Backend, double> latticeDistance_;                    // of shapes, one after the other
+    std::map<const double*, std::size_t> latticeAt_;            // where those of the host are in it
     Array<Backend, int> firstRow_;                              // of bodies
     Array<Backend, int> shareFirst_, shareX_, bodyOfShare_;     // of rows of faces; of shares
     Array<Backend, double> share_;
@@ -157,20 +162,47 @@ void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& g
     forEach(context, rowCount_, LowerDistances<D>{blocks(), f.band, f.distance});
 }
 
+//- Lattices of shapes are copied once: they stay where they are on the host
+template<class Backend, int D>
+template<class Bodies>
+void BodyCut<Backend, D>::keepLattices(Context<Backend>& context, const Bodies& bodies)
+{
+    std::vector<double> all;
+    for (const auto& b : bodies)
+    {
+        const ShapeLattice<D>& l = b.shape.sampled.lattice;
+        if (!l.distance || latticeAt_.count(l.distance)) continue;
+        if (all.empty()) all = latticeDistance_.download();
+        latticeAt_[l.distance] = all.size();
+        all.insert(all.end(), l.distance, l.distance + l.points());
+    }
+    if (!all.empty()) latticeDistance_.upload(context, all);
+}
+
 template<class Backend, int D>
 template<class Bodies>
 void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies)
 {
     std::vector<PlacedBody<D>> placed(bodies.size());
     std::vector<Ball<D>> balls;
+    std::vector<SampledShape<D>> sampled;
     std::vector<int> firstRow(1, 0);
+    keepLattices(context, bodies);
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
         PlacedBody<D>& p = placed[b];
         p.centre = bodies[b].centre;
         p.firstBall = int(balls.size());
-        p.balls = int(bodies[b].shape.balls.size());
-        balls.insert(balls.end(), bodies[b].shape.balls.begin(), bodies[b].shape.balls.end());
+        const auto& own = bodies[b].shape.balls.balls;
+        p.balls = int(own.size());
+        balls.insert(balls.end(), own.begin(), own.end());
+        p.sampled = bodies[b].shape.hasOwn() ? int(sampled.size()) : -1;
+        if (p.sampled >= 0)
+        {
+            sampled.push_back(bodies[b].shape.sampled);
+            const double*& distance = sampled.back().lattice.distance;
+            distance = latticeDistance_.data() + latticeAt_[distance];
+        }
         p.setBlock(grid, bodies[b].reach);
         firstRow.push_back(firstRow.back() + p.rows());
     }
@@ -179,6 +211,7 @@ void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>&
     rowCount_ = firstRow.back();
     body_.upload(context, placed);
     ball_.upload(context, balls);
+    sampled_.upload(context, sampled);
     firstRow_.upload(context, firstRow);
 }
 

@@ -93,7 +93,7 @@ struct FindShares
         if (r >= D*blocks.firstRow[blocks.count]) return;      // one more, for the sum
         const FaceRow<D> at(blocks, r);
         const UniformGrid<D>& g = blocks.grid;
-        const BallSet<D> shape = blocks.shape(at.row.body);
+        const ShapeView<D> shape = blocks.shape(at.row.body);
         const NodeGrid<D> nodes{g};
         typename UniformGrid<D>::Index f = blocks.first(at.row);
         for (int e = 1; e < D; ++e) if (f.c[e] >= g.layers(at.d, e)) return;
@@ -132,7 +132,7 @@ struct MeasureShares
         const int d = at.d;
         const UniformGrid<D>& g = blocks.grid;
         const NodeGrid<D> nodes{g};
-        const BallSet<D> shape = blocks.shape(at.row.body);
+        const ShapeView<D> shape = blocks.shape(at.row.body);
         typename UniformGrid<D>::Index f = blocks.first(at.row);
         f.c[0] = x[r];
         for (int s = first[r]; s < first[r + 1]; ++s, ++f.c[0])

@@ -11,13 +11,9 @@
 */
 
 #include "clumpShape.H"
-#include "closedSurface.H"
-#include "momentOfInertia.H"
-#include "principalAxes.H"
 #include "mathematicalConstants.H"
 #include "quaternion.H"
 #include "solidRegions.H"
-#include "triSurfaceSearch.H"
 #include "unitConversion.H"
 
 #include <random>
@@ -25,20 +21,20 @@
 namespace Foam
 {
 
-// Balls that touch the surface from inside, at the points of a lattice
-static DynamicList<ball> inscribed(const triSurface& surface, label resolution)
+struct ball
 {
-    const triSurfaceSearch search(surface);
-    const boundBox box(surface.points(), false);
-    const pointField points(shapeLattice(box, resolution));
-    const boolList in(search.calcInside(points));
+    point centre;
+    scalar radius;
+};
+
+
+// Balls that touch the surface from inside, at the points of a lattice
+static DynamicList<ball> inscribed(const clumpShape& shape, label resolution)
+{
+    const pointField points(shapeLattice(shape.box, resolution));
+    const scalarField distance(shape.distance(points));
     DynamicList<ball> balls;
-    forAll(points, i)
-    {
-        if (!in[i]) continue;
-        const pointIndexHit hit(search.nearest(points[i], box.span()));
-        if (hit.hit()) balls.append({points[i], mag(hit.hitPoint() - points[i])});
-    }
+    forAll(points, i) if (distance[i] < 0) balls.append({points[i], -distance[i]});
     return balls;
 }
 
@@ -65,19 +61,6 @@ static DynamicList<ball> cover(DynamicList<ball> candidates, label most, scalar 
         if (!covered) chosen.append(b);
     }
     return chosen;
-}
-
-
-static clumpShape surfaceShape(checkedDictionary& dict, const Time& time, label resolution)
-{
-    const auto surface = readClosedSurface(dict, time);
-    clumpShape shape;
-    shape.longest = cmptMax(boundBox(surface->points(), false).span());
-    tensor J(Zero);
-    momentOfInertia::massPropertiesSolid(*surface, 1, shape.volume, shape.middle, J);
-    shape.moments = principalMoments(J, shape.axes);
-    shape.balls = inscribed(*surface, resolution);
-    return shape;
 }
 
 
@@ -152,12 +135,10 @@ void Foam::readClumps(checkedDictionary& dict, const word& source, const solidSp
 
     const label most = dict.whole("spheres", 50, 1, 10000);
     const label resolution = dict.whole("resolution", 40, 4, 400);
-    const clumpShape shape
-    (
-        outline ? outlineShape(dict, config, resolution) : surfaceShape(dict, space.mesh.time(), resolution)
-    );
-    const scalar smallest = dict.positive("smallestRadius", 0.02*shape.longest);
-    const DynamicList<ball> balls(cover(shape.balls, most, smallest));
+    const clumpShape shape(readShape(dict, space.mesh.time(), config.dimensions, config.axes));
+    region.shape = shapeEntries(dict.dict());
+    const scalar smallest = dict.positive("smallestRadius", 0.02*shape.longest());
+    const DynamicList<ball> balls(cover(inscribed(shape, resolution), most, smallest));
     if (balls.empty())
     {
         FatalIOErrorInFunction(dict.dict())
@@ -183,8 +164,7 @@ void Foam::readClumps(checkedDictionary& dict, const word& source, const solidSp
         if (planar) centre[config.axes[2]] = mid;
         riprap::DemClump body;
         body.mass = shape.volume;
-        // 2D: the body's axes are those of space as it is made
-        const quaternion turn(planar ? tensor(tensor::I) : rotation[c] & shape.axes);
+        const quaternion turn(rotation[c] & shape.axes);
         for (direction d = 0; d < vector::nComponents; ++d)
         {
             body.position[d] = centre[d];

@@ -66,7 +66,13 @@ Foam::solidSet Foam::joined(const List<solidRegion>& regions)
             p.clump.push_back(region.clump[i] < 0 ? -1 : before + region.clump[i]);
             p.id.push_back(p.id.size());
         }
-        all.clumps.insert(all.clumps.end(), region.clumps.begin(), region.clumps.end());
+        const int shape = region.shape.empty() ? -1 : all.shapes.size();
+        for (riprap::DemClump clump : region.clumps)
+        {
+            clump.shape = shape;
+            all.clumps.push_back(clump);
+        }
+        if (shape >= 0) all.shapes.add(region.name, region.shape);
         clumps = clumps || region.clumps.size();
     }
     if (!clumps) p.clump.clear();

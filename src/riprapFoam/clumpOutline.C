@@ -40,8 +40,8 @@ static bool meet(const flatPoint& a, const flatPoint& b, const flatPoint& c, con
     return side(a, b, c)*side(a, b, d) <= 0 && side(c, d, a)*side(c, d, b) <= 0;
 }
 
-// Distance to the line; negative outside (crossings of a ray along x are counted)
-static scalar depth(const List<flatPoint>& line, const flatPoint& p)
+// Distance to the line; negative inside (crossings of a ray along x are counted)
+static scalar signedDistance(const List<flatPoint>& line, const flatPoint& p)
 {
     bool in = false;
     scalar nearest2 = GREAT;
@@ -55,7 +55,7 @@ static scalar depth(const List<flatPoint>& line, const flatPoint& p)
         const flatPoint apart{to.x - t*along.x, to.y - t*along.y};
         nearest2 = min(nearest2, dotted(apart, apart));
     }
-    return in ? Foam::sqrt(nearest2) : -1;
+    return (in ? -1 : 1)*Foam::sqrt(nearest2);
 }
 
 static void requireSimple(const List<flatPoint>& line, const dictionary& dict)
@@ -102,9 +102,9 @@ Foam::pointField Foam::shapeLattice(const boundBox& box, label resolution)
 }
 
 
-Foam::clumpShape Foam::outlineShape(checkedDictionary& dict, const riprap::DemConfig& config, label resolution)
+Foam::clumpShape Foam::outlineShape(checkedDictionary& dict, const int axes[3])
 {
-    const direction x = config.axes[0], y = config.axes[1], empty = config.axes[2];
+    const direction x = axes[0], y = axes[1], empty = axes[2];
     dict.found("outline");
     pointField given(dict.dict().get<pointField>("outline"));
     List<flatPoint> line(given.size());
@@ -130,16 +130,16 @@ Foam::clumpShape Foam::outlineShape(checkedDictionary& dict, const riprap::DemCo
     X = {X.x/A, X.y/A};
 
     clumpShape shape;
-    const boundBox box(given, false);
     shape.volume = mag(A);
     shape.middle[x] = X.x;
     shape.middle[y] = X.y;
     shape.moments[2] = mag(J - A*dotted(X, X));
-    shape.longest = cmptMax(box.span());
-    for (const point& p : shapeLattice(box, resolution))
+    shape.box = boundBox(given, false);
+    shape.distance = [line, x, y](const pointField& points)
     {
-        const scalar radius = depth(line, {p[x], p[y]});
-        if (radius > 0) shape.balls.append({p, radius});
-    }
+        scalarField all(points.size());
+        forAll(points, i) all[i] = signedDistance(line, {points[i][x], points[i][y]});
+        return all;
+    };
     return shape;
 }
