@@ -243,6 +243,7 @@ private:
     Array<Backend, real> baseAperture_[D], baseVelocity_[D];    // of the grid without bodies
     Array<Backend, double> baseDistance_;
     int subcycles_ = 0;
+    bool bodiesRest_ = false;                   // have faces that bodies close no velocity, to the bit?
     Array<Backend, int> contactBoxes_;
     Array<Backend, ContactArea<D>> contactAreas_;
     bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?

@@ -6,6 +6,7 @@
 #include "hostSolver.hpp"
 #include "picSceneTest.hpp"
 #include "pic/bodies/ballUnion.hpp"
+#include "pic/extrapolate.hpp"
 
 namespace riprap
 {
@@ -210,6 +211,29 @@ TEST_P(PicSolidScene, RestsOnTheFloorAndContinuesToTheBit)
     EXPECT_LT(std::abs(r.volumeError), 1e-3);
 }
 
+//- Without a gap: three disks that touch trap water between them, which gets out; they come to rest on each other and on the floor
+TEST_P(PicSolidScene, TouchAtTheirTrueSurfaces)
+{
+    if (D() == 3) GTEST_SKIP() << "balls trap nothing";
+    PicConfig c = config(32);
+    const double a = 2.6*c.cellSize;
+    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
+    auto solids = balls(c, {{{0.5 - a, a, 0.5}}, {{0.5 + a, a, 0.5}}, {{0.5, a*(1 + std::sqrt(3.0)), 0.5}}}, a, 2700);
+    solids->input.pairs[0].properties.friction = 0.5;
+    DemWall floor;
+    floor.plane = true;
+    floor.normal = {{0, 1, 0}};
+    solids->input.walls.push_back(floor);
+    const auto s = withSolids(c, water, solids);
+    const PicReport r = s->advance(0.5);
+    EXPECT_EQ(r.stop, StopReason::none);
+    EXPECT_LT(r.maxSpeed, 0.5);
+    const DemState q = s->solids()->particles();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < i; ++j)
+            EXPECT_GT(std::hypot(q.position[3*i] - q.position[3*j], q.position[3*i + 1] - q.position[3*j + 1]), 2*a - 0.1*c.cellSize);
+}
+
 //- A ball on the floor falls asleep in still water; a wave that another one makes, which begins to move far away, wakes it before anything touches it
 TEST_P(PicSolidScene, SleepsAtRestAndWakesByFlow)
 {
@@ -350,6 +374,23 @@ TEST_P(PicSolidScene, AloneAreAsInASceneOfTheirOwn)
 }
 
 //- Wherever it lies: what chords cut off a ball would be missing in what the water carries of it
+TEST(PicSolids, SlitsTellNothingOfTheWater)
+{
+    UniformGrid<2> g{};
+    g.h = 1;
+    g.n[0] = g.n[1] = 4;
+    const int slit = g.face(0, {{2, 1, 0}}), atSide = g.face(0, {{0, 1, 0}});
+    std::vector<unsigned char> wet(g.cells(), 1), layer(g.faces(0), closedFace);
+    std::vector<double> aperture(g.faces(0), 1.0);
+    aperture[slit] = aperture[atSide] = 0.005;
+    const MarkByWetCells<2, double> mark{g, wet.data(), aperture.data(), nullptr, 0, layer.data()};
+    for (int i = 0; i < g.faces(0); ++i)
+    {
+        mark(i);
+        EXPECT_EQ(layer[i], i == slit ? unknownFace : 0) << i;
+    }
+}
+
 TEST(PicSolids, BallsHaveTheirVolume)
 {
     constexpr double R = 3.75, volume = 4*M_PI/3*R*R*R;
