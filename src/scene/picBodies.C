@@ -165,6 +165,7 @@ void PicBodies<D>::read()
         }
         f.reach = f.shape.reach(f.centre);
         f.velocity.assign(n.velocity.begin(), n.velocity.end());
+        n.asleep = sleeps(n);               // of a state that was loaded: hold() leaves it the force under which it sleeps
         now_.push_back(n);
         bodies_.push_back(f);
     }
