@@ -454,7 +454,12 @@ bool PicBodies<D>::setMemory(const std::vector<double>& v)
         Memory& m = memory_[b];
         for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) { std::copy(from, from + modes, a->begin()); from += modes; }
         m.begun = *from != 0;
+        // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
+        Now n;
+        n.body = int(b);
+        put(n, m.given);
     }
+    send();
     return true;
 }
 

@@ -292,6 +292,35 @@ TEST_P(PicSolidScene, SleepsAtRestAndWakesByFlow)
     EXPECT_GT(now.position[3*sleeper] - now.position[3*mover], 3*a) << "not by contact";
 }
 
+//- A state that was saved while a ball slept: it sleeps on, and wakes, to the bit
+TEST_P(PicSolidScene, SleepersContinueToTheBit)
+{
+    if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
+    PicConfig c = config(D() == 2 ? 32 : 14);
+    const double a = 2.6*c.cellSize;
+    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    const auto make = [&]
+    {
+        PicInside inside;
+        inside.solids = sleeperAndMover(balls(c, {{{0.7, a, 0.5}}, {{0.2, 0.2, 0.5}}}, a, 2700));
+        return createPicScene(c, water, PicWalls(), &solver, std::move(inside));
+    };
+    const auto first = make(), second = make();
+    EXPECT_EQ(first->advance(0.5).stop, StopReason::none);
+    ASSERT_EQ(first->solids()->lastReport().asleep, 1u);
+    second->loadState(first->saveState());
+    for (const double t : {0.55, begins + 0.3})
+    {
+        first->advance(t);
+        second->advance(t);
+        EXPECT_EQ(first->solids()->lastReport().asleep, t < begins ? 1u : 0u);
+        EXPECT_EQ(second->solids()->lastReport().asleep, t < begins ? 1u : 0u);
+        expectSameBits(first->fluid(), second->fluid());
+        EXPECT_EQ(first->solids()->particles().position, second->solids()->particles().position);
+        EXPECT_EQ(first->saveState(), second->saveState());
+    }
+}
+
 //- Of a solid across a periodic side the grid would see a part alone
 TEST_P(PicSolidScene, IsStoppedAtAPeriodicSide)
 {
