@@ -177,6 +177,7 @@ bool PicBodies<D>::read()
         }
         f.reach = f.shape.reach(f.centre);
         f.velocity.assign(n.velocity.begin(), n.velocity.end());
+        n.asleep = sleeps(n);               // of a state that was loaded: hold() leaves it the force under which it sleeps
         now_.push_back(n);
         bodies_.push_back(f);
     }
@@ -516,7 +517,12 @@ bool PicBodies<D>::setMemory(const std::vector<double>& v)
         Memory& m = memory_[b];
         for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) { std::copy(from, from + modes, a->begin()); from += modes; }
         m.begun = *from != 0;
+        // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
+        Now n;
+        n.body = int(b);
+        put(n, m.given);
     }
+    send();
     return true;
 }
 
