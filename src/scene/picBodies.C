@@ -31,6 +31,17 @@ void rotation(const double* q, double r[3][3])
     for (int a = 0; a < 3; ++a) for (int b = 0; b < 3; ++b) r[a][b] = m[a][b];
 }
 
+//- The same place, and no velocity, to the bit
+template<int D, class Shape>
+bool rests(const FreeBody<D, Shape>& a, const FreeBody<D, Shape>& b)
+{
+    bool same = a.shape.balls.size() == b.shape.balls.size();
+    for (std::size_t k = 0; same && k < a.shape.balls.size(); ++k)
+        for (int d = 0; d < D; ++d) same = same && a.shape.balls[k].centre[d] == b.shape.balls[k].centre[d];
+    for (const auto* f : {&a, &b}) for (const double v : f->velocity) same = same && v == 0;
+    return same;
+}
+
 } // namespace
 
 template<int D>
@@ -154,8 +165,9 @@ typename PicBodies<D>::Modes PicBodies<D>::times(const Now& n, const Modes& forc
 }
 
 template<int D>
-void PicBodies<D>::read()
+bool PicBodies<D>::read()
 {
+    const std::vector<FreeBody<D, Shape>> before = std::move(bodies_);
     const DemState s = scene_.particles();
     const DemClumpState c = clumps_ ? scene_.clumps() : DemClumpState();
     std::vector<int> slot(largestId_ + 1, -1);
@@ -196,9 +208,18 @@ void PicBodies<D>::read()
             f.reach = reachOf_[body.shape];
         }
         f.velocity.assign(n.velocity.begin(), n.velocity.end());
+        n.asleep = sleeps(n);               // of a state that was loaded: hold() leaves it the force under which it sleeps
         now_.push_back(n);
         bodies_.push_back(f);
     }
+    return before.size() != bodies_.size() || !std::equal(before.begin(), before.end(), bodies_.begin(), rests<D, Shape>);
+}
+
+template<int D>
+bool PicBodies<D>::yield() const
+{
+    for (const Now& n : now_) for (const double v : n.inverse) if (v != 0) return true;
+    return false;
 }
 
 template<int D>
@@ -527,7 +548,12 @@ bool PicBodies<D>::setMemory(const std::vector<double>& v)
         Memory& m = memory_[b];
         for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) { std::copy(from, from + modes, a->begin()); from += modes; }
         m.begun = *from != 0;
+        // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
+        Now n;
+        n.body = int(b);
+        put(n, m.given);
     }
+    send();
     return true;
 }
 

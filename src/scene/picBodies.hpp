@@ -41,8 +41,8 @@ public:
 
     PicBodies(const PicConfig&, const PicSolids&, DemScene&);
 
-    //- Where they are, how fast, and what acts on them
-    void read();
+    //- Where they are, how fast, and what acts on them. \return has any moved since the last call, or is about to?
+    bool read();
 
     //- W* of a step dt that follows one of `before`
     void predict(double dt, double before);
@@ -69,6 +69,7 @@ public:
     void hold();
 
     bool empty() const { return bodies_.empty(); }
+    bool yield() const;                         // does any give way to the water? Else they are walls
     bool verlet() const { return verlet_; }
     bool clumps() const { return clumps_; }
     bool weak() const { return weak_; }

@@ -25,11 +25,13 @@ void PicSolver<Backend, D, P>::allocateCut()
     }
 }
 
-//- For the step dt that begins at t
+//- For the step dt that begins at t; nothing is to be done where nothing moves
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
 {
-    const bool anew = base_.nodeDistance.empty() || base_.moves;
+    const bool anew = base_.nodeDistance.empty() || base_.moves, moved = bodies_ && bodies_->read();
+    if (!anew && !moved) return;
+    bodiesRest_ = false;
     if (anew)
     {
         base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);

@@ -180,6 +180,16 @@ struct PicGridState
     std::vector<double> distance;           // to the surface [m], negative in water
 };
 
+//- What the kick of the last step did to momentum [N s] (2D: per metre): water = gravity + other - walls - solids
+struct PicMomentum
+{
+    Vector3 water{{0, 0, 0}};               // of what the pressure moves, on the grid
+    Vector3 gravity{{0, 0, 0}};             // its weight
+    Vector3 walls{{0, 0, 0}}, solids{{0, 0, 0}};    // by the pressure, on walls and obstacles; on solids that move with the water, shear included
+    Vector3 other{{0, 0, 0}};               // viscosity, zones that absorb waves, water beyond openings
+    Vector3 particles{{0, 0, 0}};           // what of it came to the particles; gravity on flying ones included
+};
+
 //- fluid(): smoothingLength is the edge of the cells. energy(): elastic 0. sample(): of the grid; volumeFraction 1/2 on the surface
 class PicScene : public FluidScene
 {
@@ -201,6 +211,10 @@ public:
     //- The water's force on all of them in the last step [N], and their steps in it
     struct Coupling { Vector3 force{{0, 0, 0}}; int subcycles = 0; };
     virtual Coupling coupling() { return Coupling(); }
+
+    //- Momentum of the steps from now on, and of the last one; costs copies to the host
+    virtual void watchMomentum(bool) {}
+    virtual PicMomentum momentum() { return PicMomentum(); }
 
     //- Edge of the square or cube that a particle stands for [m]
     virtual double particleSpacing() const = 0;

@@ -43,7 +43,6 @@ CutFields<D, typename P::real> PicSolver<Backend, D, P>::cutFields()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::cutByBodies()
 {
-    bodies_->read();
     if (opens()) openFully();
     bodyCut_.cut(context_, grid_, bodies_->bodies(), std::max(steepest(), 0), cutFields());
     if (opens()) keepOpenParts();
@@ -57,18 +56,23 @@ void PicSolver<Backend, D, P>::cutByBodies()
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
 {
-    bodyCut_.setVelocities(context_, bodies_->velocities(predicted), cutFields());
+    const std::vector<double> velocity = bodies_->velocities(predicted);
+    const bool rest = std::all_of(velocity.begin(), velocity.end(), [](double v) { return v == 0; });
+    if (rest && bodiesRest_) return;
+    bodiesRest_ = rest;
+    bodyCut_.setVelocities(context_, velocity, cutFields());
     if (opens()) writeOpenFaces();
 }
 
-//- Solved with the pressure, or walls for it. The impulse by which particles are left ahead is known before. Light bodies bring slow modes, which a solver on the host takes away
+//- Solved with the pressure, or walls for it, as where all sleep. The impulse by which particles are left ahead is known before. Light bodies bring slow modes, which a solver on the host takes away
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
 {
-    if (config_.reflection > 0 && !bodies_->weak()) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
+    const bool coupled = !bodies_->weak() && bodies_->yield();
+    if (config_.reflection > 0 && coupled) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
     useBodyVelocities(true);
     const PressureFields<D, real> fields = pressureFields(dt);
-    if (bodies_->weak()) lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_);
+    if (!coupled) lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_);
     else if (linearSolver_.onDevice() && !bodies_->anyLighter(bodyCut_.volumes(), heavyRatioOnDevice*config_.density))
     {
         const std::vector<double> roots = bodies_->roots();

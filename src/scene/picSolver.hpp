@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picMomentum.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -68,6 +68,8 @@ public:
     PicGridState grid() override;
     DemScene* solids() override { return inside_.scene.get(); }
     Coupling coupling() override { return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling(); }
+    void watchMomentum(bool on) override { watches_ = on; }
+    PicMomentum momentum() override { return momentum_; }
     FluidEnergy energy() override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     SampleResult sample(const std::vector<double>& points) override;
@@ -173,6 +175,11 @@ private:
     double kick(double dt) const;
     void step(double dt, PicReport&);
 
+    // picMomentum.hpp
+    Vec<D, double> particleMomentum();
+    void keepForced();
+    void weighMomentum(double dt);
+
     // picViscosity.hpp
     bool diffusesImplicitly(double dt) const;
     ViscousFaces<D, real> viscousFaces(int d, bool homogeneous = false);
@@ -243,6 +250,7 @@ private:
     Array<Backend, real> baseAperture_[D], baseVelocity_[D];    // of the grid without bodies
     Array<Backend, double> baseDistance_;
     int subcycles_ = 0;
+    bool bodiesRest_ = false;                   // have faces that bodies close no velocity, to the bit?
     Array<Backend, int> contactBoxes_;
     Array<Backend, ContactArea<D>> contactAreas_;
     bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
@@ -257,6 +265,9 @@ private:
 
     PicClock clock_;
     PressureReport lastPressure_;
+    bool watches_ = false;
+    std::vector<real> forced_[D];               // while somebody watches
+    PicMomentum momentum_;
     double volume_ = 0, flying_ = 0;            // of water without flying particles [cells]; flying particles
     std::atomic<bool> interrupted_{false};
 };

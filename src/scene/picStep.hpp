@@ -210,6 +210,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);
     if (opens()) pushOpenFaces(dt);
+    if (watches_) keepForced();
     if (bodies_) projectWithBodies(dt, reflects);
     else lastPressure_ = pressureStep_.project(context_, pressureFields(dt), linearSolver_, nullptr, reflects, &rows_);
     if (reflects) rows_.eachCellOfBoth(context_, WholePressure{pressureStep_.wet(), pressure_.data(), ahead_.data(), whole_.data(), dt});
@@ -219,6 +220,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         return VelocityChange<real>{u_[d].data(), before_[d].data(), change_[d].data(), reflects ? after_[d].data() : nullptr,
             reflects ? carrier_[d].data() : nullptr};
     });
+    if (watches_) weighMomentum(dt);
     rows_.eachFace(context_, [&](int d)
     { return MarkByWetCells<D, real>{grid_, wet_.data(), aperture_[d].data(), sticksInside() ? faceDistance_[d].data() : nullptr, d, layer_[d].data()}; });
     if (reflects) extrapolate({u_, change_, after_, carrier_}, extrapolationPasses);
@@ -367,7 +369,13 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
     if (bodies_) bodies_->predict(dt, before);
     clock_.lastKick = kick(dt);
     project(clock_.lastKick, dt);
+    const Vec<D, double> held = watches_ ? particleMomentum() : Vec<D, double>{};
     toParticles(clock_.lastKick);
+    if (watches_)
+    {
+        const Vec<D, double> now = particleMomentum();
+        for (int d = 0; d < D; ++d) momentum_.particles[config_.axes[d]] = now[d] - held[d];
+    }
     if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
     moveParticles(dt);
     if (opens()) letIn(dt);

@@ -81,6 +81,9 @@ public:
 
     const std::vector<double>& volumes() const { return volume_; }
 
+    //- What bodies have of the faces of a direction
+    std::vector<double> shareOfFaces(int d) const;
+
     //- For solvers on the host; without masses and velocities
     std::vector<BodyTerm> terms() const;
 
@@ -251,6 +254,17 @@ void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
     makeRoom(context, cell_, entryCount_);
     makeRoom(context, j_, std::size_t(entryCount_)*modes);
     forEach(context, rowCount_, FillBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
+}
+
+template<class Backend, int D>
+std::vector<double> BodyCut<Backend, D>::shareOfFaces(int d) const
+{
+    const FaceKeys<D> faces(grid_);
+    const std::vector<std::uint32_t> key = scratch_.keys[1].download(), number = scratch_.values[1].download();
+    const std::vector<double> share = share_.download();
+    std::vector<double> sum(grid_.faces(d), 0.0);
+    for (int q = 0; q < shareCount_; ++q) if (key[q] >= faces.first[d] && key[q] < faces.first[d + 1]) sum[key[q] - faces.first[d]] += share[number[q]];
+    return sum;
 }
 
 template<class Backend, int D>

@@ -2,7 +2,8 @@
 
     Shares stand row by row of the bodies' blocks: each row of faces of a direction has those from the first to the last that may have any. Sorted by faces (stable: in the order of the
     bodies) each face sums its own. Where bodies and walls leave less than smallestAperture of a face it is closed, and shares that sum to more than the face are scaled down to it. A face
-    that is a wall keeps the bodies' shares, so that a body that a wall clips still has a closed surface. Faces at periodic ends, which exist twice, have none: no body reaches across.
+    that is a wall keeps the bodies' shares, so that a body that a wall clips still has a closed surface. Of a face that several bodies close contactLeak stays open: where they touch at
+    their true surfaces, without a gap, water would else be trapped between three disks, and its incompressibility and the stiffness of the contacts would fight for the same motion. Water passes touching rocks. Faces at periodic ends, which exist twice, have none: no body reaches across.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -14,6 +15,9 @@
 
 namespace riprap
 {
+
+//- Part of a face that several bodies leave open together
+static constexpr double contactLeak = 0.05;
 
 //- Faces of all directions in one count: a share's key; what has no share comes after them
 template<int D>
@@ -194,9 +198,10 @@ struct CloseByBodies
         {
             double sum = 0;
             for (int s = q; s < end; ++s) sum += share[sorted.number[s]];
-            const double before = base[d][face];
-            const bool opens = before - sum >= smallestAperture;
-            const double scale = before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
+            const double before = base[d][face], most = end - q > 1 ? before*(1 - contactLeak) : before;
+            const bool leaks = most < before && sum > most, opens = leaks || before - sum >= smallestAperture;
+            const double scale = leaks ? most/sum : before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
+            if (leaks) sum = most;
             if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
             aperture[d][face] = R(opens ? before - sum : 0);
         });

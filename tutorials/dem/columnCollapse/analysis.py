@@ -45,6 +45,10 @@ def isSpheres(run):
     return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] != 'empty'
 
 
+def hasPlates(run):
+    return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] == 'wall'
+
+
 def grains(run, time, *more):
     """Positions and radii, and fields named, of the grains that are not glued to the floor"""
     cloud = clouds.readCloud(run.path, clouds.nearestTime(run.path, time), ('radius', 'group', *more), 'solids')
@@ -86,6 +90,14 @@ def runOut(run, time, reach=0.5*d):
     return float((x[:, 0] + r).max()/width - 1)
 
 
+def runOutAtPlate(run, time, reach=0.5*d):
+    """The same of the grains at a side plate, a grain deep: what is seen through it"""
+    x, r = grains(run, time)
+    there = x[:, 2] < d
+    x, r = heap(x[there], r[there], reach)
+    return float((x[:, 0] + r).max()/column(run)['width'] - 1)
+
+
 def footOfProfile(run, time):
     """The same where the heap's depth falls below half a grain: depth of strips two grains wide, 0.6 of it grains (disks 0.8)"""
     x, r = grains(run, time)
@@ -117,6 +129,7 @@ def analyse(run):
     result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
                Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
                Quantity('run-out, where half a grain is the depth', footOfProfile(run, end)),
+               Quantity('run-out, seen through a side plate', runOutAtPlate(run, end) if hasPlates(run) else None),
                Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
                Quantity('change of the run-out since 0.2 s before the end', far - runOut(run, earlier) if abs(earlier - end + 0.2) < 0.05 else None),
                Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),

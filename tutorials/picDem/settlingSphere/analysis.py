@@ -36,6 +36,7 @@ def analyse(run):
     falls = (when <= t[-1]) & (when <= t[gap > 0.5*diameter][-1])
     off = np.interp(when[falls], t, v) - measured[falls]
     result = [Quantity('velocity, rms of the difference / largest velocity', error=float(np.sqrt((off**2).mean())/np.abs(measured).max()))]
+    result.append(Quantity('speed at the end [m/s]', computed=float(-v[-1])))
     if t[-1] >= 0.95*when[np.abs(measured).argmax()]:
         fastest = float(-v.min())
         result.append(Quantity('largest velocity [m/s]', fastest, float(-measured.min()), abs(fastest/-measured.min() - 1)))

@@ -38,8 +38,7 @@ class Flume:
 
     @property
     def theory(self):
-        q = 2*self.k*self.h
-        return 2*(np.cosh(q) - 1)/(np.sinh(q) + q)*self.S
+        return transfer(self.k*self.h)*self.S
 
     def separate(self, last=4):
         """Amplitudes of the wave that comes and of the one that goes back over the last periods: least squares over all gauges"""
@@ -50,6 +49,13 @@ class Flume:
         return np.hypot(c[0], c[1]), np.hypot(c[2], c[3])
 
 
+def frequency(kh, stroke):
+    """Of waves of this k h on 0.3 m of water"""
+    omega = np.sqrt(g*kh/0.3*np.tanh(kh))
+    return f'; system/tank:stroke {stroke}; walls/motion/piston/oscillatingLinearMotionCoeffs/amplitude ({0.5*stroke} 0 0); ' \
+           f'walls/motion/piston/oscillatingLinearMotionCoeffs/omega {omega:.6g}'
+
+
 def analyse(run):
     f = Flume(run)
     incoming, reflected = f.separate()
@@ -57,8 +63,19 @@ def analyse(run):
             Quantity('reflection of the beach', error=reflected/incoming)]
 
 
+def transfer(kh):
+    """Height of the waves over the stroke"""
+    return 2*(np.cosh(2*kh) - 1)/(np.sinh(2*kh) + 2*kh)
+
+
 def plot(runs, path):
-    fig, (gauge, profile) = plotting.figure(2, width=7)
+    fig, (gauge, profile, heights) = plotting.figure(3, width=6)
+    kh = np.linspace(0.1, 3, 60)
+    heights.plot(kh, transfer(kh), 'k-', linewidth=0.8, label='theory')
+    for i, run in enumerate(runs):
+        f = Flume(run)
+        heights.plot(f.k*f.h, 2*f.separate()[0]/f.S, linestyle='none', marker=plotting.markers[i % len(plotting.markers)], label=run.name)
+    runs = [run for run in runs if '-k' not in run.name]        # of one frequency
     for run in runs:
         f = Flume(run)
         gauge.plot(f.t/f.period, f.eta[:, 20]/f.S, linewidth=0.8, label=run.name)
@@ -69,7 +86,8 @@ def plot(runs, path):
             axis.axhline(sign*half, color='k', linewidth=0.8, linestyle=':', label='theory, amplitude' if sign > 0 else None)
     gauge.set(xlabel='t/T', ylabel=f'level at x = {f.x[20]:.2f} m / stroke')
     profile.set(xlabel='x [m]', ylabel=f'level at {f.t[-1]:.1f} s / stroke')
-    for axis in (gauge, profile):
+    heights.set(xlabel='k h', ylabel='height of the waves / stroke')
+    for axis in (gauge, profile, heights):
         axis.legend(fontsize=7)
     plotting.save(fig, path)
 
@@ -82,6 +100,7 @@ def grid(n, more=''):
 Study(
     scene='picWavemaker',
     variants=[Variant('n12', grid(12)), Variant('n24', grid(24)), Variant('n36', grid(36)),
+              Variant('n24-k1', grid(24, frequency(1, 0.02))), Variant('n24-k2.2', grid(24, frequency(2.2, 0.01))),
               Variant('n24-wall', grid(24, '; absorb/beach/rate 0'))],
     quick=[Variant('n12-quick', grid(12))],
     analyse=analyse,

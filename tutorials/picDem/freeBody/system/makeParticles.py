@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The round tank, constant/geometry, and one body near its middle, or many that do not touch: constant/particles.csv"""
+import itertools
 import math
 import random
 
@@ -20,19 +21,21 @@ def single():
 def many(count):
     """At random, apart from each other and from the wall by two cells; those of like place in bins"""
     chance = random.Random(7)
-    bin, gap = 13*h, 2*h
+    least, gap = (4.5, 2*h) if planar else (2.5, 2*h)
+    bin = (2*(least + 1) + 2)*h
     placed, bins = [], {}
+    axes = 'xy' if planar else 'xyz'
     while len(placed) < count:
-        r = (4.5 + chance.random())*h
-        x, y = ((2*chance.random() - 1)*value['tankRadius'] for _ in 'xy')
-        if math.hypot(x, y) + r + gap > value['tankRadius']:
+        r = (least + chance.random())*h
+        x = [(2*chance.random() - 1)*value['tankRadius'] for _ in axes]
+        if math.dist(x, [0]*len(x)) + r + gap > value['tankRadius']:
             continue
-        at = int(x//bin), int(y//bin)
-        near = [p for i in (-1, 0, 1) for j in (-1, 0, 1) for p in bins.get((at[0] + i, at[1] + j), [])]
-        if any(math.hypot(x - p[0], y - p[1]) < r + p[2] + gap for p in near):
+        at = [int(c//bin) for c in x]
+        near = [p for step in itertools.product((-1, 0, 1), repeat=len(x)) for p in bins.get(tuple(a + i for a, i in zip(at, step)), [])]
+        if any(math.dist(x, p[0]) < r + p[1] + gap for p in near):
             continue
-        bins.setdefault(at, []).append((x, y, r))
-        placed.append([value['middle'] + x, value['middle'] + y, value['middleZ'], r])
+        bins.setdefault(tuple(at), []).append((x, r))
+        placed.append([value['middle'] + x[0], value['middle'] + x[1], value['middleZ'] + (0 if planar else x[2]), r])
     return placed
 
 
