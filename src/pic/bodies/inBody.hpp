@@ -23,7 +23,7 @@ HD Vec<D, double> middleOfFace(Vec<D, double> x, int d, double h)
 }
 
 //- Faces of direction d from x along the other axis: the part in the body
-template<class Shape>
+EITHER_SIDE template<class Shape>
 HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, double h)
 {
     constexpr int planes = 8;
@@ -50,7 +50,7 @@ HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, doubl
 
 //- A face of direction d in 3D with its lower corner at x. Distances at its corners alone would cut chords off the body: 2.3 % of the volume of a ball of 3.75 cells
 //  a radius, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
-template<class Shape>
+EITHER_SIDE template<class Shape>
 HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
 {
     constexpr int parts = 4;
