@@ -23,7 +23,7 @@ HD Vec<D, double> middleOfFace(Vec<D, double> x, int d, double h)
 }
 
 //- Faces of direction d from x along the other axis: the part in the body
-template<class Shape>
+EITHER_SIDE template<class Shape>
 HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, double h)
 {
     constexpr int planes = 8;
@@ -50,30 +50,30 @@ HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, doubl
 
 //- A face of direction d in 3D with its lower corner at x. Distances at its corners alone would cut chords off the body: 2.3 % of the volume of a ball of 3.75 cells
 //  a radius, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
-template<class Shape>
+EITHER_SIDE template<class Shape>
 HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
 {
     constexpr int parts = 4;
     const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
-    const auto distance = [&](int i, int j)
+    const auto at = [&](int i, int j)
     {
-        Vec<3, double> at = x;
-        at[a] += h*i/parts;
-        at[c] += h*j/parts;
-        return shape.distance(at);
+        Vec<3, double> point = x;
+        point[a] += h*i/parts;
+        point[c] += h*j/parts;
+        return point;
     };
-    const double middle = distance(parts/2, parts/2);
+    const double middle = shape.distance(at(parts/2, parts/2));
     if (middle > h) return {0, {0, 0}};
     if (middle < -h) return {1, {0.5, 0.5}};
     double low[parts + 1];      // distances at one end of a row of parts, and, as it is made, at the other
-    for (int j = 0; j <= parts; ++j) low[j] = distance(0, j);
+    for (int j = 0; j <= parts; ++j) low[j] = shape.distance(at(0, j));
     SolidPart<3> part{0, {0, 0}};
     for (int i = 0; i < parts; ++i)
     {
-        double last = distance(i + 1, 0);
+        double last = shape.distance(at(i + 1, 0));
         for (int j = 0; j < parts; ++j)
         {
-            const double next = distance(i + 1, j + 1);
+            const double next = shape.distance(at(i + 1, j + 1));
             const SolidPart<3> p = solidOfSquare(low[j], last, low[j + 1], next);
             part.share += p.share/(parts*parts);
             part.moment[0] += (p.share*i + p.moment[0])/(parts*parts*parts);
