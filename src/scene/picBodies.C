@@ -35,9 +35,12 @@ void rotation(const double* q, double r[3][3])
 template<int D, class Shape>
 bool rests(const FreeBody<D, Shape>& a, const FreeBody<D, Shape>& b)
 {
-    bool same = a.shape.balls.size() == b.shape.balls.size();
-    for (std::size_t k = 0; same && k < a.shape.balls.size(); ++k)
-        for (int d = 0; d < D; ++d) same = same && a.shape.balls[k].centre[d] == b.shape.balls[k].centre[d];
+    const auto &p = a.shape.balls.balls, &q = b.shape.balls.balls;
+    bool same = p.size() == q.size();
+    for (std::size_t k = 0; same && k < p.size(); ++k)
+        for (int d = 0; d < D; ++d) same = same && p[k].centre[d] == q[k].centre[d];
+    for (int d = 0; d < D; ++d)
+        for (int k = 0; k < D; ++k) same = same && a.shape.sampled.centre[d] == b.shape.sampled.centre[d] && a.shape.sampled.axis[d][k] == b.shape.sampled.axis[d][k];
     for (const auto* f : {&a, &b}) for (const double v : f->velocity) same = same && v == 0;
     return same;
 }
