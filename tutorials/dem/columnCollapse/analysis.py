@@ -90,12 +90,12 @@ def runOut(run, time, reach=0.5*d):
     return float((x[:, 0] + r).max()/width - 1)
 
 
-def runOutAtPlate(run, time, reach=0.5*d):
-    """The same of the grains at a side plate, a grain deep: what is seen through it"""
+def fronts(run, time, width, reach=0.5*d):
+    """The same of the grains in each strip of this width, from plate to plate: the first is what is seen through a plate"""
     x, r = grains(run, time)
-    there = x[:, 2] < d
-    x, r = heap(x[there], r[there], reach)
-    return float((x[:, 0] + r).max()/column(run)['width'] - 1)
+    strip = (x[:, 2]/width).astype(int)
+    ends = [heap(x[strip == k], r[strip == k], reach) for k in range(strip.max() + 1) if np.count_nonzero(strip == k) > 50]
+    return np.array([(at[:, 0] + size).max() for at, size in ends if len(at)])/column(run)['width'] - 1
 
 
 def footOfProfile(run, time):
@@ -129,7 +129,8 @@ def analyse(run):
     result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
                Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
                Quantity('run-out, where half a grain is the depth', footOfProfile(run, end)),
-               Quantity('run-out, seen through a side plate', runOutAtPlate(run, end) if hasPlates(run) else None),
+               *([Quantity('run-out, mean of strips two grains wide', float(fronts(run, end, 2*d).mean())),
+                  Quantity('run-out, seen through a side plate', float(fronts(run, end, d)[0]))] if hasPlates(run) else []),
                Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
                Quantity('change of the run-out since 0.2 s before the end', far - runOut(run, earlier) if abs(earlier - end + 0.2) < 0.05 else None),
                Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),
@@ -159,8 +160,8 @@ def compare(runs, results):
         law = float(np.mean([expected(aspectRatio(r)) for r in packings]))
         result += [Quantity(f'run-out of {size}, mean over packings, {name}', float(np.mean(far)), law, abs(np.mean(far)/law - 1)),
                    Quantity(f'run-out of {size}, range over packings / mean', float(np.ptp(far)/np.mean(far)))]
-    for a, ratios in changes({n: reaches(r) for n, r in runs.items() if '-channel-study' in n}).items():
-        result += [Quantity(f'a = {a}, {term or "as it is"}: change of the run-out', float(change[0])) for term, change in ratios.items()]
+    for a, ratios in changes({n: reaches(r) for n, r in runs.items() if '-channel' in n}).items():
+        result += [Quantity(f'change of the run-out, a = {a}: {what}', change) for what, change in ratios.items() if what]
     return result
 
 
@@ -200,55 +201,58 @@ def plotChannels(runs, path):
     plotting.save(fig, path)
 
 
-def reaches(run):
-    """Aspect ratio, run-out of the heap and of 99 % of the grains"""
-    end = lastTime(run)
-    return aspectRatio(run), runOut(run, end), float(np.quantile(grains(run, end)[0][:, 0], 0.99)/column(run)['width'] - 1)
-
-
-def changes(found):
-    """found: {name of a run: its reaches}. {aspect ratio: {term: [change of the run-out's ratio to the law, of the heap and of 99 %]}},
-    against the mean over packings, which are told as terms, too"""
-    result = {}
-    for name, (a, *far) in found.items():
-        match = re.match(r'spheres-(\d+)-channel-study-?(.*)$', name)
-        if match:
-            result.setdefault(match.group(1), {})[match.group(2)] = np.array(far)/float(lajeunesse(a))
-    for ratios in result.values():
-        mean = np.mean([r for term, r in ratios.items() if term in packings], axis=0)
-        for term in ratios:
-            ratios[term] = ratios[term]/mean - 1
-        ratios['the law'] = 1/mean[:1] - 1
-    return result
-
-
+measures = {'mean of strips': lambda run, end: fronts(run, end, 2*d).mean() if hasPlates(run) else None,
+            'seen through a plate': lambda run, end: fronts(run, end, d)[0] if hasPlates(run) else None,
+            'half a grain deep': footOfProfile,
+            '99 % of the grains': lambda run, end: np.quantile(grains(run, end)[0][:, 0], 0.99)/column(run)['width'] - 1}
 packings = ('', 'seed2', 'seed3')
 
 
+def reaches(run):
+    """Aspect ratio, run-out of the heap, and by the other measures of the front"""
+    end = lastTime(run)
+    return aspectRatio(run), runOut(run, end), {name: measure(run, end) for name, measure in measures.items()}
+
+
+def changes(found):
+    """found: {name of a run: its reaches}. {aspect ratio: {what: change of the run-out over the law}} of all that differs in one thing from
+    the column of the study, of its measures of the front, and what would bring it to the law"""
+    result = {}
+    for a in ('4', '10'):
+        base = f'spheres-{a}-channel-study'
+        if base not in found:
+            continue
+        ratios = {name[len(base):].strip('-'): far/float(lajeunesse(at)) for name, (at, far, _) in found.items() if name.startswith(base)}
+        mean = np.mean([ratios[p] for p in packings if p in ratios])
+        for size, name in ((0.5/0.7, '-half'), (1/0.7, ''), (1.6/0.7, '-larger')):
+            at, far, _ = found.get(f'spheres-{a}-channel{name}', (1, None, None))
+            if far:
+                ratios[f'{size:.1f} times as many across'] = far/float(lajeunesse(at))
+        at, _, others = found[base]
+        ratios.update({f'front: {name}': far/float(lajeunesse(at)) for name, far in others.items() if far})
+        ratios['the law'] = 1
+        result[a] = {what: float(ratio/mean - 1) for what, ratio in ratios.items()}
+    return result
+
+
 def plotTerms(found, path):
-    """What one change at a time does to the run-out"""
+    """What one change at a time, or another measure, does to the run-out"""
     told = changes(found)
-    names = [t for t in [*packings, *(n[6:] for n in terms if n[6:] not in packings), 'dense', 'the law'] if any(t in r for r in told.values())]
-    fig, axes = plotting.figure(1, 1, width=7, height=0.6 + 0.27*len(names))
-    for shift, (marker, (a, ratios)) in zip((-0.15, 0.15), zip('os', sorted(told.items(), key=lambda item: int(item[0])))):
-        for k, where in enumerate(('heap', '99 % of the grains')):
-            rows = [(names.index(t) + shift, r[k]) for t, r in ratios.items() if k < len(r)]
-            y, x = np.array(rows).T
-            axes[0].plot(100*x, y, marker, color=f'C{shift > 0:d}', markersize=5, markerfacecolor='none' if k else None, label=f'a = {a}, {where}')
-        spread = [100*ratios[t][0] for t in packings if t in ratios]
-        axes[0].axvspan(min(spread), max(spread), alpha=0.12, color=f'C{shift > 0:d}')
+    names = list(dict.fromkeys(what for ratios in told.values() for what in ratios if what != 'the law')) + ['the law']
+    fig, axes = plotting.figure(1, 1, width=7, height=0.8 + 0.27*len(names))
+    for shift, marker, (a, ratios) in zip((-0.15, 0.15), 'os', told.items()):
+        axes[0].plot([100*v for v in ratios.values()], [names.index(what) + shift for what in ratios], marker, markersize=5, label=f'a = {a}')
     axes[0].axvline(0, color='k', linewidth=0.6)
-    axes[0].set(yticks=range(len(names)), yticklabels=[n or 'as it is' for n in names], ylim=(len(names) - 0.5, -0.5),
-                xlabel='change of the run-out [%]; bands: three packings', title='spheres in a channel: one thing changed at a time')
+    axes[0].set(yticks=range(len(names)), yticklabels=[n or 'the column of the study' for n in names], ylim=(len(names) - 0.5, -0.5),
+                xlabel='change of the run-out [%]', title='spheres in a channel: one thing changed at a time')
     axes[0].legend(fontsize=7)
     plotting.save(fig, path)
 
 
 def plot(runs, path):
-    studied = {r.name: reaches(r) for r in runs if '-channel-study' in r.name}
-    if studied:
-        plotTerms(studied, path.replace('.png', 'Terms.png'))
-    runs = [r for r in runs if r.name not in studied]
+    if any(r.name.endswith('-channel-study') for r in runs):
+        plotTerms({r.name: reaches(r) for r in runs if '-channel' in r.name}, path.replace('.png', 'Terms.png'))
+    runs = [r for r in runs if '-study' not in r.name]
     if not runs:
         return
     channels = [r for r in runs if '-channel' in r.name]
