@@ -68,16 +68,16 @@ def snapshot(axis, run, moment):
 
 
 def kind(run):
-    """What an arrival is compared with: beta and cells"""
-    return numberOf(run.pic['contactVelocity']), tank(run, 'cellSize')
+    """Runs of one line of the chart have the same beta, cells and gap"""
+    return numberOf(run.pic['contactVelocity']), tank(run, 'cellSize'), tank(run, 'gap')
 
 
 def plotArrivals(runs, path):
     """As the paper's Figure 10: arrival against layers; beside it the centre of all cylinders"""
     fig, (left, right) = plotting.figure(2, width=5, height=3.6)
-    for beta, cell in sorted({kind(run) for run in runs}):
-        points = sorted((int(run.name.split('-')[0]), arrival(run)) for run in runs if kind(run) == (beta, cell))
-        left.plot(*zip(*points), 'o-', label=f'beta {beta:g}, {1000*cell:g} mm')
+    for beta, cell, gap in sorted({kind(run) for run in runs}):
+        points = sorted((int(run.name.split('-')[0]), arrival(run)) for run in runs if kind(run) == (beta, cell, gap))
+        left.plot(*zip(*points), 'o-', label=f'beta {beta:g}, cells {1000*cell:g} mm, gap {1000*gap:g} mm')
     for run in runs:
         motion = run.table('stack', 'groupMotion.dat')
         right.plot(motion['Time'], motion['freeCentreX']/tank(run, 'tank'), '-' if kind(run)[0] < 1 else '--', linewidth=1,
