@@ -67,7 +67,33 @@ def snapshot(axis, run, moment):
     axis.grid(False)
 
 
+def kind(run):
+    """Runs of one line of the chart have the same beta, cells and gap"""
+    return numberOf(run.pic['contactVelocity']), tank(run, 'cellSize'), tank(run, 'gap')
+
+
+def plotArrivals(runs, path):
+    """As the paper's Figure 10: arrival against layers; beside it the centre of all cylinders"""
+    fig, (left, right) = plotting.figure(2, width=5, height=3.6)
+    for beta, cell, gap in sorted({kind(run) for run in runs}):
+        points = sorted((int(run.name.split('-')[0]), arrival(run)) for run in runs if kind(run) == (beta, cell, gap))
+        left.plot(*zip(*points), 'o-', label=f'beta {beta:g}, cells {1000*cell:g} mm, gap {1000*gap:g} mm')
+    for run in runs:
+        motion = run.table('stack', 'groupMotion.dat')
+        right.plot(motion['Time'], motion['freeCentreX']/tank(run, 'tank'), '-' if kind(run)[0] < 1 else '--', linewidth=1,
+                   color=f"C{int(run.name.split('-')[0])//2}", label=run.name)
+    left.set(xlabel='layers', ylabel='first cylinder at the far wall [s]')
+    left.margins(y=0.1)
+    left.set_ylim(bottom=0)
+    right.set(xlabel='t [s]', ylabel='centre of all cylinders, x/L')
+    for axis in (left, right):
+        axis.legend(fontsize=6)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
+    if len(runs) > 1:
+        plotArrivals(runs, path.replace('.png', 'Arrival.png'))
     moments = [m for m in shown if any(float(t) >= m for t in clouds.times(runs[0].path))] or [0]
     fig, axes = plotting.figure(len(moments), len(runs), width=4.2, height=2.4)
     axes = np.atleast_1d(axes).ravel()

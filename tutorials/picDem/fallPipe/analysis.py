@@ -12,7 +12,7 @@ from riprap.study import Study, Variant
 here = os.path.dirname(os.path.abspath(__file__))
 radius, mouth, wall = 0.005, 0.04, 0.001
 names = ('tank', 'waterHeight', 'pipeLeft', 'pipeRight')
-pictures, close = [0.1, 0.2, 0.3, 0.4], [0.3, 0.4]         # [s], as the paper's Figures 12 and 13
+pictures, close = [0.2, 0.4, 0.6, 0.8], [0.5]      # [s]: fall, reversed flow, what is left; as the paper's Figures 12 and 13
 
 
 class Tank:
