@@ -28,9 +28,9 @@ def readLog(path):
         found = re.findall(pattern, text, re.M)
         value = found[-1].strip() if found else None
         result[name] = value if name in _words or value is None else float(value)
-    fluid = re.findall(rf'^\s*particles\s+fluid {_number}', text, re.M)        # of a coupled scene both are told
+    fluid = re.findall(rf'^\s*particles\s+(?:fluid {_number}|{_number}, spacing)', text, re.M)        # of a coupled scene both are told
     if fluid:
-        result['fluidParticles'] = float(fluid[-1])
+        result['fluidParticles'] = float(max(fluid[-1]))
     steps, particles = result['steps'], result['fluidParticles']
     result['particleSteps'] = steps*particles if steps and particles else None
     result['ended'] = bool(re.search(r'^End\s*$', text, re.M))

@@ -106,7 +106,7 @@ def plot(runs, path):
         for k, n in enumerate(crowds):
             points = sorted((ratio(r), iterations(r)) for r in runs if r.name.startswith(f'{prefix}{n}-') and not r.name.endswith('-host'))
             if points:
-                axes[1].semilogx(*zip(*points), style, color=plotting.colours[k], label=f'{n} bodies, {"2D" if prefix == "crowd" else "3D"}')
+                axes[1].semilogx(*zip(*points), style, color=plotting.colours[k], label=f'{"disks" if prefix == "crowd" else "spheres"}: {n}')
     axes[1].set(xlabel='density ratio', ylabel='iterations to 1e-10', ylim=(0, None))
     axes[1].legend(fontsize=7)
     for r in runs:
