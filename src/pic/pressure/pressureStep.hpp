@@ -24,7 +24,7 @@ namespace riprap
 //- Bodies so many times as heavy as water need no deflation: iterations are those of a wall. In 2D water has no way around but between them, and crowds move more of it
 template<int D> inline constexpr double heavyRatio = D == 2 ? 10 : 2;
 
-//- Nor do those so many times as heavy where the grid is: a few iterations more there cost less than a loop on the host
+//- On a GPU so many are enough: iterations without deflation (two or three times as many in a crowd) cost less than a loop on the host
 inline constexpr double heavyRatioOnDevice = 2;
 
 //- Bodies where the grid is, with L of each: M^-1 = L L^T
