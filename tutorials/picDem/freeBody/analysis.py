@@ -55,7 +55,7 @@ def analyse(run):
         return [Quantity('largest acceleration in ten steps / g', computed=float(np.abs(a).max()/g)),
                 Quantity('it grows by a step', computed=float((abs(a[-1])/abs(a[0]))**(1/max(1, len(a) - 1))))]
     result = [Quantity('iterations', computed=iterations(run))]
-    if tank(run, 'bodies') == 1 and not run.name.startswith('crowd'):
+    if tank(run, 'bodies') == 1 and not run.name.startswith(('crowd', 'surface')):
         result.append(Quantity('acceleration in the first step [m/s2]', float(a[0]), theory(run), abs(a[0]/theory(run) - 1)))
     result.append(Quantity('largest acceleration in ten steps / g', computed=float(np.abs(a).max()/g)))
     return result
@@ -80,6 +80,9 @@ def compare(runs, results):
             counts = find(results, 'iterations', name + r'(\d+-[\d.e-]+)' + solver)
             if len(counts) > 1:
                 result.append(Quantity(f'iterations in {dimensions}D, most / fewest' + (', coupledPCG' if solver else ''), computed=max(counts.values())/min(counts.values())))
+    counts = find(results, 'iterations', r'surface(\d+-[\d.e-]+)')
+    if len(counts) > 1:
+        result.append(Quantity('iterations in 2D under a surface, most / fewest', computed=max(counts.values())/min(counts.values())))
     for name in ('2d', '3d'):
         errors = []
         for v, quantities in results.items():
@@ -118,15 +121,16 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def sets(across, s, more='', dimensions=2, reach=2, bodies=1):
-    """`across` cells a radius; the tank's radius is `reach` of the body's"""
+def sets(across, s, more='', dimensions=2, reach=2, bodies=1, surface=False):
+    """`across` cells a radius; the tank's radius is `reach` of the body's; it is full, or a twentieth of its height is air"""
     h = radius/across
     n = math.ceil(2*reach*across) + 5
     side = n*h
-    of = dict(side=side, middle=side/2, cells=n, spacing=h/2, tankRadius=reach*radius, bodies=bodies, depth=h, middleZ=h/2)
+    top = side/2 + 0.9*reach*radius if surface else side
+    of = dict(side=side, top=top, middle=side/2, cells=n, spacing=h/2, tankRadius=reach*radius, bodies=bodies, depth=h, middleZ=h/2)
     if dimensions == 3:
         of.update(depth=side, middleZ=side/2, layers=n, ends='wall', dimensions=3)
-    text = '; '.join(f'system/{"water" if key in ("side", "spacing") else "tank"}:{key} {value if isinstance(value, str) else format(value, ".10g")}' for key, value in of.items())
+    text = '; '.join(f'system/{"water" if key in ("side", "spacing", "top") else "tank"}:{key} {value if isinstance(value, str) else format(value, ".10g")}' for key, value in of.items())
     return ['-set', f'{text}; constant/solidProperties:materials/body/rho {1000*s:g}{more}']
 
 
@@ -148,6 +152,11 @@ def crowd(n, s, dimensions=2, onHost=False):
     return Variant(name, sets(10, s, more, dimensions=3, reach=reach, bodies=n), large=n > 100)
 
 
+def underSurface(n, s):
+    """Disks as in crowd(), in water that is open above"""
+    return Variant(f'surface{n}-{s:g}', sets(10, s, reach=max(2.0, math.sqrt(n*5.6**2/0.33)/10), bodies=n, surface=True))
+
+
 onFaces = '; system/tank:offset (0 0 0)'
 atEdges = '; system/tank:offset (0.5 0.5 0.5)'
 Study(
@@ -157,7 +166,8 @@ Study(
     + [Variant(f'3d-{s:g}', sets(6, s, dimensions=3)) for s in (1e-3, 0.5, 2.7, 1e3)]
     + [Variant(f'3d-0.001-a{n}', sets(n, 1e-3, dimensions=3)) for n in (4, 8)]
     + [Variant(f'weak-{s:g}', sets(10, s, '; coupling weak'), mayFail=True) for s in weak]
-    + [crowd(n, s, dimensions, onHost) for dimensions in (2, 3) for n in crowds for s in crowdRatios for onHost in (False, True)],
+    + [crowd(n, s, dimensions, onHost) for dimensions in (2, 3) for n in crowds for s in crowdRatios for onHost in (False, True)]
+    + [underSurface(n, s) for n in crowds[:4] for s in crowdRatios],
     quick=[Variant('2d-0.001-quick', sets(10, 1e-3, onFaces)), Variant('2d-2.7-quick', sets(10, 2.7))],
     analyse=analyse,
     plot=plot,
