@@ -30,8 +30,8 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
 {
     const bool anew = base_.nodeDistance.empty() || base_.moves, moved = bodies_ && bodies_->read();
-    if (!anew && !moved) return;
-    bodiesRest_ = false;
+    if (!anew && !moved && !bodiesLoaded_) return;
+    bodiesRest_ = bodiesLoaded_ = false;
     if (anew)
     {
         base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);

@@ -250,6 +250,7 @@ private:
     Array<Backend, real> baseAperture_[D], baseVelocity_[D];    // of the grid without bodies
     Array<Backend, double> baseDistance_;
     int subcycles_ = 0;
+    bool bodiesLoaded_ = false;                 // are they where a loaded state has them, and the grid cut elsewhere?
     bool bodiesRest_ = false;                   // have faces that bodies close no velocity, to the bit?
     Array<Backend, int> contactBoxes_;
     Array<Backend, ContactArea<D>> contactAreas_;

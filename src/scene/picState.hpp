@@ -109,6 +109,7 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         inside_.scene->loadState(std::vector<std::int32_t>(words.begin() + at + 1, words.end() - 1));
         bodies_->read();
         bodies_->hold();
+        bodiesLoaded_ = true;
     }
     std::memcpy(static_cast<void*>(&clock_), &words[detail::picHeader], sizeof(PicClock));
     forEachSaved([&](unsigned char* data, std::size_t size)

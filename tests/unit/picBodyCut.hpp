@@ -280,7 +280,7 @@ BODY_TEST(MovesThemAsTheHostDoes)
     for (const double v : p[0]) largest = std::max(largest, std::abs(v));
     EXPECT_GT(largest, 100);
     for (std::size_t i = 0; i < p[0].size(); ++i) ASSERT_NEAR(p[1][i], p[0][i], 1e-6*largest) << i;
-    EXPECT_LE(iterations[1], iterations[0] + 3);
+    EXPECT_LE(iterations[1], 2*iterations[0]);          // the host deflates
     EXPECT_EQ(p[1], p[2]);      // repeats to the bit
 }
 

@@ -51,9 +51,9 @@ SampledShape<D> turnedShape(const PicShape& shape, const Vec<D, double>& centre,
     return s;
 }
 
-//- As of the ball itself, wherever it lies and however it is turned: to the square of the lattice's step
+//- As of the ball itself, wherever it lies and however it is turned. Distances err by step^2/8R at most; where a face's plane nearly touches the ball its share errs by more, as the chord does: the mean is compared
 template<int D>
-void latticeIsBall(double step, double bound)
+void latticeIsBall(double step, double bound, double ofVolume)
 {
     constexpr double R = 5;
     const PicShape lattice = ballShape(D, R, step);
@@ -77,9 +77,16 @@ void latticeIsBall(double step, double bound)
         balls.balls.balls = {ball};
         sampled.sampled = turnedShape(lattice, ball.centre, 0.7*k);
         const BodyGrid<D> a = cut(balls, ball.centre), b = cut(sampled, ball.centre);
+        double differ = 0, faces = 0;
         for (int d = 0; d < D; ++d)
-            for (int f = 0; f < grid.faces(d); ++f) ASSERT_NEAR(a.aperture[d][f], b.aperture[d][f], bound) << d << ' ' << f;
-        EXPECT_NEAR(b.terms[0].volume, a.terms[0].volume, 0.3*bound*a.terms[0].volume);
+            for (int f = 0; f < grid.faces(d); ++f)
+            {
+                const double p = a.aperture[d][f], q = b.aperture[d][f];
+                differ += std::abs(p - q);
+                faces += (p > 0 && p < 1) || (q > 0 && q < 1);
+            }
+        EXPECT_LT(differ, bound*faces) << k;
+        EXPECT_NEAR(b.terms[0].volume, a.terms[0].volume, ofVolume*a.terms[0].volume);
         // farther out than the lattice: between the distance to its box and the truth and that
         Vec<D, double> far = ball.centre;
         far[0] += 14;
@@ -92,9 +99,9 @@ void latticeIsBall(double step, double bound)
 
 TEST(PicShapes, ALatticeOfABallCutsAsTheBall)
 {
-    latticeIsBall<2>(0.5, 0.02);
-    latticeIsBall<2>(0.25, 0.005);
-    latticeIsBall<3>(0.5, 0.02);
+    latticeIsBall<2>(0.5, 0.01, 0.005);
+    latticeIsBall<2>(0.25, 0.0025, 0.00125);
+    latticeIsBall<3>(0.5, 0.02, 0.005);
 }
 
 class PicShapeScene : public PicSolidScene

@@ -199,8 +199,9 @@ TEST_P(PicSolidScene, MomentumIsBalancedInEachStep)
             for (std::size_t i = 0; i < q.id.size(); ++i) for (int d = 0; d < 3; ++d) sum[d] += mass[q.id[i]]*q.velocity[3*i + d];
             return sum;
         };
-        // with reflection, what particles were left ahead by is a gradient about the surface of a step ago
-        const double exact = mixed() ? 1e-5 : 1e-10, across = reflects ? 1e-5 : exact;
+        // with reflection, what particles were left ahead by is a gradient about the surface of a step ago (1e-6), and faces that are all but closed carry on what stands beside them
+        // (leastKnown of pic/extrapolate.hpp), not what they had
+        const double exact = mixed() ? 1e-5 : 1e-10, across = reflects ? 2e-4 : exact;
         Vector3 held{}, lastForce{}, lastWall{};
         double transferred = 0, kicks = 0;
         for (int step = 0; step < 20; ++step)

@@ -74,7 +74,7 @@ void Foam::waterSolids::logModels() const
         logItem("device") << "CPU: so few solids are moved faster there"
             << nl;
     }
-    if (shapes_.size()) logItem("shapes of rigid bodies") << listed(shapes_).c_str() << nl;
+    if (shapes_.size()) logItem("shapes") << listed(shapes_).c_str() << nl;
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
     logSolids(fluidStep, limit);
