@@ -1,4 +1,4 @@
-/*  Free bodies in conjugate gradients where the grid is: U U^T of the rows of wet cells, U = J L with M^-1 = L L^T (bodies/bodyTerm.hpp), in the units of the equation.
+/*  Free bodies in conjugate gradients where the grid is: U U^T of the rows of wet cells, U = J L with M^-1 = L L^T (pic/bodies/bodyTerm.hpp), in the units of the equation.
 
     Entries stand by the rows of the bodies' blocks, so that U^T p is summed as J^T p is; sorted by cells, each cell that bodies touch adds its own part of U (U^T p). Numbers are read where
     the grid is, and launches cover what there is room for: a recorded loop stays good from step to step.
