@@ -50,7 +50,7 @@ void addWater(GateScene& s)
 }
 
 //- Floor, three sides, what is over the gate, and the gate itself where it is a wall.
-void addWalls(GateScene& s, GateKind kind, double gateTop)
+void addWalls(GateScene& s, GateKind kind, double gateBottom, double gateTop)
 {
     const double dp = s.config.spacing;
     const int layers = int(std::ceil(2*s.config.smoothingRatio)), across = int(std::lround(width/dp)), up = int(std::lround(height/dp));
@@ -60,7 +60,7 @@ void addWalls(GateScene& s, GateKind kind, double gateTop)
             for (int i = -layers; i < length; ++i)
             {
                 const double x = (i + 0.5)*dp, y = (j + 0.5)*dp;
-                const bool gate = x > width && x < width + gateThickness && (y > gateTop || (kind == GateKind::wall && y > 0));
+                const bool gate = x > width && x < width + gateThickness && (y > gateTop || (kind == GateKind::wall && y > gateBottom));
                 if (i < 0 || j < 0 || k < 0 || k >= across || gate)
                     s.walls.position.insert(s.walls.position.end(), {x, y, (k + 0.5)*dp});
             }
@@ -124,7 +124,8 @@ GateScene makeGate(const GateOptions& o, GateKind kind)
     const double size = width/std::round(width/(o.size*s.config.spacing));
     const int rows = int(std::floor((gateHeight - 0.2*size)/size));
     addWater(s);
-    addWalls(s, kind, gateHeight + clampRows*size);
+    // the same slit under all of them: water shoots through it, and neighbours age with that
+    addWalls(s, kind, gateHeight - rows*size, gateHeight + clampRows*size);
     if (kind != GateKind::wall) addGate(s, o, kind, size, rows);
     return s;
 }
