@@ -218,6 +218,7 @@ void SphSolver<Backend, D, P>::prime()
     host_.active = 1;
     host_.time = config_.startTime;
     writeClock();
+    if constexpr (Backend::gpu) parts_.frames.clearStill(context_);
     if (nWalls_)
     {
         rebuildWalls();

@@ -156,13 +156,25 @@ protected:
         return s;
     }
 
-    Flow carried() const
+    Flow carried() const { return about(false, "carried"); }
+
+    //- The same block held whole: the current goes past it
+    Flow passing() const { return about(true, "passing"); }
+
+    Flow about(bool held, const char* name) const
     {
         Flow s = sheared();
-        s.name = "carried";
+        s.name = name;
         const double size = 0.8*s.c.spacing, low = 0.3;
         s.solids.push_back(block(s.c, 3, size, {{low, low, deep(low)}}));
-        move(s.solids[0], {{1.5, 0.4, 0}});
+        if (held)
+        {
+            DemGroup all;
+            for (bool& axis : all.held) axis = true;
+            all.heldSpin = true;
+            s.solids[0].input.groups.push_back(all);
+        }
+        else move(s.solids[0], {{1.5, 0.4, 0}});
         FluidInput around;
         for (std::size_t i = 0; i < s.fluid.size(); ++i)
         {
@@ -210,7 +222,7 @@ protected:
     std::vector<Flow> allFlows() const
     {
         return {sliding(), meeting(), sheared(), rotating(), breaking(WallKind::extrapolated, IntegratorKind::leapfrog), breaking(WallKind::stationary, IntegratorKind::symplectic),
-            spray(), piston(), plunging(), carried()};
+            spray(), piston(), plunging(), carried(), passing()};
     }
 
     template<class State>
