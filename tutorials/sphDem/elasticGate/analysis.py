@@ -82,6 +82,17 @@ def published(file, discharge):
     return np.mean([impliedModulus(np.interp(w, t, x), np.interp(w, t, level)) for w in (0.24, 0.28, 0.32, 0.36)]), level[-1]
 
 
+def softness(runs):
+    """Undamped gates that differ in E alone: E [MPa] rising, and their ends' x over time"""
+    return sorted((1e-6*bendingModulus(runs[name]), *end(runs[name])[:2]) for name in scale if name in runs)
+
+
+def modulusThen(gates, t, x, when):
+    """E of the gate that is where a curve is at that time; not a number beyond those that were run"""
+    there = [np.interp(when, *gate[1:]) for gate in gates]
+    return float(1/np.interp(np.interp(when, t, x), there[::-1], [1/gate[0] for gate in gates[::-1]], left=np.nan, right=np.nan))
+
+
 def analyse(run):
     t, x, y = end(run)
     level = run.table('level', 'waterLevel.dat')
@@ -141,6 +152,23 @@ def plotSensitivity(runs, path):
     plotting.save(fig, path)
 
 
+def plotModulus(runs, path):
+    """Which constant E would have brought the gate where it is: of a gate that has one, a level line"""
+    gates = softness(runs)
+    fig, (axis,) = plotting.figure(1, width=5.5, height=3.4)
+    when = np.arange(0.08, 0.3601, 0.01)
+    curves = [(f'experiment ({which})', *reference(f'exp_gate_end_x_{which}'), 'k', marker) for which, marker in zip(digitisations, 'os')]
+    curves += [(name, t, x, plotting.colours[k], None) for k, (name, t, x) in enumerate(others())]
+    curves += [(f'{name}, E = {1e-6*bendingModulus(runs[name]):g} MPa', *end(runs[name])[:2], colour, None)
+               for name, colour in (('extrapolated-undamped', '#bbbbbb'), ('fine-undamped', '#888888')) if name in runs]
+    for name, t, x, colour, marker in curves:
+        at = t[(t > 0.07) & (t < 0.37)] if marker else when[when <= t[-1]]
+        axis.plot(at, [modulusThen(gates, t, x, w) for w in at], color=colour, marker=marker, linewidth=0.9, markersize=4, fillstyle='none', label=name)
+    axis.set(xlabel='t [s]', ylabel='E of an undamped gate that is there then [MPa]', ylim=(3, 16))
+    axis.legend(fontsize=6)
+    plotting.save(fig, path)
+
+
 def plotTimes(run, path):
     """Water and gate every 0.04 s, as the paper's Table 6"""
     times = [t for t in clouds.times(run.path) if float(t) > 0]
@@ -164,6 +192,8 @@ def plot(runs, path):
         plotTimes(byName['pressureGradient'], path.replace('.png', 'Times.png'))
     if len(byName) > len(mainVariants):
         plotSensitivity(byName, path.replace('.png', 'Sensitivity.png'))
+    if all(name in byName for name in scale):
+        plotModulus(byName, path.replace('.png', 'Modulus.png'))
     runs = [r for r in runs if r.name in mainVariants] or runs
     fig, axes = plotting.figure(2, 2, width=5.5, height=3.4)
     for k, which in enumerate('xy'):
@@ -221,10 +251,12 @@ def variant(name, sets='', **more):
 
 mainVariants = ('pressureGradient', 'stationary', 'pressureApproximation', 'extrapolated', 'attempt1', 'attempt2')
 undamped = f'{damped(0)}; couplingCoeffs/fluidForce impulse'
+# undamped gates that differ in E alone
+scale = ('E-4MPa-undamped', 'E-6MPa-undamped', 'E-7.8MPa-undamped', 'undamped', 'E-12MPa-undamped', 'E-15MPa-undamped')
 # What is changed from attempt 3 with pressureGradient, by kind; the chart's bars
 sensitivity = {
     'gate': [*(variant(f'E-{e}MPa', rubber(e*1e6, 0.4)) for e in (6, 7.8)), variant('E-12MPa', rubber(12e6, 0.4)), variant('planeStrain', rubber(10e6, 0.4, True)),
-             *(variant(f'E-{e}MPa-undamped', f'{rubber(e*1e6, 0.4)}; {undamped}') for e in (6, 7.8)),
+             *(variant(f'E-{e}MPa-undamped', f'{rubber(e*1e6, 0.4)}; {undamped}') for e in (4, 6, 7.8, 12, 15)),
              variant('allHeld', held)],
     'damping': [variant('undamped', undamped), variant('undamped-held', damped(0)), variant('damping-0.0134', damped(0.0134)),
                 variant('bondDamping-0.1', f'{damped(0)}; {solid}bonds/rubber/dampingRatio 0.1'),
@@ -262,6 +294,11 @@ def compare(runs, results):
         young, height = published(file, discharge)
         q += [Quantity(f'{name}: E that the closing phase shows [MPa]', computed=1e-6*float(young)),
               Quantity(f'{name}: level with it at 0.36 s [mm]', computed=1e3*float(height))]
+    if all(name in runs for name in scale):
+        curves = [('experiment', *reference('exp_gate_end_x_chrono')), ('experiment (2)', *reference('exp_gate_end_x_pysph')), *others()]
+        curves += [(name, *end(runs[name])[:2]) for name in ('extrapolated-undamped', 'fine-undamped', 'pressureGradient') if name in runs]
+        q += [Quantity(f'{name}: E of a gate that is there at {when:g} s [MPa]', computed=modulusThen(softness(runs), t, x, when))
+              for name, t, x in curves for when in (0.08, 0.12, 0.16, 0.2, 0.24, 0.36)]
     return q
 
 
