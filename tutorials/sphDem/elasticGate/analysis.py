@@ -160,12 +160,12 @@ def plotModulus(runs, path):
     curves = [(f'experiment ({which})', *reference(f'exp_gate_end_x_{which}'), 'k', marker) for which, marker in zip(digitisations, 'os')]
     curves += [(name, t, x, plotting.colours[k], None) for k, (name, t, x) in enumerate(others())]
     curves += [(f'{name}, E = {1e-6*bendingModulus(runs[name]):g} MPa', *end(runs[name])[:2], colour, None)
-               for name, colour in (('extrapolated-undamped', '#bbbbbb'), ('fine-undamped', '#888888')) if name in runs]
+               for name, colour in (('extrapolated-undamped', '#bbbbbb'), ('fine-undamped', '#888888'), ('pressureGradient', 'r')) if name in runs]
     for name, t, x, colour, marker in curves:
         at = t[(t > 0.07) & (t < 0.37)] if marker else when[when <= t[-1]]
         axis.plot(at, [modulusThen(gates, t, x, w) for w in at], color=colour, marker=marker, linewidth=0.9, markersize=4, fillstyle='none', label=name)
-    axis.set(xlabel='t [s]', ylabel='E of an undamped gate that is there then [MPa]', ylim=(3, 16))
-    axis.legend(fontsize=6)
+    axis.set(xlabel='t [s]', ylabel='E of the undamped gate there [MPa]', ylim=(3, 19))
+    axis.legend(fontsize=6, ncol=2, loc='upper right')
     plotting.save(fig, path)
 
 
