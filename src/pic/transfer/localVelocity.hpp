@@ -103,9 +103,21 @@ struct LineOfNodes
         BSpline<Order>::slopes(s - low, slope);
         BSpline<Order>::curvatures(s - low, curvature);
     }
+
+    //- Of three nodes one that lies beyond a side follows from the others
+    template<int D>
+    HD void fold(const UniformGrid<D>& g, int axis, int c, bool faces)
+    {
+        const BeyondSide beyond(g, axis, c, low, faces);
+        if (!beyond.is) return;
+        beyond.fold(w);
+        beyond.fold(slope);
+        beyond.fold(curvature);
+        low += beyond.shift();
+    }
 };
 
-//- Those of a component in a cell at least two cells from the sides
+//- Those of a component
 template<int Order, int D, class R>
 struct InnerLines
 {
@@ -142,8 +154,9 @@ struct LocalVelocity
         for (int d = 0; d < D; ++d) v[d] = of[d].at(s);
     }
 
-    //- In a cell whose nodes all lie within the block
-    HD void findInside(const UniformGrid<D>& g, const R* const* u, const InCell<D, R>& x)
+    //- Where InnerNodes has the cell. Folds: also beside sides
+    template<bool Folds>
+    HD void find(const UniformGrid<D>& g, const R* const* u, const InCell<D, R>& x)
     {
         LineOfNodes<Order, R> own[D], across[D];
         UNROLL
@@ -151,6 +164,11 @@ struct LocalVelocity
         {
             own[a].set(x.t[a], true);
             across[a].set(x.t[a] - R(0.5), false);
+            if constexpr (Folds)
+            {
+                own[a].fold(g, a, x.c[a], true);
+                across[a].fold(g, a, x.c[a], false);
+            }
         }
         UNROLL
         for (int d = 0; d < D; ++d)

@@ -3,6 +3,8 @@
     order 2:    x += dt u(x + dt/2 u(x))                                                            (midpoint)
     order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9,  k2 = u(x + dt/2 k1),  k3 = u(x + 3/4 dt k2)        (Ralston 1962)
 
+    Splines of order 2 and 3 are looked at once a step, where it begins (localVelocity.hpp), and where a particle goes farther than a cell at each stage.
+
     Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
     particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave. Closed faces inside the block let
     no particle pass either.
@@ -142,14 +144,23 @@ HD Vec<D, double> carriedNear(const UniformGrid<D>& g, double inverse, const R* 
     if constexpr (Order == 1) return carried<Order, Around>(g, inverse, u, at, x, dt, order);
     else
     {
-        if (InnerNodes<Order, D, R>::has(g, at.c))
+        using Nodes = InnerNodes<Order, D, R>;
+        const R cells = R(dt*inverse);
+        LocalVelocity<Order, D, R> local;
+        Vec<D, double> to;
+        if (Nodes::inside(g, at.c))
         {
-            LocalVelocity<Order, D, R> local;
-            local.findInside(g, u, at);
-            Vec<D, double> to;
-            if (carriedBy(local, R(dt*inverse), x, dt, order, to)) return to;
+            local.template find<false>(g, u, at);
+            if (carriedBy(local, cells, x, dt, order, to)) return to;
         }
-        return carriedBeside<Order, Around>(g, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, dt, order);
+        else if (Order == 2 && (!Around || Nodes::has(g, at.c)))
+        {
+            local.template find<(Order == 2)>(g, u, at);
+            if (carriedBy(local, cells, x, dt, order, to)) return to;
+        }
+        const Vec<3, const R*> field{{u[0], u[1], u[D - 1]}};
+        if constexpr (Order == 2) return carriedAnywhere<Order, Around>(g, field, x, dt, order);
+        else return carriedBeside<Order, Around>(g, field, x, dt, order);
     }
 }
 
@@ -157,7 +168,7 @@ template<int Order, int D, class R, bool Around = true>
 struct MoveParticles
 {
     static constexpr const char* name = "moveParticles";
-    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 5 : 0;       // measured to be fastest
+    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 6 : 0;       // measured to be fastest
     UniformGrid<D> grid;
     double inverse;             // 1/h
     PicParticles<D, R> particles;
