@@ -7,6 +7,7 @@
 */
 #pragma once
 
+#include <type_traits>
 #include "pic/transfer/tiles.hpp"
 
 namespace riprap
@@ -182,7 +183,7 @@ struct OverCells
     HD void operator()(const typename UniformGrid<D>::Index& c) const { f(grid.cell(c)); }
 };
 
-//- f(number of the face) for the faces of direction d
+//- f(number of the face), or f(number, its indices), for the faces of direction d
 template<int D, class F>
 struct OverFacesOf
 {
@@ -193,8 +194,19 @@ struct OverFacesOf
 
     HD void operator()(const typename UniformGrid<D>::Index& c) const
     {
-        const int sides = c.c[d] == grid.n[d] - 1 ? 2 : 1;
-        for (int side = 0; side < sides; ++side) f(grid.faceOf(d, c, side));
+        at(c);
+        if (c.c[d] < grid.n[d] - 1) return;
+        typename UniformGrid<D>::Index last = c;
+        last.c[d] += 1;
+        at(last);
+    }
+
+private:
+
+    HD void at(const typename UniformGrid<D>::Index& face) const
+    {
+        if constexpr (std::is_invocable_v<F, int, const typename UniformGrid<D>::Index&>) f(grid.face(d, face), face);
+        else f(grid.face(d, face));
     }
 };
 

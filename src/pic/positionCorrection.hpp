@@ -81,7 +81,7 @@ private:
                     const R r[3] = {own.t[0] - other.t[0] + (own.cell - other.cell), y - other.t[1], D == 3 ? z - other.t[2] : R(0)};
                     const R r2 = r[0]*r[0] + r[1]*r[1] + r[2]*r[2];
                     if (!(r2 < reach*reach) || !(r2 > R(0))) continue;
-                    const R distance = squareRoot(r2), q = 1 - distance*perReach, part = q*q/distance;
+                    const R perDistance = inverseRoot(r2), q = 1 - r2*perDistance*perReach, part = q*q*perDistance;
                     for (int d = 0; d < D; ++d) push[d] += part*r[d];
                 }
             }

@@ -263,6 +263,7 @@ void PicSolver<Backend, D, P>::append(const std::vector<Vec<D, double>>& places,
         using Take = GridToParticle<decltype(order)::value, D, real, decltype(around)::value>;
         Take f{};
         f.grid = grid_;
+        f.inverse = 1/grid_.h;
         f.particles = particles();
         for (int d = 0; d < D; ++d) { f.u[d] = f.du[d] = (config_.reflection > 0 ? after_ : u_)[d].data(); }
         f.nearWater = near_.data();

@@ -234,6 +234,7 @@ void PicSolver<Backend, D, P>::toParticles(double dt)
     {
         GridToParticle<decltype(order)::value, D, real, decltype(around)::value> f{};
         f.grid = grid_;
+        f.inverse = 1/grid_.h;
         f.particles = particles();
         for (int d = 0; d < D; ++d)
         {

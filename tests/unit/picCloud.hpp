@@ -130,6 +130,7 @@ struct Cloud
         near.upload(context, std::vector<unsigned char>(grid.cells(), 1));
         GridToParticle<Order, D, R> f{};
         f.grid = grid;
+        f.inverse = 1/grid.h;
         f.particles = view();
         for (int d = 0; d < D; ++d) f.u[d] = f.du[d] = u[d].data();
         f.nearWater = near.data();

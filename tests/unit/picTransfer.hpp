@@ -144,6 +144,7 @@ PIC_TEST(SprayGainsNoEnergy)
         near.upload(cloud.context, std::vector<unsigned char>(cloud.grid.cells(), water));
         GridToParticle<2, D, R> f{};
         f.grid = cloud.grid;
+        f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();
         for (int d = 0; d < D; ++d)
         {

@@ -79,6 +79,22 @@ struct BSpline
         }
     }
 
+    //- d2w/ds2 of the same, of orders 2 and 3
+    template<class R>
+    HD static void curvatures([[maybe_unused]] R f, R* w)
+    {
+        static_assert(Order > 1, "linear ones have none");
+        if constexpr (Order == 2) { w[0] = 1; w[1] = -2; w[2] = 1; }
+        else
+        {
+            const R a = 2 - f, b = f - 1;
+            w[0] = a;
+            w[1] = 3*b - 2;
+            w[2] = 3*a - 2;
+            w[3] = b;
+        }
+    }
+
     //- One node's value at a distance s
     template<class R>
     HD static R value(R s)

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "pic/particles.hpp"
+#include "pic/transfer/innerNodes.hpp"
 #include "pic/transfer/sample.hpp"
 #include "pic/wetCells.hpp"
 
@@ -29,7 +30,9 @@ template<int Order, int D, class R, bool Around = true>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
+    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 8 : 0;       // measured to be fastest
     UniformGrid<D> grid;
+    double inverse;             // 1/h
     PicParticles<D, R> particles;
     const R* u[D];
     const R* du[D];
@@ -41,7 +44,7 @@ struct GridToParticle
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
-        const InCell<D, R> at(grid, x);
+        const InCell<D, R> at(inverse, x);
         const unsigned char water = nearWater[at.cell(grid)];
         if (!water)
         {
@@ -51,41 +54,70 @@ struct GridToParticle
         }
         const bool bounds = water == someWater && picPart < 1;
         R ofGrid[D], fallen2 = 0;
-        UNROLL
-        for (int d = 0; d < D; ++d)
-        {
-            const R fallen = particles.v[d][i] + fall[d];
-            fallen2 += fallen*fallen;
-            ofGrid[d] = affine ? take<true>(d, x, at, i, bounds) : take<false>(d, x, at, i, bounds);
-        }
+        if (affine) takeAll<true>(x, at, i, bounds, ofGrid, fallen2);
+        else takeAll<false>(x, at, i, bounds, ofGrid, fallen2);
         if (bounds) bound(ofGrid, fallen2, i);
     }
 
 private:
 
+    //- asked: for the grid's velocity
+    template<bool Affine>
+    HD void takeAll(const Vec<D, double>& x, const InCell<D, R>& at, int i, bool asked, R* ofGrid, R& fallen2) const
+    {
+        using Inner = InnerNodes<Order, D, R, Affine>;
+        const auto fallen = [&](int d)
+        {
+            const R v = particles.v[d][i] + fall[d];
+            fallen2 += v*v;
+        };
+        constexpr bool always = Order == 2 && !Around;
+        if (always || Inner::has(grid, at.c))
+        {
+            const Inner nodes(grid, at.c, at.t);
+            UNROLL
+            for (int d = 0; d < D; ++d)
+            {
+                fallen(d);
+                ofGrid[d] = takeBlock<Affine>(d, nodes.window(grid, at.c, d), i, asked);
+            }
+            return;
+        }
+        if constexpr (!always)
+        {
+            for (int d = 0; d < D; ++d)
+            {
+                fallen(d);
+                const typename Inner::Block block(grid, d, at);
+                if (!Around || block.whole) ofGrid[d] = takeBlock<Affine>(d, block, i, asked);
+                else if constexpr (Around)
+                {
+                    Vec<D, R> gradient;
+                    const R pic = sampleAffineAround<Order>(grid, u[d], d, x, gradient);
+                    ofGrid[d] = give<Affine>(d, i, pic, sampleAround<Order>(grid, du[d], d, x), gradient.c);
+                }
+            }
+        }
+    }
+
     //- \return the grid's velocity, as far as it is asked for
     template<bool Affine>
-    HD R take(int d, const Vec<D, double>& x, const InCell<D, R>& at, int i, bool asked) const
+    HD R takeBlock(int d, const Window<Order, D, R, Affine>& block, int i, bool asked) const
     {
-        const Window<Order, D, R, Affine> window(grid, d, at);
         R pic = 0, change = 0, gradient[D];
-        if (!Around || window.whole)
+        if constexpr (Affine)
         {
-            if constexpr (Affine)
-            {
-                pic = window.sum(u[d], gradient);
-                for (int a = 0; a < D; ++a) gradient[a] *= R(1/grid.h);
-            }
-            else if (picPart > 0 || asked) pic = window.sum(u[d]);
-            if (picPart < 1) change = window.sum(du[d]);
+            pic = block.sum(u[d], gradient);
+            for (int a = 0; a < D; ++a) gradient[a] *= R(inverse);
         }
-        else if constexpr (Around)
-        {
-            Vec<D, R> around;
-            pic = sampleAffineAround<Order>(grid, u[d], d, x, around);
-            for (int a = 0; a < D; ++a) gradient[a] = around.c[a];
-            change = sampleAround<Order>(grid, du[d], d, x);
-        }
+        else if (picPart > 0 || asked) pic = block.sum(u[d]);
+        if (picPart < 1) change = block.sum(du[d]);
+        return give<Affine>(d, i, pic, change, gradient);
+    }
+
+    template<bool Affine>
+    HD R give(int d, int i, R pic, R change, [[maybe_unused]] const R* gradient) const
+    {
         if constexpr (Affine) for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
         R v = 0;
         if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + change);

@@ -1,105 +1,123 @@
-/*  The nodes about a point at least two cells from the sides of the block: there the nodes of all components of the velocity are blocks of memory, whatever the sides
-    are. Weights are found once for all components: along an axis a component's nodes lie either on faces (its own axis) or at the middles of cells.
+/*  The nodes about a point whose nodes, of all components of the velocity, are blocks of memory: of quadratic splines in all cells but those beside a periodic end, of others
+    in cells away from the sides. Weights are found once for all components: along an axis a component's nodes lie either on faces (its own axis) or at the middles
+    of cells; those beyond a side are folded as a window folds them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "pic/inCell.hpp"
-#include "pic/shapes/bSpline.hpp"
+#include "pic/transfer/window.hpp"
 
 namespace riprap
 {
 
-template<int Order, int D, class R>
+//- Slopes: as in a window
+template<int Order, int D, class R, bool Slopes = false>
 struct InnerNodes
 {
     static constexpr int nodes = Order + 1;
+    using Block = Window<Order, D, R, Slopes>;
 
     //- Along one axis: the first node, from that of the cell's number, and the weights
     struct Line
     {
         int low;
-        R w[nodes];
+        R w[nodes], slope[Slopes ? nodes : 1];
 
-        //- s: of the point beyond the node of the cell's number
-        HD void set(R s, bool faces)
+        //- In cell c of an axis; s: of the point beyond the node of the cell's number
+        HD void set(const UniformGrid<D>& g, int axis, int c, R s, bool faces)
         {
             low = BSpline<Order>::firstInCell(s, faces);
             BSpline<Order>::weights(s - low, w);
+            if constexpr (Slopes) Block::slopes(s - low, w, slope);
+            if constexpr (Order == 2) if (c == 0 || c == g.n[axis] - 1) fold(g, axis, c, faces);
+        }
+
+    private:
+
+        HD void fold(const UniformGrid<D>& g, int axis, int c, bool faces)
+        {
+            const BeyondSide beyond(g, axis, c, low, faces);
+            if (!beyond.is) return;
+            if constexpr (Slopes) beyond.fold(slope);
+            beyond.fold(w);
+            low += beyond.shift();
         }
     };
 
     Line own[D], across[D];
 
-    HD explicit InnerNodes(const R* t)
+    //- c: the cell, t: where in it
+    HD InnerNodes(const UniformGrid<D>& g, const int* c, const R* t)
     {
         UNROLL
         for (int a = 0; a < D; ++a)
         {
-            own[a].set(t[a], true);
-            across[a].set(t[a] - R(0.5), false);
+            own[a].set(g, a, c[a], t[a], true);
+            across[a].set(g, a, c[a], t[a] - R(0.5), false);
         }
     }
 
-    //- Do the nodes of all points of a cell lie so far inside?
-    HD static bool has(const UniformGrid<D>& g, const int* c)
+    //- Are the nodes of all points of a cell within the block, without any folding?
+    HD static bool inside(const UniformGrid<D>& g, const int* c)
     {
+        constexpr int margin = Order == 3 ? 2 : 1;
         bool in = true;
         UNROLL
-        for (int a = 0; a < D; ++a) in = in && c[a] >= 2 && c[a] < g.n[a] - 2;
+        for (int a = 0; a < D; ++a) in = in && c[a] >= margin && c[a] < g.n[a] - margin;
         return in;
     }
 
-    //- Component d at a point in cell c
-    HD R sum(const UniformGrid<D>& g, const int* c, int d, const R* u) const
+    //- Are the nodes of all points of a cell blocks, folded or not?
+    HD static bool has(const UniformGrid<D>& g, const int* c)
     {
-        int stride[3];
-        const R* first = u + firstOf(g, c, d, stride);
-        R all = 0;
+        if constexpr (Order != 2) return inside(g, c);
+        bool in = true;
         UNROLL
-        for (int k = 0; k < (D == 3 ? nodes : 1); ++k)
+        for (int a = 0; a < D; ++a)
         {
-            R plane = 0;
-            UNROLL
-            for (int j = 0; j < nodes; ++j)
-            {
-                const R* row = first + (j*stride[1] + (D == 3 ? k*stride[2] : 0));
-                R line = 0;
-                UNROLL
-                for (int i = 0; i < nodes; ++i) line += along(0, d).w[i]*row[i];
-                plane += along(1, d).w[j]*line;
-            }
-            if constexpr (D == 3) all += along(2, d).w[k]*plane;
-            else all = plane;
+            const bool folds = !g.periodic[a] && g.n[a] > Order;
+            in = in && c[a] >= (folds ? 0 : 1) && c[a] < g.n[a] - (folds ? 0 : 1);
         }
-        return all;
+        return in;
     }
+
+    //- Those of component d of a point in cell c
+    HD Block window(const UniformGrid<D>& g, const int* c, int d) const
+    {
+        Block block;
+        int step = 1;
+        UNROLL
+        for (int a = 0; a < D; ++a)
+        {
+            const Line& line = along(a, d);
+            block.first += (c[a] + line.low)*step;
+            step *= g.layers(d, a);
+            if (a < 2) block.stride[a] = step;
+            UNROLL
+            for (int i = 0; i < nodes; ++i)
+            {
+                block.w[a][i] = line.w[i];
+                if constexpr (Slopes) block.slope[a][i] = line.slope[i];
+            }
+        }
+        return block;
+    }
+
+    //- Component d at a point in cell c
+    HD R sum(const UniformGrid<D>& g, const int* c, int d, const R* u) const { return window(g, c, d).sum(u); }
 
 private:
 
     HD const Line& along(int a, int d) const { return a == d ? own[a] : across[a]; }
-
-    HD int firstOf(const UniformGrid<D>& g, const int* c, int d, int* stride) const
-    {
-        int first = 0, step = 1;
-        UNROLL
-        for (int a = 0; a < D; ++a)
-        {
-            first += (c[a] + along(a, d).low)*step;
-            stride[a] = step;
-            step *= g.layers(d, a);
-        }
-        return first;
-    }
 };
 
-//- Velocity of the grid at a point t in cell c, where that is inside; \return whether it is
+//- Velocity of the grid at a point t in cell c, where the nodes are blocks; \return whether they are
 template<int Order, int D, class R>
 HD bool sampleInside(const UniformGrid<D>& g, const R* const* u, const int* c, const R* t, R* v)
 {
     if (!InnerNodes<Order, D, R>::has(g, c)) return false;
-    const InnerNodes<Order, D, R> at(t);
+    const InnerNodes<Order, D, R> at(g, c, t);
     UNROLL
     for (int d = 0; d < D; ++d) v[d] = at.sum(g, c, d, u[d]);
     return true;

@@ -3,6 +3,8 @@
     order 2:    x += dt u(x + dt/2 u(x))                                                            (midpoint)
     order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9,  k2 = u(x + dt/2 k1),  k3 = u(x + 3/4 dt k2)        (Ralston 1962)
 
+    Splines of order 2 and 3 are looked at once a step, where it begins (localVelocity.hpp), and where a particle goes farther than a cell at each stage.
+
     Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
     particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave. Closed faces inside the block let
     no particle pass either.
@@ -13,6 +15,7 @@
 
 #include "pic/particles.hpp"
 #include "pic/transfer/innerNodes.hpp"
+#include "pic/transfer/localVelocity.hpp"
 #include "pic/transfer/sample.hpp"
 #include "pic/transfer/stopAtFaces.hpp"
 
@@ -95,11 +98,77 @@ template<int Order, bool Around = true, int D, class R>
 HD Vec<D, double> carried(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x, double dt, int order)
 { return carried<Order, Around>(g, 1/g.h, u, InCell<D, R>(g, x), x, dt, order); }
 
+//- A step through what is known of the field about its beginning; \return whether it stays so near that this is enough
+template<int Order, int D, class R>
+HD bool carriedBy(const LocalVelocity<Order, D, R>& local, R cells, const Vec<D, double>& x, double dt, int order, Vec<D, double>& to)
+{
+    constexpr R farthest = 1;           // cells
+    R k1[D], k2[D], s[D];
+    bool near = true;
+    UNROLL
+    for (int d = 0; d < D; ++d)
+    {
+        k1[d] = local.of[d].value;
+        s[d] = R(0.5)*cells*k1[d];
+        near = near && absolute(cells*k1[d]) < farthest;
+    }
+    local.at(s, k2);
+    if (order == 2)
+    {
+        UNROLL
+        for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + dt*k2[d];
+        return near;
+    }
+    UNROLL
+    for (int d = 0; d < D; ++d) s[d] = R(0.75)*cells*k2[d];
+    UNROLL
+    for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + (dt/9)*(2.0*k1[d] + 3.0*k2[d] + 4.0*local.of[d].at(s));
+    return near;
+}
+
+//- The same for a point anywhere in the block
+template<int Order, bool Around, int D, class R>
+HD_APART Vec<D, double> carriedBeside(UniformGrid<D> g, Vec<3, const R*> field, Vec<D, double> x, double dt, int order)
+{
+    const R* const u[3] = {field.c[0], field.c[1], field.c[2]};
+    LocalVelocity<Order, D, R> local;
+    Vec<D, double> to;
+    if (findAnywhere(local, g, u, InCell<D, R>(g, x)) && carriedBy(local, R(dt/g.h), x, dt, order, to)) return to;
+    return carriedAnywhere<Order, Around>(g, field, x, dt, order);
+}
+
+//- Where the field takes a particle: splines of order 2 and 3 are looked at once, for where the particle is
+template<int Order, bool Around = true, int D, class R>
+HD Vec<D, double> carriedNear(const UniformGrid<D>& g, double inverse, const R* const* u, const InCell<D, R>& at, const Vec<D, double>& x, double dt, int order)
+{
+    if constexpr (Order == 1) return carried<Order, Around>(g, inverse, u, at, x, dt, order);
+    else
+    {
+        using Nodes = InnerNodes<Order, D, R>;
+        const R cells = R(dt*inverse);
+        LocalVelocity<Order, D, R> local;
+        Vec<D, double> to;
+        if (Nodes::inside(g, at.c))
+        {
+            local.template find<false>(g, u, at);
+            if (carriedBy(local, cells, x, dt, order, to)) return to;
+        }
+        else if (Order == 2 && (!Around || Nodes::has(g, at.c)))
+        {
+            local.template find<(Order == 2)>(g, u, at);
+            if (carriedBy(local, cells, x, dt, order, to)) return to;
+        }
+        const Vec<3, const R*> field{{u[0], u[1], u[D - 1]}};
+        if constexpr (Order == 2) return carriedAnywhere<Order, Around>(g, field, x, dt, order);
+        else return carriedBeside<Order, Around>(g, field, x, dt, order);
+    }
+}
+
 template<int Order, int D, class R, bool Around = true>
 struct MoveParticles
 {
     static constexpr const char* name = "moveParticles";
-    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 4 : 0;       // measured to be fastest
+    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 6 : 0;       // measured to be fastest
     UniformGrid<D> grid;
     double inverse;             // 1/h
     PicParticles<D, R> particles;
@@ -123,7 +192,7 @@ struct MoveParticles
         Vec<D, double> to;
         if (nearWater[grid.cell(c)])
         {
-            to = carried<Order, Around>(grid, inverse, u, at, x, timeStep, order);
+            to = carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order);
             if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
         }
         else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];

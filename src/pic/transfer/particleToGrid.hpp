@@ -187,12 +187,13 @@ private:
             UNROLL
             for (int j = 0; j < b; ++j)
             {
-                const R row = wb[j]*wc[k], speed = p.v + cb[j] + cc[k];
+                const R row = wb[j]*wc[k], moving = row*(Affine ? p.v + cb[j] + cc[k] : p.v);
                 UNROLL
                 for (int i = 0; i < n; ++i)
                 {
                     m[i + n*(j + b*k)] += row*wn[i];
-                    mv[i + n*(j + b*k)] += row*(wn[i]*speed + cn[i]);
+                    mv[i + n*(j + b*k)] += moving*wn[i];
+                    if constexpr (Affine) mv[i + n*(j + b*k)] += row*cn[i];
                 }
             }
     }
@@ -213,9 +214,8 @@ struct GatherTiles
     R* u;                       // velocity [m/s], 0 where no particle is near
     R* mass;                    // in particles
 
-    HD void operator()(int face) const
+    HD void operator()(int face, const typename UniformGrid<D>::Index& at) const
     {
-        const typename UniformGrid<D>::Index at = grid.faceIndex(component, face);
         R m = 0, mv = 0;
         if (inner(grid, at, 3)) addTiles(at, R(1), m, mv);      // farther from the sides than a particle sees
         else addWithImages(at, m, mv);
@@ -277,29 +277,46 @@ private:
         return found;
     }
 
+    //- All places are read before any sum, so that a thread waits twice
     HD void addTiles(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv) const
     {
-        constexpr int side = CellTiles<D>::side;
-        int from[3] = {0, 0, 0}, to[3] = {0, 0, 0}, within[3] = {0, 0, 0}, stride[3] = {1, 1, 1};      // within: place in the first tile of all
+        constexpr int side = CellTiles<D>::side, most = 2;      // tiles along an axis that have a face
+        int from[3] = {0, 0, 0}, count[3] = {1, 1, 1}, within[3] = {0, 0, 0}, stride[3] = {1, 1, 1};        // within: place in the first tile of all
         UNROLL
         for (int a = 0; a < D; ++a)
         {
+            constexpr int shortest = Seen::template ofTile<D>(false) < Seen::template ofTile<D>(true) ? Seen::template ofTile<D>(false) : Seen::template ofTile<D>(true);
+            static_assert(shortest >= side && Seen::template ofTile<D>(true) <= most*side && Seen::template ofTile<D>(false) <= most*side, "a face is seen by one tile or two along an axis");
             const int faces = Seen::template ofTile<D>(a == component);
             within[a] = at.c[a] - low(a);
             from[a] = within[a] < faces ? 0 : (within[a] - faces + side)/side;
-            to[a] = within[a]/side;
-            to[a] = to[a] < tiles.n[a] ? to[a] : tiles.n[a] - 1;
+            const int to = within[a]/side;
+            count[a] = (to < tiles.n[a] ? to : tiles.n[a] - 1) - from[a] + 1;
             if (a < 2) stride[a + 1] = stride[a]*faces;
         }
-        for (int k = from[2]; k <= to[2]; ++k)
-            for (int j = from[1]; j <= to[1]; ++j)
-                for (int i = from[0]; i <= to[0]; ++i)
+        constexpr int along = D == 3 ? most : 1;
+        int place[along][most][most];
+        UNROLL
+        for (int k = 0; k < along; ++k)
+            UNROLL
+            for (int j = 0; j < most; ++j)
+                UNROLL
+                for (int i = 0; i < most; ++i)
                 {
-                    const int place = placeOf[i + tiles.n[0]*(j + tiles.n[1]*k)];
-                    if (place < 0) continue;
-                    int number = within[0] - side*i + stride[1]*(within[1] - side*j);
-                    if constexpr (D == 3) number += stride[2]*(within[2] - side*k);
-                    const FaceSum<R> sum = sums[std::size_t(place)*Seen::template allOfTile<D>() + number];
+                    const bool is = i < count[0] && j < count[1] && (D < 3 || k < count[2]);
+                    place[k][j][i] = is ? placeOf[from[0] + i + tiles.n[0]*(from[1] + j + tiles.n[1]*(from[2] + k))] : -1;
+                }
+        UNROLL
+        for (int k = 0; k < along; ++k)
+            UNROLL
+            for (int j = 0; j < most; ++j)
+                UNROLL
+                for (int i = 0; i < most; ++i)
+                {
+                    if (place[k][j][i] < 0) continue;
+                    int number = within[0] - side*(from[0] + i) + stride[1]*(within[1] - side*(from[1] + j));
+                    if constexpr (D == 3) number += stride[2]*(within[2] - side*(from[2] + k));
+                    const FaceSum<R> sum = sums[std::size_t(place[k][j][i])*Seen::template allOfTile<D>() + number];
                     m += sum.mass;
                     mv += sign*sum.momentum;
                 }

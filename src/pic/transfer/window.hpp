@@ -56,6 +56,40 @@ HD int foldWeights(const UniformGrid<D>& g, int component, int axis, int low, R*
     return first;
 }
 
+//- The same for three nodes, of which one at most lies beyond a side: in a cell of a block that does not end in itself and is three cells wide
+struct BeyondSide
+{
+    bool is, upper;
+    bool even;                  // its value is that of the node at the side; else 2 that - the next
+
+    //- low: the first node, from that of cell c; faces: they lie on the faces of this axis
+    template<int D>
+    HD BeyondSide(const UniformGrid<D>& g, int axis, int c, int low, bool faces)
+    :
+        is(c + low < 0 || c + low + 2 >= g.n[axis] + (faces ? 1 : 0)), upper(c > 0), even(!faces && !g.sticks[axis][upper])
+    {}
+
+    HD int shift() const { return upper ? -1 : 1; }
+
+    template<class R>
+    HD void fold(R* w) const
+    {
+        const R beyond = upper ? w[2] : w[0], one = even ? beyond : 2*beyond, two = even ? R(0) : -beyond;
+        if (upper)
+        {
+            w[2] = w[1] + one;
+            w[1] = w[0] + two;
+            w[0] = 0;
+        }
+        else
+        {
+            w[0] = w[1] + one;
+            w[1] = w[2] + two;
+            w[2] = 0;
+        }
+    }
+};
+
 //- component: the direction of the faces that are the nodes, -1: cells. Slopes: with what gives the field's gradient, times h: of order 1
 //  that of the interpolation, of orders 2 and 3 the first moment over the spline's second moment
 template<int Order, int D, class R, bool Slopes = false>
@@ -70,6 +104,7 @@ struct Window
     R w[D][nodes];
     R slope[Slopes ? D : 1][nodes];
 
+    HD Window() {}
     HD Window(const UniformGrid<D>& g, int component, const InCell<D, R>& x)
     {
         constexpr int beyond = (Order + 1)/2;               // nodes on a side of the block that points within it see
@@ -163,8 +198,6 @@ struct Window
         }
         return all;
     }
-
-private:
 
     HD static void slopes(R f, const R* weight, R* slope)
     {
