@@ -146,7 +146,7 @@ TEST_P(PicFlow, VorticesDecayWithSecondOrder)
     {
         // the third with a first solution that is hardly one: what it mends is of second order
         double error[3];
-        std::int64_t cycles[3];
+        std::int64_t cycles[3] = {};
         for (int run = 0; run < 3; ++run)
         {
             PicConfig c = config(run ? 32 : 16);
