@@ -1,7 +1,7 @@
 /*  picSpeed: time a step of a dam break by particles in cells, by phase.
 
         picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic] [--affine yes|no]
-                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats] [--solids N] [--solidCells M] [--pool F]
+                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--reflectionTolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats] [--solids N] [--solidCells M] [--pool F]
 
     The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a box 4 F columns wide and 2.5 F high. Steps go
     by maxCourant 0.5. With --pool water stands F columns deep in the whole box instead. --solids: so many disks or spheres of stone, M cells across (8), fall from a lattice two cells apart that
@@ -64,6 +64,7 @@ Options read(int argc, char** argv)
         else if (a == "--spline") o.config.splineOrder = std::stoi(value());
         else if (a == "--reflection") o.config.reflection = std::stod(value());
         else if (a == "--tolerance") o.config.pressureTolerance = std::stod(value());
+        else if (a == "--reflectionTolerance") o.config.reflectionTolerance = std::stod(value());
         else if (a == "--steps") o.steps = std::stoll(value());
         else if (a == "--warmUp") o.warmUp = std::stoll(value());
         else if (a == "--solids") o.solids = std::stoi(value());

@@ -38,7 +38,7 @@ void Foam::pressureSolver::readDevice()
     for (const entry& e : controls_)
     {
         const word& key = e.keyword();
-        const wordList known({"solver", "tolerance", "relTol", "maxIter", "minIter", "nSweeps"});
+        const wordList known({"solver", "tolerance", "relTol", "maxIter", "minIter", "nSweeps", "reflectionTolerance"});
         if (!known.found(key))
         {
             FatalIOErrorInFunction(controls_) << "unknown entry '" << key << "' of solver " << deviceSolver << " for " << field_
@@ -50,6 +50,7 @@ void Foam::pressureSolver::readDevice()
     multigrid_.relTol = controls_.lookupOrDefault<scalar>("relTol", multigrid_.relTol);
     multigrid_.maxIter = controls_.lookupOrDefault<label>("maxIter", multigrid_.maxIter);
     multigrid_.minIter = controls_.lookupOrDefault<label>("minIter", multigrid_.minIter);
+    multigrid_.reflectionTolerance = controls_.lookupOrDefault<scalar>("reflectionTolerance", 0);
     multigrid_.sweeps = controls_.lookupOrDefault<label>("nSweeps", multigrid_.sweeps);
     const auto require = [&](bool good, const char* key, const char* range)
     {
@@ -57,6 +58,7 @@ void Foam::pressureSolver::readDevice()
         FatalIOErrorInFunction(controls_) << key << " of solver " << deviceSolver << " for " << field_ << " must be " << range << exit(FatalIOError);
     };
     require(multigrid_.tolerance >= 0, "tolerance", "0 or more");
+    require(multigrid_.reflectionTolerance >= 0 && multigrid_.reflectionTolerance < 1, "reflectionTolerance", "in 0 .. 1");
     require(multigrid_.relTol >= 0 && multigrid_.relTol < 1, "relTol", "in 0 .. 1");
     require(multigrid_.tolerance > 0 || multigrid_.relTol > 0, "tolerance", "positive where relTol is 0");
     require(multigrid_.maxIter > 0, "maxIter", "1 or more");

@@ -66,6 +66,7 @@ struct PicConfig : FluidConfig
     double positionCorrection = 0.05;       // coefficient, 0: off
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's
+    double reflectionTolerance = 0;         // of the first of a step's two solutions; 0: the same
 
     ViscousKind viscousScheme = ViscousKind::automatic;
 

@@ -22,6 +22,7 @@ PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& f
     linearSolver_(solver ? *solver : ownSolver_)
 {
     ownSolver_.controls.tolerance = config.pressureTolerance;
+    ownSolver_.controls.reflectionTolerance = config.reflectionTolerance;
     setGrid();
     setAbsorbers();
     clock_.time = config.startTime;

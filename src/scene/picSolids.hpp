@@ -73,7 +73,7 @@ void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
     useBodyVelocities(true);
     const PressureFields<D, real> fields = pressureFields(dt);
     if (!coupled) lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_);
-    else if (linearSolver_.onDevice() && !bodies_->anyLighter(bodyCut_.volumes(), (Backend::gpu ? heavyRatioOnDevice : heavyRatio<D>)*config_.density))
+    else if (linearSolver_.onDevice() && !bodies_->anyLighter(bodyCut_.volumes(), pressureStep_.heavyFrom(bodies_->bodies().size(), sameWater)*config_.density))
     {
         const std::vector<double> roots = bodies_->roots();
         const BodiesOnGrid<Backend, D> onGrid{bodyCut_, roots};

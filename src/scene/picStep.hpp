@@ -202,7 +202,15 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         rows_.eachFace(context_, [&](int d) { return KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()}; });
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
-        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_, nullptr, false, &rows_);
+        const MultigridControls* own = linearSolver_.onDevice();
+        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_, nullptr, false, &rows_, nullptr, own ? own->reflectionTolerance : 0);
+        if (cuts())
+        {
+            PressureFields<D, real> left = pressureFields(1);
+            left.p = ahead_.data();
+            for (int d = 0; d < D; ++d) left.u[d] = after_[d].data();
+            rows_.eachFace(context_, [&](int d) { return SlitsAhead<D, real>{{left, pressureStep_.wet(), d}}; });
+        }
         rows_.eachCellOfBoth(context_, HalfImpulse{reflected_.data(), ahead_.data(), dt, double(part)});
         rows_.eachFace(context_, [&](int d)
         { return HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part}; });

@@ -144,10 +144,13 @@ TEST_P(PicFlow, VorticesDecayWithSecondOrder)
     if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
     for (const TransferKind transfer : {TransferKind::flip, TransferKind::apic})
     {
-        double error[2];
-        for (int fine = 0; fine < 2; ++fine)
+        // the third with a first solution that is hardly one: what it mends is of second order
+        double error[3];
+        std::int64_t cycles[3] = {};
+        for (int run = 0; run < 3; ++run)
         {
-            PicConfig c = config(fine ? 32 : 16);
+            PicConfig c = config(run ? 32 : 16);
+            c.reflectionTolerance = run == 2 ? 1e-3 : 0;
             c.gravity = {{0, 0, 0}};
             c.periodic[0] = c.periodic[1] = true;
             c.viscosity = 1000*0.01;
@@ -175,10 +178,13 @@ TEST_P(PicFlow, VorticesDecayWithSecondOrder)
                     size += v[d]*v[d];
                 }
             }
-            error[fine] = std::sqrt(e/size);
+            error[run] = std::sqrt(e/size);
+            for (const KernelInfo& k : s->kernels()) if (k.name == "pressureTail") cycles[run] = k.launches;
         }
         EXPECT_GT(std::log2(error[0]/error[1]), 1.8) << error[0] << ' ' << error[1];
         EXPECT_LT(error[1], 0.02);
+        EXPECT_NEAR(error[2], error[1], 0.01*error[1]);
+        if (GetParam().device == DeviceKind::cpu) { EXPECT_LT(cycles[2], 0.8*cycles[1]); }       // of a recorded loop the GPU counts the first pass
     }
 }
 

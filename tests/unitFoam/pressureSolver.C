@@ -139,6 +139,7 @@ TEST(PressureSolver, WrongEntriesAreRefused)
     says("solver cudaPCG; maxIter 0;", "maxIter");
     says("solver cudaPCG; tolerance 0;", "tolerance");
     says("solver cudaPCG; nSweeps 0;", "nSweeps");
+    says("solver cudaPCG; reflectionTolerance 1;", "reflectionTolerance");
     says("solver GAMG; agglomerator faceAreaPair; smoother GaussSeidel;", "algebraicPair");
     says("solver PCG; preconditioner GAMG;", "dictionary");
     EXPECT_EQ(refusal(ownSolver), "");

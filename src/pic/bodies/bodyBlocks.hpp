@@ -43,6 +43,9 @@ struct PlacedBody
 //- A row of a block
 struct BlockRow { int body, j, k; };
 
+//- Threads to a row, each with every so-manieth place of it: what is worth work lies at the ends of rows, and in a few of them
+template<class Backend> inline constexpr int rowLanes = Backend::gpu ? 8 : 1;
+
 template<int D>
 struct BodyBlocks
 {
@@ -75,25 +78,27 @@ struct BodyBlocks
 };
 
 //- f(index) over the cells of rows, as far as the grid has them
-template<int D, class F>
+template<int D, int Lanes, class F>
 struct OverBlockCells
 {
     static constexpr const char* name = F::name;
     BodyBlocks<D> blocks;
     F f;
 
-    HD void operator()(int r) const
+    HD void operator()(int thread) const
     {
-        const BlockRow row = blocks.row(r);
+        const int lane = thread % Lanes;
+        const BlockRow row = blocks.row(thread/Lanes);
         const UniformGrid<D>& g = blocks.grid;
         typename UniformGrid<D>::Index c = blocks.first(row);
         for (int d = 1; d < D; ++d) if (c.c[d] >= g.n[d]) return;
-        for (int i = 0; i < blocks.body[row.body].size[0] && c.c[0] < g.n[0]; ++i, ++c.c[0]) f(g.cell(c));
+        c.c[0] += lane;
+        for (int i = lane; i < blocks.body[row.body].size[0] && c.c[0] < g.n[0]; i += Lanes, c.c[0] += Lanes) f(g.cell(c));
     }
 };
 
 //- Bodies' distances to the nodes about them, where they are the nearest
-template<int D>
+template<int D, int Lanes>
 struct LowerDistances
 {
     static constexpr const char* name = "bodyDistances";
@@ -101,13 +106,13 @@ struct LowerDistances
     double band;                // [m]: beyond it nothing is told
     double* distance;
 
-    HD void operator()(int r) const
+    HD void operator()(int thread) const
     {
-        const BlockRow row = blocks.row(r);
+        const BlockRow row = blocks.row(thread/Lanes);
         const NodeGrid<D> nodes{blocks.grid};
         const ShapeView<D> shape = blocks.shape(row.body);
         const int first = nodes.node(blocks.first(row));
-        for (int n = first; n < first + blocks.body[row.body].size[0]; ++n)
+        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes)
         {
             const double d = shape.distance(nodes.position(n));
             if (d < band) lowerTo(distance + n, d);
@@ -116,7 +121,7 @@ struct LowerDistances
 };
 
 //- As it was without bodies
-template<int D>
+template<int D, int Lanes>
 struct RestoreDistances
 {
     static constexpr const char* name = "restoreDistances";
@@ -124,11 +129,11 @@ struct RestoreDistances
     const double* base;
     double* distance;
 
-    HD void operator()(int r) const
+    HD void operator()(int thread) const
     {
-        const BlockRow row = blocks.row(r);
+        const BlockRow row = blocks.row(thread/Lanes);
         const int first = NodeGrid<D>{blocks.grid}.node(blocks.first(row));
-        for (int n = first; n < first + blocks.body[row.body].size[0]; ++n) distance[n] = base[n];
+        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes) distance[n] = base[n];
     }
 };
 

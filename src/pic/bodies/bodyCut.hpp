@@ -30,7 +30,7 @@ class BodyCut
 {
 public:
 
-    static constexpr int modes = bodyModes<D>;
+    static constexpr int modes = bodyModes<D>, lanes = rowLanes<Backend>;
 
     //- The grid as it is without the bodies of the last cut
     template<class R>
@@ -45,7 +45,7 @@ public:
             faces.wallVelocity[d] = f.wallVelocity[d];
         }
         forEach(context, shareCount_, faces);
-        forEach(context, rowCount_, RestoreDistances<D>{blocks(), f.baseDistance, f.distance});
+        forEach(context, lanes*rowCount_, RestoreDistances<D, lanes>{blocks(), f.baseDistance, f.distance});
     }
 
     //- Where bodies are: shape, centre and reach of each. f: of walls alone. up: the direction across which volumes are measured
@@ -70,7 +70,7 @@ public:
 
     //- f(cell) over the cells about the bodies
     template<class F>
-    void eachCell(Context<Backend>& context, const F& f) { forEach(context, rowCount_, OverBlockCells<D, F>{blocks(), f}); }
+    void eachCell(Context<Backend>& context, const F& f) { forEach(context, lanes*rowCount_, OverBlockCells<D, lanes, F>{blocks(), f}); }
 
     //- J^T p of each body, modes values each
     std::vector<double> gather(Context<Backend>& context, const double* p)
@@ -162,7 +162,7 @@ void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& g
     }
     forEach(context, shareCount_, close);
     fillRows(context, up);
-    forEach(context, rowCount_, LowerDistances<D>{blocks(), f.band, f.distance});
+    forEach(context, lanes*rowCount_, LowerDistances<D, lanes>{blocks(), f.band, f.distance});
 }
 
 //- Lattices of shapes are copied once: they stay where they are on the host
@@ -235,7 +235,7 @@ void BodyCut<Backend, D>::measure(Context<Backend>& context)
         makeRoom(context, scratch_.keys[k], shareCount_);
         makeRoom(context, scratch_.values[k], shareCount_);
     }
-    forEach(context, rows, MeasureShares<D>{blocks(), faces, shareFirst_.data(), shareX_.data(), share_.data(), arm_.data(), bodyOfShare_.data(),
+    forEach(context, lanes*rows, MeasureShares<D, lanes>{blocks(), faces, shareFirst_.data(), shareX_.data(), share_.data(), arm_.data(), bodyOfShare_.data(),
         scratch_.keys[0].data(), scratch_.values[0].data()});
     int bits = 1;
     while ((std::uint64_t(1) << bits) <= faces.none()) ++bits;
@@ -253,7 +253,7 @@ void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
     entryCount_ = sumUp(context, cellFirst_, rowCount_);
     makeRoom(context, cell_, entryCount_);
     makeRoom(context, j_, std::size_t(entryCount_)*modes);
-    forEach(context, rowCount_, FillBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
+    forEach(context, lanes*rowCount_, FillBodyCells<D, lanes>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
 }
 
 template<class Backend, int D>

@@ -53,7 +53,7 @@ struct FindBodyCells
     }
 };
 
-template<int D>
+template<int D, int Lanes>
 struct FillBodyCells
 {
     static constexpr const char* name = "fillBodyCells";
@@ -64,16 +64,17 @@ struct FillBodyCells
     int* cell;
     double* j;                      // bodyModes a cell [m2, m3]
 
-    HD void operator()(int r) const
+    HD void operator()(int thread) const
     {
         constexpr int modes = bodyModes<D>;
-        if (first[r] == first[r + 1]) return;
+        const int r = thread/Lanes, lane = thread % Lanes;
+        if (first[r] + lane >= first[r + 1]) return;
         const BlockRow row = blocks.row(r);
         const UniformGrid<D>& g = blocks.grid;
         const PlacedBody<D>& body = blocks.body[row.body];
         typename UniformGrid<D>::Index c = blocks.first(row);
-        c.c[0] = x[r];
-        for (int at = first[r]; at < first[r + 1]; ++at, ++c.c[0])
+        c.c[0] = x[r] + lane;
+        for (int at = first[r] + lane; at < first[r + 1]; at += Lanes, c.c[0] += Lanes)
         {
             double sum[modes] = {};
             for (int d = 0; d < D; ++d)

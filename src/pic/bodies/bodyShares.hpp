@@ -115,7 +115,7 @@ struct FindShares
     }
 };
 
-template<int D>
+template<int D, int Lanes>
 struct MeasureShares
 {
     static constexpr const char* name = "measureShares";
@@ -129,17 +129,18 @@ struct MeasureShares
     std::uint32_t* key;
     std::uint32_t* number;
 
-    HD void operator()(int r) const
+    HD void operator()(int thread) const
     {
-        if (first[r] == first[r + 1]) return;
+        const int r = thread/Lanes, lane = thread % Lanes;
+        if (first[r] + lane >= first[r + 1]) return;
         const FaceRow<D> at(blocks, r);
         const int d = at.d;
         const UniformGrid<D>& g = blocks.grid;
         const NodeGrid<D> nodes{g};
         const ShapeView<D> shape = blocks.shape(at.row.body);
         typename UniformGrid<D>::Index f = blocks.first(at.row);
-        f.c[0] = x[r];
-        for (int s = first[r]; s < first[r + 1]; ++s, ++f.c[0])
+        f.c[0] = x[r] + lane;
+        for (int s = first[r] + lane; s < first[r + 1]; s += Lanes, f.c[0] += Lanes)
         {
             const bool twice = g.periodic[d] && (f.c[d] == 0 || f.c[d] == g.n[d]);
             SolidPart<D> part = inBody(shape, nodes.position(nodes.node(f)), d, g.h);

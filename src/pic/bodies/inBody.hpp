@@ -54,6 +54,7 @@ EITHER_SIDE template<class Shape>
 HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
 {
     constexpr int parts = 4;
+    constexpr double reach = 0.75;      // cells: no corner of a face is farther from its middle
     const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
     const auto at = [&](int i, int j)
     {
@@ -63,8 +64,8 @@ HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, doubl
         return point;
     };
     const double middle = shape.distance(at(parts/2, parts/2));
-    if (middle > h) return {0, {0, 0}};
-    if (middle < -h) return {1, {0.5, 0.5}};
+    if (middle > reach*h) return {0, {0, 0}};
+    if (middle < -reach*h) return {1, {0.5, 0.5}};
     double low[parts + 1];      // distances at one end of a row of parts, and, as it is made, at the other
     for (int j = 0; j <= parts; ++j) low[j] = shape.distance(at(0, j));
     SolidPart<3> part{0, {0, 0}};

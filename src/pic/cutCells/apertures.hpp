@@ -119,8 +119,14 @@ struct OpenVolumes
         else
         {
             double corner[8];
-            for (int k = 0; k < 8; ++k) corner[k] = at(k);
-            open[i] = R(1 - solidOfCube(corner));
+            bool in = true, out = true;
+            for (int k = 0; k < 8; ++k)
+            {
+                corner[k] = at(k);
+                in = in && corner[k] < 0;
+                out = out && corner[k] >= 0;
+            }
+            open[i] = in || out ? R(out) : R(1 - solidOfCube(corner));
         }
     }
 };

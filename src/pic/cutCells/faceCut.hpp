@@ -68,6 +68,8 @@ HD void addTriangle(SolidPart<3>& part, const CutCorner& p, const CutCorner& q, 
 //- A square: distances at (0 0), (1 0), (0 1), (1 1)
 HD SolidPart<3> solidOfSquare(double d00, double d10, double d01, double d11)
 {
+    if (d00 >= 0 && d10 >= 0 && d01 >= 0 && d11 >= 0) return {0, {0, 0}};
+    if (d00 < 0 && d10 < 0 && d01 < 0 && d11 < 0) return {1, {0.5, 0.5}};
     SolidPart<3> part{0, {0, 0}};
     const CutCorner a{0, 0, d00}, b{1, 0, d10}, c{1, 1, d11}, e{0, 1, d01}, m{0.5, 0.5, 0.25*(d00 + d10 + d01 + d11)};
     addTriangle(part, a, b, m, 0.25);

@@ -16,6 +16,7 @@ constexpr const char* ownSolver = "cudaPCG";
 struct MultigridControls
 {
     double tolerance = 1e-8, relTol = 0;    // of OpenFOAM's residual
+    double reflectionTolerance = 0;         // of the first of a step's two solutions (scene/picStep.hpp); 0: tolerance
     int maxIter = 1000, minIter = 0;
     int sweeps = 2;                         // before and after each correction
 };

@@ -27,6 +27,9 @@ template<int D> inline constexpr double heavyRatio = D == 2 ? 10 : 2;
 //- On a GPU so many are enough: iterations without deflation (two or three times as many in a crowd) cost less than a loop on the host
 inline constexpr double heavyRatioOnDevice = 2;
 
+//- And on a CPU with as few bodies, under a surface: they are no crowd that matters, and what deflation costs an iteration is a third of a step
+inline constexpr int fewBodies = 128;
+
 //- Bodies where the grid is, with L of each: M^-1 = L L^T
 template<class Backend, int D>
 struct BodiesOnGrid
@@ -49,11 +52,11 @@ public:
 
     //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
     //  becomes that at the end of the step. onGrid: bodies that our solver takes as they are in the grid, none of them light; what becomes of their V is the caller's. sameWater: surface and open parts are those of the last projection. rows: those about the water, where
-    //  alone faces may need a correction; nullptr: all
+    //  alone faces may need a correction; nullptr: all. tolerance: of our solver, in place of its own; 0: that
     PressureReport project
     (
         Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false,
-        const ActiveRows<Backend, D>* rows = nullptr, const BodiesOnGrid<Backend, D>* onGrid = nullptr
+        const ActiveRows<Backend, D>* rows = nullptr, const BodiesOnGrid<Backend, D>* onGrid = nullptr, double tolerance = 0
     )
     {
         const FineData<D>& fine = multigrid_.fine();
@@ -69,6 +72,13 @@ public:
         if (pocketCells_) pockets_.balance(context, fine, cells);
 
         const MultigridControls* controls = solver.onDevice();
+        MultigridControls own;
+        if (controls && tolerance > 0)
+        {
+            own = *controls;
+            own.tolerance = tolerance;
+            controls = &own;
+        }
         const bool free = bodies && !bodies->empty();
         PressureReport report;
         if (controls && onGrid)
@@ -90,6 +100,13 @@ public:
 
     //- Which cells are wet, for wet() before a projection
     void markWet(Context<Backend>& context, const PressureFields<D, R>& f) { forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()}); }
+
+    //- How heavy bodies must be to be solved for where the grid is. sameWater: as of project()
+    double heavyFrom(std::size_t bodies, bool sameWater) const
+    {
+        const bool open = sameWater && !pocketCells_;           // closed water has no pressure to begin from, and needs the hats
+        return Backend::gpu || (open && bodies <= std::size_t(fewBodies)) ? heavyRatioOnDevice : heavyRatio<D>;
+    }
 
     //- Cells in pockets without a surface, at the last projection
     int pocketCells() const { return pocketCells_; }

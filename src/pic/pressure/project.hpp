@@ -5,6 +5,7 @@
 */
 #pragma once
 
+#include "pic/extrapolate.hpp"
 #include "pic/pressure/assemble.hpp"
 
 namespace riprap
@@ -50,6 +51,22 @@ struct CorrectVelocity
         else if (wetUpper) difference = f.p[upper]/(lower < 0 ? endTheta : surfaceTheta(f.phi[upper], f.phi[lower]));
         else difference = -f.p[lower]/(upper < 0 ? endTheta : surfaceTheta(f.phi[lower], f.phi[upper]));
         f.u[d][i] = R(double(f.u[d][i]) - f.timeStep/(f.density*f.grid.h)*difference);
+    }
+};
+
+//- What particles were left ahead by at faces that are all but closed: extended from beside them (leastKnown), it is not what the impulse has done there, which bodies and walls have felt
+template<int D, class R>
+struct SlitsAhead
+{
+    static constexpr const char* name = "slitsAhead";
+    CorrectVelocity<D, R> by;   // u: `after`, p: the impulse, in a step of 1
+
+    HD void operator()(int i) const
+    {
+        const R a = by.f.aperture[by.d][i];
+        if (!(a > R(0)) || a > R(leastKnown) || atEnd(by.f.grid, by.d, by.f.grid.faceIndex(by.d, i).c[by.d])) return;
+        by.f.u[by.d][i] = 0;
+        by(i);
     }
 };
 
