@@ -46,17 +46,19 @@ def analyse(run):
     energy = run.table('energy', 'solidEnergies.dat')
     moving = (energy['translation'] + energy['rotation'])[-1]/energy['potential'][0]
     result = [Quantity('aspect ratio', a)]
-    laws = [('Lube', lube), ('Lajeunesse', lajeunesse)]
+    laws = [('Lajeunesse', lajeunesse), ('Lube', lube)]
     if not isSpheres(run):
         laws = [('Staron & Hinch', staronHinch), ('Lagree', lagree)] + laws
     for name, law in laws:
         result.append(Quantity(f'run-out, {name}', far, float(law(a)), abs(far/float(law(a)) - 1)))
+    if hasPlates(run):
+        mean, law = float(fronts(run, end, 2*d).mean()), float(lajeunesse(a))
+        result.append(Quantity('run-out, mean of strips two grains wide, Lajeunesse', mean, law, abs(mean/law - 1)))
     earlier = float(clouds.nearestTime(run.path, end - 0.2))
     result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
                Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
                Quantity('run-out, where half a grain is the depth', footOfProfile(run, end)),
-               *([Quantity('run-out, mean of strips two grains wide', float(fronts(run, end, 2*d).mean())),
-                  Quantity('run-out, seen through a side plate', float(fronts(run, end, d)[0]))] if hasPlates(run) else []),
+               *([Quantity('run-out, seen through a side plate', float(fronts(run, end, d)[0]))] if hasPlates(run) else []),
                Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
                Quantity('change of the run-out since 0.2 s before the end', far - runOut(run, earlier) if abs(earlier - end + 0.2) < 0.05 else None),
                Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),
