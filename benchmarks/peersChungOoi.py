@@ -63,13 +63,13 @@ class Liggghts:
                 'fix w all wall/gran model hooke tangential history primitive type 1 zplane 0.0\n')
 
 
-def scene(code, atoms, law, dt, steps, columns, every, gravity=''):
-    """atoms: diameter, density, position, velocity. columns: of the table, by LAMMPS's words"""
+def scene(code, atoms, law, dt, steps, columns, every, gravity='', move='nve/sphere'):
+    """atoms: diameter, density, position, velocity. columns: of the table, by LAMMPS's words; move: nve without turning"""
     text = code.head + 'region b block -0.3 0.3 -0.3 0.3 -0.3 0.3\ncreate_box 1 b\n'
     text += ''.join('create_atoms 1 single {:.15g} {:.15g} {:.15g}\n'.format(*x) for _, _, x, _ in atoms)
     text += ''.join(f'set atom {i + 1} diameter {size} density {rho} vx {u[0]} vy {u[1]} vz {u[2]}\n' for i, (size, rho, _, u) in enumerate(atoms))
     variables = ''.join(f'variable q{i} equal {c}\n' for i, c in enumerate(columns))
-    return (text + 'neighbor 0.001 bin\nneigh_modify delay 0 every 1 check yes\n' + law + gravity + 'fix i all nve/sphere\n' + variables
+    return (text + 'neighbor 0.001 bin\nneigh_modify delay 0 every 1 check yes\n' + law + gravity + f'fix i all {move}\n' + variables
             + f'timestep {dt}\nthermo {every}\nthermo_style custom step {" ".join(f"v_q{i}" for i in range(len(columns)))}\n'
             + f'thermo_modify format float %.12g lost ignore norm no\nrun {steps}\n')
 
