@@ -48,6 +48,18 @@ def draw(scene, rows, peers, path):
     plotting.save(fig, path)
 
 
+def peersOfSolids(rows):
+    """Rows of runPeers `error of <quantity>; <variant>` as points, their cost from `seconds a simulated second, <quantity>; <variant>`"""
+    latest = {(r['case'], r['code'], r['quantity']): r['value'] for r in rows}
+    points = []
+    for (case, code, quantity), value in latest.items():
+        what = quantity[len('error of '):]
+        cost = latest.get((case, code, f'seconds a simulated second, {what}'))
+        if quantity.startswith('error of ') and cost:
+            points.append({'chart': 'cost', 'scene': case, 'quantity': what.split(';')[0], 'peer': code, 'error': value, 'cost': cost, 'simulated': '1'})
+    return points
+
+
 def costOf(row):
     """Of a run or a peer's point; None where it was not recorded"""
     time, simulated = number(row.get('wallTime') or row.get('cost')), number(row.get('simulated'))

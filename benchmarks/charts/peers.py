@@ -11,7 +11,7 @@ def draw(rows, path):
         return
     latest = {(r['case'], r['code'], r['quantity']): r for r in rows}       # of several runs the last one
     rows = list(latest.values())
-    fig, (speed, energy) = plotting.figure(2, width=6.4, height=3.6)
+    fig, (speed, energy, reach) = plotting.figure(3, width=5.6, height=3.6)
     rates = [r for r in rows if r['case'] == 'column' and r['quantity'].startswith('particle-steps')]
     colours = [plotting.colours[0 if r['code'].startswith('riprap') else 1] for r in rates]
     speed.barh([r['code'] for r in rates], [float(r['value']) for r in rates], color=colours, height=0.6)
@@ -24,4 +24,11 @@ def draw(rows, path):
     energy.axhline(0, color='k', linewidth=0.8)
     energy.set(xlabel='angle of incidence [degrees]', ylabel='energy after / before - 1 [%]', title='Elastic impacts without slip')
     energy.legend(fontsize=7)
+    for i, (code, points) in enumerate(groups([r for r in rows if r['case'] == 'collapse'], lambda r: r['code']).items()):
+        reach.plot([float(r['value']) for r in points], [r['quantity'].replace('run-out, ', '') for r in points],
+                   plotting.markers[i % len(plotting.markers)], color=plotting.colours[i % len(plotting.colours)], markersize=5, label=code)
+    reach.invert_yaxis()
+    reach.set(xlabel='run-out / initial length', title='Columns of spheres, slices of six grains')
+    if reach.lines:
+        reach.legend(fontsize=7)
     plotting.save(fig, path)

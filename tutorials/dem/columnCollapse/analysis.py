@@ -2,17 +2,19 @@
 """Collapse of granular columns of several aspect ratios against published scaling laws of the run-out"""
 import os
 import re
+import sys
 
 import numpy as np
 
 from riprap import clouds, plotting
 from riprap.bounds import Quantity
-from riprap.dictionaries import numberOf, readDictionary
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
-opens = 0.5             # [s] when the gate moves
-d = 0.005               # [m] mean diameter
+sys.path.insert(0, here)
+from deposit import (aspectRatio, column, d, footOfProfile, fronts, grains, hasPlates, isSpheres, lastTime, measures, opens,  # noqa: E402
+                     powerOf, runOut)
+
 beadsOnWall = 0.46      # friction: 24.8 degrees, measured for glass beads on the walls of the channel (Lajeunesse et al. 2004)
 g, rho = 9.81, 2500.0
 
@@ -37,82 +39,6 @@ def lajeunesse(a):
     return np.where(a < 3, 1.8*a, 2.3*a**(2/3))
 
 
-def column(run):
-    return {k: numberOf(v) for k, v in readDictionary(os.path.join(run.path, 'system', 'column')).items() if k != 'FoamFile'}
-
-
-def isSpheres(run):
-    return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] != 'empty'
-
-
-def hasPlates(run):
-    return readDictionary(os.path.join(run.path, 'system', 'sides'))['sides'] == 'wall'
-
-
-def grains(run, time, *more):
-    """Positions and radii, and fields named, of the grains that are not glued to the floor"""
-    cloud = clouds.readCloud(run.path, clouds.nearestTime(run.path, time), ('radius', 'group', *more), 'solids')
-    free = cloud['group'] == 0
-    return [cloud[name][free] for name in ('positions', 'radius', *more)]
-
-
-def aspectRatio(run):
-    """Of the column at rest: as high as twice its centre of mass is"""
-    table = run.table('grains', 'groupMotion.dat')
-    return 2*np.interp(opens, table['Time'], table['freeCentreY'])/column(run)['width']
-
-
-def heap(x, r, reach):
-    """Grains that hang together with those at the wall, neighbours being nearer than `reach` between surfaces"""
-    order = np.argsort(x[:, 0])
-    x, r = x[order], r[order]
-    joined = np.zeros(len(x), bool)
-    front = [i for i in range(len(x)) if x[i, 0] < 4*r[i]]
-    joined[front] = True
-    while front:
-        i = front.pop()
-        low, high = np.searchsorted(x[:, 0], [x[i, 0] - 2*d - reach, x[i, 0] + 2*d + reach])
-        near = np.arange(low, high)
-        near = near[~joined[near]]
-        near = near[np.linalg.norm(x[near, :] - x[i], axis=1) < r[near] + r[i] + reach]
-        joined[near] = True
-        front.extend(near)
-    return x[joined], r[joined]
-
-
-def runOut(run, time, reach=0.5*d):
-    """(L - L0)/L0 of the heap without grains that rolled off alone"""
-    x, r = grains(run, time)
-    if not isSpheres(run):
-        x = x[:, :2]
-    x, r = heap(x, r, reach)
-    width = column(run)['width']
-    return float((x[:, 0] + r).max()/width - 1)
-
-
-def fronts(run, time, width, reach=0.5*d):
-    """The same of the grains in each strip of this width, from plate to plate: the first is what is seen through a plate"""
-    x, r = grains(run, time)
-    strip = (x[:, 2]/width).astype(int)
-    ends = [heap(x[strip == k], r[strip == k], reach) for k in range(strip.max() + 1) if np.count_nonzero(strip == k) > 50]
-    return np.array([(at[:, 0] + size).max() for at, size in ends if len(at)])/column(run)['width'] - 1
-
-
-def footOfProfile(run, time):
-    """The same where the heap's depth falls below half a grain: depth of strips two grains wide, 0.6 of it grains (disks 0.8)"""
-    x, r = grains(run, time)
-    size, strip = column(run), 2*d
-    spheres = isSpheres(run)
-    solid = 4/3*np.pi*r**3/(0.6*size['depth']) if spheres else np.pi*r**2/0.8
-    depth = np.bincount((x[:, 0]/strip).astype(int), solid)/strip
-    shallow = np.nonzero(depth < 0.5*d)[0]
-    return float((shallow[0] if len(shallow) else len(depth))*strip/size['width'] - 1)
-
-
-def lastTime(run):
-    return float(clouds.times(run.path)[-1])
-
-
 def analyse(run):
     a, end = aspectRatio(run), lastTime(run)
     far = runOut(run, end)
@@ -120,17 +46,19 @@ def analyse(run):
     energy = run.table('energy', 'solidEnergies.dat')
     moving = (energy['translation'] + energy['rotation'])[-1]/energy['potential'][0]
     result = [Quantity('aspect ratio', a)]
-    laws = [('Lube', lube), ('Lajeunesse', lajeunesse)]
+    laws = [('Lajeunesse', lajeunesse), ('Lube', lube)]
     if not isSpheres(run):
         laws = [('Staron & Hinch', staronHinch), ('Lagree', lagree)] + laws
     for name, law in laws:
         result.append(Quantity(f'run-out, {name}', far, float(law(a)), abs(far/float(law(a)) - 1)))
+    if hasPlates(run):
+        mean, law = float(fronts(run, end, 2*d).mean()), float(lajeunesse(a))
+        result.append(Quantity('run-out, mean of strips two grains wide, Lajeunesse', mean, law, abs(mean/law - 1)))
     earlier = float(clouds.nearestTime(run.path, end - 0.2))
     result += [Quantity('run-out with surfaces a quarter of a grain apart', runOut(run, end, 0.25*d)),
                Quantity('run-out with surfaces a grain apart', runOut(run, end, d)),
                Quantity('run-out, where half a grain is the depth', footOfProfile(run, end)),
-               *([Quantity('run-out, mean of strips two grains wide', float(fronts(run, end, 2*d).mean())),
-                  Quantity('run-out, seen through a side plate', float(fronts(run, end, d)[0]))] if hasPlates(run) else []),
+               *([Quantity('run-out, seen through a side plate', float(fronts(run, end, d)[0]))] if hasPlates(run) else []),
                Quantity('run-out, 99 % of the grains', float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)),
                Quantity('change of the run-out since 0.2 s before the end', far - runOut(run, earlier) if abs(earlier - end + 0.2) < 0.05 else None),
                Quantity('height of the deposit / width', float((x[:, 1] + r).max()/column(run)['width'])),
@@ -138,19 +66,22 @@ def analyse(run):
     return result
 
 
-def exponent(runs, names):
-    known = [(aspectRatio(runs[n]), runOut(runs[n], lastTime(runs[n]))) for n in names if n in runs]
-    known = [k for k in known if k[0] > 2]
-    return float(np.polyfit(*np.log(np.array(known)).T, 1)[0]) if len(known) > 2 else None
+def exponents(runs, names):
+    """{measure: power of the aspect ratio above 2} over the runs named; empty where there are too few"""
+    high = [runs[n] for n in names if aspectRatio(runs[n]) > 2]
+    if len(high) < 3:
+        return {}
+    known = [measures(run, lastTime(run)) for run in high]
+    return {name: powerOf([aspectRatio(run) for run in high], [k[name] for k in known]) for name in known[0] if all(name in k for k in known)}
 
 
 def compare(runs, results):
     result = []
     for kind, names, expected in (('disks', r'disks-[\d.]+$', 0.7), ('spheres', r'spheres-[\d.]+$', 2/3),
-                                  ('spheres in a channel', r'spheres-[\d.]+-channel$', 2/3)):
-        value = exponent(runs, [n for n in runs if re.match(names, n)])
-        if value is not None:
-            result.append(Quantity(f'exponent above a = 2, {kind}', value, expected, abs(value - expected)))
+                                  *((f'spheres in a channel{name}', rf'spheres-[\d.]+-channel{name}$', 2/3) for name in channels)):
+        powers = exponents(runs, [n for n in runs if re.match(names, n)])
+        for front, value in powers.items():
+            result.append(Quantity(f'exponent above a = 2, {kind}' + (f': {front}' if front != 'heap' else ''), value, expected, abs(value - expected)))
     for size, name, expected in (('disks-2', 'Staron & Hinch', staronHinch), ('disks-2-fine', 'Staron & Hinch', staronHinch),
                                  ('spheres-1', 'Lajeunesse', lajeunesse)):
         packings = [runs[n] for n in (size, size + '-seed2', size + '-seed3') if n in runs]
@@ -174,44 +105,43 @@ def drawHeap(axis, run, time):
     axis.grid(False)
 
 
-def plotChannels(runs, path):
-    """Run-out beside the law, from where 99 % of the grains are to the last one of the heap, and the deposits"""
-    fig, axes = plotting.figure(2, 1, width=6, height=4)
+families = {'-channel': '39 grains wide', '-channel-similar': 'as wide as the column is long', '-channel-slot': 'half as wide',
+            '-channel-periodic': 'no plates'}
+
+
+def plotChannels(found, path):
+    """found: {name of a run: its reaches}. Run-out over the aspect ratio in channels of different widths, and over the law, by the heap and by the
+    mean of strips"""
+    fig, axes = plotting.figure(2, 1, width=5.6, height=4)
     a = np.geomspace(0.4, 12, 200)
     line, = axes[0].loglog(a, lajeunesse(a), linewidth=1, label='Lajeunesse et al. 2005, 10 %')
     axes[0].fill_between(a, 0.9*lajeunesse(a), 1.1*lajeunesse(a), alpha=0.15, color=line.get_color())
-    sizes = ('-channel', '-channel-half', '-channel-larger')
-    for size, marker in zip(sizes, 'sv^'):
-        chosen = sorted((r for r in runs if r.name.endswith(size)), key=aspectRatio)
+    axes[1].axhspan(-10, 10, alpha=0.15, color=line.get_color())
+    for i, (family, label) in enumerate(families.items()):
+        chosen = sorted(reach for name, reach in found.items() if re.match(rf'spheres-[\d.]+{family}$', name))
         if not chosen:
             continue
-        grain, front = [aspectRatio(r) for r in chosen], [runOut(r, lastTime(r)) for r in chosen]
-        most = [np.quantile(grains(r, lastTime(r))[0][:, 0], 0.99)/column(r)['width'] - 1 for r in chosen]
-        axes[0].errorbar(grain, front, [np.subtract(front, most), np.zeros(len(front))], fmt='k' + marker, markersize=5, capsize=3,
-                         markerfacecolor='none', linewidth=0.8, label='riprap' + size.replace('-', ' ') + '; bar: to 99 % of the grains')
-    for run in sorted((r for r in runs if r.name.endswith('-channel')), key=aspectRatio):
-        x, r = grains(run, lastTime(run))
-        size, strip = column(run), 2*d
-        depth = np.bincount((x[:, 0]/strip).astype(int), 4/3*np.pi*r**3/(0.6*size['depth']))/strip
-        axes[1].plot((np.arange(len(depth)) + 0.5)*strip/size['width'], depth/size['width'], linewidth=1.2, label=f'a = {aspectRatio(run):.2g}')
-    axes[0].set(xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$', title='spheres in a channel, rough floor')
-    axes[1].set(xlabel='$x/L_0$', ylabel='depth / $L_0$', title='deposits')
+        ratio = np.array([c[0] for c in chosen])
+        style = dict(marker=plotting.markers[i], markersize=5, linewidth=1, color=plotting.colours[i + 1])
+        axes[0].loglog(ratio, [c[1] for c in chosen], label=label, **style)
+        axes[1].semilogx(ratio, [100*(far/lajeunesse(at) - 1) for at, far, _ in chosen], label=label, **style)
+        others = [(at, other['mean of strips']) for at, _, other in chosen if 'mean of strips' in other]
+        style.update(linestyle=':', markersize=3)
+        axes[1].semilogx([o[0] for o in others], [100*(far/lajeunesse(at) - 1) for at, far in others], **style)
+    axes[0].set(xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$', title='spheres in channels, rough floor')
+    axes[1].set(xlabel='aspect ratio $a$', ylabel='beyond the law [%]', title='farthest grain of the heap; dotted: mean of strips across')
     for axis in axes:
         axis.legend(fontsize=7)
     plotting.save(fig, path)
 
 
-measures = {'mean of strips': lambda run, end: fronts(run, end, 2*d).mean() if hasPlates(run) else None,
-            'seen through a plate': lambda run, end: fronts(run, end, d)[0] if hasPlates(run) else None,
-            'half a grain deep': footOfProfile,
-            '99 % of the grains': lambda run, end: np.quantile(grains(run, end)[0][:, 0], 0.99)/column(run)['width'] - 1}
 packings = ('', 'seed2', 'seed3')
 
 
 def reaches(run):
     """Aspect ratio, run-out of the heap, and by the other measures of the front"""
-    end = lastTime(run)
-    return aspectRatio(run), runOut(run, end), {name: measure(run, end) for name, measure in measures.items()}
+    others = measures(run, lastTime(run))
+    return aspectRatio(run), others.pop('heap'), others
 
 
 def changes(found):
@@ -255,10 +185,10 @@ def plot(runs, path):
     runs = [r for r in runs if '-study' not in r.name]
     if not runs:
         return
-    channels = [r for r in runs if '-channel' in r.name]
-    if channels:
-        plotChannels(channels, path.replace('.png', 'Channel.png'))
-    if len(channels) == len(runs):
+    inChannels = [r for r in runs if '-channel' in r.name]
+    if inChannels:
+        plotChannels({r.name: reaches(r) for r in inChannels}, path.replace('.png', 'Channel.png'))
+    if len(inChannels) == len(runs):
         return
     shown = next((r for r in runs if r.name == 'disks-2'), runs[0])
     fig, axes = plotting.figure(3, 2, width=4.8, height=3.4)
@@ -324,41 +254,48 @@ def variant(name, *size, extra='', large=False, **more):
     return Variant(name, options, large=large)
 
 
-def spheresOf(a, width, name='', **changed):
-    """Glass beads: free to roll, on a floor of glued beads"""
+def spheresOf(a, width, name='', duration=(6, 0.4), **changed):
+    """Glass beads: free to roll, on a floor of glued beads. duration: in sqrt(H/g), and in s"""
     height = a*width
     how = dict(spheres=True, rolling=0, rough=True)
     how.update(changed)
-    return variant(f'spheres-{a:g}{name}', width, height, float(f'{6*np.sqrt(height/g) + 0.4:.2g}'), **how)
+    return variant(f'spheres-{a:g}{name}', width, height, float(f'{duration[0]*np.sqrt(height/g) + duration[1]:.2g}'), **how)
 
 
-def channelOf(a, name='', size=1, end='plate', extra='', **changed):
-    """As in the experiments: side plates 39 grains (45 mm) apart, the column against an end wall of the same kind, 2500 grains in the
-    side view; size: times as many across. end: material of the end wall"""
+def channelOf(a, name='', size=1, end='plate', extra='', shape=None, **changed):
+    """As in the experiments: side plates 39 grains (45 mm) apart, or `shape` lengths of the column; the column against an end wall of the same
+    kind, 2500 grains in the side view; size: times as many across. end: material of the end wall. Everything is at rest after 4 sqrt(H/g)"""
     wall = f'; walls/materials/symmetry {end}'
-    return spheresOf(a, float(f'{50*size*d/np.sqrt(a):.4g}'), '-channel' + name, large=True, extra=wall + extra,
-                     **{'plates': beadsOnWall, 'depth': 39*d, **changed})
+    width = float(f'{50*size*d/np.sqrt(a):.4g}')
+    depth = float(f'{shape*width:.3g}') if shape else 39*d
+    return spheresOf(a, width, '-channel' + name, large=True, extra=wall + extra, duration=(4.5, 0.2),
+                     **{'plates': beadsOnWall, 'depth': depth, 'stiff': 250, **changed})
 
 
 def everyPair(entry, value):
     return ''.join(f'; pairs/grain-{other}/{entry} {value}' for other in ('grain', 'smooth', 'plate'))
 
 
-# what is changed in the channel, one thing at a time
+# what is changed in the channel, one thing at a time. Spheres that resist rolling with 0.04 rest at the angle of the experiment's beads
+periodicSides = dict(plates=None, extra=f'; pairs/grain-plate/friction {beadsOnWall}')
 terms = {
     'study': {}, 'study-seed2': dict(extra='; system/column:seed 2'), 'study-seed3': dict(extra='; system/column:seed 3'),
-    'study-smoothEnd': dict(end='smooth'), 'study-periodic': dict(plates=None, extra=f'; pairs/grain-plate/friction {beadsOnWall}'),
-    'study-narrow': dict(depth=20*d), 'study-wide': dict(depth=78*d),
+    'study-smoothEnd': dict(end='smooth'), 'study-periodic': periodicSides, 'study-narrow': dict(depth=20*d), 'study-wide': dict(depth=78*d),
     'study-lift': dict(lift=1), 'study-slowLift': dict(lift=0.5),
     'study-friction0.3': dict(friction=0.3), 'study-friction0.7': dict(friction=0.7),
     'study-restitution0.9': dict(extra=everyPair('restitution', 0.9)),
-    'study-rolling0.02': dict(rolling=0.02), 'study-soft': dict(stiff=250), 'study-rougher': dict(extra='; system/column:uneven 0.3'),
+    'study-rolling0.04': dict(rolling=0.04), 'study-stiff': dict(stiff=1000), 'study-rougher': dict(extra='; system/column:uneven 0.3'),
 }
+# channels for all aspect ratios: 39 grains wide; as wide as the column is long, half of it; without plates
+channels = {'': {}, '-similar': dict(shape=1), '-slot': dict(shape=0.5), '-periodic': periodicSides}
+# of those as wide as the column is long
+similar = {'seed2': dict(extra='; system/column:seed 2'), 'stiff': dict(stiff=1000), 'repose': dict(rolling=0.04), 'lift': dict(lift=1),
+           'fine': dict(size=1.6)}
 
 
 widths = {0.5: 0.15, 1: 0.1, 2: 0.07, 4: 0.05, 7: 0.04, 10: 0.04}
 
-Study(
+study = Study(
     scene='columnCollapse',
     variants=[variant('disks-0.5', 0.3, 0.15, 1.0), variant('disks-1', 0.2, 0.2, 1.2), variant('disks-2', 0.15, 0.3, 1.4),
               variant('disks-4', 0.1, 0.4, 1.6), variant('disks-7', 0.08, 0.56, 1.8), variant('disks-10', 0.07, 0.7, 2.0),
@@ -380,12 +317,16 @@ Study(
               # in more grains, and between plates
               *(spheresOf(a, 2*width, '-fine', large=True) for a, width in widths.items()), spheresOf(1, 0.4, '-finer', large=True),
               spheresOf(1, 0.2, '-fine-flat', large=True, rough=False), spheresOf(1, 0.4, '-finer-flat', large=True, rough=False),
-              *(channelOf(a) for a in widths), channelOf(1, '-flat', rough=False),
+              *(channelOf(a, name, **changed) for name, changed in channels.items() for a in widths), channelOf(1, '-flat', rough=False),
               *(channelOf(a, '-' + name, size) for a in (4, 10) for name, size in (('half', 0.5), ('larger', 1.6))),
+              *(channelOf(a, '-similar-' + name, shape=1, **changed) for a in (1, 4, 10) for name, changed in similar.items()),
               *(channelOf(a, '-' + name, 0.7, **changed) for a in (4, 10) for name, changed in terms.items())],
-    quick=[variant('disks-1-quick', 0.075, 0.075, 0.9)],
+    quick=[variant('disks-1-quick', 0.1, 0.1, 0.9)],
     analyse=analyse,
     plot=plot,
     compare=compare,
     headline='run-out, Staron & Hinch',
-).main(here)
+)
+
+if __name__ == '__main__':
+    study.main(here)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """constant/gate: how the gate goes. From 0.5 s on it retreats at 5 m/s, faster than any grain follows, to the end of the
-floor, or is lifted at the speed `lift` of system/column. Points are dense where it starts, since OpenFOAM puts a spline through them; some are before 0, where a run looks too.
+floor, or is lifted at the speed `lift` of system/column. OpenFOAM puts a spline through these points, which must not push the column before the gate
+goes: it comes up to speed in 5 ms, by the third power of time, and points are dense there; some are before 0, where a run looks too.
 
 With `glued 1` in system/column also the grains that are glued to the floor (constant/particles.csv, and system/gluedGrains, a region
 of system/setParticlesDict): grains of 5 mm on a square lattice 1.1 grains wide,
@@ -14,13 +15,18 @@ from riprap.dictionaries import numberOf, readDictionary
 column = readDictionary('system/column')
 lift = numberOf(column['lift'])
 way = numberOf(column['height']) + 0.1 if lift else numberOf(column['length']) - numberOf(column['width'])
-opens, speed = 0.5, lift or 5.0
+opens, speed, start = 0.5, lift or 5.0, 0.005       # [s], [m/s], [s] to come up to speed
 
-table = [(-1, 0), (0.4, 0), (opens - 1e-4, 0), (opens, 0)]
-after, step = 1e-4, 1e-4
-while speed*after < way:
-    table.append((opens + after, speed*after))
-    step = min(after, 0.01)
+
+def wayAfter(t):
+    return speed*t**3/(3*start**2) if t < start else speed*(t - 2/3*start)
+
+
+table = [(-1, 0), (0.4, 0), (opens - 5e-4, 0), (opens - 2.5e-4, 0), (opens, 0)]
+after, step = 2.5e-4, 2.5e-4
+while wayAfter(after) < way:
+    table.append((opens + after, wayAfter(after)))
+    step = 2.5e-4 if after < start else min(1.3*step, 0.01)
     after += step
 end = opens + after
 table += [(end + k*step, way) for k in range(4)] + [(100, way)]
