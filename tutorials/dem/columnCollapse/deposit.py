@@ -13,6 +13,7 @@ if __name__ == '__main__':
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', 'etc', 'python'))
 from riprap import clouds
 from riprap.dictionaries import numberOf, readDictionary
+from riprap.tables import hasTable
 
 opens = 0.5             # [s] when the gate moves
 d = 0.005               # [m] mean diameter
@@ -107,6 +108,16 @@ def measures(run, time):
             '99 % of the grains': float(np.quantile(x[:, 0], 0.99)/column(run)['width'] - 1)}
 
 
+def platesShare(run):
+    """Of the momentum along the floor that end wall and gate give to the grains, what the side plates take away; the rest is the floor's"""
+    table = run.table('walls', 'solidWallForce.dat')
+    late = table['Time'] >= opens
+
+    def impulse(wall):
+        return np.trapz(table[wall + 'Fx'][late], table['Time'][late]) if wall + 'Fx' in table else 0.0
+    return -(impulse('front') + impulse('back'))/(impulse('symmetry') + impulse('gate'))
+
+
 def powerOf(ratios, reach):
     """The exponent of reach ~ ratio^exponent, by least squares of the logarithms"""
     return float(np.polyfit(np.log(ratios), np.log(reach), 1)[0])
@@ -117,7 +128,8 @@ def main(paths):
     runs = sorted((Run(path) for path in paths), key=aspectRatio)
     found = [(aspectRatio(run), measures(run, lastTime(run))) for run in runs]
     for run, (a, reach) in zip(runs, found):
-        print(f'{run.name}: a = {a:.3g}; ' + '; '.join(f'{name} {value:.3g}' for name, value in reach.items()))
+        share = f"; plates' share of the momentum {platesShare(run):.2f}" if hasPlates(run) and hasTable(run.path, 'walls') else ''
+        print(f'{run.name}: a = {a:.3g}; ' + '; '.join(f'{name} {value:.3g}' for name, value in reach.items()) + share)
     high = [(a, reach) for a, reach in found if a > 2]
     for name in found[0][1] if len(high) > 1 else ():
         print(f'power of a above 2, {name}: {powerOf([a for a, _ in high], [reach[name] for _, reach in high]):.3f}')
