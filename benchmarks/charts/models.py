@@ -14,6 +14,8 @@ from . import newest, number
 panels = [('damBreak', 'front rms [a], Koshizuka & Oka', r'(coarse-)?column(-half)?(-cpu)?', r'n\d+(-apic|-gpu)?', 'noSlip'),
           ('standingWave', 'period [s]', r'n\d+', r'n\d+(-apic)?', 'slip'),
           ('hydrostatic', 'pressure L2', r'tank2D.*', r'n\d+(-apic)?', 'slip')]
+# of a model the same colour and marker in every panel
+models = ['sphDem', 'picDem flip', 'picDem apic', 'interFoam', 'interIsoFoam']
 
 
 def draw(read, vof, path):
@@ -32,10 +34,11 @@ def draw(read, vof, path):
         for r in newest(rows, ('solver', 'cell')):
             solver = r['solver'] or 'interFoam'
             series.setdefault((f'{solver}, one CPU thread', True), []).append((number(r['cpuTime'])/number(r['simulated']), number(r['error'])))
-        for i, ((label, serial), points) in enumerate(series.items()):
+        for (label, serial), points in series.items():
             x, y = zip(*sorted(points))
-            axis.loglog(x, y, '-', marker=plotting.markers[i % len(plotting.markers)], markersize=5, linewidth=1, label=label,
-                        color=plotting.colours[i % len(plotting.colours)], markerfacecolor=None if serial else 'none')
+            i = models.index(label.split(',')[0])
+            axis.loglog(x, y, '-' if serial else '--', marker=plotting.markers[i], markersize=5, linewidth=1, label=label,
+                        color=plotting.colours[i], markerfacecolor=None if serial else 'none')
         axis.set(xlabel='time a simulated second [s]', ylabel=f'error: {quantity}', title=scene)
         axis.legend(fontsize=6, loc='upper center', bbox_to_anchor=(0.5, -0.16), frameon=False)
     plotting.save(fig, path)
