@@ -309,6 +309,7 @@ std::vector<double> PicBodies<D>::memory() const
         for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) v.insert(v.end(), a->begin(), a->end());
         v.push_back(m.begun);
     }
+    for (const auto* a : {&forces_, &moments_}) v.insert(v.end(), a->begin(), a->end());
     return v;
 }
 
@@ -316,18 +317,17 @@ template<int D>
 bool PicBodies<D>::setMemory(const std::vector<double>& v)
 {
     constexpr std::size_t each = 5*modes + 1;
-    if (v.size() != each*memory_.size()) return false;
+    if (v.size() != each*memory_.size() + forces_.size() + moments_.size()) return false;
     for (std::size_t b = 0; b < memory_.size(); ++b)
     {
         const double* from = &v[b*each];
         Memory& m = memory_[b];
         for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) { std::copy(from, from + modes, a->begin()); from += modes; }
         m.begun = *from != 0;
-        // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
-        Now n;
-        n.body = int(b);
-        put(n, m.given);
     }
+    const double* from = &v[each*memory_.size()];
+    for (auto* a : {&forces_, &moments_}) { std::copy(from, from + a->size(), a->begin()); from += a->size(); }
+    // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
     send();
     return true;
 }

@@ -17,7 +17,7 @@ namespace riprap
 
 namespace detail
 {
-static constexpr std::int32_t picMagic = 0x72697032, picVersion = 4;
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 5;
 static constexpr int picHeader = 9;
 }
 
@@ -108,7 +108,6 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         const std::size_t at = solidsAt + 1 + 2*memory.size();
         inside_.scene->loadState(std::vector<std::int32_t>(words.begin() + at + 1, words.end() - 1));
         bodies_->read();
-        bodies_->hold();
         bodiesLoaded_ = true;
     }
     std::memcpy(static_cast<void*>(&clock_), &words[detail::picHeader], sizeof(PicClock));

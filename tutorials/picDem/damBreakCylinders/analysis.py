@@ -103,22 +103,25 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-def case(layers, beta, cell=0.001, gap=2):
+def case(layers, beta, cell=0.001, gap=2, more=''):
     """Gap in cells; lengths along which cylinders lie are stretched by it"""
     gap *= cell
     pitch = 2*radius + gap
     nx = round(26*pitch/cell)
-    of = dict(cellSize=cell, gap=gap, pitch=pitch, tank=nx*cell, nx=nx, ny=round(0.3/cell), waterWidth=6*pitch + gap, stackWidth=6*pitch,
+    of = dict(cellSize=cell, gap=gap, pitch=pitch, tank=nx*cell, nx=nx, ny=round(0.6/cell), waterWidth=6*pitch + gap, stackWidth=6*pitch,
               stackHeight=gap + 2*radius + (layers - 1)*pitch*0.75**0.5 + 0.5*cell)
     text = '; '.join(f'system/tank:{key} {value:.8g}' for key, value in of.items())
     return ['-set', f'contactVelocity {beta}; {text}; system/setParticlesDict:spacing {cell/2:.8g}; '
-            f'constant/solidProperties:pairs/default/cellSize {cell:.8g}; constant/solidProperties:pairs/default/gap {gap:.8g}']
+            f'constant/solidProperties:pairs/default/cellSize {cell:.8g}; constant/solidProperties:pairs/default/gap {gap:.8g}{more}']
 
 
-def fine(layers, beta):
+def fine(layers, beta, cell=0.0005, gap=2, more=''):
     """The paper's cells; the Courant number keeps the step of the coarser ones"""
-    options = case(layers, beta, 0.0005)
-    return [options[0], options[1] + '; system/controlDict:maxCo 1']
+    return case(layers, beta, cell, gap, '; system/controlDict:maxCo 1' + more)
+
+
+# 30 cm high without a lid: what splashes over is gone
+opened = '; system/tank:height 0.3; system/tank:ny 600; system/tank:topType patch'
 
 
 every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in (('05', 0.5), ('1', 1))]
@@ -126,7 +129,10 @@ Study(
     scene='damBreakCylinders',
     variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
     + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)]
-    + [Variant(f'{n}-beta{name}-fine', fine(n, beta), large=True) for n, name, beta in every],
+    + [Variant(f'6-beta05-{name}', case(6, 0.5, cell, gap)) for name, cell, gap in (('2mm', 0.002, 2), ('2mm-gap1mm', 0.002, 0.5))]
+    + [Variant(f'{n}-beta{name}-fine', fine(n, beta), large=True) for n, name, beta in every]
+    + [Variant(f'6-beta{name}-open-fine', fine(6, beta, more=opened), large=True) for name, beta in (('05', 0.5), ('1', 1))]
+    + [Variant(f'6-beta05-quarter{name}', fine(6, 0.5, 0.00025, gap), large=True) for name, gap in (('', 2), ('-gap1mm', 4))],
     quick=[Variant('6-quick', ['-endTime', '0.04'])],
     analyse=analyse,
     plot=plot,
