@@ -86,7 +86,6 @@ struct PlacePoints
     typename P::position* reference[D];
     FluidModel<D, P> model;
     LocalFrames<D, P> frames;
-    bool still;                 // none of them can move: as walls are
 
     HD void operator()(int i) const
     {
@@ -107,15 +106,11 @@ struct PlacePoints
         q.h = model.h0;
         records.storePosition(i, p);
         records.store(i, q);
-        if constexpr (Backend::gpu)
-        {
-            if (still) frames.includeStill(box, p);
-            else frames.include(box, p, q.velocity);
-        }
+        if constexpr (Backend::gpu) frames.include(box, p, q.velocity);
     }
 };
 
-//- Is there fluid within reach of any point's cells?
+//- Is there fluid in the cells about any point?
 template<int D, class P>
 struct MeetFluid
 {
@@ -127,7 +122,6 @@ struct MeetFluid
     const std::uint32_t* key;
     const int* active;
     const int* fluidStart;      // of each cell
-    typename P::real reach;     // of the lists [m], the grid's or more
     int* meets;                 // set to 1: whoever writes it writes the same
 
     HD void operator()(int i) const
@@ -137,9 +131,7 @@ struct MeetFluid
         Vec<D, typename P::real> r;
         for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x.c[d]));
         bool found = false;
-        const auto look = [&](int begin, int end) { found = found || end > begin; };
-        if (reach > grid.radius) grid.forEachRangeWithin(r, reach, fluidStart, look);
-        else grid.forEachRange(r, fluidStart, look);
+        grid.forEachRange(r, fluidStart, [&](int begin, int end) { found = found || end > begin; });
         if (found) *meets = 1;
     }
 };
@@ -192,7 +184,6 @@ struct MovePoints
     bool half;
     ClockData* clock;
     LocalFrames<D, P> frames;   // GPU: what the way since the search is measured against, as the fluid's is
-    bool still;                 // none of them can move
 
     HD void operator()(int i) const
     {
@@ -214,7 +205,7 @@ struct MovePoints
         }
         records.storePosition(i, p);
         storeVelocity(i, q);
-        if (!half && !still) checkSkin(i, p, own);
+        if (!half) checkSkin(i, p, own);
     }
 
 private:

@@ -102,9 +102,9 @@ void SphSolver<Backend, D, P>::buildLists()
         {
             const auto solid = solidRecords_.view();
             parts_.fluidSolid.build
-            (context_, box_, grid_, solidReach(), fluid, solid, solidSort_.start(), fluidSort_.active(), false, overflow + 3, "listFluidSolid");
+            (context_, box_, grid_, grid_.radius, fluid, solid, solidSort_.start(), fluidSort_.active(), false, overflow + 3, "listFluidSolid");
             parts_.solidFluid.build
-            (context_, box_, grid_, solidReach(), solid, fluid, fluidSort_.start(), solidSort_.active(), false, overflow + 4, "listSolidFluid");
+            (context_, box_, grid_, grid_.radius, solid, fluid, fluidSort_.start(), solidSort_.active(), false, overflow + 4, "listSolidFluid");
         }
         if (!nWalls_) return;
         const auto wall = wallRecords_.view();

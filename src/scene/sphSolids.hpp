@@ -121,7 +121,7 @@ void SphSolver<Backend, D, P>::sortSolids()
 {
     forEach(context_, nSolids_, PointKeys<D, P>{box_, grid_, solids_->view(), solidSort_.keys(), solidSort_.indices()});
     solidSort_.sort(context_, nSolids_);
-    PlacePoints<Backend, D, P> place{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_, {}, solids_->still()};
+    PlacePoints<Backend, D, P> place{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_, {}};
     for (int d = 0; d < D; ++d) place.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     if constexpr (Backend::gpu) place.frames = parts_.frames.view();
     forEach(context_, nSolids_, place);
@@ -136,21 +136,13 @@ void SphSolver<Backend, D, P>::pushSolids()
     solids_->push(0.5*host_.dt);
 }
 
-//- Of the lists of fluid and solids: those that cannot move are listed from as far away as walls are, and hold as long
-template<class Backend, int D, class P>
-typename P::real SphSolver<Backend, D, P>::solidReach() const
-{
-    if constexpr (Backend::gpu) if (solids_->still()) return parts_.wallRadius;
-    return grid_.radius;
-}
-
 //- Until the next sort: without fluid near any of them nothing passes between the two, and nothing is computed
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::meetFluid()
 {
     meets_.upload(context_, std::vector<int>(1, 0));
     forEach(context_, nSolids_, MeetFluid<D, P>
-        {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), solidReach(), meets_.data()});
+        {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data()});
     solidsMeet_ = meets_.download()[0] != 0;
     if (!solidsMeet_) forEach(context_, nSolids_*D, ClearForces<real>{solidForce_.data()});
     else if (Backend::gpu) forEach(context_, n_, ClearAction<D, real>{solidAction()});
@@ -212,7 +204,7 @@ void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_ || (half && solids_->still())) return;
     MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
-        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data(), {}, solids_->still()};
+        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data(), {}};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     if constexpr (Backend::gpu) move.frames = parts_.frames.view();
     forEach(context_, nSolids_, move);

@@ -127,7 +127,6 @@ private:
     Source<Backend, D, P> solidSource();
     Source<Backend, D, P> fluidAboutSolids();
     void sortSolids();
-    real solidReach() const;
     void advanceSolids();
     void showForces();
     void moveSolids(bool half);

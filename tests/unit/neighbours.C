@@ -210,29 +210,19 @@ class NeighbourRule : public FlowTest
 {
 protected:
 
-    //- Solids that cannot move are to the rule what walls are
-    static Places seen(const Flow& f, SphScene& s)
-    {
-        Places p = placesOf(s);
-        if (f.solids.empty() || f.solids[0].input.groups.empty()) return p;
-        p.walls.insert(p.walls.end(), p.solids.begin(), p.solids.end());
-        p.solids.clear();
-        return p;
-    }
-
     template<int Dim>
     void follow(const Flow& f) const
     {
         SCOPED_TRACE(f.name);
         const auto s = make(f);
-        Follower<Dim> follower(f.c, seen(f, *s));
+        Follower<Dim> follower(f.c, placesOf(*s));
         // few particles: as long as it takes until they meet
         const int steps = f.fluid.size() < 100 ? 250 : (Dim == 3 ? 40 : 80);
         for (int k = 0; k < steps; ++k)
         {
             const SphReport r = s->advance(1e9, 1);
             ASSERT_EQ(r.stop, StopReason::none);
-            follower.step(seen(f, *s), r.time, r.lastTimeStep);
+            follower.step(placesOf(*s), r.time, r.lastTimeStep);
         }
         EXPECT_EQ(follower.missed, 0u);
         EXPECT_FALSE(follower.tooFar);

@@ -160,7 +160,7 @@ def plotModulus(runs, path):
     curves = [(f'experiment ({which})', *reference(f'exp_gate_end_x_{which}'), 'k', marker) for which, marker in zip(digitisations, 'os')]
     curves += [(name, t, x, plotting.colours[k], None) for k, (name, t, x) in enumerate(others())]
     curves += [(f'{name}, E = {1e-6*bendingModulus(runs[name]):g} MPa', *end(runs[name])[:2], colour, None)
-               for name, colour in (('extrapolated-undamped', '#bbbbbb'), ('fine-undamped', '#888888'), ('pressureGradient', 'r')) if name in runs]
+               for name, colour in (('extrapolated-undamped', '#bbbbbb'), ('fine-undamped', '#888888'), ('pressureGradient', 'r'), ('drag-100', 'm')) if name in runs]
     for name, t, x, colour, marker in curves:
         at = t[(t > 0.07) & (t < 0.37)] if marker else when[when <= t[-1]]
         axis.plot(at, [modulusThen(gates, t, x, w) for w in at], color=colour, marker=marker, linewidth=0.9, markersize=4, fillstyle='none', label=name)
@@ -258,9 +258,12 @@ sensitivity = {
     'gate': [*(variant(f'E-{e}MPa', rubber(e*1e6, 0.4)) for e in (6, 7.8)), variant('E-12MPa', rubber(12e6, 0.4)), variant('planeStrain', rubber(10e6, 0.4, True)),
              *(variant(f'E-{e}MPa-undamped', f'{rubber(e*1e6, 0.4)}; {undamped}') for e in (4, 6, 7.8, 12, 15)),
              variant('allHeld', held)],
-    'damping': [variant('undamped', undamped), variant('undamped-held', damped(0)), variant('damping-0.0134', damped(0.0134)),
+    'damping': [variant('undamped', undamped), variant('undamped-held', f'{damped(0)}; couplingCoeffs/fluidForce held'), variant('damping-0.0134', damped(0.0134)),
                 variant('bondDamping-0.1', f'{damped(0)}; {solid}bonds/rubber/dampingRatio 0.1'),
-                *(variant(f'{c}-undamped', f'coupling {c}; {undamped}') for c in ('stationary', 'pressureApproximation', 'extrapolated'))],
+                *(variant(f'{c}-undamped', f'coupling {c}; {undamped}') for c in ('stationary', 'pressureApproximation', 'extrapolated')),
+                # a soft gate that something holds back: force on each particle, -c m v
+                *(variant(f'drag-{c}', f'{rubber(4.4e6, 0.4)}; {undamped}; {solid}groups/gate/viscousDamping {c}; {solid}groups/sides/viscousDamping {c}')
+                  for c in (100, 200))],
     'clearance': [variant('foot-1.5mm', sized(1.25e-3, 1.5e-3, 1.75e-3)), variant('foot-2.75mm', sized(1.25e-3, 2.75e-3, 1.75e-3))],
     'water': [variant('inviscid', 'viscosity none; XSPH none; walls/slip freeSlip'), variant('XSPH-0.5', 'XSPH 0.5'),
               variant('alpha-0.05', 'artificialViscosity/alpha 0.05'), variant('wet-frictionless', 'couplingCoeffs/viscosity no'),
@@ -296,7 +299,7 @@ def compare(runs, results):
               Quantity(f'{name}: level with it at 0.36 s [mm]', computed=1e3*float(height))]
     if all(name in runs for name in scale):
         curves = [('experiment', *reference('exp_gate_end_x_chrono')), ('experiment (2)', *reference('exp_gate_end_x_pysph')), *others()]
-        curves += [(name, *end(runs[name])[:2]) for name in ('extrapolated-undamped', 'fine-undamped', 'pressureGradient') if name in runs]
+        curves += [(name, *end(runs[name])[:2]) for name in ('extrapolated-undamped', 'fine-undamped', 'pressureGradient', 'drag-100', 'drag-200') if name in runs]
         q += [Quantity(f'{name}: E of a gate that is there at {when:g} s [MPa]', computed=modulusThen(softness(runs), t, x, when))
               for name, t, x in curves for when in (0.08, 0.12, 0.16, 0.2, 0.24, 0.36)]
     return q
@@ -317,6 +320,6 @@ Study(
     compare=compare,
     # coupling, damping, resolution, precision, steps, device; what the gate is and how it is held is another chart
     recorded=['quick', 'pressureGradient', 'stationary', 'pressureApproximation', 'extrapolated',
-              *(v.name for kind in ('damping', 'resolution', 'numerics') for v in sensitivity[kind] if not v.name.startswith(('bond', 'damping')))],
+              *(v.name for kind in ('damping', 'resolution', 'numerics') for v in sensitivity[kind] if not v.name.startswith(('bond', 'damping', 'drag')))],
     headline='largest x of the end [mm]',
 ).main(here)
