@@ -168,7 +168,7 @@ template<int Order, int D, class R, bool Around = true>
 struct MoveParticles
 {
     static constexpr const char* name = "moveParticles";
-    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 6 : 0;       // measured to be fastest
+    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 8 : 0;       // measured to be fastest
     UniformGrid<D> grid;
     double inverse;             // 1/h
     PicParticles<D, R> particles;
