@@ -121,7 +121,7 @@ def fine(layers, beta, cell=0.0005, gap=2, more=''):
 
 
 # 30 cm high without a lid: what splashes over is gone
-opened = '; system/tank:height 0.3; system/tank:ny 600; system/tank:topType patch'
+opened = '; system/tank:height 0.3; system/tank:ny 600; system/top:topType patch'
 
 
 every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in (('05', 0.5), ('1', 1))]
