@@ -83,6 +83,12 @@ void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>
         if (before > 0 && !opens(s.d, s.face)) s.share *= before/total;
         else if (total > 1) s.share /= total;
     }
+    // nothing goes through the walls of the sides
+    for (FaceShare<D>& s : out.shares)
+    {
+        const int layer = grid.faceIndex(s.d, s.face).c[s.d];
+        if ((layer == 0 || layer == grid.n[s.d]) && out.aperture[s.d][s.face] == 0) s.share = 0;
+    }
     std::vector<std::vector<std::pair<int, Vec<6, double>>>> rows(bodies.size());
     for (const FaceShare<D>& s : out.shares)
     {

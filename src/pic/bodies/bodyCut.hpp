@@ -161,6 +161,9 @@ void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& g
         close.aperture[d] = f.aperture[d];
     }
     forEach(context, shareCount_, close);
+    LeaveSidesAlone<D, R> leave{blocks(), shareFirst_.data(), shareX_.data(), {}, share_.data()};
+    for (int d = 0; d < D; ++d) leave.base[d] = f.baseAperture[d];
+    forEach(context, D*rowCount_, leave);
     fillRows(context, up);
     forEach(context, lanes*rowCount_, LowerDistances<D, lanes>{blocks(), f.band, f.distance});
 }

@@ -2,7 +2,9 @@
 
     Shares stand row by row of the bodies' blocks: each row of faces of a direction has those from the first to the last that may have any. Sorted by faces (stable: in the order of the
     bodies) each face sums its own. Where bodies and walls leave less than smallestAperture of a face it is closed, and shares that sum to more than the face are scaled down to it. A face
-    that is a wall keeps the bodies' shares, so that a body that a wall clips still has a closed surface. Of a face that several bodies close contactLeak stays open: where they touch at
+    that is a wall inside the grid keeps the bodies' shares, so that a body that the wall clips still has a closed surface; one of a side's wall has none, for the same reason: with a share there
+    the body would leave or enter through the wall, for which water that fills a closed tank could not make up: its pressure, known but for a constant, would stop the body at once and throw it
+    back. Of a face that several bodies close contactLeak stays open: where they touch at
     their true surfaces, without a gap, water would else be trapped between three disks, and its incompressibility and the stiffness of the contacts would fight for the same motion. Water passes touching rocks. Faces at periodic ends, which exist twice, have none: no body reaches across.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -206,6 +208,32 @@ struct CloseByBodies
             if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
             aperture[d][face] = R(opens ? before - sum : 0);
         });
+    }
+};
+
+//- Bodies have nothing of the faces of the sides' walls: what a body displaces and what the water does to it sum to zero over all cells
+template<int D, class R>
+struct LeaveSidesAlone
+{
+    static constexpr const char* name = "leaveSidesAlone";
+    BodyBlocks<D> blocks;
+    const int* first;
+    const int* x;
+    const R* base[D];
+    double* share;
+
+    HD void operator()(int r) const
+    {
+        if (first[r] == first[r + 1]) return;
+        const FaceRow<D> at(blocks, r);
+        const UniformGrid<D>& g = blocks.grid;
+        typename UniformGrid<D>::Index f = blocks.first(at.row);
+        f.c[0] = x[r];
+        for (int s = first[r]; s < first[r + 1]; ++s, ++f.c[0])
+        {
+            const bool side = f.c[at.d] == 0 || f.c[at.d] == g.n[at.d];
+            if (side && !(base[at.d][g.face(at.d, f)] > R(0))) share[s] = 0;
+        }
     }
 };
 
