@@ -151,7 +151,7 @@ Study(
     variants=[Variant('n8', grid(8)), Variant('n12', grid(12)), Variant('n18', grid(18)),
               Variant('n12-low', grid(12, flow(0.03, 0.165))), Variant('n12-high', grid(12, flow(0.09, 0.23))),
               Variant('n12-drowned', grid(12, '; openings/sea/level 0.215; system/channel:upstream 0.215; system/channel:downstream 0.215'
-                                              '; system/channel:start 0.279; system/channel:behind 0.279') + ['-endTime', '20'])],
+                                              '; system/channel:start 0.279; system/channel:behind 0.279') + ['-endTime', '40'])],
     quick=[Variant('n8-quick', grid(8) + ['-endTime', '4'])],
     analyse=analyse,
     plot=plot,
