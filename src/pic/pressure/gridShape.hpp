@@ -100,6 +100,13 @@ struct TiledCells
 
     HD bool at(int i, Place<D>& p) const { return find(i, tileCellsLog, 0, p); }
 
+    //- Rows along the first axis, of so many cells
+    static constexpr int rowCells = 1 << tileLog<D>(0);
+    HD int rows() const { return capacity << (tileCellsLog - tileLog<D>(0)); }
+
+    //- The first cell of row i
+    HD bool row(int i, Place<D>& p) const { return at(i << tileLog<D>(0), p); }
+
     //- Cell i of one colour (0: red, 1: black)
     HD bool half(int i, int colour, Place<D>& p) const
     {

@@ -26,6 +26,11 @@ struct Launches
 {
     Context<Backend>& context;
     template<class F> void each(int n, const F& f) const { forEach(context, n, f); }
+    template<int D> void each(int n, const Sweep<D, TiledCells<D>>& f) const
+    {
+        if constexpr (Backend::gpu) forEach(context, n, f);
+        else forEach(context, f.cells.rows(), RowsOf<Sweep<D, TiledCells<D>>>{f});
+    }
 };
 
 EITHER_SIDE template<int D, class Cells, class Executor>
