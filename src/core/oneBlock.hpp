@@ -1,6 +1,6 @@
 /*  Work small enough for one block of the GPU: several passes in one launch, with barriers in between.
 
-    A functor with `static constexpr const char* name` and `HD void operator()(const Team&) const`, or `(const Team&, float* memory)` with memory of the team's own, which is near. A pass over n items is
+    A functor with `static constexpr const char* name` and `HD void operator()(const Team&) const`. A pass over n items is
     team.each(n, f); the team waits for all of its members after it. On the CPU the team is one thread.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -50,53 +50,12 @@ void oneBlock(Context<Gpu>& context, const F& f)
     profiled(context, F::name, [&] { oneBlockKernel<<<1, teamThreads, 0, context.stream>>>(f); });
 }
 
-template<class F>
-__global__ void __launch_bounds__(teamThreads) oneBlockNearKernel(F f)
-{
-    extern __shared__ float teamMemory[];
-    Team team;
-    team.index = int(threadIdx.x);
-    team.size = teamThreads;
-    f(team, teamMemory);
-}
-
-//- Floats that a team may have near
-inline int nearRoom(Context<Gpu>&)
-{
-    int device = 0, bytes = 0;
-    checkCuda(cudaGetDevice(&device), "device");
-    checkCuda(cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "shared memory");
-    return bytes/int(sizeof(float));
-}
-
-template<class F>
-void oneBlock(Context<Gpu>& context, const F& f, int floats)
-{
-    static int granted = 0;
-    const int bytes = floats*int(sizeof(float));
-    if (bytes > granted)
-    {
-        checkCuda(cudaFuncSetAttribute(oneBlockNearKernel<F>, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes), F::name);
-        granted = bytes;
-    }
-    profiled(context, F::name, [&] { oneBlockNearKernel<<<1, teamThreads, bytes, context.stream>>>(f); });
-}
-
 #else
 
 template<class F>
 void oneBlock(Context<Cpu>& context, const F& f)
 {
     profiled(context, F::name, [&] { f(Team{}); });
-}
-
-inline int nearRoom(Context<Cpu>&) { return 1 << 16; }
-
-template<class F>
-void oneBlock(Context<Cpu>& context, const F& f, int floats)
-{
-    std::vector<float> memory(floats);
-    profiled(context, F::name, [&] { f(Team{}, memory.data()); });
 }
 
 #endif

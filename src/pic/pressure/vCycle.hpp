@@ -55,95 +55,34 @@ struct TailCycle
     LevelData<D> level[maxTailLevels];
     int levels = 0, sweeps = 2;
 
-    HD void operator()(const Team& team) const { cycle(team, [&](int l) { return level[l]; }); }
-
-    //- of(l): where a level is
-    template<class Of>
-    HD void cycle(const Team& team, const Of& of) const
+    HD void operator()(const Team& team) const
     {
         using Dense = DenseCells<D>;
         for (int l = 0; l + 1 < levels; ++l)
         {
-            relaxDown(team, of(l), dense(l), sweeps);
-            team.each(level[l + 1].shape.cells, RestrictResidual<D, Dense>{of(l), of(l + 1), dense(l + 1)});
+            relaxDown(team, level[l], dense(l), sweeps);
+            team.each(level[l + 1].shape.cells, RestrictResidual<D, Dense>{level[l], level[l + 1], dense(l + 1)});
         }
         const int bottom = levels - 1;
-        relaxDown(team, of(bottom), dense(bottom), bottomSweeps);
-        team.each(dense(bottom).halves(), Sweep<D, Dense>{of(bottom), dense(bottom), 1});
-        relaxUp(team, of(bottom), dense(bottom), bottomSweeps);
+        relaxDown(team, level[bottom], dense(bottom), bottomSweeps);
+        team.each(dense(bottom).halves(), Sweep<D, Dense>{level[bottom], dense(bottom), 1});
+        relaxUp(team, level[bottom], dense(bottom), bottomSweeps);
         for (int l = levels - 2; l >= 0; --l)
         {
-            team.each(dense(l).halves(), ProlongSweep<D, Dense>{of(l), of(l + 1), dense(l)});
-            relaxUp(team, of(l), dense(l), sweeps);
+            team.each(dense(l).halves(), ProlongSweep<D, Dense>{level[l], level[l + 1], dense(l)});
+            relaxUp(team, level[l], dense(l), sweeps);
         }
     }
 
     HD DenseCells<D> dense(int l) const { return DenseCells<D>(level[l].shape); }
 };
 
-//- The same on a copy in memory that is near: latency is what the small levels cost
-template<int D>
-struct NearTail
-{
-    static constexpr const char* name = "pressureTail";
-    static constexpr int vectors = D + 4;       // of a level
-    TailCycle<D> tail;
-    int first[maxTailLevels + 1];               // of each level, floats
-
-    explicit NearTail(const TailCycle<D>& t) : tail(t)
-    {
-        first[0] = 0;
-        for (int l = 0; l < tail.levels; ++l) first[l + 1] = first[l] + vectors*size(l);
-    }
-
-    int floats() const { return first[tail.levels]; }
-
-    HD void operator()(const Team& team, float* memory) const
-    {
-        for (int l = 0; l < tail.levels; ++l)
-        {
-            const LevelData<D> far = tail.level[l], near = at(l, memory);
-            const int margin = far.shape.margin, all = size(l);
-            for (int i = team.index; i < all; i += team.size)
-            {
-                const int k = i - margin;
-                for (int d = 0; d < D; ++d) near.a[d][k] = far.a[d][k];
-                near.s[k] = far.s[k];
-                near.inverse[k] = far.inverse[k];
-                near.b[k] = l ? 0 : far.b[k];
-                near.x[k] = 0;
-            }
-        }
-        team.wait();
-        tail.cycle(team, [&](int l) { return at(l, memory); });
-        const LevelData<D> near = at(0, memory);
-        team.each(near.shape.cells, [&](int i) { tail.level[0].x[i] = near.x[i]; });
-    }
-
-private:
-
-    HD int size(int l) const { return tail.level[l].shape.cells + 2*tail.level[l].shape.margin; }
-
-    HD LevelData<D> at(int l, float* memory) const
-    {
-        LevelData<D> v = tail.level[l];
-        float* next = memory + first[l] + v.shape.margin;
-        const int n = size(l);
-        for (int d = 0; d < D; ++d, next += n) v.a[d] = next;
-        v.s = next;
-        v.inverse = next + n;
-        v.x = next + 2*n;
-        v.b = next + 3*n;
-        return v;
-    }
-};
-
-//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a level take one launch, as far as there is one for them (2D). nearTail: the small levels are copied to memory that is near
+//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a level take one launch, as far as there is one for them (2D)
 template<int D, class Backend>
 void vCycle
 (
     Context<Backend>& context, const std::vector<LevelData<D>>& level, const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
-    const std::vector<float*>& second = std::vector<float*>(), bool nearTail = false
+    const std::vector<float*>& second = std::vector<float*>()
 )
 {
     using Tiled = TiledCells<D>;
@@ -162,12 +101,7 @@ void vCycle
         if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{swept, level[l + 1], cells[l + 1]});
         else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{swept, level[l + 1], tail.dense(0)});
     }
-    if (nearTail)
-    {
-        const NearTail<D> near(tail);
-        oneBlock(context, near, near.floats());
-    }
-    else oneBlock(context, tail);
+    oneBlock(context, tail);
     for (int l = tiled - 1; l >= 0; --l)
     {
         if (!together)
