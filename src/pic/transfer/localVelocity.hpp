@@ -1,6 +1,6 @@
 /*  The velocity about a point, to second order in the distance from it, s in cells:
 
-        u(x + h s) = u + G.s + 1/2 s.H.s
+        u(x + h s) = u + G s + 1/2 s (H s)
 
     G and H are the derivatives of what B-splines of order 2 or 3 make of the grid's velocity. A Runge-Kutta step of order 3 that starts there needs no more: what is left
     out is of the third order in s, as is the step's own error (where s leaves the piece of a quadratic spline, s^2 times a jump of H that is of the order of h); and the
