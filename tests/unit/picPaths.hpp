@@ -16,6 +16,14 @@ struct MarkCell
     HD void operator()(int i) const { to[i] = 1; }
 };
 
+//- Velocities of the faces, at random
+template<int D, class R>
+void fillFaces(const UniformGrid<D>& g, Random& random, std::vector<R> (&u)[D])
+{
+    for (int d = 0; d < D; ++d)
+        for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+}
+
 //- Rows about the water are visited, those that it has left once more, and no others
 PIC_TEST(RowsAreThoseAboutTheWater)
 {
@@ -87,8 +95,7 @@ PIC_TEST(WindowsAreTheNodes)
             for (bool& side : g.sticks[d]) side = kind == 1;
         }
         std::vector<R> u[D];
-        for (int d = 0; d < D; ++d)
-            for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+        fillFaces(g, random, u);
         for (int p = 0; p < 300; ++p)
         {
             Vec<D, double> x;
@@ -141,8 +148,7 @@ PIC_TEST(PathsInsideAreThoseAnywhere)
     g.h = 0.125;
     for (int d = 0; d < D; ++d) g.n[d] = 9 + d;
     std::vector<R> u[D];
-    for (int d = 0; d < D; ++d)
-        for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
+    fillFaces(g, random, u);
     Vec<3, const R*> field{};
     for (int d = 0; d < 3; ++d) field.c[d] = u[d < D ? d : D - 1].data();
     for (int p = 0; p < 300; ++p)
@@ -207,11 +213,8 @@ PIC_TEST(LocalFieldHasTheDerivatives)
     g.sticks[1][0] = true;
     std::vector<R> u[D];
     const R* field[D];
-    for (int d = 0; d < D; ++d)
-    {
-        for (int i = 0; i < g.faces(d); ++i) u[d].push_back(R(random(-1, 1)));
-        field[d] = u[d].data();
-    }
+    fillFaces(g, random, u);
+    for (int d = 0; d < D; ++d) field[d] = u[d].data();
     int inner = 0, beside = 0;
     const auto check = [&](auto order)
     {
