@@ -91,15 +91,14 @@ void vCycle
     const bool together = D == 2 && !second.empty() && sweeps == tileSweeps;
     for (int l = 0; l < tiled; ++l)
     {
-        LevelData<D> swept = level[l];
-        if (!together) relaxDown(launch, level[l], cells[l], sweeps);
-        else if constexpr (D == 2)
+        if (together)
         {
-            swept.x = second[l];
-            forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, {}});
+            if constexpr (D == 2) forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, level[l + 1]});
+            continue;
         }
-        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{swept, level[l + 1], cells[l + 1]});
-        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{swept, level[l + 1], tail.dense(0)});
+        relaxDown(launch, level[l], cells[l], sweeps);
+        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
+        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], tail.dense(0)});
     }
     oneBlock(context, tail);
     for (int l = tiled - 1; l >= 0; --l)
