@@ -100,10 +100,13 @@ public:
     PressureReport solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies = nullptr);
 
     //- One V-cycle, from fine().b to fine().z, for a loop that is not ours; after setUp()
-    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps, second_); }
+    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps, second_, near_); }
 
     //- The sweeps of a level in one launch where there is one for them, or each in its own; before allocate()
     void sweepTogether(bool on) { together_ = on; }
+
+    //- The small levels in near memory, if it holds them, or not; before allocate()
+    void bringNear(bool on) { wantsNear_ = on; }
 
     std::size_t bytes() const { return floats_.bytes() + doubles_.bytes() + origins_.bytes(); }
 
@@ -120,6 +123,7 @@ private:
     FineData<D> fine_{};
     std::vector<LevelData<D>> levels_;
     std::vector<TiledCells<D>> cells_;      // of the levels that are not in the tail
+    bool wantsNear_ = Backend::gpu, near_ = false;
     std::vector<float*> second_;            // of tiled levels: another x, where sweeps are done together
     std::vector<int> firstTile_, active_;
     TailCycle<D> tail_;
@@ -177,6 +181,7 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
     const int tiledLevels = int(firstTile_.size());
     tail_.levels = int(levels_.size()) - tiledLevels;
     for (int l = 0; l < tail_.levels; ++l) tail_.level[l] = levels_[tiledLevels + l];
+    near_ = wantsNear_ && NearTail<D>(tail_).floats() <= nearRoom(context);
     flags_.allocate(context, tiles + 1);
     origins_.allocate(context, tiles);
     counts_.allocate(context, tiledLevels);
@@ -254,7 +259,7 @@ void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const Coupl
     CgState* state = state_.data();
     double* partial = partial_.data();
     const ApplyPreconditioned<D> apply{fine_, cells_[0]};
-    vCycle<D>(context, levels_, cells_, tail_, sweeps_, second_);
+    vCycle<D>(context, levels_, cells_, tail_, sweeps_, second_, near_);
     if (bodies)
     {
         forEachBlock(context, bodies->bodyRoom, SumCoupled<D, float>{*bodies, fine_.z});
