@@ -166,7 +166,7 @@ const char* partOf(const std::string& kernel)
         {"bodyDistances", "solids"}, {"restoreDistances", "solids"}, {"findShares", "solids"}, {"measureShares", "solids"}, {"closeByBodies", "solids"}, {"bodyFaceVelocities", "solids"},
         {"restoreFaces", "solids"}, {"bodyVolumes", "solids"}, {"findBodyCells", "solids"}, {"fillBodyCells", "solids"}, {"sumBodyRows", "solids"}, {"sumBodies", "solids"},
         {"openVolumes", "solids"}, {"openWeights", "solids"}, {"markKnownCells", "solids"}, {"extendSurface", "solids"}, {"pushOut", "solids"}, {"countCoupled", "solids"}, {"fillCoupled", "solids"},
-        {"keepSorted", "solids"}, {"coupledRows", "pressure"}, {"coupledBodies", "pressure"}, {"coupledAdd", "pressure"},
+        {"keepSorted", "solids"}, {"coupledBodies", "pressure"}, {"coupledAdd", "pressure"},
         {"hasParticles", "to grid"}, {"listOccupied", "to grid"}, {"particleToGrid", "to grid"}, {"gatherTiles", "to grid"},
         {"gridToParticle", "to particles"}, {"moveParticles", "motion"}, {"correctPositions", "correction of positions"},
         {"markWetCells", "surface"}, {"markNearWater", "surface"}, {"waterVolume", "surface"}, {"countFlying", "surface"}, {"advectLevelSet", "surface"},

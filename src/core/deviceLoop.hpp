@@ -1,4 +1,4 @@
-/*  A loop whose end the device decides: body() launches one pass, which sets *again; it is repeated while *again is not zero.
+/*  A loop whose end the device decides: body(condition) launches one pass, which sets *again and tells the condition; it is repeated while *again is not zero.
 
     On the GPU the pass is recorded once, and a graph with a conditional node repeats it without the host (CUDA 12.4 and
     later; before, or where RIPRAP_HOST_LOOPS is set in the environment, the host reads *again after each pass: compute-sanitizer does not see into such a node, and reports errors of its own). It is recorded anew after forget(): whoever changes what the pass
@@ -15,6 +15,22 @@
 namespace riprap
 {
 
+//- For the kernel of a pass that sets *again
+struct LoopCondition
+{
+    unsigned long long handle = 0;  // cudaGraphConditionalHandle
+    bool recorded = false;          // else the host reads *again
+
+    HD void set(int again) const
+    {
+#if defined(__CUDA_ARCH__) && CUDART_VERSION >= 12040
+        if (recorded) cudaGraphSetConditional(handle, again != 0);
+#else
+        (void)again;
+#endif
+    }
+};
+
 template<class Backend> class DeviceLoop;
 
 template<>
@@ -26,20 +42,11 @@ public:
     template<class Body>
     void run(Context<Cpu>&, const int* again, const Body& body)
     {
-        do body(); while (*again);
+        do body(LoopCondition()); while (*again);
     }
 };
 
 #ifdef __CUDACC__
-
-#if CUDART_VERSION >= 12040
-//- A template, so that every unit may have it
-template<class Count>
-__global__ void decideKernel(cudaGraphConditionalHandle handle, const Count* again)
-{
-    cudaGraphSetConditional(handle, *again != 0);
-}
-#endif
 
 template<>
 class DeviceLoop<Gpu>
@@ -63,12 +70,12 @@ public:
         static const bool onHost = std::getenv("RIPRAP_HOST_LOOPS") != nullptr;
         if (context.profile.timing || onHost) { plain(context, again, body); return; }
 #if CUDART_VERSION >= 12040
-        if (!executable_) record(context, again, body);
+        if (!executable_) record(context, body);
         checkCuda(cudaGraphLaunch(executable_, context.stream), "graph launch");
         context.profile.countReplay(kernels_);      // of the first pass: how many there were, the device knows
 #else
-        if (!pass_.recorded()) pass_.record(context, body);
-        plain(context, again, [&] { pass_.replay(context); });
+        if (!pass_.recorded()) pass_.record(context, [&] { body(LoopCondition()); });
+        plain(context, again, [&](const LoopCondition&) { pass_.replay(context); });
 #endif
     }
 
@@ -80,14 +87,14 @@ private:
         int more = 1;
         while (more)
         {
-            body();
+            body(LoopCondition());
             context.toHost(&more, again, sizeof(int));
         }
     }
 
 #if CUDART_VERSION >= 12040
     template<class Body>
-    void record(Context<Gpu>& context, const int* again, const Body& body)
+    void record(Context<Gpu>& context, const Body& body)
     {
         cudaGraph_t whole = nullptr;
         checkCuda(cudaGraphCreate(&whole, 0), "graph");
@@ -107,8 +114,10 @@ private:
         cudaGraph_t pass = loop.conditional.phGraph_out[0];
         context.profile.capturing = true;
         checkCuda(cudaStreamBeginCaptureToGraph(context.stream, pass, nullptr, nullptr, 0, cudaStreamCaptureModeThreadLocal), "capture");
-        body();
-        decideKernel<<<1, 1, 0, context.stream>>>(handle, again);
+        LoopCondition condition;
+        condition.handle = handle;
+        condition.recorded = true;
+        body(condition);
         checkCuda(cudaStreamEndCapture(context.stream, &pass), "capture");
         context.profile.capturing = false;
         kernels_ = context.profile.takeCaptured();

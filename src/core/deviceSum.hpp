@@ -12,37 +12,73 @@
 namespace riprap
 {
 
-//- Doubles that a sum of one number needs; of N numbers, N times as many
+//- Parts of a sum on the GPU, at most
 static constexpr int deviceSumParts = 1024;
+
+//- Doubles that the sum of so many numbers needs, zero before the first
+constexpr int deviceSumRoom(int numbers) { return numbers*deviceSumParts + 1; }
 
 #ifdef __CUDACC__
 
-template<int N, class G>
-__global__ void __launch_bounds__(deviceSumParts) finishSumKernel(const double* partial, G finish)
+//- Of a block of 256: thread 0 has them afterwards
+template<int N>
+__device__ void sumBlock(double (&shared)[N][256], double (&sums)[N])
 {
-    __shared__ double shared[deviceSumParts];
-    double total[N];
+    const int t = int(threadIdx.x);
+    for (int k = 0; k < N; ++k) shared[k][t] = sums[k];
+    for (int o = 128; o > 16; o /= 2)
+    {
+        __syncthreads();
+        if (t < o) for (int k = 0; k < N; ++k) shared[k][t] += shared[k][t + o];
+    }
+    if (t >= 32) return;
+    __syncwarp();
     for (int k = 0; k < N; ++k)
     {
-        shared[threadIdx.x] = partial[threadIdx.x*N + k];
-        __syncthreads();
-        for (int o = deviceSumParts/2; o > 0; o /= 2)
-        {
-            if (int(threadIdx.x) < o) shared[threadIdx.x] += shared[threadIdx.x + o];
-            __syncthreads();
-        }
-        total[k] = shared[0];
-        __syncthreads();
+        sums[k] = shared[k][t];
+        for (int o = 16; o > 0; o /= 2) sums[k] += __shfl_down_sync(0xffffffffu, sums[k], o);
     }
-    if (threadIdx.x == 0) finish(total);
 }
 
-//- partial: room for N*deviceSumParts doubles
+//- The block that comes last adds what the blocks have left, in their order. The first double of partial counts them, and is zero again at the end
+template<int N, class F, class G>
+__global__ void __launch_bounds__(256) sumThenKernel(int n, F f, double* partial, G finish)
+{
+    __shared__ double shared[N][256];
+    __shared__ bool last;
+    double* const parts = partial + 1;
+    double sums[N] = {};
+    for (int i = blockIdx.x*256 + threadIdx.x; i < n; i += gridDim.x*256) f.add(i, sums);
+    sumBlock<N>(shared, sums);
+    if (threadIdx.x == 0)
+    {
+        for (int k = 0; k < N; ++k) parts[blockIdx.x*N + k] = sums[k];
+        __threadfence();
+        last = atomicInc(reinterpret_cast<unsigned*>(partial), gridDim.x - 1) == gridDim.x - 1;
+    }
+    __syncthreads();
+    if (!last) return;
+    __threadfence();
+    for (int k = 0; k < N; ++k)
+    {
+        const auto part = [&](int j)
+        {
+            const int b = int(threadIdx.x) + 256*j;
+            return b < int(gridDim.x) ? __ldcg(parts + b*N + k) : 0.0;
+        };
+        sums[k] = (part(0) + part(2)) + (part(1) + part(3));
+    }
+    static_assert(deviceSumParts == 4*256, "four parts a thread");
+    sumBlock<N>(shared, sums);
+    if (threadIdx.x == 0) finish(sums);
+}
+
+//- partial: deviceSumRoom(N) doubles
 template<int N, class F, class G>
 void sumThen(Context<Gpu>& context, int n, const F& f, double* partial, const G& finish)
 {
-    profiled(context, F::name, [&] { sumKernel<N><<<deviceSumParts, 256, 0, context.stream>>>(n, f, partial); });
-    profiled(context, G::name, [&] { finishSumKernel<N><<<1, deviceSumParts, 0, context.stream>>>(partial, finish); });
+    const int wanted = (n + 255)/256, blocks = wanted < 1 ? 1 : wanted < deviceSumParts ? wanted : deviceSumParts;
+    profiled(context, F::name, [&] { sumThenKernel<N><<<blocks, 256, 0, context.stream>>>(n, f, partial, finish); });
 }
 
 #else
@@ -76,7 +112,7 @@ void sumThen(Context<Cpu>& context, int n, const F& f, double* partial, const G&
     });
     double total[N] = {};
     for (int c = 0; c < sumChunks; ++c) for (int k = 0; k < N; ++k) total[k] += partial[c*N + k];
-    profiled(context, G::name, [&] { finish(total); });
+    finish(total);
 }
 
 #endif

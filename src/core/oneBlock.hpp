@@ -1,6 +1,6 @@
 /*  Work small enough for one block of the GPU: several passes in one launch, with barriers in between.
 
-    A functor with `static constexpr const char* name` and `HD void operator()(const Team&) const`. A pass over n items is
+    A functor with `static constexpr const char* name` and `HD void operator()(const Team&) const`, or `(const Team&, float* memory)` with memory of the team's own, which is near. A pass over n items is
     team.each(n, f); the team waits for all of its members after it. On the CPU the team is one thread.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -14,13 +14,24 @@ namespace riprap
 
 struct Team
 {
+    static constexpr int warp = 32;
     int index = 0, size = 1;
+    bool few = false;           // of one warp
 
     HD void wait() const
     {
 #ifdef __CUDA_ARCH__
-        __syncthreads();
+        if (few) __syncwarp();
+        else __syncthreads();
 #endif
+    }
+
+    //- f(team of a warp), for which the others wait: cheaper where there is little to do
+    template<class F>
+    HD void byFew(const F& f) const
+    {
+        if (index < warp) f(Team{index, size < warp ? size : warp, true});
+        wait();
     }
 
     template<class F>
@@ -50,12 +61,50 @@ void oneBlock(Context<Gpu>& context, const F& f)
     profiled(context, F::name, [&] { oneBlockKernel<<<1, teamThreads, 0, context.stream>>>(f); });
 }
 
+static constexpr int nearThreads = 512;
+
+template<class F>
+__global__ void __launch_bounds__(nearThreads) oneBlockNearKernel(F f)
+{
+    extern __shared__ float teamMemory[];
+    Team team;
+    team.index = int(threadIdx.x);
+    team.size = nearThreads;
+    f(team, teamMemory);
+}
+
+//- Floats that a team may have near
+inline int nearRoom(Context<Gpu>&)
+{
+    int device = 0, bytes = 0;
+    checkCuda(cudaGetDevice(&device), "device");
+    checkCuda(cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "shared memory");
+    return bytes/int(sizeof(float));
+}
+
+//- floats: at most nearRoom(). Each unit has a kernel of its own, and each must be allowed the memory: nothing is remembered
+template<class F>
+void oneBlock(Context<Gpu>& context, const F& f, int floats)
+{
+    checkCuda(cudaFuncSetAttribute(oneBlockNearKernel<F>, cudaFuncAttributeMaxDynamicSharedMemorySize, nearRoom(context)*int(sizeof(float))), F::name);
+    profiled(context, F::name, [&] { oneBlockNearKernel<<<1, nearThreads, floats*sizeof(float), context.stream>>>(f); });
+}
+
 #else
 
 template<class F>
 void oneBlock(Context<Cpu>& context, const F& f)
 {
     profiled(context, F::name, [&] { f(Team{}); });
+}
+
+inline int nearRoom(Context<Cpu>&) { return 1 << 16; }
+
+template<class F>
+void oneBlock(Context<Cpu>& context, const F& f, int floats)
+{
+    std::vector<float> memory(floats);
+    profiled(context, F::name, [&] { f(Team{}, memory.data()); });
 }
 
 #endif

@@ -69,19 +69,26 @@ void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>
     for (int b = 0; b < int(bodies.size()); ++b) sharesOf(grid, bodies[b], b, out.shares);
 
     std::vector<double> sum[D], flux[D];
+    std::vector<int> bodiesOn[D];
     for (int d = 0; d < D; ++d)
     {
         sum[d].assign(grid.faces(d), 0);
         flux[d].assign(grid.faces(d), 0);
+        bodiesOn[d].assign(grid.faces(d), 0);
         out.wallVelocity[d].resize(grid.faces(d), 0);
     }
-    for (const FaceShare<D>& s : out.shares) sum[s.d][s.face] += s.share;
+    for (const FaceShare<D>& s : out.shares) { sum[s.d][s.face] += s.share; ++bodiesOn[s.d][s.face]; }
     const auto opens = [&](int d, int f) { return out.aperture[d][f] - sum[d][f] >= smallestAperture; };
     for (FaceShare<D>& s : out.shares)
     {
         const double before = out.aperture[s.d][s.face], total = sum[s.d][s.face];
         if (before > 0 && !opens(s.d, s.face)) s.share *= before/total;
         else if (total > 1) s.share /= total;
+        if (before == 1 && !opens(s.d, s.face) && bodiesOn[s.d][s.face] == 1)      // the body's alone: the whole face
+        {
+            const NodeGrid<D> nodes{grid};
+            s.middle = middleOfFace(nodes.position(nodes.node(grid.faceIndex(s.d, s.face))), s.d, grid.h);
+        }
     }
     // nothing goes through the walls of the sides
     for (FaceShare<D>& s : out.shares)

@@ -36,7 +36,13 @@ struct Halve
     static constexpr const char* name = "halve";
     double* value;
     int* again;
-    HD void operator()(int) const { *value /= 2; *again = *value > 1; }
+    LoopCondition condition;
+    HD void operator()(int) const
+    {
+        *value /= 2;
+        *again = *value > 1;
+        condition.set(*again);
+    }
 };
 
 //- Prefix sums by doubling, which need every barrier
@@ -97,9 +103,9 @@ DEVICE_TEST(SumsStayThere)
         {
             Context<Backend> context;
             Array<Backend, double> partial, total;
-            partial.allocate(context, 2*deviceSumParts);
+            partial.allocate(context, deviceSumRoom(2));
             total.allocate(context, 2);
-            sumThen<2>(context, n, Numbers{}, partial.data(), Keep{total.data()});
+            for (int again = 0; again < 2; ++again) sumThen<2>(context, n, Numbers{}, partial.data(), Keep{total.data()});      // in the same memory
             context.synchronise();
             const std::vector<double> t = total.download();
             double harmonic = 0;
@@ -120,13 +126,13 @@ DEVICE_TEST(LoopsEndThere)
     value.upload(context, {1000});
     again.upload(context, {1});
     DeviceLoop<Backend> loop;
-    loop.run(context, again.data(), [&] { forEach(context, 1, Halve{value.data(), again.data()}); });
+    loop.run(context, again.data(), [&](const LoopCondition& c) { forEach(context, 1, Halve{value.data(), again.data(), c}); });
     context.synchronise();
     EXPECT_EQ(value.download()[0], 1000.0/1024);
     // recorded once, run again
     const double more = 40;
     context.toDevice(value.data(), &more, sizeof(more));
-    loop.run(context, again.data(), [&] { forEach(context, 1, Halve{value.data(), again.data()}); });
+    loop.run(context, again.data(), [&](const LoopCondition& c) { forEach(context, 1, Halve{value.data(), again.data(), c}); });
     context.synchronise();
     EXPECT_EQ(value.download()[0], 40.0/64);
 }

@@ -154,7 +154,7 @@ void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& g
 {
     place(context, grid, bodies);
     measure(context);
-    CloseByBodies<D, R> close{sorted(), {}, {}, share_.data()};
+    CloseByBodies<D, R> close{sorted(), {}, {}, share_.data(), arm_.data(), blocks(), bodyOfShare_.data()};
     for (int d = 0; d < D; ++d)
     {
         close.base[d] = f.baseAperture[d];

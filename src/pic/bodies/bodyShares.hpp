@@ -194,6 +194,9 @@ struct CloseByBodies
     const R* base[D];
     R* aperture[D];
     double* share;
+    Vec<D, double>* arm;
+    BodyBlocks<D> blocks;
+    const int* body;                // of shares
 
     HD void operator()(int q) const
     {
@@ -206,8 +209,18 @@ struct CloseByBodies
             const double scale = leaks ? most/sum : before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
             if (leaks) sum = most;
             if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
+            if (scale != 1 && !opens && end - q == 1 && before == 1) takeWhole(d, face, int(sorted.number[q]));
             aperture[d][face] = R(opens ? before - sum : 0);
         });
+    }
+
+    //- The share of a body that has the face to itself is the face, its middle the face's: else the body's spin would push something into cells that it fills, which have no equation, and over those that have one it
+    //  would not sum to zero
+    HD void takeWhole(int d, int face, int s) const
+    {
+        const UniformGrid<D>& g = blocks.grid;
+        const NodeGrid<D> nodes{g};
+        arm[s] = middleOfFace(nodes.position(nodes.node(g.faceIndex(d, face))), d, g.h) - blocks.body[body[s]].centre;
     }
 };
 

@@ -1,8 +1,9 @@
 /*  Conjugate gradients in double precision over the finest level, preconditioned by a V-cycle in single precision.
 
-        z = B r,  beta = z.(r - r_old)/(z_old.r_old),  p = z + beta p,  q = A p,  alpha = z.r/p.q,  x += alpha p,  r -= alpha q
+        z = B r,  w = A z,  beta = -z.q/pq,  pq = w.z + beta z.q,  alpha = z.r/pq,  p = z + beta p,  q = w + beta q,  x += alpha p,  r -= alpha q
 
-    (Polak and Ribiere's beta, r - r_old = -alpha q: it forgives that B is not exactly linear in single precision.)
+    (q = A p by that of z, so that an iteration has two passes over the grid and sums twice; after Chronopoulos & Gear 1989, J. Comput. Appl. Math. 25, 153. beta makes p exactly conjugate to
+    the one before: it is Polak's and Ribiere's, which forgives that B is not exactly linear in single precision. p.A p = w.z + beta z.q, since p_old.q_old = pq and z.q = -beta pq.)
     Residuals are OpenFOAM's: sum |b - A x| / sum(|A x - A xRef| + |b - A xRef|) with xRef the mean of the first guess, so that
     tolerances of fvSolution mean the same for every solver. The scalars live on the device.
 
@@ -11,6 +12,7 @@
 #pragma once
 
 #include <cmath>
+#include "core/deviceLoop.hpp"
 #include "pic/pressure/level.hpp"
 
 namespace riprap
@@ -23,7 +25,7 @@ struct FineData
     GridShape<D> shape;
     double* a[D];
     double* s;
-    double* rhs;
+    double* rhs;            // from the first iteration on w
     double* x;
     double* r;
     double* p;
@@ -32,13 +34,15 @@ struct FineData
     float* b;               // what the V-cycle takes
     const float* z;         // what it gives
 
-    HD double apply(const Place<D>& c, const double* v) const
+    template<class V>
+    HD double apply(const Place<D>& c, const V* values) const
     {
-        double sum = s[c.c]*v[c.c];
+        const double v = values[c.c];
+        double sum = s[c.c]*v;
         for (int d = 0; d < D; ++d)
         {
             const int below = shape.below(c, d), above = shape.above(c, d);
-            sum += a[d][c.c]*(v[c.c] - v[below]) + a[d][above]*(v[c.c] - v[above]);
+            sum += a[d][c.c]*(v - double(values[below])) + a[d][above]*(v - double(values[above]));
         }
         return sum;
     }
@@ -49,7 +53,7 @@ struct CgState
     double tolerance, relTol;
     int maxIter, minIter;
     double xRef, normFactor, initial, residual;
-    double rz, alpha, beta;
+    double pq, alpha, beta;
     int iterations, again, cells;
 
     HD void decide()
@@ -138,58 +142,15 @@ struct StartIterations
     {
         state->normFactor = sums[1] + small;
         state->initial = state->residual = sums[0]/state->normFactor;
-        state->rz = state->alpha = state->beta = 0;
+        state->pq = state->alpha = state->beta = 0;
         state->iterations = 0;
         state->decide();
     }
 };
 
+//- w of a cell, and what it adds to z.r, z.q, z.w
 template<int D>
-struct DotPreconditioned
-{
-    static constexpr const char* name = "pressureDotZ";
-    FineData<D> f;
-    TiledCells<D> cells;
-
-    HD void add(int i, double* sums) const
-    {
-        Place<D> c;
-        if (!cells.at(i, c)) return;
-        const double z = f.z[c.c];
-        sums[0] += z*f.r[c.c];
-        sums[1] += z*f.q[c.c];
-    }
-};
-
-struct SetBeta
-{
-    static constexpr const char* name = "pressureScalars";
-    CgState* state;
-
-    HD void operator()(const double* sums) const
-    {
-        state->beta = state->rz != 0 ? -state->alpha*sums[1]/state->rz : 0;
-        state->rz = sums[0];
-    }
-};
-
-template<int D>
-struct NewDirection
-{
-    static constexpr const char* name = "pressureDirection";
-    FineData<D> f;
-    TiledCells<D> cells;
-    const CgState* state;
-
-    HD void operator()(int i) const
-    {
-        Place<D> c;
-        if (cells.at(i, c)) f.p[c.c] = f.z[c.c] + state->beta*f.p[c.c];
-    }
-};
-
-template<int D>
-struct ApplyDirection
+struct ApplyPreconditioned
 {
     static constexpr const char* name = "pressureApply";
     FineData<D> f;
@@ -198,19 +159,30 @@ struct ApplyDirection
     HD void add(int i, double* sums) const
     {
         Place<D> c;
-        if (!cells.at(i, c)) return;
-        const double q = f.inverse[c.c] > 0 ? f.apply(c, f.p) : 0;
-        f.q[c.c] = q;
-        sums[0] += q*f.p[c.c];
+        if (cells.at(i, c)) add(c, f.inverse[c.c] > 0 ? f.apply(c, f.z) : 0, sums);
+    }
+
+    HD void add(const Place<D>& c, double w, double* sums) const
+    {
+        const double z = f.z[c.c];
+        f.rhs[c.c] = w;
+        sums[0] += z*f.r[c.c];
+        sums[1] += z*f.q[c.c];
+        sums[2] += z*w;
     }
 };
 
-struct SetAlpha
+struct SetDirection
 {
     static constexpr const char* name = "pressureScalars";
     CgState* state;
 
-    HD void operator()(const double* sums) const { state->alpha = sums[0] != 0 ? state->rz/sums[0] : 0; }
+    HD void operator()(const double* sums) const
+    {
+        state->beta = state->pq != 0 ? -sums[1]/state->pq : 0;
+        state->pq = sums[2] + state->beta*sums[1];
+        state->alpha = state->pq != 0 ? sums[0]/state->pq : 0;
+    }
 };
 
 template<int D>
@@ -225,8 +197,11 @@ struct Advance
     {
         Place<D> c;
         if (!cells.at(i, c)) return;
-        f.x[c.c] += state->alpha*f.p[c.c];
-        const double r = f.r[c.c] - state->alpha*f.q[c.c];
+        const double p = f.z[c.c] + state->beta*f.p[c.c], q = f.rhs[c.c] + state->beta*f.q[c.c];
+        const double r = f.r[c.c] - state->alpha*q;
+        f.p[c.c] = p;
+        f.q[c.c] = q;
+        f.x[c.c] += state->alpha*p;
         f.r[c.c] = r;
         f.b[c.c] = float(r);
         sums[0] += std::fabs(r);
@@ -237,12 +212,14 @@ struct EndIteration
 {
     static constexpr const char* name = "pressureScalars";
     CgState* state;
+    LoopCondition condition;
 
     HD void operator()(const double* sums) const
     {
         state->residual = sums[0]/state->normFactor;
         ++state->iterations;
         state->decide();
+        condition.set(state->again);
     }
 };
 

@@ -1,12 +1,13 @@
 /*  Free bodies in conjugate gradients where the grid is: U U^T of the rows of wet cells, U = J L with M^-1 = L L^T (pic/bodies/bodyTerm.hpp), in the units of the equation.
 
-    Entries stand by the rows of the bodies' blocks, so that U^T p is summed as J^T p is; sorted by cells, each cell that bodies touch adds its own part of U (U^T p). Numbers are read where
+    Entries stand body by body, row by row of its block, so that a block of threads sums its U^T p; sorted by cells, each cell that bodies touch adds its own part of U (U^T p): it knows where its entries begin. Numbers are read where
     the grid is, and launches cover what there is room for: a recorded loop stays good from step to step.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include "core/blocks.hpp"
 #include "pic/bodies/bodyCut.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
 
@@ -14,7 +15,7 @@ namespace riprap
 {
 
 //- counts[..]
-enum CoupledCount { coupledRowCount, coupledSumCount, coupledEntryCount, coupledCounts };
+enum CoupledCount { coupledBodyCount, coupledEntryCount, coupledCounts };
 
 //- As kernels see them
 template<int D>
@@ -29,39 +30,60 @@ struct CoupledView
     const double* u;                // modes an entry
     const std::uint32_t* key;       // places of entries in ascending order,
     const std::uint32_t* number;    // and whose they are
-    double* ofRow;
+    const int* at;                  // of cells: one more than the number of their first entry in that order, 0: none
     double* ofBody;                 // U^T p
-    int rowRoom, sumRoom, entryRoom;
+    int bodyRoom, entryRoom;
 
     bool operator==(const CoupledView& o) const
     {
         return counts == o.counts && firstRow == o.firstRow && first == o.first && place == o.place && body == o.body && u == o.u && key == o.key && number == o.number
-            && ofRow == o.ofRow && ofBody == o.ofBody && rowRoom == o.rowRoom && sumRoom == o.sumRoom && entryRoom == o.entryRoom;
+            && at == o.at && ofBody == o.ofBody && bodyRoom == o.bodyRoom && entryRoom == o.entryRoom;
     }
-};
 
-template<int D>
-struct SumCoupledRows
-{
-    static constexpr const char* name = "coupledRows";
-    CoupledView<D> bodies;
-    const double* field;            // nullptr: ones
-
-    HD void operator()(int r) const
+    //- A cell's part of U (U^T p), whose entries in order begin at q
+    HD double sum(int q) const
     {
-        if (r < bodies.counts[coupledRowCount]) SumRowsOfBodies<bodyModes<D>>{bodies.first, bodies.place, bodies.u, field, bodies.ofRow}(r);
+        const int count = counts[coupledEntryCount];
+        const std::uint32_t cell = key[q];
+        double sum = 0;
+        for (int k = q; k < count && key[k] == cell; ++k)
+        {
+            const int e = int(number[k]);
+            const double* t = ofBody + body[e]*modes;
+            for (int m = 0; m < modes; ++m) sum += u[e*modes + m]*t[m];
+        }
+        return sum;
     }
 };
 
-template<int D>
-struct SumCoupledBodies
+//- U^T p, a block of threads for each body; field nullptr: of ones
+template<int D, class V>
+struct SumCoupled
 {
     static constexpr const char* name = "coupledBodies";
+    static constexpr int threads = 128, modes = bodyModes<D>;
+    struct Shared { double part[threads][modes]; };
     CoupledView<D> bodies;
+    const V* field;
 
-    HD void operator()(int i) const
+    HD void operator()(const Team& team, Shared& shared, int b) const
     {
-        if (i < bodies.counts[coupledSumCount]) SumBodies{bodyModes<D>, bodies.firstRow, bodies.ofRow, bodies.ofBody}(i);
+        if (b >= bodies.counts[coupledBodyCount]) return;
+        double sum[modes] = {};
+        const int end = bodies.first[bodies.firstRow[b + 1]];
+        for (int e = bodies.first[bodies.firstRow[b]] + team.index; e < end; e += team.size)
+        {
+            const double p = field ? double(field[bodies.place[e]]) : 1;
+            for (int m = 0; m < modes; ++m) sum[m] += bodies.u[e*modes + m]*p;
+        }
+        double (&part)[threads][modes] = shared.part;
+        for (int m = 0; m < modes; ++m) part[team.index][m] = sum[m];
+        for (int o = team.size/2; o > 0; o /= 2)
+        {
+            team.wait();
+            if (team.index < o) for (int m = 0; m < modes; ++m) part[team.index][m] += part[team.index + o][m];
+        }
+        if (team.index == 0) for (int m = 0; m < modes; ++m) bodies.ofBody[b*modes + m] = part[0][m];
     }
 };
 
@@ -75,34 +97,33 @@ struct AddCoupled
 
     HD void operator()(int q) const
     {
-        const int count = bodies.counts[coupledEntryCount];
-        if (q >= count) return;
+        if (q >= bodies.counts[coupledEntryCount]) return;
         const std::uint32_t place = bodies.key[q];
-        if (q > 0 && bodies.key[q - 1] == place) return;
-        double sum = 0;
-        for (int k = q; k < count && bodies.key[k] == place; ++k)
-        {
-            const int e = int(bodies.number[k]);
-            const double* t = bodies.ofBody + bodies.body[e]*bodyModes<D>;
-            for (int m = 0; m < bodyModes<D>; ++m) sum += bodies.u[e*bodyModes<D> + m]*t[m];
-        }
-        to[place] += sum;
+        if (q == 0 || bodies.key[q - 1] != place) to[place] += bodies.sum(q);
     }
 };
 
-//- The product with the whole matrix, p.q = p.A p + |U^T p|^2: the sums stand after the cells
+//- The product with the whole matrix
 template<int D>
 struct ApplyCoupled
 {
     static constexpr const char* name = "pressureApply";
-    ApplyDirection<D> cells;
+    ApplyPreconditioned<D> cells;
     CoupledView<D> bodies;
 
     HD void add(int i, double* sums) const
     {
-        if (i < cells.cells.all()) { cells.add(i, sums); return; }
-        i -= cells.cells.all();
-        if (i < bodies.counts[coupledSumCount]) sums[0] += bodies.ofBody[i]*bodies.ofBody[i];
+        Place<D> c;
+        if (!cells.cells.at(i, c)) return;
+        const FineData<D>& f = cells.f;
+        double w = 0;
+        if (f.inverse[c.c] > 0)
+        {
+            const int q = bodies.at[c.c];
+            w = f.apply(c, f.z);
+            if (q > 0) w += bodies.sum(q - 1);
+        }
+        cells.add(c, w, sums);
     }
 };
 
@@ -185,12 +206,24 @@ struct KeepSorted
     const std::uint32_t* number;
     std::uint32_t* toKey;
     std::uint32_t* toNumber;
+    int* at;
 
     HD void operator()(int i) const
     {
         toKey[i] = key[i];
         toNumber[i] = number[i];
+        if (i == 0 || key[i - 1] != key[i]) at[key[i]] = i + 1;
     }
+};
+
+//- Of the step before
+struct ForgetEntries
+{
+    static constexpr const char* name = "keepSorted";
+    const std::uint32_t* key;
+    int* at;
+
+    HD void operator()(int i) const { if (i == 0 || key[i - 1] != key[i]) at[key[i]] = 0; }
 };
 
 template<class Backend, int D>
@@ -202,9 +235,11 @@ public:
     void set(Context<Backend>& context, const BodyCut<Backend, D>& cut, const std::vector<double>& root, const FineData<D>& fine)
     {
         constexpr int modes = bodyModes<D>;
-        const int rows = cut.rows(), sums = cut.bodies()*modes;
+        const int rows = cut.rows();
         makeRoom(rowRoom_, rows);
-        makeRoom(sumRoom_, sums);
+        makeRoom(bodyRoom_, cut.bodies());
+        forEach(context, kept_, ForgetEntries{key_.data(), at_.data()});
+        at_.allocate(context, fine.shape.cells);
         root_.upload(context, root);
         first_.allocate(context, std::size_t(rowRoom_) + 1);
         const CountCoupled<D> count{cut.blocks().grid, fine, rows, cut.first(), cut.cell(), cut.j(), first_.data()};
@@ -215,8 +250,7 @@ public:
         makeRoom(entryRoom_, entries);
         for (auto* a : {&place_, &body_}) a->allocate(context, entryRoom_);
         u_.allocate(context, std::size_t(entryRoom_)*modes);
-        ofRow_.allocate(context, std::size_t(rowRoom_)*modes);
-        ofBody_.allocate(context, sumRoom_);
+        ofBody_.allocate(context, std::size_t(bodyRoom_)*modes);
         for (int k = 0; k < 2; ++k)
         {
             scratch_.keys[k].allocate(context, entryRoom_);
@@ -229,10 +263,10 @@ public:
         if (entries) sortPairs(context, scratch_, entries, bits);
         key_.allocate(context, entryRoom_);
         number_.allocate(context, entryRoom_);
-        forEach(context, entries, KeepSorted{scratch_.keys[1].data(), scratch_.values[1].data(), key_.data(), number_.data()});
+        forEach(context, entries, KeepSorted{scratch_.keys[1].data(), scratch_.values[1].data(), key_.data(), number_.data(), at_.data()});
+        kept_ = entries;
         std::vector<int> counts(coupledCounts);
-        counts[coupledRowCount] = rows;
-        counts[coupledSumCount] = sums;
+        counts[coupledBodyCount] = cut.bodies();
         counts[coupledEntryCount] = entries;
         counts_.upload(context, counts);
         firstRow_ = cut.firstRow();
@@ -240,8 +274,8 @@ public:
 
     CoupledView<D> view()
     {
-        return {counts_.data(), firstRow_, first_.data(), place_.data(), body_.data(), u_.data(), key_.data(), number_.data(), ofRow_.data(), ofBody_.data(),
-            rowRoom_, sumRoom_, entryRoom_};
+        return {counts_.data(), firstRow_, first_.data(), place_.data(), body_.data(), u_.data(), key_.data(), number_.data(), at_.data(), ofBody_.data(),
+            bodyRoom_, entryRoom_};
     }
 
 private:
@@ -252,10 +286,10 @@ private:
         if (wanted > room) room = wanted + wanted/share + 1;
     }
 
-    int rowRoom_ = 0, sumRoom_ = 0, entryRoom_ = 0;
+    int rowRoom_ = 0, bodyRoom_ = 0, entryRoom_ = 0, kept_ = 0;
     const int* firstRow_ = nullptr;
-    Array<Backend, int> counts_, first_, place_, body_;
-    Array<Backend, double> root_, u_, ofRow_, ofBody_;
+    Array<Backend, int> counts_, first_, place_, body_, at_;
+    Array<Backend, double> root_, u_, ofBody_;
     Array<Backend, std::uint32_t> key_, number_;
     SortScratch<Backend> scratch_;
 };
@@ -264,8 +298,7 @@ private:
 template<class Backend, int D>
 void addCoupled(Context<Backend>& context, const CoupledView<D>& bodies, const double* v, double* to)
 {
-    forEach(context, bodies.rowRoom, SumCoupledRows<D>{bodies, v});
-    forEach(context, bodies.sumRoom, SumCoupledBodies<D>{bodies});
+    forEachBlock(context, bodies.bodyRoom, SumCoupled<D, double>{bodies, v});
     forEach(context, bodies.entryRoom, AddCoupled<D>{bodies, to});
 }
 

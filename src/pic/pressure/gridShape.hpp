@@ -55,6 +55,24 @@ struct GridShape
         margin = stride[D - 1];
     }
 
+    //- The same level apart from its neighbours in memory: one cell more between rows, and between planes a row more, which nobody writes. What lies beside the grid, or beyond the cut of an odd ring, is one of them
+    HD GridShape<D> spaced() const
+    {
+        GridShape<D> s(*this);
+        int next = 1;
+        for (int d = 0; d < D; ++d)
+        {
+            s.stride[d] = next;
+            next *= d < D - 1 ? size[d] + 1 : size[d];
+            const bool ring = first[d] > 0 && n[d] % 2 == 0;
+            s.first[d] = ring ? (n[d] - 1)*s.stride[d] : -s.stride[d];
+            s.last[d] = -s.first[d];
+        }
+        s.cells = next;
+        s.margin = s.stride[D - 1];
+        return s;
+    }
+
     HD int below(const Place<D>& p, int d) const { return p.c + (p.x[d] == 0 ? first[d] : -stride[d]); }
     HD int above(const Place<D>& p, int d) const { return p.c + (p.x[d] == n[d] - 1 ? last[d] : stride[d]); }
 
@@ -144,15 +162,16 @@ template<int D>
 struct DenseCells
 {
     static constexpr int most = 1 << 15;        // cells: quotients are exact
-    int cells;
+    int cells = 1;
 
     explicit HD DenseCells(const GridShape<D>& shape)
     {
-        cells = shape.cells;
-        for (int d = 0; d < D - 1; ++d)
+        for (int d = 0; d < D; ++d)
         {
             size_[d] = shape.size[d];
-            inverse_[d] = 0xffffffffu/unsigned(size_[d]) + 1;
+            stride_[d] = shape.stride[d];
+            cells *= size_[d];
+            if (d < D - 1) inverse_[d] = 0xffffffffu/unsigned(size_[d]) + 1;
         }
     }
 
@@ -161,14 +180,16 @@ struct DenseCells
 
     HD bool at(int i, Place<D>& p) const
     {
-        p.c = i;
+        p.c = 0;
         for (int d = 0; d < D - 1; ++d)
         {
             const int quotient = size_[d] == 1 ? i : int(std::uint64_t(unsigned(i))*inverse_[d] >> 32);
             p.x[d] = i - quotient*size_[d];
+            p.c += p.x[d]*stride_[d];
             i = quotient;
         }
         p.x[D - 1] = i;
+        p.c += i*stride_[D - 1];
         return true;
     }
 
@@ -183,7 +204,7 @@ struct DenseCells
     }
 
 private:
-    int size_[D];
+    int size_[D], stride_[D];
     unsigned inverse_[D];       // 2^32 over size, rounded up: a product instead of a division
 };
 

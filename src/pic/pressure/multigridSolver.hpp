@@ -1,13 +1,12 @@
 /*  Conjugate gradients with a geometric multigrid as preconditioner, on one uniform grid: memory, levels and the loop.
 
     Whoever assembles a system fills a, s, rhs and x of fine() (all stored cells, zero where there is nothing) and calls
-    setUp(), which makes all that follows from them; then solve().
+    setUp(), which makes all that follows from them; then solve(), which spends rhs.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "core/deviceLoop.hpp"
 #include "core/deviceSum.hpp"
 #include "core/sort.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
@@ -101,10 +100,13 @@ public:
     PressureReport solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies = nullptr);
 
     //- One V-cycle, from fine().b to fine().z, for a loop that is not ours; after setUp()
-    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps, second_); }
+    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps, second_, near_); }
 
     //- The sweeps of a level in one launch where there is one for them, or each in its own; before allocate()
     void sweepTogether(bool on) { together_ = on; }
+
+    //- The small levels in near memory, if it holds them, or not; before allocate()
+    void bringNear(bool on) { wantsNear_ = on; }
 
     std::size_t bytes() const { return floats_.bytes() + doubles_.bytes() + origins_.bytes(); }
 
@@ -112,7 +114,7 @@ private:
 
     void chooseCapacities(const std::vector<int>& count);
     void start(Context<Backend>& context, const CoupledView<D>* bodies);
-    void iterate(Context<Backend>& context, const CoupledView<D>* bodies);
+    void iterate(Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition);
     void forgetLoops() { loop_.forget(); coupledLoop_.forget(); }
 
     bool periodic_[D] = {};
@@ -121,6 +123,7 @@ private:
     FineData<D> fine_{};
     std::vector<LevelData<D>> levels_;
     std::vector<TiledCells<D>> cells_;      // of the levels that are not in the tail
+    bool wantsNear_ = Backend::gpu, near_ = false;
     std::vector<float*> second_;            // of tiled levels: another x, where sweeps are done together
     std::vector<int> firstTile_, active_;
     TailCycle<D> tail_;
@@ -178,10 +181,11 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
     const int tiledLevels = int(firstTile_.size());
     tail_.levels = int(levels_.size()) - tiledLevels;
     for (int l = 0; l < tail_.levels; ++l) tail_.level[l] = levels_[tiledLevels + l];
+    near_ = wantsNear_ && NearTail<D>(tail_).floats() <= nearRoom(context);
     flags_.allocate(context, tiles + 1);
     origins_.allocate(context, tiles);
     counts_.allocate(context, tiledLevels);
-    partial_.allocate(context, 2*deviceSumParts);
+    partial_.allocate(context, deviceSumRoom(3));
     state_.allocate(context, 1);
     for (int l = 0; l < tiledLevels; ++l)
     {
@@ -249,24 +253,20 @@ void MultigridSolver<Backend, D>::start(Context<Backend>& context, const Coupled
 }
 
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const CoupledView<D>* bodies)
+void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition)
 {
     const int n = cells_[0].all();
     CgState* state = state_.data();
     double* partial = partial_.data();
-    const ApplyDirection<D> apply{fine_, cells_[0]};
-    vCycle<D>(context, levels_, cells_, tail_, sweeps_, second_);
-    sumThen<2>(context, n, DotPreconditioned<D>{fine_, cells_[0]}, partial, SetBeta{state});
-    forEach(context, n, NewDirection<D>{fine_, cells_[0], state});
+    const ApplyPreconditioned<D> apply{fine_, cells_[0]};
+    vCycle<D>(context, levels_, cells_, tail_, sweeps_, second_, near_);
     if (bodies)
     {
-        forEach(context, bodies->rowRoom, SumCoupledRows<D>{*bodies, fine_.p});
-        forEach(context, bodies->sumRoom, SumCoupledBodies<D>{*bodies});
-        sumThen<1>(context, n + bodies->sumRoom, ApplyCoupled<D>{apply, *bodies}, partial, SetAlpha{state});
-        forEach(context, bodies->entryRoom, AddCoupled<D>{*bodies, fine_.q});
+        forEachBlock(context, bodies->bodyRoom, SumCoupled<D, float>{*bodies, fine_.z});
+        sumThen<3>(context, n, ApplyCoupled<D>{apply, *bodies}, partial, SetDirection{state});
     }
-    else sumThen<1>(context, n, apply, partial, SetAlpha{state});
-    sumThen<1>(context, n, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state});
+    else sumThen<3>(context, n, apply, partial, SetDirection{state});
+    sumThen<1>(context, n, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state, condition});
 }
 
 template<class Backend, int D>
@@ -287,7 +287,7 @@ PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, con
     context.toDevice(state_.data(), &s, sizeof(s));
     start(context, bodies);
     context.toHost(&s, state_.data(), sizeof(s));
-    if (s.again) (bodies ? coupledLoop_ : loop_).run(context, &state_.data()->again, [&] { iterate(context, bodies); });
+    if (s.again) (bodies ? coupledLoop_ : loop_).run(context, &state_.data()->again, [&](const LoopCondition& c) { iterate(context, bodies, c); });
     context.toHost(&s, state_.data(), sizeof(s));
 
     PressureReport report;

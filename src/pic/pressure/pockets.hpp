@@ -238,7 +238,7 @@ public:
         parent_.allocate(context, shape.cells);     // zero: what no pass visits is no root but cell 0, which has no row then
         sums_.allocate(context, 3*std::size_t(shape.cells));
         scale_.allocate(context, 2);
-        partial_.allocate(context, 2*deviceSumParts);
+        partial_.allocate(context, deviceSumRoom(2));
     }
 
     //- Finds them; returns how many cells they have

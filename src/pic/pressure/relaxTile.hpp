@@ -1,6 +1,7 @@
 /*  The sweeps of a level of the V-cycle in one launch, in 2D: a block of threads takes a tile with the cells around it into shared memory, sweeps there, and writes the tile.
 
-    What it reads of cells around the tile it computes anew: each of the four half sweeps makes one more ring of them worthless, so four rings are read. The same numbers come out as of a launch for
+    What it reads of cells around the tile it computes anew: each of the four half sweeps makes one more ring of them worthless, so four rings are read. (Down the first reads no neighbour, and one ring is left: enough for the residuals of the tile, which
+    the block sums for the coarse level.) The same numbers come out as of a launch for
     each half sweep. Blocks must not read what others write: sweeps down write to a second vector, sweeps up go from there back to the first.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -25,7 +26,7 @@ struct TilePatch
     float x[height][width], b[height][width], inverse[height][width], lower[2][height][width];
 };
 
-//- Up: with the correction from the coarse level, black cells first; down: from x = 0
+//- Up: with the correction from the coarse level, black cells first; down: from x = 0, and residuals to the coarse level
 template<bool Up>
 struct RelaxTile
 {
@@ -36,7 +37,7 @@ struct RelaxTile
     TiledCells<2> cells;
     float* to;
     const float* from;              // up: what sweeps down have left,
-    LevelData<2> coarse;            // and the level that corrects it
+    LevelData<2> coarse;            // and the next level
 
     HD void operator()(const Team& team, TilePatch& t, int block) const
     {
@@ -53,9 +54,29 @@ struct RelaxTile
             const int px = x + TilePatch::rings, py = y + TilePatch::rings;
             if (t.inverse[py][px] > 0 && origin.x[0] + x < level.shape.n[0] && origin.x[1] + y < level.shape.n[1]) to[own] = t.x[py][px];
         });
+        if (!Up) team.each(TilePatch::sideX*TilePatch::sideY/4, [&](int i) { restrictResidual(t, origin, i % (TilePatch::sideX/2), i/(TilePatch::sideX/2)); });
     }
 
 private:
+
+    //- Of the coarse cell x, y of the tile, as RestrictResidual: of its red cells, since black ones have none
+    HD void restrictResidual(const TilePatch& t, const TileOrigin<2>& origin, int x, int y) const
+    {
+        const int at[2] = {(origin.x[0] >> 1) + x, (origin.x[1] >> 1) + y};
+        if (at[0] >= coarse.shape.n[0] || at[1] >= coarse.shape.n[1]) return;
+        float sum = 0;
+        for (int o = 0; o < 2; ++o)
+        {
+            const int cx = 2*x + o, cy = 2*y + o, px = cx + TilePatch::rings, py = cy + TilePatch::rings;
+            if (!(t.inverse[py][px] > 0) || origin.x[0] + cx >= level.shape.n[0] || origin.x[1] + cy >= level.shape.n[1]) continue;
+            const float own = t.x[py][px];
+            float flux = 0;
+            flux += t.lower[0][py][px]*(own - t.x[py][px - 1]) + t.lower[0][py][px + 1]*(own - t.x[py][px + 1]);
+            flux += t.lower[1][py][px]*(own - t.x[py - 1][px]) + t.lower[1][py + 1][px]*(own - t.x[py + 1][px]);
+            sum += t.b[py][px] - flux - level.s[origin.c + cx + cy*level.shape.stride[1]]*own;
+        }
+        coarse.b[at[0] + at[1]*coarse.shape.stride[1]] = sum;
+    }
 
     //- Around a ring, or nothing
     HD void load(TilePatch& t, const TileOrigin<2>& origin, int px, int py) const

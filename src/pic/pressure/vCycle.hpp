@@ -55,34 +55,130 @@ struct TailCycle
     LevelData<D> level[maxTailLevels];
     int levels = 0, sweeps = 2;
 
-    HD void operator()(const Team& team) const
+    HD void operator()(const Team& team) const { cycle(team, [&](int l) { return level[l]; }); }
+
+    //- of(l): where a level is. Those of few cells, the last at least, are done by few
+    template<class Of>
+    HD void cycle(const Team& team, const Of& of) const
     {
-        using Dense = DenseCells<D>;
-        for (int l = 0; l + 1 < levels; ++l)
+        int few = 0;
+        while (few < levels - 1 && level[few].shape.cells > fewCells) ++few;
+        around(team, 0, few, of, [&]
         {
-            relaxDown(team, level[l], dense(l), sweeps);
-            team.each(level[l + 1].shape.cells, RestrictResidual<D, Dense>{level[l], level[l + 1], dense(l + 1)});
-        }
-        const int bottom = levels - 1;
-        relaxDown(team, level[bottom], dense(bottom), bottomSweeps);
-        team.each(dense(bottom).halves(), Sweep<D, Dense>{level[bottom], dense(bottom), 1});
-        relaxUp(team, level[bottom], dense(bottom), bottomSweeps);
-        for (int l = levels - 2; l >= 0; --l)
-        {
-            team.each(dense(l).halves(), ProlongSweep<D, Dense>{level[l], level[l + 1], dense(l)});
-            relaxUp(team, level[l], dense(l), sweeps);
-        }
+            team.byFew([&](const Team& part) { around(part, few, levels - 1, of, [&] { bottom(part, of(levels - 1)); }); });
+        });
     }
 
-    HD DenseCells<D> dense(int l) const { return DenseCells<D>(level[l].shape); }
+private:
+
+    static constexpr int fewCells = 128;
+    using Dense = DenseCells<D>;
+
+    //- Down from level `from` to `to`, and up again
+    template<class Of, class Middle>
+    HD void around(const Team& team, int from, int to, const Of& of, const Middle& middle) const
+    {
+        for (int l = from; l < to; ++l) down(team, of(l), of(l + 1));
+        middle();
+        for (int l = to - 1; l >= from; --l) up(team, of(l), of(l + 1));
+    }
+
+    HD void down(const Team& team, const LevelData<D>& fine, const LevelData<D>& coarse) const
+    {
+        const Dense cells(coarse.shape);
+        relaxDown(team, fine, Dense(fine.shape), sweeps);
+        team.each(cells.all(), RestrictResidual<D, Dense>{fine, coarse, cells});
+    }
+
+    HD void bottom(const Team& team, const LevelData<D>& last) const
+    {
+        const Dense cells(last.shape);
+        relaxDown(team, last, cells, bottomSweeps);
+        team.each(cells.halves(), Sweep<D, Dense>{last, cells, 1});
+        relaxUp(team, last, cells, bottomSweeps);
+    }
+
+    HD void up(const Team& team, const LevelData<D>& fine, const LevelData<D>& coarse) const
+    {
+        const Dense cells(fine.shape);
+        team.each(cells.halves(), ProlongSweep<D, Dense>{fine, coarse, cells});
+        relaxUp(team, fine, cells, sweeps);
+    }
 };
 
-//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a level take one launch, as far as there is one for them (2D)
+//- The same on a copy in memory that is near: latency is what the small levels cost. Cells that others write meanwhile are nowhere read, not even for nothing (GridShape::spaced)
+template<int D>
+struct NearTail
+{
+    static constexpr const char* name = "pressureTail";
+    static constexpr int vectors = D + 4;       // of a level
+    TailCycle<D> tail;
+    int first[maxTailLevels + 1];               // of each level, floats
+
+    explicit NearTail(const TailCycle<D>& t) : tail(t)
+    {
+        first[0] = 0;
+        for (int l = 0; l < tail.levels; ++l) first[l + 1] = first[l] + vectors*size(tail.level[l].shape.spaced());
+    }
+
+    int floats() const { return first[tail.levels]; }
+
+    HD void operator()(const Team& team, float* memory) const
+    {
+        team.each(first[tail.levels], [&](int i) { memory[i] = 0; });
+        int next = team.index;                  // levels are dealt out one after the other
+        for (int l = 0; l < tail.levels; ++l)
+        {
+            const LevelData<D> far = tail.level[l], near = at(l, memory);
+            const DenseCells<D> cells(near.shape);
+            for (; next < cells.all(); next += team.size)
+            {
+                Place<D> p;
+                cells.at(next, p);
+                for (int d = 0; d < D; ++d) near.a[d][p.c] = far.a[d][next];
+                near.s[p.c] = far.s[next];
+                near.inverse[p.c] = far.inverse[next];
+                if (l == 0) near.b[p.c] = far.b[next];
+            }
+            next -= cells.all();
+        }
+        team.wait();
+        tail.cycle(team, [&](int l) { return at(l, memory); });
+        const LevelData<D> near = at(0, memory);
+        const DenseCells<D> cells(near.shape);
+        team.each(cells.all(), [&](int i)
+        {
+            Place<D> p;
+            cells.at(i, p);
+            tail.level[0].x[i] = near.x[p.c];
+        });
+    }
+
+private:
+
+    HD static int size(const GridShape<D>& spaced) { return spaced.cells + 2*spaced.margin; }
+
+    HD LevelData<D> at(int l, float* memory) const
+    {
+        LevelData<D> v;
+        v.shape = tail.level[l].shape.spaced();
+        float* next = memory + first[l] + v.shape.margin;
+        const int n = size(v.shape);
+        for (int d = 0; d < D; ++d, next += n) v.a[d] = next;
+        v.s = next;
+        v.inverse = next + n;
+        v.x = next + 2*n;
+        v.b = next + 3*n;
+        return v;
+    }
+};
+
+//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a level take one launch, as far as there is one for them (2D). nearTail: the small levels are copied to memory that is near
 template<int D, class Backend>
 void vCycle
 (
     Context<Backend>& context, const std::vector<LevelData<D>>& level, const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
-    const std::vector<float*>& second = std::vector<float*>()
+    const std::vector<float*>& second = std::vector<float*>(), bool nearTail = false
 )
 {
     using Tiled = TiledCells<D>;
@@ -91,17 +187,21 @@ void vCycle
     const bool together = D == 2 && !second.empty() && sweeps == tileSweeps;
     for (int l = 0; l < tiled; ++l)
     {
-        LevelData<D> swept = level[l];
-        if (!together) relaxDown(launch, level[l], cells[l], sweeps);
-        else if constexpr (D == 2)
+        if (together)
         {
-            swept.x = second[l];
-            forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, {}});
+            if constexpr (D == 2) forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, level[l + 1]});
+            continue;
         }
-        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{swept, level[l + 1], cells[l + 1]});
-        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{swept, level[l + 1], tail.dense(0)});
+        relaxDown(launch, level[l], cells[l], sweeps);
+        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
+        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], DenseCells<D>(level[l + 1].shape)});
     }
-    oneBlock(context, tail);
+    if (nearTail)
+    {
+        const NearTail<D> near(tail);
+        oneBlock(context, near, near.floats());
+    }
+    else oneBlock(context, tail);
     for (int l = tiled - 1; l >= 0; --l)
     {
         if (!together)
