@@ -60,8 +60,8 @@ HD SolidPart<3> inBall(const Ball<3>& ball, const Vec<3, double>& x, int d, doub
     return diskInSquare(d == 0 ? r[1] : r[0], d == 2 ? r[1] : r[2], radius*radius - r[d]*r[d]);
 }
 
-//- A face of direction d in 3D with its lower corner at x. Distances at its corners alone would cut chords off the body: 2.3 % of the volume of a ball of 3.75 cells
-//  a radius, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
+//- A face of direction d in 3D with its lower corner at x. Where the body is not one ball, distances at the face's corners alone would cut chords off it: of a ball of 3.75 cells
+//  a radius 2.3 % of the volume, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
 EITHER_SIDE template<class Shape>
 HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
 {
@@ -110,7 +110,7 @@ struct RowInBody
     const Ball<3>* ball = nullptr;
     double half2 = 1;               // of a ball: the square of what it has of a line along the row that comes nearest to its middle
 
-    EITHER_SIDE HD RowInBody(const Shape& shape_, const Vec<D, double>& x_, int d_, double h_) : shape(shape_), x(x_), d(d_), h(h_)
+    HD RowInBody(const Shape& of, const Vec<D, double>& first, int direction, double edge) : shape(of), x(first), d(direction), h(edge)
     {
         if constexpr (D == 3)
             if ((ball = shape.single()))
@@ -127,7 +127,7 @@ struct RowInBody
     HD bool none() const { return !(half2 > 0); }
 
     //- The face whose lower corner is there along the row
-    EITHER_SIDE HD bool may(double at)
+    HD bool may(double at)
     {
         x[0] = at;
         if (ball)
