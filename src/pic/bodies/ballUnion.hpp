@@ -25,6 +25,8 @@ struct BallSet
         return least;
     }
 
+    HD const Ball<D>* single() const { return count == 1 ? balls : nullptr; }
+
     //- Pieces that balls cover, from the lowest on: each adds what lies beyond the end of those before
     HD SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const
     {
