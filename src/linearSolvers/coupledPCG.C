@@ -25,6 +25,7 @@ Foam::coupledPCG::coupledPCG
 :
     lduMatrix::solver(fieldName, matrix, interfaceBouCoeffs, interfaceIntCoeffs, interfaces, solverControls)
 {
+    deflation_.heavyHats = true;
     const dictionary& entries = solverControls.subOrEmptyDict("deflation");
     bool wrong = false;
     if (entries.found("localIterations")) wrong = (deflation_.localIterations = entries.get<label>("localIterations")) < 1;

@@ -35,6 +35,7 @@ Part partOf(const ReducedSystem& s, const Division& division, int rank)
     Part part;
     ReducedSystem& p = part.system;
     p.divided = true;
+    p.closed = s.closed;
     p.dimensions = s.dimensions;
     for (int d = 0; d < 3; ++d) { p.n[d] = s.n[d]; p.periodic[d] = s.periodic[d]; }
     std::vector<int> at(s.rows()), local(s.rows(), -1);
@@ -146,7 +147,8 @@ private:
         has.pop_back();
         for (const double h : has) found.mostRanksOfABody = std::max(found.mostRanksOfABody, int(h));
 
-        const riprap::DeflationControls controls;
+        riprap::DeflationControls controls;
+        controls.heavyHats = true;
         const riprap::BodyDeflation one(s, controls), divided(part.system, controls, ranks);
         found.columns[0] = one.columns();
         found.columns[1] = divided.columns();
@@ -320,7 +322,7 @@ int main(int argc, char* argv[])
     messageStream::level = 0;
     const int more = UPstream::nProcs() > 1;
     const std::vector<double> mixed{2.7, 1e-3, 1e3, 0.1, 1};
-    for (const std::string preconditioner : {"GAMG", "diagonal"})
+    for (const std::string& preconditioner : {std::string("GAMG"), std::string("diagonal")})
     {
         for (const double ratio : {1e-3, 1.0, 2.7, 1e3})
         {

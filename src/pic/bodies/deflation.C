@@ -91,14 +91,16 @@ void BodyDeflation::placeBodies(const DeflationControls& controls)
     {
         const CellCorner& low = low_[b];
         const CellCorner& high = high_[b];
-        if (!s.bodies[b].light || high[0] < low[0]) continue;
-        DeflationPiece z;
+        const bool light = s.bodies[b].light;
+        if (!(light || controls.heavyHats) || high[0] < low[0]) continue;
         lows.push_back(low);
         highs.push_back(high);
+        for (int d = 0; d < s.dimensions; ++d) width += double(high[d] - low[d] + 1)/s.dimensions;
+        if (!light) continue;
+        DeflationPiece z;
         lights.push_back(&s.bodies[b]);
         for (int d = 0; d < 3; ++d)
         {
-            width += d < s.dimensions ? double(high[d] - low[d] + 1)/s.dimensions : 0;
             const int wider = d < s.dimensions ? std::max(1, int(controls.margin*0.5*(high[d] - low[d] + 1) + 0.5)) : 0;
             z.low[d] = std::max(0, low[d] - wider);
             z.high[d] = std::min(s.n[d] - 1, high[d] + wider);
@@ -112,8 +114,7 @@ void BodyDeflation::placeBodies(const DeflationControls& controls)
         solveLocally({lights.begin() + b, lights.begin() + std::min(lights.size(), b + atOnce)}, controls.localIterations, &pieces_[b]);
     pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), [](const DeflationPiece& z) { return !z.modes; }), pieces_.end());
     if (!(controls.hats > 0)) return;
-    std::vector<int> closed(1, 1);          // nowhere p = 0
-    for (int i = 0; i < s.rows() && closed[0]; ++i) closed[0] = rowSum(i) <= 1e-9*s.diagonal[i];
+    std::vector<int> closed(1, s.closed);
     if (ranks_) ranks_->least(closed);
     for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs, controls.hats*width/lows.size(), closed[0])) pieces_.push_back(std::move(hat));
     dropEmpty();
@@ -380,7 +381,21 @@ void BodyDeflation::add(int a, int b, const std::vector<double>& block)
 void BodyDeflation::multiplyPieces()
 {
     const int rows = system_.rows();
-    std::vector<int> seen(rows, -1), slot(rows, 0), reach;
+    const int count = int(pieces_.size());
+    std::vector<int> seen(rows, -1), reach;
+    // of each row the pieces that have it, and where
+    std::vector<std::size_t> start(rows + 1, 0);
+    for (const DeflationPiece& z : pieces_) for (const int r : z.row) ++start[r + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    struct Place { int piece, at; };
+    std::vector<Place> place(start.back());
+    {
+        std::vector<std::size_t> next(start.begin(), start.end() - 1);
+        for (int b = 0; b < count; ++b)
+            for (std::size_t i = 0; i < pieces_[b].row.size(); ++i) place[next[pieces_[b].row[i]]++] = {b, int(i)};
+    }
+    std::vector<int> block(count, -1);
+    std::vector<std::vector<double>> blocks;
     std::vector<double> product;
     std::vector<const DeflationPiece*> columns;
     std::vector<int> mode;
@@ -392,7 +407,7 @@ void BodyDeflation::multiplyPieces()
     {
         const int modes = pieces_[b].modes;
         reach.clear();
-        const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; slot[r] = int(reach.size()); reach.push_back(r); } };
+        const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; reach.push_back(r); } };
         for (const int r : pieces_[b].row)
         {
             meet(r);
@@ -400,6 +415,7 @@ void BodyDeflation::multiplyPieces()
         }
         const std::vector<int>& in = pieces_[b].in;
         for (const int f : in) meet(beside_[f]);
+        std::sort(reach.begin(), reach.end());
         product.assign(reach.size()*modes, 0.0);
         for (int m = 0; m < modes; ++m, ++column)
         {
@@ -409,19 +425,30 @@ void BodyDeflation::multiplyPieces()
             for (const int r : pieces_[b].row) whole_[r] = 0;
             for (const int f : in) whole_[rows + f] = 0;
         }
+        std::vector<int> others;
         for (const int c : meets_[b])
         {
             if (firstColumn_[c] > firstColumn_[b]) continue;
-            const int others = pieces_[c].modes;
-            std::vector<double> block(modes*others, 0.0);
-            for (std::size_t i = 0; i < pieces_[c].row.size(); ++i)
+            block[c] = int(others.size());
+            others.push_back(c);
+        }
+        blocks.resize(std::max(blocks.size(), others.size()));
+        for (std::size_t k = 0; k < others.size(); ++k) blocks[k].assign(modes*pieces_[others[k]].modes, 0.0);
+        for (std::size_t i = 0; i < reach.size(); ++i)
+            for (std::size_t k = start[reach[i]]; k < start[reach[i] + 1]; ++k)
             {
-                const int r = pieces_[c].row[i];
-                if (seen[r] != b) continue;
+                const int c = place[k].piece;
+                if (block[c] < 0) continue;
+                const int theirs = pieces_[c].modes;
+                const double* value = &pieces_[c].value[std::size_t(place[k].at)*theirs];
+                double* to = blocks[block[c]].data();
                 for (int m = 0; m < modes; ++m)
-                    for (int k = 0; k < others; ++k) block[m*others + k] += product[std::size_t(slot[r])*modes + m]*pieces_[c].value[i*others + k];
+                    for (int n = 0; n < theirs; ++n) to[m*theirs + n] += product[i*modes + m]*value[n];
             }
-            add(b, c, block);
+        for (std::size_t k = 0; k < others.size(); ++k)
+        {
+            add(b, others[k], blocks[k]);
+            block[others[k]] = -1;
         }
     }
 }

@@ -25,6 +25,7 @@ struct DeflationControls
     int localIterations = 0;        // 0: 12 in 2D, 8 in 3D
     double margin = -1;             // of the box about a body, in its own half width; below 0: 1 in 2D, 0.6 in 3D
     double hats = 1.5;              // their spacing in mean widths of the bodies; 0: none
+    bool heavyHats = false;         // between heavy bodies too: for preconditioners that are weak on what is smooth over many bodies
 
     DeflationControls in(int dimensions) const
     {

@@ -48,6 +48,7 @@ struct ReducedSystem
     std::vector<int> owner, neighbour;      // rows of each face between two wet cells: ascending owner, then ascending neighbour
     std::vector<double> diagonal, offDiagonal, rhs, x;      // of A alone
     std::vector<BodyRows> bodies;
+    bool closed = false;                    // nowhere p = 0: the diagonals of pockets that have been tied leave no trace here
     bool divided = false;                   // a part of a system that all ranks solve together: rows are this rank's own, all bodies (with what rows they have here) are on each
     std::vector<RankBorder> borders;        // if divided
 
