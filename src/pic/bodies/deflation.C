@@ -293,6 +293,29 @@ void sortUnique(std::vector<int>& v)
     v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
+//- Of each row the pieces that have it, and where in them it stands
+struct PlacesOfRows
+{
+    std::vector<std::size_t> start;
+    std::vector<int> piece, at;
+
+    PlacesOfRows(int rows, const std::vector<DeflationPiece>& pieces) : start(rows + 1, 0)
+    {
+        for (const DeflationPiece& z : pieces) for (const int r : z.row) ++start[r + 1];
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        piece.resize(start.back());
+        at.resize(start.back());
+        std::vector<std::size_t> next(start.begin(), start.end() - 1);
+        for (std::size_t b = 0; b < pieces.size(); ++b)
+            for (std::size_t i = 0; i < pieces[b].row.size(); ++i)
+            {
+                const std::size_t k = next[pieces[b].row[i]]++;
+                piece[k] = int(b);
+                at[k] = int(i);
+            }
+    }
+};
+
 } // namespace
 
 //- E = Z^T A Z + (U^T Z)^T (U^T Z)
@@ -383,17 +406,7 @@ void BodyDeflation::multiplyPieces()
     const int rows = system_.rows();
     const int count = int(pieces_.size());
     std::vector<int> seen(rows, -1), reach;
-    // of each row the pieces that have it, and where
-    std::vector<std::size_t> start(rows + 1, 0);
-    for (const DeflationPiece& z : pieces_) for (const int r : z.row) ++start[r + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    struct Place { int piece, at; };
-    std::vector<Place> place(start.back());
-    {
-        std::vector<std::size_t> next(start.begin(), start.end() - 1);
-        for (int b = 0; b < count; ++b)
-            for (std::size_t i = 0; i < pieces_[b].row.size(); ++i) place[next[pieces_[b].row[i]]++] = {b, int(i)};
-    }
+    const PlacesOfRows places(rows, pieces_);
     std::vector<int> block(count, -1);
     std::vector<std::vector<double>> blocks;
     std::vector<double> product;
@@ -403,7 +416,7 @@ void BodyDeflation::multiplyPieces()
     const std::vector<std::vector<double>> there =
         beyond(columns, [&](std::size_t c, std::size_t i) { return columns[c]->value[i*columns[c]->modes + mode[c]]; });
     std::size_t column = 0;
-    for (int b = 0; b < int(pieces_.size()); ++b)
+    for (int b = 0; b < count; ++b)
     {
         const int modes = pieces_[b].modes;
         reach.clear();
@@ -435,12 +448,12 @@ void BodyDeflation::multiplyPieces()
         blocks.resize(std::max(blocks.size(), others.size()));
         for (std::size_t k = 0; k < others.size(); ++k) blocks[k].assign(modes*pieces_[others[k]].modes, 0.0);
         for (std::size_t i = 0; i < reach.size(); ++i)
-            for (std::size_t k = start[reach[i]]; k < start[reach[i] + 1]; ++k)
+            for (std::size_t k = places.start[reach[i]]; k < places.start[reach[i] + 1]; ++k)
             {
-                const int c = place[k].piece;
+                const int c = places.piece[k];
                 if (block[c] < 0) continue;
                 const int theirs = pieces_[c].modes;
-                const double* value = &pieces_[c].value[std::size_t(place[k].at)*theirs];
+                const double* value = &pieces_[c].value[std::size_t(places.at[k])*theirs];
                 double* to = blocks[block[c]].data();
                 for (int m = 0; m < modes; ++m)
                     for (int n = 0; n < theirs; ++n) to[m*theirs + n] += product[i*modes + m]*value[n];
