@@ -107,6 +107,7 @@ void PicSolver<Backend, D, P>::sortParticles(PicReport* report, bool keysKnown)
         if (through >= 0)
         {
             ++openings_.out[through];
+            openings_.volume[through] -= clock_.particleVolume;
             openings_.owed[through] -= clock_.particleVolume;
             continue;
         }
