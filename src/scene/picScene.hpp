@@ -136,6 +136,7 @@ struct PicSolids
     std::vector<PicShape> shapes;           // of clumps that have one (DemClump::shape)
     bool weak = false;                      // their motion from the last step's pressure, not solved with it
     double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
+    double contactVelocityTime = 0;         // [s] or in this time, whatever the step; 0: a step
 };
 
 //- What is inside the domain; motion: of obstacles that move

@@ -149,7 +149,7 @@ private:
     void cutByBodies();
     void useBodyVelocities(bool predicted);
     void projectWithBodies(double dt, bool sameWater);
-    void slowBetweenSolids();
+    void slowBetweenSolids(double dt);
     void setSolidVelocity();
     void dragBodies(double dt);
     bool advanceSolids(double dt, double before);

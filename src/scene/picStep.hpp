@@ -391,7 +391,7 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
         const Vec<D, double> now = particleMomentum();
         for (int d = 0; d < D; ++d) momentum_.particles[config_.axes[d]] = now[d] - held[d];
     }
-    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
+    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids(dt);
     moveParticles(dt);
     if (opens()) letIn(dt);
     if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
