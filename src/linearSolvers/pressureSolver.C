@@ -106,7 +106,8 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
 {
     riprap::PressureReport report;
     report.solver = "";
-    const bool divided = system.divided && UPstream::parRun();
+    const bool divided = UPstream::parRun();
+    if (divided && !system.divided) FatalErrorInFunction << "the equations of " << field_ << " are not divided over the processes" << exit(FatalError);
     const label rows = divided ? returnReduce(label(system.rows()), sumOp<label>()) : system.rows();
     if (!rows) return report;
 
