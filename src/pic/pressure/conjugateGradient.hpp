@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include "pic/pressure/level.hpp"
+#include "pic/pressure/rowPasses.hpp"
 
 namespace riprap
 {
@@ -41,6 +42,23 @@ struct FineData
             sum += a[d][c.c]*(v[c.c] - v[below]) + a[d][above]*(v[c.c] - v[above]);
         }
         return sum;
+    }
+
+    //- The product for the cells of a row, 0 where there is no unknown
+    HD void applyRow(const Place<D>& first, const double* v, double* to) const
+    {
+        const RowNeighbours<D> by(shape, first);
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const double own = v[c];
+            double sum = s[c]*own;
+            for (int d = 0; d < D; ++d) sum += a[d][c]*(own - v[c + by.below[d]]) + a[d][c + by.above[d]]*(own - v[c + by.above[d]]);
+            to[k] = sum;
+        }
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k) to[k] = inverse[first.c + k] > 0 ? to[k] : 0.0;
     }
 };
 
@@ -73,6 +91,20 @@ struct AverageGuess
         sums[0] += f.x[c.c];
         sums[1] += 1;
     }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        RowSum x, count;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const bool unknown = f.inverse[first.c + k] > 0;
+            x.part[k] = unknown ? f.x[first.c + k] : 0.0;
+            count.part[k] = unknown ? 1.0 : 0.0;
+        }
+        sums[0] += x.total();
+        sums[1] += count.total();
+    }
 };
 
 struct SetReference
@@ -100,6 +132,12 @@ struct ClearDirections
         Place<D> c;
         if (cells.at(i, c)) f.p[c.c] = f.q[c.c] = 0;
     }
+
+    HD void row(const Place<D>& first) const
+    {
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k) f.p[first.c + k] = f.q[first.c + k] = 0;
+    }
 };
 
 template<int D>
@@ -125,6 +163,37 @@ struct FirstResidual
         if (!unknown) return;
         sums[0] += std::fabs(r);
         sums[1] += std::fabs(ax - reference) + std::fabs(f.rhs[c.c] - reference);
+    }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        double product[rowCells];
+        RowSum residual, norm;
+        f.applyRow(first, f.x, product);
+        const double xRef = state->xRef, whole = coupled ? 1 : 0;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const double ax = product[k] + whole*f.q[c], reference = (f.s[c] + whole*f.p[c])*xRef, rhs = f.rhs[c];
+            residual.part[k] = rhs - ax;
+            norm.part[k] = std::fabs(ax - reference) + std::fabs(rhs - reference);
+        }
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const bool unknown = f.inverse[c] > 0;
+            const double r = unknown ? residual.part[k] : 0.0;
+            norm.part[k] = unknown ? norm.part[k] : 0.0;
+            residual.part[k] = std::fabs(r);
+            f.r[c] = r;
+            f.b[c] = float(r);
+            f.p[c] = 0;
+            f.q[c] = 0;
+        }
+        sums[0] += residual.total();
+        sums[1] += norm.total();
     }
 };
 
@@ -159,6 +228,20 @@ struct DotPreconditioned
         sums[0] += z*f.r[c.c];
         sums[1] += z*f.q[c.c];
     }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        RowSum zr, zq;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const double z = f.z[first.c + k];
+            zr.part[k] = z*f.r[first.c + k];
+            zq.part[k] = z*f.q[first.c + k];
+        }
+        sums[0] += zr.total();
+        sums[1] += zq.total();
+    }
 };
 
 struct SetBeta
@@ -186,6 +269,13 @@ struct NewDirection
         Place<D> c;
         if (cells.at(i, c)) f.p[c.c] = f.z[c.c] + state->beta*f.p[c.c];
     }
+
+    HD void row(const Place<D>& first) const
+    {
+        const double beta = state->beta;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k) f.p[first.c + k] = f.z[first.c + k] + beta*f.p[first.c + k];
+    }
 };
 
 template<int D>
@@ -202,6 +292,20 @@ struct ApplyDirection
         const double q = f.inverse[c.c] > 0 ? f.apply(c, f.p) : 0;
         f.q[c.c] = q;
         sums[0] += q*f.p[c.c];
+    }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        RowSum pq;
+        f.applyRow(first, f.p, pq.part);
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const double q = pq.part[k];
+            f.q[first.c + k] = q;
+            pq.part[k] = q*f.p[first.c + k];
+        }
+        sums[0] += pq.total();
     }
 };
 
@@ -230,6 +334,23 @@ struct Advance
         f.r[c.c] = r;
         f.b[c.c] = float(r);
         sums[0] += std::fabs(r);
+    }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        const double alpha = state->alpha;
+        RowSum size;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            f.x[c] += alpha*f.p[c];
+            const double r = f.r[c] - alpha*f.q[c];
+            f.r[c] = r;
+            f.b[c] = float(r);
+            size.part[k] = std::fabs(r);
+        }
+        sums[0] += size.total();
     }
 };
 

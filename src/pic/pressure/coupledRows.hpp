@@ -106,6 +106,23 @@ struct ApplyCoupled
     }
 };
 
+//- The same by rows of cells
+template<int D>
+struct ApplyCoupledRows
+{
+    static constexpr const char* name = "pressureApply";
+    SumsOfRows<D, ApplyDirection<D>> rows;
+    CoupledView<D> bodies;
+
+    HD void add(int i, double* sums) const
+    {
+        const int all = rows.f.cells.rows();
+        if (i < all) { rows.add(i, sums); return; }
+        i -= all;
+        if (i < bodies.counts[coupledSumCount]) sums[0] += bodies.ofBody[i]*bodies.ofBody[i];
+    }
+};
+
 //- Entries of a row of a block that have an equation
 template<int D>
 struct CountCoupled
