@@ -32,7 +32,7 @@ struct PushOut
             c.c[d] = floorInt(x.c[d]/grid.h);
             inside = inside && c.c[d] >= 0 && c.c[d] < grid.n[d];
         }
-        if (!inside || !(solids.at(x, normal) < margin)) return;
+        if (!inside || solids.clear(c, margin) || !(solids.at(x, normal) < margin)) return;
         const Vec<D, double> before = x;
         for (int pass = 0; pass < passes; ++pass)
         {
