@@ -8,6 +8,7 @@
 #pragma once
 
 #include <type_traits>
+#include "core/rows.hpp"
 #include "pic/transfer/tiles.hpp"
 
 namespace riprap
@@ -138,6 +139,26 @@ struct ListRows
     }
 };
 
+//- f(number), or f(number, indices) if it takes them, which here are known
+template<class F, class Index>
+HD void callAt(const F& f, int i, const Index& at)
+{
+    if constexpr (std::is_invocable_v<const F&, int, const Index&>) f(i, at);
+    else f(i);
+}
+
+//- Does f add with the indices of a cell?
+template<class F, class Index, class = void> struct AddsAt : std::false_type {};
+template<class F, class Index> struct AddsAt<F, Index, std::void_t<decltype(std::declval<const F&>().add(0, std::declval<const Index&>(), static_cast<double*>(nullptr)))>> : std::true_type {};
+
+//- Has f a way of its own to deal with a row of cells, from one to before an index along the first axis?
+template<class F, class Index, class = void> struct HasRow : std::false_type {};
+template<class F, class Index> struct HasRow<F, Index, std::void_t<decltype(std::declval<const F&>().row(std::declval<const Index&>(), 0))>> : std::true_type {};
+
+//- The same of cells whose numbers f is told too?
+template<class F, class Index, class = void> struct HasCellRow : std::false_type {};
+template<class F, class Index> struct HasCellRow<F, Index, std::void_t<decltype(std::declval<const F&>().row(0, std::declval<const Index&>(), 0))>> : std::true_type {};
+
 //- f(cell's indices) for the cells of listed rows
 template<int D, class F>
 struct OverRows
@@ -155,6 +176,24 @@ struct OverRows
     }
 };
 
+//- The same row by row, on the CPU
+template<int D, class F>
+struct WholeRows
+{
+    static constexpr const char* name = F::name;
+    const Vec<3, int>* list;
+    int n;
+    F f;
+
+    HD void operator()(int r) const
+    {
+        typename UniformGrid<D>::Index c = list[r];
+        const int end = c.c[0] + CellRows<D>::length < n ? c.c[0] + CellRows<D>::length : n;
+        if constexpr (HasRow<F, typename UniformGrid<D>::Index>::value) f.row(c, end);
+        else for (; c.c[0] < end; ++c.c[0]) f(c);
+    }
+};
+
 //- Sums over the cells of listed rows
 template<int D, class F>
 struct SumRows
@@ -168,7 +207,9 @@ struct SumRows
     {
         typename UniformGrid<D>::Index c = list[i/CellRows<D>::length];
         c.c[0] += i % CellRows<D>::length;
-        if (c.c[0] < grid.n[0]) f.add(grid.cell(c), sums);
+        if (c.c[0] >= grid.n[0]) return;
+        if constexpr (AddsAt<F, typename UniformGrid<D>::Index>::value) f.add(grid.cell(c), c, sums);
+        else f.add(grid.cell(c), sums);
     }
 };
 
@@ -180,8 +221,36 @@ struct OverCells
     UniformGrid<D> grid;
     F f;
 
-    HD void operator()(const typename UniformGrid<D>::Index& c) const { f(grid.cell(c)); }
+    HD void operator()(const typename UniformGrid<D>::Index& c) const { callAt(f, grid.cell(c), c); }
+    HD void row(typename UniformGrid<D>::Index c, int end) const
+    {
+        if constexpr (HasCellRow<F, typename UniformGrid<D>::Index>::value) f.row(grid.cell(c), c, end);
+        else
+        {
+            const int first = grid.cell(c) - c.c[0];
+            INDEPENDENT
+            for (; c.c[0] < end; ++c.c[0]) callAt(f, first + c.c[0], c);
+        }
+    }
 };
+
+//- The faces of direction d below the cells of a row, and at the end of the block those above them
+template<int D, class F>
+HD void rowOfFaces(const UniformGrid<D>& grid, int d, const typename UniformGrid<D>::Index& c, int end, const F& f)
+{
+    for (int side = 0; side < (d > 0 && c.c[d] == grid.n[d] - 1 ? 2 : 1); ++side)
+    {
+        typename UniformGrid<D>::Index at = c;
+        at.c[d] += side;
+        const int first = grid.face(d, at) - at.c[0], last = d == 0 && end == grid.n[0] ? end + 1 : end;
+        if constexpr (HasCellRow<F, typename UniformGrid<D>::Index>::value) f.row(first + at.c[0], at, last);
+        else
+        {
+            INDEPENDENT
+            for (; at.c[0] < last; ++at.c[0]) callAt(f, first + at.c[0], at);
+        }
+    }
+}
 
 //- f(number of the face), or f(number, its indices), for the faces of direction d
 template<int D, class F>
@@ -201,13 +270,11 @@ struct OverFacesOf
         at(last);
     }
 
+    HD void row(const typename UniformGrid<D>::Index& c, int end) const { rowOfFaces(grid, d, c, end, f); }
+
 private:
 
-    HD void at(const typename UniformGrid<D>::Index& face) const
-    {
-        if constexpr (std::is_invocable_v<F, int, const typename UniformGrid<D>::Index&>) f(grid.face(d, face), face);
-        else f(grid.face(d, face));
-    }
+    HD void at(const typename UniformGrid<D>::Index& face) const { callAt(f, grid.face(d, face), face); }
 };
 
 //- f[d](number of the face) for the faces below a cell along each axis d; at the end of the block those above it, too
@@ -222,10 +289,15 @@ struct OverFaces
     {
         for (int d = 0; d < D; ++d)
         {
-            f[d](grid.faceOf(d, c, 0));
-            if (c.c[d] == grid.n[d] - 1) f[d](grid.faceOf(d, c, 1));
+            callAt(f[d], grid.faceOf(d, c, 0), c);
+            if (c.c[d] < grid.n[d] - 1) continue;
+            typename UniformGrid<D>::Index last = c;
+            last.c[d] += 1;
+            callAt(f[d], grid.face(d, last), last);
         }
     }
+
+    HD void row(const typename UniformGrid<D>::Index& c, int end) const { for (int d = 0; d < D; ++d) rowOfFaces(grid, d, c, end, f[d]); }
 };
 
 template<class Backend, int D>
@@ -302,7 +374,10 @@ private:
 
     template<class F>
     void over(Context<Backend>& context, int rows, const F& f) const
-    { forEach(context, rows*CellRows<D>::length, OverRows<D, F>{list_.data(), grid_.n[0], f}); }
+    {
+        if constexpr (Backend::gpu) forEach(context, rows*CellRows<D>::length, OverRows<D, F>{list_.data(), grid_.n[0], f});
+        else forEachRow(context, rows, WholeRows<D, F>{list_.data(), grid_.n[0], f});
+    }
 
     Array<Backend, unsigned char> has_, near_;  // tiles
     Array<Backend, unsigned char> active_;      // rows

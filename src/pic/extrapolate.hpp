@@ -8,6 +8,9 @@
 */
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+#include "core/rows.hpp"
 #include "pic/pressureFields.hpp"
 
 namespace riprap
@@ -36,9 +39,10 @@ struct MarkByWetCells
     int component;
     unsigned char* layer;
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { (*this)(i, grid.faceIndex(component, i)); }
+
+    HD void operator()(int i, const typename UniformGrid<D>::Index& f) const
     {
-        const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
         const int low = grid.cellOf(component, f, 0), high = grid.cellOf(component, f, 1);
         const bool known = (low >= 0 && wet[low]) || (high >= 0 && wet[high]);
         const bool end = atEnd(grid, component, f.c[component]);
@@ -46,6 +50,30 @@ struct MarkByWetCells
         if (distance && !(distance[i] > R(0)) && !end) layer[i] = unknownFace;
         else if (aperture[i] > R(end ? 0 : leastKnown)) layer[i] = known ? 0 : unknownFace;
         else layer[i] = end ? closedFace : unknownFace;
+    }
+
+    //- The faces of a row from number i and indices f on, up to before `end`
+    HD void row(int i, typename UniformGrid<D>::Index f, int end) const
+    {
+        const int number = i - f.c[0];
+        const auto one = [&](int k)
+        {
+            typename UniformGrid<D>::Index at = f;
+            at.c[0] = k;
+            (*this)(number + k, at);
+        };
+        int from = f.c[0], to = end;
+        if (distance || (component > 0 && (f.c[component] == 0 || f.c[component] == grid.n[component]))) { for (; from < to; ++from) one(from); return; }
+        if (component == 0 && from == 0) one(from++);
+        if (component == 0 && to == grid.n[0] + 1 && to > from) one(--to);
+        int stride = 1;
+        for (int a = 0; a < component; ++a) stride *= grid.n[a];
+        const unsigned char* upper = wet + grid.cell(f) - f.c[0] + from;
+        const R* open = aperture + number + from;
+        unsigned char* is = layer + number + from;
+        INDEPENDENT
+        for (int k = 0; k < to - from; ++k)
+            is[k] = (upper[k] | upper[k - stride]) & static_cast<unsigned char>(open[k] > R(leastKnown)) ? static_cast<unsigned char>(0) : unknownFace;
     }
 };
 
@@ -60,9 +88,9 @@ struct MarkByMass
     const R* aperture;
     unsigned char* layer;
 
-    HD void operator()(int i) const
+    HD void operator()(int i, const typename UniformGrid<D>::Index& f) const
     {
-        const bool side = !(aperture[i] > R(0)) && atEnd(grid, component, grid.faceIndex(component, i).c[component]);
+        const bool side = !(aperture[i] > R(0)) && atEnd(grid, component, f.c[component]);
         layer[i] = side ? closedFace : (mass[i] > R(1e-3) ? 0 : unknownFace);
     }
 };
@@ -91,9 +119,60 @@ struct Extrapolate
         }
     }
 
+    //- The same for the cells of a row, up to before index `end`: of faces that are not known only those with a known one beside them are looked at
+    HD void row(const typename UniformGrid<D>::Index& c, int end) const
+    {
+        for (int d = 0; d < D; ++d)
+            for (int side = 0; side < (d > 0 && c.c[d] == grid.n[d] - 1 ? 2 : 1); ++side)
+            {
+                typename UniformGrid<D>::Index f = c;
+                f.c[d] += side;
+                fillRow(d, f, (d == 0 && end == grid.n[0] ? end + 1 : end) - c.c[0]);
+            }
+    }
+
 private:
 
     static constexpr int reach = 3;             // faces looked at along an axis
+    static constexpr int most = 40;             // of a row, in whole words
+
+    HD void fillRow(int d, typename UniformGrid<D>::Index f, int count) const
+    {
+        const int first = grid.face(d, f);
+        const unsigned char* own = layer[d] + first;
+        bool inside = true;
+        for (int a = 1; a < D; ++a) inside = inside && f.c[a] > 0 && f.c[a] < grid.layers(d, a) - 1;
+        alignas(8) unsigned char look[most] = {};
+        if (inside)
+        {
+            const int across = grid.layers(d, 0), beyond = D == 3 ? across*grid.layers(d, 1) : 0;
+            for (int k = 0; k < count; ++k)
+            {
+                unsigned char nearest = own[k - 1] < own[k + 1] ? own[k - 1] : own[k + 1];
+                nearest = own[k - across] < nearest ? own[k - across] : nearest;
+                nearest = own[k + across] < nearest ? own[k + across] : nearest;
+                if constexpr (D == 3)
+                {
+                    nearest = own[k - beyond] < nearest ? own[k - beyond] : nearest;
+                    nearest = own[k + beyond] < nearest ? own[k + beyond] : nearest;
+                }
+                look[k] = (own[k] == unknownFace) & (nearest < pass);
+            }
+        }
+        else for (int k = 0; k < count; ++k) look[k] = own[k] == unknownFace;
+        const int from = f.c[0];
+        for (int word = 0; word < most; word += 8)
+        {
+            std::uint64_t any;
+            memcpy(&any, look + word, 8);
+            if (!any) continue;
+            for (int k = word; k < word + 8; ++k)
+            {
+                f.c[0] = from + k;
+                if (look[k]) fill(d, f);
+            }
+        }
+    }
 
     HD void fill(int component, const typename UniformGrid<D>::Index& f) const
     {

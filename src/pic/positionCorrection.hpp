@@ -10,13 +10,15 @@
 */
 #pragma once
 
+#include "core/rows.hpp"
 #include "pic/particles.hpp"
 #include "pic/transfer/sample.hpp"
 
 namespace riprap
 {
 
-template<int D, class R>
+//- InRegisters: for the CPU, pairs eight at a time
+template<int D, class R, bool InRegisters = false>
 struct CorrectPositions
 {
     static constexpr const char* name = "correctPositions";
@@ -45,7 +47,8 @@ struct CorrectPositions
         }
         const int cell = at.cell(grid);
         if (!nearWater[cell] || !(speed2 > R(0))) return;
-        addPushes(at, i, push);
+        if constexpr (InRegisters) addPushesInRegisters(at, i, push);
+        else addPushes(at, i, push);
         if (phi[cell] > R(-deep*grid.h) && sampleCell<1>(grid, phi, x) > R(-grid.h)) keepAlongSurface(x, push);
         const R length = strength*squareRoot(speed2), bound = R(largest)*spacing;
         for (int d = 0; d < D; ++d) shift[d][i] = push[d] = maximum(-bound, minimum(length*push[d], bound));
@@ -56,12 +59,9 @@ struct CorrectPositions
 
 private:
 
-    //- From the particles of the cells that lie within reach, row by row
-    HD void addPushes(const InCell<D, R>& at, int i, R* push) const
+    //- Cells within reach of a particle
+    HD void cellsWithin(const InCell<D, R>& at, const PlaceInCell<R>& own, R reach, int* low, int* high) const
     {
-        const PlaceInCell<R> own = particles.place[i];
-        const R reach = spacing*R(inverse), perReach = 1/reach;           // in cells
-        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
         UNROLL
         for (int a = 0; a < D; ++a)
         {
@@ -70,6 +70,15 @@ private:
             low[a] = low[a] < 0 ? 0 : low[a];
             high[a] = high[a] >= grid.n[a] ? grid.n[a] - 1 : high[a];
         }
+    }
+
+    //- From the particles of the cells that lie within reach, row by row
+    HD void addPushes(const InCell<D, R>& at, int i, R* push) const
+    {
+        const PlaceInCell<R> own = particles.place[i];
+        const R reach = spacing*R(inverse), perReach = 1/reach;           // in cells
+        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        cellsWithin(at, own, reach, low, high);
         for (int k = low[2]; k <= high[2]; ++k)
             for (int j = low[1]; j <= high[1]; ++j)
             {
@@ -86,6 +95,45 @@ private:
                 }
             }
     }
+
+#ifndef __CUDACC__
+    //- The same, pairs in the lanes of a register
+    void addPushesInRegisters(const InCell<D, R>& at, int i, R* push) const
+    {
+        using Lanes = Pack<R>;
+        const PlaceInCell<R> own = particles.place[i];
+        const R reach = spacing*R(inverse);
+        const Lanes perReach(1/reach), reach2(reach*reach), none(R(0)), one(R(1));
+        int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+        cellsWithin(at, own, reach, low, high);
+        Lanes sum[D];
+        for (int d = 0; d < D; ++d) sum[d] = none;
+        for (int k = low[2]; k <= high[2]; ++k)
+            for (int j = low[1]; j <= high[1]; ++j)
+            {
+                const int row = grid.n[0]*(j + grid.n[1]*k), to = particles.start[row + high[0] + 1];
+                Lanes from[D];
+                from[0] = Lanes(own.t[0]);
+                from[1] = Lanes(own.t[1] + R(at.c[1] - j));
+                if constexpr (D == 3) from[2] = Lanes(own.t[2] + R(at.c[2] - k));
+                for (int p = particles.start[row + low[0]]; p < to; p += Lanes::width)
+                {
+                    Lanes other[4], r[D];
+                    loadRows([&](int l) { return particles.place[p + l].t; }, other);
+                    for (int d = 0; d < D; ++d) r[d] = from[d] - other[d];
+                    r[0] += Lanes(own.cell) - other[3];
+                    Lanes r2 = r[0]*r[0];
+                    for (int d = 1; d < D; ++d) r2 += r[d]*r[d];
+                    r2 = keepFirst(r2, to - p, reach*reach);
+                    const typename Lanes::mask pushes = (r2.v > none.v) & (r2.v < reach2.v);
+                    const Lanes safe(pushes ? r2.v : reach2.v), perDistance = inverseRoot(safe), q = one - safe*perDistance*perReach;
+                    const Lanes part(pushes ? (q*q*perDistance).v : none.v);
+                    for (int d = 0; d < D; ++d) sum[d] += part*r[d];
+                }
+            }
+        for (int d = 0; d < D; ++d) push[d] = sumLanes(sum[d]);
+    }
+#endif
 
     HD void keepAlongSurface(const Vec<D, double>& x, R* push) const
     {

@@ -77,9 +77,10 @@ struct ViscousFaces
     }
 
     //- L u
-    HD R laplacian(const R* u, int i) const
+    HD R laplacian(const R* u, int i) const { return laplacian(u, i, grid.faceIndex(component, i)); }
+
+    HD R laplacian(const R* u, int i, const typename UniformGrid<D>::Index& f) const
     {
-        const typename UniformGrid<D>::Index f = grid.faceIndex(component, i);
         R sum = 0;
         for (int d = 0; d < D; ++d)
             for (int offset = -1; offset <= 1; offset += 2)
@@ -119,11 +120,11 @@ struct Diffuse
     R* to;
     R a, b, c;
 
-    HD void operator()(int i) const
+    HD void operator()(int i, const typename UniformGrid<D>::Index& f) const
     {
         const unsigned char layer = faces.layer[i];
         const R own = a*u[i] + b*from[i];
-        to[i] = layer == unknownFace || layer == closedFace ? own : own + c*faces.laplacian(from, i);
+        to[i] = layer == unknownFace || layer == closedFace ? own : own + c*faces.laplacian(from, i, f);
     }
 };
 

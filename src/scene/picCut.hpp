@@ -115,14 +115,13 @@ SolidField<D, typename P::real> PicSolver<Backend, D, P>::solidField()
     return f;
 }
 
-//- phi on into the solids
+//- phi on into the solids, about the water
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::extendSurface(Array<Backend, real>& phi)
 {
-    const int cells = grid_.cells();
-    forEach(context_, cells, MarkKnownCells<real>{open_.data(), cellLayer_.data()});
+    rows_.eachCellOfBoth(context_, MarkKnownCells<real>{open_.data(), cellLayer_.data()});
     for (int pass = 1; pass <= int(bandCells) + 1; ++pass)
-        forEach(context_, cells, ExtendSurface<D, real>{grid_, static_cast<unsigned char>(pass), cellLayer_.data(), phi.data(), real(bandCells*grid_.h)});
+        rows_.eachCellOfBoth(context_, ExtendSurface<D, real>{grid_, static_cast<unsigned char>(pass), cellLayer_.data(), phi.data(), real(bandCells*grid_.h)});
 }
 
 //- Of the host's copies: cells that no solid is near, to `clear`; the open parts of all

@@ -25,6 +25,7 @@
 #include "pic/surface/fillFraction.hpp"
 #include "pic/surface/redistance.hpp"
 #include "pic/surface/waterVolume.hpp"
+#include "pic/transfer/cellLanes.hpp"
 #include "pic/transfer/gridToParticle.hpp"
 #include "pic/transfer/moveParticles.hpp"
 #include "pic/transfer/particleToGrid.hpp"

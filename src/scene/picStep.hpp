@@ -254,7 +254,10 @@ void PicSolver<Backend, D, P>::toParticles(double dt)
         f.nearWater = near_.data();
         f.picPart = real(pic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
         f.affine = affineField_ >= 0;
-        forEach(context_, n_, f);
+        if constexpr (!Backend::gpu && D == 2 && decltype(order)::value == 2)
+            forEachRow(context_, toFaces_.occupied().count(),
+                GridToCells<real, decltype(around)::value, decltype(pic)::value>{f, toFaces_.occupied().tiles(), toFaces_.occupied().list()});
+        else forEach(context_, n_, f);
     };
     withWindows([&](auto order, auto around)
     {
@@ -269,7 +272,7 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
     const bool corrected = config_.positionCorrection > 0;
     if (corrected)
     {
-        CorrectPositions<D, real> f{};
+        CorrectPositions<D, real, !Backend::gpu> f{};
         f.grid = grid_;
         f.inverse = 1/grid_.h;
         f.particles = particles();
@@ -300,7 +303,9 @@ void PicSolver<Backend, D, P>::moveParticles(double dt)
         f.margin = wallMargin*grid_.h;
         f.keys = cuts() || opens() ? nullptr : sort_.keys();
         f.indices = sort_.indices();
-        forEach(context_, n_, f);
+        if constexpr (!Backend::gpu && D == 2 && decltype(order)::value == 2)
+            forEachRow(context_, toFaces_.occupied().count(), MoveCells<real, decltype(around)::value>{f, toFaces_.occupied().tiles(), toFaces_.occupied().list()});
+        else forEach(context_, n_, f);
     });
 }
 

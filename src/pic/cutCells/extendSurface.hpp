@@ -70,10 +70,11 @@ struct ExtendSurface
     R* phi;
     R band;
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { (*this)(i, grid.cellIndex(i)); }
+
+    HD void operator()(int i, const typename UniformGrid<D>::Index& c) const
     {
         if (layer[i] != unknownCell) return;
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         R sum = 0;
         int count = 0;
         for (int d = 0; d < D; ++d)

@@ -24,6 +24,21 @@ struct SolidField
     const R* wallVelocity[D];           // nullptr: all rest
     const unsigned char* sealed[D];     // faces that part the two sides of something thin
 
+    //- Are all points of a cell farther from solids than `margin`, as far as its corners tell?
+    HD bool clear(const typename UniformGrid<D>::Index& c, double margin) const
+    {
+        const NodeGrid<D> nodes{grid};
+        const int first = nodes.node(c);
+        bool far = true;
+        for (int corner = 0; corner < (1 << D); ++corner)
+        {
+            int node = first;
+            for (int d = 0; d < D; ++d) node += (corner >> d & 1)*nodes.stride(d);
+            far = far && distance[node] > 2*margin;         // what is between may be a little less, by round-off
+        }
+        return far;
+    }
+
     //- At x above the block's corner; normal: its gradient, out of the solid
     HD double at(const Vec<D, double>& x, Vec<D, double>& normal) const
     {

@@ -10,6 +10,7 @@
 */
 #pragma once
 
+#include "core/sharedWrites.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
 #include "pic/pressureFields.hpp"
 
@@ -46,6 +47,38 @@ struct MarkWet
     HD void operator()(int i) const { wet[i] = isWet(f, i, f.grid.cellIndex(i)); }
 };
 
+//- The same row by row of tiles; flag: of tiles, raised where a cell is wet
+template<int D, class R>
+struct MarkWetRows
+{
+    static constexpr const char* name = "pressureMarkWet";
+    static constexpr int rowsLog = tileCellsLog - tileLog<D>(0);
+    PressureFields<D, R> f;
+    GridShape<D> shape;
+    int* wet;
+    int* flag;
+
+    HD void operator()(int i) const
+    {
+        const int tile = i >> rowsLog;
+        const Place<D> p = rowOfTile(shape, tile, i & ((1 << rowsLog) - 1));
+        if (!shape.inside(p)) return;
+        auto x = gridIndex<D>(p);
+        const int first = f.grid.cell(x), count = shape.n[0] - p.x[0] < rowCells ? shape.n[0] - p.x[0] : rowCells;
+        const R surface = R(-wetDepth*f.grid.h);
+        int deep = 0;
+        for (int k = 0; k < count; ++k)
+        {
+            deep |= f.phi[first + k] < surface;
+            wet[first + k] = 0;
+        }
+        if (!deep) return;
+        int any = 0;
+        for (int k = 0; k < count; ++k, ++x.c[0]) any |= wet[first + k] = isWet(f, first + k, x);
+        if (any) raise(flag + tile);
+    }
+};
+
 //- What leaves a cell through its faces, over their area [m/s]
 template<int D, class R>
 HD double outflow(const PressureFields<D, R>& f, const typename UniformGrid<D>::Index& x)
@@ -69,9 +102,11 @@ struct Assemble
     const int* wet;
     FineData<D> out;
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { cell(out.shape.place(i)); }
+
+    HD void cell(const Place<D>& c) const
     {
-        const Place<D> c = out.shape.place(i);
+        const int i = c.c;
         double lower[D], s = 0, flux = 0, guess = 0;
         for (int d = 0; d < D; ++d) lower[d] = 0;
         if (out.shape.inside(c))
@@ -128,6 +163,41 @@ struct AssembleSource
         }
         out.rhs[c.c] = -f.density*f.grid.h/f.timeStep*flux;
         out.x[c.c] = guess;
+    }
+
+    HD void row(const Place<D>& first) const
+    {
+        const bool in = out.shape.inside(first);
+        const int count = !in ? 0 : (out.shape.n[0] - first.x[0] < rowCells ? out.shape.n[0] - first.x[0] : rowCells);
+        double flux[rowCells];
+        for (int k = 0; k < rowCells; ++k) flux[k] = 0;
+        const auto x = gridIndex<D>(first);
+        for (int d = 0; d < D && in; ++d)
+        {
+            const int low = f.grid.faceOf(d, x, 0), high = f.grid.faceOf(d, x, 1);
+            const R* a = f.aperture[d];
+            const R* u = f.u[d];
+            INDEPENDENT
+            for (int k = 0; k < count; ++k) flux[k] += double(a[high + k])*double(u[high + k]) - double(a[low + k])*double(u[low + k]);
+            const R* w = f.wallVelocity[d];
+            if (!w) continue;
+            INDEPENDENT
+            for (int k = 0; k < count; ++k)
+                flux[k] += (1 - double(a[high + k]))*double(w[high + k]) - (1 - double(a[low + k]))*double(w[low + k]);
+        }
+        const int cell = in ? f.grid.cell(x) : 0;
+        const double scale = -f.density*f.grid.h/f.timeStep;
+        INDEPENDENT
+        for (int k = 0; k < count; ++k) flux[k] *= scale;
+        INDEPENDENT
+        for (int k = 0; k < count; ++k)
+        {
+            const bool is = wet[cell + k] != 0, unknown = out.inverse[first.c + k] > 0;
+            const double guess = f.p[cell + k];
+            out.rhs[first.c + k] = is ? flux[k] : 0.0;
+            out.x[first.c + k] = is & unknown ? guess : 0.0;
+        }
+        for (int k = count; k < rowCells; ++k) out.rhs[first.c + k] = out.x[first.c + k] = 0;
     }
 };
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include "core/deviceLoop.hpp"
 #include "pic/pressure/level.hpp"
+#include "pic/pressure/rowPasses.hpp"
 
 namespace riprap
 {
@@ -46,6 +47,24 @@ struct FineData
         }
         return sum;
     }
+
+    //- The product for the cells of a row, 0 where there is no unknown
+    template<class V>
+    HD void applyRow(const Place<D>& first, const V* v, double* to) const
+    {
+        const RowNeighbours<D> by(shape, first);
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const double own = v[c];
+            double sum = s[c]*own;
+            for (int d = 0; d < D; ++d) sum += a[d][c]*(own - double(v[c + by.below[d]])) + a[d][c + by.above[d]]*(own - double(v[c + by.above[d]]));
+            to[k] = sum;
+        }
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k) to[k] = inverse[first.c + k] > 0 ? to[k] : 0.0;
+    }
 };
 
 struct CgState
@@ -77,6 +96,20 @@ struct AverageGuess
         sums[0] += f.x[c.c];
         sums[1] += 1;
     }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        RowSum x, count;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const bool unknown = f.inverse[first.c + k] > 0;
+            x.part[k] = unknown ? f.x[first.c + k] : 0.0;
+            count.part[k] = unknown ? 1.0 : 0.0;
+        }
+        sums[0] += x.total();
+        sums[1] += count.total();
+    }
 };
 
 struct SetReference
@@ -104,6 +137,12 @@ struct ClearDirections
         Place<D> c;
         if (cells.at(i, c)) f.p[c.c] = f.q[c.c] = 0;
     }
+
+    HD void row(const Place<D>& first) const
+    {
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k) f.p[first.c + k] = f.q[first.c + k] = 0;
+    }
 };
 
 template<int D>
@@ -129,6 +168,37 @@ struct FirstResidual
         if (!unknown) return;
         sums[0] += std::fabs(r);
         sums[1] += std::fabs(ax - reference) + std::fabs(f.rhs[c.c] - reference);
+    }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        double product[rowCells];
+        RowSum residual, norm;
+        f.applyRow(first, f.x, product);
+        const double xRef = state->xRef, whole = coupled ? 1 : 0;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const double ax = product[k] + whole*f.q[c], reference = (f.s[c] + whole*f.p[c])*xRef, rhs = f.rhs[c];
+            residual.part[k] = rhs - ax;
+            norm.part[k] = std::fabs(ax - reference) + std::fabs(rhs - reference);
+        }
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const bool unknown = f.inverse[c] > 0;
+            const double r = unknown ? residual.part[k] : 0.0;
+            norm.part[k] = unknown ? norm.part[k] : 0.0;
+            residual.part[k] = std::fabs(r);
+            f.r[c] = r;
+            f.b[c] = float(r);
+            f.p[c] = 0;
+            f.q[c] = 0;
+        }
+        sums[0] += residual.total();
+        sums[1] += norm.total();
     }
 };
 
@@ -170,6 +240,32 @@ struct ApplyPreconditioned
         sums[1] += z*f.q[c.c];
         sums[2] += z*w;
     }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        RowSum zw;
+        f.applyRow(first, f.z, zw.part);
+        addRow(first, zw, sums);
+    }
+
+    //- w: of the row's cells
+    HD void addRow(const Place<D>& first, RowSum& w, double* sums) const
+    {
+        RowSum zr, zq;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const double z = f.z[c];
+            f.rhs[c] = w.part[k];
+            zr.part[k] = z*f.r[c];
+            zq.part[k] = z*f.q[c];
+            w.part[k] *= z;
+        }
+        sums[0] += zr.total();
+        sums[1] += zq.total();
+        sums[2] += w.total();
+    }
 };
 
 struct SetDirection
@@ -205,6 +301,25 @@ struct Advance
         f.r[c.c] = r;
         f.b[c.c] = float(r);
         sums[0] += std::fabs(r);
+    }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        const double alpha = state->alpha, beta = state->beta;
+        RowSum size;
+        INDEPENDENT
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int c = first.c + k;
+            const double p = f.z[c] + beta*f.p[c], q = f.rhs[c] + beta*f.q[c], r = f.r[c] - alpha*q;
+            f.p[c] = p;
+            f.q[c] = q;
+            f.x[c] += alpha*p;
+            f.r[c] = r;
+            f.b[c] = float(r);
+            size.part[k] = std::fabs(r);
+        }
+        sums[0] += size.total();
     }
 };
 

@@ -108,14 +108,14 @@ template<int D>
 struct ApplyCoupled
 {
     static constexpr const char* name = "pressureApply";
-    ApplyPreconditioned<D> cells;
+    FineData<D> f;
+    TiledCells<D> cells;
     CoupledView<D> bodies;
 
     HD void add(int i, double* sums) const
     {
         Place<D> c;
-        if (!cells.cells.at(i, c)) return;
-        const FineData<D>& f = cells.f;
+        if (!cells.at(i, c)) return;
         double w = 0;
         if (f.inverse[c.c] > 0)
         {
@@ -123,7 +123,19 @@ struct ApplyCoupled
             w = f.apply(c, f.z);
             if (q > 0) w += bodies.sum(q - 1);
         }
-        cells.add(c, w, sums);
+        ApplyPreconditioned<D>{f, cells}.add(c, w, sums);
+    }
+
+    HD void addRow(const Place<D>& first, double* sums) const
+    {
+        RowSum w;
+        f.applyRow(first, f.z, w.part);
+        for (int k = 0; k < rowCells; ++k)
+        {
+            const int q = bodies.at[first.c + k];       // entries are of cells with an equation
+            if (q > 0) w.part[k] += bodies.sum(q - 1);
+        }
+        ApplyPreconditioned<D>{f, cells}.addRow(first, w, sums);
     }
 };
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <cstdint>
-#include "core/macros.hpp"
+#include "core/rows.hpp"
 
 namespace riprap
 {
@@ -73,6 +73,9 @@ struct GridShape
         return s;
     }
 
+    //- Are the ends of rows along the first axis neighbours, which they are not in memory?
+    HD bool ringRows() const { return first[0] > 0; }
+
     HD int below(const Place<D>& p, int d) const { return p.c + (p.x[d] == 0 ? first[d] : -stride[d]); }
     HD int above(const Place<D>& p, int d) const { return p.c + (p.x[d] == n[d] - 1 ? last[d] : stride[d]); }
 
@@ -101,6 +104,44 @@ struct GridShape
     }
 };
 
+//- The first cell of a row of tile t
+template<int D>
+HD Place<D> rowOfTile(const GridShape<D>& shape, int t, int row)
+{
+    Place<D> p;
+    p.c = 0;
+    for (int d = 0; d < D; ++d)
+    {
+        p.x[d] = (d == D - 1 ? t : t % shape.tiles[d]) << tileLog<D>(d);
+        t /= shape.tiles[d];
+        if (d > 0)
+        {
+            p.x[d] += row & ((1 << tileLog<D>(d)) - 1);
+            row >>= tileLog<D>(d);
+        }
+        p.c += p.x[d]*shape.stride[d];
+    }
+    return p;
+}
+
+//- From a cell of a row along the first axis to its neighbours: the same for all of the row, unless the row is a ring
+template<int D>
+struct RowNeighbours
+{
+    int below[D], above[D];
+
+    HD RowNeighbours(const GridShape<D>& shape, const Place<D>& p)
+    {
+        below[0] = -1;
+        above[0] = 1;
+        for (int d = 1; d < D; ++d)
+        {
+            below[d] = shape.below(p, d) - p.c;
+            above[d] = shape.above(p, d) - p.c;
+        }
+    }
+};
+
 //- Where a tile begins
 template<int D> using TileOrigin = Place<D>;
 
@@ -121,6 +162,8 @@ struct TiledCells
     //- Rows along the first axis, of so many cells
     static constexpr int rowCells = 1 << tileLog<D>(0);
     HD int rows() const { return capacity << (tileCellsLog - tileLog<D>(0)); }
+
+    HD int rowLength() const { return rowCells; }
 
     //- The first cell of row i
     HD bool row(int i, Place<D>& p) const { return at(i << tileLog<D>(0), p); }
@@ -177,6 +220,9 @@ struct DenseCells
 
     HD int all() const { return cells; }
     HD int halves() const { return cells/2; }
+    HD int rows() const { return cells/size_[0]; }
+    HD int rowLength() const { return size_[0]; }
+    HD bool row(int i, Place<D>& p) const { return at(i*size_[0], p); }
 
     HD bool at(int i, Place<D>& p) const
     {

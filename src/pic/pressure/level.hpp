@@ -48,6 +48,14 @@ struct LevelData
     }
 };
 
+//- Is the first cell of a row of the other colour (0: red, 1: black)?
+template<int D>
+HD int oddRow(const Place<D>& p, int colour)
+{
+    for (int d = 1; d < D; ++d) colour += p.x[d];
+    return colour & 1;
+}
+
 //- The sweep of a colour when all x are zero; those of the other colour are not read, and need not be zero in memory
 template<int D, class Cells>
 struct FirstSweep
@@ -65,11 +73,41 @@ struct FirstSweep
     }
 };
 
+//- That sweep and the one of black cells after it, row by row: what red cells about a black one become is found on the way. Not for rings
+template<int D, class Cells>
+struct FirstSweeps
+{
+    static constexpr const char* name = "pressureFirstSweep";
+    static constexpr int length = Cells::rowCells;
+    LevelData<D> level;
+    Cells cells;
+
+    HD void operator()(int i) const
+    {
+        Place<D> p;
+        if (!cells.row(i, p)) return;
+        const RowNeighbours<D> to(level.shape, p);
+        const int black = oddRow(p, 1);
+        const auto red = [&](int c) { return level.b[c]*level.inverse[c]; };
+        float first[length], second[length];
+        INDEPENDENT
+        for (int k = 0; k < length; ++k)
+        {
+            const int c = p.c + k;
+            float sum = 0;
+            for (int d = 0; d < D; ++d) sum += level.a[d][c]*red(c + to.below[d]) + level.a[d][c + to.above[d]]*red(c + to.above[d]);
+            first[k] = red(c);
+            second[k] = (level.b[c] + sum)*level.inverse[c];
+        }
+        INDEPENDENT
+        for (int k = 0; k < length; ++k) level.x[p.c + k] = (k & 1) == black ? second[k] : first[k];
+    }
+};
+
 template<int D, class Cells>
 struct Sweep
 {
     static constexpr const char* name = "pressureSweep";
-    using Start = Place<D>;
     LevelData<D> level;
     Cells cells;
     int colour;
@@ -78,57 +116,42 @@ struct Sweep
     {
         Place<D> p;
         if (!cells.half(i, colour, p)) return;
-        relax(p);
-    }
-
-    HD void relax(const Place<D>& p) const
-    {
         const float inverse = level.inverse[p.c];
         if (inverse > 0) level.x[p.c] = (level.b[p.c] + level.neighbourSum(p))*inverse;
     }
-
-    //- The colour's cells of a row that begins at p: no cell has to find where it is
-    HD void row(Place<D> p) const
-    {
-        const GridShape<D>& shape = level.shape;
-        int odd = colour;
-        for (int d = 1; d < D; ++d) odd += p.x[d];
-        odd &= 1;
-        if (shape.first[0] > 0)         // a ring: its ends are no neighbours in memory
-        {
-            p.x[0] += odd;
-            p.c += odd;
-            for (int k = odd; k < Cells::rowCells; k += 2, p.x[0] += 2, p.c += 2) relax(p);
-            return;
-        }
-        int below[D], above[D];
-        for (int d = 0; d < D; ++d)
-        {
-            below[d] = d == 0 ? -1 : shape.below(p, d) - p.c;
-            above[d] = d == 0 ? 1 : shape.above(p, d) - p.c;
-        }
-        for (int c = p.c + odd; c < p.c + Cells::rowCells; c += 2)
-        {
-            const float inverse = level.inverse[c];
-            if (!(inverse > 0)) continue;
-            float sum = 0;
-            for (int d = 0; d < D; ++d) sum += level.a[d][c]*level.x[c + below[d]] + level.a[d][c + above[d]]*level.x[c + above[d]];
-            level.x[c] = (level.b[c] + sum)*inverse;
-        }
-    }
 };
 
-//- A pass on the CPU, row by row
-template<class F>
-struct RowsOf
+//- The same row by row: registers hold cells of both colours, of which one keeps what it has (and has 0 where there is no unknown). Not for rings
+template<int D, class Cells>
+struct RowSweep
 {
-    static constexpr const char* name = F::name;
-    F f;
+    static constexpr const char* name = "pressureSweep";
+    static constexpr int length = Cells::rowCells;
+    LevelData<D> level;
+    Cells cells;
+    int colour;
 
     HD void operator()(int i) const
     {
-        typename F::Start p;
-        if (f.cells.row(i, p)) f.row(p);
+        Place<D> p;
+        if (!cells.row(i, p)) return;
+        const RowNeighbours<D> to(level.shape, p);
+        const int odd = oddRow(p, colour);
+        float relaxed[length];
+        INDEPENDENT
+        for (int k = 0; k < length; ++k)
+        {
+            const int c = p.c + k;
+            float sum = 0;
+            for (int d = 0; d < D; ++d) sum += level.a[d][c]*level.x[c + to.below[d]] + level.a[d][c + to.above[d]]*level.x[c + to.above[d]];
+            relaxed[k] = (level.b[c] + sum)*level.inverse[c];
+        }
+        INDEPENDENT
+        for (int k = 0; k < length; ++k)
+        {
+            const float before = level.x[p.c + k];
+            level.x[p.c + k] = (k & 1) == odd ? relaxed[k] : before;
+        }
     }
 };
 

@@ -27,9 +27,11 @@ struct Mirror
     bool oddPeriodic[D];
     int* tileFlag;
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { cell(fine.shape.place(i)); }
+
+    HD void cell(const Place<D>& c) const
     {
-        const Place<D> c = fine.shape.place(i);
+        const int i = c.c;
         double sum = 0, kept = 0;
         if (fine.shape.inside(c))
         {
@@ -82,6 +84,22 @@ struct ListTiles
     }
 };
 
+//- Tiles of the next coarser level that hold some of the cells of tiles
+template<int D>
+std::vector<int> tilesOver(const GridShape<D>& fine, const GridShape<D>& coarse, const std::vector<int>& tiles)
+{
+    std::vector<char> over(coarse.tileCount, 0);
+    for (const int t : tiles)
+    {
+        Place<D> p = rowOfTile(fine, t, 0);
+        for (int d = 0; d < D; ++d) p.x[d] /= 2;
+        over[coarse.tileOf(p)] = 1;
+    }
+    std::vector<int> list;
+    for (int t = 0; t < coarse.tileCount; ++t) if (over[t]) list.push_back(t);
+    return list;
+}
+
 template<class Backend, int D>
 class MultigridSolver
 {
@@ -93,8 +111,8 @@ public:
     const TiledCells<D>& fineCells() const { return cells_[0]; }
     int fineTiles() const { return active_.empty() ? 0 : active_[0]; }
 
-    //- After coefficients have changed
-    void setUp(Context<Backend>& context);
+    //- After coefficients have changed. touched: tiles of the finest level; in others all coefficients are zero, and were so at the last call. On the CPU; nullptr: all
+    void setUp(Context<Backend>& context, const std::vector<int>* touched = nullptr);
 
     //- bodies: what free ones add to the matrix, whose slow modes nothing takes away: for those that are heavier than the water
     PressureReport solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies = nullptr);
@@ -116,6 +134,7 @@ private:
     void start(Context<Backend>& context, const CoupledView<D>* bodies);
     void iterate(Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition);
     void forgetLoops() { loop_.forget(); coupledLoop_.forget(); }
+    bool byRows() const { return !Backend::gpu && !fine_.shape.ringRows(); }
 
     bool periodic_[D] = {};
     int sweeps_ = 2;
@@ -198,18 +217,32 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
 }
 
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::setUp(Context<Backend>& context)
+void MultigridSolver<Backend, D>::setUp(Context<Backend>& context, const std::vector<int>* touched)
 {
     const auto odd = [&](const GridShape<D>& s, int d) { return periodic_[d] && s.n[d] % 2 == 1; };
     context.zero(flags_.data(), flags_.size()*sizeof(int));
     Mirror<D> mirror{fine_, levels_[0], {}, flags_.data()};
     for (int d = 0; d < D; ++d) mirror.oddPeriodic[d] = odd(fine_.shape, d);
-    forEach(context, fine_.shape.cells, mirror);
+    std::vector<int> some;
+    const auto each = [&](const GridShape<D>& shape, bool tiled, const auto& f)
+    {
+        if constexpr (!Backend::gpu)
+            if (touched && tiled)
+            {
+                forEachRow(context, int(some.size()) << InTiles<D, Mirror<D>>::rowsLog, InTiles<D, std::decay_t<decltype(f)>>{shape, some.data(), f});
+                return;
+            }
+        forEach(context, shape.cells, f);
+    };
+    if (touched) some = *touched;
+    each(fine_.shape, true, mirror);
     for (std::size_t l = 1; l < levels_.size(); ++l)
     {
-        Coarsen<D> coarsen{levels_[l - 1], levels_[l], {}, l < cells_.size() ? flags_.data() + firstTile_[l] : nullptr};
+        const bool tiled = l < cells_.size();
+        Coarsen<D> coarsen{levels_[l - 1], levels_[l], {}, tiled ? flags_.data() + firstTile_[l] : nullptr};
         for (int d = 0; d < D; ++d) coarsen.oddPeriodic[d] = odd(levels_[l].shape, d);
-        forEach(context, levels_[l].shape.cells, coarsen);
+        if (touched && tiled) some = tilesOver(levels_[l - 1].shape, levels_[l].shape, some);
+        each(levels_[l].shape, tiled, coarsen);
     }
     exclusiveScan(context, scan_, flags_.data(), int(flags_.size()));
     for (std::size_t l = 0; l < cells_.size(); ++l)
@@ -240,33 +273,33 @@ void MultigridSolver<Backend, D>::chooseCapacities(const std::vector<int>& count
 template<class Backend, int D>
 void MultigridSolver<Backend, D>::start(Context<Backend>& context, const CoupledView<D>* bodies)
 {
-    const int n = cells_[0].all();
     CgState* state = state_.data();
-    sumThen<2>(context, n, AverageGuess<D>{fine_, cells_[0]}, partial_.data(), SetReference{state});
+    const bool rows = byRows();
+    sumOfTiles<2, Backend, D>(context, rows, AverageGuess<D>{fine_, cells_[0]}, partial_.data(), SetReference{state});
     if (bodies)
     {
-        forEach(context, n, ClearDirections<D>{fine_, cells_[0]});
+        eachOfTiles<Backend, D>(context, rows, ClearDirections<D>{fine_, cells_[0]});
         addCoupled(context, *bodies, fine_.x, fine_.q);
         addCoupled(context, *bodies, static_cast<const double*>(nullptr), fine_.p);
     }
-    sumThen<2>(context, n, FirstResidual<D>{fine_, cells_[0], state, bodies != nullptr}, partial_.data(), StartIterations{state});
+    sumOfTiles<2, Backend, D>(context, rows, FirstResidual<D>{fine_, cells_[0], state, bodies != nullptr}, partial_.data(), StartIterations{state});
 }
 
 template<class Backend, int D>
 void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition)
 {
-    const int n = cells_[0].all();
     CgState* state = state_.data();
     double* partial = partial_.data();
+    const bool rows = byRows();
     const ApplyPreconditioned<D> apply{fine_, cells_[0]};
     vCycle<D>(context, levels_, cells_, tail_, sweeps_, second_, near_);
     if (bodies)
     {
         forEachBlock(context, bodies->bodyRoom, SumCoupled<D, float>{*bodies, fine_.z});
-        sumThen<3>(context, n, ApplyCoupled<D>{apply, *bodies}, partial, SetDirection{state});
+        sumOfTiles<3, Backend, D>(context, rows, ApplyCoupled<D>{fine_, cells_[0], *bodies}, partial, SetDirection{state});
     }
-    else sumThen<3>(context, n, apply, partial, SetDirection{state});
-    sumThen<1>(context, n, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state, condition});
+    else sumOfTiles<3, Backend, D>(context, rows, apply, partial, SetDirection{state});
+    sumOfTiles<1, Backend, D>(context, rows, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state, condition});
 }
 
 template<class Backend, int D>

@@ -48,6 +48,7 @@ public:
         multigrid_.allocate(context, grid.n, grid.periodic);
         pockets_.allocate(context, multigrid_.fine().shape);
         wet_.allocate(context, grid.cells());
+        assembled_.clear();
     }
 
     //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
@@ -60,12 +61,17 @@ public:
     )
     {
         const FineData<D>& fine = multigrid_.fine();
-        if (sameWater) forEach(context, multigrid_.fineCells().all(), AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
+        if (sameWater)
+            eachOfTiles<Backend, D>(context, !fine.shape.ringRows(), AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
         else
         {
-            markWet(context, f);
-            forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
-            multigrid_.setUp(context);
+            if constexpr (Backend::gpu)
+            {
+                markWet(context, f);
+                forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
+                multigrid_.setUp(context);
+            }
+            else assembleTiles(context, f);
             pocketCells_ = pockets_.find(context, fine, multigrid_.fineCells());
         }
         const TiledCells<D> cells = multigrid_.fineCells();
@@ -91,7 +97,8 @@ public:
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
-        forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
+        if constexpr (Backend::gpu) forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
+        else forEachRow(context, fine.shape.tileCount << tileRowsLog, StorePressureRows<D, R>{f.grid, wet_.data(), wetTiles_.data(), fine, f.p});
         if (rows) rows->eachFace(context, [&](int d) { return CorrectVelocity<D, R>{f, wet_.data(), d}; });
         else for (int d = 0; d < D; ++d) forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
         if (free) moveBodies(context, f, *bodies);
@@ -119,6 +126,29 @@ private:
     PressureReport solveCoupled(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls);
     static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
 
+    static constexpr int tileRowsLog = tileCellsLog - tileLog<D>(0);
+
+    //- On the CPU: only tiles in which there is water, or was the last time, are written
+    void assembleTiles(Context<Backend>& context, const PressureFields<D, R>& f)
+    {
+        const FineData<D>& fine = multigrid_.fine();
+        const int tiles = fine.shape.tileCount;
+        wetTiles_.allocate(context, tiles);
+        context.zero(wetTiles_.data(), tiles*sizeof(int));
+        forEachRow(context, tiles << tileRowsLog, MarkWetRows<D, R>{f, fine.shape, wet_.data(), wetTiles_.data()});
+        const bool known = !assembled_.empty();
+        if (!known) assembled_.assign(tiles, 1);
+        std::vector<int> touched;
+        for (int t = 0; t < tiles; ++t)
+        {
+            const bool wet = wetTiles_.data()[t];
+            if (wet || assembled_[t]) touched.push_back(t);
+            assembled_[t] = wet;
+        }
+        forEachRow(context, int(touched.size()) << tileRowsLog, InTiles<D, Assemble<D, R>>{fine.shape, touched.data(), {f, wet_.data(), fine}});
+        multigrid_.setUp(context, known ? &touched : nullptr);
+    }
+
     //- U = J L in the units of the equation
     static double bodyScale(const PressureFields<D, R>& f) { return std::sqrt(f.density*f.grid.h/f.grid.area()); }
     static std::vector<double> scaled(std::vector<double> root, const PressureFields<D, R>& f)
@@ -131,6 +161,8 @@ private:
     MultigridSolver<Backend, D> multigrid_;
     Pockets<Backend, D> pockets_;
     Array<Backend, int> wet_;
+    Array<Backend, int> wetTiles_;          // on the CPU: has a tile a wet cell?
+    std::vector<char> assembled_;           // had it at the last assembly? Empty: there was none
     int pocketCells_ = 0;
 };
 

@@ -26,11 +26,7 @@ struct Launches
 {
     Context<Backend>& context;
     template<class F> void each(int n, const F& f) const { forEach(context, n, f); }
-    template<int D> void each(int n, const Sweep<D, TiledCells<D>>& f) const
-    {
-        if constexpr (Backend::gpu) forEach(context, n, f);
-        else forEach(context, f.cells.rows(), RowsOf<Sweep<D, TiledCells<D>>>{f});
-    }
+    template<class F> void eachRow(int n, const F& f) const { forEachRow(context, n, f); }
 };
 
 EITHER_SIDE template<int D, class Cells, class Executor>
@@ -45,6 +41,20 @@ EITHER_SIDE template<int D, class Cells, class Executor>
 HD void relaxUp(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
 {
     for (int k = 1; k < 2*sweeps; ++k) run.each(cells.halves(), Sweep<D, Cells>{level, cells, (k + 1) & 1});
+}
+
+//- The same row by row, for the CPU
+template<int D, class Cells, class Executor>
+void relaxDownRows(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
+{
+    run.eachRow(cells.rows(), FirstSweeps<D, Cells>{level, cells});
+    for (int k = 2; k < 2*sweeps; ++k) run.eachRow(cells.rows(), RowSweep<D, Cells>{level, cells, k & 1});
+}
+
+template<int D, class Cells, class Executor>
+void relaxUpRows(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
+{
+    for (int k = 1; k < 2*sweeps; ++k) run.eachRow(cells.rows(), RowSweep<D, Cells>{level, cells, (k + 1) & 1});
 }
 
 //- The small levels, finest first
@@ -187,14 +197,24 @@ void vCycle
     const bool together = D == 2 && !second.empty() && sweeps == tileSweeps;
     for (int l = 0; l < tiled; ++l)
     {
+        const bool last = l + 1 == tiled;
         if (together)
         {
             if constexpr (D == 2) forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, level[l + 1]});
             continue;
         }
+        const DenseCells<D> dense(level[l + 1].shape);
+        if constexpr (!Backend::gpu)
+            if (!level[l].shape.ringRows())
+            {
+                relaxDownRows(launch, level[l], cells[l], sweeps);
+                if (!last) launch.eachRow(cells[l + 1].rows(), RestrictRow<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
+                else launch.eachRow(dense.rows(), RestrictRow<D, DenseCells<D>>{level[l], level[l + 1], dense});
+                continue;
+            }
         relaxDown(launch, level[l], cells[l], sweeps);
-        if (l + 1 < tiled) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
-        else launch.each(level[l + 1].shape.cells, RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], DenseCells<D>(level[l + 1].shape)});
+        if (!last) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
+        else launch.each(dense.all(), RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], dense});
     }
     if (nearTail)
     {
@@ -204,6 +224,13 @@ void vCycle
     else oneBlock(context, tail);
     for (int l = tiled - 1; l >= 0; --l)
     {
+        if constexpr (!Backend::gpu)
+            if (!together && !level[l].shape.ringRows())
+            {
+                launch.eachRow(cells[l].rows(), ProlongRow<D, Tiled>{level[l], level[l + 1], cells[l]});
+                relaxUpRows(launch, level[l], cells[l], sweeps);
+                continue;
+            }
         if (!together)
         {
             launch.each(cells[l].halves(), ProlongSweep<D, Tiled>{level[l], level[l + 1], cells[l]});

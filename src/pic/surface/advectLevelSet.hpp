@@ -73,10 +73,11 @@ struct AdvectLevelSet
     double timeStep;
     R band;                     // [m]
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { (*this)(i, grid.cellIndex(i)); }
+
+    HD void operator()(int i, const typename UniformGrid<D>::Index& c) const
     {
         if (absolute(from[i]) >= band) { to[i] = from[i]; return; }
-        const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         Vec<D, double> x;
         for (int d = 0; d < D; ++d) x.c[d] = (c.c[d] + 0.5)*grid.h;
         to[i] = cubicAt(grid, from, intoBlock(grid, carried<Order, Around>(grid, u, x, -timeStep, 3)));

@@ -85,13 +85,13 @@ struct HoldSurface
     R* phi;
     R band;
 
-    HD void operator()(int i) const
+    HD void operator()(int i, const typename UniformGrid<D>::Index& c) const
     {
         if (open && open[i] < R(knownOpening)) return;
         const R h = R(grid.h);
         // deep in the water a void among particles is no bubble; far above it a single particle is no water
         if (absolute(phi[i]) >= band || phi[i] < R(-1.5)*h) return;
-        const R alpha = fillOf(grid, particles, grid.cellIndex(i), openWeight ? particleCells/openWeight[i] : particleCells);
+        const R alpha = fillOf(grid, particles, c, openWeight ? particleCells/openWeight[i] : particleCells);
         const R own = surfaceOfFill(alpha)*h, tolerance = R(surfaceTolerance)*h;
         if (own - tolerance > 0) phi[i] = maximum(phi[i], own - tolerance);
         if (own + tolerance < 0) phi[i] = minimum(phi[i], own + tolerance);

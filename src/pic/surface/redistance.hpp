@@ -50,19 +50,21 @@ struct StartDistance
     R band;
     R* copy = nullptr;          // of phi; nullptr: none
 
-    HD void operator()(int i) const
+    HD void operator()(int i) const { (*this)(i, grid.cellIndex(i)); }
+
+    HD void operator()(int i, const typename UniformGrid<D>::Index& c) const
     {
-        const R distance = start(i);
+        const R distance = start(i, c);
         phi[i] = distance;
         if (copy) copy[i] = distance;
     }
 
 private:
 
-    HD R start(int i) const
+    HD R start(int i, const typename UniformGrid<D>::Index& c) const
     {
         const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
-        const CellNeighbours<D, R> about(grid, carried, grid.cellIndex(i));
+        const CellNeighbours<D, R> about(grid, carried, c);
         if (!atSurface(value, about)) return sign*band;
         const R slope = slopeOf(grid, about), distance = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
         return sign*minimum(absolute(distance), R(grid.h));
@@ -97,6 +99,24 @@ struct SpreadDistance
     R band;
 
     HD void operator()(int i) const { (*this)(grid.cellIndex(i)); }
+
+    //- A row of cells, up to before index `end`: most lie far from the surface, and so do those about them
+    HD void row(typename UniformGrid<D>::Index c, int end) const
+    {
+        const int i = grid.cell(c), count = end - c.c[0];
+        int stride = 1;
+        bool in = c.c[0] > 0 && end < grid.n[0];
+        for (int d = 1; d < D; ++d) in = in && c.c[d] > 0 && c.c[d] < grid.n[d] - 1;
+        int close = !in;
+        for (int d = 0; d < D && in; ++d)
+        {
+            for (int k = 0; k < count; ++k)
+                close |= (absolute(from[i + k]) < band) | (absolute(from[i + k - stride]) < band) | (absolute(from[i + k + stride]) < band);
+            stride *= grid.n[d];
+        }
+        if (close) for (; c.c[0] < end; ++c.c[0]) (*this)(c);
+        else for (int k = 0; k < count; ++k) to[i + k] = from[i + k];
+    }
 
     HD void operator()(const typename UniformGrid<D>::Index& c) const
     {

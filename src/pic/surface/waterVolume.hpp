@@ -50,15 +50,18 @@ HD double cutFraction(double phi, double* m)
 
 //- Part of a cell that is water, phi moved by `shift`
 template<int D, class R>
-HD double waterFraction(const UniformGrid<D>& g, const R* phi, int i, double shift)
+HD double waterFraction(const UniformGrid<D>& g, const R* phi, int i, const typename UniformGrid<D>::Index& c, double shift)
 {
     const double value = phi[i] + shift;
     if (absolute(value) > 2*g.h) return value < 0 ? 1 : 0;
-    const CellNeighbours<D, R> near(g, phi, g.cellIndex(i));
+    const CellNeighbours<D, R> near(g, phi, c);
     double m[D];
     for (int d = 0; d < D; ++d) m[d] = 0.5*(double(near.above.c[d]) - double(near.below.c[d]));
     return cutFraction<D>(value, m);
 }
+
+template<int D, class R>
+HD double waterFraction(const UniformGrid<D>& g, const R* phi, int i, double shift) { return waterFraction(g, phi, i, g.cellIndex(i), shift); }
 
 //- Volumes in cells: with phi as it is, a little higher, a little lower
 template<int D, class R>
@@ -70,13 +73,15 @@ struct WaterVolume
     const R* open;              // cells: part that is not solid; nullptr: all of each
     double probe;               // [m]
 
-    HD void add(int i, double* sums) const
+    HD void add(int i, double* sums) const { add(i, grid.cellIndex(i), sums); }
+
+    HD void add(int i, const typename UniformGrid<D>::Index& c, double* sums) const
     {
         const double whole = open ? double(open[i]) : 1.0;
         if (!(whole > 0)) return;
-        sums[0] += whole*waterFraction(grid, phi, i, 0);
-        sums[1] += whole*waterFraction(grid, phi, i, probe);
-        sums[2] += whole*waterFraction(grid, phi, i, -probe);
+        sums[0] += whole*waterFraction(grid, phi, i, c, 0);
+        sums[1] += whole*waterFraction(grid, phi, i, c, probe);
+        sums[2] += whole*waterFraction(grid, phi, i, c, -probe);
     }
 };
 

@@ -189,13 +189,19 @@ struct MoveParticles
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(inverse, x);
         const typename UniformGrid<D>::Index c = at.index();
-        Vec<D, double> to;
-        if (nearWater[grid.cell(c)])
-        {
-            to = carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order);
-            if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
-        }
-        else for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + timeStep*particles.v[d][i];
+        if (nearWater[grid.cell(c)]) arriveInWater(i, c, carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order));
+        else arrive(i, c, x + timeStep*convert<double>(velocity(i)));
+    }
+
+    //- Of a particle that the water has carried from cell c
+    HD void arriveInWater(int i, const typename UniformGrid<D>::Index& c, Vec<D, double> to) const
+    {
+        if (shift[0]) for (int d = 0; d < D; ++d) to.c[d] += shift[d][i];
+        arrive(i, c, to);
+    }
+
+    HD void arrive(int i, const typename UniformGrid<D>::Index& c, Vec<D, double> to) const
+    {
         if (inside)
         {
             const int stopped = stopAtFaces(grid, c, to, margin, [&](int d, int face)
@@ -218,6 +224,13 @@ struct MoveParticles
     }
 
 private:
+
+    HD Vec<D, R> velocity(int i) const
+    {
+        Vec<D, R> v;
+        for (int d = 0; d < D; ++d) v.c[d] = particles.v[d][i];
+        return v;
+    }
 
     //- The coordinate after walls and periodic ends have had their say
     HD double confined(double x, int d, typename UniformGrid<D>::Index c, int i) const
