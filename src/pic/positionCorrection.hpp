@@ -4,7 +4,7 @@
 
     like the weak springs of Ando, Thuerey & Tsuruno (2012), IEEE Trans. Vis. Comput. Graph. 18, but by a share of the particle's own path,
     so that water at rest stays as it is. Particles that know the velocity's gradient take the velocity of their new place: without, what they carry would be off by
-    an error of the order of h. Near the surface only the part along the surface is taken.
+    an error of the order of h; where walls then keep them from going there it is taken back (takeBack). Near the surface only the part along the surface is taken.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -16,6 +16,18 @@
 
 namespace riprap
 {
+
+//- Along d a wall has put a particle back by so much: as far as the correction had pushed it there, with the velocity that this has given it
+template<int D, class R>
+HD void takeBack(const PicParticles<D, R>& particles, R* const* shift, int i, int d, double by)
+{
+    if (!shift[0] || !particles.affine[0]) return;
+    R& s = shift[d][i];
+    const R back = s > 0 ? maximum(-s, minimum(R(by), R(0))) : minimum(-s, maximum(R(by), R(0)));
+    if (back == R(0)) return;
+    s += back;
+    for (int a = 0; a < D; ++a) particles.v[a][i] += particles.affine[a*D + d][i]*back;
+}
 
 //- InRegisters: for the CPU, pairs eight at a time
 template<int D, class R, bool InRegisters = false>

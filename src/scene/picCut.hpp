@@ -96,7 +96,9 @@ bool PicSolver<Backend, D, P>::moveInside(double dt, double before)
         cutGrid(clock_.time + dt, dt);
         cutForStep_ = true;
     }
-    forEach(context_, n_, PushOut<D, real>{solidField(), particles(), wallMargin*grid_.h});
+    PushOut<D, real> out{solidField(), particles(), wallMargin*grid_.h, {}};
+    for (int d = 0; d < D; ++d) out.shift[d] = config_.positionCorrection > 0 ? shift_[d].data() : nullptr;
+    forEach(context_, n_, out);
     return true;
 }
 

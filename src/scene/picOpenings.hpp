@@ -285,6 +285,7 @@ void PicSolver<Backend, D, P>::append(const std::vector<Vec<D, double>>& places,
     for (int i = 0; i < more; ++i) { id[i] = std::int32_t(clock_.nextId++); v[i] = 0; }
     put(idField_, id);
     for (int k = 0; affineField_ >= 0 && k < D*D; ++k) put(affineField_ + k, v);
+    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) context_.zero(shift_[d].data() + first, more*sizeof(real));
     n_ += more;
     withWindows([&](auto order, auto around)
     {
@@ -317,7 +318,11 @@ void PicSolver<Backend, D, P>::reserve(std::size_t count)
     for (int k = 0; k < set_.fields(); ++k) if (n_) context_.toDevice(set_.bytes(k), kept[k].data(), kept[k].size());
     sort_.allocate(context_, room, grid_.cells());
     place_.allocate(context_, room);
-    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) shift_[d].allocate(context_, room);
+    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d)
+    {
+        shift_[d].allocate(context_, room);
+        context_.zero(shift_[d].data(), room*sizeof(real));
+    }
 }
 
 //- The opening through which a particle has left the block; -1: none

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "picCloud.hpp"
+#include "pic/cutCells/pushOut.hpp"
 
 namespace riprap
 {
@@ -178,6 +179,123 @@ PIC_TEST(SprayGainsNoEnergy)
             slowed += !untouched;
         }
         EXPECT_EQ(slowed > cloud.n/10, water == someWater);
+    }
+}
+
+//- The correction has pushed particles by so much, and given each the velocity of where it would be, by the gradient that it knows: where sides, closed faces and solids
+//  keep it from going there it has that of where it is, v + A dx, less what it loses into the wall
+PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    constexpr double margin = 1e-3, surface = 0.3;
+    Random random(17);
+    for (const bool solid : {false, true})
+    {
+        Cloud<C> cloud(6, 5, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); });
+        const UniformGrid<D>& g = cloud.grid;
+        auto& context = cloud.context;
+        std::vector<double> x[D];
+        std::vector<R> v0[D], v[D], push[D], gradient[D*D];
+        for (int d = 0; d < D; ++d)
+        {
+            x[d] = cloud.set.template download<double>(context, d);
+            for (double& at : x[d])         // not nearer to a wall than it would leave them
+            {
+                const double cell = std::floor(at/g.h)*g.h;
+                at = std::max(cell + 2*margin, std::min(at, cell + g.h - 2*margin));
+            }
+            v[d] = v0[d] = cloud.set.template download<R>(context, D + d);
+            push[d].assign(cloud.n, R(0));
+        }
+        for (int k = 0; k < D*D; ++k) for (int i = 0; i < cloud.n; ++i) gradient[k].push_back(R(random(-20, 20)));
+        for (int i = 0; i < cloud.n; ++i)
+        {
+            const int along = solid ? 0 : i % D;
+            if (solid) x[0][i] = std::max(x[0][i], surface + margin);
+            push[along][i] = R((solid ? -1 : 1)*random(-0.6, 0.6)*g.h);
+            for (int a = 0; a < D; ++a) v[a][i] += gradient[a*D + along][i]*push[along][i];
+        }
+        Array<Backend, R> shift[D], aperture[D];
+        Array<Backend, unsigned char> near, sealed[D];
+        near.upload(context, std::vector<unsigned char>(g.cells(), allWater));
+        std::vector<double> to = x[0];
+        if (solid) for (int i = 0; i < cloud.n; ++i) to[i] += push[0][i];
+        for (int d = 0; d < D; ++d)
+        {
+            std::vector<R> open(g.faces(d), R(1));
+            for (int f = 0; f < g.faces(d); ++f)
+            {
+                const int at = g.faceIndex(d, f).c[d];
+                if (at == 0 || at == g.n[d] || (d == 0 && at == 3)) open[f] = 0;
+            }
+            aperture[d].upload(context, open);
+            sealed[d].upload(context, std::vector<unsigned char>(g.faces(d), 0));
+            shift[d].upload(context, push[d]);
+            cloud.u[d].upload(context, std::vector<R>(g.faces(d), R(0)));       // nothing is carried anywhere
+            cloud.set.upload(context, d, d == 0 ? to : x[d]);
+            cloud.set.upload(context, D + d, v[d]);
+        }
+        for (int k = 0; k < D*D; ++k) cloud.set.upload(context, 2*D + k, gradient[k]);
+        std::vector<double> distance;
+        for (int i = 0; i < NodeGrid<D>{g}.count(); ++i) distance.push_back(g.h*(i % (g.n[0] + 1)) - surface);
+        Array<Backend, double> distances;
+        distances.upload(context, distance);
+        if (solid)
+        {
+            PushOut<D, R> f{};
+            f.solids.grid = g;
+            f.solids.distance = distances.data();
+            f.particles = cloud.view();
+            f.margin = margin;
+            for (int d = 0; d < D; ++d)
+            {
+                f.solids.aperture[d] = aperture[d].data();
+                f.solids.sealed[d] = sealed[d].data();
+                f.shift[d] = shift[d].data();
+            }
+            forEach(context, cloud.n, f);
+        }
+        else
+        {
+            MoveParticles<2, D, R> f{};
+            f.grid = g;
+            f.inverse = 1/g.h;
+            f.particles = cloud.view();
+            for (int d = 0; d < D; ++d)
+            {
+                f.u[d] = cloud.u[d].data();
+                f.aperture[d] = aperture[d].data();
+                f.shift[d] = shift[d].data();
+            }
+            f.nearWater = near.data();
+            f.timeStep = 1;
+            f.order = 3;
+            f.inside = true;
+            f.margin = margin;
+            forEach(context, cloud.n, f);
+        }
+        int stopped = 0;
+        std::vector<double> after[D];
+        for (int d = 0; d < D; ++d)
+        {
+            after[d] = cloud.set.template download<double>(context, d);
+            v[d] = cloud.set.template download<R>(context, D + d);
+        }
+        for (int i = 0; i < cloud.n; ++i)
+        {
+            const int along = solid ? 0 : i % D;
+            const double went = after[along][i] - x[along][i], kept = went - push[along][i];
+            if (std::abs(kept) > 1e-6) ++stopped;
+            for (int a = 0; a < D; ++a)
+            {
+                const double own = double(v0[a][i]) + double(gradient[a*D + along][i])*went;
+                const bool lost = a == along && std::abs(kept) > 1e-6 && own*kept < 0;      // into the wall
+                EXPECT_NEAR(v[a][i], lost ? 0 : own, 200*C::epsilon) << i << " " << a << " " << solid;
+            }
+        }
+        EXPECT_GT(stopped, cloud.n/40);
     }
 }
 

@@ -1,11 +1,12 @@
-/*  Particles that have come into a solid are put on its surface, the shortest way, and lose the velocity into it. Nothing thin is
-    passed on that way.
+/*  Particles that have come into a solid are put on its surface, the shortest way, and lose the velocity into it, and what the correction of positions gave them for
+    the way into it. Nothing thin is passed on that way.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "pic/cutCells/solidField.hpp"
+#include "pic/positionCorrection.hpp"
 #include "pic/transfer/stopAtFaces.hpp"
 
 namespace riprap
@@ -19,6 +20,7 @@ struct PushOut
     SolidField<D, R> solids;
     PicParticles<D, R> particles;
     double margin;                              // [m]
+    R* shift[D];                                // of the correction [m]; nullptr: there is none
 
     HD void operator()(int i) const
     {
@@ -45,6 +47,7 @@ struct PushOut
             for (int d = 0; d < D; ++d) x.c[d] = maximum(margin, minimum(x.c[d], grid.n[d]*grid.h - margin));
         }
         stopAtFaces(grid, c, x, margin, [&](int d, int face) { return solids.sealed[d][face] != 0; });
+        for (int d = 0; d < D; ++d) takeBack(particles, shift, i, d, x.c[d] - before.c[d]);
         const double slope2 = squaredNorm(normal);
         const Vec<D, R> wall = solids.velocity(before);
         double into = 0;

@@ -7,13 +7,15 @@
 
     Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
     particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave. Closed faces inside the block let
-    no particle pass either.
+    no particle pass either. What walls take back of the way that the correction of positions has pushed a particle is taken back from its velocity as well: it has
+    become that of a place that is not reached, and in a corner, where particles push each other against walls step by step, it would grow without bound.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "pic/particles.hpp"
+#include "pic/positionCorrection.hpp"
 #include "pic/transfer/innerNodes.hpp"
 #include "pic/transfer/localVelocity.hpp"
 #include "pic/transfer/sample.hpp"
@@ -175,7 +177,7 @@ struct MoveParticles
     const R* u[D];
     const R* aperture[D];
     const unsigned char* nearWater;
-    const R* shift[D];          // what position correction adds [m]; nullptr: none
+    R* shift[D];                // what position correction adds [m], and what walls have left of it; nullptr: none
     const unsigned char* gate[D];       // closed faces of the sides through which water leaves; nullptr: there are none
     double timeStep;
     int order;                  // 2 or 3
@@ -204,10 +206,12 @@ struct MoveParticles
     {
         if (inside)
         {
+            const Vec<D, double> free = to;
             const int stopped = stopAtFaces(grid, c, to, margin, [&](int d, int face)
             { return !(aperture[d][face] > R(0)); });
-            for (int d = 0; d < D; ++d)
+            if (stopped) for (int d = 0; d < D; ++d)
             {
+                takeBack(particles, shift, i, d, to.c[d] - free.c[d]);
                 R& v = particles.v[d][i];
                 if ((stopped >> 2*d & 1 && v < 0) || (stopped >> 2*d & 2 && v > 0)) v = 0;
             }
@@ -246,9 +250,11 @@ private:
         c.c[d] = low ? 0 : grid.n[d];
         const int face = grid.face(d, c);
         if (aperture[d][face] > R(0) || (gate[d] && gate[d][face])) return x;
+        const double wall = low ? margin : length - margin;
+        takeBack(particles, shift, i, d, wall - x);
         R& v = particles.v[d][i];
         if (low ? v < 0 : v > 0) v = 0;
-        return low ? margin : length - margin;
+        return wall;
     }
 };
 

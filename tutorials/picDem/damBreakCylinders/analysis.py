@@ -110,7 +110,7 @@ def plotResolution(runs, path):
     rows = [row for row in rows if len(row[2]) > 1]
     if not rows:
         return
-    fig, axes = plotting.figure(len(rows) + 2, width=4, height=3.4)
+    fig, axes = plotting.figure(3, 2, width=4.2, height=3.2) if len(rows) == 4 else plotting.figure(len(rows) + 2, width=4, height=3.2)
     for axis, (beta, name, group) in zip(axes, rows):
         for run in group:
             axis.plot(*centre(run), linewidth=1, label=f'{2*radius/kind(run)[1]:.0f} cells a diameter')
@@ -119,11 +119,11 @@ def plotResolution(runs, path):
     for beta, name, group in rows:
         cells = [2*radius/kind(run)[1] for run in group]
         at = [(c, np.interp(0.2, *centre(run))) for c, run in zip(cells, group) if centre(run)[0][-1] >= 0.2 - 1e-9]
-        style = dict(color=f"C{int(beta < 1)}", linestyle='-' if name == '1 mm' else '--', marker='o', markersize=4, linewidth=1, label=f'beta {beta:g}, gap {name}')
+        style = dict(color=f'C{int(beta < 1)}', linestyle='-' if name == '1 mm' else '--', marker='o', markersize=4, linewidth=1, label=f'beta {beta:g}, gap {name}')
         axes[-2].plot(*zip(*at), **style)
         axes[-1].plot(cells, [arrival(run) for run in group], **style)
     axes[-2].set(ylabel='centre of all cylinders at 0.2 s, x/L')
-    axes[-1].set(ylabel='first cylinder at the far wall [s]')
+    axes[-1].set(ylabel='first cylinder at the far wall [s]', ylim=(0.2, 0.32))
     for axis in axes[-2:]:
         axis.set(xlabel='cells a diameter')
         axis.legend(fontsize=6)
