@@ -163,7 +163,7 @@ const char* partOf(const std::string& kernel)
     static const std::map<std::string, const char*> parts
     {
         {"picKeys", "sort"}, {"sort", "sort"}, {"clearCells", "sort"}, {"countCells", "sort"}, {"scan", "sort"}, {"putInOrder", "sort"},
-        {"bodyDistances", "solids"}, {"restoreDistances", "solids"}, {"findShares", "solids"}, {"measureShares", "solids"}, {"closeByBodies", "solids"}, {"bodyFaceVelocities", "solids"},
+        {"bodiesOfRows", "solids"}, {"bodyDistances", "solids"}, {"restoreDistances", "solids"}, {"findShares", "solids"}, {"measureShares", "solids"}, {"closeByBodies", "solids"}, {"bodyFaceVelocities", "solids"},
         {"restoreFaces", "solids"}, {"bodyVolumes", "solids"}, {"findBodyCells", "solids"}, {"fillBodyCells", "solids"}, {"sumBodyRows", "solids"}, {"sumBodies", "solids"},
         {"openVolumes", "solids"}, {"openWeights", "solids"}, {"markKnownCells", "solids"}, {"extendSurface", "solids"}, {"pushOut", "solids"}, {"countCoupled", "solids"}, {"fillCoupled", "solids"},
         {"keepSorted", "solids"}, {"coupledBodies", "pressure"}, {"coupledAdd", "pressure"},

@@ -2,6 +2,7 @@
 */
 #include "coupledPCG.H"
 #include "PrecisionAdaptor.H"
+#include "processRanks.H"
 #include "wetMesh.H"
 
 namespace Foam
@@ -24,6 +25,7 @@ Foam::coupledPCG::coupledPCG
 :
     lduMatrix::solver(fieldName, matrix, interfaceBouCoeffs, interfaceIntCoeffs, interfaces, solverControls)
 {
+    deflation_.heavyHats = true;
     const dictionary& entries = solverControls.subOrEmptyDict("deflation");
     bool wrong = false;
     if (entries.found("localIterations")) wrong = (deflation_.localIterations = entries.get<label>("localIterations")) < 1;
@@ -53,7 +55,9 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
     // The bodies come with the mesh of the wet cells; any other has none
     autoPtr<riprap::BodyDeflation> bodies;
     const wetMesh* mesh = dynamic_cast<const wetMesh*>(&matrix().mesh());
-    if (mesh && !mesh->system().bodies.empty()) bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_));
+    autoPtr<processRanks> ranks;
+    if (mesh && mesh->system().divided && UPstream::nProcs(comm) > 1) ranks.reset(new processRanks(mesh->system(), comm));
+    if (mesh && !mesh->system().bodies.empty()) bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_, ranks.get()));
     const riprap::BodyDeflation* deflation = bodies.get();
     const bool deflates = deflation && deflation->columns() > 0;
 

@@ -106,12 +106,15 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
 {
     riprap::PressureReport report;
     report.solver = "";
-    if (!system.rows()) return report;
+    const bool divided = UPstream::parRun();
+    if (divided && !system.divided) FatalErrorInFunction << "the equations of " << field_ << " are not divided over the processes" << exit(FatalError);
+    const label rows = divided ? returnReduce(label(system.rows()), sumOp<label>()) : system.rows();
+    if (!rows) return report;
 
     const wetMesh mesh(time_, system);
     lduMatrix matrix(mesh);
     copy(system.diagonal, matrix.diag());
-    if (!system.owner.empty()) copy(system.offDiagonal, matrix.upper());
+    if (!system.owner.empty() || divided) copy(system.offDiagonal, matrix.upper());
     scalarField x(system.rows()), rhs(system.rows());
     copy(system.x, x);
     copy(system.rhs, rhs);
@@ -123,15 +126,14 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
         FatalIOErrorInFunction(controls_) << "solver " << controls.get<word>("solver") << " of " << field_
             << " cannot move free bodies with the water. Valid: coupledPCG, " << deviceSolver << exit(FatalIOError);
     }
-    if (system.rows() < fewRows)
+    if (rows < (divided ? UPstream::nProcs(mesh.comm())*fewRows : fewRows))
     {
         if (!coupled) controls.set("solver", "PCG");
         controls.remove("preconditioner");
         controls.set("preconditioner", "DIC");
     }
-    const FieldField<Field, scalar> boundary(0);
-    const lduInterfaceFieldPtrsList interfaces(0);
-    const solverPerformance performance = lduMatrix::solver::New(field_, matrix, boundary, boundary, interfaces, controls)->solve(x, rhs);
+    const solverPerformance performance =
+        lduMatrix::solver::New(field_, matrix, mesh.borderCoeffs(), mesh.borderCoeffs(), mesh.borderFields(), controls)->solve(x, rhs);
     performance.print(Info.masterStream(mesh.comm()));
     std::copy(x.begin(), x.end(), system.x.begin());
 

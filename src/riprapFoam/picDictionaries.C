@@ -162,6 +162,10 @@ static void readPicProperties
     readOpenings(pic.subDict("openings"), mesh, config);
     settings.contactVelocity =
         pic.between("contactVelocity", settings.contactVelocity, 0, 1);
+    if (pic.found("contactVelocityTime"))
+    {
+        settings.contactVelocityTime = pic.positive("contactVelocityTime");
+    }
     settings.weak = pic.either("coupling", "weak", "implicit", false);
     readGuards(pic, settings);
 

@@ -26,6 +26,17 @@ picRun readPicRun(const Time& time)
     run.given = dict.get<scalar>("given");
     run.read(dict);
 
+    const dictionary openings(dict.subOrEmptyDict("openings"));
+    for (const word& name : openings.toc())
+    {
+        const dictionary& opening = openings.subDict(name);
+        riprap::PicPassage& passage = run.passed[name];
+        passage.in = count(opening, "in");
+        passage.out = count(opening, "out");
+        passage.volume = opening.get<scalar>("volume");
+        passage.pending = opening.get<scalar>("pending");
+    }
+
     if (!(run.spacing > 0 && run.given > 0))
     {
         FatalIOErrorInFunction(dict)
@@ -44,6 +55,21 @@ void writePicRun(const Time& time, const picRun& run)
     dict.add("spacing", exact(run.spacing));
     dict.add("given", exact(run.given));
     run.write(dict);
+
+    dictionary openings;
+    for (const auto& passage : run.passed)
+    {
+        dictionary opening;
+        opening.add("in", exact(passage.second.in));
+        opening.add("out", exact(passage.second.out));
+        opening.add("volume", exact(passage.second.volume));
+        opening.add("pending", exact(passage.second.pending));
+        openings.add(word(passage.first, false), opening);
+    }
+    if (!run.passed.empty())
+    {
+        dict.add("openings", openings);
+    }
 
     writeState(dict);
 }

@@ -107,6 +107,7 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
     if (water && inside.solids->input.particles.size() <= fewSolids) device = DeviceKind::cpu;
     const PicSolids& s = *inside.solids;
     require(s.contactVelocity >= 0 && s.contactVelocity <= 1, "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
+    require(s.contactVelocityTime >= 0, "the time in which water between solids that touch loses of its velocity must not be negative");
     checkShapes(c, s);
     const std::vector<double>& r = s.input.particles.radius;
     const std::vector<std::int32_t>& clump = s.input.particles.clump;

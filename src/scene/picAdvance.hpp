@@ -109,7 +109,10 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.volumeError = n_ > 0 ? report.volume/(n_*particle + (opens() ? openBalance() : 0)) - 1 : 0;
     report.volumeDrift = clock_.drift;
     for (std::size_t k = 0; k < openings_.in.size(); ++k)
-        report.passed.push_back(PicPassage{openings_.in[k], openings_.out[k], double(openings_.in[k] - openings_.out[k])*particle + openBalance(int(k))});
+    {
+        const double pending = openBalance(int(k));
+        report.passed.push_back(PicPassage{openings_.in[k], openings_.out[k], openings_.volume[k] + pending, pending});
+    }
     return report;
 }
 

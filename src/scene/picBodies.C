@@ -48,6 +48,7 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     clumps_(!solids.input.clumps.empty()),
     weak_(solids.weak),
     beta_(solids.contactVelocity),
+    betaTime_(solids.contactVelocityTime),
     shapes_(solids.shapes),
     stir_(solids.config.sleepAfter > 0 ? solids.config.sleepSpeed/solids.config.sleepAfter : 0)
 {

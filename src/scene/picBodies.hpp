@@ -107,6 +107,7 @@ public:
     bool acrossPeriodic(const UniformGrid<D>&) const;       // does one reach across a periodic side? The grid would see a part of it alone
     bool finite() const { return finite_; }     // is the water's force on all of them a number?
     double contactVelocity() const { return beta_; }
+    double contactTimes(double dt) const { return betaTime_ > 0 ? dt/betaTime_ : 1; }    // how many of those that beta is meant for are in dt
     std::vector<ContactArea<D>> contacts(const UniformGrid<D>&) const;
     Vector3 force() const;                      // of the water on all of them [N]
 
@@ -159,7 +160,7 @@ private:
     std::vector<Now> now_;
     std::vector<FreeBody<D, Shape>> bodies_;
     bool verlet_ = false, clumps_ = false, weak_ = false, finite_ = true;
-    double beta_ = 1;
+    double beta_ = 1, betaTime_ = 0;
     std::vector<PicShape> shapes_;
     double stir_ = 0;                           // [m/s2] change of acceleration that wakes; 0: nobody sleeps
     std::vector<Ball<D>> ballOfId_;

@@ -32,6 +32,8 @@ void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
     const bool anew = base_.nodeDistance.empty() || base_.moves, moved = bodies_ && bodies_->read();
     if (!anew && !moved && !bodiesLoaded_) return;
     bodiesRest_ = bodiesLoaded_ = false;
+    // where blocks, before and after, are more than all there is
+    const bool all = anew || 2*bodyCut_.blockNodes() > grid_.cells();
     if (anew)
     {
         base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);
@@ -44,10 +46,10 @@ void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
     else if (bodies_)
     {
         bodyCut_.restore(context_, cutFields());
-        measureOpenings(false);                 // where the new cut may not come
+        if (!all) measureOpenings(false);       // where the new cut may not come
     }
     if (bodies_) cutByBodies();
-    measureOpenings(anew);
+    measureOpenings(all);
     for (int d = 0; d < D && sticksInside(); ++d)
         forEach(context_, grid_.faces(d), FaceDistances<D, real>{{grid_}, d, nodeDistance_.data(), faceDistance_[d].data()});
     insideMoves_ = base_.moves || bodies_;

@@ -20,8 +20,15 @@ void PicSolver<Backend, D, P>::setOpenings(PicWalls& walls)
     Vec<D, double> up{};
     for (int d = 0; d < D; ++d) up.c[d] = g > 0 ? -gravity_[d]/g : 0.0;
     openings_.faces = openFaces(grid_, walls.opening, up);
-    openings_.in.assign(config_.openings.size(), 0);
-    openings_.out.assign(config_.openings.size(), 0);
+    openings_.in.clear();
+    openings_.out.clear();
+    openings_.volume.clear();
+    for (const PicOpening& o : config_.openings)
+    {
+        openings_.in.push_back(o.before.in);
+        openings_.out.push_back(o.before.out);
+        openings_.volume.push_back(o.before.volume - o.before.pending);
+    }
     openings_.rate.assign(config_.openings.size(), 0);
     openings_.owed.assign(config_.openings.size(), 0);
     for (int d = 0; d < D; ++d)
@@ -103,6 +110,26 @@ void PicSolver<Backend, D, P>::startOpenings()
         from += count;
     }
     markWater();
+    takeUpPending();
+}
+
+//- What came in before the run was continued, and is no particles yet, is kept by faces under water, as much by each of their area; what went out and
+//  has not left as particles is owed
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::takeUpPending()
+{
+    std::vector<double> wet(config_.openings.size(), 0.0);
+    for (const OpenFace<D>& f : openings_.faces) wet[f.opening] += f.wet*f.open;
+    for (OpenFace<D>& f : openings_.faces)
+    {
+        const double pending = config_.openings[f.opening].before.pending;
+        if (pending > 0 && wet[f.opening] > 0) f.kept = pending*f.wet*f.open/wet[f.opening];
+    }
+    for (std::size_t k = 0; k < wet.size(); ++k)
+    {
+        const double pending = config_.openings[k].before.pending;
+        if (pending < 0 || !(wet[k] > 0)) openings_.owed[k] = -pending;
+    }
 }
 
 //- What is given for the step that begins at t
@@ -213,6 +240,7 @@ void PicSolver<Backend, D, P>::letIn(double dt)
         const std::size_t before = places.size();
         enter(f, grid_, f.inward(along), dt, clock_.particleVolume, perDirection, vertical, vertical >= 0 && gravity_[vertical] < 0, wallMargin*grid_.h, places);
         openings_.in[f.opening] += std::int64_t(places.size() - before);
+        openings_.volume[f.opening] += double(places.size() - before)*clock_.particleVolume;
         Vec<D, double> v{};
         if (o.kind == OpeningKind::velocity && places.size() > before)
         {
@@ -337,6 +365,7 @@ std::vector<double> PicSolver<Backend, D, P>::openingMemory() const
     {
         memory.push_back(double(openings_.in[k]));
         memory.push_back(double(openings_.out[k]));
+        memory.push_back(openings_.volume[k]);
         memory.push_back(openings_.owed[k]);
     }
     return memory;
@@ -350,6 +379,7 @@ void PicSolver<Backend, D, P>::setOpeningMemory(const double* memory)
     {
         openings_.in[k] = std::int64_t(*memory++);
         openings_.out[k] = std::int64_t(*memory++);
+        openings_.volume[k] = *memory++;
         openings_.owed[k] = *memory++;
     }
 }

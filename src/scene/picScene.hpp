@@ -29,6 +29,14 @@ struct PicAbsorber
 
 enum class OpeningKind {velocity, flowRate, level};
 
+//- Particles that have come in and gone out through an opening since the very start
+struct PicPassage
+{
+    std::int64_t in = 0, out = 0;
+    double volume = 0;                      // of the water that came in, less what went out [m3] (2D: m2)
+    double pending = 0;                     // of that, what is not yet particles that have come or gone
+};
+
 //- A part of the sides through which water comes and goes (pic/openings): its velocity is given, or what flows in, over the part of it that is under water, or
 //  the height of the water that stands beyond. As functions of time [s]
 struct PicOpening
@@ -38,6 +46,7 @@ struct PicOpening
     std::function<Vector3(double)> velocity;        // [m/s]
     std::function<double(double)> flowRate;         // into the domain [m3/s] (2D: m2/s)
     std::function<double(double)> level;            // against gravity, from the world's origin [m]; of velocity and flowRate: up to which there is a flow, null: as the water stands
+    PicPassage before;                      // of a run that continues without its exact state: what had passed
 };
 
 struct PicConfig : FluidConfig
@@ -127,6 +136,7 @@ struct PicSolids
     std::vector<PicShape> shapes;           // of clumps that have one (DemClump::shape)
     bool weak = false;                      // their motion from the last step's pressure, not solved with it
     double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
+    double contactVelocityTime = 0;         // [s] or in this time, whatever the step; 0: a step
 };
 
 //- What is inside the domain; motion: of obstacles that move
@@ -138,13 +148,6 @@ struct PicInside
     std::unique_ptr<DemScene> scene;                // theirs; made by createPicScene
 
     bool empty() const { return obstacles.empty() && !scene; }
-};
-
-//- Particles that have come in and gone out through an opening since the very start
-struct PicPassage
-{
-    std::int64_t in = 0, out = 0;
-    double volume = 0;                      // of the water that came in, less what went out [m3] (2D: m2)
 };
 
 //- What one call of advance did

@@ -153,7 +153,7 @@ void PicSolver<Backend, D, P>::dragBodies(double dt)
 
 //- Eq. 20
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::slowBetweenSolids()
+void PicSolver<Backend, D, P>::slowBetweenSolids(double dt)
 {
     const std::vector<ContactArea<D>> areas = bodies_->contacts(grid_);
     if (areas.empty()) return;
@@ -170,7 +170,7 @@ void PicSolver<Backend, D, P>::slowBetweenSolids()
     }
     contactBoxes_.upload(context_, box);
     contactAreas_.upload(context_, sorted);
-    SlowBetweenSolids<D, real> slow{grid_, particles(), boxes, int(box.size()), contactBoxes_.data(), contactAreas_.data(), bodies_->contactVelocity(), {}};
+    SlowBetweenSolids<D, real> slow{grid_, particles(), boxes, int(box.size()), contactBoxes_.data(), contactAreas_.data(), bodies_->contactVelocity(), bodies_->contactTimes(dt), {}};
     for (int d = 0; d < D; ++d) slow.u[d] = (config_.reflection > 0 ? after_ : u_)[d].data();
     forEach(context_, n_, slow);
 }

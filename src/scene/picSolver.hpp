@@ -117,6 +117,7 @@ private:
     void openFully();
     std::vector<double> atOpenings(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells);
     void startOpenings();
+    void takeUpPending();
     void setOpenFaces(double t);
     void writeOpenFaces();
     void pushOpenFaces(double dt);
@@ -125,7 +126,7 @@ private:
     void reserve(std::size_t particles);
     int leftThrough(const Vec<D, double>& x) const;
     double openingSpeed(double t) const;
-    std::size_t openingMemorySize() const { return 2*openings_.faces.size() + 3*openings_.in.size(); }
+    std::size_t openingMemorySize() const { return 2*openings_.faces.size() + 4*openings_.in.size(); }
     double openBalance(int opening = -1) const;
     std::vector<double> openingMemory() const;
     void setOpeningMemory(const double*);
@@ -148,7 +149,7 @@ private:
     void cutByBodies();
     void useBodyVelocities(bool predicted);
     void projectWithBodies(double dt, bool sameWater);
-    void slowBetweenSolids();
+    void slowBetweenSolids(double dt);
     void setSolidVelocity();
     void dragBodies(double dt);
     bool advanceSolids(double dt, double before);
@@ -236,6 +237,7 @@ private:
         std::vector<double> rate;               // of openings: velocity inward that the flow makes [m/s]
         std::vector<double> owed;               // volume that has gone out but not as particles [m^D]
         std::vector<std::int64_t> in, out;      // particles
+        std::vector<double> volume;             // that they stand for, in less out [m^D]
         Array<Backend, int> face[D], cell[D];
         Array<Backend, unsigned char> gate[D], flags;
         Array<Backend, real> buffer, second;

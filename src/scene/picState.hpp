@@ -1,5 +1,7 @@
 /*  PicSolver: the exact state as words, so that a run continues bit for bit.
 
+    Without solids it is the same on the CPU and the GPU: a run goes on from it on the other, where only rounding is different.
+
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, cells, bytes of the clock; the clock; each field of the
     particles in the device's order; phi, p, and the velocities of the faces, their last changes and what particles took; what openings
     remember; of solids, each after its length, what bodies
@@ -17,7 +19,7 @@ namespace riprap
 
 namespace detail
 {
-static constexpr std::int32_t picMagic = 0x72697032, picVersion = 5;
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 6;
 static constexpr int picHeader = 9;
 }
 
@@ -75,7 +77,7 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (detail::checksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
-    if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
+    if (bodies_ && words[4] != int(Backend::gpu)) fail("it was written on another kind of device, which keeps the contacts of solids in another order");
     if (words[6] != set_.fields()) fail("it has other fields (the transfer was changed)");
     if (words[7] != grid_.cells()) fail("it has " + std::to_string(words[7]) + " cells, the mesh " + std::to_string(grid_.cells()));
     if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");

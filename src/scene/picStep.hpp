@@ -107,6 +107,7 @@ void PicSolver<Backend, D, P>::sortParticles(PicReport* report, bool keysKnown)
         if (through >= 0)
         {
             ++openings_.out[through];
+            openings_.volume[through] -= clock_.particleVolume;
             openings_.owed[through] -= clock_.particleVolume;
             continue;
         }
@@ -238,9 +239,9 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::toParticles(double dt)
 {
-    withWindows([&](auto order, auto around)
+    const auto take = [&](auto order, auto around, auto pic)
     {
-        GridToParticle<decltype(order)::value, D, real, decltype(around)::value> f{};
+        GridToParticle<decltype(order)::value, D, real, decltype(around)::value, decltype(pic)::value> f{};
         f.grid = grid_;
         f.inverse = 1/grid_.h;
         f.particles = particles();
@@ -251,9 +252,14 @@ void PicSolver<Backend, D, P>::toParticles(double dt)
             f.fall[d] = real(gravity_[d]*dt);
         }
         f.nearWater = near_.data();
-        f.picPart = real(config_.transfer == TransferKind::pic || config_.transfer == TransferKind::apic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
+        f.picPart = real(pic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
         f.affine = affineField_ >= 0;
         forEach(context_, n_, f);
+    };
+    withWindows([&](auto order, auto around)
+    {
+        if (config_.transfer == TransferKind::pic || config_.transfer == TransferKind::apic) take(order, around, std::true_type());
+        else take(order, around, std::false_type());
     });
 }
 
@@ -385,7 +391,7 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
         const Vec<D, double> now = particleMomentum();
         for (int d = 0; d < D; ++d) momentum_.particles[config_.axes[d]] = now[d] - held[d];
     }
-    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids();
+    if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids(dt);
     moveParticles(dt);
     if (opens()) letIn(dt);
     if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }

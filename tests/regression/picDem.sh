@@ -102,6 +102,12 @@ for file in p lagrangian/fluid/positions uniform/riprap/picState
 do
     cmp -s "0.2/$file" "whole/0.2/$file" && pass "openings.restart.$file" || fail "openings.restart.$file" "0.2/$file is not what one run writes"
 done
+# From the fields alone the count of what has passed goes on: 1e-4 m3/s, 0.01 m across, for 0.2 s
+rm -rf 0.1[0-9]* 0.2
+pic 'precision double; openings { in { type flowRate; flowRate 1e-4; } out { type level; level table ((0 0.05) (1 0.05)); } }'
+riprapFoam >log 2>&1; says openings.fields 'State in uniform/riprap is not used: .*written with another precision'
+volume=$(sed -n 's/^Opening in: .*volume in all = //p' log | tail -1)
+awk -v v="${volume:-0}" 'BEGIN {exit !(v > 2e-3*(1 - 1e-6) && v < 2e-3*(1 + 1e-6))}' && pass openings.count || fail openings.count "volume in all is $volume, for 2e-3"
 rm -rf whole 0.05 0.1 0.1[0-9]* 0.2 postProcessing
 tank2; good
 

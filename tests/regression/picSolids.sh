@@ -71,7 +71,10 @@ rm -rf 0.0*
 
 water 'coupling weak; contactVelocity 0.5;'; pressure 'solver cudaPCG; tolerance 1e-9;'; control picDem 0.01 ''
 riprapFoam >log 2>&1 && pass weak || fail weak "$(grep -m1 -A3 ERROR log)"
+says slowedAStep 'coupling +weak, contactVelocity 0.5 a step'
 rm -rf 0.0*
+water 'contactVelocity 0.5; contactVelocityTime 1e-3;'; riprapFoam -dry-run >log 2>&1
+says slowedInTime 'coupling +implicit, contactVelocity 0.5 in 0.001 s'
 
 # A body of its own shape, turned: cut by its outline, continued to the bit
 brick='source clumpsFromOutline; outline ((0 0 0) (0.06 0 0) (0.06 0.045 0) (0 0.045 0)); spheres 12; centres ((0.1 0.055 0.005)); orientation turned; angle 20;'
@@ -107,6 +110,11 @@ water 'coupling strong;'
 refused coupling 'coupling.*strong.*weak|coupling.*strong.*implicit' riprapFoam
 water 'contactVelocity 1.5;'
 refused contactVelocity 'contactVelocity.*1.5' riprapFoam
+for time in 0 -1e-4 never
+do
+    water "contactVelocity 0.5; contactVelocityTime $time;"
+    refused "contactVelocityTime$time" "contactVelocityTime.*$time" riprapFoam
+done
 water 'walls { slip noSlip; motion { gone { patches (gone); solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0 0 0); } } } }'
 refused motion 'no constant/geometry: picDem moves entries of that dictionary' riprapFoam
 water ''

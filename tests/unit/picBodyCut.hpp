@@ -373,7 +373,7 @@ BODY_TEST(SlowsWhereContactsReach)
     Array<Backend, double> x[D];
     Array<Backend, R> v[D], u[D];
     std::vector<double> at[D];
-    SlowBetweenSolids<D, R> slow{grid, {}, boxes, contacts, boxOf.data(), area.data(), 0.25, {}};
+    SlowBetweenSolids<D, R> slow{grid, {}, boxes, contacts, boxOf.data(), area.data(), 0.25, 1, {}};
     for (int d = 0; d < D; ++d)
     {
         for (int i = 0; i < n; ++i) at[d].push_back(in(random));
@@ -384,10 +384,12 @@ BODY_TEST(SlowsWhereContactsReach)
         slow.particles.v[d] = v[d].data();
         slow.u[d] = u[d].data();
     }
-    forEach(context, n, slow);
     int slowed = 0, taken = 0;
+    for (const double times : {1.0, 0.5, 3.0})          // of those that beta is meant for
     for (int d = 0; d < D; ++d)
     {
+        slow.times = times;
+        forEach(context, n, slow);
         const std::vector<R> after = v[d].download();
         for (int i = 0; i < n; ++i)
         {
@@ -409,7 +411,7 @@ BODY_TEST(SlowsWhereContactsReach)
             slowed += factor < 1;
             taken += near;
             const double wall = std::min(at[d][i], 2 - at[d][i]);       // beside a side the grid's velocity across it is another
-            if (!near || wall > 2*grid.h) { ASSERT_NEAR(after[i], near ? 2*factor : 7, 1e-5) << i; }
+            if (!near || wall > 2*grid.h) { ASSERT_NEAR(after[i], near ? 2*std::pow(factor, times) : 7, 1e-5) << i; }
         }
     }
     EXPECT_GT(slowed, 20);

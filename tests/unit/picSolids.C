@@ -5,6 +5,7 @@
 #include "bodyReference.hpp"
 #include "picSolidScene.hpp"
 #include "pic/bodies/ballUnion.hpp"
+#include "pic/bodies/contactArea.hpp"
 #include "pic/extrapolate.hpp"
 
 namespace riprap
@@ -75,12 +76,13 @@ TEST_P(PicSolidScene, MovesHeavyOnesWhereTheGridIs)
     c.fixedTimeStep = 2e-3;
     const double a = 2.6*c.cellSize;
     const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
-    const auto run = [&](LinearSolver* of, double beta)
+    const auto run = [&](LinearSolver* of, double beta, double time = 0)
     {
         PicInside inside;
         const auto solids = balls(c, {{{0.45, 0.4, 0.5}}, {{0.45 + 2.05*a, 0.41, 0.5}}}, a, 2700);
         solids->input.pairs[0].properties.gap = 0.5*c.cellSize;
         solids->contactVelocity = beta;
+        solids->contactVelocityTime = time;
         inside.solids = solids;
         auto s = createPicScene(c, water, PicWalls(), of, std::move(inside));
         EXPECT_EQ(s->advance(0.04).stop, StopReason::none);
@@ -93,6 +95,11 @@ TEST_P(PicSolidScene, MovesHeavyOnesWhereTheGridIs)
     for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(v[i], there[i], 1e-5);
     EXPECT_EQ(slowed->saveState(), again->saveState());
     EXPECT_NE(slowed->saveState(), here->saveState());
+
+    // in the time of a step: the same; in a longer time: between
+    const std::vector<double> aStep = slowed->solids()->particles().velocity, timed = run(nullptr, 0.5, 2e-3)->solids()->particles().velocity;
+    for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(timed[i], aStep[i], 1e-5);
+    EXPECT_NE(run(nullptr, 0.5, 2e-2)->saveState(), slowed->saveState());
 }
 
 //- Two heavy balls fall on the floor and on each other, come to rest a gap apart, and the water with them
@@ -405,6 +412,20 @@ TEST_P(PicSolidScene, AloneAreAsInASceneOfTheirOwn)
     EXPECT_EQ(pic->solids()->particles().velocity, dem->particles().velocity);
     EXPECT_EQ(pic->fluid().id.size(), 0u);
     for (const double w : pic->grid().water) EXPECT_EQ(w, 0);
+}
+
+//- Steps in which the same time passes leave the same, however many they are; one of beta's own what the paper has, to the bit
+TEST(PicSolids, ContactsSlowByTimeNotBySteps)
+{
+    for (const double C : {0.0, 0.1, 0.5, 0.93, 1.0})
+    {
+        EXPECT_EQ(keptVelocity(C, 1), C);
+        EXPECT_NEAR(keptVelocity(C, 0.5)*keptVelocity(C, 0.5), C, 1e-15);
+        double product = 1;
+        for (const double part : {0.125, 0.0625, 0.3125, 0.25, 0.25}) product *= keptVelocity(C, part);
+        EXPECT_NEAR(product, C, 1e-15);
+        EXPECT_NEAR(keptVelocity(C, 3), C*C*C, 1e-15);
+    }
 }
 
 //- Wherever it lies: what chords cut off a ball would be missing in what the water carries of it

@@ -16,6 +16,10 @@ Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
     advanceScene(*scene_, t, singleStep, report_, run_);
     cloud_->moved();
     run_.particles = report_.fluid;
+    for (std::size_t k = 0; k < report_.passed.size(); ++k)
+    {
+        run_.passed[settings_.config.openings[k].name] = report_.passed[k];
+    }
 
     if (solids_)
     {

@@ -35,6 +35,16 @@ void Foam::solverModules::picDem::buildScene
         config.seedsPerDirection = 0;
     }
 
+    // Openings go on counting, whether the exact state is used or not
+    for (riprap::PicOpening& opening : config.openings)
+    {
+        const auto passage = run_.passed.find(opening.name);
+        if (passage != run_.passed.end())
+        {
+            opening.before = passage->second;
+        }
+    }
+
     try
     {
         scene_ = riprap::createPicScene
@@ -60,7 +70,9 @@ void Foam::solverModules::picDem::buildScene
     const label particles = label(scene_->fluid().id.size());
     if (!continued)
     {
+        const auto passed = run_.passed;
         run_ = picRun();
+        run_.passed = passed;
         run_.initialParticles = particles;
         run_.given = config.spacing;
     }

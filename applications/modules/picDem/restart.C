@@ -15,12 +15,18 @@ Description
 
 bool Foam::solverModules::picDem::canContinue(const particleCloud& cloud)
 {
+    run_ = picRun();
     if (!hasPicRun(runTime_))
     {
         return startFromCloud();
     }
 
     run_ = readPicRun(runTime_);
+    if (Time::timeName(run_.time) != runTime_.timeName())
+    {
+        // Of another time: it counts what has not passed yet, or not all
+        run_.passed.clear();
+    }
 
     string why;
     if (solids_ && !solids_->canContinue(why))

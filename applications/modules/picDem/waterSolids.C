@@ -42,7 +42,8 @@ Foam::waterSolids::waterSolids
     ),
     fluid_(fluid.config),
     weak_(fluid.weak),
-    contactVelocity_(fluid.contactVelocity)
+    contactVelocity_(fluid.contactVelocity),
+    contactVelocityTime_(fluid.contactVelocityTime)
 {}
 
 
@@ -91,6 +92,7 @@ std::shared_ptr<const riprap::PicSolids> Foam::waterSolids::input
     }
     solids->weak = weak_;
     solids->contactVelocity = contactVelocity_;
+    solids->contactVelocityTime = contactVelocityTime_;
     return solids;
 }
 
@@ -106,7 +108,13 @@ void Foam::waterSolids::logModels() const
 {
     Info<< nl << "Solids in the water" << nl;
     logItem("coupling") << (weak_ ? "weak" : "implicit")
-        << ", contactVelocity " << contactVelocity_ << nl;
+        << ", contactVelocity " << contactVelocity_;
+    if (contactVelocityTime_ > 0)
+    {
+        Info<< " in " << contactVelocityTime_ << " s";
+    }
+    else if (contactVelocity_ < 1) Info<< " a step";
+    Info<< nl;
     if (scene_->solids()->device() != scene_->device())
     {
         logItem("device") << "CPU: so few solids are moved faster there"

@@ -47,7 +47,7 @@ def discs(axis, positions, radii, colour=None, **options):
     size = 2*np.broadcast_to(radii, len(positions))
     flat = np.ndim(colour) > 0
     drawn = EllipseCollection(size, size, np.zeros(len(size)), units='xy', offsets=np.asarray(positions)[:, :2],
-                              transOffset=axis.transData, array=colour if flat else None,
+                              offset_transform=axis.transData, array=colour if flat else None,
                               facecolor=None if flat else colour or '#56B4E9', edgecolor='#222222', linewidth=0.3, **options)
     axis.add_collection(drawn)
     return drawn

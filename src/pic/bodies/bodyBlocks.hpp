@@ -53,6 +53,7 @@ struct BodyBlocks
     int count;
     const PlacedBody<D>* body;
     const int* firstRow;        // of each body, and the number of rows
+    const int* bodyOfRow;
     const Ball<D>* ball;
     const SampledShape<D>* sampled;
 
@@ -61,20 +62,34 @@ struct BodyBlocks
 
     HD BlockRow row(int r) const
     {
-        int low = 0, high = count;              // the last body that begins at or before it
+        const int b = bodyOfRow[r], i = r - firstRow[b];
+        return {b, i % body[b].size[1], i/body[b].size[1]};
+    }
+
+    //- The first index of a row
+    HD typename UniformGrid<D>::Index first(const BlockRow& r) const
+    { return {{body[r.body].low[0], body[r.body].low[1] + r.j, body[r.body].low[2] + r.k}}; }
+};
+
+//- The body of each row: the last that begins at or before it
+struct BodiesOfRows
+{
+    static constexpr const char* name = "bodiesOfRows";
+    int count;
+    const int* firstRow;
+    int* body;
+
+    HD void operator()(int r) const
+    {
+        int low = 0, high = count;
         while (high - low > 1)
         {
             const int middle = (low + high)/2;
             if (firstRow[middle] <= r) low = middle;
             else high = middle;
         }
-        const int i = r - firstRow[low];
-        return {low, i % body[low].size[1], i/body[low].size[1]};
+        body[r] = low;
     }
-
-    //- The first index of a row
-    HD typename UniformGrid<D>::Index first(const BlockRow& r) const
-    { return {{body[r.body].low[0], body[r.body].low[1] + r.j, body[r.body].low[2] + r.k}}; }
 };
 
 //- f(index) over the cells of rows, as far as the grid has them
@@ -111,10 +126,15 @@ struct LowerDistances
         const BlockRow row = blocks.row(thread/Lanes);
         const NodeGrid<D> nodes{blocks.grid};
         const ShapeView<D> shape = blocks.shape(row.body);
-        const int first = nodes.node(blocks.first(row));
-        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes)
+        const Ball<D>* ball = shape.single();
+        typename UniformGrid<D>::Index at = blocks.first(row);
+        const int first = nodes.node(at);
+        at.c[0] += thread % Lanes;
+        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes, at.c[0] += Lanes)
         {
-            const double d = shape.distance(nodes.position(n));
+            const Vec<D, double> x = nodes.position(at);
+            if (ball && squaredNorm(x - ball->centre) > (ball->radius + band)*(ball->radius + band)) continue;
+            const double d = shape.distance(x);
             if (d < band) lowerTo(distance + n, d);
         }
     }

@@ -87,8 +87,12 @@ public:
     //- For solvers on the host; without masses and velocities
     std::vector<BodyTerm> terms() const;
 
-    BodyBlocks<D> blocks() const { return {grid_, bodyCount_, body_.data(), firstRow_.data(), ball_.data(), sampled_.data()}; }
+    BodyBlocks<D> blocks() const { return {grid_, bodyCount_, body_.data(), firstRow_.data(), bodyOfRow_.data(), ball_.data(), sampled_.data()}; }
     int bodies() const { return bodyCount_; }
+
+    //- Nodes of all blocks: of bodies near each other some are counted twice
+    std::int64_t blockNodes() const { return blockNodes_; }
+
     int rows() const { return rowCount_; }
     int entries() const { return entryCount_; }
     const int* firstRow() const { return firstRow_.data(); }
@@ -133,13 +137,14 @@ private:
 
     UniformGrid<D> grid_{};
     int bodyCount_ = 0, rowCount_ = 0, shareCount_ = 0, entryCount_ = 0;
+    std::int64_t blockNodes_ = 0;
     std::vector<double> volume_;
     Array<Backend, PlacedBody<D>> body_;
     Array<Backend, Ball<D>> ball_;
     Array<Backend, SampledShape<D>> sampled_;
     Array<Backend, double> latticeDistance_;                    // of shapes, one after the other
     std::map<const double*, std::size_t> latticeAt_;            // where those of the host are in it
-    Array<Backend, int> firstRow_;                              // of bodies
+    Array<Backend, int> firstRow_, bodyOfRow_;                  // of bodies; of rows
     Array<Backend, int> shareFirst_, shareX_, bodyOfShare_;     // of rows of faces; of shares
     Array<Backend, double> share_;
     Array<Backend, Vec<D, double>> arm_;
@@ -194,6 +199,7 @@ void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>&
     std::vector<SampledShape<D>> sampled;
     std::vector<int> firstRow(1, 0);
     keepLattices(context, bodies);
+    blockNodes_ = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
         PlacedBody<D>& p = placed[b];
@@ -211,6 +217,7 @@ void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>&
         }
         p.setBlock(grid, bodies[b].reach);
         firstRow.push_back(firstRow.back() + p.rows());
+        blockNodes_ += std::int64_t(p.size[0])*p.rows();
     }
     grid_ = grid;
     bodyCount_ = int(bodies.size());
@@ -219,6 +226,8 @@ void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>&
     ball_.upload(context, balls);
     sampled_.upload(context, sampled);
     firstRow_.upload(context, firstRow);
+    makeRoom(context, bodyOfRow_, rowCount_);
+    forEach(context, rowCount_, BodiesOfRows{bodyCount_, firstRow_.data(), bodyOfRow_.data()});
 }
 
 //- Shares, sorted by faces

@@ -103,11 +103,13 @@ struct FindShares
         const NodeGrid<D> nodes{g};
         typename UniformGrid<D>::Index f = blocks.first(at.row);
         for (int e = 1; e < D; ++e) if (f.c[e] >= g.layers(at.d, e)) return;
+        RowInBody<D, ShapeView<D>> row(shape, nodes.position(f), at.d, g.h);
+        if (row.none()) return;
         int first = -1, last = -1;
         for (int i = 0; i < blocks.body[at.row.body].size[0] && f.c[0] < g.layers(at.d, 0); ++i, ++f.c[0])
         {
             if (g.periodic[at.d] && (f.c[at.d] == 0 || f.c[at.d] == g.n[at.d])) continue;
-            if (shape.distance(middleOfFace(nodes.position(nodes.node(f)), at.d, g.h)) > g.h) continue;
+            if (!row.may(g.origin[0] + g.h*f.c[0])) continue;
             if (first < 0) first = f.c[0];
             last = f.c[0];
         }
@@ -145,7 +147,7 @@ struct MeasureShares
         for (int s = first[r] + lane; s < first[r + 1]; s += Lanes, f.c[0] += Lanes)
         {
             const bool twice = g.periodic[d] && (f.c[d] == 0 || f.c[d] == g.n[d]);
-            SolidPart<D> part = inBody(shape, nodes.position(nodes.node(f)), d, g.h);
+            SolidPart<D> part = inBody(shape, nodes.position(f), d, g.h);
             if (twice) part.share = 0;
             const bool any = part.share > 0;
             int m = 0;
@@ -241,12 +243,19 @@ struct LeaveSidesAlone
         const FaceRow<D> at(blocks, r);
         const UniformGrid<D>& g = blocks.grid;
         typename UniformGrid<D>::Index f = blocks.first(at.row);
-        f.c[0] = x[r];
-        for (int s = first[r]; s < first[r + 1]; ++s, ++f.c[0])
+        const auto visit = [&](int s)
         {
+            f.c[0] = x[r] + s - first[r];
             const bool side = f.c[at.d] == 0 || f.c[at.d] == g.n[at.d];
             if (side && !(base[at.d][g.face(at.d, f)] > R(0))) share[s] = 0;
+        };
+        if (at.d == 0)
+        {
+            visit(first[r]);
+            visit(first[r + 1] - 1);
         }
+        else if (f.c[at.d] == 0 || f.c[at.d] == g.n[at.d])
+            for (int s = first[r]; s < first[r + 1]; ++s) visit(s);
     }
 };
 

@@ -3,14 +3,19 @@
 
         v = C v,        C = beta + (1 - beta) s/(2 dx)    at the distance s < 2 dx from the contact point along the tangent,
 
-    so that the area is 4 dx long. The paper leaves its width open; here it is 3 dx, the gap and what the surfaces' bend adds. The pressure drives water through the
-    area all the same, and what it gives to particles beside those that are slowed, which share their faces, nothing takes away again: with FLIP they become
-    faster step by step, without bound. So all particles in the area and up to contactBeyond from it take the grid's velocity, and v is that.
+    so that the area is 4 dx long. Once a step, as in the paper, slows the water the more the shorter the steps are. With a time T for which C is meant a step dt leaves
+
+        v = C^(dt/T) v,
+
+    a drag of rate ln(1/C)/T whatever the step. The paper leaves the area's width open; here it is 3 dx, the gap and what the surfaces' bend adds. The pressure drives
+    water through the area all the same, and what it gives to particles beside those that are slowed, which share their faces, nothing takes away again: with FLIP they
+    become faster step by step, without bound. So all particles in the area and up to contactBeyond from it take the grid's velocity, and v is that.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include <cmath>
 #include "pic/particles.hpp"
 #include "pic/transfer/sample.hpp"
 
@@ -74,6 +79,9 @@ struct ContactBoxes
     }
 };
 
+//- What is left of a velocity after so many of the steps or times for which C is meant; one: C to the bit
+HD double keptVelocity(double C, double times) { return times == 1 ? C : std::pow(C, times); }
+
 template<int D, class R>
 struct SlowBetweenSolids
 {
@@ -85,6 +93,7 @@ struct SlowBetweenSolids
     const int* box;                     // of each area, ascending
     const ContactArea<D>* areas;
     double beta;
+    double times;                       // how many of those that beta is meant for a step is: 1, or dt/T
     const R* u[D];                      // the grid's velocity that particles have after the step
 
     HD void operator()(int i) const
@@ -106,7 +115,9 @@ struct SlowBetweenSolids
                 factor = minimum(factor, beta + (1 - beta)*along/(contactAlong*grid.h));
             }
         });
-        if (near) for (int d = 0; d < D; ++d) particles.v[d][i] = R(factor)*sampleFace<2, D, R>(grid, u[d], d, x);
+        if (!near) return;
+        const double kept = keptVelocity(factor, times);
+        for (int d = 0; d < D; ++d) particles.v[d][i] = R(kept)*sampleFace<2, D, R>(grid, u[d], d, x);
     }
 
 private:

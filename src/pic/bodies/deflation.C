@@ -7,9 +7,10 @@
 namespace riprap
 {
 
-BodyDeflation::BodyDeflation(const ReducedSystem& system, const DeflationControls& controls)
+BodyDeflation::BodyDeflation(const ReducedSystem& system, const DeflationControls& controls, const Ranks* ranks)
 :
-    system_(system)
+    system_(system),
+    ranks_(ranks)
 {
     connect();
     placeBodies(controls.in(system.dimensions));
@@ -21,8 +22,11 @@ BodyDeflation::BodyDeflation(const ReducedSystem& system, const DeflationControl
 void BodyDeflation::connect()
 {
     const ReducedSystem& s = system_;
+    for (std::size_t b = 0; b < s.borders.size(); ++b)
+        for (const int r : s.borders[b].row) { border_.push_back(int(b)); beside_.push_back(r); }
     start_.assign(s.rows() + 1, 0);
     for (std::size_t f = 0; f < s.owner.size(); ++f) { ++start_[s.owner[f] + 1]; ++start_[s.neighbour[f] + 1]; }
+    for (const int r : beside_) ++start_[r + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     other_.resize(start_.back());
     coefficient_.resize(start_.back());
@@ -34,46 +38,138 @@ void BodyDeflation::connect()
             other_[at] = lower ? s.owner[f] : s.neighbour[f];
             coefficient_[at] = s.offDiagonal[f];
         }
+    int face = 0;
+    for (const RankBorder& border : s.borders)
+        for (std::size_t i = 0; i < border.row.size(); ++i, ++face)
+        {
+            const int at = next[border.row[i]]++;
+            other_[at] = s.rows() + face;
+            coefficient_[at] = border.offDiagonal[i];
+        }
+    if (!ranks_) return;
+    std::vector<std::vector<double>> cell(s.borders.size()), there(s.borders.size());
+    for (std::size_t b = 0; b < s.borders.size(); ++b)
+    {
+        for (const int r : s.borders[b].row) cell[b].push_back(s.cell[r]);
+        there[b].resize(cell[b].size());
+    }
+    ranks_->swap(cell, there);
+    for (const auto& cells : there) for (const double c : cells) beyond_.push_back(cornerOf(s, int(c)));
+}
+
+//- The cells beside each body
+void BodyDeflation::findBoxes()
+{
+    const ReducedSystem& s = system_;
+    low_.assign(s.bodies.size(), CellCorner{{s.n[0], s.n[1], s.n[2]}});
+    high_.assign(s.bodies.size(), CellCorner{{-1, -1, -1}});
+    for (std::size_t b = 0; b < s.bodies.size(); ++b)
+        for (const int r : s.bodies[b].row)
+        {
+            const CellCorner x = cornerOf(s, s.cell[r]);
+            for (int d = 0; d < 3; ++d) { low_[b][d] = std::min(low_[b][d], x[d]); high_[b][d] = std::max(high_[b][d], x[d]); }
+        }
+    if (!ranks_) return;
+    std::vector<int> ends;
+    for (std::size_t b = 0; b < s.bodies.size(); ++b)
+        for (int d = 0; d < 3; ++d) { ends.push_back(low_[b][d]); ends.push_back(-high_[b][d]); }
+    ranks_->least(ends);
+    for (std::size_t b = 0; b < s.bodies.size(); ++b)
+        for (int d = 0; d < 3; ++d) { low_[b][d] = ends[6*b + 2*d]; high_[b][d] = -ends[6*b + 2*d + 1]; }
 }
 
 //- Local solutions for light bodies, and hats between those
 void BodyDeflation::placeBodies(const DeflationControls& controls)
 {
     const ReducedSystem& s = system_;
+    const std::size_t atOnce = ranks_ ? 64 : 1;     // together, so that ranks wait for each other less often
+    findBoxes();
     std::vector<CellCorner> lows, highs;
+    std::vector<const BodyRows*> lights;
     double width = 0;
-    for (const BodyRows& body : s.bodies)
+    for (std::size_t b = 0; b < s.bodies.size(); ++b)
     {
-        if (!body.light || body.row.empty()) continue;
-        if (rowOfCell_.empty())
-        {
-            whole_.assign(s.rows(), 0.0);
-            rowOfCell_.assign(std::size_t(s.n[0])*s.n[1]*s.n[2], -1);
-            for (int i = 0; i < s.rows(); ++i) rowOfCell_[s.cell[i]] = i;
-        }
-        DeflationPiece z;
-        CellCorner low{{s.n[0], s.n[1], s.n[2]}}, high{{-1, -1, -1}};
-        for (const int r : body.row)
-        {
-            const int c = s.cell[r], x[3] = {c % s.n[0], c/s.n[0] % s.n[1], c/(s.n[0]*s.n[1])};
-            for (int d = 0; d < 3; ++d) { low[d] = std::min(low[d], x[d]); high[d] = std::max(high[d], x[d]); }
-        }
+        const CellCorner& low = low_[b];
+        const CellCorner& high = high_[b];
+        const bool light = s.bodies[b].light;
+        if (!(light || controls.heavyHats) || high[0] < low[0]) continue;
         lows.push_back(low);
         highs.push_back(high);
+        for (int d = 0; d < s.dimensions; ++d) width += double(high[d] - low[d] + 1)/s.dimensions;
+        if (!light) continue;
+        DeflationPiece z;
+        lights.push_back(&s.bodies[b]);
         for (int d = 0; d < 3; ++d)
         {
-            width += d < s.dimensions ? double(high[d] - low[d] + 1)/s.dimensions : 0;
             const int wider = d < s.dimensions ? std::max(1, int(controls.margin*0.5*(high[d] - low[d] + 1) + 0.5)) : 0;
             z.low[d] = std::max(0, low[d] - wider);
             z.high[d] = std::min(s.n[d] - 1, high[d] + wider);
         }
-        solveLocally(body, controls.localIterations, z);
-        if (z.modes) pieces_.push_back(std::move(z));
+        pieces_.push_back(std::move(z));
     }
-    if (lows.empty() || !(controls.hats > 0)) return;
-    bool closed = true;                     // nowhere p = 0
-    for (int i = 0; i < s.rows() && closed; ++i) closed = rowSum(i) <= 1e-9*s.diagonal[i];
-    for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs, controls.hats*width/lows.size(), closed)) pieces_.push_back(std::move(hat));
+    if (lows.empty()) return;
+    rowOfCell_.set(s);
+    whole_.assign(s.rows() + beside_.size(), 0.0);
+    for (std::size_t b = 0; b < lights.size(); b += atOnce)
+        solveLocally({lights.begin() + b, lights.begin() + std::min(lights.size(), b + atOnce)}, controls.localIterations, &pieces_[b]);
+    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), [](const DeflationPiece& z) { return !z.modes; }), pieces_.end());
+    if (!(controls.hats > 0)) return;
+    std::vector<int> closed(1, s.closed);
+    if (ranks_) ranks_->least(closed);
+    for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs, controls.hats*width/lows.size(), closed[0])) pieces_.push_back(std::move(hat));
+    dropEmpty();
+    for (DeflationPiece& z : pieces_) findFaces(z);
+}
+
+//- Pieces without a row on any rank
+void BodyDeflation::dropEmpty()
+{
+    std::vector<double> rows;
+    for (const DeflationPiece& z : pieces_) rows.push_back(double(z.row.size()));
+    sum(rows);
+    std::size_t kept = 0;
+    for (std::size_t b = 0; b < pieces_.size(); ++b)
+        if (rows[b] > 0)
+        {
+            if (kept != b) pieces_[kept] = std::move(pieces_[b]);
+            ++kept;
+        }
+    pieces_.resize(kept);
+}
+
+void BodyDeflation::findFaces(DeflationPiece& z) const
+{
+    z.out.clear();
+    z.in.clear();
+    for (std::size_t f = 0; f < beside_.size(); ++f)
+    {
+        if (z.holds(cornerOf(system_, system_.cell[beside_[f]]))) z.out.push_back(int(f));
+        if (z.holds(beyond_[f])) z.in.push_back(int(f));
+    }
+}
+
+template<class F>
+std::vector<std::vector<double>> BodyDeflation::beyond(const std::vector<const DeflationPiece*>& columns, const F& value)
+{
+    std::vector<std::vector<double>> values(columns.size());
+    if (!ranks_) return values;
+    std::vector<std::vector<double>> out(system_.borders.size()), in(out.size());
+    std::vector<std::size_t> size(out.size(), 0);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+    {
+        const DeflationPiece& z = *columns[c];
+        for (const int f : z.in) ++size[border_[f]];
+        if (z.out.empty()) continue;
+        for (std::size_t i = 0; i < z.row.size(); ++i) whole_[z.row[i]] = value(c, i);
+        for (const int f : z.out) out[border_[f]].push_back(whole_[beside_[f]]);
+        for (const int r : z.row) whole_[r] = 0;
+    }
+    for (std::size_t b = 0; b < in.size(); ++b) in[b].resize(size[b]);
+    ranks_->swap(out, in);
+    size.assign(size.size(), 0);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+        for (const int f : columns[c]->in) values[c].push_back(in[border_[f]][size[border_[f]]++]);
+    return values;
 }
 
 //- Along the direction in which they are spread most, so that E has a narrow band
@@ -99,44 +195,93 @@ double BodyDeflation::rowTimes(int row) const
     return sum;
 }
 
-//- Conjugate gradients with the diagonal on the rows in the body's box, for each column u of U. u^T A^-1 u is by how much the body moves the eigenvalue 1 of its mode
-void BodyDeflation::solveLocally(const BodyRows& body, int iterations, DeflationPiece& z)
+//- Conjugate gradients with the diagonal on the rows in each body's box, for each column u of U. u^T A^-1 u is by how much the body moves the eigenvalue 1 of its mode
+void BodyDeflation::solveLocally(const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z)
 {
     constexpr double slow = 0.1;
     const ReducedSystem& s = system_;
-    eachRowInBox(s, rowOfCell_, z.low, z.high, [&](int row, const CellCorner&) { z.row.push_back(row); });
-    const int n = int(z.row.size());
-    std::vector<std::vector<double>> kept;
-    std::vector<double> r(n), p(n), q(n), x(n);
-    for (int m = 0; m < body.modes; ++m)
+    struct Column { std::vector<double> r, p, q, x; double before = 0, moved = 0; bool ends = false; };
+    std::vector<Column> columns;
+    std::vector<const DeflationPiece*> at;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
     {
-        for (std::size_t i = 0; i < body.row.size(); ++i) whole_[body.row[i]] = body.u[i*body.modes + m];
-        for (int i = 0; i < n; ++i) { r[i] = whole_[z.row[i]]; x[i] = 0; }
-        for (const int row : body.row) whole_[row] = 0;
-        double before = 0, moved = 0;
-        for (int k = 0; k < iterations; ++k)
+        const BodyRows& body = *bodies[b];
+        rowOfCell_.each(z[b].low, z[b].high, [&](int row, const CellCorner&) { z[b].row.push_back(row); });
+        findFaces(z[b]);
+        const std::size_t n = z[b].row.size();
+        for (int m = 0; m < body.modes; ++m)
         {
-            double rz = 0, pq = 0;
-            for (int i = 0; i < n; ++i) rz += r[i]*r[i]/s.diagonal[z.row[i]];
-            if (!(rz > 0)) break;
-            for (int i = 0; i < n; ++i) p[i] = r[i]/s.diagonal[z.row[i]] + (k ? rz/before*p[i] : 0);
-            for (int i = 0; i < n; ++i) whole_[z.row[i]] = p[i];
-            for (int i = 0; i < n; ++i) { q[i] = rowTimes(z.row[i]); pq += p[i]*q[i]; }
-            if (!(pq > 0)) break;
-            moved += rz*rz/pq;          // what each step adds to u^T x
-            for (int i = 0; i < n; ++i)
-            {
-                x[i] += rz/pq*p[i];
-                r[i] -= rz/pq*q[i];
-            }
-            before = rz;
+            Column c;
+            for (std::vector<double>* v : {&c.r, &c.p, &c.q, &c.x}) v->assign(n, 0.0);
+            for (std::size_t i = 0; i < body.row.size(); ++i) whole_[body.row[i]] = body.u[i*body.modes + m];
+            for (std::size_t i = 0; i < n; ++i) c.r[i] = whole_[z[b].row[i]];
+            for (const int row : body.row) whole_[row] = 0;
+            columns.push_back(std::move(c));
+            at.push_back(&z[b]);
         }
-        for (const int row : z.row) whole_[row] = 0;
-        if (moved > slow) kept.push_back(x);
     }
-    z.modes = int(kept.size());
-    z.value.resize(std::size_t(n)*z.modes);
-    for (int i = 0; i < n; ++i) for (int m = 0; m < z.modes; ++m) z.value[std::size_t(i)*z.modes + m] = kept[m][i];
+    std::vector<double> rz(columns.size()), pq(columns.size());
+    for (int k = 0; k < iterations; ++k)
+    {
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            const std::vector<double>& r = columns[c].r;
+            const std::vector<int>& row = at[c]->row;
+            double part = 0;
+            for (std::size_t i = 0; i < r.size(); ++i) part += r[i]*r[i]/s.diagonal[row[i]];
+            rz[c] = part;
+        }
+        sum(rz);
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            Column& v = columns[c];
+            v.ends = v.ends || !(rz[c] > 0);
+            if (v.ends) continue;
+            const std::vector<int>& row = at[c]->row;
+            const double beta = k ? rz[c]/v.before : 0;
+            for (std::size_t i = 0; i < row.size(); ++i) v.p[i] = v.r[i]/s.diagonal[row[i]] + beta*v.p[i];
+        }
+        const std::vector<std::vector<double>> there = beyond(at, [&](std::size_t c, std::size_t i) { return columns[c].p[i]; });
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            Column& v = columns[c];
+            pq[c] = 0;
+            if (v.ends) continue;
+            double part = 0;
+            const std::vector<int>& row = at[c]->row;
+            const std::vector<int>& in = at[c]->in;
+            for (std::size_t i = 0; i < row.size(); ++i) whole_[row[i]] = v.p[i];
+            for (std::size_t f = 0; f < in.size(); ++f) whole_[s.rows() + in[f]] = there[c][f];
+            for (std::size_t i = 0; i < row.size(); ++i) { v.q[i] = rowTimes(row[i]); part += v.p[i]*v.q[i]; }
+            pq[c] = part;
+            for (const int r : row) whole_[r] = 0;
+            for (const int f : in) whole_[s.rows() + f] = 0;
+        }
+        sum(pq);
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            Column& v = columns[c];
+            v.ends = v.ends || !(pq[c] > 0);
+            if (v.ends) continue;
+            v.moved += rz[c]*rz[c]/pq[c];       // what each step adds to u^T x
+            const double alpha = rz[c]/pq[c];
+            for (std::size_t i = 0; i < v.x.size(); ++i)
+            {
+                v.x[i] += alpha*v.p[i];
+                v.r[i] -= alpha*v.q[i];
+            }
+            v.before = rz[c];
+        }
+    }
+    std::size_t first = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+    {
+        std::vector<const std::vector<double>*> kept;
+        for (int m = 0; m < bodies[b]->modes; ++m, ++first) if (columns[first].moved > slow) kept.push_back(&columns[first].x);
+        z[b].modes = int(kept.size());
+        z[b].value.resize(z[b].row.size()*z[b].modes);
+        for (std::size_t i = 0; i < z[b].row.size(); ++i) for (int m = 0; m < z[b].modes; ++m) z[b].value[i*z[b].modes + m] = (*kept[m])[i];
+    }
 }
 
 namespace
@@ -147,6 +292,29 @@ void sortUnique(std::vector<int>& v)
     std::sort(v.begin(), v.end());
     v.erase(std::unique(v.begin(), v.end()), v.end());
 }
+
+//- Of each row the pieces that have it, and where in them it stands
+struct PlacesOfRows
+{
+    std::vector<std::size_t> start;
+    std::vector<int> piece, at;
+
+    PlacesOfRows(int rows, const std::vector<DeflationPiece>& pieces) : start(rows + 1, 0)
+    {
+        for (const DeflationPiece& z : pieces) for (const int r : z.row) ++start[r + 1];
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        piece.resize(start.back());
+        at.resize(start.back());
+        std::vector<std::size_t> next(start.begin(), start.end() - 1);
+        for (std::size_t b = 0; b < pieces.size(); ++b)
+            for (std::size_t i = 0; i < pieces[b].row.size(); ++i)
+            {
+                const std::size_t k = next[pieces[b].row[i]]++;
+                piece[k] = int(b);
+                at[k] = int(i);
+            }
+    }
+};
 
 } // namespace
 
@@ -164,6 +332,7 @@ void BodyDeflation::makeCoarse()
     }
     coarse_ = Skyline(first);
     multiplyPieces();
+    sum(coarse_.values());
     coupleThroughBodies();
     coarse_.factorise();
 }
@@ -195,8 +364,31 @@ void BodyDeflation::findMeetings()
     {
         for (const int r : pieces_[b].row) touches_[b].insert(touches_[b].end(), bodiesAt[r].begin(), bodiesAt[r].end());
         sortUnique(touches_[b]);
-        for (const int c : touches_[b]) seenBy_[c].push_back(b);
     }
+    if (ranks_) uniteTouches();
+    for (int b = 0; b < count; ++b)
+        for (const int c : touches_[b]) seenBy_[c].push_back(b);
+}
+
+//- On any rank: only bodies whose box meets that of the piece can
+void BodyDeflation::uniteTouches()
+{
+    const auto each = [&](const auto& f)
+    {
+        std::size_t at = 0;
+        for (std::size_t b = 0; b < pieces_.size(); ++b)
+            for (std::size_t c = 0; c < low_.size(); ++c)
+            {
+                bool meet = true;
+                for (int d = 0; d < 3; ++d) meet = meet && pieces_[b].low[d] <= high_[c][d] && low_[c][d] <= pieces_[b].high[d];
+                if (meet) f(b, int(c), at++);
+            }
+    };
+    std::vector<double> touches;
+    each([&](std::size_t b, int c, std::size_t) { touches.push_back(std::binary_search(touches_[b].begin(), touches_[b].end(), c)); });
+    sum(touches);
+    for (auto& t : touches_) t.clear();
+    each([&](std::size_t b, int c, std::size_t at) { if (touches[at] > 0) touches_[b].push_back(c); });
 }
 
 //- A block of E: rows of a's columns, columns of b's
@@ -211,38 +403,65 @@ void BodyDeflation::add(int a, int b, const std::vector<double>& block)
 //- Z^T A Z: A times a piece is nothing but in its box and beside it
 void BodyDeflation::multiplyPieces()
 {
-    std::vector<int> seen(system_.rows(), -1), slot(system_.rows(), 0), reach;
+    const int rows = system_.rows();
+    const int count = int(pieces_.size());
+    std::vector<int> seen(rows, -1), reach;
+    const PlacesOfRows places(rows, pieces_);
+    std::vector<int> block(count, -1);
+    std::vector<std::vector<double>> blocks;
     std::vector<double> product;
-    for (int b = 0; b < int(pieces_.size()); ++b)
+    std::vector<const DeflationPiece*> columns;
+    std::vector<int> mode;
+    for (const DeflationPiece& z : pieces_) for (int m = 0; m < z.modes; ++m) { columns.push_back(&z); mode.push_back(m); }
+    const std::vector<std::vector<double>> there =
+        beyond(columns, [&](std::size_t c, std::size_t i) { return columns[c]->value[i*columns[c]->modes + mode[c]]; });
+    std::size_t column = 0;
+    for (int b = 0; b < count; ++b)
     {
         const int modes = pieces_[b].modes;
         reach.clear();
-        const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; slot[r] = int(reach.size()); reach.push_back(r); } };
+        const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; reach.push_back(r); } };
         for (const int r : pieces_[b].row)
         {
             meet(r);
-            for (int k = start_[r]; k < start_[r + 1]; ++k) meet(other_[k]);
+            for (int k = start_[r]; k < start_[r + 1]; ++k) if (other_[k] < rows) meet(other_[k]);
         }
+        const std::vector<int>& in = pieces_[b].in;
+        for (const int f : in) meet(beside_[f]);
+        std::sort(reach.begin(), reach.end());
         product.assign(reach.size()*modes, 0.0);
-        for (int m = 0; m < modes; ++m)
+        for (int m = 0; m < modes; ++m, ++column)
         {
             for (std::size_t i = 0; i < pieces_[b].row.size(); ++i) whole_[pieces_[b].row[i]] = pieces_[b].value[i*modes + m];
+            for (std::size_t f = 0; f < in.size(); ++f) whole_[rows + in[f]] = there[column][f];
             for (std::size_t i = 0; i < reach.size(); ++i) product[i*modes + m] = rowTimes(reach[i]);
             for (const int r : pieces_[b].row) whole_[r] = 0;
+            for (const int f : in) whole_[rows + f] = 0;
         }
+        std::vector<int> others;
         for (const int c : meets_[b])
         {
             if (firstColumn_[c] > firstColumn_[b]) continue;
-            const int others = pieces_[c].modes;
-            std::vector<double> block(modes*others, 0.0);
-            for (std::size_t i = 0; i < pieces_[c].row.size(); ++i)
+            block[c] = int(others.size());
+            others.push_back(c);
+        }
+        blocks.resize(std::max(blocks.size(), others.size()));
+        for (std::size_t k = 0; k < others.size(); ++k) blocks[k].assign(modes*pieces_[others[k]].modes, 0.0);
+        for (std::size_t i = 0; i < reach.size(); ++i)
+            for (std::size_t k = places.start[reach[i]]; k < places.start[reach[i] + 1]; ++k)
             {
-                const int r = pieces_[c].row[i];
-                if (seen[r] != b) continue;
+                const int c = places.piece[k];
+                if (block[c] < 0) continue;
+                const int theirs = pieces_[c].modes;
+                const double* value = &pieces_[c].value[std::size_t(places.at[k])*theirs];
+                double* to = blocks[block[c]].data();
                 for (int m = 0; m < modes; ++m)
-                    for (int k = 0; k < others; ++k) block[m*others + k] += product[std::size_t(slot[r])*modes + m]*pieces_[c].value[i*others + k];
+                    for (int n = 0; n < theirs; ++n) to[m*theirs + n] += product[i*modes + m]*value[n];
             }
-            add(b, c, block);
+        for (std::size_t k = 0; k < others.size(); ++k)
+        {
+            add(b, others[k], blocks[k]);
+            block[others[k]] = -1;
         }
     }
 }
@@ -267,6 +486,14 @@ void BodyDeflation::coupleThroughBodies()
             for (const int r : pieces_[b].row) whole_[r] = 0;
         }
     }
+    if (ranks_)
+    {
+        std::vector<double> all;
+        for (const auto& piece : g) for (const auto& block : piece) all.insert(all.end(), block.begin(), block.end());
+        sum(all);
+        auto from = all.begin();
+        for (auto& piece : g) for (auto& block : piece) { std::copy(from, from + block.size(), block.begin()); from += block.size(); }
+    }
     const auto of = [&](int b, int c) -> const std::vector<double>&
     { return g[b][std::lower_bound(touches_[b].begin(), touches_[b].end(), c) - touches_[b].begin()]; };
     for (int c = 0; c < int(seenBy_.size()); ++c)
@@ -286,11 +513,23 @@ void BodyDeflation::coupleThroughBodies()
 void BodyDeflation::product(const double* x, double* y) const
 {
     const int n = system_.rows();
+    const double* v = x;
+    std::vector<double> wide;               // with the cells beyond
+    if (ranks_)
+    {
+        std::vector<std::vector<double>> out(system_.borders.size()), in(out.size());
+        for (std::size_t f = 0; f < beside_.size(); ++f) out[border_[f]].push_back(x[beside_[f]]);
+        for (std::size_t b = 0; b < out.size(); ++b) in[b].resize(out[b].size());
+        ranks_->swap(out, in);
+        wide.assign(x, x + n);
+        for (const auto& values : in) wide.insert(wide.end(), values.begin(), values.end());
+        v = wide.data();
+    }
     #pragma omp parallel for if (n > 2048)
     for (int i = 0; i < n; ++i)
     {
         double sum = system_.diagonal[i]*x[i];
-        for (int k = start_[i]; k < start_[i + 1]; ++k) sum += coefficient_[k]*x[other_[k]];
+        for (int k = start_[i]; k < start_[i + 1]; ++k) sum += coefficient_[k]*v[other_[k]];
         y[i] = sum;
     }
     addBodies(x, y);
@@ -305,6 +544,7 @@ double BodyDeflation::rowSum(int row) const
 
 void BodyDeflation::addBodies(const double* x, double* y) const
 {
+    if (ranks_) return addDividedBodies(x, y);
     for (const BodyRows& b : system_.bodies)
     {
         double sum[6] = {};
@@ -312,6 +552,27 @@ void BodyDeflation::addBodies(const double* x, double* y) const
             for (int m = 0; m < b.modes; ++m) sum[m] += b.u[i*b.modes + m]*x[b.row[i]];
         for (std::size_t i = 0; i < b.row.size(); ++i)
             for (int m = 0; m < b.modes; ++m) y[b.row[i]] += b.u[i*b.modes + m]*sum[m];
+    }
+}
+
+//- The same with all ranks' parts of U^T x in one sum
+void BodyDeflation::addDividedBodies(const double* x, double* y) const
+{
+    std::vector<double> all;
+    for (const BodyRows& b : system_.bodies)
+    {
+        double sum[6] = {};
+        for (std::size_t i = 0; i < b.row.size(); ++i)
+            for (int m = 0; m < b.modes; ++m) sum[m] += b.u[i*b.modes + m]*x[b.row[i]];
+        all.insert(all.end(), sum, sum + b.modes);
+    }
+    sum(all);
+    const double* of = all.data();
+    for (const BodyRows& b : system_.bodies)
+    {
+        for (std::size_t i = 0; i < b.row.size(); ++i)
+            for (int m = 0; m < b.modes; ++m) y[b.row[i]] += b.u[i*b.modes + m]*of[m];
+        of += b.modes;
     }
 }
 
@@ -325,6 +586,7 @@ void BodyDeflation::correct(const double* r, double* z) const
         for (std::size_t i = 0; i < pieces_[b].row.size(); ++i)
             for (int m = 0; m < modes; ++m) c[firstColumn_[b] + m] += pieces_[b].value[i*modes + m]*r[pieces_[b].row[i]];
     }
+    sum(c);
     coarse_.solve(c);
     for (std::size_t b = 0; b < pieces_.size(); ++b)
     {

@@ -5,12 +5,16 @@
     z = w + Q (r - Atilde w), w = B r, and starts from x + Q (b - Atilde x). E is sparse: only boxes that meet share entries. Bodies that are
     not light, and motions that hardly move water (a ball's spin), bring no slow modes and are left out of Z.
 
+    Of a system that is divided over ranks each has its rows of Z; local solutions go on across borders, and E is that of all rows, on each rank: Z and E are those of the
+    undivided system but for round-off.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "pic/bodies/hats.hpp"
 #include "pic/bodies/skyline.hpp"
+#include "pic/pressure/ranks.hpp"
 
 namespace riprap
 {
@@ -21,6 +25,7 @@ struct DeflationControls
     int localIterations = 0;        // 0: 12 in 2D, 8 in 3D
     double margin = -1;             // of the box about a body, in its own half width; below 0: 1 in 2D, 0.6 in 3D
     double hats = 1.5;              // their spacing in mean widths of the bodies; 0: none
+    bool heavyHats = false;         // between heavy bodies too: for preconditioners that are weak on what is smooth over many bodies
 
     DeflationControls in(int dimensions) const
     {
@@ -35,7 +40,8 @@ class BodyDeflation
 {
 public:
 
-    BodyDeflation(const ReducedSystem& system, const DeflationControls& controls);
+    //- ranks: of a divided system
+    BodyDeflation(const ReducedSystem& system, const DeflationControls& controls, const Ranks* ranks = nullptr);
 
     //- y += U U^T x
     void addBodies(const double* x, double* y) const;
@@ -54,28 +60,43 @@ public:
 private:
 
     void connect();
+    void findBoxes();
     void placeBodies(const DeflationControls& controls);
-    void solveLocally(const BodyRows& body, int iterations, DeflationPiece& z);
+    void findFaces(DeflationPiece& z) const;
+    void solveLocally(const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z);
+    void dropEmpty();
     void order();
     void makeCoarse();
     void findMeetings();
+    void uniteTouches();
     void multiplyPieces();
     void coupleThroughBodies();
+    void addDividedBodies(const double* x, double* y) const;
     void add(int a, int b, const std::vector<double>& block);
 
     //- A times a piece, where the piece is (whole_ is zero outside of it): sum over the row
     double rowTimes(int row) const;
 
+    //- Values of columns in the cells beyond the borders, in the order of each piece's `in`. value(c, i): of column c in the i-th row of its piece
+    template<class F>
+    std::vector<std::vector<double>> beyond(const std::vector<const DeflationPiece*>& columns, const F& value);
+
+    void sum(std::vector<double>& values) const { if (ranks_) ranks_->sum(values); }
+
     const ReducedSystem& system_;
-    std::vector<int> start_, other_;        // neighbours of each row
+    const Ranks* ranks_;
+    std::vector<int> start_, other_;        // neighbours of each row; after the rows the cells beyond the borders are counted
     std::vector<double> coefficient_;
-    std::vector<int> rowOfCell_;
+    std::vector<int> border_, beside_;      // of each face to another rank: its border, and the row on this side
+    std::vector<CellCorner> beyond_;        // and its cell on the other
+    RowsOfCells rowOfCell_;
+    std::vector<CellCorner> low_, high_;    // cells beside each body, on all ranks
     std::vector<DeflationPiece> pieces_;    // of light bodies, then hats
     std::vector<int> order_, firstColumn_;  // columns of a piece stand together
     std::vector<std::vector<int>> meets_, touches_, seenBy_;    // pieces that meet; bodies that a piece touches; of each body, the pieces that do
     int columns_ = 0;
     Skyline coarse_{std::vector<int>()};
-    std::vector<double> whole_;             // a row each, zero between uses
+    std::vector<double> whole_;             // a row or cell beyond each, zero between uses
 };
 
 } // namespace riprap

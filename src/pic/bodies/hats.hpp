@@ -3,7 +3,8 @@
     Where bodies crowd, all of them moving one way is a slow mode as well: its pressure is nearly linear over many bodies, with a dipole at each. The local solutions have
     the dipoles; what is linear in between are hats on a lattice, the product over the directions of max(0, 1 - |x - x_k|/H). Under a surface only those that have two
     bodies or more in reach are needed: a body by itself has no such mode. In closed water even one body drives a flow back everywhere, and all of them are taken: together
-    they are the constant, without which twice as many iterations are.
+    they are the constant, without which twice as many iterations are. Heavy bodies are but walls, and our V-cycle needs no hats between them; GAMG does (DeflationControls::heavyHats): its
+    coarse levels are the worse the more walls there are.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -28,25 +29,57 @@ struct DeflationPiece
     int modes = 0;
     std::vector<int> row;
     std::vector<double> value;          // modes a row
+    std::vector<int> out, in;           // faces to other ranks with a cell in the box on this side, and on the other
+
+    bool holds(const CellCorner& x) const
+    { return low[0] <= x[0] && x[0] <= high[0] && low[1] <= x[1] && x[1] <= high[1] && low[2] <= x[2] && x[2] <= high[2]; }
 };
 
-//- Rows in a box: f(row, cell's index)
-template<class F>
-void eachRowInBox(const ReducedSystem& s, const std::vector<int>& rowOfCell, const CellCorner& low, const CellCorner& high, const F& f)
-{
-    for (int k = low[2]; k <= high[2]; ++k)
-        for (int j = low[1]; j <= high[1]; ++j)
-            for (int i = low[0]; i <= high[0]; ++i)
-            {
-                const int r = rowOfCell[i + s.n[0]*(j + s.n[1]*k)];
-                if (r >= 0) f(r, CellCorner{{i, j, k}});
-            }
-}
+inline CellCorner cornerOf(const ReducedSystem& s, int cell) { return {{cell % s.n[0], cell/s.n[0] % s.n[1], cell/(s.n[0]*s.n[1])}}; }
 
-//- low, high: the cells beside each body; spacing: H [cells], about
+//- Which row a cell has, in the box of those that have one
+struct RowsOfCells
+{
+    CellCorner low{{0, 0, 0}}, high{{-1, -1, -1}};
+    std::vector<int> row;
+
+    void set(const ReducedSystem& s)
+    {
+        low = {{s.n[0], s.n[1], s.n[2]}};
+        high = {{-1, -1, -1}};
+        for (const int cell : s.cell)
+        {
+            const CellCorner x = cornerOf(s, cell);
+            for (int d = 0; d < 3; ++d) { low[d] = std::min(low[d], x[d]); high[d] = std::max(high[d], x[d]); }
+        }
+        if (s.cell.empty()) low = {{0, 0, 0}};
+        row.assign(std::size_t(high[0] - low[0] + 1)*(high[1] - low[1] + 1)*(high[2] - low[2] + 1), -1);
+        for (int i = 0; i < s.rows(); ++i) row[at(cornerOf(s, s.cell[i]))] = i;
+    }
+
+    std::size_t at(const CellCorner& x) const
+    { return x[0] - low[0] + std::size_t(high[0] - low[0] + 1)*(x[1] - low[1] + std::size_t(high[1] - low[1] + 1)*(x[2] - low[2])); }
+
+    //- Rows in a box: f(row, cell's index)
+    template<class F>
+    void each(const CellCorner& from, const CellCorner& to, const F& f) const
+    {
+        CellCorner x, a, b;
+        for (int d = 0; d < 3; ++d) { a[d] = std::max(low[d], from[d]); b[d] = std::min(high[d], to[d]); }
+        for (x[2] = a[2]; x[2] <= b[2]; ++x[2])
+            for (x[1] = a[1]; x[1] <= b[1]; ++x[1])
+                for (x[0] = a[0]; x[0] <= b[0]; ++x[0])
+                {
+                    const int r = row[at(x)];
+                    if (r >= 0) f(r, x);
+                }
+    }
+};
+
+//- low, high: the cells beside each body; spacing: H [cells], about. Some may have no rows
 inline std::vector<DeflationPiece> hatsBetween
 (
-    const ReducedSystem& s, const std::vector<int>& rowOfCell, const std::vector<CellCorner>& low, const std::vector<CellCorner>& high, double spacing, bool closed
+    const ReducedSystem& s, const RowsOfCells& rows, const std::vector<CellCorner>& low, const std::vector<CellCorner>& high, double spacing, bool closed
 )
 {
     constexpr int least = 2;            // bodies
@@ -93,7 +126,7 @@ inline std::vector<DeflationPiece> hatsBetween
             hat.low[d] = std::max(0, int(std::ceil((at[d] - 1)*width[d] - 0.5)));
             hat.high[d] = std::min(s.n[d] - 1, int(std::floor((at[d] + 1)*width[d] - 0.5)));
         }
-        eachRowInBox(s, rowOfCell, hat.low, hat.high, [&](int row, const CellCorner& x)
+        rows.each(hat.low, hat.high, [&](int row, const CellCorner& x)
         {
             double value = 1;
             for (int d = 0; d < s.dimensions; ++d) value *= std::max(0.0, 1 - std::fabs((x[d] + 0.5)/width[d] - at[d]));
@@ -101,7 +134,7 @@ inline std::vector<DeflationPiece> hatsBetween
             hat.row.push_back(row);
             hat.value.push_back(value);
         });
-        if (!hat.row.empty()) hats.push_back(std::move(hat));
+        hats.push_back(std::move(hat));
     }
     return hats;
 }

@@ -26,6 +26,7 @@ public:
     int size() const { return int(first_.size()); }
     int first(int i) const { return first_[i]; }
     double& at(int i, int j) { return value_[start_[i] + (j - first_[i])]; }
+    std::vector<double>& values() { return value_; }
     double at(int i, int j) const { return value_[start_[i] + (j - first_[i])]; }
 
     void factorise()

@@ -7,6 +7,7 @@
 */
 #pragma once
 
+#include "core/math.hpp"
 #include "pic/cutCells/faceCut.hpp"
 #include "pic/uniformGrid.hpp"
 
@@ -14,6 +15,9 @@ namespace riprap
 {
 
 static constexpr double smallestAperture = 1e-3;
+
+//- Where the distance at a corner of a cell is more, in cells, no solid reaches into it: it is longer than the cell's diagonal
+static constexpr double clearOfCell = 1.75;
 
 //- The nodes of a grid
 template<int D>
@@ -39,12 +43,19 @@ struct NodeGrid
 
     HD Vec<D, double> position(int i) const
     {
-        Vec<D, double> x;
+        typename UniformGrid<D>::Index at;
         for (int d = 0; d < D; ++d)
         {
-            x[d] = grid.origin[d] + grid.h*(i % (grid.n[d] + 1));
+            at.c[d] = i % (grid.n[d] + 1);
             i /= grid.n[d] + 1;
         }
+        return position(at);
+    }
+
+    HD Vec<D, double> position(const typename UniformGrid<D>::Index& at) const
+    {
+        Vec<D, double> x;
+        for (int d = 0; d < D; ++d) x[d] = grid.origin[d] + grid.h*at.c[d];
         return x;
     }
 };
@@ -107,8 +118,7 @@ struct OpenVolumes
     HD void operator()(int i) const
     {
         const int n = nodes.node(nodes.grid.cellIndex(i));
-        // no solid is so near as to reach into the cell
-        if (distance[n] > 1.75*nodes.grid.h) { open[i] = 1; return; }
+        if (distance[n] > clearOfCell*nodes.grid.h) { open[i] = 1; return; }
         const auto at = [&](int corner)
         {
             int c = n;
@@ -118,15 +128,15 @@ struct OpenVolumes
         if constexpr (D == 2) open[i] = R(1 - solidOfSquare(at(0), at(1), at(2), at(3)).share);
         else
         {
-            double corner[8];
+            R corner[8];                // in cells: a part is wanted to the precision of what keeps it
             bool in = true, out = true;
             for (int k = 0; k < 8; ++k)
             {
-                corner[k] = at(k);
+                corner[k] = R(at(k)/nodes.grid.h);
                 in = in && corner[k] < 0;
                 out = out && corner[k] >= 0;
             }
-            open[i] = in || out ? R(out) : R(1 - solidOfCube(corner));
+            open[i] = in || out ? R(out) : maximum(R(0), 1 - solidOfCube(corner));
         }
     }
 };

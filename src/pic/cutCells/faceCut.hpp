@@ -79,42 +79,49 @@ HD SolidPart<3> solidOfSquare(double d00, double d10, double d01, double d11)
     return part;
 }
 
-//- Solid share of a tetrahedron
-HD double solidOfTetrahedron(const double* distance)
+//- Solid share of a tetrahedron: distances at its corners, in any order. They are put in order, so that none is looked up by a number that is not known before
+template<class T>
+HD T solidOfTetrahedron(T a, T b, T c, T d)
 {
-    double in[4] = {}, out[4] = {};
-    int inside = 0, outside = 0;
-    for (int k = 0; k < 4; ++k)
+    const auto order = [](T& p, T& q)
     {
-        if (distance[k] < 0) in[inside++] = distance[k];
-        else out[outside++] = distance[k];
-    }
-    if (inside == 0) return 0;
-    if (inside == 4) return 1;
-    if (inside == 1) return cutLength(in[0], out[0])*cutLength(in[0], out[1])*cutLength(in[0], out[2]);
-    if (inside == 3) return 1 - cutLength(out[0], in[0])*cutLength(out[0], in[1])*cutLength(out[0], in[2]);
+        const T low = p < q ? p : q;
+        q = p < q ? q : p;
+        p = low;
+    };
+    order(a, b);
+    order(c, d);
+    order(a, c);
+    order(b, d);
+    order(b, c);
+    if (!(a < 0)) return 0;
+    if (d < 0) return 1;
+    const auto length = [](T p, T q) { return p/(p - q); };
+    if (!(b < 0)) return length(a, b)*length(a, c)*length(a, d);
+    if (c < 0) return 1 - length(d, a)*length(d, b)*length(d, c);
     // a prism between two cut corners, as three tetrahedra
-    const double a0 = cutLength(in[0], out[0]), a1 = cutLength(in[0], out[1]), b0 = cutLength(in[1], out[0]), b1 = cutLength(in[1], out[1]);
+    const T a0 = length(a, c), a1 = length(a, d), b0 = length(b, c), b1 = length(b, d);
     return a0*a1 + a0*b1*(1 - a1) + b0*b1*(1 - a0);
 }
 
 //- A cube: distances of corner x + 2 y + 4 z
-HD double solidOfCube(const double* d)
+template<class T>
+HD T solidOfCube(const T* d)
 {
-    constexpr int face[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};   // around each
-    double middle = 0, share = 0;
+    T middle = 0, share = 0;
     for (int k = 0; k < 8; ++k) middle += d[k]/8;
-    for (int f = 0; f < 6; ++f)
+    const auto face = [&](T p, T q, T r, T s)       // corners, around it
     {
-        double centre = 0;
-        for (int k = 0; k < 4; ++k) centre += d[face[f][k]]/4;
-        for (int k = 0; k < 4; ++k)
-        {
-            const double corner[4] = {middle, centre, d[face[f][k]], d[face[f][(k + 1) & 3]]};
-            share += solidOfTetrahedron(corner)/24;
-        }
-    }
-    return share;
+        const T centre = T(0.25)*(p + q + r + s);
+        share += solidOfTetrahedron(middle, centre, p, q) + solidOfTetrahedron(middle, centre, q, r) + solidOfTetrahedron(middle, centre, r, s) + solidOfTetrahedron(middle, centre, s, p);
+    };
+    face(d[0], d[2], d[6], d[4]);
+    face(d[1], d[3], d[7], d[5]);
+    face(d[0], d[1], d[5], d[4]);
+    face(d[2], d[3], d[7], d[6]);
+    face(d[0], d[1], d[3], d[2]);
+    face(d[4], d[5], d[7], d[6]);
+    return share/24;
 }
 
 } // namespace riprap

@@ -32,7 +32,8 @@ struct PushOut
             c.c[d] = floorInt(x.c[d]/grid.h);
             inside = inside && c.c[d] >= 0 && c.c[d] < grid.n[d];
         }
-        if (!inside || !(solids.at(x, normal) < margin)) return;
+        if (!inside || solids.distance[NodeGrid<D>{grid}.node(c)] > clearOfCell*grid.h + margin) return;
+        if (!(solids.at(x, normal) < margin)) return;
         const Vec<D, double> before = x;
         for (int pass = 0; pass < passes; ++pass)
         {

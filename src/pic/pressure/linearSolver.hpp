@@ -30,6 +30,14 @@ struct BodyRows
     std::vector<double> u;                  // modes values a row
 };
 
+//- Faces between wet cells of this rank and of another, in the same order on both
+struct RankBorder
+{
+    int rank = 0;                           // the other: each is in one border at most
+    std::vector<int> row;                   // on this side
+    std::vector<double> offDiagonal;
+};
+
 //- The equations of the wet cells alone: (A + sum of U U^T) x = rhs, A symmetric positive (semi-)definite
 struct ReducedSystem
 {
@@ -40,6 +48,9 @@ struct ReducedSystem
     std::vector<int> owner, neighbour;      // rows of each face between two wet cells: ascending owner, then ascending neighbour
     std::vector<double> diagonal, offDiagonal, rhs, x;      // of A alone
     std::vector<BodyRows> bodies;
+    bool closed = false;                    // nowhere p = 0: the diagonals of pockets that have been tied leave no trace here
+    bool divided = false;                   // a part of a system that all ranks solve together: rows are this rank's own, all bodies (with what rows they have here) are on each
+    std::vector<RankBorder> borders;        // if divided
 
     int rows() const { return int(cell.size()); }
 };

@@ -156,6 +156,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
     for (int d = 0; d < 3; ++d) { r.n[d] = grid.n[d]; r.periodic[d] = grid.periodic[d]; }
     std::vector<int> row(shape.cells, -1), stored;
     int lone = 0;
+    r.closed = true;
     for (int i = 0; i < grid.cells(); ++i)
     {
         Place<D> p;
@@ -172,6 +173,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
             continue;
         }
         row[p.c] = r.rows();
+        r.closed = r.closed && tied <= 1e-9*(joined + tied);
         r.cell.push_back(i);
         stored.push_back(p.c);
         r.diagonal.push_back(joined + tied);

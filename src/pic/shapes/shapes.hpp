@@ -20,6 +20,9 @@ struct Ball
 
     HD double distance(const Vec<D, double>& x) const { return std::sqrt(squaredNorm(x - centre)) - radius; }
 
+    //- Its only ball: shapes that are no ball have none
+    HD const Ball* single() const { return this; }
+
     //- Of the line from x along an axis, in parts of its length, what lies inside: from low to high; false: nothing
     HD bool covers(const Vec<D, double>& x, int axis, double length, double& low, double& high) const
     {

@@ -25,8 +25,8 @@
 namespace riprap
 {
 
-//- Around: also where the block ends in itself, or is narrower than the spline
-template<int Order, int D, class R, bool Around = true>
+//- Around: also where the block ends in itself, or is narrower than the spline. Pic: the share of the grid's velocity is 1 (pic, apic), so that its change is not read
+template<int Order, int D, class R, bool Around = true, bool Pic = false>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
@@ -52,7 +52,7 @@ struct GridToParticle
             if (affine) for (int k = 0; k < D*D; ++k) particles.affine[k][i] = 0;
             return;
         }
-        const bool bounds = water == someWater && picPart < 1;
+        const bool bounds = !Pic && water == someWater && picPart < 1;
         R ofGrid[D], fallen2 = 0;
         if (affine) takeAll<true>(x, at, i, bounds, ofGrid, fallen2);
         else takeAll<false>(x, at, i, bounds, ofGrid, fallen2);
@@ -66,10 +66,13 @@ private:
     HD void takeAll(const Vec<D, double>& x, const InCell<D, R>& at, int i, bool asked, R* ofGrid, R& fallen2) const
     {
         using Inner = InnerNodes<Order, D, R, Affine>;
-        const auto fallen = [&](int d)
+        const auto fallen = [&]([[maybe_unused]] int d)
         {
-            const R v = particles.v[d][i] + fall[d];
-            fallen2 += v*v;
+            if constexpr (!Pic)
+            {
+                const R v = particles.v[d][i] + fall[d];
+                fallen2 += v*v;
+            }
         };
         constexpr bool always = Order == 2 && !Around;
         if (always || Inner::has(grid, at.c))
@@ -94,7 +97,8 @@ private:
                 {
                     Vec<D, R> gradient;
                     const R pic = sampleAffineAround<Order>(grid, u[d], d, x, gradient);
-                    ofGrid[d] = give<Affine>(d, i, pic, sampleAround<Order>(grid, du[d], d, x), gradient.c);
+                    const R change = Pic ? R(0) : sampleAround<Order>(grid, du[d], d, x);
+                    ofGrid[d] = give<Affine>(d, i, pic, change, gradient.c);
                 }
             }
         }
@@ -110,8 +114,8 @@ private:
             pic = block.sum(u[d], gradient);
             for (int a = 0; a < D; ++a) gradient[a] *= R(inverse);
         }
-        else if (picPart > 0 || asked) pic = block.sum(u[d]);
-        if (picPart < 1) change = block.sum(du[d]);
+        else if (Pic || picPart > 0 || asked) pic = block.sum(u[d]);
+        if (!Pic && picPart < 1) change = block.sum(du[d]);
         return give<Affine>(d, i, pic, change, gradient);
     }
 
@@ -119,9 +123,12 @@ private:
     HD R give(int d, int i, R pic, R change, [[maybe_unused]] const R* gradient) const
     {
         if constexpr (Affine) for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
-        R v = 0;
-        if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + change);
-        if (picPart > 0) v += picPart*pic;
+        R v = Pic ? pic : R(0);
+        if constexpr (!Pic)
+        {
+            if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + change);
+            if (picPart > 0) v += picPart*pic;
+        }
         particles.v[d][i] = v;
         return pic;
     }

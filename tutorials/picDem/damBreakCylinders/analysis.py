@@ -72,16 +72,26 @@ def kind(run):
     return numberOf(run.pic['contactVelocity']), tank(run, 'cellSize'), tank(run, 'gap')
 
 
+def layers(run):
+    return int(run.name.split('-')[0])
+
+
+def centre(run):
+    motion = run.table('stack', 'groupMotion.dat')
+    return motion['Time'], motion['freeCentreX']/tank(run, 'tank')
+
+
 def plotArrivals(runs, path):
     """As the paper's Figure 10: arrival against layers; beside it the centre of all cylinders"""
+    runs = [run for run in runs if len({layers(other) for other in runs if kind(other) == kind(run)}) > 1]
+    if not runs:
+        return
     fig, (left, right) = plotting.figure(2, width=5, height=3.6)
     for beta, cell, gap in sorted({kind(run) for run in runs}):
-        points = sorted((int(run.name.split('-')[0]), arrival(run)) for run in runs if kind(run) == (beta, cell, gap))
+        points = sorted((layers(run), arrival(run)) for run in runs if kind(run) == (beta, cell, gap))
         left.plot(*zip(*points), 'o-', label=f'beta {beta:g}, cells {1000*cell:g} mm, gap {1000*gap:g} mm')
     for run in runs:
-        motion = run.table('stack', 'groupMotion.dat')
-        right.plot(motion['Time'], motion['freeCentreX']/tank(run, 'tank'), '-' if kind(run)[0] < 1 else '--', linewidth=1,
-                   color=f"C{int(run.name.split('-')[0])//2}", label=run.name)
+        right.plot(*centre(run), '-' if kind(run)[0] < 1 else '--', linewidth=1, color=f'C{layers(run)//2}', label=run.name)
     left.set(xlabel='layers', ylabel='first cylinder at the far wall [s]')
     left.margins(y=0.1)
     left.set_ylim(bottom=0)
@@ -91,9 +101,41 @@ def plotArrivals(runs, path):
     plotting.save(fig, path)
 
 
+def plotResolution(runs, path):
+    """Six layers by cells a diameter, with a gap of two cells, as in the paper, and with one of 1 mm for all: centre against time, and its place and the arrival against cells"""
+    six = [run for run in runs if layers(run) == 6]
+    rows = [(beta, name, sorted((run for run in six if kind(run)[0] == beta and rule(*kind(run)[1:])), key=lambda run: kind(run)[1]))
+            for beta in sorted({kind(run)[0] for run in six})
+            for name, rule in (('two cells', lambda cell, gap: abs(gap/cell - 2) < 1e-6), ('1 mm', lambda cell, gap: abs(gap - 0.001) < 1e-9))]
+    rows = [row for row in rows if len(row[2]) > 1]
+    if not rows:
+        return
+    fig, axes = plotting.figure(len(rows) + 2, width=4, height=3.4)
+    for axis, (beta, name, group) in zip(axes, rows):
+        for run in group:
+            axis.plot(*centre(run), linewidth=1, label=f'{2*radius/kind(run)[1]:.0f} cells a diameter')
+        axis.set(xlabel='t [s]', ylabel='centre of all cylinders, x/L', title=f'beta {beta:g}, gap {name}', xlim=(0, 0.35), ylim=(0.1, 0.45))
+        axis.legend(fontsize=7)
+    for beta, name, group in rows:
+        cells = [2*radius/kind(run)[1] for run in group]
+        at = [(c, np.interp(0.2, *centre(run))) for c, run in zip(cells, group) if centre(run)[0][-1] >= 0.2 - 1e-9]
+        style = dict(color=f"C{int(beta < 1)}", linestyle='-' if name == '1 mm' else '--', marker='o', markersize=4, linewidth=1, label=f'beta {beta:g}, gap {name}')
+        axes[-2].plot(*zip(*at), **style)
+        axes[-1].plot(cells, [arrival(run) for run in group], **style)
+    axes[-2].set(ylabel='centre of all cylinders at 0.2 s, x/L')
+    axes[-1].set(ylabel='first cylinder at the far wall [s]')
+    for axis in axes[-2:]:
+        axis.set(xlabel='cells a diameter')
+        axis.legend(fontsize=6)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
     if len(runs) > 1:
         plotArrivals(runs, path.replace('.png', 'Arrival.png'))
+        plotResolution(runs, path.replace('.png', 'Resolution.png'))
+    finest = [run for run in runs if run.name.endswith('-fine') and 'open' not in run.name and layers(run) in (6, 12)]
+    runs = finest or runs
     moments = [m for m in shown if any(float(t) >= m for t in clouds.times(runs[0].path))] or [0]
     fig, axes = plotting.figure(len(moments), len(runs), width=4.2, height=2.4)
     axes = np.atleast_1d(axes).ravel()
