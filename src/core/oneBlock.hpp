@@ -82,12 +82,17 @@ inline int nearRoom(Context<Gpu>&)
     return bytes/int(sizeof(float));
 }
 
-//- floats: at most nearRoom(). Each unit has a kernel of its own, and each must be allowed the memory: nothing is remembered
+//- floats: at most nearRoom(). Each unit has a kernel of its own, which must be allowed the memory: asked for where it is launched, so that linking cannot take the two from different units
 template<class F>
 void oneBlock(Context<Gpu>& context, const F& f, int floats)
 {
-    checkCuda(cudaFuncSetAttribute(oneBlockNearKernel<F>, cudaFuncAttributeMaxDynamicSharedMemorySize, nearRoom(context)*int(sizeof(float))), F::name);
-    profiled(context, F::name, [&] { oneBlockNearKernel<<<1, nearThreads, floats*sizeof(float), context.stream>>>(f); });
+    const int most = nearRoom(context)*int(sizeof(float));
+    profiled(context, F::name, [&]
+    {
+        const auto kernel = &oneBlockNearKernel<F>;
+        checkCuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, most), F::name);
+        kernel<<<1, nearThreads, floats*sizeof(float), context.stream>>>(f);
+    });
 }
 
 #else

@@ -51,7 +51,7 @@ struct Pool
     std::vector<double> held(std::vector<double> phi) const
     {
         const HoldSurface<2, double> hold{grid, particles(), particleCells, nullptr, nullptr, phi.data(), 4*grid.h};
-        for (int i = 0; i < grid.cells(); ++i) hold(i);
+        for (int i = 0; i < grid.cells(); ++i) hold(i, grid.cellIndex(i));
         return phi;
     }
 
