@@ -1,6 +1,7 @@
 /*  SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "pressureSolver.H"
+#include <algorithm>
 #include "lduMatrix.H"
 #include "wetMesh.H"
 
@@ -121,7 +122,8 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
 
     dictionary controls(controls_);
     const bool coupled = controls.get<word>("solver") == "coupledPCG";
-    if (!system.bodies.empty() && !coupled)
+    const bool moves = std::any_of(system.bodies.begin(), system.bodies.end(), [](const riprap::BodyRows& b) { return b.modes > 0; });
+    if (moves && !coupled)
     {
         FatalIOErrorInFunction(controls_) << "solver " << controls.get<word>("solver") << " of " << field_
             << " cannot move free bodies with the water. Valid: coupledPCG, " << deviceSolver << exit(FatalIOError);

@@ -64,6 +64,16 @@ void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
     if (opens()) writeOpenFaces();
 }
 
+//- Bodies as walls that move, for a solver on the host: it may be the better for knowing where they stand (pic/bodies/hats.hpp)
+template<class Backend, int D, class P>
+std::vector<BodyTerm> PicSolver<Backend, D, P>::pistons()
+{
+    std::vector<BodyTerm> terms;
+    if (bodies_ && !linearSolver_.onDevice()) terms = bodyCut_.terms();
+    for (BodyTerm& t : terms) t.modes = 0;
+    return terms;
+}
+
 //- Solved with the pressure, or walls for it, as where all sleep. The impulse by which particles are left ahead is known before. Light bodies bring slow modes, which a solver on the host takes away
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
@@ -72,7 +82,11 @@ void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
     if (config_.reflection > 0 && coupled) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
     useBodyVelocities(true);
     const PressureFields<D, real> fields = pressureFields(dt);
-    if (!coupled) lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_);
+    if (!coupled)
+    {
+        std::vector<BodyTerm> walls = pistons();
+        lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, &walls, sameWater, &rows_);
+    }
     else if (linearSolver_.onDevice() && !bodies_->anyLighter(bodyCut_.volumes(), pressureStep_.heavyFrom(bodies_->bodies().size(), sameWater)*config_.density))
     {
         const std::vector<double> roots = bodies_->roots();

@@ -165,6 +165,7 @@ private:
     void markWater();
     void toGrid();
     void project(double dt, double drift);
+    std::vector<BodyTerm> pistons();
     void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
     Array<Backend, double>& wholePressure() { return config_.reflection > 0 ? whole_ : pressure_; }
     Array<Backend, real>* carrier() { return config_.reflection > 0 ? carrier_ : u_; }

@@ -204,7 +204,8 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
         const MultigridControls* own = linearSolver_.onDevice();
-        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_, nullptr, false, &rows_, nullptr, own ? own->reflectionTolerance : 0);
+        std::vector<BodyTerm> walls = pistons();
+        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_, &walls, false, &rows_, nullptr, own ? own->reflectionTolerance : 0);
         if (cuts())
         {
             PressureFields<D, real> left = pressureFields(1);

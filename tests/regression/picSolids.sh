@@ -110,11 +110,13 @@ water 'coupling strong;'
 refused coupling 'coupling.*strong.*weak|coupling.*strong.*implicit' riprapFoam
 water 'contactVelocity 1.5;'
 refused contactVelocity 'contactVelocity.*1.5' riprapFoam
-for time in 0 -1e-4 never
+for time in 0 -0.0001
 do
     water "contactVelocity 0.5; contactVelocityTime $time;"
-    refused "contactVelocityTime$time" "contactVelocityTime.*$time" riprapFoam
+    refused "contactVelocityTime$time" "contactVelocityTime is $time: it must be positive" riprapFoam
 done
+water 'contactVelocity 0.5; contactVelocityTime never;'
+refused contactVelocityWord "expected scalar value, found on line 2: word 'never'.*contactVelocityTime" riprapFoam
 water 'walls { slip noSlip; motion { gone { patches (gone); solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0 0 0); } } } }'
 refused motion 'no constant/geometry: picDem moves entries of that dictionary' riprapFoam
 water ''

@@ -158,7 +158,7 @@ TEST_P(PicOpenings, EqualLevelsRest)
     }
 }
 
-//- A basin beside water that stands higher, or lower, takes its level
+//- A basin beside water that stands higher, or lower, takes its level: it swings about it, and less than at first; the mean of ten seconds is the level
 TEST_P(PicOpenings, ABasinTakesTheLevelBeyond)
 {
     if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
@@ -168,9 +168,16 @@ TEST_P(PicOpenings, ABasinTakesTheLevelBeyond)
         c.viscosity = 1000*0.02;
         c.openings = {level("sea", beyond)};
         const auto s = open(c, box(c, {{0, 0, 0}}, {{1, 0.45, 1}}, everywhere), sides(c, -1, 0));
-        const PicReport r = s->advance(10);
-        EXPECT_NEAR(r.volume, beyond, 0.3*c.cellSize) << beyond;
-        EXPECT_LT(std::abs(r.volumeError), 2e-3);
+        double mean = 0;
+        const int samples = 21;
+        for (int k = 0; k < samples; ++k)
+        {
+            const PicReport r = s->advance(5 + 0.5*k);
+            mean += (r.volume - beyond)/samples;
+            EXPECT_NEAR(r.volume, beyond, 1.2*c.cellSize) << beyond << " at " << r.time;     // 1.6 cells at first
+            EXPECT_LT(std::abs(r.volumeError), 2e-3);
+        }
+        EXPECT_NEAR(mean, 0, 0.15*c.cellSize) << beyond;
     }
 }
 

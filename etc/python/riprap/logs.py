@@ -26,7 +26,7 @@ def readLog(path):
     result = {}
     for name, pattern in _items.items():
         found = re.findall(pattern, text, re.M)
-        value = found[-1].strip() if found else None
+        value = found[0 if name == 'device' else -1].strip() if found else None        # solids say theirs after the water's
         result[name] = value if name in _words or value is None else float(value)
     fluid = re.findall(rf'^\s*particles\s+(?:fluid {_number}|{_number}, spacing)', text, re.M)        # of a coupled scene both are told
     if fluid:

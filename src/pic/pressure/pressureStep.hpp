@@ -51,7 +51,7 @@ public:
         assembled_.clear();
     }
 
-    //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host. Their V
+    //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host (those without modes are walls, which a solver may want to know of). Their V
     //  becomes that at the end of the step. onGrid: bodies that our solver takes as they are in the grid, none of them light; what becomes of their V is the caller's. sameWater: surface and open parts are those of the last projection. rows: those about the water, where
     //  alone faces may need a correction; nullptr: all. tolerance: of our solver, in place of its own; 0: that
     PressureReport project
@@ -249,7 +249,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         const std::vector<double> root = b.rootOfInverseMass();
         BodyRows rows;
         rows.modes = b.modes;
-        rows.light = b.lighterThan(heavyRatio<D>*f.density);
+        rows.light = b.modes && b.lighterThan(heavyRatio<D>*f.density);
         for (std::size_t i = 0; i < b.cell.size(); ++i)
         {
             const auto index = grid.cellIndex(b.cell[i]);

@@ -76,6 +76,11 @@ def layers(run):
     return int(run.name.split('-')[0])
 
 
+def plain(run):
+    """With the variant's usual step and lid"""
+    return not any(word in run.name for word in ('-co', '-open'))
+
+
 def centre(run):
     motion = run.table('stack', 'groupMotion.dat')
     return motion['Time'], motion['freeCentreX']/tank(run, 'tank')
@@ -83,6 +88,7 @@ def centre(run):
 
 def plotArrivals(runs, path):
     """As the paper's Figure 10: arrival against layers; beside it the centre of all cylinders"""
+    runs = [run for run in runs if plain(run)]
     runs = [run for run in runs if len({layers(other) for other in runs if kind(other) == kind(run)}) > 1]
     if not runs:
         return
@@ -103,7 +109,7 @@ def plotArrivals(runs, path):
 
 def plotResolution(runs, path):
     """Six layers by cells a diameter, with a gap of two cells, as in the paper, and with one of 1 mm for all: centre against time, and its place and the arrival against cells"""
-    six = [run for run in runs if layers(run) == 6]
+    six = [run for run in runs if layers(run) == 6 and plain(run)]
     rows = [(beta, name, sorted((run for run in six if kind(run)[0] == beta and rule(*kind(run)[1:])), key=lambda run: kind(run)[1]))
             for beta in sorted({kind(run)[0] for run in six})
             for name, rule in (('two cells', lambda cell, gap: abs(gap/cell - 2) < 1e-6), ('1 mm', lambda cell, gap: abs(gap - 0.001) < 1e-9))]
@@ -166,15 +172,19 @@ def fine(layers, beta, cell=0.0005, gap=2, more=''):
 opened = '; system/tank:height 0.3; system/tank:ny 600; system/top:topType patch'
 
 
-every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in (('05', 0.5), ('1', 1))]
+betas = (('05', 0.5), ('1', 1))
+every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in betas]
+perTime = '; contactVelocityTime 9.06e-5'      # [s] the mean step of six layers at 0.5 mm with maxCo 0.5
 Study(
     scene='damBreakCylinders',
     variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
-    + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)]
+    + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)] + [Variant('6-beta1-gap1', case(6, 1, gap=1))]
     + [Variant(f'6-beta05-{name}', case(6, 0.5, cell, gap)) for name, cell, gap in (('2mm', 0.002, 2), ('2mm-gap1mm', 0.002, 0.5))]
     + [Variant(f'{n}-beta{name}-fine', fine(n, beta), large=True) for n, name, beta in every]
-    + [Variant(f'6-beta{name}-open-fine', fine(6, beta, more=opened), large=True) for name, beta in (('05', 0.5), ('1', 1))]
-    + [Variant(f'6-beta05-quarter{name}', fine(6, 0.5, 0.00025, gap), large=True) for name, gap in (('', 2), ('-gap1mm', 4))],
+    + [Variant(f'6-beta{name}-open-fine', fine(6, beta, more=opened), large=True) for name, beta in betas]
+    + [Variant(f'6-beta{name}-co{10*co:g}', case(6, beta, 0.0005, more=f'{more}; system/controlDict:maxCo {co}'), large=True)
+       for name, beta, more in (('05', 0.5, ''), ('05T', 0.5, perTime), ('1', 1, '')) for co in (0.35, 0.5, 1)]
+    + [Variant(f'6-beta{name}-quarter{way}', fine(6, beta, 0.00025, gap), large=True) for name, beta in betas for way, gap in (('', 2), ('-gap1mm', 4))],
     quick=[Variant('6-quick', ['-endTime', '0.04'])],
     analyse=analyse,
     plot=plot,
