@@ -83,8 +83,9 @@ void sumThen(Context<Gpu>& context, int n, const F& f, double* partial, const G&
 
 #else
 
+//- few: so many are done by one thread: a team costs more
 template<int N, class F, class G>
-void sumThen(Context<Cpu>& context, int n, const F& f, double* partial, const G& finish)
+void sumThen(Context<Cpu>& context, int n, const F& f, double* partial, const G& finish, int few = 4*sumChunks)
 {
     profiled(context, F::name, [&]
     {
@@ -95,7 +96,7 @@ void sumThen(Context<Cpu>& context, int n, const F& f, double* partial, const G&
             for (int i = begin; i < end; ++i) own.add(i, sums);
             for (int k = 0; k < N; ++k) partial[c*N + k] = sums[k];
         };
-        if (n <= 4*sumChunks)           // a team costs more than these
+        if (n <= few)
         {
             const F own(f);
             for (int c = 0; c < sumChunks; ++c) chunk(own, c);

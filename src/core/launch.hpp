@@ -86,13 +86,14 @@ void profiled(Context<Cpu>& context, const char* name, Launch launch)
     if (context.profile.timing) context.profile.addTime(name, omp_get_wtime() - start);
 }
 
+//- few: so many are done by one thread: a team, even of one, costs more
 template<class F>
-void forEach(Context<Cpu>& context, int n, const F& f)
+void forEach(Context<Cpu>& context, int n, const F& f, int few = 256)
 {
     if (n <= 0) return;
     profiled(context, F::name, [&]
     {
-        if (n <= 256)                   // a team, even of one, costs more than these
+        if (n <= few)
         {
             const F own(f);
             for (int i = 0; i < n; ++i) own(i);
