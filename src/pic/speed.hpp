@@ -2,11 +2,14 @@
 
         (|u|max + |g| dt) dt <= C h,        dt <= 0.4 sqrt(h/(pi |g|)),        dt <= h^2/(2 D nu) for explicit viscosity
 
+    Particles with no water about them fall freely, cell by cell (moveParticles.hpp): no field has to be followed, and C is a larger one for them.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include <cmath>
+#include "pic/inCell.hpp"
 #include "pic/particles.hpp"
 
 namespace riprap
@@ -23,6 +26,23 @@ struct ParticleSpeed
         double sum = 0;
         for (int d = 0; d < D; ++d) sum += double(particles.v[d][i])*particles.v[d][i];
         return sqrt(sum);
+    }
+};
+
+//- The same where water carries the particle; else a part of it
+template<int D, class R>
+struct CarriedSpeed
+{
+    static constexpr const char* name = "carriedSpeed";
+    UniformGrid<D> grid;
+    ParticleSpeed<D, R> speed;
+    const unsigned char* nearWater;     // cells (wetCells.hpp)
+    double flyingPart;          // C of water over C of particles that fly
+
+    HD double value(int i) const
+    {
+        const bool flies = !nearWater[InCell<D, R>(grid, speed.particles.position(i)).cell(grid)];
+        return (flies ? flyingPart : 1.0)*speed.value(i);
     }
 };
 

@@ -188,9 +188,19 @@ picSettings readPicSettings(const polyMesh& mesh)
     readPicProperties(checkedDictionary(settings.dict), mesh, settings);
 
     readTimeStep(time.controlDict(), config);
-    // The water's own waves and the extended velocity reach a cell or so
+    // Velocities are extended by five cells; up to two a step have been tried
+    // (benchmarks/picStability)
     checkedDictionary control(time.controlDict());
-    config.maxCourant = control.between("maxCo", config.maxCourant, 1e-6, 1);
+    config.maxCourant = control.between("maxCo", config.maxCourant, 1e-6, 2);
+    // Particles that fall freely, whose way is followed cell by cell
+    const scalar most = max(config.maxCourant, 0.8*config.maxCourantEver);
+    config.maxFlyingCourant = control.between
+    (
+        "maxFlyingCo",
+        max(config.maxCourant, min(config.maxFlyingCourant, most)),
+        config.maxCourant,
+        most
+    );
     config.startTime = time.value();
 
     return settings;

@@ -45,6 +45,7 @@ void checkNumbers(const PicConfig& c)
     require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");
     require(c.maxTimeStep > 0, "the largest time step must be positive");
     require(c.maxCourant > 0 && c.maxCourant <= 2, "the Courant number must lie in 0 .. 2");
+    require(c.maxFlyingCourant >= c.maxCourant, "the Courant number of flying particles must not be below that of the others");
     for (int d = 0; d < c.dimensions; ++d)
     {
         const int axis = c.axes[d];

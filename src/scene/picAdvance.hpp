@@ -39,9 +39,17 @@ double PicSolver<Backend, D, P>::timeStep(double speed, std::string& limit)
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::fastest() { return largestOver(context_, n_, ParticleSpeed<D, real>{particles()}); }
 
+//- Of particles that water carries, and of others as far as they limit the step. of: all
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::fastestCarried(double of)
+{
+    if (!(flying_ > 0) || !(config_.maxFlyingCourant > config_.maxCourant)) return of;
+    return largestOver(context_, n_, CarriedSpeed<D, real>{grid_, {particles()}, near_.data(), config_.maxCourant/config_.maxFlyingCourant});
+}
+
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit)
-{ return timeStep(clock_.initial && config_.adjustTimeStep ? fastest() : 0, limit); }
+{ return timeStep(clock_.initial && config_.adjustTimeStep ? fastestCarried(fastest()) : 0, limit); }
 
 //- Without water solids do what they do in a scene of their own, to the bit
 template<class Backend, int D, class P>
@@ -69,8 +77,8 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     if (solidSide_) solidSide_->beginReport();
     while (clock_.time < t && n_ > 0 && (maxSteps <= 0 || report.steps < maxSteps))
     {
-        const double speed = fastest();
-        double dt = timeStep(speed, report.limit);
+        const double speed = fastest(), carried = fastestCarried(speed);
+        double dt = timeStep(carried, report.limit);
         const double courant = speed*dt/grid_.h;
         report.maxSpeed = std::max(report.maxSpeed, speed);
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
@@ -91,7 +99,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         report.lastTimeStep = dt;
         report.minTimeStep = std::min(report.minTimeStep, dt);
         report.maxTimeStep = std::max(report.maxTimeStep, dt);
-        report.maxCourant = std::max(report.maxCourant, courant);
+        report.maxCourant = std::max(report.maxCourant, carried*dt/grid_.h);
         if (interrupted_) break;
     }
     interrupted_ = false;

@@ -92,6 +92,7 @@ struct PicConfig : FluidConfig
     double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
     double maxTimeStep = 1e30;              // [s]
     double maxCourant = 0.5;
+    double maxFlyingCourant = 4;            // of particles that no water carries; at least maxCourant
 
     // Guards
     double maxCourantEver = 5;              // a particle that went this many cells in a step stops the run

@@ -198,6 +198,7 @@ private:
 
     // picAdvance.hpp
     double fastest();
+    double fastestCarried(double of);
     double timeStep(double speed, std::string& limit);
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);

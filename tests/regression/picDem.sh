@@ -126,8 +126,9 @@ wrongControl()      # NAME MESSAGE ENTRIES
     refused "$1" "$2" riprapFoam
     control ''
 }
-wrongControl maxCoLarge 'Entry maxCo is 1.5: it must be from 1e-06 to 1' 'maxCo 1.5;'
+wrongControl maxCoLarge 'Entry maxCo is 2.5: it must be from 1e-06 to 2' 'maxCo 2.5;'
 wrongControl maxCoNegative 'Entry maxCo is -0.5: it must be from' 'maxCo -0.5;'
+wrongControl maxFlyingCo 'Entry maxFlyingCo is 0.3: it must be from 0.5 to 4' 'maxFlyingCo 0.3;'
 wrongControl deltaT 'deltaT' 'adjustTimeStep no; deltaT -1;'
 dictionary constant/fluidProperties <<<'mu 1e-3;'; refused noRho "rho.* not found|'rho'" riprapFoam
 dictionary constant/fluidProperties <<<'rho -1000; mu 1e-3;'; refused rhoNegative 'Entry rho is -1000: it must be positive' riprapFoam

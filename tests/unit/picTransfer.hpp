@@ -300,6 +300,91 @@ PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
 }
 
 //- A linear field on the grid gives particles its values and, with all orders, its gradient
+//- Free flights of several cells a step: as straight as in one piece; not through closed faces, however thin; in the water they go with the water, for what is left of
+//  the step
+PIC_TEST(FlightsAreFollowedCellByCell)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D;
+    constexpr double margin = 1e-3, carrier = 0.5;
+    constexpr int n = 12, wall = 4, waterFrom = 8;      // cells along the first axis
+    Random random(5);
+    Cloud<C> cloud(n, 2, 0, [&](const Vec<D, double>&, int) { return 0.0; });
+    const UniformGrid<D>& g = cloud.grid;
+    auto& context = cloud.context;
+    std::vector<double> x[D];
+    std::vector<R> v[D];
+    for (int d = 0; d < D; ++d)
+    {
+        x[d] = cloud.set.template download<double>(context, d);
+        for (int i = 0; i < cloud.n; ++i) v[d].push_back(R(random(-4, 4)*g.h));
+    }
+    Array<Backend, R> aperture[D];
+    Array<Backend, unsigned char> near;
+    std::vector<unsigned char> water(g.cells(), 0);
+    for (int i = 0; i < g.cells(); ++i) if (i % g.n[0] >= waterFrom) water[i] = allWater;
+    near.upload(context, water);
+    MoveParticles<2, D, R> f{};
+    for (int d = 0; d < D; ++d)
+    {
+        std::vector<R> open(g.faces(d), R(1));
+        for (int k = 0; k < g.faces(d); ++k)
+        {
+            const int at = g.faceIndex(d, k).c[d];
+            if (at == 0 || at == g.n[d] || (d == 0 && at == wall)) open[k] = 0;
+        }
+        aperture[d].upload(context, open);
+        cloud.u[d].upload(context, std::vector<R>(g.faces(d), R(d == 0 ? carrier*g.h : 0)));
+        cloud.set.upload(context, D + d, v[d]);
+        f.u[d] = cloud.u[d].data();
+        f.aperture[d] = aperture[d].data();
+    }
+    f.grid = g;
+    f.inverse = 1/g.h;
+    f.particles = cloud.view();
+    f.nearWater = near.data();
+    f.timeStep = 1;
+    f.order = 3;
+    f.inside = true;
+    f.margin = margin;
+    forEach(context, cloud.n, f);
+    std::vector<double> to[D];
+    for (int d = 0; d < D; ++d) to[d] = cloud.set.template download<double>(context, d);
+    int straight = 0, stopped = 0, landed = 0;
+    for (int i = 0; i < cloud.n; ++i)
+    {
+        const double begin = x[0][i]/g.h, end = begin + v[0][i]/g.h;
+        if (begin >= waterFrom) continue;
+        bool inside = true;
+        for (int d = 0; d < D; ++d) inside = inside && x[d][i] + v[d][i] > margin && x[d][i] + v[d][i] < n*g.h - margin;
+        if (!inside) continue;
+        if (std::floor(begin) < wall ? end >= wall : end < wall)
+        {
+            EXPECT_NEAR(to[0][i], wall*g.h + (begin < wall ? -margin : margin), 1e-6*g.h);
+            ++stopped;
+        }
+        else if (end < waterFrom)
+        {
+            for (int d = 0; d < D; ++d) EXPECT_NEAR(to[d][i], x[d][i] + v[d][i], 1e-6*g.h);
+            ++straight;
+        }
+        else
+        {
+            // carried from within the piece, a cell at most, in which it came to the water
+            const double time = (waterFrom - begin)/(end - begin);
+            double most = 0;
+            for (int d = 0; d < D; ++d) most = std::max(most, std::abs(double(v[d][i]))/g.h);
+            const double piece = 1/std::floor(1 + most), flown = std::min(1.0, piece*std::ceil(time/piece - 1e-6));
+            EXPECT_NEAR(to[0][i]/g.h, begin + flown*(end - begin) + carrier*(1 - flown), 1e-4) << begin << " " << end;
+            ++landed;
+        }
+    }
+    EXPECT_GT(straight, cloud.n/20);
+    EXPECT_GT(stopped, cloud.n/20);
+    EXPECT_GT(landed, cloud.n/40);
+}
+
 PIC_TEST(LinearFieldsAreReproduced)
 {
     using C = TypeParam;

@@ -92,7 +92,8 @@ void Foam::solverModules::picDem::logModels() const
     logItem("time step");
     if (c.adjustTimeStep)
     {
-        Info<< "maxCo " << c.maxCourant;
+        Info<< "maxCo " << c.maxCourant << ", of flying particles "
+            << c.maxFlyingCourant;
     }
     else
     {

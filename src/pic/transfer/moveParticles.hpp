@@ -5,7 +5,7 @@
 
     Splines of order 2 and 3 are looked at once a step, where it begins (localVelocity.hpp), and where a particle goes farther than a cell at each stage.
 
-    Particles with no water about them fall: x += dt v. Sides of the block that are closed keep
+    Particles with no water about them fall: x += dt v, in pieces of a cell at most; those that come to the water on the way are carried by it from there. Sides of the block that are closed keep
     particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave. Closed faces inside the block let
     no particle pass either. What walls take back of the way that the correction of positions has pushed a particle is taken back from its velocity as well: it has
     become that of a place that is not reached, and in a corner, where particles push each other against walls step by step, it would grow without bound.
@@ -192,7 +192,31 @@ struct MoveParticles
         const InCell<D, R> at(inverse, x);
         const typename UniformGrid<D>::Index c = at.index();
         if (nearWater[grid.cell(c)]) arriveInWater(i, c, carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order));
-        else arrive(i, c, x + timeStep*convert<double>(velocity(i)));
+        else fly(i, c, x);
+    }
+
+    //- Free fall from cell c
+    HD void fly(int i, typename UniformGrid<D>::Index c, Vec<D, double> x) const
+    {
+        double most = 0;
+        for (int d = 0; d < D; ++d) most = maximum(most, double(absolute(particles.v[d][i])));
+        const int pieces = most*timeStep*inverse < maxPieces ? 1 + int(most*timeStep*inverse) : maxPieces;
+        const double piece = timeStep/pieces;
+        for (int k = 1; k < pieces; ++k)
+        {
+            const Vec<D, double> to = stopped(i, c, x + piece*convert<double>(velocity(i)));
+            const InCell<D, R> at(inverse, to);
+            bool in = true;
+            for (int d = 0; d < D; ++d) in = in && at.c[d] >= 0 && at.c[d] < grid.n[d];
+            if (!in) { arrive(i, c, x + (timeStep - (k - 1)*piece)*convert<double>(velocity(i))); return; }
+            x = to;
+            c = at.index();
+            if (!nearWater[grid.cell(c)]) continue;
+            const double left = timeStep - k*piece;
+            arrive(i, c, carriedAnywhere<Order, Around>(grid, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, left, order));
+            return;
+        }
+        arrive(i, c, x + piece*convert<double>(velocity(i)));
     }
 
     //- Of a particle that the water has carried from cell c
@@ -204,18 +228,7 @@ struct MoveParticles
 
     HD void arrive(int i, const typename UniformGrid<D>::Index& c, Vec<D, double> to) const
     {
-        if (inside)
-        {
-            const Vec<D, double> free = to;
-            const int stopped = stopAtFaces(grid, c, to, margin, [&](int d, int face)
-            { return !(aperture[d][face] > R(0)); });
-            if (stopped) for (int d = 0; d < D; ++d)
-            {
-                takeBack(particles, shift, i, d, to.c[d] - free.c[d]);
-                R& v = particles.v[d][i];
-                if ((stopped >> 2*d & 1 && v < 0) || (stopped >> 2*d & 2 && v > 0)) v = 0;
-            }
-        }
+        to = stopped(i, c, to);
         UNROLL
         for (int d = 0; d < D; ++d)
         {
@@ -228,6 +241,23 @@ struct MoveParticles
     }
 
 private:
+
+    static constexpr int maxPieces = 64;
+
+    //- The way from cell c as far as closed faces inside the block let it
+    HD Vec<D, double> stopped(int i, const typename UniformGrid<D>::Index& c, Vec<D, double> to) const
+    {
+        if (!inside) return to;
+        const Vec<D, double> free = to;
+        const int at = stopAtFaces(grid, c, to, margin, [&](int d, int face) { return !(aperture[d][face] > R(0)); });
+        if (at) for (int d = 0; d < D; ++d)
+        {
+            takeBack(particles, shift, i, d, to.c[d] - free.c[d]);
+            R& v = particles.v[d][i];
+            if ((at >> 2*d & 1 && v < 0) || (at >> 2*d & 2 && v > 0)) v = 0;
+        }
+        return to;
+    }
 
     HD Vec<D, R> velocity(int i) const
     {
