@@ -103,4 +103,26 @@ TEST(LightCrowds, ClosedTankIn2D) { expectFewIn<2>(155, {{{77.5, 77.5}}}, 75.5, 
 TEST(LightCrowds, TwoClosedTanks) { expectFewIn<2>(170, {{{41, 42}}, {{128, 127}}}, 38.6, 15, 4.5, 3); }
 TEST(LightCrowds, ClosedTankIn3D) { expectFewIn<3>(36, {{{18, 18, 18}}}, 16, 16, 2.5, 2); }
 
+//- Two pockets of two cells: each its own, one by a body that moves water from one to the other, two with a body whose parts move water within each, and one where the other is tied
+TEST(LightCrowds, FreeConstants)
+{
+    riprap::ReducedSystem s;
+    s.cell = {0, 1, 2, 3};
+    s.owner = {0, 2};
+    s.neighbour = {1, 3};
+    s.offDiagonal = {-1, -1};
+    s.diagonal = {1, 1, 1, 1};
+    const auto left = [&] { std::vector<double> r{1, 2, 5, 9}; riprap::FreeConstants(s).takeFrom(r.data()); return r; };
+    const std::vector<double> apart{-0.5, 0.5, -2, 2}, together{-3.25, -2.25, 0.75, 4.75}, second{1, 2, -2, 2}, none{1, 2, 5, 9};
+    EXPECT_EQ(left(), apart);
+    s.bodies = {{1, true, {1, 2}, {1, -1}}};
+    EXPECT_EQ(left(), together);
+    s.bodies = {{1, true, {0, 1, 2, 3}, {1, -1, 2, -2}}};
+    EXPECT_EQ(left(), apart);
+    s.diagonal[0] = 2;
+    EXPECT_EQ(left(), second);
+    s.bodies = {{1, true, {1, 2}, {1, -1}}};
+    EXPECT_EQ(left(), none);
+}
+
 } // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include "pic/bodies/deflation.hpp"
+#include "pic/bodies/freeConstants.hpp"
 
 namespace riprap
 {
@@ -60,9 +61,12 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
     const bool deflates = bodies.columns() > 0;
     if (deflates && !done())        // the residual has then nothing in the span of Z
     {
+        const FreeConstants free(s);
+        free.takeFrom(r.data());
         bodies.correct(r.data(), x);
         bodies.product(x, q.data());
         residual = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
+        free.takeFrom(r.data());
     }
     double rz = 0, alpha = 0;
     while (!done() && report.iterations < controls.maxIter && residual < 1e300)
