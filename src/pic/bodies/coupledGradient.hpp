@@ -1,7 +1,6 @@
 /*  Conjugate gradients for the pressure with free bodies, (A + U U^T) x = rhs, on the host: any preconditioner for A alone, deflated by the bodies
     (deflation.hpp). Flexible: beta of Polak and Ribiere, since a V-cycle in single precision is not quite a constant operator. Residuals are OpenFOAM's
-    (conjugateGradient.hpp). Sums are taken in blocks of rows: the same bits with any number of threads. Where round-off of the deflation leaves a direction without energy, as
-    many light bodies in closed water can, it goes on from where it is without deflation; what is nearer of both is the solution.
+    (conjugateGradient.hpp). Sums are taken in blocks of rows: the same bits with any number of threads.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include "pic/bodies/deflation.hpp"
+#include "pic/bodies/freeConstants.hpp"
 
 namespace riprap
 {
@@ -42,7 +42,7 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
     const int n = s.rows();
     PressureReport report;
     if (!n) return report;
-    std::vector<double> r(n), z(n), p(n, 0.0), q(n), w(n), deflated;
+    std::vector<double> r(n), z(n), p(n, 0.0), q(n), w(n);
     double* x = s.x.data();
 
     bodies.product(x, q.data());
@@ -58,14 +58,17 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
     {
         return report.iterations >= controls.minIter && (residual < controls.tolerance || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual));
     };
-    bool deflates = bodies.columns() > 0;
+    const bool deflates = bodies.columns() > 0;
     if (deflates && !done())        // the residual has then nothing in the span of Z
     {
+        const FreeConstants free(s);
+        free.takeFrom(r.data());
         bodies.correct(r.data(), x);
         bodies.product(x, q.data());
         residual = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
+        free.takeFrom(r.data());
     }
-    double rz = 0, alpha = 0, ofDeflated = 0;
+    double rz = 0, alpha = 0;
     while (!done() && report.iterations < controls.maxIter && residual < 1e300)
     {
         precondition(r.data(), z.data());
@@ -81,17 +84,7 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
         sumRows(n, [&](int i) { p[i] = z[i] + beta*p[i]; return 0.0; });
         bodies.product(p.data(), q.data());
         const double pq = sumRows(n, [&](int i) { return p[i]*q[i]; });
-        if (!(pq > 0))
-        {
-            if (!deflates) break;
-            deflates = false;
-            rz = alpha = 0;
-            std::fill(p.begin(), p.end(), 0.0);
-            bodies.product(x, q.data());
-            residual = ofDeflated = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
-            deflated.assign(x, x + n);
-            continue;
-        }
+        if (!(pq > 0)) break;
         alpha = rz/pq;
         residual = sumRows(n, [&](int i)
         {
@@ -100,11 +93,6 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
             return std::fabs(r[i]);
         })/norm;
         ++report.iterations;
-    }
-    if (!deflated.empty() && !(residual < ofDeflated))
-    {
-        std::copy(deflated.begin(), deflated.end(), x);
-        residual = ofDeflated;
     }
     report.finalResidual = residual;
     report.converged = residual < controls.tolerance || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual);

@@ -2,6 +2,8 @@
 */
 #include "pic/bodies/deflation.hpp"
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace riprap
@@ -334,6 +336,7 @@ void BodyDeflation::makeCoarse()
     multiplyPieces();
     sum(coarse_.values());
     coupleThroughBodies();
+    leaveOutConstants();
     coarse_.factorise();
 }
 
@@ -508,6 +511,42 @@ void BodyDeflation::coupleThroughBodies()
                         for (int j = 0; j < nb; ++j) block[i*nb + j] += of(a, c)[k*na + i]*of(b, c)[k*nb + j];
                 add(a, b, block);
             }
+}
+
+//- Where hats sum to the constant and nothing ties the water to p = 0, that sum has no energy: E is singular, and its last pivot is what round-off leaves, of either sign. One of these hats is left out then; with the constant,
+//  which takes no part in anything, the others span the same. The one with the largest diagonal: next to it the pivots of the others are large
+void BodyDeflation::leaveOutConstants()
+{
+    const int rows = system_.rows();
+    std::vector<int> group(columns_, -1);       // of hats that E joins: one of their columns
+    const auto groupOf = [&](int column) { while (group[column] != column) column = group[column]; return column; };
+    for (std::size_t b = 0; b < pieces_.size(); ++b) if (pieces_[b].hat) group[firstColumn_[b]] = firstColumn_[b];
+    for (int i = 0; i < columns_; ++i)
+        for (int j = coarse_.first(i); j < i && group[i] >= 0; ++j)
+            if (group[j] >= 0 && coarse_.at(i, j) != 0) group[std::max(groupOf(i), groupOf(j))] = std::min(groupOf(i), groupOf(j));
+    std::vector<double> sums(rows, 0.0), product(rows), energy(columns_, 0.0), size(columns_, 0.0);
+    std::vector<int> of(rows, -1), largest(columns_, -1);
+    for (std::size_t b = 0; b < pieces_.size(); ++b)
+    {
+        const int column = firstColumn_[b];
+        if (!pieces_[b].hat) continue;
+        const int to = groupOf(column);
+        for (std::size_t i = 0; i < pieces_[b].row.size(); ++i)
+        {
+            sums[pieces_[b].row[i]] += pieces_[b].value[i];
+            of[pieces_[b].row[i]] = to;
+        }
+        const double diagonal = coarse_.at(column, column);
+        size[to] += std::sqrt(std::max(0.0, diagonal));
+        if (largest[to] < 0 || diagonal > coarse_.at(largest[to], largest[to])) largest[to] = column;
+    }
+    this->product(sums.data(), product.data());
+    for (int r = 0; r < rows; ++r) if (of[r] >= 0) energy[of[r]] += sums[r]*product[r];
+    sum(energy);
+    // what round-off of the factors may make of nothing: they are those of a matrix that is off by some eps sqrt(E_ii E_jj)
+    constexpr double roundOff = std::numeric_limits<double>::epsilon();
+    for (int i = 0; i < columns_; ++i)
+        if (largest[i] >= 0 && energy[i] <= roundOff*size[i]*size[i]) coarse_.at(largest[i], largest[i]) = 0;
 }
 
 void BodyDeflation::product(const double* x, double* y) const

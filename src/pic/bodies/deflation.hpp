@@ -72,6 +72,7 @@ private:
     void uniteTouches();
     void multiplyPieces();
     void coupleThroughBodies();
+    void leaveOutConstants();
     void addDividedBodies(const double* x, double* y) const;
     void add(int a, int b, const std::vector<double>& block);
 

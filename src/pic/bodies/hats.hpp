@@ -27,6 +27,7 @@ struct DeflationPiece
 {
     CellCorner low{{0, 0, 0}}, high{{0, 0, 0}};
     int modes = 0;
+    bool hat = false;
     std::vector<int> row;
     std::vector<double> value;          // modes a row
     std::vector<int> out, in;           // faces to other ranks with a cell in the box on this side, and on the other
@@ -121,6 +122,7 @@ inline std::vector<DeflationPiece> hatsBetween
         if (node.second < least) continue;
         DeflationPiece hat;
         hat.modes = 1;
+        hat.hat = true;
         for (int d = 0; d < s.dimensions; ++d)
         {
             hat.low[d] = std::max(0, int(std::ceil((at[d] - 1)*width[d] - 0.5)));

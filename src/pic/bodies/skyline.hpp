@@ -1,6 +1,6 @@
 /*  Cholesky factors of a sparse symmetric positive definite matrix that is stored row by row from each row's first entry.
 
-    A pivot that loses all but dropped of its diagonal belongs to a column that the earlier ones span: it is left out.
+    A pivot that loses all but dropped of its diagonal belongs to a column that the earlier ones span: it is left out, as is one whose diagonal is zero.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -16,7 +16,7 @@ g, radius = 9.81, 0.01
 ratios = [1e-3, 1e-2, 0.1, 0.5, 2.7, 10, 1e3]
 weak = [0.01, 0.5, 1, 2, 2.7, 10]
 crowds = [1, 33, 100, 400, 1000]
-crowdRatios = [1e-3, 0.1, 0.5, 2.7, 1e3]       # a neutral one has a linear pressure, which deflation holds whole: nothing to solve
+crowdRatios = [1e-3, 0.1, 0.5, 0.9, 2.7, 1e3]  # a neutral one has a linear pressure, which deflation holds whole: nothing to solve
 
 
 def tank(run, name):
