@@ -118,7 +118,7 @@ void BodyDeflation::placeBodies(const DeflationControls& controls)
     if (!(controls.hats > 0)) return;
     std::vector<int> closed(1, s.closed);
     if (ranks_) ranks_->least(closed);
-    for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs, controls.hats*width/lows.size(), closed[0])) pieces_.push_back(std::move(hat));
+    for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs, controls.hats*width/lows.size(), closed[0] && controls.hatsEverywhere)) pieces_.push_back(std::move(hat));
     dropEmpty();
     for (DeflationPiece& z : pieces_) findFaces(z);
 }

@@ -26,12 +26,14 @@ struct DeflationControls
     double margin = -1;             // of the box about a body, in its own half width; below 0: 1 in 2D, 0.6 in 3D
     double hats = 1.5;              // their spacing in mean widths of the bodies; 0: none
     bool heavyHats = false;         // between heavy bodies too: for preconditioners that are weak on what is smooth over many bodies. In 2D alone: in 3D they cost more than they save
+    bool hatsEverywhere = true;     // in closed water: not only between bodies
 
     DeflationControls in(int dimensions) const
     {
         DeflationControls c(*this);
         if (c.localIterations == 0) c.localIterations = dimensions == 2 ? 12 : 8;
         if (c.margin < 0) c.margin = dimensions == 2 ? 1 : 0.6;
+        c.hatsEverywhere = hatsEverywhere && (heavyHats || dimensions == 2);    // our V-cycle takes as many iterations without them in 3D
         c.heavyHats = heavyHats && dimensions == 2;
         return c;
     }
