@@ -29,7 +29,7 @@ typename P::real* DemSolver<Backend, D, P>::external()
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::subcycles(double dt)
 {
-    return still_ ? 1 : std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));
+    return still_ ? 1 : std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
 }
 
 //- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a step before

@@ -10,7 +10,7 @@
     V + dt'/2 (F - F')/M has W for its mean velocity: it goes where the water has made way for it. Weakly coupled, W = W* + k F'/M, and F is
     what the pressure about such walls does.
 
-    G is the prediction for contacts. Paper 2 takes the force of the moment, over the whole step; a collision, which is over in a small part of it, would
+    G is the prediction for contacts. Paper 2 takes the force of the moment, over the whole step; a stiff collision, over in a small part of it, would
     hit the water many times as hard as the body. Here it is the smaller of that force and the mean over the step before, 0 where they do not agree in
     direction: contacts that last are foreseen, blows are not.
 

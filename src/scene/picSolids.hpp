@@ -197,7 +197,7 @@ bool PicSolver<Backend, D, P>::advanceSolids(double dt, double before)
     if (!bodies_->finite()) return false;
     // a clump feels a force from outside a step of its own later
     constexpr int leastOfClumps = 8;
-    const int steps = std::max(solidSide_->subcycles(dt), bodies_->clumps() ? leastOfClumps : 1);
+    const int steps = std::max(solidSide_->subcycles(dt), bodies_->clumps() ? leastOfClumps : 1);       // K of paper 2, Eqs. 21 to 25
     const double first = dt/steps;
     // leapfrog's velocities are behind by half the last step, and get the new force for it
     const double lag = bodies_->verlet() ? 0 : 2*(solidSide_->kickTime(dt, steps) - dt) + first;

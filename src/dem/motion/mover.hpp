@@ -1,7 +1,7 @@
 /*  Motion of particles. Forces are known at the positions at hand; a step is kick and drift, then the pass over contacts:
 
         leapfrog  v_{n+1/2} = v_{n-1/2} + a_n (dt_{n-1} + dt_n)/2,    x_{n+1} = x_n + v_{n+1/2} dt_n
-        Verlet    v_{n+1/2} = v_n + a_n dt/2,  x_{n+1} likewise,  v_{n+1} = v_{n+1/2} + a_{n+1} dt/2 after the pass
+        Verlet    v_{n+1/2} = v_n + a_n dt/2,  x_{n+1} likewise,  v_{n+1} = v_{n+1/2} + a_{n+1} dt/2 after the pass (paper 2, Eqs. 21 to 23, X_k = X_a)
 
     spins alike. Contacts see half-step velocities with the new positions, so that a spring's stretch is exactly what the bodies
     did. Local damping (paper 1, Eq. 25) acts on each component of the unbalanced force and moment, viscous damping is -c m v.
