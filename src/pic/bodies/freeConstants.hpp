@@ -7,6 +7,7 @@
 */
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
