@@ -42,14 +42,22 @@ def water(run, k):
     return len(clouds.readCloud(run.path, clouds.times(run.path)[k], ())['positions'])
 
 
+def at(run, column, moment):
+    """Of the samples, over the tank's length; nan: not yet"""
+    motion = run.table('stack', 'groupMotion.dat')
+    there = motion['Time'][-1] >= moment - 1e-9
+    return float(np.interp(moment, motion['Time'], motion[column])/tank(run, 'tank')) if there else float('nan')
+
+
 def analyse(run):
     times, x = cylinders(run)
-    energy = run.table('energy', 'energyBalance.dat')
     mean = x[-1].mean(axis=0)/tank(run, 'tank')
     result = [Quantity('end [s]', computed=times[-1]),
               Quantity('smallest distance of two surfaces / gap', computed=min(closest(p) for p in x)/tank(run, 'gap')),
               Quantity('cylinders', computed=len(x[-1])),
               Quantity('water lost', computed=1 - water(run, -1)/water(run, 1)),
+              Quantity('x/L of the centre of mass at 0.25 s', computed=at(run, 'freeCentreX', 0.25)),
+              Quantity('x/L of the foremost surface at 0.25 s', computed=at(run, 'freeMaxX', 0.25)),
               Quantity('x/L of the centre of mass at the end', computed=mean[0]),
               Quantity('y/L of the centre of mass at the end', computed=mean[1]),
               Quantity('arrival at the far wall [s]', computed=arrival(run))]
@@ -77,8 +85,8 @@ def layers(run):
 
 
 def plain(run):
-    """With the variant's usual step and lid"""
-    return not any(word in run.name for word in ('-co', '-open'))
+    """With the variant's usual step"""
+    return '-co' not in run.name
 
 
 def centre(run):
@@ -109,7 +117,7 @@ def plotArrivals(runs, path):
 
 def plotResolution(runs, path):
     """Six layers by cells a diameter, with a gap of two cells, as in the paper, and with one of 1 mm for all: centre against time, and its place and the arrival against cells"""
-    six = [run for run in runs if layers(run) == 6 and plain(run)]
+    six = [run for run in runs if layers(run) == 6 and plain(run) and numberOf(run.control['maxCo']) == 1]
     rows = [(beta, name, sorted((run for run in six if kind(run)[0] == beta and rule(*kind(run)[1:])), key=lambda run: kind(run)[1]))
             for beta in sorted({kind(run)[0] for run in six})
             for name, rule in (('two cells', lambda cell, gap: abs(gap/cell - 2) < 1e-6), ('1 mm', lambda cell, gap: abs(gap - 0.001) < 1e-9))]
@@ -140,7 +148,7 @@ def plot(runs, path):
     if len(runs) > 1:
         plotArrivals(runs, path.replace('.png', 'Arrival.png'))
         plotResolution(runs, path.replace('.png', 'Resolution.png'))
-    finest = [run for run in runs if run.name.endswith('-fine') and 'open' not in run.name and layers(run) in (6, 12)]
+    finest = [run for run in runs if run.name.endswith('-fine') and layers(run) in (6, 12)]
     runs = finest or runs
     moments = [m for m in shown if any(float(t) >= m for t in clouds.times(runs[0].path))] or [0]
     fig, axes = plotting.figure(len(moments), len(runs), width=4.2, height=2.4)
@@ -168,23 +176,24 @@ def fine(layers, beta, cell=0.0005, gap=2, more=''):
     return case(layers, beta, cell, gap, '; system/controlDict:maxCo 1' + more)
 
 
-# 30 cm high without a lid: what splashes over is gone
-opened = '; system/tank:height 0.3; system/tank:ny 600; system/top:topType patch'
+def courant(beta, co, more=''):
+    """Six layers at 0.5 mm with another step"""
+    return case(6, beta, 0.0005, more=f'{more}; system/controlDict:maxCo {co}')
 
 
 betas = (('05', 0.5), ('1', 1))
 every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in betas]
-perTime = '; contactVelocityTime 9.06e-5'      # [s] the mean step of six layers at 0.5 mm with maxCo 0.5
+perTime = '; contactVelocityTime 9.06e-5'      # [s] about the mean step of six layers at 0.5 mm with maxCo 0.5
+# six layers by cells, and gaps in cells
+resolutions = [('2mm', 0.002, 2), ('2mm-gap1mm', 0.002, 0.5), ('1mm', 0.001, 2), ('1mm-gap1mm', 0.001, 1), ('quarter', 0.00025, 2), ('quarter-gap1mm', 0.00025, 4)]
 Study(
     scene='damBreakCylinders',
     variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
     + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)] + [Variant('6-beta1-gap1', case(6, 1, gap=1))]
-    + [Variant(f'6-beta05-{name}', case(6, 0.5, cell, gap)) for name, cell, gap in (('2mm', 0.002, 2), ('2mm-gap1mm', 0.002, 0.5))]
     + [Variant(f'{n}-beta{name}-fine', fine(n, beta), large=True) for n, name, beta in every]
-    + [Variant(f'6-beta{name}-open-fine', fine(6, beta, more=opened), large=True) for name, beta in betas]
-    + [Variant(f'6-beta{name}-co{10*co:g}', case(6, beta, 0.0005, more=f'{more}; system/controlDict:maxCo {co}'), large=True)
-       for name, beta, more in (('05', 0.5, ''), ('05T', 0.5, perTime), ('1', 1, '')) for co in (0.35, 0.5, 1)]
-    + [Variant(f'6-beta{name}-quarter{way}', fine(6, beta, 0.00025, gap), large=True) for name, beta in betas for way, gap in (('', 2), ('-gap1mm', 4))],
+    + [Variant(f'6-{name}-co{label}', courant(beta, co), large=True) for name, beta in (('once', 0.5), ('beta1', 1)) for label, co in (('05', 0.5), ('2', 2))]
+    + [Variant(f'6-T-co{label}', courant(0.5, co, perTime), large=True) for label, co in (('05', 0.5), ('1', 1), ('2', 2))]
+    + [Variant(f'6-beta{name}-{way}', fine(6, beta, cell, gap), large=cell < 0.0005) for name, beta in betas for way, cell, gap in resolutions],
     quick=[Variant('6-quick', ['-endTime', '0.04'])],
     analyse=analyse,
     plot=plot,
