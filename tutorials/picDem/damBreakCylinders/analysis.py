@@ -175,7 +175,7 @@ opened = '; system/tank:height 0.3; system/tank:ny 600; system/top:topType patch
 betas = (('05', 0.5), ('1', 1))
 every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in betas]
 perTime = '; contactVelocityTime 9.06e-5'      # [s] the mean step of six layers at 0.5 mm with maxCo 0.5
-Study(
+study = Study(
     scene='damBreakCylinders',
     variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
     + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)] + [Variant('6-beta1-gap1', case(6, 1, gap=1))]
@@ -189,4 +189,6 @@ Study(
     analyse=analyse,
     plot=plot,
     headline='arrival at the far wall [s]',
-).main(here)
+)
+if __name__ == '__main__':         # benchmarks/runPicSolids takes case() alone
+    study.main(here)
