@@ -15,6 +15,7 @@ foot = 1e-16
 
 def draw(scene, rows, peers, path):
     rows = [r for r in rows if 'quick' not in r['run'] and costOf(r) and number(r['error']) is not None]
+    rows = [dict(row, settings=choices(row['settings'])) for row in rows]
     for row in rows:
         row['host'] = '' if 'NVIDIA' in row['device'] else row['machine']       # of a GPU it does not matter
     rows = newest(rows, ('run', 'settings', 'spacing', 'precision', 'device', 'host', 'quantity'))
@@ -58,6 +59,11 @@ def peersOfSolids(rows):
         if quantity.startswith('error of ') and cost:
             points.append({'chart': 'cost', 'scene': case, 'quantity': what.split(';')[0], 'peer': code, 'error': value, 'cost': cost, 'simulated': '1'})
     return points
+
+
+def choices(settings):
+    """Without what came of a run"""
+    return ' '.join(word for word in settings.split() if not word.startswith('subcycles='))
 
 
 def costOf(row):
