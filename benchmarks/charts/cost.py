@@ -15,9 +15,15 @@ foot = 1e-16
 
 def draw(scene, rows, peers, path):
     rows = [r for r in rows if 'quick' not in r['run'] and costOf(r) and number(r['error']) is not None]
+    rows = [dict(row, settings=choices(row['settings'])) for row in rows]
     for row in rows:
         row['host'] = '' if 'NVIDIA' in row['device'] else row['machine']       # of a GPU it does not matter
-    rows = newest(rows, ('run', 'settings', 'spacing', 'precision', 'device', 'host', 'quantity'))
+    common = {}                     # settings that all rows of a run tell: later ones tell more of the same
+    for row in rows:
+        common[row['run']] = common.get(row['run'], keys(row)) & keys(row)
+    for row in rows:
+        row['known'] = ' '.join(word for word in row['settings'].split() if word.split('=')[0] in common[row['run']])
+    rows = newest(rows, ('run', 'known', 'spacing', 'precision', 'device', 'host', 'quantity'))
     if not rows:
         print(f'{scene}: no complete runs to draw')
         return
@@ -58,6 +64,15 @@ def peersOfSolids(rows):
         if quantity.startswith('error of ') and cost:
             points.append({'chart': 'cost', 'scene': case, 'quantity': what.split(';')[0], 'peer': code, 'error': value, 'cost': cost, 'simulated': '1'})
     return points
+
+
+def choices(settings):
+    """Without what came of a run"""
+    return ' '.join(word for word in settings.split() if not word.startswith('subcycles='))
+
+
+def keys(row):
+    return {word.split('=')[0] for word in row['settings'].split()}
 
 
 def costOf(row):

@@ -15,8 +15,11 @@ namespace riprap
 namespace
 {
 
-//- Diameter in cells that a grid can tell from a point
-constexpr double smallestSolid = 4;
+//- Diameter in cells that a grid can tell from a point. benchmarks/picDemStability compiles this file with less
+#ifndef RIPRAP_SMALLEST_SOLID
+#define RIPRAP_SMALLEST_SOLID 4
+#endif
+constexpr double smallestSolid = RIPRAP_SMALLEST_SOLID;
 
 void require(bool condition, const std::string& what)
 {

@@ -16,7 +16,7 @@ import subprocess
 import sys
 from dataclasses import dataclass, field
 
-from . import records
+from . import clouds, records
 from .bounds import Bounds, check, printTable, root
 from .dictionaries import entry, numberOf, readDictionary
 from .logs import readLog
@@ -76,7 +76,7 @@ class Run:
             return ' '.join(f'{key}={entry(self.pic, path, default)}' for key, path, default in (
                 ('transfer', 'transfer', 'flip'), ('spline', 'spline', 'quadratic'), ('affine', 'affine', 'yes'),
                 ('advection', 'advection', 'RungeKutta3'), ('reflection', 'reflection', 'yes'),
-                ('perDirection', 'seeds/perDirection', '2'), ('jitter', 'seeds/jitter', '0')))
+                ('perDirection', 'seeds/perDirection', '2'), ('jitter', 'seeds/jitter', '0'))) + ''.join(f' {w}' for w in self.bodySettings())
         if not self.sph:
             return ' '.join(f'{key}={entry(self.solid, path, default)}' for key, path, default in (
                 ('normal', 'contact/normal', 'hertz'), ('tangential', 'contact/tangential', 'history'),
@@ -91,6 +91,31 @@ class Run:
                          of('antiClump', '0.01'), of('XSPH', '0.5'), of('densityDiffusion', 'none'),
                          of('shifting', 'none'), of('timeIntegration', 'leapfrog')]
                         + (self.solidSettings() if self.solid else []))
+
+    def bodySettings(self):
+        """Of solids in the water of cells: what else tells runs apart, lengths in cells. subcycles is what came of it, steps of solids a step of the water"""
+        if not self.solid or not self.log['solidSteps'] or not self.log['steps']:
+            return []
+        fixed = self.control.get('adjustTimeStep') == 'no'
+        words = [f"coupling={self.pic.get('coupling', 'implicit')}", f"contactVelocity={self.pic.get('contactVelocity', '1')}"]
+        words += [f"contactVelocityTime={self.pic[key]}" for key in ('contactVelocityTime',) if key in self.pic]
+        words.append(f"solver={entry(self.dictionary('system/fvSolution'), 'solvers/p/solver')}")
+        words.append(f"deltaT={self.control.get('deltaT')}" if fixed else f"maxCo={self.control.get('maxCo', '0.5')}")
+        words.append(f"stepFraction={self.solid.get('stepFraction', '0.2')}")
+        cell = self.log['cellSize']
+        gaps = {numberOf(pair['gap']) for pair in self.solid.get('pairs', {}).values() if isinstance(pair, dict) and 'gap' in pair}
+        if cell:
+            words.append(f"gap={'/'.join(f'{g/cell:.3g}' for g in sorted(gaps)) or 0}")
+            diameter = self.smallestSolid()
+            words += [f'cellsDiameter={diameter/cell:.3g}'] if diameter else []
+        return words + [f"subcycles={self.log['solidSteps']/self.log['steps']:.3g}"]
+
+    def smallestSolid(self):
+        """Diameter of the smallest disk or sphere; None of clumps, whose spheres are parts of them"""
+        names = clouds.times(self.path)
+        if not names or self.log['clumps']:
+            return None
+        return 2*float(clouds.readField(os.path.join(self.path, names[0], 'lagrangian', 'solids', 'radius')).min())
 
     def solidSettings(self):
         """Of solids in the fluid; steps of theirs are told by their share of sqrt(m/k), since their number swings with the fluid's step"""

@@ -186,7 +186,7 @@ every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in betas]
 perTime = '; contactVelocityTime 9.06e-5'      # [s] about the mean step of six layers at 0.5 mm with maxCo 0.5
 # six layers by cells, and gaps in cells
 resolutions = [('2mm', 0.002, 2), ('2mm-gap1mm', 0.002, 0.5), ('1mm', 0.001, 2), ('1mm-gap1mm', 0.001, 1), ('quarter', 0.00025, 2), ('quarter-gap1mm', 0.00025, 4)]
-Study(
+study = Study(
     scene='damBreakCylinders',
     variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
     + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)] + [Variant('6-beta1-gap1', case(6, 1, gap=1))]
@@ -198,4 +198,6 @@ Study(
     analyse=analyse,
     plot=plot,
     headline='arrival at the far wall [s]',
-).main(here)
+)
+if __name__ == '__main__':         # benchmarks/runPicSolids takes case() alone
+    study.main(here)
