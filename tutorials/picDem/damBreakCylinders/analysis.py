@@ -137,7 +137,7 @@ def plotResolution(runs, path):
         axes[-2].plot(*zip(*at), **style)
         axes[-1].plot(cells, [arrival(run) for run in group], **style)
     axes[-2].set(ylabel='centre of all cylinders at 0.2 s, x/L')
-    axes[-1].set(ylabel='first cylinder at the far wall [s]', ylim=(0.2, 0.32))
+    axes[-1].set(ylabel='first cylinder at the far wall [s]', ylim=(0.2, 0.35))
     for axis in axes[-2:]:
         axis.set(xlabel='cells a diameter')
         axis.legend(fontsize=6)
