@@ -94,7 +94,7 @@ class Run:
 
     def bodySettings(self):
         """Of solids in the water of cells: what else tells runs apart, lengths in cells. subcycles is what came of it, steps of solids a step of the water"""
-        if not self.solid or not self.log['solidSteps'] or not self.log['steps']:
+        if not self.solid:
             return []
         fixed = self.control.get('adjustTimeStep') == 'no'
         words = [f"coupling={self.pic.get('coupling', 'implicit')}", f"contactVelocity={self.pic.get('contactVelocity', '1')}"]
@@ -108,7 +108,8 @@ class Run:
             words.append(f"gap={'/'.join(f'{g/cell:.3g}' for g in sorted(gaps)) or 0}")
             diameter = self.smallestSolid()
             words += [f'cellsDiameter={diameter/cell:.3g}'] if diameter else []
-        return words + [f"subcycles={self.log['solidSteps']/self.log['steps']:.3g}"]
+        both = self.log['solidSteps'] and self.log['steps']
+        return words + ([f"subcycles={self.log['solidSteps']/self.log['steps']:.3g}"] if both else [])
 
     def smallestSolid(self):
         """Diameter of the smallest disk or sphere; None of clumps, whose spheres are parts of them"""
