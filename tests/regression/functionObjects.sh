@@ -177,6 +177,7 @@ wrong meshDry 'type particlesToMesh; minVolumeFraction -1;' 'Entry minVolumeFrac
 control "first { type particlesToMesh; $library } wrong { type particlesToMesh; $library }"
 refused meshTwice 'the mesh has a field p of another owner already.*controlDict.functions.wrong' riprapFoam
 wrong unknown 'type energyBalance; fields (p);' 'Unknown entry fields; valid are .*writeInterval'
+wrong picOnly 'type momentumBalance;' 'needs a running particle scene, and there is no picScene'
 wrong solidsOnly 'type groupMotion;' 'needs a running scene of solids'
 wrong writeControl 'type wallForce; writeControl sometimes;' 'sometimes'
 

@@ -61,6 +61,7 @@ front { type frontPosition; $library }
 gauges { type waterLevel; $library points ((0.1 0 0)); }
 probes { type particleProbes; $library fields (p); probeLocations ((0.1 0.02 0.005)); }
 energy { type energyBalance; $library }
+momentum { type momentumBalance; $library }
 points { type probes; libs (\"libsampling.so\"); fields (p); $cell probeLocations ((0.105 0.025 0.005)); }
 volume { type volFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (alpha.water); operation volIntegrate; regionType all; writeFields no; $cell }
 floor { type surfaceFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (p); operation areaAverage; regionType patch; name lower; writeFields no; $cell }
@@ -79,6 +80,9 @@ near front front/0/frontPosition.dat front 0.2 1e-3                 # of the par
 near probe probes/0/p.dat p0 294.3 0.1                              # 0.03 m deep
 near potential energy/0/energyBalance.dat potential 2.4525 1e-3     # per metre across: rho g 0.2 0.05^2/2
 near speed energy/0/energyBalance.dat maxSpeed 0 1e-6
+near residual momentum/0/momentumBalance.dat residualY 0 1e-9       # of impulses of 0.1 N s and more: the floor gets the weight
+awk '!/^#/ { g = $6; w = $9 } END { exit !(g < 0 && (w/g - 1)^2 < 1e-12) }' postProcessing/momentum/0/momentumBalance.dat && pass functions.floorImpulse \
+ || fail functions.floorImpulse 'the floor does not get the weight of the water'
 near foamProbe points/0/p 2 245.25 0.1                              # the middle of a cell, 0.025 m deep
 near foamVolume volume/0/volFieldValue.dat 2 1e-4 1e-9
 near foamFloor floor/0/surfaceFieldValue.dat 2 490.5 0.2            # 0.05 m deep

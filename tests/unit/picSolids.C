@@ -38,6 +38,50 @@ TEST_P(PicSolidScene, StartsAgainstItsAddedMass)
     }
 }
 
+//- One that is held bears what it displaces (Archimedes); one that is moved, ever faster, its added mass (as above)
+TEST_P(PicSolidScene, HeldAndMovedOnesBearTheWater)
+{
+    const double R = 0.45, a = 0.2, dt = 1e-3, rate = 2;
+    const double C = D() == 2 ? (R*R + a*a)/(R*R - a*a) : 0.5*(R*R*R + 2*a*a*a)/(R*R*R - a*a*a);
+    const double displaced = 1000*(D() == 2 ? M_PI*a*a : 4*M_PI/3*a*a*a);
+    PicConfig c = config(D() == 2 ? 60 : 28);           // 12 and 5.6 cells a radius
+    c.seedsPerDirection = 1;
+    c.adjustTimeStep = false;
+    c.fixedTimeStep = dt;
+    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; });
+    const auto after = [&](bool moved)
+    {
+        PicInside inside;
+        inside.obstacles.push_back(roundTank(D(), R));
+        auto solids = balls(c, {{{0.5, 0.5, 0.5}}}, a, 2700);
+        solids->input.groups.resize(1);
+        if (moved)
+        {
+            solids->input.groups[0].motion = 0;
+            solids->input.groupMotion = [rate](int, double t)
+            {
+                RigidMotion m;
+                m.velocity[0] = rate*t;
+                m.centre = {{0.5 + 0.5*rate*t*t, 0.5, 0.5}};
+                return m;
+            };
+        }
+        else for (bool& held : solids->input.groups[0].held) held = true;
+        inside.solids = solids;
+        auto s = createPicScene(c, water, PicWalls(), &solver, std::move(inside));
+        EXPECT_EQ(s->advance(5*dt).stop, StopReason::none);
+        return s;
+    };
+    const double bound = (D() == 2 ? 0.005 : 0.02)*displaced;
+    const auto held = after(false), moved = after(true);
+    EXPECT_NEAR(held->coupling().force[1], displaced*9.81, bound*9.81);
+    EXPECT_NEAR(held->coupling().force[0], 0, 1e-3*bound*9.81);
+    EXPECT_NEAR(held->solids()->particles().position[1], 0.5, 1e-12);
+    EXPECT_NEAR(moved->coupling().force[0], -C*displaced*rate, bound*C*rate);
+    EXPECT_NEAR(moved->coupling().force[1], displaced*9.81, bound*9.81);
+    EXPECT_NEAR(moved->solids()->particles().position[0], 0.5 + 0.5*rate*25*dt*dt, 1e-9);
+}
+
 //- The wall that a light body is to water that does not feel it give way grows without bound
 TEST_P(PicSolidScene, HoldsAtAnyDensityWhereWeakCouplingDoesNot)
 {

@@ -31,10 +31,50 @@ def closest(x):
 
 
 def arrival(run):
-    """The first sample at which a cylinder touches the far wall; nan: not yet"""
+    """The first sample at which a cylinder touches the far wall, from when it could begin to move; nan: not yet"""
     motion = run.table('stack', 'groupMotion.dat')
     there = motion['freeMaxX'] >= (tank(run, 'tank') - tank(run, 'gap'))*(1 - 1e-3)     # of their surfaces
-    return float(motion['Time'][np.argmax(there)]) if there.any() else float('nan')
+    return float(motion['Time'][np.argmax(there)]) - lift(run)[1] if there.any() else float('nan')
+
+
+def lift(run):
+    """Speed of the plate, how long it stands; 0, 0: there is none"""
+    speed = numberOf(run.dictionary('system/tank').get('lift'), 0)
+    return speed, tank(run, 'held') if speed else 0.0
+
+
+def bottom(run, t):
+    """Of the plate, as system/makeParticles.py lifts it"""
+    speed, held = lift(run)
+    starts, t = 0.02, max(t - held, 0)
+    return speed*(0.5*t*t/starts if t < starts else t - 0.5*starts)
+
+
+def inOrder(run, name, cloud, key):
+    """Positions by the particles' own numbers"""
+    c = clouds.readCloud(run.path, name, (key,), cloud)
+    return c['positions'][np.argsort(c[key])]
+
+
+def behindPlate(run):
+    """Does it hold, and does anything pass through it: particles that cross its middle above its lower edge between two written times"""
+    names = clouds.times(run.path)
+    held, face, thickness = lift(run)[1], tank(run, 'waterWidth'), 0.002
+    beyond, through, before, way = 0, 0, None, 0.0
+    first = inOrder(run, names[0], 'solids', 'origId')
+    for name in names[1:]:
+        t, x = float(name), inOrder(run, name, 'fluid', 'id')
+        edge = bottom(run, t) + tank(run, 'cellSize')
+        if t <= held + 1e-9:
+            beyond += int((x[:, 0] > face + thickness).sum())
+            way = max(way, np.hypot(*(inOrder(run, name, 'solids', 'origId') - first)[:, :2].T).max())
+        if before is not None and len(before) == len(x):
+            a, b = before[:, 0] - face - 0.5*thickness, x[:, 0] - face - 0.5*thickness
+            through += int(((a*b < 0) & (np.minimum(before[:, 1], x[:, 1]) > edge)).sum())
+        before = x
+    return [Quantity('particles beyond the plate that stands', computed=beyond),
+            Quantity('particles through the plate', computed=through),
+            Quantity('way of a cylinder behind the plate / gap', computed=float(way)/tank(run, 'gap'))]
 
 
 def water(run, k):
@@ -52,7 +92,8 @@ def at(run, column, moment):
 def analyse(run):
     times, x = cylinders(run)
     mean = x[-1].mean(axis=0)/tank(run, 'tank')
-    result = [Quantity('end [s]', computed=times[-1]),
+    held = lift(run)[1]
+    result = [Quantity('end [s]', computed=round(times[-1] - held, 9)),
               Quantity('smallest distance of two surfaces / gap', computed=min(closest(p) for p in x)/tank(run, 'gap')),
               Quantity('cylinders', computed=len(x[-1])),
               Quantity('water lost', computed=1 - water(run, -1)/water(run, 1)),
@@ -60,8 +101,9 @@ def analyse(run):
               Quantity('x/L of the foremost surface at 0.25 s', computed=at(run, 'freeMaxX', 0.25)),
               Quantity('x/L of the centre of mass at the end', computed=mean[0]),
               Quantity('y/L of the centre of mass at the end', computed=mean[1]),
+              Quantity('x/L of the centre of mass 0.2 s after', computed=float(np.interp(held + 0.2, *centre(run), right=np.nan))),
               Quantity('arrival at the far wall [s]', computed=arrival(run))]
-    return result
+    return result + behindPlate(run) if lift(run)[0] else result
 
 
 def snapshot(axis, run, moment):
@@ -85,8 +127,8 @@ def layers(run):
 
 
 def plain(run):
-    """With the variant's usual step"""
-    return '-co' not in run.name
+    """With the variant's usual step, and no plate"""
+    return not any(word in run.name for word in ('-co', '-plate'))
 
 
 def centre(run):
@@ -144,7 +186,33 @@ def plotResolution(runs, path):
     plotting.save(fig, path)
 
 
+def plotPlate(runs, path):
+    """Centre of all cylinders and the farthest one against the time since they could move; snapshots with the one at 1 m/s"""
+    lifted = sorted((run for run in runs if lift(run)[0]), key=lambda run: lift(run)[0])
+    if not lifted:
+        return
+    free = [run for run in runs if layers(run) == 6 and plain(run) and kind(run) == kind(lifted[0])]
+    fig, axes = plotting.figure(2, 2, width=5, height=2.6)
+    axes = np.atleast_1d(axes).ravel()
+    for run in lifted + free:
+        motion, (speed, held) = run.table('stack', 'groupMotion.dat'), lift(run)
+        for axis, column in zip(axes, ('freeCentreX', 'freeMaxX')):
+            axis.plot(motion['Time'] - held, motion[column]/tank(run, 'tank'), linewidth=1, label=f'lifted at {speed:g} m/s' if speed else 'gone at once')
+    for axis, name in zip(axes, ('centre of all cylinders', 'farthest surface of a cylinder')):
+        axis.set(xlabel='t [s] since they could move', ylabel=name + ', x/L', xlim=(-0.05, 0.5))
+        axis.legend(fontsize=7)
+    run = next((r for r in lifted if lift(r)[0] == 1), lifted[0])
+    for axis, moment in zip(axes[2:], (0.07, 0.2)):
+        snapshot(axis, run, lift(run)[1] + moment)
+        x, y = 100*tank(run, 'waterWidth'), 100*bottom(run, lift(run)[1] + moment)
+        axis.fill([x, x + 0.2, x + 0.2, x], [y, y, 30, 30], color='k')
+        axis.set_ylim(0, 16)
+    plotting.save(fig, path)
+
+
 def plot(runs, path):
+    plotPlate(runs, path.replace('.png', 'Plate.png'))
+    runs = [run for run in runs if not lift(run)[0]] or runs
     if len(runs) > 1:
         plotArrivals(runs, path.replace('.png', 'Arrival.png'))
         plotResolution(runs, path.replace('.png', 'Resolution.png'))
@@ -181,6 +249,11 @@ def courant(beta, co, more=''):
     return case(6, beta, 0.0005, more=f'{more}; system/controlDict:maxCo {co}')
 
 
+# A plate that stands for 0.2 s; written often, so that what would pass through it is seen
+def plate(speed):
+    return case(6, 0.5, more=f'; system/tank:lift {speed}; system/controlDict:writeInterval 0.005') + ['-endTime', '0.7']
+
+
 betas = (('05', 0.5), ('1', 1))
 every = [(n, name, beta) for n in (6, 8, 10, 12) for name, beta in betas]
 perTime = '; contactVelocityTime 9.06e-5'      # [s] about the mean step of six layers at 0.5 mm with maxCo 0.5
@@ -190,6 +263,7 @@ study = Study(
     scene='damBreakCylinders',
     variants=[Variant(f'{n}-beta{name}', case(n, beta)) for n, name, beta in every]
     + [Variant(f'6-gap{gap:g}', case(6, 0.5, gap=gap)) for gap in (1, 0.5)] + [Variant('6-beta1-gap1', case(6, 1, gap=1))]
+    + [Variant(f'6-plate-{speed:g}', plate(speed)) for speed in (0.5, 1, 4)]
     + [Variant(f'{n}-beta{name}-fine', fine(n, beta), large=True) for n, name, beta in every]
     + [Variant(f'6-{name}-co{label}', courant(beta, co), large=True) for name, beta in (('once', 0.5), ('beta1', 1)) for label, co in (('05', 0.5), ('2', 2))]
     + [Variant(f'6-T-co{label}', courant(0.5, co, perTime), large=True) for label, co in (('05', 0.5), ('1', 1), ('2', 2))]
