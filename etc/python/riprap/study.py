@@ -114,9 +114,10 @@ class Run:
     def smallestSolid(self):
         """Diameter of the smallest disk or sphere; None of clumps, whose spheres are parts of them"""
         names = clouds.times(self.path)
-        if not names or self.log['clumps']:
+        path = os.path.join(self.path, names[0], 'lagrangian', 'solids', 'radius') if names else ''
+        if self.log['clumps'] or not (os.path.exists(path) or os.path.exists(path + '.gz')):
             return None
-        return 2*float(clouds.readField(os.path.join(self.path, names[0], 'lagrangian', 'solids', 'radius')).min())
+        return 2*float(clouds.readField(path).min())
 
     def solidSettings(self):
         """Of solids in the fluid; steps of theirs are told by their share of sqrt(m/k), since their number swings with the fluid's step"""
