@@ -3,7 +3,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "picCloud.hpp"
+#include "core/largest.hpp"
 #include "pic/cutCells/pushOut.hpp"
+#include "pic/speed.hpp"
 
 namespace riprap
 {
@@ -182,6 +184,30 @@ PIC_TEST(SprayGainsNoEnergy)
     }
 }
 
+//- A step of 1 s between faces that are open or closed; shift: what positions were corrected by, or nullptr
+template<class C>
+void moveBetweenFaces(Cloud<C>& cloud, const Array<Backend, typename C::real>* aperture, Array<Backend, typename C::real>* shift,
+    const Array<Backend, unsigned char>& near, double margin)
+{
+    using R = typename C::real;
+    MoveParticles<2, C::D, R> f{};
+    f.grid = cloud.grid;
+    f.inverse = 1/cloud.grid.h;
+    f.particles = cloud.view();
+    for (int d = 0; d < C::D; ++d)
+    {
+        f.u[d] = cloud.u[d].data();
+        f.aperture[d] = aperture[d].data();
+        f.shift[d] = shift ? shift[d].data() : nullptr;
+    }
+    f.nearWater = near.data();
+    f.timeStep = 1;
+    f.order = 3;
+    f.inside = true;
+    f.margin = margin;
+    forEach(cloud.context, cloud.n, f);
+}
+
 //- The correction has pushed particles by so much, and given each the velocity of where it would be, by the gradient that it knows: where sides, closed faces and solids
 //  keep it from going there it has that of where it is, v + A dx, less what it loses into the wall
 PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
@@ -259,22 +285,7 @@ PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
         }
         else
         {
-            MoveParticles<2, D, R> f{};
-            f.grid = g;
-            f.inverse = 1/g.h;
-            f.particles = cloud.view();
-            for (int d = 0; d < D; ++d)
-            {
-                f.u[d] = cloud.u[d].data();
-                f.aperture[d] = aperture[d].data();
-                f.shift[d] = shift[d].data();
-            }
-            f.nearWater = near.data();
-            f.timeStep = 1;
-            f.order = 3;
-            f.inside = true;
-            f.margin = margin;
-            forEach(context, cloud.n, f);
+            moveBetweenFaces<C>(cloud, aperture, shift, near, margin);
         }
         int stopped = 0;
         std::vector<double> after[D];
@@ -299,7 +310,43 @@ PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
     }
 }
 
-//- A linear field on the grid gives particles its values and, with all orders, its gradient
+//- Who flies counts for as much of its speed as it may go farther
+PIC_TEST(FlyingOnesLimitTheStepLess)
+{
+    using C = TypeParam;
+    constexpr int D = C::D;
+    constexpr double part = 0.25;
+    Random random(9);
+    for (const bool fastestFlies : {true, false})
+    {
+        Cloud<C> cloud(6, 2, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); });
+        const UniformGrid<D>& g = cloud.grid;
+        std::vector<unsigned char> water(g.cells(), someWater);
+        double flying = 0, carried = 0;
+        std::vector<typename C::real> v[D];
+        for (int d = 0; d < D; ++d) v[d] = cloud.set.template download<typename C::real>(cloud.context, D + d);
+        const auto x = cloud.set.template download<double>(cloud.context, 0);
+        for (int i = 0; i < g.cells(); ++i) if (i % g.n[0] < 3) water[i] = 0;
+        for (int i = 0; i < cloud.n; ++i)
+        {
+            const bool flies = x[i] < 3*g.h;
+            double speed = 0;
+            for (int d = 0; d < D; ++d)
+            {
+                if (flies == fastestFlies) v[d][i] *= 8;
+                speed += double(v[d][i])*v[d][i];
+            }
+            (flies ? flying : carried) = std::max(flies ? flying : carried, std::sqrt(speed));
+        }
+        for (int d = 0; d < D; ++d) cloud.set.upload(cloud.context, D + d, v[d]);
+        Array<Backend, unsigned char> near;
+        near.upload(cloud.context, water);
+        const double most = largestOver(cloud.context, cloud.n, CarriedSpeed<D, typename C::real>{g, {cloud.view()}, near.data(), part});
+        EXPECT_NEAR(most, fastestFlies ? part*flying : carried, 1e-12*most);
+        EXPECT_GT(most, fastestFlies ? carried : part*flying);
+    }
+}
+
 //- Free flights of several cells a step: as straight as in one piece; not through closed faces, however thin; in the water they go with the water, for what is left of
 //  the step
 PIC_TEST(FlightsAreFollowedCellByCell)
@@ -325,7 +372,6 @@ PIC_TEST(FlightsAreFollowedCellByCell)
     std::vector<unsigned char> water(g.cells(), 0);
     for (int i = 0; i < g.cells(); ++i) if (i % g.n[0] >= waterFrom) water[i] = allWater;
     near.upload(context, water);
-    MoveParticles<2, D, R> f{};
     for (int d = 0; d < D; ++d)
     {
         std::vector<R> open(g.faces(d), R(1));
@@ -337,18 +383,8 @@ PIC_TEST(FlightsAreFollowedCellByCell)
         aperture[d].upload(context, open);
         cloud.u[d].upload(context, std::vector<R>(g.faces(d), R(d == 0 ? carrier*g.h : 0)));
         cloud.set.upload(context, D + d, v[d]);
-        f.u[d] = cloud.u[d].data();
-        f.aperture[d] = aperture[d].data();
     }
-    f.grid = g;
-    f.inverse = 1/g.h;
-    f.particles = cloud.view();
-    f.nearWater = near.data();
-    f.timeStep = 1;
-    f.order = 3;
-    f.inside = true;
-    f.margin = margin;
-    forEach(context, cloud.n, f);
+    moveBetweenFaces<C>(cloud, aperture, nullptr, near, margin);
     std::vector<double> to[D];
     for (int d = 0; d < D; ++d) to[d] = cloud.set.template download<double>(context, d);
     int straight = 0, stopped = 0, landed = 0;
@@ -385,6 +421,7 @@ PIC_TEST(FlightsAreFollowedCellByCell)
     EXPECT_GT(landed, cloud.n/40);
 }
 
+//- A linear field on the grid gives particles its values and, with all orders, its gradient
 PIC_TEST(LinearFieldsAreReproduced)
 {
     using C = TypeParam;

@@ -4,7 +4,8 @@
 
 Description
     The log of an OpenFOAM time step. Courant numbers are those of the
-    particle steps: mean, |U|max dt/h of the mean step; max, of the worst one.
+    particle steps, of what water carries: mean, |U|max dt/h of the mean step,
+    not above max, since |U|max may be that of a drop; max, of the worst step.
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
@@ -20,7 +21,8 @@ void Foam::solverModules::picDem::report()
     const scalar meanStep =
         runTime_.deltaTValue()/max(report_.steps, std::int64_t(1));
 
-    Info<< "Courant Number mean: " << report_.maxSpeed*meanStep/h
+    Info<< "Courant Number mean: "
+        << min(report_.maxSpeed*meanStep/h, report_.maxCourant)
         << " max: " << report_.maxCourant << nl
         << "Particle steps = " << report_.steps << " (" << run_.steps
         << "), deltaT = " << report_.minTimeStep << " to "
