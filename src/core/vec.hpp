@@ -50,6 +50,17 @@ HD T dot(const Vec<D, T>& a, const Vec<D, T>& b)
 template<int D, class T>
 HD T squaredNorm(const Vec<D, T>& a) { return dot(a, a); }
 
+template<class T>
+HD Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b)
+{
+    return Vec<3, T>
+    {{
+        a.c[1]*b.c[2] - a.c[2]*b.c[1],
+        a.c[2]*b.c[0] - a.c[0]*b.c[2],
+        a.c[0]*b.c[1] - a.c[1]*b.c[0]
+    }};
+}
+
 //- A vector with every component s
 template<int D, class T>
 HD Vec<D, T> filled(const T& s)

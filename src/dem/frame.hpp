@@ -17,17 +17,6 @@ template<int D> inline constexpr int spins = D == 2 ? 1 : 3;
 template<int D, class T> using Spin = Vec<spins<D>, T>;
 template<int D, class T> using Tangent = Vec<spins<D>, T>;
 
-template<class T>
-HD Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b)
-{
-    return Vec<3, T>
-    {{
-        a.c[1]*b.c[2] - a.c[2]*b.c[1],
-        a.c[2]*b.c[0] - a.c[0]*b.c[2],
-        a.c[0]*b.c[1] - a.c[1]*b.c[0]
-    }};
-}
-
 //- w x r for a spin w: a velocity
 template<class T>
 HD Vec<2, T> spinCross(const Vec<1, T>& w, const Vec<2, T>& r) { return Vec<2, T>{{-w.c[0]*r.c[1], w.c[0]*r.c[0]}}; }

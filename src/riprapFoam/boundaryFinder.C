@@ -5,18 +5,30 @@
 
 #include "boundaryFinder.H"
 #include "emptyPolyPatch.H"
+#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-const Foam::indexedOctree<Foam::treeDataFace>&
-Foam::boundaryFinder::tree() const
+bool Foam::boundaryFinder::isOpening(const polyPatch& patch) const
 {
-    if (!tree_.valid())
+    return
+        patch.size() && !patch.coupled() && !isA<emptyPolyPatch>(patch)
+     && !isA<wallPolyPatch>(patch);
+}
+
+
+const Foam::boundaryFinder::faceTree& Foam::boundaryFinder::tree
+(
+    bool openings
+) const
+{
+    autoPtr<faceTree>& tree = openings ? openTree_ : tree_;
+    if (!tree.valid())
     {
         DynamicList<label> faces(mesh_.nFaces() - mesh_.nInternalFaces());
         for (const polyPatch& patch : mesh_.boundaryMesh())
         {
-            if (!isA<emptyPolyPatch>(patch))
+            if (openings ? isOpening(patch) : !isA<emptyPolyPatch>(patch))
             {
                 forAll(patch, i)
                 {
@@ -29,9 +41,9 @@ Foam::boundaryFinder::tree() const
         treeBoundBox box(mesh_.points());
         box.inflate(0.01);
 
-        tree_.reset
+        tree.reset
         (
-            new indexedOctree<treeDataFace>
+            new faceTree
             (
                 treeDataFace(true, mesh_, faces),
                 box,
@@ -41,7 +53,30 @@ Foam::boundaryFinder::tree() const
             )
         );
     }
-    return *tree_;
+    return *tree;
+}
+
+
+Foam::label Foam::boundaryFinder::nearest
+(
+    const point& x,
+    bool openings,
+    scalar& distance
+) const
+{
+    const faceTree& t = tree(openings);
+    distance = GREAT;
+    if (t.shapes().size() == 0)
+    {
+        return -1;
+    }
+    const pointIndexHit hit(t.findNearest(x, magSqr(x) + sqr(GREAT)));
+    if (!hit.hit())
+    {
+        return -1;
+    }
+    distance = mag(hit.hitPoint() - x);
+    return t.shapes().faceLabels()[hit.index()];
 }
 
 
@@ -49,14 +84,23 @@ Foam::boundaryFinder::tree() const
 
 const Foam::word& Foam::boundaryFinder::patch(const point& x) const
 {
-    const pointIndexHit hit(tree().findNearest(x, magSqr(x) + sqr(GREAT)));
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-
-    if (!hit.hit())
+    scalar distance, toOpening;
+    label face = nearest(x, false, distance);
+    const label opening = nearest(x, true, toOpening);
+    if (opening >= 0 && toOpening <= (1 + 1e-6)*distance)
     {
-        return word::null;
+        face = opening;
     }
-    return patches[patches.whichPatch(tree().shapes().faceLabels()[hit.index()])].name();
+
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    return face < 0 ? word::null : patches[patches.whichPatch(face)].name();
+}
+
+
+bool Foam::boundaryFinder::byOpening(const point& x) const
+{
+    const label patchi = mesh_.boundaryMesh().findPatchID(patch(x));
+    return patchi >= 0 && isOpening(mesh_.boundaryMesh()[patchi]);
 }
 
 

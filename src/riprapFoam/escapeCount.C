@@ -18,7 +18,9 @@ void Foam::escapeCount::add(const std::vector<riprap::Vector3>& positions)
 {
     for (const riprap::Vector3& x : positions)
     {
-        ++byPatch_(boundary_.patch(point(x[0], x[1], x[2])), 0);
+        const point where(x[0], x[1], x[2]);
+        ++byPatch_(boundary_.patch(where), 0);
+        if (boundary_.byOpening(where)) ++outflow_;
     }
 }
 

@@ -131,6 +131,8 @@ static void readWalls(checkedDictionary& sph, sphSettings& settings)
 
     config.noSlip = dict.either("slip", "noSlip", "freeSlip", config.noSlip);
 
+    walls.impermeable = dict.either("impermeable", "yes", "no", walls.impermeable);
+
     walls.everyWallPatch = !dict.found("patches");
     if (!walls.everyWallPatch)
     {
@@ -220,6 +222,8 @@ static void readGuards(checkedDictionary& sph, sphSettings& settings)
     config.maxDensityDeviation =
         dict.positive("densityDeviation", 0.5);
     config.maxSpeedRatio = dict.positive("speedRatio", config.maxSpeedRatio);
+    config.removeWild = dict.either("wild", "remove", "stop", true);
+    settings.maxWild = dict.notNegative("maxWild", settings.maxWild);
     settings.guards.read(dict);
     dict.end();
 }

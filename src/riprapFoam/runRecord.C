@@ -14,6 +14,7 @@ void Foam::runRecord::read(const dictionary& dict)
     particles = count(dict, "particles");
     initialParticles = count(dict, "initialParticles");
     escaped = count(dict, "escaped");
+    outflow = dict.found("outflow") ? count(dict, "outflow") : 0;
     steps = count(dict, "steps");
     device = dict.get<word>("device");
     precision = dict.get<word>("precision");
@@ -34,6 +35,7 @@ void Foam::runRecord::write(dictionary& dict) const
     dict.add("particles", exact(particles));
     dict.add("initialParticles", exact(initialParticles));
     dict.add("escaped", exact(escaped));
+    dict.add("outflow", exact(outflow));
     dict.add("steps", exact(steps));
     dict.add("device", device);
     dict.add("precision", precision);

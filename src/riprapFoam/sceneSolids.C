@@ -199,8 +199,10 @@ void Foam::sceneSolids::moved()
     }
     if (report_.escaped.size())
     {
+        const int64_t before = escaped_.outflow();
         escaped_.add(report_.escaped);
         run_.escaped += report_.escaped.size();
+        run_.outflow += escaped_.outflow() - before;
         escaped_.stopAbove
         (
             asRead_.guards.allowed(),

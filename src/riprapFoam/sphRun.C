@@ -28,6 +28,7 @@ sphRun readSphRun(const Time& time)
         run.spacing = dict.get<scalar>("spacing");
         run.maxVelocity = dict.get<scalar>("maxVelocity");
         run.density = dict.getOrDefault<scalar>("density", 0);
+        run.wild = dict.getOrDefault<scalar>("wild", 0);
         run.read(dict);
 
         if (!(run.spacing > 0 && run.maxVelocity > 0))
@@ -48,6 +49,7 @@ void writeSphRun(const Time& time, const sphRun& run)
     dict.add("spacing", exact(run.spacing));
     dict.add("maxVelocity", exact(run.maxVelocity));
     dict.add("density", exact(run.density));
+    dict.add("wild", exact(run.wild));
     run.write(dict);
 
     writeState(dict);

@@ -37,6 +37,7 @@ struct FluidEnergy                            // [J] (2D: per metre of depth)
 {
     double kinetic = 0, potential = 0, elastic = 0;
     double wallWork = 0;                    // done by moving walls since the start
+    double faceWork = 0;                    // SPH: by faces of walls on particles that they put back, since the start; negative: taken
 };
 
 using SphEnergy = FluidEnergy;

@@ -214,8 +214,19 @@ void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
     for (int d = 0; d < D; ++d) x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
     const auto id = fluid_.template download<std::int32_t>(context_, idField_);
     toMetres(x, n_, metres);
+    const auto deviation = fluid_.template download<real>(context_, deviationField_);
+    std::vector<real> v[D];
+    for (int d = 0; d < D; ++d) v[d] = fluid_.template download<real>(context_, vField_ + d);
     for (int i = active; i < reported_; ++i)
     {
+        if (id[i] < 0)
+        {
+            double speed2 = 0;
+            for (int d = 0; d < D; ++d) speed2 += double(v[d][i])*v[d][i];
+            report.wild.push_back(WildParticle{-1 - id[i], Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}}, deviation[i],
+                std::sqrt(speed2)});
+            continue;
+        }
         report.escaped.push_back(Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}});
         report.escapedId.push_back(id[i]);
     }

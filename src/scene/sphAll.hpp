@@ -5,6 +5,7 @@
 #include "scene/sphSetup.hpp"
 #include "scene/sphNeighbours.hpp"
 #include "scene/sphStep.hpp"
+#include "scene/sphFaces.hpp"
 #include "scene/sphSolids.hpp"
 #include "scene/sphAdvance.hpp"
 #include "scene/sphOutput.hpp"

@@ -17,6 +17,7 @@ void SphSolver<Backend, D, P>::rebuild()
     for (int d = 0; d < D; ++d) keys.x[d] = fluid_.template data<std::int64_t>(xField_ + d);
     keys.keys = fluidSort_.keys();
     keys.indices = fluidSort_.indices();
+    keys.id = fluid_.template data<std::int32_t>(idField_);
     keys.active = fluidSort_.active();
     forEach(context_, n_, keys);
     fluidSort_.sort(context_, n_);

@@ -94,8 +94,20 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     e.kinetic = sums[0];
     e.potential = sums[1];
     e.elastic = sums[2];
+    readClock();
+    e.faceWork = double(model_.mass)*faceUnit*double(host_.faceEnergy);
     if (nBodies_) for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
     return e;
+}
+
+template<class Backend, int D, class P>
+FaceContacts SphSolver<Backend, D, P>::faceContacts()
+{
+    readClock();
+    FaceContacts r;
+    r.count = host_.faceContacts;
+    for (int d = 0; d < D; ++d) r.impulse[config_.axes[d]] = double(model_.mass)*faceUnit*double(host_.faceImpulse[d]);
+    return r;
 }
 
 template<class Backend, int D, class P>
@@ -232,6 +244,7 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     add("wall", "records", wallRecords_.bytes(), nWalls_);
     add("wall", "cells", wallSort_.bytes(), nWalls_);
     add("wall", "motion", wallReference_.bytes() + wallRest_.bytes() + poses_.bytes(), nWalls_);
+    add("wall", "faces", faces_.bytes(), 0);
     if (solids_)
     {
         const std::size_t own = solidOwn_[0].bytes()*D + solidMass_.bytes() + solidMassOfKey_.bytes() + solidAddedOfKey_.bytes();

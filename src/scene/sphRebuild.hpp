@@ -18,6 +18,7 @@ struct FluidKeys
     std::int64_t* x[D];
     std::uint32_t* keys;
     std::uint32_t* indices;
+    const std::int32_t* id;     // negative: it ran wild
     const int* active;          // those behind have left before
 
     HD void operator()(int i) const
@@ -29,7 +30,7 @@ struct FluidKeys
             p.c[d] = x[d][i];
             r.c[d] = box.pairRelative(d, box.pairPosition(d, p.c[d]));
         }
-        const bool in = i < *active && model.inside(box, p);
+        const bool in = i < *active && id[i] >= 0 && model.inside(box, p);
         keys[i] = in ? std::uint32_t(grid.cellOf(r)) : std::uint32_t(grid.cells);
         indices[i] = std::uint32_t(i);
     }

@@ -79,6 +79,19 @@ struct SphConfig : FluidConfig
     // Guards
     double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
     double maxSpeedRatio = 5;               // |v|/vmax that stops the run
+    bool removeWild = false;                // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
+};
+
+//- The walls' true faces, which hold particles back (sph/boundary/wallFaces.hpp): segments (2D, the third vertex is not used) or triangles
+struct WallFaceInput
+{
+    std::vector<double> point;              // 3 a point
+    std::vector<std::int32_t> vertex;       // 3 n, of point
+    std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
+    std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed
+    std::vector<std::int32_t> part;         // n, faces that bound one solid together
+    std::vector<double> halfThickness;      // n [m], 0: solid behind; else a plate that reaches so far to both sides
+    std::size_t size() const { return body.size(); }
 };
 
 struct WallInput
@@ -87,7 +100,23 @@ struct WallInput
     std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
     std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed; empty: all fixed
     int nBodies = 0;
+    WallFaceInput faces;                    // none: particles are held by forces alone
     std::size_t size() const { return position.size()/3; }
+};
+
+//- A particle that was taken out: where it was and what it had
+struct WildParticle
+{
+    std::int32_t id = -1;
+    Vector3 position{{0, 0, 0}};
+    double deviation = 0, speed = 0;        // rho/rho0 - 1, [m/s]
+};
+
+//- What faces of walls did since the start
+struct FaceContacts
+{
+    std::int64_t count = 0;
+    Vector3 impulse{{0, 0, 0}};             // on the fluid [N s] (2D: a metre of depth)
 };
 
 //- What one call of advance did
@@ -103,6 +132,7 @@ struct SphReport
     std::size_t fluid = 0;                  // particles still in the scene
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
+    std::vector<WildParticle> wild;         // those that were taken out in this call
     bool skinExceeded = false;              // a particle moved so far that pairs may have been missed in a step
     StopReason stop = StopReason::none;     // then: which particle, where, when, how much
     std::int32_t stopId = -1;
@@ -142,6 +172,8 @@ public:
 
     //- Force of the fluid on the fixed and moving walls [N] (2D: per metre), per body (-1 first)
     virtual std::vector<Vector3> wallForces() = 0;
+
+    virtual FaceContacts faceContacts() = 0;
 
     //- The exact state, so that a run continues bit for bit on the same device and precision.
     //  Opaque words with a header and a checksum; after saveState the scene itself continues as a

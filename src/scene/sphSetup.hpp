@@ -18,6 +18,7 @@ SphSolver<Backend, D, P>::SphSolver
     setBox();
     setFluid(fluid);
     setWalls(walls);
+    setFaces(walls.faces);
     setSolids(std::move(solids));
     setFrames();
     allocateLists();
@@ -66,8 +67,13 @@ void SphSolver<Backend, D, P>::setModel()
     limits_.leastH = c.variableSmoothing ? h0/c.maxSmoothingGrowth : h0;
     limits_.dimensions = D;
     limits_.viscousDt = nu > 0 ? c.viscousCourant*h0*h0/nu : 1e30;
-    limits_.maxDeviation = c.maxDensityDeviation;
-    limits_.maxSpeed = c.maxSpeedRatio*c.maxVelocity;
+    limits_.maxDeviation = c.removeWild ? 1e30 : c.maxDensityDeviation;
+    limits_.maxSpeed = c.removeWild ? 1e30 : c.maxSpeedRatio*c.maxVelocity;
+    model_.removesWild = c.removeWild;
+    model_.maxDeviation = real(c.maxDensityDeviation);
+    model_.maxSpeed2 = real(std::pow(c.maxSpeedRatio*c.maxVelocity, 2));
+    // its step would be a twentieth of what sound allows, a hundred times what a density twice as high brings about
+    model_.maxAcceleration2 = real(std::min(1e36, std::pow(100*c.soundSpeed*c.soundSpeed/h0, 2)));
     limits_.growth = 1.1;
 }
 
@@ -233,6 +239,7 @@ void SphSolver<Backend, D, P>::prime()
         growLists();
     }
     moveWalls(false);
+    moveFaces();
     wallPass(true);
     solidPressurePass(true);
     solidPass<Part::all>();

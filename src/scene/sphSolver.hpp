@@ -1,6 +1,6 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphSolids.hpp (solids in the fluid), sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+    (the loop over steps), sphFaces.hpp (faces of walls), sphSolids.hpp (solids in the fluid), sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 */
 #pragma once
 
@@ -15,12 +15,30 @@
 #include "scene/sphFamilies.hpp"
 #include "scene/sphInstances.hpp"
 #include "scene/sphRebuild.hpp"
+#include "sph/boundary/faceTables.hpp"
 #include "sph/boundary/movingWall.hpp"
 #include "sph/boundary/stationaryWall.hpp"
 #include "sph/time/symplectic.hpp"
 
 namespace riprap
 {
+
+//- Tables of the walls' faces on the device
+template<class Backend, int D>
+struct FaceArrays
+{
+    Array<Backend, double> vertex, normal, half;
+    Array<Backend, int> part, cellFirst, cellElement;
+    Array<Backend, FaceGrid<D>> grid;
+    Array<Backend, FacePose<D>> pose;
+    double tiny = 0;
+
+    std::size_t bytes() const
+    {
+        return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes() + cellElement.bytes() + grid.bytes()
+          + pose.bytes();
+    }
+};
 
 //- What only one backend has
 template<class Backend, int D, class P> struct BackendParts { };
@@ -64,6 +82,7 @@ public:
     WallState walls() override;
     SphEnergy energy() override;
     std::vector<Vector3> wallForces() override;
+    FaceContacts faceContacts() override;
     SampleResult sample(const std::vector<double>& points) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
@@ -113,6 +132,11 @@ private:
     template<Part part> void fluidPass(Finish);
     void step();
     Tick tick() const;
+
+    // sphFaces.hpp
+    void setFaces(const WallFaceInput&);
+    FaceContact<D, P> faceContact();
+    void moveFaces();
 
     // sphSolids.hpp
     void setSolids(SolidPart);
@@ -186,6 +210,8 @@ private:
     Array<Backend, PoseSample> poses_;
     double poseBegin_ = 0, poseStep_ = 1;
     static constexpr int poseIntervals = 32;
+
+    FaceArrays<Backend, D> faces_;
 
     std::unique_ptr<DemScene> solidScene_;
     SolidSide<D, P>* solids_ = nullptr;         // the same; null: there are none

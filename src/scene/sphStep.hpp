@@ -80,6 +80,7 @@ M SphSolver<Backend, D, P>::mover()
     if constexpr (Backend::gpu) m.frames = parts_.frames.view();
     m.count = fluidSort_.active();
     m.clock = clock_.data();
+    m.contact = faceContact();
     return m;
 }
 
@@ -200,6 +201,7 @@ void SphSolver<Backend, D, P>::step()
         if (host_.active) advanceSolids();
         if (!host_.active) return;
     }
+    moveFaces();
     if (config_.integrator == IntegratorKind::leapfrog)
     {
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());

@@ -20,7 +20,7 @@ struct FluidFields
     real* a[D];                 // acceleration of the last pass [m/s2]
     real* rate;                 // d(deviation)/dt of the last pass [1/s]
     real* drift[D];             // XSPH and shifting: added to v when positions move [m/s]; null: off
-    std::int32_t* id;
+    std::int32_t* id;           // negative, -1 - id: it ran wild and leaves with the next sort
 };
 
 template<int D, class P>
@@ -38,6 +38,8 @@ struct FluidModel
     real spacing;
     bool variableH;
     bool drifts;
+    bool removesWild;           // particles beyond these are taken out of the scene
+    real maxDeviation, maxSpeed2, maxAcceleration2;     // |rho/rho0 - 1|, [m2/s2], [m2/s4]
     double domainMin[D], domainMax[D];  // above the box's corner [m]; beyond: escaped
 
     //- Eq. 37 integrated: h rho^(1/D) stays what it was
@@ -47,6 +49,12 @@ struct FluidModel
         const real r = real(1) + deviation;
         const real ratio = D == 2 ? real(1)/squareRoot(r) : real(1)/real(cbrt(double(r)));
         return minimum(maximum(h0*ratio, hMin), hMax);
+    }
+
+    //- Written so that what is no number is wild
+    HD bool wild(real deviation, real speed2, real acceleration2) const
+    {
+        return removesWild && !(absolute(deviation) <= maxDeviation && speed2 <= maxSpeed2 && acceleration2 <= maxAcceleration2);
     }
 
     template<class Box>

@@ -200,6 +200,8 @@ struct FluidPass
         }
         const real speed = squareRoot(v2);
         drift(i, sums, speed);
+        // who leaves before the next step does not shorten it
+        if (model.wild(deviation, v2, a2)) return;
         if constexpr (momentum) report(maxima[0], float(a2));
         report(maxima[1], float(model.eos.soundSpeed(deviation) + speed));
         report(maxima[2], float(absolute(deviation)));

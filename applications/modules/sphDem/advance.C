@@ -25,6 +25,7 @@ Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
         solids_->moved();
     }
     checkStop();
+    countWild();
     checkSkin();
     countEscaped(report_, run_, settings_.guards);
     checkProgress(before, report_);

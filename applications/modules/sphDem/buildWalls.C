@@ -8,6 +8,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "ListOps.H"
+#include "packedFields.H"
 #include "sweptDomain.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -31,6 +33,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls()
     walls_ = generateWallPoints(mesh_, patches, geometry.get(), controls);
 
     const labelList bodyOfSource(bodies_.bodyOf(walls_.names));
+    dropBeyondDomain(bodyOfSource);
     labelList bodyOfPoint(walls_.size());
 
     riprap::WallInput input;
@@ -51,8 +54,71 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls()
     }
 
     coverMotion(bodyOfPoint);
+    if (settings_.walls.impermeable)
+    {
+        input.faces = wallFaceInput(bodyOfSource);
+    }
 
     return input;
+}
+
+
+riprap::WallFaceInput Foam::solverModules::sphDem::wallFaceInput
+(
+    const labelList& bodyOfSource
+) const
+{
+    const wallFaces& from = walls_.faces;
+
+    riprap::WallFaceInput faces;
+    faces.point = packed("walls", "faces", pointField(from.points));
+    forAll(from.elements, i)
+    {
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            faces.vertex.push_back(from.elements[i][d]);
+            faces.normal.push_back(from.normal[i][d]);
+        }
+        faces.body.push_back(bodyOfSource[from.source[i]]);
+        faces.part.push_back(from.part[i]);
+        faces.halfThickness.push_back(from.halfThickness[i]);
+    }
+    return faces;
+}
+
+
+//- Surfaces of constant/geometry may stick out of the mesh: fixed points
+//  that no fluid can come near are left out
+void Foam::solverModules::sphDem::dropBeyondDomain
+(
+    const labelList& bodyOfSource
+)
+{
+    const riprap::SphConfig& config = settings_.config;
+    const scalar margin = 2*config.smoothingRatio*config.spacing;
+
+    boolList keep(walls_.size(), true);
+    forAll(keep, i)
+    {
+        if (bodyOfSource[walls_.source[i]] >= 0) continue;
+
+        for (int k = 0; k < config.dimensions; ++k)
+        {
+            const int axis = config.axes[k];
+            const scalar x = walls_.position[i][axis];
+            if
+            (
+                !config.periodic[axis]
+             && (x < config.domainMin[axis] - margin || x > config.domainMax[axis] + margin)
+            )
+            {
+                keep[i] = false;
+            }
+        }
+    }
+    inplaceSubset(keep, walls_.position);
+    inplaceSubset(keep, walls_.normal);
+    inplaceSubset(keep, walls_.source);
 }
 
 

@@ -3,8 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    What stops a run: what, where, when. Nothing is written then, so that the
-    last time directory is a good one.
+    What is taken out of a run, and what stops it: what, where, when. The state
+    at the stop is written, so that the run can go on from it.
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
@@ -14,13 +14,81 @@ Description
 const char* Foam::solverModules::sphDem::advice() const
 {
     return
-        "Nothing is written: the last time directory is the last good one. A"
-        " shorter time step (the Courant numbers), a larger maxVelocity, walls"
-        " in closed layers or densityDiffusion help against most causes";
+        "A shorter time step (the Courant numbers), a larger maxVelocity, walls"
+        " in closed layers, artificial viscosity or densityDiffusion help"
+        " against most causes";
 }
 
 
-void Foam::solverModules::sphDem::checkStop() const
+//- The state as it is now, whatever the plan of writing says
+void Foam::solverModules::sphDem::writeAtStop()
+{
+    runTime_.setTime(report_.time, runTime_.timeIndex() + 1);
+    Info<< "Writing the state at the stop as time " << runTime_.timeName()
+        << nl << endl;
+    runTime_.writeNow();
+}
+
+
+//- Particles whose density, speed or acceleration no fluid has are taken out
+//  and counted; too many of them stop the run
+void Foam::solverModules::sphDem::countWild()
+{
+    if (report_.wild.empty())
+    {
+        return;
+    }
+    run_.wild += report_.wild.size();
+    recentWild_.append
+    (
+        Tuple2<scalar, label>(report_.time, label(report_.wild.size()))
+    );
+
+    const label most = 5;       // of one interval that are named
+    forAll(report_.wild, i)
+    {
+        if (i == most)
+        {
+            Info<< "    and " << report_.wild.size() - most << " more" << nl;
+            break;
+        }
+        const riprap::WildParticle& p = report_.wild[i];
+        const point x(p.position[0], p.position[1], p.position[2]);
+        Info<< "Taken out: particle " << p.id << " at " << x
+            << " (nearest patch: " << boundary_.patch(x)
+            << "), density deviation " << p.deviation << ", speed " << p.speed
+            << " m/s" << nl;
+    }
+
+    scalar lastSecond = 0;
+    for (const Tuple2<scalar, label>& r : recentWild_)
+    {
+        if (r.first() > report_.time - 1) lastSecond += r.second();
+    }
+    // A small scene may lose a few
+    const scalar allowed =
+    (
+        settings_.maxWild > 0
+      ? max(settings_.maxWild*run_.initialParticles, scalar(3))
+      : 0
+    );
+    Info<< "Taken out in all: " << run_.wild << ", in the last second "
+        << lastSecond << " of " << allowed << " allowed" << nl << endl;
+
+    if (lastSecond > allowed)
+    {
+        writeAtStop();
+        FatalErrorInFunction
+            << "Guard at time " << report_.time << " s, particle step "
+            << run_.steps << ": " << lastSecond << " particles of "
+            << run_.initialParticles << " ran wild within a second;"
+            << " guards/maxWild allows a share of " << settings_.maxWild
+            << " a second" << nl << advice() << exit(FatalError);
+    }
+}
+
+
+void Foam::solverModules::sphDem::checkStop()
 {
     using riprap::StopReason;
 
@@ -54,6 +122,7 @@ void Foam::solverModules::sphDem::checkStop() const
             what<< "has more neighbours than the list of its kind holds";
     }
 
+    writeAtStop();
     stopAt(report_, run_, what.str());
 }
 

@@ -131,7 +131,9 @@ void Foam::solverModules::sphDem::logModels() const
     {
         logItem("walls") << sphNames::wallModel[c.wallModel] << ", "
             << (c.noSlip ? "noSlip" : "freeSlip") << ", " << walls_.layers
-            << " layers of spacing " << walls_.spacing << " m" << nl;
+            << " layers of spacing " << walls_.spacing << " m, "
+            << (settings_.walls.impermeable ? "impermeable" : "permeable")
+            << nl;
     }
     for (const string& note : walls_.notes)
     {
@@ -156,7 +158,9 @@ void Foam::solverModules::sphDem::logModels() const
     Info<< nl;
 
     logItem("guards") << "densityDeviation " << c.maxDensityDeviation
-        << ", speedRatio " << c.maxSpeedRatio << ", escape "
+        << ", speedRatio " << c.maxSpeedRatio << ", wild "
+        << (c.removeWild ? "remove" : "stop") << ", maxWild "
+        << settings_.maxWild << " 1/s, escape "
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;

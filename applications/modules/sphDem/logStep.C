@@ -40,6 +40,11 @@ void Foam::solverModules::sphDem::report()
     {
         solids_->logStep();
     }
+    if (const std::int64_t contacts = scene_->faceContacts().count)
+    {
+        Info<< "Put back at faces of walls: " << contacts << " times in all"
+            << nl;
+    }
     logEscaped(report_.escaped.size(), run_.escaped);
     if (report_.skinExceeded)
     {

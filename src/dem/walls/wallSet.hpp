@@ -13,7 +13,7 @@
 #include <map>
 #include <vector>
 #include "core/backend.hpp"
-#include "dem/walls/closestPoint.hpp"
+#include "core/closestPoint.hpp"
 
 namespace riprap
 {

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include "dem/walls/closestPoint.hpp"
+#include "core/closestPoint.hpp"
 #include "pic/cutCells/apertures.hpp"
 #include "pic/cutCells/obstacle.hpp"
 

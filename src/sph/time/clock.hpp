@@ -45,6 +45,9 @@ struct ClockData
     int missed[2] = {0, 0};     // pairs may have been, likewise
     double searched = 0;        // when neighbours were sought
 
+    // What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums do not depend on an order
+    std::int64_t faceContacts = 0, faceEnergy = 0, faceImpulse[3] = {0, 0, 0};
+
     //- A particle's way: does it still hold, and after the next step? Read before written: the whole way of nearly everyone is too long
     //  for the box at rest, and a million stores to one word take longer than the step
     template<class R>
@@ -79,7 +82,7 @@ struct ClockData
     }
 };
 
-static_assert(sizeof(ClockData) == 10*8 + 22*4, "ClockData has padding");
+static_assert(sizeof(ClockData) == 15*8 + 22*4, "ClockData has padding");
 
 struct StepLimits
 {

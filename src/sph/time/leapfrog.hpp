@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/localFrames.hpp"
+#include "sph/boundary/faceContact.hpp"
 #include "sph/fluidFields.hpp"
 #include "sph/time/clock.hpp"
 
@@ -29,6 +30,7 @@ struct Mover
     LocalFrames<D, P> frames;               // GPU: what the way since then is measured against
     const int* count;
     ClockData* clock;
+    FaceContact<D, P> contact;
 
     //- Move by u dt; returns the new position
     HD Vec<D, std::int64_t> moved(const Vec<D, std::int64_t>& x, const Vec<D, real>& u, double dt) const
@@ -52,6 +54,15 @@ struct Mover
         return u;
     }
 
+    //- Back onto the face that it went behind
+    HD void keepOut(int i, Vec<D, std::int64_t>& x, Vec<D, real>& v) const
+    {
+        if (!contact.faces.groups) return;
+        const Vec<D, real> before = v;
+        contact.keepOut(box, model.gravity, x, v, clock);
+        for (int d = 0; d < D; ++d) if (v.c[d] != before.c[d]) fluid.v[d][i] = v.c[d];
+    }
+
     //- Write what pairs see
     HD void record(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
     {
@@ -59,6 +70,22 @@ struct Mover
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
         records.storePosition(i, p);
         records.store(i, pairParticle(model, v, deviation));
+    }
+
+    //- A particle that runs wild leaves with the next sort; until then pairs see it at rest, and beyond their reach where the box has an
+    //  edge. Its state stays, to be reported
+    HD bool tookOut(int i, const Vec<D, real>& v, real deviation) const
+    {
+        if (!model.removesWild) return false;
+        real a2 = 0;
+        for (int d = 0; d < D; ++d) a2 += fluid.a[d][i]*fluid.a[d][i];
+        if (!model.wild(deviation, squaredNorm(v), a2)) return false;
+        Vec<D, std::int64_t> x = position(i);
+        for (int d = 0; d < D; ++d) if (!box.periodic[d]) x.c[d] = box.toFixed(d, box.lower[d]);
+        record(i, x, filled<D>(real(0)), real(0));
+        if (fluid.id[i] >= 0) fluid.id[i] = -1 - fluid.id[i];
+        clock->needRebuild = 1;
+        return true;
     }
 
     //- Ask for new neighbours before the next step could carry the particle past half the skin. The margin covers a
@@ -125,8 +152,10 @@ struct LeapfrogDrift : Mover<Backend, D, P>
         const real rate = f.rate[i];
         const real deviation = f.deviation[i] + rate*half;
         f.deviation[i] = deviation;
+        if (this->tookOut(i, v, deviation + rate*half)) return;
         const Vec<D, real> u = v + this->drift(i);
-        const Vec<D, std::int64_t> x = this->moved(this->position(i), u, c.dt);
+        Vec<D, std::int64_t> x = this->moved(this->position(i), u, c.dt);
+        this->keepOut(i, x, v);
         for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
         this->record(i, x, v + half*a, deviation + rate*half);
         this->checkSkin(i, x, u);

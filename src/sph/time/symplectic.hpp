@@ -35,6 +35,7 @@ struct SymplecticKick : Mover<Backend, D, P>
             v.c[d] = f.v[d][i] + f.a[d][i]*half;
             f.v[d][i] = v.c[d];
         }
+        if (this->tookOut(i, v, f.deviation[i])) return;
         const Vec<D, std::int64_t> x = this->moved(this->position(i), v + this->drift(i), 0.5*c.dt);
         for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
         this->record(i, x, v, f.deviation[i]);
@@ -53,15 +54,18 @@ struct SymplecticDrift : Mover<Backend, D, P>
         if (!c.active || i >= *this->count) return;
         const FluidFields<D, P>& f = this->fluid;
         const real half = real(0.5*c.dt);
-        Vec<D, real> v, predicted;
+        Vec<D, real> v;
+        for (int d = 0; d < D; ++d) v.c[d] = f.v[d][i];
+        if (this->tookOut(i, v, f.deviation[i])) return;
+        const Vec<D, real> u = v + this->drift(i);
+        Vec<D, std::int64_t> x = this->moved(this->position(i), u, 0.5*c.dt);
+        this->keepOut(i, x, v);
+        Vec<D, real> predicted;
         for (int d = 0; d < D; ++d)
         {
-            v.c[d] = f.v[d][i];
             predicted.c[d] = v.c[d] + f.a[d][i]*half;
+            f.x[d][i] = x.c[d];
         }
-        const Vec<D, real> u = v + this->drift(i);
-        const Vec<D, std::int64_t> x = this->moved(this->position(i), u, 0.5*c.dt);
-        for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
         this->record(i, x, predicted, f.deviation[i]);
         this->checkSkin(i, x, u);
     }

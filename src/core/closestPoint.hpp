@@ -6,7 +6,8 @@
 */
 #pragma once
 
-#include "dem/frame.hpp"
+#include <cmath>
+#include "core/vec.hpp"
 
 namespace riprap
 {

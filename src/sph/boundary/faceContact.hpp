@@ -1,0 +1,94 @@
+/*  Faces of walls keep particles out: one that has come behind a face is put back onto it, and its velocity relative to the wall loses
+    the part that points into it. What that takes from the particle is counted: momentum, and kinetic and potential energy.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/precision.hpp"
+#include "core/sharedWrites.hpp"
+#include "sph/boundary/wallFaces.hpp"
+#include "sph/time/clock.hpp"
+
+namespace riprap
+{
+
+//- Units in which the clock counts, of a particle's mass: 1e-9 m/s and 1e-9 m2/s2 about
+static constexpr double faceUnit = 1.0/1073741824;
+
+template<int D, class P>
+struct FaceContact
+{
+    using real = typename P::real;
+
+    WallFaces<D> faces;
+    double clearance;           // [m] in front of the face that a particle is put to
+
+    //- At the end of a drift. gravity: for the energy
+    HD void keepOut
+    (const Box<D, P>& box, const Vec<D, real>& gravity, Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock) const
+    {
+        if (!faces.groups) return;
+        Vec<D, double> at;
+        for (int d = 0; d < D; ++d) at.c[d] = box.toMetres(d, x.c[d]);
+        const FaceHit<D> hit = faces.find(at);
+        if (hit.depth > 0) putBack(box, gravity, hit, at, x, v, clock);
+    }
+
+private:
+
+    //- Out of one face after another: in a corner of two parts the way out of one may lead behind the other
+    HD_APART void putBack
+    (
+        const Box<D, P>& box, const Vec<D, real>& gravity, FaceHit<D> hit, Vec<D, double> at, Vec<D, std::int64_t>& x, Vec<D, real>& v,
+        ClockData* clock
+    ) const
+    {
+        constexpr int most = 4;
+        Vec<D, double> u = convert<double>(v);
+        const Vec<D, double> from = at, before = u;
+        for (int k = 0; k < most && hit.depth > 0; ++k)
+        {
+            at = hit.nearest + clearance*hit.normal;
+            const double approach = dot(u - faces.velocity(hit.group, at), hit.normal);
+            if (approach < 0) u = u - approach*hit.normal;
+            hit = faces.find(at);
+        }
+        double energy = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            x.c[d] = box.toFixedInside(d, at.c[d]);
+            v.c[d] = real(u.c[d]);
+            energy += 0.5*(u.c[d]*u.c[d] - before.c[d]*before.c[d]) - double(gravity.c[d])*(at.c[d] - from.c[d]);
+            addShared(&clock->faceImpulse[d], std::int64_t(rint((u.c[d] - before.c[d])/faceUnit)));
+        }
+        addShared(&clock->faceEnergy, std::int64_t(rint(energy/faceUnit)));
+        addShared(&clock->faceContacts, std::int64_t(1));
+    }
+};
+
+//- Poses of the groups that move, at the time of the clock (sph/boundary/movingWall.hpp)
+template<int D, class PoseTable>
+struct PoseFaces
+{
+    static constexpr const char* name = "poseFaces";
+
+    PoseTable table;
+    int axes[3];
+    FacePose<D>* pose;          // of group 1 + body
+    const ClockData* clock;
+
+    HD void operator()(int body) const
+    {
+        FacePose<D>& p = pose[1 + body];
+        double acceleration;
+        for (int d = 0; d < D; ++d)
+        {
+            table.evaluate(body, 9 + axes[d], clock->time, p.t[d], p.rateT[d], acceleration);
+            for (int e = 0; e < D; ++e)
+                table.evaluate(body, 3*axes[d] + axes[e], clock->time, p.R[d][e], p.rateR[d][e], acceleration);
+        }
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,184 @@
+/*  The true faces of walls, which no particle passes: segments (2D) or triangles (3D) in groups that move rigidly.
+
+    A point is behind a surface if the vector to it from the surface's closest point has a negative component along the normal there. On
+    edges and vertices that is the sum of the faces' normals weighted by their angles, with which the sign is right (Baerentzen & Aanaes
+    2005, IEEE Trans. Vis. Comput. Graph. 11(3), 243); on the rim of an open surface there is none, and nothing is behind it. A plate has a
+    thickness: what is nearer to it than half of that is in it, whichever side it came from. Each part (the mesh's patches, each body) is
+    asked for itself: a point is in the walls if it is in any of them.
+
+    Cells of a grid in each group's frame list the elements of each part that can be the closest one to a point behind it; cells without
+    any (most) cost one look.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/closestPoint.hpp"
+#include "core/macros.hpp"
+
+namespace riprap
+{
+
+//- The grid of a group's faces in its own frame
+template<int D>
+struct FaceGrid
+{
+    double low[D], inverseCell;
+    int n[D], firstCell;
+    bool moves;
+};
+
+//- Where a group is and how it moves: x = R X + t, and the rates of change; the solver's axes
+template<int D>
+struct FacePose
+{
+    double R[D][D], t[D], rateR[D][D], rateT[D];
+};
+
+//- A point behind a face: by how much [m], the way out, and which element it is
+template<int D>
+struct FaceHit
+{
+    double depth = 0;
+    Vec<D, double> normal{};
+    Vec<D, double> nearest{};   // on the face
+    int group = -1;
+};
+
+template<int D>
+struct WallFaces
+{
+    static constexpr int normals = 1 + featureCount<D>;     // of an element: its own, those of its features
+
+    const double* vertex;       // D*D an element [m]
+    const double* normal;       // normals*D an element; zero on a rim
+    const double* half;         // of an element: half the thickness of a plate, 0: solid behind [m]
+    const int* part;            // of an element
+    const int* cellFirst;
+    const int* cellElement;     // by part within a cell
+    const FaceGrid<D>* grid;
+    const FacePose<D>* pose;
+    int groups;                 // 0: there are no faces
+    double tiny;                // [m] nearer to a face there is no direction from it
+
+    //- The deepest face that x (in space) is behind; depth 0: none
+    HD FaceHit<D> find(const Vec<D, double>& x) const
+    {
+        FaceHit<D> hit;
+        for (int g = 0; g < groups; ++g)
+        {
+            if (!grid[g].moves) { search(g, x, hit); continue; }
+            Vec<D, double> X;
+            for (int d = 0; d < D; ++d)
+            {
+                X.c[d] = 0;
+                for (int e = 0; e < D; ++e) X.c[d] += pose[g].R[e][d]*(x.c[e] - pose[g].t[e]);
+            }
+            const double before = hit.depth;
+            search(g, X, hit);
+            if (hit.depth > before) toSpace(g, hit);
+        }
+        return hit;
+    }
+
+    //- Velocity of a group's material at x
+    HD Vec<D, double> velocity(int g, const Vec<D, double>& x) const
+    {
+        Vec<D, double> u = filled<D>(0.0);
+        if (!grid[g].moves) return u;
+        const FacePose<D>& p = pose[g];
+        for (int d = 0; d < D; ++d)
+        {
+            u.c[d] = p.rateT[d];
+            for (int e = 0; e < D; ++e)
+            {
+                double X = 0;
+                for (int k = 0; k < D; ++k) X += p.R[k][e]*(x.c[k] - p.t[k]);
+                u.c[d] += p.rateR[d][e]*X;
+            }
+        }
+        return u;
+    }
+
+    //- The same for a point in the frame of group g and the parts of it before this one
+    HD void before(int g, int thisPart, const Vec<D, double>& X, FaceHit<D>& hit) const { search(g, X, hit, thisPart); }
+
+private:
+
+    HD void toSpace(int g, FaceHit<D>& hit) const
+    {
+        const FacePose<D>& p = pose[g];
+        Vec<D, double> n, c;
+        for (int d = 0; d < D; ++d)
+        {
+            n.c[d] = 0;
+            c.c[d] = p.t[d];
+            for (int e = 0; e < D; ++e)
+            {
+                n.c[d] += p.R[d][e]*hit.normal.c[e];
+                c.c[d] += p.R[d][e]*hit.nearest.c[e];
+            }
+        }
+        hit.normal = n;
+        hit.nearest = c;
+    }
+
+    HD Vec<D, double> read(const double* from) const
+    {
+        Vec<D, double> v;
+        for (int d = 0; d < D; ++d) v.c[d] = from[d];
+        return v;
+    }
+
+    //- Parts below `parts` alone
+    HD void search(int g, const Vec<D, double>& X, FaceHit<D>& hit, int parts = 0x7fffffff) const
+    {
+        const FaceGrid<D>& cells = grid[g];
+        int cell = 0;
+        for (int d = D - 1; d >= 0; --d)
+        {
+            const double at = (X.c[d] - cells.low[d])*cells.inverseCell;
+            if (!(at >= 0) || at >= cells.n[d]) return;
+            cell = cell*cells.n[d] + int(at);
+        }
+        const int first = cellFirst[cells.firstCell + cell], last = cellFirst[cells.firstCell + cell + 1];
+        for (int k = first; k < last;)
+        {
+            // the closest element of a part
+            const int own = part[cellElement[k]];
+            if (own >= parts) return;
+            double least = 1e300;
+            int element = -1, feature = insideElement;
+            Vec<D, double> nearest{};
+            for (; k < last && part[cellElement[k]] == own; ++k)
+            {
+                const int e = cellElement[k];
+                Vec<D, double> v[D];
+                for (int c = 0; c < D; ++c) v[c] = read(vertex + (e*D + c)*D);
+                int f;
+                const Vec<D, double> p = closestPoint(v, X, f);
+                const double distance2 = squaredNorm(X - p);
+                if (distance2 < least) { least = distance2; element = e; feature = f; nearest = p; }
+            }
+            consider(g, X, element, feature, nearest, sqrt(least), hit);
+        }
+    }
+
+    HD void consider(int g, const Vec<D, double>& X, int e, int feature, const Vec<D, double>& p, double distance, FaceHit<D>& hit) const
+    {
+        const Vec<D, double> own = read(normal + (e*normals + feature + 1)*D);
+        if (squaredNorm(own) == 0) return;
+        const bool plate = half[e] > 0;
+        const double along = dot(X - p, own), depth = plate ? half[e] - distance : (along < 0 ? distance : 0.0);
+        if (!(depth > hit.depth)) return;
+        hit.depth = depth;
+        hit.group = g;
+        // straight out where that is well defined
+        const double sign = plate ? 1 : -1;
+        const bool clear = distance > tiny;
+        hit.normal = clear ? (sign/distance)*(X - p) : own;
+        hit.nearest = plate ? p + half[e]*hit.normal : p;
+    }
+};
+
+} // namespace riprap

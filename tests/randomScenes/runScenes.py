@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs random scenes with an empty sphProperties and says of each whether it holds
+
+    runScenes.py [--seeds 1-50] [--scale 1] [--set "entry value; .."] [--jobs 2] [--keep FOLDER] [--limit SECONDS]
+
+A line a scene: PASS or FAIL, then what was measured. A scene holds if
+- it runs to its end;
+- nothing leaves but through an open top, and no particle is behind a face at the end;
+- its energy never grows by more than 1 % (work of moving walls and energy of bodies counted in).
+"""
+import argparse
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from makeScene import Scene     # noqa: E402
+
+
+def table(folder, name):
+    """Columns of the function object's table, by name"""
+    rows, names = [], []
+    for path in sorted(glob.glob(os.path.join(folder, 'postProcessing', name, '*', '*.dat'))):
+        with open(path) as f:
+            for line in f:
+                if line.startswith('#'):
+                    names = line[1:].split()
+                else:
+                    rows.append([float(x) for x in line.split()])
+    width = min(map(len, rows)) if rows else 0
+    values = np.array([r[:width] for r in rows]) if rows else np.zeros((0, len(names)))
+    return {n: values[:, k] for k, n in enumerate(names[:width])}
+
+
+def growth(folder, scene, mass):
+    """Largest rise of the energy above what it was before, over the energy of the start, heights counted from the tank's lowest corner"""
+    e = table(folder, 'energy')
+    if not len(e.get('Time', [])):
+        return float('nan')
+    balance = e['total'] - e['wallWork'] - e.get('soundSpeedWork', 0)
+    kinetic = e['kinetic'].max()
+    start = e['total'][0] - mass*scene.floorPotential()
+    s = table(folder, 'solids')
+    if len(s.get('total', [])) == len(balance):
+        balance = balance + s['total']
+    return float((balance - np.minimum.accumulate(balance)).max()/max(start, kinetic))
+
+
+def run(seed, options):
+    folder = os.path.join(options.keep, str(seed))
+    shutil.rmtree(folder, ignore_errors=True)
+    scene = Scene(seed, options.scale)
+    scene.files(folder)
+    for item in filter(None, (options.set or '').split(';')):
+        with open(os.path.join(folder, 'constant', 'sphProperties'), 'a') as f:
+            f.write(item.strip() + ';\n')
+    start = time.time()
+    environment = dict(os.environ, OMP_NUM_THREADS=str(options.threads))
+    for program in ('blockMesh', 'setParticles', 'riprapFoam'):
+        with open(os.path.join(folder, 'log.' + program), 'w') as log:
+            try:
+                status = subprocess.run([program], cwd=folder, stdout=log, stderr=subprocess.STDOUT, env=environment, timeout=options.limit).returncode
+            except subprocess.TimeoutExpired:
+                status = 'time'
+        if status:
+            break
+    with open(log.name) as f:
+        text = f.read()
+    faults = []
+    if status:
+        why = re.findall(r'(Guard at[^\n]*|FATAL[^\n]*\n[^\n]*)', text)
+        times = re.findall(r'^Time = (\S+)', text, re.M)
+        faults.append('%s %s at %s of %g: %s' % (program, status, times[-1] if times else '-', scene.end, ' '.join(why)[:300].replace('\n', ' ')))
+    escaped = re.findall(r'Escaped \d+ particles \((\d+) in all\), by nearest patch:(.*)', text)
+    if escaped:
+        through = {p: int(n) for p, n in re.findall(r'(\S+) (\d+)', escaped[-1][1])}
+        lost = sum(n for p, n in through.items() if p != 'top' or scene.lid)
+        if lost:
+            faults.append('%d through walls' % lost)
+    wild = (re.findall(r'Taken out in all: (\d+)', text) or ['0'])[-1]
+    with open(os.path.join(folder, 'log.setParticles')) as f:
+        mass = re.findall(r'total: .*mass (\S+) kg', f.read())
+    rise = growth(folder, scene, float(mass[0])) if mass else float('nan')
+    if not rise <= 0.01:
+        faults.append('energy grows')
+    counts = re.findall(r'Put back at faces of walls: (\d+)', text)
+    particles = (re.findall(r'fluid (\d+), walls', text) or ['0'])[0]
+    steps = (re.findall(r'Particle steps = \d+ \((\d+)\)', text) or ['0'])[-1]
+    print('%s scene %d: %dD, %s particles, %s steps, %.0f s, energy %+.3f %%, put back %s, taken out %s%s' % (
+        'FAIL' if faults else 'PASS', seed, scene.dim, particles, steps, time.time() - start, 100*rise, counts[-1] if counts else 0, wild,
+        '; ' + '; '.join(faults) if faults else ''), flush=True)
+    return not faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--seeds', default='1-50')
+    parser.add_argument('--scale', type=int, default=1)
+    parser.add_argument('--set')
+    parser.add_argument('--jobs', type=int, default=os.cpu_count())
+    parser.add_argument('--threads', type=int, default=1)
+    parser.add_argument('--keep')
+    parser.add_argument('--limit', type=float, default=300)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        options.keep = options.keep or scratch
+        seeds = []
+        for part in options.seeds.split(','):
+            first, _, last = part.partition('-')
+            seeds += range(int(first), int(last or first) + 1)
+        with ThreadPoolExecutor(options.jobs) as pool:
+            good = list(pool.map(lambda s: run(s, options), seeds))
+    print('%d of %d scenes hold' % (sum(good), len(good)))
+    return 0 if all(good) else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())
