@@ -75,6 +75,7 @@ struct PlaceFluid : Mover<Backend, D, P>
             v.c[d] = this->fluid.v[d][i];
             p.c[d] = this->reference[d][i] = this->box.pairPosition(d, x.c[d]);
         }
+        if (this->tookOut(i, v, this->fluid.deviation[i])) return;
         if constexpr (Backend::gpu) this->frames.include(this->box, p, v);
         this->record(i, x, v, this->fluid.deviation[i]);
     }

@@ -84,6 +84,9 @@ class Scene:
             a = int(r.uniform(4, 7)*s)
             x = int(r.uniform(0.35, 0.6)*self.nx)
             z = max(used, deep if kind != 'pool' and x < wide + 2*s else 0) + int(r.uniform(2, 4)*s)
+            for _, at, w, h, _ in self.obstacles:
+                if x - w - s < at < x + a + w + s:
+                    z = max(z, h + w + int(4*s))
             v = r.choice([0, self.speed()])
             self.bodies.append((x, z, a, r.choice([300, 600, 1500, 3000, 7800]), v))
         if r.random() < 0.25 and not self.bodies:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs random scenes with an empty sphProperties and says of each whether it holds
 
-    runScenes.py [--seeds 1-50] [--scale 1] [--set "entry value; .."] [--jobs 2] [--keep FOLDER] [--limit SECONDS]
+    runScenes.py [--seeds 1-50] [--dimensions 2] [--scale 1] [--set "entry value; .."] [--jobs 2] [--keep FOLDER] [--limit SECONDS]
 
 A line a scene: PASS or FAIL, then what was measured. A scene holds if
 - it runs to its end;
@@ -109,6 +109,7 @@ def main():
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--threads', type=int, default=1)
     parser.add_argument('--keep')
+    parser.add_argument('--dimensions', type=int, help='2 or 3: the others are passed over')
     parser.add_argument('--limit', type=float, default=300)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
@@ -117,6 +118,7 @@ def main():
         for part in options.seeds.split(','):
             first, _, last = part.partition('-')
             seeds += range(int(first), int(last or first) + 1)
+        seeds = [s for s in seeds if options.dimensions in (None, Scene(s, 1).dim)]
         with ThreadPoolExecutor(options.jobs) as pool:
             good = list(pool.map(lambda s: run(s, options), seeds))
     print('%d of %d scenes hold' % (sum(good), len(good)))

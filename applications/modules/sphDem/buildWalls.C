@@ -97,7 +97,7 @@ void Foam::solverModules::sphDem::dropBeyondDomain
     const riprap::SphConfig& config = settings_.config;
     const scalar margin = 2*config.smoothingRatio*config.spacing;
 
-    boolList keep(walls_.size(), true);
+    boolList keep(walls_.position.size(), true);
     forAll(keep, i)
     {
         if (bodyOfSource[walls_.source[i]] >= 0) continue;
