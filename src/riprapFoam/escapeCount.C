@@ -25,7 +25,12 @@ void Foam::escapeCount::add(const std::vector<riprap::Vector3>& positions)
 }
 
 
-void Foam::escapeCount::log(label now, int64_t inAll) const
+void Foam::escapeCount::log
+(
+    label now,
+    int64_t inAll,
+    int64_t outflow
+) const
 {
     Info<< "Escaped " << now << " particles (" << inAll
         << " in all), by nearest patch:";
@@ -33,7 +38,7 @@ void Foam::escapeCount::log(label now, int64_t inAll) const
     {
         Info<< ' ' << patch << ' ' << byPatch_[patch];
     }
-    Info<< endl;
+    Info<< nl << "Escaped through walls in all: " << inAll - outflow << endl;
 }
 
 

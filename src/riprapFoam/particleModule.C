@@ -85,11 +85,11 @@ bool Foam::particleModule::mayContinue(const runRecord& run, int64_t cloudSize)
 }
 
 
-void Foam::particleModule::logEscaped(label now, int64_t inAll) const
+void Foam::particleModule::logEscaped(label now, const runRecord& run) const
 {
     if (now)
     {
-        escaped_.log(now, inAll);
+        escaped_.log(now, run.escaped, run.outflow);
     }
 }
 

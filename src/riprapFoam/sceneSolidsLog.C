@@ -80,7 +80,7 @@ void Foam::sceneSolids::logSteps
     Info<< endl;
     if (report_.escaped.size())
     {
-        escaped_.log(report_.escaped.size(), run_.escaped);
+        escaped_.log(report_.escaped.size(), run_.escaped, run_.outflow);
     }
 }
 

@@ -87,10 +87,12 @@ class Scene:
             for _, at, w, h, _ in self.obstacles:
                 if x - w - s < at < x + a + w + s:
                     z = max(z, h + w + int(4*s))
+            z = min(z, self.nz - a - 1)
+            self.lid = True     # a body that flies out of the tank ends a run
             v = r.choice([0, self.speed()])
             self.bodies.append((x, z, a, r.choice([300, 600, 1500, 3000, 7800]), v))
         if r.random() < 0.25 and not self.bodies:
-            self.motion = r.choice(['piston', 'tank'])
+            self.motion = r.choice(['paddle', 'tank'])
         self.end = r.choice([1, 2, 3])*math.sqrt(self.dp/0.005)
 
     def floorPotential(self):
@@ -157,6 +159,8 @@ class Scene:
                 text += 'obstacle%d { type searchableCylinder; point1 (%g %g %g); point2 (%g %g %g); radius %g; }\n' % (k, x*d, -W, z, x*d, 2*W, z, 0.5*w*d)
             else:
                 text += 'obstacle%d { type searchablePlate; origin (%g %g 0); span (0 %g %g); }\n' % (k, x*d, -W, 3*W, h*d)
+        if self.motion == 'paddle':
+            text += 'paddle { type searchableBox; min (%g %g 0); max (%g %g %g); }\n' % (6*d, -W, 9*d, 2*W, (self.nz - 4)*d)
         if text:
             write(folder, 'constant', 'geometry', text)
 
@@ -165,8 +169,8 @@ class Scene:
             return ''
         amplitude = self.r.uniform(1, 4)*self.dp
         omega = self.r.uniform(0.5, 1.2)*math.sqrt(9.81*3.14/(self.nx*self.dp))
-        if self.motion == 'piston':
-            return ('walls { motion { piston { patches (left); solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs '
+        if self.motion == 'paddle':
+            return ('walls { motion { paddle { patches (paddle); solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs '
                     '{ amplitude (%g 0 0); omega %g; } } } }\n' % (amplitude, omega))
         every = '"(floor|left|right|sides|top|obstacle.*)"'
         return ('walls { motion { tank { patches (%s); solidBodyMotionFunction oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs '

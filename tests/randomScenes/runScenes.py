@@ -80,12 +80,9 @@ def run(seed, options):
         why = re.findall(r'(Guard at[^\n]*|FATAL[^\n]*\n[^\n]*)', text)
         times = re.findall(r'^Time = (\S+)', text, re.M)
         faults.append('%s %s at %s of %g: %s' % (program, status, times[-1] if times else '-', scene.end, ' '.join(why)[:300].replace('\n', ' ')))
-    escaped = re.findall(r'Escaped \d+ particles \((\d+) in all\), by nearest patch:(.*)', text)
-    if escaped:
-        through = {p: int(n) for p, n in re.findall(r'(\S+) (\d+)', escaped[-1][1])}
-        lost = sum(n for p, n in through.items() if p != 'top' or scene.lid)
-        if lost:
-            faults.append('%d through walls' % lost)
+    lost = int((re.findall(r'Escaped through walls in all: (\d+)', text) or ['0'])[-1])
+    if lost:
+        faults.append('%d through walls' % lost)
     wild = (re.findall(r'Taken out in all: (\d+)', text) or ['0'])[-1]
     with open(os.path.join(folder, 'log.setParticles')) as f:
         mass = re.findall(r'total: .*mass (\S+) kg', f.read())

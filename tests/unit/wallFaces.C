@@ -283,6 +283,8 @@ TEST_P(WallFaces, HoldACrowd)
     SphConfig c = config();
     c.maxVelocity = 20;
     c.soundSpeed = 40;
+    c.viscosityModel = ViscosityKind::artificial;
+    c.artificialAlpha = 0.2;
     c.gravity[D() - 1] = -10;
     WallInput w = tank();
     Faces faces(D());

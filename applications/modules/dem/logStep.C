@@ -31,7 +31,7 @@ void Foam::solverModules::dem::report()
     }
     Info<< endl;
 
-    logEscaped(report_.escaped.size(), run_.escaped);
+    logEscaped(report_.escaped.size(), run_);
 
     logProgress();
 }

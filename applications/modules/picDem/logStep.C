@@ -59,7 +59,7 @@ void Foam::solverModules::picDem::report()
     {
         solids_->logStep();
     }
-    logEscaped(report_.escaped.size(), run_.escaped);
+    logEscaped(report_.escaped.size(), run_);
     logProgress();
 }
 

@@ -45,7 +45,7 @@ void Foam::solverModules::sphDem::report()
         Info<< "Put back at faces of walls: " << contacts << " times in all"
             << nl;
     }
-    logEscaped(report_.escaped.size(), run_.escaped);
+    logEscaped(report_.escaped.size(), run_);
     if (report_.skinExceeded)
     {
         Info<< "Missed pairs are possible in this time step, and were in "

@@ -16,6 +16,8 @@ _items = {
     'clumps': rf'^\s*particles\s+\d+, clumps {_number}',
     'deviceTime': rf'^Device time = {_number}',
     'executionTime': rf'ExecutionTime = {_number}',
+    'throughWalls': rf'^Escaped through walls in all: {_number}',
+    'takenOut': rf'^Taken out in all: {_number}',
     'clockTime': rf'ClockTime = {_number}',
 }
 _words = ('version', 'device', 'precision')
@@ -34,6 +36,8 @@ def readLog(path):
     fluid = re.findall(rf'^\s*particles\s+(?:fluid {_number}|{_number}, spacing)', text, re.M)        # of a coupled scene both are told
     if fluid:
         result['fluidParticles'] = float(max(fluid[-1]))
+    for count in ('throughWalls', 'takenOut'):
+        result[count] = result[count] or 0.0
     steps, particles = result['steps'], result['fluidParticles']
     result['particleSteps'] = steps*particles if steps and particles else None
     result['ended'] = bool(re.search(r'^End\s*$', text, re.M))

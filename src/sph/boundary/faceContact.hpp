@@ -1,5 +1,6 @@
 /*  Faces of walls keep particles out: one that has come behind a face is put back onto it, and its velocity relative to the wall loses
-    the part that points into it. What that takes from the particle is counted: momentum, and kinetic and potential energy.
+    the part that points into it. What that takes from the particle is counted: momentum, and kinetic and potential energy, with the velocity
+    that belongs to the end of the step.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,15 +25,18 @@ struct FaceContact
     WallFaces<D> faces;
     double clearance;           // [m] in front of the face that a particle is put to
 
-    //- At the end of a drift. gravity: for the energy
+    //- At the end of a drift. kick: of the half step that is still to come, as far as it is known
     HD void keepOut
-    (const Box<D, P>& box, const Vec<D, real>& gravity, Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock) const
+    (
+        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, Vec<D, std::int64_t>& x, Vec<D, real>& v,
+        ClockData* clock
+    ) const
     {
         if (!faces.groups) return;
         Vec<D, double> at;
         for (int d = 0; d < D; ++d) at.c[d] = box.toMetres(d, x.c[d]);
         const FaceHit<D> hit = faces.find(at);
-        if (hit.depth > 0) putBack(box, gravity, hit, at, x, v, clock);
+        if (hit.depth > 0) putBack(box, gravity, kick, hit, at, x, v, clock);
     }
 
 private:
@@ -40,8 +44,8 @@ private:
     //- Out of one face after another: in a corner of two parts the way out of one may lead behind the other
     HD_APART void putBack
     (
-        const Box<D, P>& box, const Vec<D, real>& gravity, FaceHit<D> hit, Vec<D, double> at, Vec<D, std::int64_t>& x, Vec<D, real>& v,
-        ClockData* clock
+        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, FaceHit<D> hit, Vec<D, double> at,
+        Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock
     ) const
     {
         constexpr int most = 4;
@@ -59,7 +63,7 @@ private:
         {
             x.c[d] = box.toFixedInside(d, at.c[d]);
             v.c[d] = real(u.c[d]);
-            energy += 0.5*(u.c[d]*u.c[d] - before.c[d]*before.c[d]) - double(gravity.c[d])*(at.c[d] - from.c[d]);
+            energy += 0.5*(u.c[d] - before.c[d])*(u.c[d] + before.c[d] + 2*double(kick.c[d])) - double(gravity.c[d])*(at.c[d] - from.c[d]);
             addShared(&clock->faceImpulse[d], std::int64_t(rint((u.c[d] - before.c[d])/faceUnit)));
         }
         addShared(&clock->faceEnergy, std::int64_t(rint(energy/faceUnit)));

@@ -55,11 +55,11 @@ struct Mover
     }
 
     //- Back onto the face that it went behind
-    HD void keepOut(int i, Vec<D, std::int64_t>& x, Vec<D, real>& v) const
+    HD void keepOut(int i, const Vec<D, real>& kick, Vec<D, std::int64_t>& x, Vec<D, real>& v) const
     {
         if (!contact.faces.groups) return;
         const Vec<D, real> before = v;
-        contact.keepOut(box, model.gravity, x, v, clock);
+        contact.keepOut(box, model.gravity, kick, x, v, clock);
         for (int d = 0; d < D; ++d) if (v.c[d] != before.c[d]) fluid.v[d][i] = v.c[d];
     }
 
@@ -155,7 +155,7 @@ struct LeapfrogDrift : Mover<Backend, D, P>
         if (this->tookOut(i, v, deviation + rate*half)) return;
         const Vec<D, real> u = v + this->drift(i);
         Vec<D, std::int64_t> x = this->moved(this->position(i), u, c.dt);
-        this->keepOut(i, x, v);
+        this->keepOut(i, half*a, x, v);
         for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
         this->record(i, x, v + half*a, deviation + rate*half);
         this->checkSkin(i, x, u);

@@ -54,19 +54,18 @@ struct SymplecticDrift : Mover<Backend, D, P>
         if (!c.active || i >= *this->count) return;
         const FluidFields<D, P>& f = this->fluid;
         const real half = real(0.5*c.dt);
-        Vec<D, real> v;
-        for (int d = 0; d < D; ++d) v.c[d] = f.v[d][i];
+        Vec<D, real> v, kick;
+        for (int d = 0; d < D; ++d)
+        {
+            v.c[d] = f.v[d][i];
+            kick.c[d] = f.a[d][i]*half;
+        }
         if (this->tookOut(i, v, f.deviation[i])) return;
         const Vec<D, real> u = v + this->drift(i);
         Vec<D, std::int64_t> x = this->moved(this->position(i), u, 0.5*c.dt);
-        this->keepOut(i, x, v);
-        Vec<D, real> predicted;
-        for (int d = 0; d < D; ++d)
-        {
-            predicted.c[d] = v.c[d] + f.a[d][i]*half;
-            f.x[d][i] = x.c[d];
-        }
-        this->record(i, x, predicted, f.deviation[i]);
+        this->keepOut(i, kick, x, v);
+        for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
+        this->record(i, x, v + kick, f.deviation[i]);
         this->checkSkin(i, x, u);
     }
 };
