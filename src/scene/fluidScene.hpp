@@ -37,6 +37,7 @@ struct FluidEnergy                            // [J] (2D: per metre of depth)
 {
     double kinetic = 0, potential = 0, elastic = 0;
     double wallWork = 0;                    // done by moving walls since the start
+    double stiffening = 0;                  // elastic energy that changes of the speed of sound have added since the start
 };
 
 using SphEnergy = FluidEnergy;

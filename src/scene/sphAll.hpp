@@ -7,6 +7,7 @@
 #include "scene/sphStep.hpp"
 #include "scene/sphSolids.hpp"
 #include "scene/sphAdvance.hpp"
+#include "scene/sphStiffness.hpp"
 #include "scene/sphOutput.hpp"
 #include "scene/sphState.hpp"
 #include "scene/sphInstances.hpp"

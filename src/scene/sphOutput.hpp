@@ -94,6 +94,7 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     e.kinetic = sums[0];
     e.potential = sums[1];
     e.elastic = sums[2];
+    e.stiffening = stiffening_;
     if (nBodies_) for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
     return e;
 }
