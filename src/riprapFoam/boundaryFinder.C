@@ -5,6 +5,7 @@
 
 #include "boundaryFinder.H"
 #include "emptyPolyPatch.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -57,6 +58,20 @@ const Foam::word& Foam::boundaryFinder::patch(const point& x) const
         return word::null;
     }
     return patches[patches.whichPatch(tree().shapes().faceLabels()[hit.index()])].name();
+}
+
+
+std::string Foam::boundaryFinder::particle
+(
+    label id,
+    const riprap::Vector3& x
+) const
+{
+    const point where(x[0], x[1], x[2]);
+    OStringStream text;
+    text<< "particle " << id << " at " << where << " (nearest patch: "
+        << patch(where) << ')';
+    return text.str();
 }
 
 
