@@ -26,6 +26,7 @@ void Foam::solverModules::sphDem::takeSteps(scalar t, int64_t maxSteps)
     checkSkin();
     countEscaped(report_, run_, settings_.guards);
     checkProgress(before, report_);
+    followSpeed();
 }
 
 
