@@ -40,7 +40,8 @@ public:
     //- Forces from outside, on the device: D forces, then moments, a key
     virtual typename P::real* external() = 0;
 
-    //- Steps within one step of the fluid, and the time over which they let a force from outside act
+    //- Steps within one step of the fluid, by contacts and by the speeds at hand: to be asked just before advanceTo, after push; and the
+    //  time over which they let a force from outside act
     virtual int subcycles(double dt) = 0;
     virtual double kickTime(double dt, int subcycles) = 0;
 

@@ -5,6 +5,7 @@
 
 #include "boundaryFinder.H"
 #include "emptyPolyPatch.H"
+#include "StringStream.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -101,6 +102,20 @@ bool Foam::boundaryFinder::byOpening(const point& x) const
 {
     const label patchi = mesh_.boundaryMesh().findPatchID(patch(x));
     return patchi >= 0 && isOpening(mesh_.boundaryMesh()[patchi]);
+}
+
+
+std::string Foam::boundaryFinder::particle
+(
+    label id,
+    const riprap::Vector3& x
+) const
+{
+    const point where(x[0], x[1], x[2]);
+    OStringStream text;
+    text<< "particle " << id << " at " << where << " (nearest patch: "
+        << patch(where) << ')';
+    return text.str();
 }
 
 

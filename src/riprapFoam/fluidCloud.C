@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidCloud.H"
+#include "sceneState.H"
 #include "Time.H"
 
 namespace Foam
@@ -45,6 +46,7 @@ void Foam::fluidCloud::fill(particleCloud& particles) const
 void Foam::fluidCloud::addProperties(dictionary& properties) const
 {
     properties.add("spacing", run_.spacing);
+    properties.add("soundSpeed", exact(run_.soundSpeed));
 }
 
 

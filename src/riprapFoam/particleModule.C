@@ -85,6 +85,57 @@ bool Foam::particleModule::mayContinue(const runRecord& run, int64_t cloudSize)
 }
 
 
+std::string Foam::particleModule::offender
+(
+    label id,
+    const riprap::Vector3& x
+) const
+{
+    return id < 0 ? std::string() : boundary_.particle(id, x) + ' ';
+}
+
+
+Foam::scalar Foam::particleModule::firstSteps
+(
+    const std::function<int64_t(scalar t, int64_t n)>& take,
+    scalar now,
+    scalar step,
+    int64_t most
+)
+{
+    const scalar longEnough = 1;
+    const scalar end = min(runTime_.endTime().value(), now + most*step);
+    if (!(end > now))
+    {
+        return 0;
+    }
+
+    dryRun_ = true;
+    Info<< "First steps, with all guards" << endl;
+
+    // What later steps use is built in the first two
+    clockTime all;
+    int64_t taken = take(end, 2);
+    clockTime stopwatch;
+    int64_t timed = 0;
+    for (int64_t n = 1; taken < most; n = min(2*n, most/10 + 1))
+    {
+        const int64_t more = take(end, min(n, most - taken));
+        taken += more;
+        timed += more;
+        if (more == 0 || all.elapsedTime() > longEnough)
+        {
+            break;
+        }
+    }
+    const scalar seconds = timed ? stopwatch.elapsedTime()/timed : 0;
+
+    Info<< "    " << taken << " taken: no guard has stopped them" << nl;
+    dryRun_ = false;
+    return seconds;
+}
+
+
 void Foam::particleModule::logEscaped(label now, const runRecord& run) const
 {
     if (now)

@@ -48,6 +48,7 @@ Foam::sceneSolids::sceneSolids
     settings_(asRead_),
     movingWalls_(runTime, asRead_.walls.motion),
     movingGroups_(runTime, asRead_.groupMotion),
+    boundary_(boundary),
     escaped_(boundary)
 {
     // Device and precision are one choice: the fluid's
@@ -195,6 +196,11 @@ void Foam::sceneSolids::moved()
         FatalErrorInFunction
             << "Guard of the solids at time " << report_.time
             << " s, particle step " << run_.steps << ": "
+            << (
+                   report_.stopId < 0
+                 ? std::string()
+                 : boundary_.particle(report_.stopId, report_.stopPosition) + ' '
+               ).c_str()
             << report_.stopMessage.c_str() << nl << advice << exit(FatalError);
     }
     if (report_.escaped.size())

@@ -88,11 +88,59 @@ void setSpacing(sphSettings& settings, scalar spacing)
 }
 
 
+scalar lowestPlace(const polyMesh& mesh, const vector& g)
+{
+    scalar lowest = -VGREAT;
+    for (const point& x : mesh.points())
+    {
+        lowest = max(lowest, x & g);
+    }
+    return lowest;
+}
+
+
+//- 2 |g| H + u^2 of the particle that can become fastest; H ends half a
+//  spacing of fluid beyond the outermost particles, or at the lowest place
+static scalar largestEnergy
+(
+    const vector& g,
+    scalar spacing,
+    scalar lowest,
+    const pointField& position,
+    const vectorField& U
+)
+{
+    scalar low = -VGREAT;
+    for (const point& x : position)
+    {
+        low = max(low, x & g);
+    }
+
+    // Less than half a spacing: lattices need not fit
+    const scalar half = 0.5*mag(g)*spacing;
+    scalar drop = lowest - (low + half);
+    if (!(drop > half))
+    {
+        drop = 0;
+    }
+
+    scalar most = 0;
+    forAll(position, i)
+    {
+        const scalar gH = low - (position[i] & g) + mag(g)*spacing + drop;
+        most = max(most, 2*gH + magSqr(U[i]));
+    }
+    return most;
+}
+
+
 void setMaxVelocity
 (
     sphSettings& settings,
+    const polyMesh& mesh,
     const pointField& position,
-    const vectorField& U
+    const vectorField& U,
+    const otherSpeeds& others
 )
 {
     riprap::SphConfig& config = settings.config;
@@ -100,33 +148,27 @@ void setMaxVelocity
     if (settings.autoMaxVelocity)
     {
         const vector g(toVector(config.gravity));
+        const scalar energy = max
+        (
+            largestEnergy
+            (
+                g,
+                config.spacing,
+                lowestPlace(mesh, g) + others.deeper,
+                position,
+                U
+            ),
+            sqr(others.solids)
+        );
 
-        scalar low = VGREAT;
-        scalar high = -VGREAT;
-        for (const point& x : position)
-        {
-            low = min(low, x & g);
-            high = max(high, x & g);
-        }
-
-        // |g| H; half a spacing of fluid lies beyond the outermost particles
-        const scalar gH =
-            position.empty() ? 0 : high - low + mag(g)*config.spacing;
-
-        scalar fastest = 0;
-        for (const vector& u : U)
-        {
-            fastest = max(fastest, mag(u));
-        }
-
-        config.maxVelocity = max(sqrt(2*gH), fastest);
+        config.maxVelocity = sqrt(energy + sqr(others.walls));
 
         if (!(config.maxVelocity > 0))
         {
             FatalIOErrorInFunction(settings.dict)
                 << "Entry maxVelocity is auto, but there is neither gravity"
-                << " nor an initial velocity to estimate it from: give the"
-                << " largest speed that is expected [m/s]"
+                << " nor an initial velocity to estimate it from, nor anything"
+                << " that moves: give the largest speed that is expected [m/s]"
                 << exit(FatalIOError);
         }
     }
@@ -159,16 +201,32 @@ scalar wallThickness(const sphSettings& settings)
 }
 
 
-scalar densityOfPressure(const riprap::SphConfig& config, scalar p)
+static riprap::EquationOfState<double> equationOfState
+(
+    const riprap::SphConfig& config,
+    scalar c0
+)
 {
-    const auto eos = riprap::EquationOfState<double>::make
+    return riprap::EquationOfState<double>::make
     (
         config.eos == riprap::EosKind::linear,
         config.gamma,
-        config.soundSpeed,
+        c0,
         config.density
     );
+}
+
+
+scalar densityOfPressure(const riprap::SphConfig& config, scalar p)
+{
+    const auto eos = equationOfState(config, config.soundSpeed);
     return config.density*(1 + eos.deviation(p));
+}
+
+
+scalar pressureOfDensity(const riprap::SphConfig& config, scalar rho, scalar c0)
+{
+    return equationOfState(config, c0).pressure(rho/config.density - 1);
 }
 
 } // End namespace Foam

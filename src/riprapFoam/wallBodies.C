@@ -217,6 +217,37 @@ void Foam::wallBodies::requirePlanar
 }
 
 
+Foam::scalar Foam::wallBodies::largestSpeed
+(
+    label body,
+    const boundBox& reference,
+    scalar begin,
+    scalar end
+) const
+{
+    // Moments that no period divides: multiples of the golden ratio, modulo 1
+    const label n = 4*nMoments;
+    const scalar golden = 0.5*(sqrt(5.0) - 1);
+    const scalar instant = min(scalar(1e-4), (end - begin)/n);
+    const pointField corners(reference.points());
+
+    scalar fastest = 0;
+    for (label i = 0; i <= n && instant > 0; ++i)
+    {
+        const scalar share = i < n ? i*golden - floor(i*golden) : 1;
+        const scalar t = begin + share*(end - begin - instant);
+        const riprap::WallPose now(pose(body, t));
+        const riprap::WallPose later(pose(body, t + instant));
+        for (const point& corner : corners)
+        {
+            fastest =
+                max(fastest, mag(moved(later, corner) - moved(now, corner)));
+        }
+    }
+    return instant > 0 ? fastest/instant : 0;
+}
+
+
 void Foam::wallBodies::sweep
 (
     label body,

@@ -268,9 +268,8 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     if (plan.timeStep > plan.hardStop*(1 + 1e-9) && !config.allowLargeStep)
     {
         std::ostringstream s;
-        s << "the time step of " << plan.timeStep << " s is above " << plan.hardStop
-          << " s: above 0.5 sqrt(m/k) (of bonds without dashpots: all of it), or what the springs of a close packing stand; limits:";
-        for (const StepLimit& l : plan.limits) s << "\n    " << l.name << " " << l.critical << " s (" << l.cause << ")";
+        s << "the time step of " << plan.timeStep << " s is above " << plan.hardStop << " s, " << plan.hardCause
+          << "; a shorter step, or entry allowLargeStep";
         throw std::invalid_argument(s.str());
     }
     // idle lanes of packs may divide by zero, and a state that blows up is the guards' business

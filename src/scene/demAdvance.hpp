@@ -138,48 +138,64 @@ void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
     reported_ = active;
 }
 
-//- Which particle made a guard fire
+//- How far particle i has gone since neighbours were sought [m], which the guard tested; of a member of a rigid body that left the domain,
+//  how far it is outside. No number: infinity
+template<class Backend, int D, class P>
+std::vector<double> DemSolver<Backend, D, P>::offences(int n)
+{
+    std::vector<double> value(n, 0.0);
+    const std::vector<position> reference = reference_.download();
+    const auto clump = clumpField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(clumpField_);
+    for (int d = 0; d < D; ++d)
+    {
+        const auto x = field<std::int64_t>(xField_ + d);
+        const auto v = field<double>(vField_ + d);
+        for (int i = 0; i < n; ++i)
+        {
+            double way = double(box_.template separation<real>(d, box_.pairPosition(d, x[i]), reference[std::size_t(d)*n_ + i]));
+            if (host_.halt == DemHalt::clumpEscaped)
+                way = clump.empty() || clump[i] < 0 ? 0 : double(std::max({std::int64_t(0), x[i] - domainMax_[d], domainMin_[d] - x[i]}))/box_.unitsPerMetre[d];
+            value[i] += std::isfinite(v[i]) ? way*way : std::numeric_limits<double>::infinity();
+        }
+    }
+    for (double& w : value) w = std::sqrt(w);
+    return value;
+}
+
+//- Which particle made a guard fire, and why: "particle 7 at .. " goes before it
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::findOffender(DemReport& report)
 {
-    const int n = activeSolids();
     std::ostringstream s;
     s.precision(6);
+    std::ostringstream limit;
+    limit.precision(6);
+    limit << " contacts are found within half the skin, " << double(halfSkin_) << " m (entry skin): take a shorter step or a larger skin";
     if (host_.halt == DemHalt::wallTooFar)
     {
         report.stop = DemStop::tooFast;
-        s << "at t = " << host_.time << " s a wall moved by more than " << double(halfSkin_) << " m in a step of " << host_.dt
-          << " s, farther than contacts are detected: take a smaller step or a larger skin";
+        s << "a wall went farther since its neighbours were sought than they hold, with steps of " << host_.dt << " s;" << limit.str();
         report.stopMessage = s.str();
         return;
     }
-    std::vector<double> v[D];
-    for (int d = 0; d < D; ++d) v[d] = field<double>(vField_ + d);
-    const std::vector<double> x = positions(n);
-    const auto key = field<std::int32_t>(idField_);
-    double worst = -1;
-    for (int i = 0; i < n; ++i)
-    {
-        double speed2 = 0;
-        for (int d = 0; d < D; ++d) speed2 += v[d][i]*v[d][i];
-        const double value = std::isfinite(speed2) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
-        if (value <= worst) continue;
-        worst = value;
-        report.stopId = ids_[key[i]];
-        report.stopPosition = Vector3{{x[3*i], x[3*i + 1], x[3*i + 2]}};
-    }
-    report.stopValue = worst;
-    report.stop = !std::isfinite(worst) ? DemStop::notANumber
+    const int n = activeSolids();
+    const std::vector<double> offence = offences(n), x = positions(n);
+    if (n == 0) return;
+    const int worst = int(std::max_element(offence.begin(), offence.end()) - offence.begin());
+    double speed2 = 0;
+    for (int d = 0; d < D; ++d) { const double v = field<double>(vField_ + d)[worst]; speed2 += v*v; }
+    report.stopId = ids_[field<std::int32_t>(idField_)[worst]];
+    report.stopPosition = Vector3{{x[3*worst], x[3*worst + 1], x[3*worst + 2]}};
+    report.stopValue = std::isfinite(offence[worst]) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
+    report.stop = !std::isfinite(offence[worst]) ? DemStop::notANumber
         : (host_.halt == DemHalt::clumpEscaped ? DemStop::clumpEscaped : DemStop::tooFast);
-    s << "at t = " << host_.time << " s ";
-    if (report.stop == DemStop::clumpEscaped) s << "a member of a clump left the domain; the fastest particle is ";
-    s << "particle " << report.stopId << " at (" << report.stopPosition[0] << " " << report.stopPosition[1] << " "
-      << report.stopPosition[2] << ")";
-    if (report.stop == DemStop::notANumber) s << " has a velocity that is not a number";
-    else s << ", " << worst << " m/s";
-    if (report.stop == DemStop::tooFast)
-        s << ", moved by more than " << double(halfSkin_) << " m in a step of " << host_.dt
-          << " s, farther than contacts are detected: take a smaller step or a larger skin";
+    if (report.stop == DemStop::notANumber) s << "has a velocity that is not a number";
+    else if (report.stop == DemStop::clumpEscaped)
+        s << "is a member of a rigid body and left the domain, by " << offence[worst] << " m, at " << report.stopValue
+          << " m/s: rigid bodies must stay inside";
+    else
+        s << "went " << offence[worst] << " m since its neighbours were sought, at " << report.stopValue << " m/s with steps of " << host_.dt
+          << " s;" << limit.str();
     report.stopMessage = s.str();
 }
 

@@ -4,7 +4,9 @@
 */
 #pragma once
 
+#include "core/largest.hpp"
 #include "dem/motion/push.hpp"
+#include "dem/motion/solidWays.hpp"
 #include "scene/demSolver.hpp"
 
 namespace riprap
@@ -29,7 +31,19 @@ typename P::real* DemSolver<Backend, D, P>::external()
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::subcycles(double dt)
 {
-    return still_ ? 1 : std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
+    if (still_) return 1;
+    const int contacts = std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
+    const SpeedOfSolids<D, P> speeds{mover()};
+    const double way = 1.25*dt*largestOver(context_, n_, speeds), room = double(halfSkin_) - double(suddenWay_);
+    if (!(way > 0.1*contacts*room)) return contacts;
+    // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists are new where too little is left
+    const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;
+    host_.fullDt = dt/steps;
+    writeClock();
+    forEach(context_, n_, CheckWays<D, P>{mover()});
+    readClock();
+    host_.settleAge();
+    return steps;
 }
 
 //- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a step before

@@ -245,9 +245,14 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     for (const DemPair& pair : in.pairs) addContact(c, in, pair, all, plan);
     addBonds(c, in, plan);
     const PackedLimit packed = packedLimit(c, in, all);
-    double hard = packed.springs;
-    for (const StepLimit& l : plan.limits) hard = std::min(hard, l.hardStop*l.critical);
-    plan.hardStop = hard;
+    plan.hardStop = packed.springs;
+    plan.hardCause = "what the springs of a close packing of " + packed.between + " stand";
+    for (const StepLimit& l : plan.limits)
+    {
+        if (!(l.hardStop*l.critical < plan.hardStop)) continue;
+        plan.hardStop = l.hardStop*l.critical;
+        plan.hardCause = words("", l.hardStop, "sqrt(m/k)").substr(1) + " of " + l.name + " (" + l.cause + ")";
+    }
     if (c.normal == NormalKind::hertz) addRayleigh(in, all, plan);
     warnOfGap(c, in, plan);
     setStep(c, packed, plan);

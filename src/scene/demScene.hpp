@@ -181,6 +181,7 @@ struct DemPlan
     std::size_t bytes = 0;                  // device memory, about
     double timeStep = 0;                    // that will be taken
     double hardStop = 0;                    // the limits' smallest, or what springs of a close packing stand
+    std::string hardCause;                  // which of them, in words
     std::string cause;                      // what sets the step
     std::vector<StepLimit> limits;
     std::vector<std::string> warnings;      // e.g. paper 2's spring eats the gap at this speed
@@ -204,7 +205,7 @@ struct DemReport
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
     double stopValue = 0;
-    std::string stopMessage;
+    std::string stopMessage;                // of particle stopId; of none where that is -1
 };
 
 //- Particles on the host, in the device's order

@@ -236,6 +236,7 @@ private:
     void finishReport(DemReport&, std::int64_t before);
     void collectEscaped(DemReport&);
     void findOffender(DemReport&);
+    std::vector<double> offences(int n);
     double largestSpeed();
     std::size_t brokenBonds();
 

@@ -83,8 +83,9 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         report.maxSpeed = std::max(report.maxSpeed, speed);
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
         else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
-        else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h)) report.stop = StopReason::solids;
-        else if (bodies_ && bodies_->acrossPeriodic(grid_)) report.stop = StopReason::solids;
+        else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h)) stopAtSolids(report, "would go "
+            + std::to_string(bodies_->fastest()*dt/grid_.h) + " cells in a step; guards/Courant allows " + std::to_string(config_.maxCourantEver));
+        else if (bodies_ && bodies_->acrossPeriodic(grid_)) stopAtSolids(report, "reaches across a periodic side, where it cannot be followed");
         if (report.stop != StopReason::none) { findOffender(report, courant); break; }
         // equal steps to the target; the last one ends there to the bit
         const double left = t - clock_.time;
@@ -122,6 +123,13 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         report.passed.push_back(PicPassage{openings_.in[k], openings_.out[k], openings_.volume[k] + pending, pending});
     }
     return report;
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::stopAtSolids(PicReport& report, const std::string& why)
+{
+    report.stop = StopReason::solids;
+    report.stopMessage = "a solid " + why;
 }
 
 //- Which particle made a guard fire

@@ -174,6 +174,7 @@ struct PicReport
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
     double stopValue = 0;
+    std::string stopMessage;                // of solids: which limit
 };
 
 //- The grid's fields, cells x fastest over the three directions of the domain

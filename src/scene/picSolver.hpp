@@ -202,6 +202,7 @@ private:
     double timeStep(double speed, std::string& limit);
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);
+    void stopAtSolids(PicReport&, const std::string& why);
 
     PicConfig config_;
     Context<Backend> context_;

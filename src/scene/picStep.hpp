@@ -400,7 +400,11 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
     if (bodies_ && bodies_->contactVelocity() < 1) slowBetweenSolids(dt);
     moveParticles(dt);
     if (opens()) letIn(dt);
-    if (!moveInside(dt, before)) { report.stop = StopReason::solids; return; }
+    if (!moveInside(dt, before))
+    {
+        stopAtSolids(report, bodies_ && !bodies_->finite() ? "has a force of the water that is not a number" : "was stopped by a guard of its contacts");
+        return;
+    }
     moveSurface(dt, report);
     holdVolume();
     clock_.time += dt;

@@ -8,6 +8,7 @@
 #include "scene/sphFaces.hpp"
 #include "scene/sphSolids.hpp"
 #include "scene/sphAdvance.hpp"
+#include "scene/sphStiffness.hpp"
 #include "scene/sphOutput.hpp"
 #include "scene/sphState.hpp"
 #include "scene/sphInstances.hpp"

@@ -96,6 +96,7 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     e.elastic = sums[2];
     readClock();
     e.faceWork = double(model_.mass)*faceUnit*double(host_.faceEnergy);
+    e.stiffening = stiffening_;
     if (nBodies_) for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
     return e;
 }

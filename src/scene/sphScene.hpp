@@ -6,6 +6,7 @@
 */
 #pragma once
 
+#include <array>
 #include <memory>
 #include "scene/fluidScene.hpp"
 
@@ -182,6 +183,14 @@ public:
 
     //- Continue from saved words; std::invalid_argument says what does not fit
     virtual void loadState(const std::vector<std::int32_t>&) = 0;
+
+    //- How many particles are faster than each of the speeds [m/s]
+    static constexpr int speedClasses = 8;
+    virtual std::array<std::size_t, speedClasses> fasterThan(const std::array<double, speedClasses>& speeds) = 0;
+
+    //- Another maxVelocity and soundSpeed, between two calls of advance: each particle keeps its pressure, tension included, and its
+    //  velocity. Its density changes, and with it the elastic energy: SphEnergy::stiffening
+    virtual void setMaxVelocity(double maxVelocity, double soundSpeed) = 0;
 
     //- The step that would be taken now and what limits it
     virtual double estimateTimeStep(std::string& limit) = 0;

@@ -169,8 +169,9 @@ void SphSolver<Backend, D, P>::advanceSolids()
             {solidForce_.data(), solidForceBefore_.data(), solids_->external(), scale*shares.now, scale*shares.before});
         return solids_->advanceTo(t, dt, steps);
     };
+    if (solids_->still()) { solids_->advanceTo(host_.time, host_.dt, subcycles_ = 1); return; }
+    if (coupling_.force == FluidForceKind::impulse) pushSolids();
     const int steps = subcycles_ = solids_->subcycles(host_.dt);
-    if (solids_->still()) { solids_->advanceTo(host_.time, host_.dt, steps); return; }
     const double begin = host_.time - host_.dt, part = host_.dt/steps;
     const auto end = [&](int k) { return k == steps ? host_.time : begin + k*part; };
     bool good = true;
@@ -180,11 +181,7 @@ void SphSolver<Backend, D, P>::advanceSolids()
         forEach(context_, nSolids_*D, KeepForces<real>{solidForce_.data(), solidForceBefore_.data()});
     }
     else if (coupling_.force == FluidForceKind::held) good = advance(host_.time, host_.dt, steps, forceShares(0.5));
-    else
-    {
-        pushSolids();
-        good = advance(host_.time, host_.dt, steps, ForceShares{0, 0});
-    }
+    else good = advance(host_.time, host_.dt, steps, ForceShares{0, 0});
     if (good) return;
     host_.halt = Halt::solids;
     host_.active = 0;

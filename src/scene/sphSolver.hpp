@@ -1,6 +1,7 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphFaces.hpp (faces of walls), sphSolids.hpp (solids in the fluid), sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+    (the loop over steps), sphFaces.hpp (faces of walls), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
+    sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 */
 #pragma once
 
@@ -86,6 +87,8 @@ public:
     SampleResult sample(const std::vector<double>& points) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
+    std::array<std::size_t, SphScene::speedClasses> fasterThan(const std::array<double, SphScene::speedClasses>&) override;
+    void setMaxVelocity(double maxVelocity, double soundSpeed) override;
     double estimateTimeStep(std::string& limit) override;
     std::vector<ArrayInfo> arrays() const override;
     std::vector<KernelInfo> kernels() const override;
@@ -172,6 +175,9 @@ private:
     void findOffender(SphReport&);
     std::vector<double> suspicion(int n);
 
+    // sphStiffness.hpp
+    double elasticEnergy();
+
     // sphOutput.hpp
     void refreshRecords();
     int activeFluid();
@@ -189,6 +195,7 @@ private:
     real halfSkin_ = 0;         // [m] way of a particle, against those near it, for which neighbours hold
     real wallWay_ = 0;          // of a wall that moves
     double emptyCoordinate_ = 0;
+    double stiffening_ = 0;     // [J] that changes of the speed of sound have added
 
     int n_ = 0;                 // fluid particles with memory
     int reported_ = 0;          // of them known to be in the scene

@@ -1,7 +1,7 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; each field in the device's order; those of moving
+    bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
     walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
     (FNV-1a over all words before it).
 */
@@ -33,6 +33,7 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
         int(cycleFitted_) + 2*cyclesFull_, nSolids_
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
+    detail::appendBytes(words, &stiffening_, sizeof(stiffening_));
     std::vector<unsigned char> bytes;
     const auto append = [&](FieldSet<Backend>& set, int count)
     {
@@ -65,8 +66,8 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 {
     const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
-    const std::size_t clockWords = (sizeof(ClockData) + 3)/4;
-    if (words.size() < detail::stateHeader + clockWords + 1) fail("too short");
+    const std::size_t clockWords = (sizeof(ClockData) + 3)/4, energyWords = sizeof(stiffening_)/4;
+    if (words.size() < detail::stateHeader + clockWords + energyWords + 1) fail("too short");
     if (words[0] != detail::stateMagic) fail("not a riprap state");
     if (words[1] != detail::stateVersion) fail("version " + std::to_string(words[1]) + " is not supported");
     if (detail::checksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
@@ -79,7 +80,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[13] != nSolids_) fail("it is of " + std::to_string(words[13]) + " solid particles, the case of " + std::to_string(nSolids_));
     const int n = words[5];
     if (n < 0 || n > n_) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(n_));
-    std::size_t at = detail::stateHeader + clockWords, expected = at + 1;
+    std::size_t at = detail::stateHeader + clockWords + energyWords, expected = at + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
     for (int f = 0; f < words[11]; ++f) expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
     const std::size_t solidsAt = expected - 1, solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
@@ -93,6 +94,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (solids_) loadSolids(words, solidsAt);
 
     std::memcpy(static_cast<void*>(&host_), &words[detail::stateHeader], sizeof(ClockData));
+    std::memcpy(&stiffening_, &words[detail::stateHeader + clockWords], sizeof(stiffening_));
     const auto take = [&](FieldSet<Backend>& set, int count)
     {
         for (int f = 0; f < set.fields(); ++f)

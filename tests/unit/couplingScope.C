@@ -73,6 +73,38 @@ TEST_P(CouplingScope, SolidsThatComeNearMeetTheFluid)
     EXPECT_GT(largest(), 0);
 }
 
+//- Soft solids, whose contacts ask for a step a step of the fluid, and fast ones: as many steps as their way takes. Alone or in a rigid body
+TEST_P(CouplingScope, StepsFollowTheSpeedOfSolids)
+{
+    for (const bool body : {false, true})
+    {
+        SphConfig c = config();
+        c.wallSpacing = c.spacing;
+        c.domainMax[0] = 2;
+        SolidInput solids = block(c, 2, 0.02, {{1.2, 0.5, D() == 3 ? 0.3 : 0.0}});
+        DemInput& in = solids.input;
+        in.bonds = DemBonds();
+        in.bondTypes.clear();
+        in.pairs[0].properties.normalStiffness = 1;
+        if (body) solids = rigid(solids);
+        const double speed = 5;         // 4.7 mm a step of the fluid; half the skin is 1.5 mm and less
+        in.particles.velocity.assign(in.particles.position.size(), 0.0);
+        for (std::size_t i = 0; i < in.particles.size(); ++i) in.particles.velocity[3*i] = speed;
+        for (DemClump& k : solids.input.clumps) k.velocity[0] = speed;
+        FluidInput f = lattice(c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
+        const auto s = createSphDemScene(c, f, {}, solids);
+        const double step = s->solids()->plan().timeStep, x = s->solids()->particles().position[0];
+        const SphReport r = s->advance(0.02);
+        ASSERT_EQ(r.stop, StopReason::none) << s->solids()->lastReport().stopMessage;
+        ASSERT_GT(step, r.maxTimeStep) << "contacts alone want one step";
+        const double skin = (GetParam().device == DeviceKind::gpu ? 0.1 : 0.15)*0.02;
+        EXPECT_GE(s->coupling().subcycles, r.lastTimeStep*speed/(0.5*skin));
+        EXPECT_LE(s->coupling().subcycles, 1.25*1.2*r.lastTimeStep*speed/(0.5*skin) + 1);
+        const DemState q = s->solids()->particles();
+        EXPECT_NEAR(q.position[0] - x, 0.02*speed, 1e-6);
+    }
+}
+
 //- Two rigid bodies in water run into each other, touch and part; what both and the water have of momentum stays
 TEST_P(CouplingScope, BodiesCollideInWater)
 {

@@ -227,7 +227,14 @@ TEST_P(DemImpact, TooFastIsRefused)
     EXPECT_EQ(r.stopId, 42);
     EXPECT_NEAR(r.stopValue, 900, 1e-3);
     EXPECT_EQ(r.totalSteps, 1);
-    EXPECT_NE(r.stopMessage.find("42"), std::string::npos);
+    // what it says is what was tested: the way and the limit it broke, and where that comes from
+    double way = 0, speed = 0, step = 0, limit = 0;
+    ASSERT_EQ(std::sscanf(r.stopMessage.c_str(), "went %lf m since its neighbours were sought, at %lf m/s with steps of %lf s; "
+        "contacts are found within half the skin, %lf m (entry skin)", &way, &speed, &step, &limit), 4) << r.stopMessage;
+    EXPECT_NEAR(way, 9e-3, 1e-6);
+    EXPECT_NEAR(speed, 900, 1e-3);
+    EXPECT_NEAR(step, 1e-5, 1e-11);
+    EXPECT_NEAR(limit, 0.5*0.02*(GetParam().device == DeviceKind::gpu ? 0.1 : 0.15), 1e-9);
 }
 
 //- Who leaves the domain is taken out and reported
@@ -281,7 +288,7 @@ TEST(DemInput, Refusals)
     { const std::string m = message(change); EXPECT_NE(m.find(part), std::string::npos) << m; };
     EXPECT_EQ(message([](DemConfig&, DemInput&) {}), "accepted");
     expect([](DemConfig&, DemInput& in) { in.pairs[0].properties.normalStiffness = 0; }, "normal stiffness must be positive");
-    expect([](DemConfig& cc, DemInput&) { cc.timeStep = 1; }, "above 0.5 sqrt(m/k)");
+    expect([](DemConfig& cc, DemInput&) { cc.timeStep = 1; }, "0.5 sqrt(m/k) of contact stone-stone");
     expect([](DemConfig&, DemInput& in) { in.pairs.clear(); }, "nothing is said about materials");
     expect([](DemConfig&, DemInput& in) { in.particles.material = {3}; }, "unknown material 3");
     expect([](DemConfig&, DemInput& in) { in.particles.radius[0] = 0; }, "has no radius");

@@ -27,6 +27,23 @@ TEST(DemPlan, LimitsOfSprings)
     EXPECT_NEAR(p.hardStop, 0.5*limit, 1e-12);
     EXPECT_NE(p.cause.find("stone-stone"), std::string::npos);
 
+    // a step that is too long is refused with the limit that it broke and its figure, and no other
+    DemConfig tooLong = c;
+    tooLong.timeStep = 0.6*limit;
+    try
+    {
+        createDemScene(tooLong, in);
+        ADD_FAILURE() << "a step of 0.6 sqrt(m/k) is accepted";
+    }
+    catch (const std::invalid_argument& e)
+    {
+        double step = 0, hard = 0, share = 0;
+        EXPECT_EQ(std::sscanf(e.what(), "the time step of %lf s is above %lf s, %lf sqrt(m/k) of contact stone-stone", &step, &hard, &share), 3) << e.what();
+        EXPECT_NEAR(step, 0.6*limit, 1e-5*limit);
+        EXPECT_NEAR(hard, 0.5*limit, 1e-5*limit);
+        EXPECT_NEAR(share, 0.5, 1e-9);
+    }
+
     // paper 2: k = m g/(theta dx), Eq. 18 with gamma = 150 as a fraction
     c.normal = NormalKind::cellSpring;
     PairProperties& q = in.pairs[0].properties;

@@ -4,8 +4,8 @@
 
 Description
     riprapFoam -dry-run: what a run would need. What is on and off has been
-    said by logModels. The scene is thrown away afterwards, so a few of its
-    steps may be taken to time them; no file is written.
+    said by logModels. Then the first steps, with the guards of a run: what they
+    say, and how long a step takes. No file is written.
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
@@ -17,6 +17,18 @@ Description
 void Foam::solverModules::dem::logEffort(scalar sampleInterval)
 {
     const scalar step = scene_->plan().timeStep;
+    const auto take = [this](scalar t, int64_t n)
+    {
+        if (scene_->time() >= t)
+        {
+            return int64_t(0);
+        }
+        takeSteps(t, n);
+        logEscaped(report_.escaped.size(), run_.escaped);
+        return int64_t(report_.steps);
+    };
+    const scalar seconds = firstSteps(take, scene_->time(), step, 2000);
+
     const scalar length = lengthAhead(sampleInterval, step);
     if (length > 0)
     {
@@ -24,13 +36,7 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
         Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
             << int64_t(ceil(steps)) << nl;
 
-        logRunTime
-        (
-            secondsPerStep(*scene_, 20, 2000),
-            steps,
-            steps,
-            run_.particles
-        );
+        logRunTime(seconds, steps, steps, run_.particles);
     }
 }
 
@@ -64,7 +70,7 @@ void Foam::solverModules::dem::dryRun(scalar sampleInterval)
         Info<< "Warning: " << warning.c_str() << nl;
     }
     logEffort(sampleInterval);
-    Info<< "Nothing was run and nothing written" << nl << endl;
+    Info<< "Nothing was written" << nl << endl;
 }
 
 

@@ -8,12 +8,12 @@ Description
 
 #include "picDem.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
+void Foam::solverModules::picDem::takeSteps(scalar t, int64_t maxSteps)
 {
     const scalar before = scene_->time();
-    advanceScene(*scene_, t, singleStep, report_, run_);
+    advanceScene(*scene_, t, maxSteps, report_, run_);
     cloud_->moved();
     run_.particles = report_.fluid;
     for (std::size_t k = 0; k < report_.passed.size(); ++k)
@@ -28,6 +28,14 @@ Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
     checkStop();
     countEscaped(report_, run_, settings_.guards);
     checkProgress(before, report_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
+{
+    takeSteps(t, singleStep ? 1 : 0);
     setFields();
 
     return report_.time;

@@ -3,8 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    riprapFoam -dry-run: what a run would need. The scene is thrown away
-    afterwards, so a few of its steps may be taken to time them; no file is
+    riprapFoam -dry-run: what a run would need. Then the first steps, with the
+    guards of a run: what they say, and how long a step takes. No file is
     written.
 \*---------------------------------------------------------------------------*/
 
@@ -22,6 +22,18 @@ void Foam::solverModules::picDem::logEffort(scalar sampleInterval)
     Info<< "Time step of the particles: " << step << " s, limit: "
         << limit.c_str() << nl;
 
+    const auto take = [this](scalar t, int64_t n)
+    {
+        if (scene_->time() >= t)
+        {
+            return int64_t(0);
+        }
+        takeSteps(t, n);
+        logEscaped(report_.escaped.size(), run_.escaped);
+        return int64_t(report_.steps);
+    };
+    const scalar seconds = firstSteps(take, scene_->time(), step, 50);
+
     const scalar length = lengthAhead(sampleInterval, step);
     if (!(length > 0))
     {
@@ -33,7 +45,7 @@ void Foam::solverModules::picDem::logEffort(scalar sampleInterval)
         << int64_t(ceil(steps)) << " with this step; more as the water becomes"
         << " faster" << nl;
 
-    logRunTime(secondsPerStep(*scene_, 5, 50), steps, steps, run_.particles);
+    logRunTime(seconds, steps, steps, run_.particles);
 }
 
 
@@ -46,7 +58,7 @@ void Foam::solverModules::picDem::dryRun(scalar sampleInterval)
     Info<< "Particles" << nl << "    fluid: " << run_.particles << nl << endl;
     Foam::logMemory(scene_->arrays(), run_.particles);
     logEffort(sampleInterval);
-    Info<< "Nothing was run and nothing written" << nl << endl;
+    Info<< "Nothing was written" << nl << endl;
 }
 
 

@@ -37,12 +37,9 @@ void Foam::solverModules::picDem::checkStop() const
     else if (report_.stop == StopReason::solids)
     {
         FatalErrorInFunction
-            << "Solids: their contacts stopped them (above), the water's force"
-            << " on one is not a number, one would go "
-            << settings_.config.maxCourantEver << " cells in a step, or one"
-            << " reaches across a periodic side, where picDem cannot follow"
-            << " it, at t = "
-            << report_.time << " s." << nl << advice() << exit(FatalError);
+            << "Guard at time " << report_.time << " s, particle step "
+            << run_.steps << ": " << report_.stopMessage.c_str() << nl
+            << advice() << exit(FatalError);
     }
     else
     {

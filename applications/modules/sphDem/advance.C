@@ -8,14 +8,12 @@ Description
 
 #include "sphDem.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
+void Foam::solverModules::sphDem::takeSteps(scalar t, int64_t maxSteps)
 {
-    writeWalls();
-
     const scalar before = scene_->time();
-    advanceScene(*scene_, t, singleStep, report_, run_);
+    advanceScene(*scene_, t, maxSteps, report_, run_);
     cloud_->moved();
 
     run_.particles = report_.fluid;
@@ -29,6 +27,16 @@ Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
     checkSkin();
     countEscaped(report_, run_, settings_.guards);
     checkProgress(before, report_);
+    followSpeed();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
+{
+    writeWalls();
+    takeSteps(t, singleStep ? 1 : 0);
 
     return report_.time;
 }

@@ -14,7 +14,10 @@ Description
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-riprap::WallInput Foam::solverModules::sphDem::buildWalls()
+riprap::WallInput Foam::solverModules::sphDem::buildWalls
+(
+    otherSpeeds& others
+)
 {
     const sphWalls& walls = settings_.walls;
 
@@ -53,7 +56,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls()
         input.body.push_back(bodyOfPoint[i]);
     }
 
-    coverMotion(bodyOfPoint);
+    coverMotion(bodyOfPoint, others);
     if (settings_.walls.impermeable)
     {
         input.faces = wallFaceInput(bodyOfSource);
@@ -122,7 +125,13 @@ void Foam::solverModules::sphDem::dropBeyondDomain
 }
 
 
-void Foam::solverModules::sphDem::coverMotion(const labelList& bodyOfPoint)
+//- Widen the domain to what moving walls reach; how fast they are, and how deep
+//  they take water
+void Foam::solverModules::sphDem::coverMotion
+(
+    const labelList& bodyOfPoint,
+    otherSpeeds& others
+)
 {
     List<boundBox> reference(bodies_.size());
     forAll(bodyOfPoint, i)
@@ -140,6 +149,36 @@ void Foam::solverModules::sphDem::coverMotion(const labelList& bodyOfPoint)
         wallThickness(settings_),
         settings_.config
     );
+
+    const riprap::Vector3& gravity = settings_.config.gravity;
+    const vector g(gravity[0], gravity[1], gravity[2]);
+    const auto depth = [&](const boundBox& box)
+    {
+        return max(box.points()() & g);
+    };
+    const scalar floor = lowestPlace(mesh_, g);
+    const scalar begin = runTime_.value();
+    const scalar end = endOfMotion(runTime_);
+    forAll(reference, body)
+    {
+        boundBox swept(reference[body]);
+        if (swept.empty())
+        {
+            continue;
+        }
+        others.walls = max
+        (
+            others.walls,
+            bodies_.largestSpeed(body, reference[body], begin, end)
+        );
+        bodies_.sweep(body, reference[body], begin, end, swept);
+        const scalar before = depth(reference[body]);
+        others.deeper = max
+        (
+            others.deeper,
+            min(before - floor, scalar(0)) + depth(swept) - before
+        );
+    }
 }
 
 

@@ -103,6 +103,12 @@ void Foam::coupledSolids::requireApart
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::coupledSolids::read(bool continued)
+{
+    readInput(continued);
+}
+
+
 riprap::SolidInput Foam::coupledSolids::input
 (
     const riprap::SphConfig& fluidConfig,
@@ -110,7 +116,6 @@ riprap::SolidInput Foam::coupledSolids::input
     bool continued
 )
 {
-    readInput(continued);
     if (!continued)
     {
         requireApart(fluidConfig, fluid);

@@ -4,8 +4,8 @@
 
 Description
     riprapFoam -dry-run: what a run would need. What is on and off has been
-    said by logModels. The scene is thrown away afterwards, so a few of its
-    steps may be taken to time them; no file is written.
+    said by logModels. Then the first steps, with the guards of a run: what they
+    say, and how long a step takes. No file is written.
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
@@ -22,6 +22,18 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
 
     Info<< "Time step of the particles: " << step << " s, limit: "
         << limit.c_str() << nl;
+
+    const auto take = [this](scalar t, int64_t n)
+    {
+        if (scene_->time() >= t)
+        {
+            return int64_t(0);
+        }
+        takeSteps(t, n);
+        logEscaped(report_.escaped.size(), run_.escaped);
+        return int64_t(report_.steps);
+    };
+    const scalar seconds = firstSteps(take, scene_->time(), step, 200);
 
     const scalar length = lengthAhead(sampleInterval, step);
     if (!(length > 0))
@@ -42,13 +54,7 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
         << int64_t(ceil(steps)) << " with this step, about "
         << int64_t(ceil(most*steps)) << " at maxVelocity" << nl;
 
-    logRunTime
-    (
-        secondsPerStep(*scene_, 10, 200),
-        steps,
-        most*steps,
-        run_.particles
-    );
+    logRunTime(seconds, steps, most*steps, run_.particles);
 }
 
 
@@ -67,7 +73,7 @@ void Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
     Foam::logMemory(scene_->arrays(), run_.particles + walls_.size());
     logEffort(sampleInterval);
 
-    Info<< "Nothing was run and nothing written" << nl << endl;
+    Info<< "Nothing was written" << nl << endl;
 }
 
 

@@ -24,22 +24,35 @@ void Foam::solverModules::sphDem::buildScene
     riprap::SphConfig& config = settings_.config;
 
     setSpacing(settings_, fluidSpacing(runTime_));
+    config.startTime = runTime_.value();
+
+    otherSpeeds others;
+    const riprap::WallInput walls(buildWalls(others));
+    if (solids_)
+    {
+        solids_->read(continued);
+    }
 
     if (continued && settings_.autoMaxVelocity)
     {
-        // The estimate of the start, not one from where the fluid is now
+        // That of the run, not an estimate from where the fluid is now
         config.maxVelocity = run_.maxVelocity;
         config.soundSpeed = settings_.soundSpeedRatio*run_.maxVelocity;
     }
     else
     {
-        setMaxVelocity(settings_, cloud.position, cloud.vectors["U"]);
+        addSolids(others);
+        setMaxVelocity
+        (
+            settings_,
+            mesh_,
+            cloud.position,
+            cloud.vectors["U"],
+            others
+        );
     }
 
-    config.startTime = runTime_.value();
-
     const riprap::FluidInput fluid(fluidInput(cloud));
-    const riprap::WallInput walls(buildWalls());
 
     const riprap::WallMotion motion
     (
@@ -86,6 +99,7 @@ void Foam::solverModules::sphDem::buildScene
     }
     run_.spacing = config.spacing;
     run_.maxVelocity = config.maxVelocity;
+    run_.soundSpeed = config.soundSpeed;
     run_.density = config.density;
     run_.time = runTime_.value();
     run_.particles = cloud.size();

@@ -31,7 +31,9 @@ void Foam::solverModules::sphDem::report()
         << " max: " << (c0 + report_.maxSpeed)*report_.maxTimeStep/h << nl
         << "Particle steps = " << report_.steps << " (" << run_.steps
         << "), deltaT = " << report_.minTimeStep << " to "
-        << report_.maxTimeStep << " s, limit: " << limit.c_str() << nl
+        << report_.maxTimeStep << " s, limit: " << limit.c_str()
+        << ", steps a list = "
+        << scalar(report_.steps)/max(report_.rebuilds, std::int64_t(1)) << nl
         << "max(mag(U)) = " << report_.maxSpeed
         << " m/s, max density deviation = " << report_.maxDensityDeviation
         << endl;

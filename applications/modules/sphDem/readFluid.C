@@ -46,6 +46,12 @@ riprap::FluidInput Foam::solverModules::sphDem::fluidInput
     fluid.velocity = packed("fluid", "U", requiredVectors(mesh_, cloud, "U"));
     fluid.id = uniqueIds("fluid", "id", cloud.labels["id"]);
 
+    // Densities are those of the speed of sound at which they were written:
+    // at another one particles keep their pressure
+    const scalar c0 = readCloudProperties(runTime_, "fluid")
+        .getOrDefault<scalar>("soundSpeed", config.soundSpeed);
+    const bool stiffer = mag(c0 - config.soundSpeed) > 1e-9*config.soundSpeed;
+
     // Density, else from pressure, else at rest
     fluid.density.assign(cloud.size(), config.density);
     if (cloud.scalars.found("rho"))
@@ -54,7 +60,9 @@ riprap::FluidInput Foam::solverModules::sphDem::fluidInput
         forAll(rho, i)
         {
             requirePositive("fluid", "rho", i, rho[i]);
-            fluid.density[i] = rho[i];
+            fluid.density[i] = stiffer
+              ? densityOfPressure(config, pressureOfDensity(config, rho[i], c0))
+              : rho[i];
         }
     }
     else if (cloud.scalars.found("p"))

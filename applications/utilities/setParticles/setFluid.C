@@ -7,6 +7,7 @@
 #include "particleCloudIO.H"
 #include "particleRegions.H"
 #include "picDictionaries.H"
+#include "sceneState.H"
 #include "sphDictionaries.H"
 
 namespace Foam
@@ -68,12 +69,13 @@ static particleCloud allRegions(const List<particleRegion>& regions, scalar spac
 
 
 // Densities by the equation of state
-static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings& settings)
+static particleCloud makeCloud(const polyMesh& mesh, const List<particleRegion>& regions, sphSettings& settings)
 {
     particleCloud c(allRegions(regions, settings.config.spacing));
     const scalarField& p = c.scalars["p"];
 
-    setMaxVelocity(settings, c.position, c.vectors["U"]);
+    // Solids and walls may make it higher when the run begins: pressures stay
+    setMaxVelocity(settings, mesh, c.position, c.vectors["U"], otherSpeeds());
     const riprap::SphConfig& config = settings.config;
     for (const particleRegion& region : regions) checkDensity(region, config);
 
@@ -81,6 +83,7 @@ static particleCloud makeCloud(const List<particleRegion>& regions, sphSettings&
     forAll(rho, i) rho[i] = densityOfPressure(config, p[i]);
 
     c.scalars.set("rho", rho);
+    c.properties.add("soundSpeed", exact(config.soundSpeed));
     c.scalars.set("h", scalarField(c.size(), config.smoothingRatio*config.spacing));
     return c;
 }
@@ -188,7 +191,7 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
     (
         readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density})
     );
-    const particleCloud cloud(makeCloud(regions, settings));
+    const particleCloud cloud(makeCloud(mesh, regions, settings));
 
     reportRegions(regions, packing, config.density);
     reportWallPoints(walls, Info());

@@ -74,10 +74,14 @@ void Foam::functionObjects::energyBalance::begin()
     getProperty("totalAtStart", totalAtStart_);
     getProperty("largestKinetic", largestKinetic_);
 
-    // Does the scene bring its work along, or begin at 0?
+    // Does the scene bring them along, or begin at 0?
     if (energy.wallWork == 0)
     {
         getProperty("wallWork", workBefore_);
+    }
+    if (energy.stiffening == 0 && foundProperty("stiffening"))
+    {
+        getProperty("stiffening", stiffeningBefore_);
     }
 }
 
@@ -87,10 +91,12 @@ bool Foam::functionObjects::energyBalance::execute()
     if (time_.writeTime())
     {
         setProperty("largestKinetic", largestKinetic_);
+        const riprap::FluidEnergy energy(fluid().fluidScene().energy());
+        setProperty("wallWork", scalar(energy.wallWork + workBefore_));
         setProperty
         (
-            "wallWork",
-            scalar(fluid().fluidScene().energy().wallWork + workBefore_)
+            "stiffening",
+            scalar(energy.stiffening + stiffeningBefore_)
         );
     }
 
@@ -107,12 +113,14 @@ bool Foam::functionObjects::energyBalance::write()
     );
 
     const scalar work = energy.wallWork + workBefore_;
-    const scalar dissipated = totalAtStart_ + work - total(energy);
+    const scalar stiffening = energy.stiffening + stiffeningBefore_;
+    const scalar given = totalAtStart_ + work + stiffening;
+    const scalar dissipated = given - total(energy);
 
     largestKinetic_ = max(largestKinetic_, energy.kinetic);
     const scalar drift =
         largestKinetic_ > 0
-      ? (total(energy) - totalAtStart_ - work)/largestKinetic_
+      ? (total(energy) - given)/largestKinetic_
       : 0;
 
     OFstream& os = row
@@ -120,7 +128,7 @@ bool Foam::functionObjects::energyBalance::write()
         typeName,
         {
             "kinetic", "potential", "elastic", "wallWork", "dissipated",
-            "total", "maxSpeed", "maxDensityDeviation", "drift"
+            "total", "maxSpeed", "maxDensityDeviation", "drift", "stiffening"
         }
     );
     add(os, energy.kinetic);
@@ -132,6 +140,7 @@ bool Foam::functionObjects::energyBalance::write()
     add(os, now.speed);
     add(os, now.densityDeviation);
     add(os, drift);
+    add(os, stiffening);
     os  << endl;
 
     return true;

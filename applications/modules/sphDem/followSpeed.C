@@ -1,0 +1,81 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    maxVelocity auto: what solids add to the estimate of the start, and the
+    raise in a run whose water becomes faster.
+\*---------------------------------------------------------------------------*/
+
+#include "sphDem.H"
+#include "logPrecision.H"
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::addSolids(otherSpeeds& others) const
+{
+    if (!solids_)
+    {
+        return;
+    }
+    const riprap::Vector3& gravity = settings_.config.gravity;
+    const vector g(gravity[0], gravity[1], gravity[2]);
+
+    others.solids =
+        solids_->fallSpeed(g, lowestPlace(mesh_, g) + others.deeper);
+    others.walls = max(others.walls, solids_->movedSpeed());
+}
+
+
+//- Water faster than maxVelocity is compressed by more than a hundredth, and
+//  noise grows. Single drops are not a reason: a thousandth of the fluid is, and
+//  ten particles at least. Raised by quarters, to what all but those stay below
+void Foam::solverModules::sphDem::followSpeed()
+{
+    riprap::SphConfig& config = settings_.config;
+    if
+    (
+        !settings_.autoMaxVelocity
+     || !config.adjustTimeStep
+     || !(report_.maxSpeed > config.maxVelocity)
+    )
+    {
+        return;
+    }
+
+    const scalar spray = max(scalar(1e-3)*report_.fluid, scalar(10));
+    const scalar raise = 1.25;
+    std::array<double, riprap::SphScene::speedClasses> speeds;
+    scalar next = config.maxVelocity;
+    for (double& speed : speeds)
+    {
+        speed = next;
+        next *= raise;
+    }
+
+    const auto faster = scene_->fasterThan(speeds);
+    if (!(scalar(faster[0]) > spray))
+    {
+        return;
+    }
+    scalar maxVelocity = speeds[0];
+    for (std::size_t k = 0; k < speeds.size() && scalar(faster[k]) > spray; ++k)
+    {
+        maxVelocity = raise*speeds[k];
+    }
+
+    const logPrecision digits;
+    const scalar soundSpeed = settings_.soundSpeedRatio*maxVelocity;
+    Info<< "maxVelocity auto: " << config.maxVelocity << " to " << maxVelocity
+        << " m/s, c0 " << config.soundSpeed << " to " << soundSpeed
+        << " m/s at time " << report_.time << " s: "
+        << 100*scalar(faster[0])/report_.fluid
+        << " % of the fluid is faster than the first" << endl;
+
+    scene_->setMaxVelocity(maxVelocity, soundSpeed);
+    config.maxVelocity = run_.maxVelocity = maxVelocity;
+    config.soundSpeed = run_.soundSpeed = soundSpeed;
+}
+
+
+// ************************************************************************* //

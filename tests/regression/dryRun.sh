@@ -1,0 +1,76 @@
+#!/bin/bash
+# riprapFoam -dry-run takes the first steps with the guards of a run: what stops a run in them is its error too, with nothing written, for all
+# solvers; a case that is well passes. Messages of guards name particle, place, figure and limit.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL dryRun no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam
+do
+    command -v $program >/dev/null || { echo "FAIL dryRun no $program"; exit 1; }
+done
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+suite=dryRun
+. "$root/tests/regression/setParticlesCases"
+
+control()   # SOLVER MORE
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver $1; startFrom startTime; startTime 0; stopAt endTime; endTime 1;
+deltaT 1e-3; adjustTimeStep yes; sampleInterval 0.01; writeControl adjustableRunTime; writeInterval 0.1; writeFormat ascii; writePrecision 12; ${2:-}"
+}
+fill() { rm -rf 0 VTK; setParticles >log 2>&1 || fail fill "$(oneLine)"; rm -rf VTK; }
+files() { find . -type f ! -name log ! -name before ! -name after -exec cksum {} + | sort; }
+# It ends with the guard's message and writes no file
+stops()     # NAME MESSAGE
+{
+    files >before; refused "$1" "$2" riprapFoam -dry-run; files >after
+    cmp -s before after && pass "$1.writesNothing" || fail "$1.writesNothing" "$(diff before after | head -3 | tr '\n' ' ')"
+}
+passes()    # NAME STEPS
+{
+    files >before; riprapFoam -dry-run >log 2>&1 && pass "$1" || fail "$1" "$(grep -m1 -A4 ERROR log)"; files >after
+    says "$1.says" "First steps, with all guards.* ($2) taken: no guard has stopped them"
+    says "$1.time" 'Expected run time: '
+    cmp -s before after && pass "$1.writesNothing" || fail "$1.writesNothing" "$(diff before after | head -3 | tr '\n' ' ')"
+}
+
+# sphDem
+sph() { dictionary constant/sphProperties <<<"device cpu; $1"; }
+tank2; control sphDem; sph ''
+regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.08 0.01); }'; fill
+passes sph '[12][0-9]*'
+sph 'guards { densityDeviation 1e-5; }'
+stops density 'Guard at time 0 s, particle step 0: particle [0-9]+ at \(.*\(nearest patch: [a-z]+\) has a density that deviates by .* guards/densityDeviation allows 1e-05'
+sph 'guards { speedRatio 1e-4; }'
+stops speed 'Guard at time .* s, particle step [1-9][0-9]*: particle [0-9]+ at .* has the speed .* guards/speedRatio allows'
+sph 'guards { escape stop; }'
+regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.1 0.01); velocity (0 3 0); pressure zero; }'; fill
+stops escape 'particles of 400 have left the domain.*guards/escape'
+sph 'walls { motion { wall { patches (right); solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs { amplitude (0.002 0 0); omega 500; } } } }'
+regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.08 0.01); }'; fill
+passes piston '[12][0-9]*'
+
+# dem: one that is faster than contacts are found is refused by the way that was tested
+control dem
+dictionary system/setParticlesDict <<<'regions ( two { set solids; material glass; radius 0.005; spacing 0.01; packing square; source box; box (0 0 0) (0.02 0.01 0.01); velocity (1 0 0); } );'
+glass() { dictionary constant/solidProperties <<<"device cpu; materials { glass { rho 2500; E 1e7; nu 0.25; } } contact { normal linear; } pairs { default { restitution 0.9; friction 0; stiffness 1e5; } } walls { material glass; } $1"; }
+glass ''; fill
+passes dem '[12][0-9]*'
+glass 'skin 1e-4;'
+stops tooFast 'Guard at time .* particle [01] at .*\(nearest patch: [a-z]+\) went [0-9.e-]+ m since its neighbours were sought, at 1 m/s with steps of .* within half the skin, 5e-07 m \(entry skin\)'
+[[ $(grep -oE 'particle [01]' log | wc -l) == 1 ]] && pass tooFastOnce || fail tooFastOnce 'the particle is named more than once'
+control dem 'adjustTimeStep no; deltaT 1e-2;'; glass ''
+refused hardStop 'the time step of 0.01 s is above [0-9.e-]+ s, 0.5 sqrt.m/k. of contact glass-glass .*allowLargeStep' riprapFoam -dry-run
+
+# picDem
+rm -f constant/sphProperties constant/solidProperties
+control picDem
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }'
+pic() { dictionary constant/picProperties <<<"device cpu; $1"; }
+pic ''; regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.05 0.01); }'; fill
+passes pic '[0-9]+'
+control picDem 'adjustTimeStep no; deltaT 0.5;'
+stops courant 'Guard at time .* s, particle step [0-9]+: particle [0-9]+ at .* would go [0-9.]+ cells in a step; guards/Courant allows 5'
