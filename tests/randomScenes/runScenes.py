@@ -46,7 +46,7 @@ def growth(folder, scene, mass):
     e = table(folder, 'energy')
     if not len(e.get('Time', [])):
         return float('nan')
-    balance = e['total'] - e['wallWork'] - e.get('soundSpeedWork', 0)
+    balance = e['total'] - e['wallWork'] - e.get('stiffening', 0)
     kinetic = e['kinetic'].max()
     start = e['total'][0] - mass*scene.floorPotential()
     s = table(folder, 'solids')

@@ -23,6 +23,10 @@ const char* Foam::solverModules::sphDem::advice() const
 //- The state as it is now, whatever the plan of writing says
 void Foam::solverModules::sphDem::writeAtStop()
 {
+    if (dryRun_)
+    {
+        return;
+    }
     runTime_.setTime(report_.time, runTime_.timeIndex() + 1);
     Info<< "Writing the state at the stop as time " << runTime_.timeName()
         << nl << endl;

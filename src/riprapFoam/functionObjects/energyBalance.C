@@ -128,7 +128,8 @@ bool Foam::functionObjects::energyBalance::write()
         typeName,
         {
             "kinetic", "potential", "elastic", "wallWork", "dissipated",
-            "total", "maxSpeed", "maxDensityDeviation", "drift", "stiffening"
+            "total", "maxSpeed", "maxDensityDeviation", "drift", "stiffening",
+            "faceWork"
         }
     );
     add(os, energy.kinetic);
@@ -141,6 +142,7 @@ bool Foam::functionObjects::energyBalance::write()
     add(os, now.densityDeviation);
     add(os, drift);
     add(os, stiffening);
+    add(os, energy.faceWork);
     os  << endl;
 
     return true;
