@@ -67,6 +67,47 @@ TEST(FluidLevel, dryAndFullLines)
     EXPECT_EQ(fluidLevel(full.s, full.f).top, 1);
 }
 
+TEST(FluidLevel, dropsAndThinSheetsAreNotTheSurface)
+{
+    // Water to 0.40, a drop of 0.02 at 0.98, a sheet of 0.02 at 0.7; each falls to half within 0.005
+    const auto layer = [](double s, double from, double to) { return ramp(s, to, 0.01, 1) - ramp(s, from, 0.01, 1); };
+    const auto drop = [&](double s) { return layer(s, 0.97, 0.99); };
+    const auto sheet = [&](double s) { return layer(s, 0.69, 0.71); };
+    const auto bed = [&](double s) { return ramp(s, 0.4, 0.01, 1); };
+
+    const Profile dropAbove(profile(1.2, 1200, [&](double s) { return bed(s) + drop(s) + sheet(s); }));
+    EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f).top, 0.99, 1e-12) << "without a rule";
+    EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.03).top, 0.4, 1e-12);
+    EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.03).lowest, 0.4, 1e-12);
+    EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.019).top, 0.99, 1e-12) << "thinner than the drop";
+
+    // On a dry bed: drops are no water, but the first that the line meets is told
+    const Profile dry(profile(1.2, 1200, [&](double s) { return sheet(s) + drop(s); }));
+    EXPECT_EQ(fluidLevel(dry.s, dry.f, 0.03).top, 0);
+    // The median of thin layers lies on their slopes, 0.01 wide
+    EXPECT_NEAR(fluidLevel(dry.s, dry.f, 0.03).lowest, 0.71, 0.0025);
+    EXPECT_TRUE(fluidLevel(dry.s, dry.f, 0.03).wet);
+}
+
+TEST(FluidLevel, layersAndFilms)
+{
+    const auto layer = [](double s, double from, double to) { return ramp(s, to, 0.01, 1) - ramp(s, from, 0.01, 1); };
+
+    // A jet thicker than the least above a pool: seen from above, with a drop over both
+    const Profile jet(profile(1, 1000, [&](double s) { return ramp(s, 0.2, 0.01, 1) + layer(s, 0.6, 0.65) + layer(s, 0.8, 0.82); }));
+    EXPECT_NEAR(fluidLevel(jet.s, jet.f, 0.03).top, 0.65, 1e-12);
+    EXPECT_NEAR(fluidLevel(jet.s, jet.f, 0.03).lowest, 0.2, 1e-12);
+
+    // A film on the bed is water however thin; along its foot a wall halves f, so that it begins a little above
+    const Profile film(profile(1, 1000, [&](double s) { return layer(s, 0.005, 0.02) + layer(s, 0.5, 0.51); }));
+    EXPECT_NEAR(fluidLevel(film.s, film.f, 0.03).top, 0.02, 0.0025);
+
+    // Up to the end of the line, where the gauge ends under water
+    const Profile roof(profile(1, 1000, [&](double s) { return layer(s, 0.98, 2); }));
+    EXPECT_EQ(fluidLevel(roof.s, roof.f, 0.03).top, 0);
+    EXPECT_EQ(fluidLevel(roof.s, roof.f, 0.019).top, 1);
+}
+
 TEST(FluidFront, ignoresSprayAndKeepsToTheFloor)
 {
     // A block of 20 x 10 spacings, a pair ahead of it and a single one further on

@@ -97,6 +97,12 @@ Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
 }
 
 
+Foam::scalar Foam::functionObjects::sphFunctionObject::dropThickness() const
+{
+    return 3*fluid().fluidConfig().spacing;
+}
+
+
 // * * * * * * * * * * * * * * * *  Entries * * * * * * * * * * * * * * * * //
 
 Foam::vector Foam::functionObjects::sphFunctionObject::upDirection
