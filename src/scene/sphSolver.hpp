@@ -64,7 +64,8 @@ public:
     WallState walls() override;
     SphEnergy energy() override;
     std::vector<Vector3> wallForces() override;
-    SampleResult sample(const std::vector<double>& points) override;
+    using FluidScene::sample;
+    SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
     double estimateTimeStep(std::string& limit) override;
@@ -152,6 +153,7 @@ private:
     void refreshRecords();
     int activeFluid();
     void toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const;
+    std::vector<real> solvedPlanes(const SightPlanes&) const;
 
     SphConfig config_;
     WallMotion motion_;

@@ -163,7 +163,8 @@ wrong noFields "$probes fields ();" 'Entry fields of .* is empty; valid are \(p 
 wrong probeOutside 'type particleProbes; probeLocations ((0 5 0));' 'Entry probeLocations .*probe 0 .*outside of the mesh'
 wrong noLocations 'type particleProbes;' "'probeLocations' not found"
 wrong emptyLocations 'type particleProbes; probeLocations ();' 'Entry probeLocations of .* is empty'
-wrong normalUnused "$probes sensorNormal (1 0 0);" 'Entry sensorNormal of .* needs a sensorRadius'
+wrong average "$probes average -1;" 'Entry average of .* is -1: it must not be negative'
+wrong body "$probes body gate;" 'Entry body of .* gate is no group of walls that moves and none of solids; valid are'
 wrong sensorRadius "$probes sensorRadius -1;" 'Entry sensorRadius of .* is -1: it must not be negative'
 wrong noNormal "$probes sensorRadius 0.01;" 'Entry sensorNormal of .* is missing: probe 0 .*on no wall'
 wrong normalAcross "$probes sensorRadius 0.01; sensorNormal (0 0 1);" 'Entry sensorNormal .*across the plane'
