@@ -61,6 +61,15 @@ struct SampleResult
     std::vector<double> centroid;           // 3 m [m] of the sampled fluid, from the point; 0 where there is none
 };
 
+//- What hides fluid from points of sampling: at point i fluid counts only where normal.(x - x_i) >= -depth for each of the planes
+//  first[i] .. first[i + 1] - 1. Empty: all of it counts
+struct SightPlanes
+{
+    std::vector<std::int32_t> first;        // m + 1, or empty
+    std::vector<double> normal;             // 3 a plane, unit
+    std::vector<double> depth;              // of the plane behind the point [m]
+};
+
 class FluidScene
 {
 public:
@@ -70,8 +79,9 @@ public:
     virtual FluidState fluid() = 0;
     virtual FluidEnergy energy() = 0;
 
-    //- Interpolation of the fluid at points (3 m)
-    virtual SampleResult sample(const std::vector<double>& points) = 0;
+    //- Interpolation of the fluid at points (3 m). Particles behind the planes are left out; a grid's water ends at its walls by itself
+    virtual SampleResult sample(const std::vector<double>& points, const SightPlanes&) = 0;
+    SampleResult sample(const std::vector<double>& points) { return sample(points, SightPlanes()); }
 };
 
 } // namespace riprap

@@ -78,7 +78,7 @@ PicGridState PicSolver<Backend, D, P>::grid()
 }
 
 template<class Backend, int D, class P>
-SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
+SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points, const SightPlanes&)
 {
     const std::size_t m = points.size()/3;
     const std::vector<double> x = solved(points, true);
@@ -110,7 +110,7 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points)
         const double distance = sampleCell<1>(grid_, phi.data(), at);
         result.volumeFraction[i] = std::max(0.0, std::min(0.5 - distance/grid_.h, 1.0));
         if (distance > grid_.h) continue;
-        result.pressure[i] = distance < 0 ? std::max(0.0, pressureAt(grid_, phi.data(), p.data(), at)) : 0.0;
+        result.pressure[i] = distance < 0 ? pressureAt(grid_, phi.data(), p.data(), at) : 0.0;
         for (int d = 0; d < D; ++d) result.velocity[3*i + config_.axes[d]] = sampleFace<1>(grid_, u[d].data(), d, at);
     }
     return result;

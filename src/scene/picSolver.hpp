@@ -73,7 +73,8 @@ public:
     PicMomentum momentum() override { return momentum_; }
     FluidEnergy energy() override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
-    SampleResult sample(const std::vector<double>& points) override;
+    using FluidScene::sample;
+    SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
     double estimateTimeStep(std::string& limit) override;

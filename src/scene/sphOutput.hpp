@@ -128,8 +128,21 @@ std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
     return total;
 }
 
+//- D components of the normal and the depth, one plane after the other
 template<class Backend, int D, class P>
-SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
+std::vector<typename P::real> SphSolver<Backend, D, P>::solvedPlanes(const SightPlanes& planes) const
+{
+    std::vector<real> r;
+    for (std::size_t k = 0; k < planes.depth.size(); ++k)
+    {
+        for (int d = 0; d < D; ++d) r.push_back(real(planes.normal[3*k + config_.axes[d]]));
+        r.push_back(real(planes.depth[k]));
+    }
+    return r;
+}
+
+template<class Backend, int D, class P>
+SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points, const SightPlanes& planes)
 {
     const std::size_t m = points.size()/3;
     SampleResult r;
@@ -153,15 +166,21 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points)
     refreshRecords();
     constexpr int channels = 2 + 2*D;
     Array<Backend, position> device;
-    Array<Backend, real> result;
+    Array<Backend, real> result, plane;
+    Array<Backend, std::int32_t> first;
     device.upload(context_, x);
     result.allocate(context_, m*channels);
+    if (!planes.depth.empty())
+    {
+        first.upload(context_, planes.first);
+        plane.upload(context_, solvedPlanes(planes));
+    }
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
         SamplePass<Backend, D, P, Kernel, decltype(variable)::value> pass
         {
-            box_, grid_, {fluidSource(false)}, kernelConstants<Kernel>(), model_, device.data(), result.data(), int(m)
+            box_, grid_, {fluidSource(false)}, kernelConstants<Kernel>(), model_, device.data(), first.data(), plane.data(), result.data(), int(m)
         };
         directPairLoop(context_, pass, int(m));
     });

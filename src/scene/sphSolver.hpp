@@ -84,7 +84,8 @@ public:
     SphEnergy energy() override;
     std::vector<Vector3> wallForces() override;
     FaceContacts faceContacts() override;
-    SampleResult sample(const std::vector<double>& points) override;
+    using FluidScene::sample;
+    SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
     std::array<std::size_t, SphScene::speedClasses> fasterThan(const std::array<double, SphScene::speedClasses>&) override;
@@ -182,6 +183,7 @@ private:
     void refreshRecords();
     int activeFluid();
     void toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const;
+    std::vector<real> solvedPlanes(const SightPlanes&) const;
 
     SphConfig config_;
     WallMotion motion_;

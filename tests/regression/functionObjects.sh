@@ -55,7 +55,8 @@ END
 functions="
 onMesh { type particlesToMesh; $library }
 front { type frontPosition; $library }
-gauges { type waterLevel; $library points ((0 0 0) (0.1 0.05 0) (0.3 0 0)); }
+gauges { type waterLevel; $library points ((0 0 0) (0.1 0.05 0) (0.3 0 0) (0.355 0 0)); }
+splashes { type waterLevel; $library points ((0.355 0 0)); minThickness 0; }
 probes { type particleProbes; $library fields (p U rho volumeFraction); probeLocations ((0.1 0.1 0) (0 0.1 0) (0.1 0 0) (0.3 0.1 0)); }
 surface { type particleProbes; $library fields (p); surfaceCorrection on; probeLocations ((0.1 0.195 0) (0 0.2 0) (0.2 0.1 0) (0 0 0)); }
 sensor { type particleProbes; $library fields (p); sensorRadius 0.02; probeLocations ((0 0.1 0)); }
@@ -109,6 +110,10 @@ near sensorOnWall sensor/0/p.dat p0 0 981 10
 near levelOnWall gauges/0/waterLevel.dat level0 0 0.2 0.0025
 near levelAboveFoot gauges/0/waterLevel.dat level1 0 0.15 0.0025
 near levelDry gauges/0/waterLevel.dat lowest2 0 0 0
+# The drop, one particle of 0.01 m at 0.255 m, is no water unless asked for; half of a spacing and the kernel's smoothing
+near levelDrop gauges/0/waterLevel.dat level3 0 0 0
+near levelDropLowest gauges/0/waterLevel.dat lowest3 0 0.26 0.01
+near levelSplashes splashes/0/waterLevel.dat level0 0 0.26 0.01
 near frontStart front/0/frontPosition.dat front 0 0.2 1e-6
 near frontFloorStart front/0/frontPosition.dat frontFloor 0 0.2 1e-6
 near frontMax front/0/frontPosition.dat max 0 0.36 1e-6         # the drop
@@ -158,7 +163,8 @@ wrong noFields "$probes fields ();" 'Entry fields of .* is empty; valid are \(p 
 wrong probeOutside 'type particleProbes; probeLocations ((0 5 0));' 'Entry probeLocations .*probe 0 .*outside of the mesh'
 wrong noLocations 'type particleProbes;' "'probeLocations' not found"
 wrong emptyLocations 'type particleProbes; probeLocations ();' 'Entry probeLocations of .* is empty'
-wrong normalUnused "$probes sensorNormal (1 0 0);" 'Entry sensorNormal of .* needs a sensorRadius'
+wrong average "$probes average -1;" 'Entry average of .* is -1: it must not be negative'
+wrong body "$probes body gate;" 'Entry body of .* gate is no group of walls that moves and none of solids; valid are'
 wrong sensorRadius "$probes sensorRadius -1;" 'Entry sensorRadius of .* is -1: it must not be negative'
 wrong noNormal "$probes sensorRadius 0.01;" 'Entry sensorNormal of .* is missing: probe 0 .*on no wall'
 wrong normalAcross "$probes sensorRadius 0.01; sensorNormal (0 0 1);" 'Entry sensorNormal .*across the plane'
@@ -166,6 +172,8 @@ wrong minVolumeFraction "$probes minVolumeFraction 7;" 'Entry minVolumeFraction 
 wrong wallCorrection "$probes wallCorrection maybe;" 'maybe'
 wrong surfaceCorrection "$probes surfaceCorection on;" 'Unknown entry surfaceCorection; valid are .*wallCorrection surfaceCorrection'
 wrong gaugeOutside 'type waterLevel; points ((5 0 0));' 'Entry points .*meets nothing'
+wrong minThickness 'type waterLevel; points ((0 0 0)); minThickness -1;' 'Entry minThickness of .* is -1: it must not be negative'
+wrong frontThickness 'type frontPosition; minThickness -1;' 'Entry minThickness of .* is -1: it must not be negative'
 wrong noGauges 'type waterLevel; points ();' 'Entry points of .* is empty'
 wrong gaugeAcross 'type waterLevel; points ((0 0 0)); up (0 0 1);' 'Entry up of .* has no length in the plane of the 2D mesh'
 wrong direction 'type frontPosition; direction (0 0 0);' 'Entry direction of .* has no length'

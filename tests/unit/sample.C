@@ -118,6 +118,46 @@ TEST_P(Sample, NothingWhereNoFluidIs)
     EXPECT_TRUE(s->sample({}).pressure.empty());
 }
 
+TEST_P(Sample, NothingBehindPlanes)
+{
+    // a linear pressure in x > 0.5, and wild particles beyond: a wall's face at 0.5, seen from it and from a spacing and a half before it
+    SphConfig c = config();
+    c.eos = EosKind::linear;
+    FluidInput f = uniform(c, false, 0, {{1, 0, 0}});
+    const double slope = c.density*c.soundSpeed*c.soundSpeed*0.1, mid = D() == 3 ? 0.5 : 0;
+    for (std::size_t i = 0; i < f.size(); ++i)
+    {
+        const double x = f.position[3*i];
+        f.density[i] = c.density*(x > 0.5 ? 1 + 0.1*(x - 0.5) : 0.85);
+        if (x < 0.5) f.velocity[3*i] = -100;
+    }
+    const auto s = scene(c, f);
+    const std::vector<double> points{0.5, 0.5, mid, 0.5 + 1.5*c.spacing, 0.5, mid, 0.5, 0.5, mid, 0.7, 0.7, mid};
+    const auto planes = [&](int n)
+    {
+        SightPlanes p;
+        p.first = {0, 1, 2, 2 + n, 2 + n};      // the third point has two, one along y as well; the last none
+        p.normal = {1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0};
+        p.depth = {1e-3*c.spacing, 1.501*c.spacing, 1e-3*c.spacing, 1e-3*c.spacing};
+        p.normal.resize(3*(2 + n));
+        p.depth.resize(2 + n);
+        return p;
+    };
+    const SampleResult all = s->sample(points), seen = s->sample(points, planes(2));
+    EXPECT_LT(all.pressure[0], -0.01*slope) << "without planes the wild ones are read";
+    for (int k = 0; k < 4; ++k)
+    {
+        const double pressure = slope*(points[3*k] - 0.5 + seen.centroid[3*k]);
+        EXPECT_NEAR(seen.pressure[k], pressure, 1000*epsilon()*slope) << "point " << k;
+        EXPECT_NEAR(seen.velocity[3*k], 1, 100*epsilon()) << "point " << k;
+    }
+    // lattice planes lie half a spacing off the face and the cut along y: halves of each other
+    EXPECT_NEAR(seen.volumeFraction[0], 0.5*all.volumeFraction[3], 0.02);
+    EXPECT_NEAR(seen.volumeFraction[2], 0.5*seen.volumeFraction[0], 1e-5);
+    EXPECT_EQ(seen.volumeFraction[3], all.volumeFraction[3]) << "a point without planes";
+    EXPECT_GT(seen.centroid[3*2 + 1], 0.2*c.spacing);
+}
+
 TEST_P(Sample, FollowsTheFluid)
 {
     // a blob that flies past a point: what is read belongs to now, not to the last time that neighbours were sought

@@ -122,7 +122,15 @@ void Foam::solverModules::sphDem::registerScene()
     cloud_.reset(new fluidCloud(mesh_, *scene_, run_));
     sceneObject_.reset
     (
-        new sphSceneObject(mesh_, *scene_, settings_.config, report_)
+        new sphSceneObject
+        (
+            mesh_,
+            *scene_,
+            settings_.config,
+            report_,
+            walls_,
+            bodies_
+        )
     );
 }
 

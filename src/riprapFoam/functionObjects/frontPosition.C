@@ -105,6 +105,8 @@ bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
 
     floorHeight_ = notNegative(dict, "floorHeight", 4*spacing_);
     rule_.minNeighbours = notNegative(dict, "minNeighbours", 1);
+    minThickness_ =
+        notNegative(dict, "minThickness", hasScene() ? dropThickness() : 0);
 
     return true;
 }
@@ -138,7 +140,12 @@ Foam::scalar Foam::functionObjects::frontPosition::height() const
     const gaugeLine line(makeGaugeLine(mesh_.bounds(), foot, up, spacing_));
 
     return
-        riprap::fluidLevel(line.height, sample(line.points).volumeFraction).top;
+        riprap::fluidLevel
+        (
+            line.height,
+            sample(line.points).volumeFraction,
+            minThickness_
+        ).top;
 }
 
 

@@ -32,7 +32,8 @@ Foam::functionObjects::particleProbes::particleProbes
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    sphFunctionObject(name, runTime, dict),
+    body_(mesh_)
 {
     read(dict);
     writeAtStart();
@@ -54,26 +55,15 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
     correctSurface_ =
         dict.lookupOrDefault("surfaceCorrection", false) && !onGrid();
 
-    forAll(locations_, i)
+    scalarList before;
+    if (foundProperty("pose"))
     {
-        if (!reach().contains(locations_[i]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry probeLocations of function object " << this->name()
-                << ": probe " << i << " at " << locations_[i]
-                << " is outside of the mesh, which spans "
-                << mesh_.bounds().min() << " to " << mesh_.bounds().max()
-                << exit(FatalIOError);
-        }
+        getProperty("pose", before);
     }
-
-    if (dict.found("sensorNormal") && !(notNegative(dict, "sensorRadius", 0) > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry sensorNormal of function object " << name()
-            << " needs a sensorRadius" << exit(FatalIOError);
-    }
+    body_.read(dict, name(), before);
+    requireInside(dict);
     makeSensors(dict);
+    readAverage(dict);
 
     return true;
 }
@@ -105,12 +95,17 @@ Foam::scalar Foam::functionObjects::particleProbes::toPoint
 Foam::List<Foam::functionObjects::particleProbes::reading>
 Foam::functionObjects::particleProbes::readings()
 {
-    const riprap::SampleResult all(sample(points_));
+    const riprap::WallPose pose(body_.pose());
+    const pointField points(placed(pose, points_));
 
-    if (correct_)
+    if (!onGrid())
     {
-        walls_.update(sph(), points_);
+        walls_.update(sph(), points, turned(pose, normals_));
     }
+    const riprap::SampleResult all
+    (
+        onGrid() ? sample(points) : sample(points, walls_.planes())
+    );
 
     List<reading> result(sensors_.size());
     label point = 0;
@@ -158,6 +153,7 @@ Foam::functionObjects::particleProbes::readings()
 void Foam::functionObjects::particleProbes::writeTable
 (
     const word& field,
+    const word& table,
     const List<reading>& probes
 )
 {
@@ -177,10 +173,11 @@ void Foam::functionObjects::particleProbes::writeTable
 
         OStringStream os;
         os  << "Probe " << i << ' ' << locations_[i];
+        if (body_.there()) os << " on " << body_.name();
         comments[i] = os.str();
     }
 
-    OFstream& os = row(field, columns, comments);
+    OFstream& os = row(table, columns, comments);
     for (const reading& r : probes)
     {
         if (field == "p") add(os, r.p);
@@ -199,11 +196,15 @@ void Foam::functionObjects::particleProbes::writeTable
 
 bool Foam::functionObjects::particleProbes::write()
 {
-    const List<reading> probes(readings());
+    const List<reading>& probes = now();
 
     for (const word& field : fields_)
     {
-        writeTable(field, probes);
+        writeTable(field, field, probes);
+        if (average_ > 0)
+        {
+            writeTable(field, field + "Mean", asReadings(mean_.mean()));
+        }
     }
 
     return true;

@@ -130,7 +130,7 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 
     const wordList asked(fieldNames(dict, validFields, validFields));
 
-    walls_.reset(mesh_);
+    walls_.reset(false);
 
     makeField(p_, "p", dimPressure, asked);
     makeField(U_, "U", dimVelocity, asked);

@@ -81,6 +81,16 @@ riprap::SampleResult Foam::functionObjects::sphFunctionObject::sample
 }
 
 
+riprap::SampleResult Foam::functionObjects::sphFunctionObject::sample
+(
+    const pointField& points,
+    const riprap::SightPlanes& planes
+) const
+{
+    return fluid().fluidScene().sample(flatPoints(points), planes);
+}
+
+
 Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
 {
     boundBox bounds(mesh_.bounds());
@@ -94,6 +104,12 @@ Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
     }
 
     return bounds;
+}
+
+
+Foam::scalar Foam::functionObjects::sphFunctionObject::dropThickness() const
+{
+    return 3*fluid().fluidConfig().spacing;
 }
 
 

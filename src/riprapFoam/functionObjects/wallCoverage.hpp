@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  How much of the kernel's support at a point lies in the walls, from the wall particles.
+/*  How much of the kernel's support at a point lies in the walls, or is hidden by them.
 
-    A kernel sum over the fluid alone is one-sided near walls. With V_w the volume of a wall particle,
+    A kernel sum over the fluid alone is one-sided near walls. With V_w the volume of a wall point,
 
         share  = 1 - sum_w V_w W(|x - x_w|)                     of the support that fluid can fill
         offset = - sum_w V_w W(|x - x_w|) (x_w - x) / share     from x to the centroid of that part
@@ -10,6 +10,13 @@
     linear field at x is its value at x + offset (when that part is full). Along a plane wall share is
     1/2 and offset 0.4 h or so into the fluid. The second is what Adami et al. (2012), J. Comput. Phys.
     231, Eq. 27, correct for when they extrapolate the pressure to a wall.
+
+    Where planes (wallSight.hpp) hide more than wall points fill, at thin walls and rims, what they hide is
+    integrated. What is seen is star-shaped about the point, with R(u) its extent along the direction u:
+
+        hidden = <A(R)>,  A(R) = S int_R^2h W r^(D-1) dr,   moment = <u B(R)>,  B(R) = S int_R^2h W r^D dr
+
+    <> the mean over directions, S the surface of the unit ball.
 */
 #ifndef wallCoverage_hpp
 #define wallCoverage_hpp
@@ -17,12 +24,9 @@
 #include "scene/sphScene.hpp"
 #include "sph/kernels/cubicSpline.hpp"
 #include "sph/kernels/wendlandC2.hpp"
+#include "wallSight.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
-#include <vector>
+#include <array>
 
 namespace riprap
 {
@@ -38,119 +42,139 @@ class WallCoverage
     // Less than the edge of a cube's corner leaves free: the point is inside a wall
     static constexpr double leastShare = 0.1;
 
-    SphConfig config_;
-    double h_, support_;                            // [m]
-    double factor_;                                 // V_w times the kernel's constant [-]
-    std::unordered_map<std::int64_t, std::vector<Vector3>> cells_;
+    // Part of the support by which wall points may miss what planes hide: 30 times a lattice's error
+    static constexpr double missing = 0.03;
 
+    static constexpr int rings = 64;                // from 0 to 2h
+
+    int dimensions_;
+    int axes_[3];
+    KernelKind kernel_;
+    double h_, volume_;                             // [m], V_w
+    std::array<double, rings + 1> beyond_{}, momentBeyond_{};       // A, B
+    std::vector<Vector3> directions_;
+
+    //- W [1/m^D]
     double weight(double r) const
     {
         const double q = r/h_;
-        return factor_*
-        (
-            config_.kernel == KernelKind::wendlandC2
-          ? WendlandC2::value(q) : CubicSpline::value(q)
-        );
+        const bool wendland = kernel_ == KernelKind::wendlandC2;
+        return
+            (wendland ? WendlandC2::alpha(dimensions_) : CubicSpline::alpha(dimensions_))
+           *(wendland ? WendlandC2::value(q) : CubicSpline::value(q))/std::pow(h_, dimensions_);
     }
 
-    std::int64_t cellIndex(double x) const
+    void integrateRings()
     {
-        return static_cast<std::int64_t>(std::floor(x/support_));
+        const double dr = support()/rings, unit = 2*(dimensions_ - 1)*std::acos(-1.0);
+        constexpr int parts = 8;
+        for (int k = rings; k-- > 0;)
+        {
+            beyond_[k] = beyond_[k + 1];
+            momentBeyond_[k] = momentBeyond_[k + 1];
+            for (int part = 0; part < parts; ++part)
+            {
+                const double r = (k + (part + 0.5)/parts)*dr;
+                const double shell = unit*weight(r)*std::pow(r, dimensions_ - 1)*dr/parts;
+                beyond_[k] += shell;
+                momentBeyond_[k] += r*shell;
+            }
+        }
     }
 
-    // 21 bits an axis
-    static std::int64_t key(std::int64_t i, std::int64_t j, std::int64_t k)
+    //- Even over the circle, or on Fibonacci's spiral over the sphere
+    void spreadDirections()
     {
-        constexpr std::int64_t half = 1 << 20, mask = (1 << 21) - 1;
-        return ((i + half) & mask) << 42 | ((j + half) & mask) << 21 | ((k + half) & mask);
+        const double pi = std::acos(-1.0), golden = pi*(3 - std::sqrt(5.0));
+        const int n = dimensions_ == 2 ? 720 : 4096;
+        for (int k = 0; k < n; ++k)
+        {
+            Vector3 u{{0, 0, 0}};
+            const double z = dimensions_ == 2 ? 0 : 1 - (2*k + 1.0)/n, s = std::sqrt(1 - z*z);
+            const double angle = dimensions_ == 2 ? 2*pi*(k + 0.5)/n : golden*k;
+            u[axes_[0]] = s*std::cos(angle);
+            u[axes_[1]] = s*std::sin(angle);
+            if (dimensions_ == 3) u[axes_[2]] = z;
+            directions_.push_back(u);
+        }
     }
 
-    //- Without the empty direction
-    Vector3 solved(Vector3 x) const
+    static double at(const std::array<double, rings + 1>& table, double ring)
     {
-        if (config_.dimensions == 2) x[config_.axes[2]] = 0;
-        return x;
+        const int k = std::min(int(ring), rings - 1);
+        return table[k] + (ring - k)*(table[k + 1] - table[k]);
     }
 
-    void insert(const Vector3& x)
+    //- What planes hide: part of the support, and its moment
+    void hidden(const std::vector<SightPlane>& planes, double& part, Vector3& moment) const
     {
-        cells_[key(cellIndex(x[0]), cellIndex(x[1]), cellIndex(x[2]))].push_back(x);
+        part = 0;
+        moment = {{0, 0, 0}};
+        for (const Vector3& u : directions_)
+        {
+            double extent = support();
+            for (const SightPlane& plane : planes)
+            {
+                const double down = -dotOf(plane.normal, u);
+                if (down > 0) extent = std::min(extent, plane.depth/down);
+            }
+            const double ring = rings*extent/support();
+            part += at(beyond_, ring)/directions_.size();
+            for (int d = 0; d < 3; ++d) moment[d] += u[d]*at(momentBeyond_, ring)/directions_.size();
+        }
     }
 
 public:
 
-    //- From wall particles (3 n); those near a periodic end get their images
-    WallCoverage(const SphConfig& config, const std::vector<double>& position)
+    explicit WallCoverage(const SphConfig& config)
     :
-        config_(config),
+        dimensions_(config.dimensions),
+        axes_{config.axes[0], config.axes[1], config.axes[2]},
+        kernel_(config.kernel),
         h_(config.smoothingRatio*config.spacing),
-        support_(2*h_)
+        volume_(std::pow(config.wallSpacing, config.dimensions))
     {
-        const int D = config.dimensions;
-        factor_ =
-            std::pow(config.wallSpacing/h_, D)
-           *(
-                config.kernel == KernelKind::wendlandC2
-              ? WendlandC2::alpha(D) : CubicSpline::alpha(D)
-            );
-
-        for (std::size_t w = 0; w + 2 < position.size(); w += 3)
-        {
-            std::vector<Vector3> images
-            {
-                solved({{position[w], position[w + 1], position[w + 2]}})
-            };
-            for (int a = 0; a < 3; ++a)
-            {
-                if (!config.periodic[a]) continue;
-
-                const double lower = config.domainMin[a], upper = config.domainMax[a];
-                for (std::size_t n = images.size(), i = 0; i < n; ++i)
-                {
-                    Vector3 image = images[i];
-                    if (image[a] < lower + support_) image[a] += upper - lower;
-                    else if (image[a] > upper - support_) image[a] -= upper - lower;
-                    else continue;
-                    images.push_back(image);
-                }
-            }
-            for (const Vector3& image : images) insert(image);
-        }
+        integrateRings();
+        spreadDirections();
     }
 
-    Coverage at(const Vector3& point) const
+    double support() const
     {
-        const Vector3 x = solved(point);
-        double covered = 0;
-        Vector3 moment{{0, 0, 0}};
+        return 2*h_;
+    }
 
-        for (std::int64_t n = 0; n < 27; ++n)
+    //- Of wall points near a point, and of planes that hide fluid from it
+    Coverage of(const std::vector<WallNeighbour>& walls, const std::vector<SightPlane>& planes) const
+    {
+        // Wall points that are seen, and those behind planes
+        double covered[2] = {0, 0};
+        Vector3 moment[2] = {{{0, 0, 0}}, {{0, 0, 0}}};
+        for (const WallNeighbour& w : walls)
         {
-            const auto cell = cells_.find
-            (
-                key
-                (
-                    cellIndex(x[0]) + n%3 - 1,
-                    cellIndex(x[1]) + n/3%3 - 1,
-                    cellIndex(x[2]) + n/9 - 1
-                )
-            );
-            if (cell == cells_.end()) continue;
+            const double r = std::sqrt(dotOf(w.offset, w.offset));
+            if (r >= support()) continue;
 
-            for (const Vector3& w : cell->second)
+            const int behind = !seenFrom(planes, w.offset);
+            const double part = volume_*weight(r);
+            covered[behind] += part;
+            for (int d = 0; d < 3; ++d) moment[behind][d] += part*w.offset[d];
+        }
+
+        if (!planes.empty())
+        {
+            double part;
+            Vector3 m;
+            hidden(planes, part, m);
+            if (part > covered[1] + missing)
             {
-                const Vector3 d{{w[0] - x[0], w[1] - x[1], w[2] - x[2]}};
-                const double r = std::sqrt(d[0]*d[0] + d[1]*d[1] + d[2]*d[2]);
-                if (r >= support_) continue;
-
-                covered += weight(r);
-                for (int a = 0; a < 3; ++a) moment[a] += weight(r)*d[a];
+                covered[1] = part;
+                moment[1] = m;
             }
         }
 
         Coverage c;
-        c.share = std::max(1 - covered, leastShare);
-        for (int a = 0; a < 3; ++a) c.offset[a] = -moment[a]/c.share;
+        c.share = std::max(1 - covered[0] - covered[1], leastShare);
+        for (int d = 0; d < 3; ++d) c.offset[d] = -(moment[0][d] + moment[1][d])/c.share;
         return c;
     }
 };

@@ -38,6 +38,7 @@ bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
     const vector up(upDirection(dict));
     const scalar spacing = fluid().fluidConfig().spacing;
 
+    minThickness_ = notNegative(dict, "minThickness", dropThickness());
     feet_ = points(dict, "points");
     lines_.resize(feet_.size());
 
@@ -86,7 +87,8 @@ bool Foam::functionObjects::waterLevel::write()
             riprap::fluidLevel
             (
                 lines_[i].height,
-                std::vector<double>(first, last)
+                std::vector<double>(first, last),
+                minThickness_
             )
         );
         first = last;

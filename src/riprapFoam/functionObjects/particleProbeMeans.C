@@ -1,0 +1,118 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    particleProbes: when is sampled, means over time, and what a restart needs
+\*---------------------------------------------------------------------------*/
+
+#include "particleProbes.H"
+
+namespace
+{
+    // Of a reading
+    constexpr std::size_t nNumbers = 6;
+
+    const Foam::word samplesProperty("averageSamples");
+}
+
+
+void Foam::functionObjects::particleProbes::readAverage(const dictionary& dict)
+{
+    average_ = notNegative(dict, "average", 0);
+    mean_ = riprap::RunningMean(average_);
+    sampledAt_ = -GREAT;
+
+    if (average_ > 0 && foundProperty(samplesProperty))
+    {
+        scalarList samples;
+        getProperty(samplesProperty, samples);
+        mean_.restore
+        (
+            std::vector<double>(samples.begin(), samples.end()),
+            nNumbers*locations_.size()
+        );
+    }
+}
+
+
+std::vector<double> Foam::functionObjects::particleProbes::asNumbers
+(
+    const List<reading>& probes
+)
+{
+    std::vector<double> all;
+    for (const reading& r : probes)
+    {
+        all.insert
+        (
+            all.end(),
+            {r.p, r.rho, r.volumeFraction, r.U.x(), r.U.y(), r.U.z()}
+        );
+    }
+    return all;
+}
+
+
+Foam::List<Foam::functionObjects::particleProbes::reading>
+Foam::functionObjects::particleProbes::asReadings
+(
+    const std::vector<double>& all
+)
+{
+    List<reading> probes(all.size()/nNumbers);
+    forAll(probes, i)
+    {
+        const double* v = &all[nNumbers*i];
+        probes[i].p = v[0];
+        probes[i].rho = v[1];
+        probes[i].volumeFraction = v[2];
+        probes[i].U = vector(v[3], v[4], v[5]);
+    }
+    return probes;
+}
+
+
+const Foam::List<Foam::functionObjects::particleProbes::reading>&
+Foam::functionObjects::particleProbes::now()
+{
+    if (sampledAt_ != time_.value())
+    {
+        readings_ = readings();
+        sampledAt_ = time_.value();
+        if (average_ > 0)
+        {
+            mean_.add(sampledAt_, asNumbers(readings_));
+        }
+    }
+    return readings_;
+}
+
+
+bool Foam::functionObjects::particleProbes::execute()
+{
+    if (average_ > 0)
+    {
+        now();
+    }
+
+    if (time_.writeTime())
+    {
+        if (average_ > 0)
+        {
+            const std::vector<double> state(mean_.state());
+            scalarList samples(state.size());
+            std::copy(state.begin(), state.end(), samples.begin());
+            setProperty(samplesProperty, samples);
+        }
+        if (body_.ofSolids())
+        {
+            setProperty("pose", gaugeBody::state(body_.pose()));
+        }
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //
