@@ -56,6 +56,29 @@ static point moved(const riprap::WallPose& pose, const point& x)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+//- The word of an entry solidBodyMotionFunction: one of OpenFOAM's
+static word motionWord(const word& name, checkedDictionary& dict)
+{
+    const wordList valid
+    (
+        solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    if (!dict.found("solidBodyMotionFunction"))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Motion " << name << ": entry solidBodyMotionFunction is"
+            << " missing; valid are " << listed(valid).c_str()
+            << exit(FatalIOError);
+    }
+    const word typed(dict.dict().get<word>("solidBodyMotionFunction"));
+    if (!valid.found(typed))
+    {
+        dict.unknownWord("solidBodyMotionFunction", typed, valid);
+    }
+    return typed;
+}
+
+
 wallMotion readMotion(const word& name, const dictionary& entries, bool ofWalls)
 {
     wallMotion motion;
@@ -68,8 +91,7 @@ wallMotion readMotion(const word& name, const dictionary& entries, bool ofWalls)
         dict.found("patches");
         motion.patches = wordRes(motion.dict.get<wordRes>("patches"));
     }
-    dict.found("solidBodyMotionFunction");
-    const word coeffs(motion.dict.get<word>("solidBodyMotionFunction") + "Coeffs");
+    const word coeffs(motionWord(name, dict) + "Coeffs");
 
     // Else the function takes its entries from this dictionary itself
     if (motion.dict.found(coeffs, keyType::LITERAL))

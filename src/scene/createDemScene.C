@@ -170,6 +170,42 @@ void checkGroups(const DemInput& in)
     }
 }
 
+double lengthOf(const DemConfig& c, const Vector3& v)
+{
+    double sum = 0;
+    for (int d = 0; d < c.dimensions; ++d) sum += v[c.axes[d]]*v[c.axes[d]];
+    return std::sqrt(sum);
+}
+
+//- Constraints and springs are of rigid bodies
+void checkBodies(const DemConfig& c, const DemInput& in)
+{
+    const DemParticles& p = in.particles;
+    for (std::size_t g = 0; g < in.groups.size(); ++g)
+    {
+        const DemGroup& group = in.groups[g];
+        const DemConstraint& s = group.constraint;
+        const std::string name = "group " + group.name + ": ";
+        if (!s.any() && group.springs.empty()) continue;
+        const bool held = group.heldSpin || group.held[0] || group.held[1] || group.held[2];
+        require(!s.any() || !held, name + "constrain and fixed exclude each other");
+        require(group.motion < 0, name + "it moves as prescribed: neither constrain nor springs can act on it");
+        std::size_t bodies = 0, loose = 0;
+        for (const DemClump& q : in.clumps) bodies += std::size_t(q.group) == g;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            loose += (p.clump.empty() || p.clump[i] < 0) && std::size_t(p.group.empty() ? 0 : p.group[i]) == g;
+        require(loose == 0, name + std::to_string(loose) + " of its particles are of no rigid body: constrain, springs and moorings are of rigid ones");
+        const bool line = s.translation == TranslationKind::line || s.translation == TranslationKind::plane;
+        require(!line || lengthOf(c, s.direction) > 0, name + "the direction of its constraint has no length");
+        const bool turns = s.hinge || s.rotation == RotationKind::axis;
+        require(!turns || c.dimensions == 2 || lengthOf(c, s.axis) > 0, name + "the axis of its constraint has no length");
+        require(group.springs.empty() || bodies == 1, name + "springs and moorings are of one rigid body, and it has " + std::to_string(bodies));
+        for (const DemSpring& spring : group.springs)
+            require(spring.stiffness > 0 && spring.damping >= 0 && spring.length >= 0,
+                name + spring.name + ": the stiffness must be positive, damping and length not negative");
+    }
+}
+
 void checkBonds(const DemInput& in)
 {
     const DemBonds& b = in.bonds;
@@ -262,6 +298,7 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     checkGroups(input);
     checkBonds(input);
     checkClumps(config, input);
+    checkBodies(config, input);
     checkWalls(config, input);
     const DemPlan plan = planDemScene(config, input);
     require(plan.timeStep < 1e20, "nothing limits the time step: it must be given");

@@ -58,7 +58,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::push(double dt)
 {
     forEach(context_, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
-    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), dt});
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), constraints(), dt});
 }
 
 template<class Backend, int D, class P>

@@ -227,47 +227,6 @@ DemBondState DemSolver<Backend, D, P>::bonds()
 }
 
 template<class Backend, int D, class P>
-DemClumpState DemSolver<Backend, D, P>::clumps()
-{
-    readClock();
-    DemClumpState s;
-    const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
-    std::vector<ClumpData> all;
-    if (nClumps_) all = clumps_.download();
-    for (ClumpData& c : all)
-    {
-        const DemGroup& g = input_.groups[c.group];
-        const Vec<3, double> w = spinOf(c, c.q);
-        double v[3] = {}, x[3] = {}, f[3] = {}, m[3] = {}, q[4] = {c.q[0], 0, 0, 0}, spin[3] = {};
-        for (int d = 0; d < 3; ++d)
-        {
-            const int axis = config_.axes[d];
-            if (d < D)
-            {
-                x[axis] = box_.toMetres(d, c.x[d]);
-                f[axis] = c.f[d] + (g.gravity ? c.mass*config_.gravity[axis] : 0) + g.force[axis];
-                const double damped = locallyDamped(f[axis], c.v[d], g.localDamping) - g.viscousDamping*c.mass*c.v[d];
-                v[axis] = c.v[d] + (g.held[axis] ? 0 : half*damped/c.mass);
-            }
-            const double sign = D == 2 ? spinSign() : 1;
-            m[axis] = sign*c.m[d] + g.moment[axis];
-            spin[axis] = sign*w.c[d];
-            q[1 + axis] = sign*c.q[1 + d];
-        }
-        for (int d = 0; d < 3; ++d)
-        {
-            s.position.push_back(x[d]);
-            s.velocity.push_back(v[d]);
-            s.spin.push_back(spin[d]);
-            s.force.push_back(f[d]);
-            s.moment.push_back(m[d]);
-        }
-        s.orientation.insert(s.orientation.end(), q, q + 4);
-    }
-    return s;
-}
-
-template<class Backend, int D, class P>
 DemEnergy DemSolver<Backend, D, P>::energy()
 {
     DemEnergy e;
@@ -299,6 +258,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
         }
         if (input_.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
     }
+    e.spring = springEnergy();
     withLaw(config_, [&](auto law)
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
@@ -388,7 +348,8 @@ std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
     }
     put("bonds", "bonds", bondIds_[0].bytes() + bondIds_[1].bytes() + bondType_.bytes() + bondBroken_.bytes() + bondRest_.bytes()
       + bondHistory_.bytes() + bondForce_.bytes() + bondFirst_.bytes() + bondReference_.bytes());
-    put("clumps", "clumps", clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes());
+    put("clumps", "clumps", clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes() + constraints_.bytes() + springs_.bytes()
+      + springFirst_.bytes());
     put("walls", "surfaces", walls_.bytes() + vertices_.bytes() + elements_.bytes() + sharedFirst_.bytes() + shared_.bytes()
       + cellFirst_.bytes() + cellElement_.bytes());
     put("walls", "contacts", wallMemory_.bytes() + oldWallMemory_.bytes());

@@ -202,6 +202,32 @@ void addBonds(const DemConfig& c, const DemInput& in, DemPlan& plan)
     if (leastTurn < 1e300) plan.limits.push_back(StepLimit{"bond rotation", leastTurn, cause(worstTurn), hard});
 }
 
+//- Of a rigid body's springs together, as if all pulled the same way: with frequency w and damping rate C, 1/(C + sqrt(C^2 + w^2)), with which half of
+//  it is well within (w dt)^2 + 2 C dt < 4
+void addSprings(const DemConfig& c, const DemInput& in, DemPlan& plan)
+{
+    for (const DemClump& body : in.clumps)
+    {
+        if (in.groups.empty() || in.groups[body.group].springs.empty()) continue;
+        const DemPose start = body.moved ? body.start : DemPose{body.position, body.orientation};
+        const double least = c.dimensions == 2 ? body.inertia[2] : std::min({body.inertia[0], body.inertia[1], body.inertia[2]});
+        double w2 = 0, C = 0;
+        for (const DemSpring& s : in.groups[body.group].springs)
+        {
+            double arm2 = 0;
+            for (int d = 0; d < c.dimensions; ++d)
+            {
+                const double a = s.point[c.axes[d]] - start.position[c.axes[d]];
+                arm2 += a*a;
+            }
+            const double yields = 1/body.mass + arm2/least;
+            w2 += s.stiffness*yields;
+            C += s.damping*yields;
+        }
+        plan.limits.push_back(StepLimit{"springs of " + in.groups[body.group].name, 1/(C + std::sqrt(C*C + w2)), words("m =", body.mass, "kg")});
+    }
+}
+
 void addRayleigh(const DemInput& in, const std::vector<Lightest>& all, DemPlan& plan)
 {
     for (std::size_t m = 0; m < all.size(); ++m)
@@ -244,6 +270,7 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     const std::vector<Lightest> all = lightest(c, in);
     for (const DemPair& pair : in.pairs) addContact(c, in, pair, all, plan);
     addBonds(c, in, plan);
+    addSprings(c, in, plan);
     const PackedLimit packed = packedLimit(c, in, all);
     plan.hardStop = packed.springs;
     plan.hardCause = "what the springs of a close packing of " + packed.between + " stand";

@@ -75,6 +75,32 @@ struct DemPair
     PairProperties properties;
 };
 
+//- What rigid bodies of a group may do. In 2D they turn about the empty direction alone, and directions lie in the plane
+enum class TranslationKind {free, line, plane, none};   // of the centre of mass: along a direction alone, across it alone
+enum class RotationKind {free, axis, none};             // about a direction alone
+struct DemConstraint
+{
+    TranslationKind translation = TranslationKind::free;
+    RotationKind rotation = RotationKind::free;
+    Vector3 direction{{0, 0, 1}};           // of line and plane
+    Vector3 axis{{0, 0, 1}};                // of rotation and hinge
+    bool hinge = false;                     // turns about `axis` through `point` and does nothing else
+    Vector3 point{{0, 0, 0}};
+    bool any() const { return hinge || translation != TranslationKind::free || rotation != RotationKind::free; }
+};
+
+//- Between a point of a rigid body and one of space: a spring, or a line that goes slack
+struct DemSpring
+{
+    std::string name;
+    Vector3 anchor{{0, 0, 0}};              // in space
+    Vector3 point{{0, 0, 0}};               // on the body as it stands at DemClump::start
+    double stiffness = 0;                   // [N/m]
+    double damping = 0;                     // of the rate of its length [N s/m]
+    double length = 0;                      // unstretched [m]
+    bool slack = false;                     // pulls, and never pushes
+};
+
 //- What is done to particles of a group
 struct DemGroup
 {
@@ -88,6 +114,8 @@ struct DemGroup
     double localDamping = 0;                // alpha of paper 1, Eq. 25, on force and moment; wrong in free flight
     double viscousDamping = 0;              // F = -c m v [1/s]
     double viscousSpinDamping = 0;          // M = -c I w [1/s]
+    DemConstraint constraint;               // of rigid bodies: a group with any has no other particles
+    std::vector<DemSpring> springs;         // of the one rigid body of the group
 };
 
 //- Rigid motion of a group: v = velocity + spin x (x - centre)
@@ -105,6 +133,13 @@ struct DemParticles
     std::size_t size() const { return position.size()/3; }
 };
 
+//- Where a rigid body is, and how it stands: quaternion (w, x, y, z) from the principal axes to space
+struct DemPose
+{
+    Vector3 position{{0, 0, 0}};
+    std::array<double, 4> orientation{{1, 0, 0, 0}};
+};
+
 //- A rigid body of several spheres: particles of this clump index move with it; their masses and inertias are not used
 struct DemClump
 {
@@ -113,6 +148,9 @@ struct DemClump
     std::array<double, 4> orientation{{1, 0, 0, 0}};    // quaternion (w, x, y, z) from the principal axes to space
     double mass = 0;
     Vector3 inertia{{0, 0, 0}};             // principal moments [kg m2]; 2D: inertia[2] alone
+    double volume = 0;                      // [m3] (2D: [m2]); 0: not known, the mass over the density of its material
+    bool moved = false;                     // since it was made, from `start`; else it stands there now
+    DemPose start;
     int group = 0;
     int shape = -1;                         // of PicSolids::shapes, by which water sees it; -1: its spheres. Contacts see spheres
 };
@@ -235,10 +273,19 @@ struct DemBondState
 
 struct DemClumpState { std::vector<double> position, velocity, spin, orientation, force, moment; };
 
+//- A spring or line of a group (DemGroup::springs), in the order of groups
+struct DemSpringState
+{
+    std::string name;
+    double length = 0;                      // now [m]
+    double tension = 0;                     // [N], negative: it pushes
+    Vector3 point{{0, 0, 0}}, force{{0, 0, 0}};     // where it acts, and on the body [N]
+};
+
 struct DemEnergy                            // [J] (2D: per metre)
 {
-    double translation = 0, rotation = 0, potential = 0, contact = 0, bond = 0;
-    double total() const { return translation + rotation + potential + contact + bond; }
+    double translation = 0, rotation = 0, potential = 0, contact = 0, bond = 0, spring = 0;
+    double total() const { return translation + rotation + potential + contact + bond + spring; }
 };
 
 struct DemWallForce { Vector3 force{{0, 0, 0}}, moment{{0, 0, 0}}; };   // on the wall; moment about the origin
@@ -279,6 +326,7 @@ public:
     virtual double contactsPerParticle() = 0;               // between particles, each counted at both ends
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;
+    virtual std::vector<DemSpringState> springs() = 0;      // springs and lines of rigid bodies
 };
 
 //- @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)

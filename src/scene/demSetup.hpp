@@ -7,6 +7,7 @@
 #include <limits>
 #include "dem/walls/repeatSurface.hpp"
 #include "scene/demSolver.hpp"
+#include "scene/demBodies.hpp"
 #include "scene/demStill.hpp"
 
 namespace riprap
@@ -217,28 +218,34 @@ void DemSolver<Backend, D, P>::setFields()
 }
 
 template<class Backend, int D, class P>
+GroupData<D, typename P::real> DemSolver<Backend, D, P>::groupData(const DemGroup& g) const
+{
+    GroupData<D, real> r{};
+    for (int d = 0; d < D; ++d)
+    {
+        r.free[d] = real(!g.held[config_.axes[d]]);
+        r.force[d] = real(g.force[config_.axes[d]]);
+    }
+    for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? spinSign()*g.moment[config_.axes[2]] : g.moment[c]);
+    r.freeSpin = real(!g.heldSpin);
+    r.gravity = real(g.gravity);
+    r.localDamping = real(g.localDamping);
+    r.viscous = real(g.viscousDamping);
+    r.viscousSpin = real(g.viscousSpinDamping);
+    r.damped = g.localDamping > 0 || g.viscousDamping > 0 || g.viscousSpinDamping > 0;
+    r.motion = g.motion;
+    return r;
+}
+
+template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setGroups()
 {
     if (input_.groups.empty()) input_.groups.emplace_back();
     std::vector<GroupData<D, real>> groups;
     for (const DemGroup& g : input_.groups)
     {
-        GroupData<D, real> r{};
-        for (int d = 0; d < D; ++d)
-        {
-            r.free[d] = real(!g.held[config_.axes[d]]);
-            r.force[d] = real(g.force[config_.axes[d]]);
-        }
-        for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? spinSign()*g.moment[config_.axes[2]] : g.moment[c]);
-        r.freeSpin = real(!g.heldSpin);
-        r.gravity = real(g.gravity);
-        r.localDamping = real(g.localDamping);
-        r.viscous = real(g.viscousDamping);
-        r.viscousSpin = real(g.viscousSpinDamping);
-        r.damped = g.localDamping > 0 || g.viscousDamping > 0 || g.viscousSpinDamping > 0;
-        r.motion = g.motion;
         groupMotions_ = std::max(groupMotions_, g.motion + 1);
-        groups.push_back(r);
+        groups.push_back(groupData(g));
     }
     groups_.upload(context_, groups);
     if (groupMotions_) motions_.allocate(context_, std::size_t(groupMotions_)*samples*rigidMotionNumbers);
@@ -302,66 +309,6 @@ void DemSolver<Backend, D, P>::setBonds()
     bondForce_.allocate(context_, nBonds_);
     bondFirst_.upload(context_, first);
     bondReference_.upload(context_, reference);
-}
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setClumps()
-{
-    nClumps_ = int(input_.clumps.size());
-    if (!nClumps_) return;
-    std::vector<ClumpData> clumps(nClumps_);
-    for (int k = 0; k < nClumps_; ++k)
-    {
-        const DemClump& in = input_.clumps[k];
-        ClumpData& c = clumps[k];
-        c = ClumpData{};
-        c.q[0] = in.orientation[0];
-        for (int d = 0; d < 3; ++d) c.q[1 + d] = (D == 2 ? spinSign() : 1)*in.orientation[1 + config_.axes[d]];
-        for (int d = 0; d < D; ++d)
-        {
-            c.x[d] = box_.toFixed(d, in.position[config_.axes[d]]);
-            c.v[d] = in.velocity[config_.axes[d]];
-        }
-        c.mass = in.mass;
-        for (int d = 0; d < 3; ++d) c.inertia[d] = in.inertia[d];
-        c.group = in.group;
-        if (D == 2) c.L[2] = in.inertia[2]*spinSign()*in.spin[config_.axes[2]];
-        else
-        {
-            Vec<3, double> w = rotated(c.q, Vec<3, double>{{in.spin[0], in.spin[1], in.spin[2]}}, true);
-            for (int d = 0; d < 3; ++d) w.c[d] *= c.inertia[d];
-            const Vec<3, double> L = rotated(c.q, w);
-            for (int d = 0; d < 3; ++d) c.L[d] = L.c[d];
-        }
-    }
-    std::vector<double> offset(3*std::size_t(n_), 0.0);
-    std::vector<int> first(nClumps_ + 1, 0), member;
-    const auto& of = given_->particles.clump;
-    for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
-    for (int k = 0; k < nClumps_; ++k)
-    {
-        largestClump_ = std::max(largestClump_, first[k + 1]);
-        first[k + 1] += first[k];
-    }
-    member.resize(std::max(1, first[nClumps_]));
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (int i = 0; i < n_ && !of.empty(); ++i)
-    {
-        if (of[i] < 0) continue;
-        member[next[of[i]]++] = i;
-        Vec<3, double> arm{{0, 0, 0}};
-        for (int d = 0; d < D; ++d)
-        {
-            const std::int64_t x = box_.toFixed(d, given_->particles.position[3*std::size_t(i) + config_.axes[d]]);
-            arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))*box_.unit[d];
-        }
-        arm = rotated(clumps[of[i]].q, arm, true);
-        for (int d = 0; d < 3; ++d) offset[3*std::size_t(i) + d] = arm.c[d];
-    }
-    clumps_.upload(context_, clumps);
-    offset_.upload(context_, offset);
-    memberFirst_.upload(context_, first);
-    member_.upload(context_, member);
 }
 
 template<class Backend, int D, class P>

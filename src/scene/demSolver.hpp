@@ -1,4 +1,4 @@
-/*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction),
+/*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction), demBodies.hpp (rigid bodies),
     demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
     read back)
     and demState.hpp (save and load).
@@ -103,6 +103,7 @@ public:
     DemContacts contacts() override;
     DemBondState bonds() override;
     DemClumpState clumps() override;
+    std::vector<DemSpringState> springs() override;
     DemEnergy energy() override;
     std::vector<DemWallForce> wallForces() override;
     void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;
@@ -143,6 +144,12 @@ private:
     void setPairs();
     void setBonds();
     void setClumps();
+    ClumpConstraint constraintOf(const DemGroup&) const;
+    void setConstraints(std::vector<ClumpData>&);
+    void setSprings(const std::vector<ClumpData>&);
+    ClumpData kicked(ClumpData, double dt) const;
+    double springEnergy();
+    GroupData<D, real> groupData(const DemGroup&) const;
     void setWalls();
     void prime();
     template<class T, class Values> void uploadField(int field, const Values& values);
@@ -166,6 +173,8 @@ private:
     void bondPass(ForceTurn);
     void gatherClumps(const DemClockData* clock);
     ClumpMembers<D, P> clumpMembers();
+    ClumpKick<D, P> clumpKick() const;
+    const ClumpConstraint* constraints() const { return constraints_.size() ? constraints_.data() : nullptr; }
     void forces(ForceTurn = ForceTurn::inStep);
     bool movesAtOnce() const;
 #ifndef __CUDACC__
@@ -304,6 +313,12 @@ private:
     Array<Backend, ClumpData> clumps_;
     Array<Backend, double> offset_;
     Array<Backend, int> memberFirst_, member_;
+    Array<Backend, ClumpConstraint> constraints_;       // of groups; empty: none is constrained
+    std::vector<ClumpConstraint> constraintOfGroup_;    // the same
+    Array<Backend, SpringData> springs_;
+    Array<Backend, int> springFirst_;                   // of a clump
+    std::vector<SpringData> allSprings_;                // the same in the order of clumps,
+    std::vector<std::pair<int, int>> springOfGroups_;   // and of groups: the clump, and which of them
 
     int nWalls_ = 0;
     bool surfaces_ = false;     // are there walls that are no planes?

@@ -255,13 +255,21 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
 {
-    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), clock});
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), {springs_.data(), springFirst_.data()}, clock});
 }
 
 template<class Backend, int D, class P>
 ClumpMembers<D, P> DemSolver<Backend, D, P>::clumpMembers()
 {
     return {clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.size() ? external_.data() : nullptr};
+}
+
+template<class Backend, int D, class P>
+ClumpKick<D, P> DemSolver<Backend, D, P>::clumpKick() const
+{
+    ClumpKick<D, P> kick{groups_.data(), {}, box_, constraints()};
+    for (int d = 0; d < D; ++d) kick.gravity[d] = config_.gravity[config_.axes[d]];
+    return kick;
 }
 
 //- On the CPU: where a step moves particles as it adds up their forces
@@ -320,10 +328,9 @@ void DemSolver<Backend, D, P>::step()
     forEach(context_, 1, DemTick{clock_.data()});
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
     if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data()));
-    ClumpKick<D, P> kick{groups_.data(), {}};
-    for (int d = 0; d < D; ++d) kick.gravity[d] = config_.gravity[config_.axes[d]];
+    const ClumpKick<D, P> kick = clumpKick();
     const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
-    if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), box_, kick, verlet, clock_.data()});
+    if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), kick, verlet, clock_.data()});
     moveParticles();
     forces();
     if (!verlet) return;

@@ -113,6 +113,19 @@ rm -rf 0.0* postProcessing; fill "$above"
 riprapFoam -dry-run >log 2>&1 && pass dryRun || fail dryRun "$(grep -m1 -A3 ERROR log)"
 says memory 'solid points'
 
+# Particles that the water cannot see as they are: h = 1.25 spacings, the kernel reaches 0.0125 m
+sized() # SPACING of the block, 0.02 m square
+{
+    fill '(0.04 0.042 0) (0.06 0.062 0.01)'
+    sed -i "s/radius 0.002;/spacing $1;/; /^bonds/d" system/setParticlesDict; rm -rf 0; setParticles >log 2>&1 || fail "sized$1" "$(grep -m1 -A3 ERROR log)"
+}
+sized 0.005; riprapFoam -dry-run >log 2>&1
+grep -q 'larger than the fluid' log && fail sizeEqual 'warned of particles as large as the spacing' || pass sizeEqual
+sized 0.01; riprapFoam -dry-run >log 2>&1
+tr '\n' ' ' <log | tr -s ' ' >line; grep -q '4 of 4 solid particles are larger than the fluid.s spacing: .* a square of 0.01 m; the fluid.s spacing is 0.005 m' line &&
+    pass sizeWarned || fail sizeWarned 'the log does not say how many are larger'
+sized 0.02; wrong coarse 'Solids are too coarse for the fluid: .* a square of 0\.02 m; .*kernel reaches 0\.0125 m.*rigid yes.*spacing 0\.005' riprapFoam -dry-run
+
 # What is refused
 fluid 'couplingCoeffs { fluidForce impulse; }'; solids 'groups { block { localDamping 0.1; } }'
 wrong impulseDamped 'Entry fluidForce of couplingCoeffs is impulse, but group block .* local damping.*held and interpolated' riprapFoam

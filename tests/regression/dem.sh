@@ -52,8 +52,17 @@ fill "pile { $glass source box; box (0 0 0) (0.06 0.06 0.01); mass cell; }"
 says massCell2 'mass 9 kg per metre'                    # rho times the box
 fill "pile { $glass source box; box (0 0 0) (0.06 0.06 0.01); spacing 0.011; }"
 says spacing2 'pile: 25 particles'
-fill "pile { $glass source cylinder; p1 (0.1 0.05 -1); p2 (0.1 0.05 1); radius 0.03; }"
-says cylinderRadius2 'pile: [0-9]+ particles, radius 0.03 m'
+round='set solids; material glass; source cylinder; p1 (0.1 0.05 -1); p2 (0.1 0.05 1); radius 0.03;'
+fill "pile { $round particleRadius 0.005; }"
+says cylinderRadius2 'pile: 16 particles, radius 0.005 m'       # of 6 x 6 in the square about it those that lie wholly in the circle
+fill "pile { $round spacing 0.01; }"
+says cylinderSpacing2 'pile: 16 particles, radius 0.005 m'
+fill "pile { $round particleRadius 0.03; }"
+says cylinderOne2 'pile: 1 particles, radius 0.03 m, mass 7\.068[0-9]* kg'
+fill "pile { set solids; material glass; spacing 0.01; source box; box (0 0 0) (0.06 0.06 0.01); }"
+says spacingAlone2 'pile: 36 particles, radius 0.005 m'
+fill "pile { $round packing random; particleRadius 0.003; largestRadius 0.004; solidFraction 0.5; }"
+says cylinderRandom2 'pile: [0-9]+ particles, radius 0.003'
 fill "pile { set solids; material glass; source box; box (0 0 0) (0.1 0.1 0.01); radius 0.003; largestRadius 0.005; packing random; solidFraction 0.7; }"
 says random2 'pile: 1[0-9][0-9] particles, radius 0.003'
 cp 0/lagrangian/solids/positions first; setParticles >log 2>&1; cmp -s first 0/lagrangian/solids/positions && pass randomRepeats || fail randomRepeats "another packing with the same seed"
@@ -237,7 +246,12 @@ box='source box; box (0 0 0) (0.06 0.06 0.01);'
 bad noMaterial "material' not found" "a { set solids; radius 0.005; $box }"
 bad unknownMaterial 'Unknown material wood; constant/solidProperties has \(glass steel\)' "a { set solids; material wood; radius 0.005; $box }"
 bad unknownGroup 'Unknown group beam; constant/solidProperties has \(free\)' "a { $glass group beam; $box }"
-bad noRadius "radius' not found" "a { set solids; material glass; $box }"
+bad noRadius 'Region a: How large are the particles\? Write .particleRadius' "a { set solids; material glass; $box }"
+bad diskOfOne 'Region a: radius 0\.03 is that of the cylinder, not of its particles. How large are the particles\? Write .particleRadius .* or .spacing' "a { $round }"
+bad diskRandom 'Region a: radius 0\.03 is that of the cylinder.* Write .particleRadius' "a { $round spacing 0.01; packing random; solidFraction 0.5; }"
+bad ballOfOne 'radius 0\.03 is that of the sphere' "a { set solids; material glass; source sphere; centre (0.1 0.05 0.005); radius 0.03; }"
+bad twoRadii 'Entries radius and particleRadius are both there' "a { $glass $box particleRadius 0.005; }"
+bad particleRadius 'Entry particleRadius is -1: it must be positive' "a { $round particleRadius -1; }"
 bad radius 'Entry radius is 0: it must be positive' "a { set solids; material glass; radius 0; $box }"
 bad packing 'packing has the unknown word loose; valid are .*square hexagonal layers random' "a { $glass $box packing loose; }"
 bad source 'source has the unknown word cone; valid are .*clumpsFromSurface' "a { $glass source cone; }"
@@ -258,11 +272,11 @@ bad bondTolerance 'Entry gapTolerance is -1' "a { $glass $box }" 'bonds ( a { ty
 bad materialDict 'Entry material must be a value' "a { set solids; material { } radius 0.005; $box }"
 bad spacingUnused 'Unknown entry spacing; valid are .*overlapTolerance regions bonds' "a { $glass $box }" 'spacing 0.01;'
 bad tolerance 'Entry overlapTolerance is -1: it must be zero or positive' "a { $glass $box }" 'overlapTolerance -1;'
-bad tiny 'would hold about .*is the radius or spacing meant' "a { set solids; material glass; radius 1e-9; $box }"
-bad tinyRandom 'would hold about .*is the radius meant' "a { set solids; material glass; radius 1e-9; $box packing random; solidFraction 0.5; }"
+bad tiny 'would hold about .*is the particles. radius or spacing meant' "a { set solids; material glass; radius 1e-9; $box }"
+bad tinyRandom 'would hold about .*is the particles. radius meant' "a { set solids; material glass; radius 1e-9; $box packing random; solidFraction 0.5; }"
 bad fraction 'Entry solidFraction is 2: it must be from 0 to 1' "a { $glass $box packing random; solidFraction 2; }"
 bad seed 'Entry seed is 1.5: it must be a whole number' "a { $glass $box packing random; solidFraction 0.5; seed 1.5; }"
-bad largest 'Entry largestRadius is 0.001, less than radius 0.005' "a { $glass $box packing random; solidFraction 0.5; largestRadius 0.001; }"
+bad largest 'Entry largestRadius is 0.001, less than the particles. radius 0.005' "a { $glass $box packing random; solidFraction 0.5; largestRadius 0.001; }"
 bad velocity 'regions.a.velocity' "a { $glass $box velocity fast; }"
 bad spin 'regions.a.spin' "a { $glass $box spin fast; }"
 bad clipWord 'clip has the unknown word maybe' "a { $glass $box clip maybe; }"

@@ -101,6 +101,49 @@ void Foam::coupledSolids::requireApart
 }
 
 
+//- Water sees a particle at its centre alone, as far as the kernel reaches
+void Foam::coupledSolids::requireFine
+(
+    const riprap::SphConfig& config,
+    const std::vector<double>& volume
+) const
+{
+    const scalar support = 2*config.smoothingRatio*config.spacing;
+    label larger = 0, unseen = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < volume.size(); ++i)
+    {
+        const scalar size = std::pow(volume[i], 1.0/config.dimensions);
+        larger += size > config.spacing*(1 + 1e-3);
+        unseen += size > support;
+        if (volume[i] > volume[worst]) worst = i;
+    }
+    if (!larger) return;
+
+    const scalar largest = std::pow(volume[worst], 1.0/config.dimensions);
+    OStringStream where;
+    where
+        << "particle " << input_.particles.id[worst] << ", of radius "
+        << input_.particles.radius[worst] << " m, stands for a "
+        << (config.dimensions == 2 ? "square of " : "cube of ") << largest
+        << " m; the fluid's spacing is " << config.spacing << " m";
+    if (unseen)
+    {
+        FatalErrorInFunction
+            << "Solids are too coarse for the fluid: " << where.str().c_str()
+            << ", and its kernel reaches " << support << " m: fluid would be"
+            << " inside of " << unseen << " particles. Make bodies of particles"
+            << " no larger than the fluid's spacing: a region with `rigid yes;`"
+            << " and `spacing " << config.spacing << ";`"
+            << " in system/setParticlesDict" << exit(FatalError);
+    }
+    WarningInFunction
+        << larger << " of " << label(volume.size()) << " solid particles"
+        << " are larger than the fluid's spacing: " << where.str().c_str()
+        << ". Particles should not be larger" << nl << endl;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::coupledSolids::read(bool continued)
@@ -126,6 +169,7 @@ riprap::SolidInput Foam::coupledSolids::input
     input.config = settings_.config;
     input.input = input_;
     input.volume = volumes();
+    requireFine(fluidConfig, input.volume);
     return input;
 }
 

@@ -1,6 +1,6 @@
 /*  Sums over a clump's members of forces and of moments about its centre, sum F and sum (r x F + M) [N, N m], and what is done with them:
 
-    GatherClumps: contact forces of now, with the force from outside, are the clump's forces
+    GatherClumps: contact forces of now, with the force from outside and that of springs, are the clump's forces
     PushClumps:   a blow from outside (dem/motion/push.hpp)
 
     Of small clumps a thread sums one. A body of thousands of members would keep one thread waiting for memory all step long: of such ones a block of
@@ -12,6 +12,7 @@
 
 #include "core/blocks.hpp"
 #include "dem/motion/clump.hpp"
+#include "dem/motion/clumpSprings.hpp"
 
 namespace riprap
 {
@@ -63,12 +64,14 @@ struct GatherClumps
     static constexpr bool contacts = true;
 
     ClumpMembers<D, P> members;
+    ClumpSprings<D, P> springs;
     const DemClockData* clock;  // null: now
 
     HD bool active() const { return !clock || clock->active; }
 
-    HD void use(ClumpData& c, const double* sums) const
+    HD void use(ClumpData& c, double* sums) const
     {
+        springs.add(c, int(&c - members.clumps), members.box, sums);
         for (int d = 0; d < 3; ++d) { c.f[d] = sums[d]; c.m[d] = sums[3 + d]; }
     }
 };
@@ -81,15 +84,14 @@ struct PushClumps
 
     ClumpMembers<D, P> members;
     const GroupData<D, typename P::real>* groups;
+    const ClumpConstraint* constraints;
     double dt;
 
     HD bool active() const { return true; }
 
     HD void use(ClumpData& c, const double* sums) const
     {
-        const auto& g = groups[c.group];
-        for (int d = 0; d < D; ++d) c.v[d] += double(g.free[d])*dt*sums[d]/c.mass;
-        for (int d = 0; d < 3; ++d) c.L[d] += double(g.freeSpin)*dt*sums[3 + d];
+        accelerate(c, groups[c.group], constraints, members.box, vectorOf(sums), vectorOf(sums + 3), dt);
     }
 };
 

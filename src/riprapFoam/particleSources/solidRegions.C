@@ -77,6 +77,37 @@ static scalar volumeOf(const volumeSource& volume, const particlePacking& frame)
 }
 
 
+// Entry particleRadius; or radius, where that is no entry of the region's own shape; or half the spacing
+static scalar particleRadius(checkedDictionary& dict, const solidRegion& region, bool spaced)
+{
+    const bool ofRegion = dict.isKnown("radius");
+    const bool own = dict.found("particleRadius");
+    const bool plain = !ofRegion && dict.found("radius");
+    if (own && plain)
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Entries radius and particleRadius are both there: one of them is the particles' radius"
+            << exit(FatalIOError);
+    }
+    if (own) return dict.positive("particleRadius");
+    if (plain) return dict.positive("radius");
+    if (spaced && dict.found("spacing")) return 0.5*dict.positive("spacing");
+
+    OStringStream why;
+    if (ofRegion)
+    {
+        why << "radius " << dict.dict().get<scalar>("radius") << " is that of the "
+            << dict.dict().get<word>("source") << ", not of its particles. ";
+    }
+    FatalIOErrorInFunction(dict.dict())
+        << "Region " << region.name << ": " << why.str().c_str()
+        << "How large are the particles? Write `particleRadius <m>;`"
+        << (spaced ? " or `spacing <m>;`, the distance between the centres of neighbours" : "")
+        << exit(FatalIOError);
+    return 0;
+}
+
+
 static void placeRandom
 (
     checkedDictionary& dict,
@@ -86,7 +117,7 @@ static void placeRandom
 )
 {
     randomPacking packing;
-    packing.smallest = packing.largest = dict.positive("radius");
+    packing.smallest = packing.largest = particleRadius(dict, region, false);
     packing.largest = dict.positive("largestRadius", packing.largest);
     packing.solidFraction = dict.positive("solidFraction");
     // All of space
@@ -95,7 +126,7 @@ static void placeRandom
     if (packing.largest < packing.smallest)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry largestRadius is " << packing.largest << ", less than radius " << packing.smallest
+            << "Entry largestRadius is " << packing.largest << ", less than the particles' radius " << packing.smallest
             << exit(FatalIOError);
     }
 
@@ -106,7 +137,7 @@ static void placeRandom
         region.dict,
         region.name,
         space/(frame.planar() ? sqr(packing.smallest) : pow3(packing.smallest)),
-        "radius"
+        "particles' radius"
     );
     region.radius = packing.radii(space, frame.planar());
     const bool placed = packing.place
@@ -148,7 +179,7 @@ static scalarField placeInVolume(checkedDictionary& dict, const solidSpace& spac
     {
         solidLattice lattice;
         lattice.kind = kind;
-        lattice.radius = dict.positive("radius");
+        lattice.radius = particleRadius(dict, region, true);
         lattice.spacing = dict.positive("spacing", 2*lattice.radius);
         const wholeBody whole(volume, frame);
         scalar count = 1;
@@ -156,7 +187,7 @@ static scalarField placeInVolume(checkedDictionary& dict, const solidSpace& spac
         {
             count *= volume.bounds().span()[frame.axis(d)]/lattice.spacing;
         }
-        checkCount(region.dict, region.name, count, "radius or spacing");
+        checkCount(region.dict, region.name, count, "particles' radius or spacing");
 
         DynamicList<point> in;
         for (const point& x : lattice.fill(volume.bounds(), frame))
