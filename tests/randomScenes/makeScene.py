@@ -36,9 +36,9 @@ class Scene:
         self.dim = 3 if r.random() < 0.35 else 2
         self.dp = r.choice([0.005, 0.01, 0.02, 0.05])/scale
         s = scale
-        self.nx = int(r.randint(24, 60 if self.dim == 2 else 28)*s)
-        self.nz = int(r.randint(20, 40 if self.dim == 2 else 22)*s)
-        self.ny = int(r.randint(6, 12)*s) if self.dim == 3 else 1
+        self.nx = int(r.randint(24 if self.dim == 2 else 18, 60 if self.dim == 2 else 24)*s)
+        self.nz = int(r.randint(20 if self.dim == 2 else 16, 40 if self.dim == 2 else 20)*s)
+        self.ny = int(r.randint(5, 8)*s) if self.dim == 3 else 1
         self.tilt = math.radians(r.choice([0, 0, r.uniform(-30, 30)]))
         self.lid = r.random() < 0.5
         self.scale = s
@@ -93,7 +93,7 @@ class Scene:
             self.bodies.append((x, z, a, r.choice([300, 600, 1500, 3000, 7800]), v))
         if r.random() < 0.25 and not self.bodies:
             self.motion = r.choice(['paddle', 'tank'])
-        self.end = r.choice([1, 2, 3])*math.sqrt(self.dp/0.005)
+        self.end = min(8, max(1, r.choice([1, 2, 3])*math.sqrt(self.dp/0.005)*(1 if self.dim == 2 else 0.5)))
 
     def floorPotential(self):
         """Potential of a unit mass in the lowest corner of the tank [m2/s2]"""

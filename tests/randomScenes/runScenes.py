@@ -92,7 +92,7 @@ def run(seed, options):
     counts = re.findall(r'Put back at faces of walls: (\d+)', text)
     particles = (re.findall(r'fluid (\d+), walls', text) or ['0'])[0]
     steps = (re.findall(r'Particle steps = \d+ \((\d+)\)', text) or ['0'])[-1]
-    print('%s scene %d: %dD, %s particles, %s steps, %.0f s, energy %+.3f %%, put back %s, taken out %s%s' % (
+    print('%s random scene %d: %dD, %s particles, %s steps, %.0f s, energy %+.3f %%, put back %s, taken out %s%s' % (
         'FAIL' if faults else 'PASS', seed, scene.dim, particles, steps, time.time() - start, 100*rise, counts[-1] if counts else 0, wild,
         '; ' + '; '.join(faults) if faults else ''), flush=True)
     return not faults

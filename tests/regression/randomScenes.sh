@@ -1,0 +1,8 @@
+#!/bin/bash
+# Fifty random scenes with an empty sphProperties (tests/randomScenes): none stops, nothing passes a wall, energy does not grow
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+
+"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runScenes.py --seeds 1-50 --limit 120
