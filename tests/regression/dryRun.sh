@@ -42,9 +42,9 @@ sph() { dictionary constant/sphProperties <<<"device cpu; $1"; }
 tank2; control sphDem; sph ''
 regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.08 0.01); }'; fill
 passes sph '[12][0-9]*'
-sph 'guards { densityDeviation 1e-5; }'
+sph 'guards { wild stop; densityDeviation 1e-5; }'
 stops density 'Guard at time 0 s, particle step 0: particle [0-9]+ at \(.*\(nearest patch: [a-z]+\) has a density that deviates by .* guards/densityDeviation allows 1e-05'
-sph 'guards { speedRatio 1e-4; }'
+sph 'guards { wild stop; speedRatio 1e-4; }'
 stops speed 'Guard at time .* s, particle step [1-9][0-9]*: particle [0-9]+ at .* has the speed .* guards/speedRatio allows'
 sph 'guards { escape stop; }'
 regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.1 0.01); velocity (0 3 0); pressure zero; }'; fill
