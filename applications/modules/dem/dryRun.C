@@ -24,7 +24,7 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
             return int64_t(0);
         }
         takeSteps(t, n);
-        logEscaped(report_.escaped.size(), run_.escaped);
+        logEscaped(report_.escaped.size(), run_);
         return int64_t(report_.steps);
     };
     const scalar seconds = firstSteps(take, scene_->time(), step, 2000);
