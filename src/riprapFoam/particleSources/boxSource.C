@@ -34,6 +34,10 @@ public:
     virtual boundBox bounds() const { return box_; }
 
     virtual boolList inside(const pointField& points) const { return boolList(points.size(), true); }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return boxShape(box_, frame); }
+
+    virtual bool straight() const { return true; }
 };
 
 defineTypeNameAndDebug(boxSource, 0);

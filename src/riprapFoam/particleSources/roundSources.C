@@ -15,6 +15,7 @@ class cylinderSource
 {
     point p1_, p2_;
     scalar radius_;
+    dictionary where_;          // for messages
 
 public:
 
@@ -22,7 +23,8 @@ public:
 
     cylinderSource(checkedDictionary& dict, const Time&)
     :
-        radius_(dict.positive("radius"))
+        radius_(dict.positive("radius")),
+        where_(dict.dict())
     {
         dict.found("p1");
         dict.found("p2");
@@ -60,6 +62,8 @@ public:
         }
         return in;
     }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return cylinderShape(p1_, p2_, radius_, frame, where_); }
 };
 
 defineTypeNameAndDebug(cylinderSource, 0);
@@ -96,6 +100,8 @@ public:
         forAll(in, i) in[i] = magSqr(points[i] - centre_) <= sqr(radius_);
         return in;
     }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return sphereShape(centre_, radius_, frame); }
 };
 
 defineTypeNameAndDebug(sphereSource, 0);

@@ -13,7 +13,7 @@ class surfaceSource
 :
     public volumeSource
 {
-    autoPtr<triSurface> surface_;
+    std::shared_ptr<const triSurface> surface_;
     autoPtr<triSurfaceSearch> search_;
 
 public:
@@ -22,13 +22,15 @@ public:
 
     surfaceSource(checkedDictionary& dict, const Time& time)
     {
-        surface_ = readClosedSurface(dict, time);
+        surface_.reset(readClosedSurface(dict, time).ptr());
         search_.reset(new triSurfaceSearch(*surface_));
     }
 
     virtual boundBox bounds() const { return boundBox(surface_->points(), false); }
 
     virtual boolList inside(const pointField& points) const { return search_->calcInside(points); }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return closedShape(surface_, frame); }
 };
 
 defineTypeNameAndDebug(surfaceSource, 0);
