@@ -51,6 +51,7 @@ fill()      # REGIONS [SPACING of the water]
 }
 run() { riprapFoam >log 2>&1 && pass "$1" || fail "$1" "$(oneLine | grep -o 'FATAL.\{0,300\}')"; }
 motion='functions { motion { type groupMotion; libs ("libriprapFoam.so"); } }'
+lines='functions { motion { type groupMotion; libs ("libriprapFoam.so"); } lines { type springForces; libs ("libriprapFoam.so"); } }'
 
 # Mass, centre, inertia. The lattice of 6 x 6 disks of 5 mm in 0.065 x 0.06 m holds 0.92 of the box
 tank2; solids ''; control dem 0.1 ''
@@ -122,7 +123,9 @@ done
 
 # A spring and a mooring: static offset m g/k; restart knows the body's point
 solids 'groups { guided { viscousDamping 20; springs { up { anchor (0.11 0.3 0); point (0.11 0.12 0); stiffness 100; damping 5; restLength 0.15; } } } }'
-fill "block { $block_ }"; control dem 1.2 "$motion"; run spring
+fill "block { $block_ }"; control dem 1.2 "$lines"; run spring
+column springTension lines guided.upTension 1.95 1.97           # m g
+column springForce lines guided.upFy 1.95 1.97
 column springOffset motion guidedCentreY 0.12033 0.12043        # 0.3 - 0.15 - 0.01 - 0.2 9.81/100
 says springLog 'spring +guided\.up: anchor \(0\.11 0\.3 0\), point .*stiffness 100 N/m'
 solids 'groups { guided { viscousDamping 20; moorings { up { anchor (0.11 0.3 0); point (0.11 0.12 0); stiffness 100; length 0.15; } } } }'
@@ -172,6 +175,34 @@ do
     last motion guidedCentreY >>list
 done
 awk 'NR == 1 {a = $1} {b = $1} END {d = a - b; exit !(NR == 2 && d < 1e-7 && d > -1e-7 && a != 0.2)}' list && pass heave || fail heave "fixed and constrain give other motions: $(cat list)"
+
+# The same in picDem: a flap on its hinge, and what moves up and down alone
+bigger; dictionary constant/picProperties <<<'device cpu; precision double;'; rm constant/sphProperties
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-9; } }'
+grid='water { set fluid; source box; box (0 0 0) (0.4 0.2 0.01); pressure zero; }'
+sed -i 's/(4 4 1)/(40 40 1)/' system/blockMeshDict; rm -rf constant/polyMesh; blockMesh >log 2>&1
+solids 'groups { flap { constrain { hinge { point (0.2 0.2 0); } } } }'
+fill "$grid flap { $wood group flap; source box; box (0.17 0.1 0) (0.23 0.2 0.01); spacing 0.01; spin (0 0 1); }" 0.005
+control picDem 0.05 "$motion"; run picFlap
+awk -v x="$(last motion flapCentreX)" -v y="$(last motion flapCentreY)" 'BEGIN {r = sqrt((x - 0.2)^2 + (y - 0.2)^2); exit !(r > 0.0499999 && r < 0.0500001 && x != 0.2)}' && pass picFlapRadius ||
+    fail picFlapRadius "the flap has left its hinge, or does not move: $(last motion flapCentreX)"
+rm -f list
+for how in 'fixed (x spin);' 'constrain { line (0 1 0); orientation fixed; }'
+do
+    solids "groups { guided { $how } }"
+    fill "$grid float { $wood group guided; source box; box (0.15 0.12 0) (0.25 0.22 0.01); spacing 0.01; }" 0.005
+    riprapFoam >log 2>&1 || fail picHeave "$(oneLine | grep -o 'FATAL.\{0,300\}')"
+    last motion guidedCentreY >>list
+done
+awk 'NR == 1 {a = $1} {b = $1} END {d = a - b; exit !(NR == 2 && d < 1e-7 && d > -1e-7 && a > 0.1701)}' list && pass picHeave || fail picHeave "fixed and constrain give other motions: $(cat list)"
+rm constant/picProperties; dictionary constant/sphProperties <<<'device cpu;'
+
+# A body on the floor has no water under it, and one a spacing above has
+solids ''; sed -i 's/walls { material wood; patches (); }/walls { material wood; }/' constant/solidProperties; control sphDem 0.01 ''
+fill "$pond body { $wood source box; box (0.1 0 0) (0.2 0.05 0.01); spacing 0.01; }" 0.01
+says standing 'Region body stands 0 m off a wall, less than the water.s spacing of 0\.01 m: there is no water in between'
+fill "$pond body { $wood source box; box (0.1 0.01 0) (0.2 0.06 0.01); spacing 0.01; }" 0.01
+quiet floats 'off a wall'
 
 # What is refused
 control dem 0.1 ''; solids ''

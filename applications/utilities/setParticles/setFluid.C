@@ -153,7 +153,7 @@ static void warnOfStanding(const placedSolids& placed, scalar spacing)
 {
     for (const solidRegion& region : placed.regions)
     {
-        if (region.clumps.empty() || region.wallGap >= spacing) continue;
+        if (region.clumps.empty() || region.wallGap >= (1 - 1e-6)*spacing) continue;
         IOWarningInFunction(region.dict)
             << "Region " << region.name << " stands " << max(region.wallGap, scalar(0)) << " m off a wall, less than the water's spacing of "
             << spacing << " m: there is no water in between, and none presses there. A body that shall be lifted needs a gap of a spacing"

@@ -64,7 +64,7 @@ static void write
 Foam::placedSolids Foam::placeSolids(const polyMesh& mesh, const dictionary& dict)
 {
     checkedDictionary entries(dict);
-    for (const char* other : {"regions", "bonds", "overlapTolerance"}) entries.found(other);
+    for (const char* other : {"overlapTolerance", "regions", "bonds"}) entries.found(other);
     if (hasSet(dict, "fluid"))
     {
         for (const char* other : {"spacing", "packing"}) entries.found(other);

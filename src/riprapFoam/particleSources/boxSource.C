@@ -37,6 +37,18 @@ public:
 
     virtual clumpShape shape(const particlePacking& frame) const { return boxShape(box_, frame); }
 
+    virtual dictionary surfaceEntries(const particlePacking& frame) const
+    {
+        dictionary entries;
+        if (!frame.planar()) return entries;
+        const direction x = frame.axis(0), y = frame.axis(1);
+        pointField corners(4, box_.min());
+        corners[1][x] = corners[2][x] = box_.max()[x];
+        corners[2][y] = corners[3][y] = box_.max()[y];
+        entries.add("outline", corners);
+        return entries;
+    }
+
     virtual bool straight() const { return true; }
 };
 

@@ -17,6 +17,8 @@ struct rigidBody
     scalar mass = 0, volume = 0;
     point centre = Zero;
     tensor inertia = Zero;              // in 2D its moment is at zz
+    tensor axes = tensor::I;            // principal, where they are known
+    bool uniform = false;               // centre and axes are those of the shape
 };
 
 
@@ -54,6 +56,8 @@ static rigidBody ofShape(const clumpShape& shape, scalar density)
     body.volume = shape.volume;
     body.centre = shape.middle;
     body.inertia = density*inertiaOf(shape);
+    body.axes = shape.axes;
+    body.uniform = true;
     return body;
 }
 
@@ -61,6 +65,7 @@ static rigidBody ofShape(const clumpShape& shape, scalar density)
 static void change(const rigidEntries& given, bool planar, direction empty, rigidBody& body)
 {
     const scalar before = body.mass, height = body.centre[empty];
+    body.uniform = body.uniform && !given.centred && !given.turned;
     if (given.density > 0) body.mass = given.density*body.volume;
     if (given.mass > 0) body.mass = given.mass;
     body.inertia *= body.mass/before;
@@ -77,8 +82,11 @@ static riprap::DemClump clumpOf(const rigidBody& body, bool planar, const vector
     quaternion turn(quaternion::I);
     if (!planar)
     {
-        tensor axes;
-        moments = principalMoments(body.inertia, axes);
+        // Those of the shape to the bit: it is seen in its own axes
+        const tensor own(body.axes.T() & body.inertia & body.axes);
+        moments = vector(own.xx(), own.yy(), own.zz());
+        tensor axes(body.axes);
+        if (!body.uniform) moments = principalMoments(body.inertia, axes);
         turn = quaternion(axes);
     }
     riprap::DemClump clump;
@@ -116,6 +124,7 @@ void Foam::makeRigid
         region.exact ? ofShape(*region.exact, space.settings.materials[region.material[0]].density) : ofParticles(space, region)
     );
     change(given, planar, config.axes[2], body);
+    if (!body.uniform) region.shape.clear();
     riprap::DemClump clump(clumpOf(body, planar, velocity, spin));
     clump.group = group;
     region.mass *= body.mass/sum(region.mass);

@@ -222,6 +222,7 @@ Foam::scalarField Foam::placeInVolume(checkedDictionary& dict, bool rigid, const
     if (rigid || (cells && kind != solidPackingKind::random))
     {
         region.exact = std::make_shared<const clumpShape>(volume.shape(frame));
+        if (rigid) region.shape = volume.surfaceEntries(frame);
     }
     if (!rigid && kind == solidPackingKind::fitted)
     {

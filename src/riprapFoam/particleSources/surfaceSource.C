@@ -15,6 +15,7 @@ class surfaceSource
 {
     std::shared_ptr<const triSurface> surface_;
     autoPtr<triSurfaceSearch> search_;
+    dictionary entries_;
 
 public:
 
@@ -24,6 +25,7 @@ public:
     {
         surface_.reset(readClosedSurface(dict, time).ptr());
         search_.reset(new triSurfaceSearch(*surface_));
+        entries_ = shapeEntries(dict.dict());
     }
 
     virtual boundBox bounds() const { return boundBox(surface_->points(), false); }
@@ -31,6 +33,8 @@ public:
     virtual boolList inside(const pointField& points) const { return search_->calcInside(points); }
 
     virtual clumpShape shape(const particlePacking& frame) const { return closedShape(surface_, frame); }
+
+    virtual dictionary surfaceEntries(const particlePacking& frame) const { return frame.planar() ? dictionary() : entries_; }
 };
 
 defineTypeNameAndDebug(surfaceSource, 0);
