@@ -9,7 +9,7 @@ namespace Foam
 {
 
 // Iterations at most, and the largest move, in spacings, at which it ends
-static const label mostMoves = 200;
+static const label mostMoves = 100;
 static const scalar restingMove = 2e-3;
 // Longest move of an iteration, in spacings
 static const scalar longestMove = 0.1;
@@ -24,30 +24,36 @@ static vectorField waysOut(const fittedPacking& f, const pointField& points)
 }
 
 
-// Points nearer to the surface than a length
-static labelList nearer(const scalarField& depth, scalar length)
+// Depths of the points that may be nearer to the surface than a length: `least` is below each one's depth, and becomes it for those
+static labelList nearer(const fittedPacking& f, const pointField& points, scalar length, scalarField& least)
 {
+    DynamicList<label> some;
+    forAll(least, i) if (least[i] < length) some.append(i);
+    const scalarField depth(f.depth(pointField(points, some)));
     DynamicList<label> near;
-    forAll(depth, i) if (depth[i] < length) near.append(i);
+    forAll(some, k)
+    {
+        least[some[k]] = depth[k];
+        if (depth[k] < length) near.append(some[k]);
+    }
     return labelList(std::move(near));
 }
 
 
-static void keepOff(const fittedPacking& f, pointField& points)
+static void keepOff(const fittedPacking& f, pointField& points, scalarField& least)
 {
-    const labelList near(nearer(f.depth(points), f.off));
-    pointField some(points, near);
-    const scalarField depth(f.depth(some));
-    const vectorField n(waysOut(f, some));
-    forAll(near, i) points[near[i]] -= (f.off - depth[i])*n[i];
+    const labelList near(nearer(f, points, f.off, least));
+    const vectorField n(waysOut(f, pointField(points, near)));
+    forAll(near, k) points[near[k]] -= (f.off - least[near[k]])*n[k];
 }
 
 
 // Images behind the surface of points within a reach of it
-static pointField mirrored(const fittedPacking& f, const pointField& points, scalar reach)
+static pointField mirrored(const fittedPacking& f, const pointField& points, scalar reach, scalarField& least)
 {
-    const pointField some(points, nearer(f.depth(points), reach));
-    return some + 2*f.depth(some)*waysOut(f, some);
+    const labelList near(nearer(f, points, reach, least));
+    const pointField some(points, near);
+    return some + 2*scalarField(least, near)*waysOut(f, some);
 }
 
 } // namespace Foam
@@ -96,12 +102,13 @@ void Foam::fittedPacking::relax(pointField& points, const pointField& held, cons
     const label D = frame.planar() ? 2 : 3;
     const scalar h = 1.25*spacing, reach = 2*h;
     const scalar weight = std::pow(spacing, D)*riprap::WendlandC2::alpha(D)/std::pow(h, D);
+    scalarField least(points.size(), -GREAT);
     for (label move = 0; move < mostMoves; ++move)
     {
-        keepOff(*this, points);
+        keepOff(*this, points, least);
         pointField all(held);
         all.append(points);
-        if (mirrors) all.append(mirrored(*this, points, reach));
+        if (mirrors) all.append(mirrored(*this, points, reach, least));
         const pointGrid grid(reach, all);
 
         scalar largest = 0;
@@ -121,8 +128,9 @@ void Foam::fittedPacking::relax(pointField& points, const pointField& held, cons
             largest = max(largest, mag(way[i]));
         }
         points += way;
+        least -= mag(way);
         for (point& p : points) p = frame.inPlane(p);
         if (largest < restingMove*spacing) break;
     }
-    keepOff(*this, points);
+    keepOff(*this, points, least);
 }
