@@ -73,13 +73,20 @@ static void requirePairs
 static std::vector<riprap::DemGroup> groupsOf
 (
     const demSettings& settings,
-    const riprap::DemParticles& particles
+    const riprap::DemParticles& particles,
+    const std::vector<riprap::DemClump>& clumps
 )
 {
+    // A rigid body gets its group's force once, whatever it is made of
     labelList members(settings.groups.size(), Zero);
-    for (const std::int32_t g : particles.group)
+    for (std::size_t i = 0; i < particles.size(); ++i)
     {
-        ++members[g];
+        const bool member = particles.clump.size() && particles.clump[i] >= 0;
+        if (!member) ++members[particles.group[i]];
+    }
+    for (const riprap::DemClump& clump : clumps)
+    {
+        ++members[clump.group];
     }
 
     std::vector<riprap::DemGroup> groups;
@@ -192,7 +199,7 @@ riprap::DemInput Foam::demInput
     input.clumps = solids.clumps;
     input.bonds = solids.bonds;
     input.walls = walls;
-    input.groups = groupsOf(settings, input.particles);
+    input.groups = groupsOf(settings, input.particles, input.clumps);
 
     requirePairs(settings, materialsOf(input.particles.material), walls);
     setBonds(settings, input, typeOfBondType);

@@ -11,7 +11,8 @@ Description
             tip   { sharedForce (0 -1 0); }     // force (..): on each one
             lid   { motion { solidBodyMotionFunction ..; } }
             beam  { localDamping 0.7; }
-        }
+            buoy  { constrain { .. } springs { .. } moorings { .. } }
+        }                                       // readConstraints.C
 \*---------------------------------------------------------------------------*/
 
 #include "readSolidProperties.H"
@@ -84,6 +85,7 @@ static demGroup readGroup
 (
     const word& name,
     const dictionary& entries,
+    const riprap::DemConfig& config,
     List<wallMotion>& motions
 )
 {
@@ -103,6 +105,9 @@ static demGroup readGroup
     group.viscousDamping = dict.notNegative("viscousDamping", 0);
     group.viscousSpinDamping = dict.notNegative("viscousSpinDamping", 0);
 
+    readConstraint(dict, config, group.constraint);
+    readSprings(dict, group.springs);
+
     const dictionary& motion = dict.subDict("motion");
     settings.moves = entries.found("motion", keyType::LITERAL);
     if (settings.moves)
@@ -112,6 +117,13 @@ static demGroup readGroup
     }
     dict.end();
 
+    const bool fixed = dict.dict().found("fixed", keyType::LITERAL);
+    if (group.constraint.any() && (fixed || settings.moves))
+    {
+        FatalIOErrorInFunction(entries)
+            << "Group " << name << " has both entries constrain and "
+            << (fixed ? "fixed" : "motion") << exit(FatalIOError);
+    }
     if (settings.moves && (group.heldSpin || group.held[0] || group.held[1] || group.held[2]))
     {
         FatalIOErrorInFunction(entries)
@@ -140,7 +152,13 @@ void Foam::readSolidGroups(checkedDictionary& solids, demSettings& settings)
     {
         settings.groups.append
         (
-            readGroup(e.keyword(), namedDict(all, e), settings.groupMotion)
+            readGroup
+            (
+                e.keyword(),
+                namedDict(all, e),
+                settings.config,
+                settings.groupMotion
+            )
         );
     }
 }

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sceneSolids.H"
+#include "bodyLog.H"
 #include "demNames.H"
 #include "listed.H"
 #include "moduleLog.H"
@@ -26,6 +27,7 @@ void Foam::sceneSolids::logSolids
     logItem("particles") << label(plan.particles) << ", clumps "
         << label(plan.clumps) << ", bonds " << label(plan.bonds)
         << ", wall elements " << label(plan.wallElements) << nl;
+    logBodies(c, input_);
     logItem("contact") << demNames::normal[c.normal] << ", "
         << demNames::tangential[c.tangential] << ", rolling "
         << demNames::rolling[c.rolling] << nl;

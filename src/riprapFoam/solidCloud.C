@@ -105,6 +105,11 @@ void Foam::solidCloud::writeClumps() const
     std::vector<riprap::DemClump> clumps(input_.clumps);
     for (std::size_t i = 0; i < clumps.size(); ++i)
     {
+        if (!clumps[i].moved)
+        {
+            clumps[i].moved = true;
+            clumps[i].start = {clumps[i].position, clumps[i].orientation};
+        }
         for (int d = 0; d < 3; ++d)
         {
             clumps[i].position[d] = now.position[3*i + d];

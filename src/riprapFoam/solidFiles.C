@@ -100,14 +100,21 @@ void Foam::writeClumpFiles
 
     const label n = clumps.size();
     vectorField position(n), U(n), omega(n), inertia(n), axis(n);
-    scalarField real(n), mass(n);
+    vectorField startPosition(n), startAxis(n);
+    scalarField real(n), mass(n), volume(n), startReal(n);
     labelField group(n), shape(n);
     bool shaped = false;
     forAll(position, i)
     {
         const riprap::DemClump& c = clumps[i];
+        const riprap::DemPose start
+        (
+            c.moved ? c.start : riprap::DemPose{c.position, c.orientation}
+        );
         for (direction d = 0; d < vector::nComponents; ++d)
         {
+            startPosition[i][d] = start.position[d];
+            startAxis[i][d] = start.orientation[d + 1];
             position[i][d] = c.position[d];
             U[i][d] = c.velocity[d];
             omega[i][d] = c.spin[d];
@@ -115,7 +122,9 @@ void Foam::writeClumpFiles
             axis[i][d] = c.orientation[d + 1];
         }
         real[i] = c.orientation[0];
+        startReal[i] = start.orientation[0];
         mass[i] = c.mass;
+        volume[i] = c.volume;
         group[i] = c.group;
         shape[i] = c.shape;
         shaped = shaped || c.shape >= 0;
@@ -128,7 +137,11 @@ void Foam::writeClumpFiles
     writeSolidField(time, folder, "orientationReal", real);
     writeSolidField(time, folder, "orientationImaginary", axis);
     writeSolidField(time, folder, "mass", mass);
+    writeSolidField(time, folder, "volume", volume);
     writeSolidField(time, folder, "inertia", inertia);
+    writeSolidField(time, folder, "startPosition", startPosition);
+    writeSolidField(time, folder, "startOrientationReal", startReal);
+    writeSolidField(time, folder, "startOrientationImaginary", startAxis);
     writeSolidField(time, folder, "group", group);
     if (shaped) writeSolidField(time, folder, "shape", shape);
 }
@@ -159,6 +172,18 @@ void Foam::readClumpFiles
         shape = readSolidField<label>(time, folder, "shape", n);
     }
 
+    // Of files that know neither volumes nor where bodies stood at first
+    const bool known = hasSolidField(time, folder, "startPosition");
+    scalarField volume(n, Zero), startReal(real);
+    vectorField startPosition(position), startAxis(axis);
+    if (known)
+    {
+        volume = readSolidField<scalar>(time, folder, "volume", n);
+        startPosition = readSolidField<vector>(time, folder, "startPosition", n);
+        startReal = readSolidField<scalar>(time, folder, "startOrientationReal", n);
+        startAxis = readSolidField<vector>(time, folder, "startOrientationImaginary", n);
+    }
+
     solids.clumps.resize(n);
     forAll(position, i)
     {
@@ -170,8 +195,13 @@ void Foam::readClumpFiles
             c.spin[d] = omega[i][d];
             c.inertia[d] = inertia[i][d];
             c.orientation[d + 1] = axis[i][d];
+            c.start.position[d] = startPosition[i][d];
+            c.start.orientation[d + 1] = startAxis[i][d];
         }
         c.orientation[0] = real[i];
+        c.start.orientation[0] = startReal[i];
+        c.moved = true;
+        c.volume = volume[i];
         c.mass = mass[i];
         c.group = groupOfFile[group[i]];
         c.shape = shape[i];

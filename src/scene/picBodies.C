@@ -121,25 +121,37 @@ typename PicBodies<D>::Modes PicBodies<D>::modesOf(const double* vector, const d
 }
 
 template<int D>
-typename PicBodies<D>::Modes PicBodies<D>::gravityOf(const Body& b) const
+typename PicBodies<D>::Modes PicBodies<D>::gravityOf(const Now& n) const
 {
     Modes g{};
+    const Body& b = all_[n.body];
     const DemGroup& group = groups_[b.group];
-    for (int d = 0; d < D; ++d) g[d] = group.gravity && group.motion < 0 && !group.held[axes_[d]] ? gravity_[d] : 0;
-    return g;
+    if (!group.gravity || group.motion >= 0) return g;
+    for (int d = 0; d < D; ++d) g[d] = group.constraint.any() ? b.mass*gravity_[d] : group.held[axes_[d]] ? 0 : gravity_[d];
+    return group.constraint.any() ? times(n, g) : g;
 }
 
 //- What is held does not give way
 template<int D>
-void PicBodies<D>::setInverse(Now& n, const double* q) const
+void PicBodies<D>::setInverse(Now& n, const double* q, const Vec<D, double>& centre) const
 {
     const Body& b = all_[n.body];
     const DemGroup& g = groups_[b.group];
     n.inverse.fill(0);
     if (g.motion >= 0) return;
-    for (int d = 0; d < D; ++d) n.inverse[d*modes + d] = g.held[axes_[d]] ? 0 : 1/b.mass;
-    if (g.heldSpin) return;
+    if (g.constraint.hinge) return setHinge(n, q, centre);
+    double along[D][D];
+    directions(g, along);
+    for (int d = 0; d < D; ++d) for (int e = 0; e < D; ++e) n.inverse[d*modes + e] = along[d][e]/b.mass;
+    if (g.heldSpin || g.constraint.rotation == RotationKind::none) return;
     if (D == 2) { n.inverse[2*modes + 2] = 1/b.inertia[2]; return; }
+    if (g.constraint.rotation == RotationKind::axis)
+    {
+        double about = 0;
+        const Modes turn = axisOf(n, q, about);
+        for (int s = D; s < modes; ++s) for (int t = D; t < modes; ++t) n.inverse[s*modes + t] = turn[s]*turn[t]/about;
+        return;
+    }
     double r[3][3];
     rotation(q, r);
     for (int s = 0; s < 3; ++s)
@@ -149,6 +161,69 @@ void PicBodies<D>::setInverse(Now& n, const double* q) const
             for (int k = 0; k < 3; ++k) sum += r[axes_[s]][k]*r[axes_[t]][k]/b.inertia[k];
             n.inverse[(D + s)*modes + D + t] = sum;
         }
+}
+
+//- What of a force moves a group's bodies
+template<int D>
+void PicBodies<D>::directions(const DemGroup& g, double along[D][D]) const
+{
+    const TranslationKind kind = g.constraint.translation;
+    double n[D], length = 0;
+    for (int d = 0; d < D; ++d)
+    {
+        n[d] = g.constraint.direction[axes_[d]];
+        length += n[d]*n[d];
+    }
+    for (int d = 0; d < D; ++d)
+        for (int e = 0; e < D; ++e)
+        {
+            const double own = d == e && kind != TranslationKind::none && !g.held[axes_[d]], nn = n[d]*n[e]/std::max(length, 1e-300);
+            along[d][e] = kind == TranslationKind::line ? nn : own - (kind == TranslationKind::plane ? nn : 0);
+        }
+}
+
+//- Spin of 1 about a constraint's axis; and the inertia about it, through the centre
+template<int D>
+typename PicBodies<D>::Modes PicBodies<D>::axisOf(const Now& n, const double* q, double& about) const
+{
+    const Body& b = all_[n.body];
+    Modes turn{};
+    if (D == 2)
+    {
+        turn[2] = 1;
+        about = b.inertia[2];
+        return turn;
+    }
+    const Vector3& a = groups_[b.group].constraint.axis;
+    const double length = std::sqrt(a[0]*a[0] + a[1]*a[1] + a[2]*a[2]);
+    double r[3][3];
+    rotation(q, r);
+    about = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+        double own = 0;
+        for (int d = 0; d < 3; ++d) own += r[d][k]*a[d]/length;
+        about += b.inertia[k]*own*own;
+        turn[D + k] = a[axes_[k]]/length;
+    }
+    return turn;
+}
+
+//- A hinged body has one way to move
+template<int D>
+void PicBodies<D>::setHinge(Now& n, const double* q, const Vec<D, double>& centre) const
+{
+    const Body& b = all_[n.body];
+    double about = 0, swept = 0;
+    Modes way = axisOf(n, q, about);
+    Vec<D, double> arm;
+    for (int d = 0; d < D; ++d) arm[d] = centre[d] - groups_[b.group].constraint.point[axes_[d]];
+    for (int d = 0; d < D; ++d)
+    {
+        for (int s = D; s < modes; ++s) way[d] += way[s]*modeVelocity(s, d, arm);
+        swept += way[d]*way[d];
+    }
+    for (int i = 0; i < modes; ++i) for (int k = 0; k < modes; ++k) n.inverse[i*modes + k] = way[i]*way[k]/(about + b.mass*swept);
 }
 
 template<int D>
@@ -183,10 +258,12 @@ bool PicBodies<D>::read()
         const double* x = at(s.position, c.position);
         n.velocity = modesOf(at(s.velocity, c.velocity), at(s.spin, c.spin));
         n.total = modesOf(at(s.force, c.force), at(s.moment, c.moment));
-        setInverse(n, clump ? &c.orientation[4*std::size_t(body.clump)] : unturned);
+        Vec<D, double> centre;
+        for (int d = 0; d < D; ++d) centre[d] = x[axes_[d]];
+        setInverse(n, clump ? &c.orientation[4*std::size_t(body.clump)] : unturned, centre);
         for (int d = 0; d < 3; ++d) n.arm[d] = clump ? s.position[3*std::size_t(carrier) + d] - x[d] : 0;
         FreeBody<D, Shape> f;
-        for (int d = 0; d < D; ++d) f.centre[d] = x[axes_[d]];
+        f.centre = centre;
         for (const int id : body.ids)
         {
             if (slot[id] < 0) continue;

@@ -139,10 +139,13 @@ private:
     };
 
     Modes times(const Now& n, const Modes& force) const;
-    void setInverse(Now&, const double* orientation) const;
+    void setInverse(Now&, const double* orientation, const Vec<D, double>& centre) const;
+    void directions(const DemGroup&, double along[D][D]) const;
+    Modes axisOf(const Now&, const double* orientation, double& about) const;
+    void setHinge(Now&, const double* orientation, const Vec<D, double>& centre) const;
     SampledShape<D> placed(int shape, const Vec<D, double>& centre, const double* orientation) const;
     Modes modesOf(const double* vector, const double* turn) const;
-    Modes gravityOf(const Body&) const;
+    Modes gravityOf(const Now&) const;
     double spinSign() const;
     std::vector<double> forces_, moments_;
     void put(const Now&, const Modes& force);

@@ -45,7 +45,7 @@ void PicBodies<D>::predict(double dt, double before)
                 for (int s = D; s < modes; ++s) n.predicted[d] += n.predicted[s]*modeVelocity(s, d, arm);
             continue;
         }
-        const Modes g = gravityOf(b), water = times(n, m.force), all = times(n, n.total);
+        const Modes g = gravityOf(n), water = times(n, m.force), all = times(n, n.total);
         Modes mean{}, last{}, lasting{};
         for (int k = 0; k < modes; ++k)
         {

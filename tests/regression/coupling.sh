@@ -105,7 +105,7 @@ done
 rm -rf 0.0* postProcessing; fluid ''; solids 'groups { block { localDamping 0.1; } }'
 fill "$above"; riprapFoam -dry-run >log 2>&1; says heldByLocalDamping 'fluidForce held'
 solids ''; sed -i 's/material rubber; radius/rigid yes; material rubber; radius/; /^bonds/d' system/setParticlesDict; rm -rf 0; setParticles >log 2>&1
-says rigidBody 'block: one rigid body, mass 0\.128 kg, centre \(0\.05 0\.046 0\.005\), principal moments of inertia \(0 0 4\.864e-06\)'    # m (32 + 4 + 2) mm2
+says rigidBody 'block: one rigid body, mass 0\.128 kg per metre, centre \(0\.05 0\.046 0\.005\), principal moments of inertia \(0 0 4\.94933e-06\)'    # m (20^2 + 8^2)/12 mm2
 says rigidCount 'Written 10 particles, 0 bonds and 1 clumps'
 riprapFoam >log 2>&1 && pass run.rigid || fail run.rigid "$(grep -m1 -A3 ERROR log)"
 says rigidLog 'particles +10, clumps 1, bonds 0'

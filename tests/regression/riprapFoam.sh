@@ -97,8 +97,8 @@ bad wallLayersMany 'walls { layers 21; }' 'Entry layers is 21: it must be auto o
 bad wallPatchesWord 'walls { patches lower; }' "expected <int> or '\('.*word 'lower'"
 bad wallPatchesDict 'walls { patches { } }' 'Entry patches must be a value'
 linear='solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity'
-bad motionNoFunction 'walls { motion { p { patches (left); } } }' 'Motion p: entry solidBodyMotionFunction is missing; valid are \(.*linearMotion .*rotatingMotion.*motion.p'
-bad motionFunction 'walls { motion { p { patches (left); solidBodyMotionFunction wobble; } } }' 'Entry solidBodyMotionFunction has the unknown word wobble; valid are \(.*oscillatingLinearMotion.*motion.p'
+bad motionNoFunction 'walls { motion { p { patches (left); } } }' 'Motion p: entry solidBodyMotionFunction is missing; valid are \(.*linearMotion .*rotatingMotion'
+bad motionFunction 'walls { motion { p { patches (left); solidBodyMotionFunction wobble; } } }' 'Entry solidBodyMotionFunction has the unknown word wobble; valid are \(.*oscillatingLinearMotion'
 bad motionNoPatches "walls { motion { p { $linear (1 0 0); } } } }" "'patches' not found"
 bad motionPatch "walls { motion { p { patches (lefft); $linear (1 0 0); } } } }" 'patches \(lefft\) selects no wall; valid are \(left right lower\)'
 bad motionTwice "walls { motion { p { patches (left); $linear (1 0 0); } } q { patches (\".*\"); $linear (1 0 0); } } } }" 'Wall left moves with p already'

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
+#include "bodyLog.H"
 #include "listed.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
@@ -188,6 +189,7 @@ void Foam::solverModules::dem::logModels() const
     Info<< nl << "Discrete elements" << nl;
     logItem("particles") << "solids " << run_.particles << ", clumps "
         << label(input_.clumps.size()) << nl;
+    logBodies(settings_.config, input_);
     logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
         << "; periodic: " << axesText(c, true).c_str() << nl;
     logItem("device") << scene_->deviceName().c_str() << " ("

@@ -46,7 +46,7 @@ Foam::coupledSolids::coupledSolids
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 //- Of which particles keep the water out: mass over density; members of a
-//  clump share that of the clump as their own masses are
+//  rigid body share its own volume as their masses are
 std::vector<double> Foam::coupledSolids::volumes() const
 {
     const riprap::DemParticles& p = input_.particles;
@@ -65,9 +65,15 @@ std::vector<double> Foam::coupledSolids::volumes() const
     for (std::size_t i = 0; i < p.size(); ++i)
     {
         const int clump = p.clump.empty() ? -1 : p.clump[i];
-        volume[i] = clump < 0
-          ? p.mass[i]/density(i)
-          : input_.clumps[clump].mass/density(i)*p.mass[i]/members[clump];
+        if (clump < 0)
+        {
+            volume[i] = p.mass[i]/density(i);
+            continue;
+        }
+        const riprap::DemClump& body = input_.clumps[clump];
+        const double whole =
+            body.volume > 0 ? body.volume : body.mass/density(i);
+        volume[i] = whole*p.mass[i]/members[clump];
     }
     return volume;
 }

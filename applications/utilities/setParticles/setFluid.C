@@ -138,6 +138,33 @@ static void write(const Time& time, const polyMesh& mesh, const particleCloud& c
 }
 
 
+// Solids as water finds them
+static List<fluidObstacle> obstacles(const placedSolids& placed)
+{
+    List<fluidObstacle> all(placed.regions.size());
+    forAll(all, i)
+    {
+        const solidRegion& region = placed.regions[i];
+        all[i] = fluidObstacle{region.name, region.exact, region.position, region.radius, region.mass/sum(region.mass)};
+    }
+    return all;
+}
+
+
+// Water has no particle in a gap narrower than its spacing, and no pressure there
+static void warnOfStanding(const placedSolids& placed, scalar spacing)
+{
+    for (const solidRegion& region : placed.regions)
+    {
+        if (region.clumps.empty() || region.wallGap >= (1 - 1e-6)*spacing) continue;
+        IOWarningInFunction(region.dict)
+            << "Region " << region.name << " stands " << max(region.wallGap, scalar(0)) << " m off a wall, less than the water's spacing of "
+            << spacing << " m: there is no water in between, and none presses there. A body that shall be lifted needs a gap of a spacing"
+            << nl << endl;
+    }
+}
+
+
 // A case of picDem alone: no wall points, no equation of state
 static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
@@ -148,7 +175,7 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
     const wallPoints noWalls;
     const List<particleRegion> regions
     (
-        readRegions(dict, packing, {mesh, bodies.get(), noWalls, gravity, config.density})
+        readRegions(dict, packing, {mesh, bodies.get(), noWalls, gravity, config.density, {}})
     );
     reportRegions(regions, packing, config.density);
     if (options.checkWalls)
@@ -162,7 +189,7 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
 } // namespace Foam
 
 
-void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const placedSolids& placed)
 {
     const fileName constant(mesh.time().path()/mesh.time().constant());
     if (!isFile(constant/"sphProperties") && isFile(constant/"picProperties"))
@@ -189,9 +216,10 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
 
     const List<particleRegion> regions
     (
-        readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density})
+        readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density, obstacles(placed)})
     );
     const particleCloud cloud(makeCloud(mesh, regions, settings));
+    warnOfStanding(placed, packing.spacing());
 
     reportRegions(regions, packing, config.density);
     reportWallPoints(walls, Info());

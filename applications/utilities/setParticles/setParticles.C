@@ -76,9 +76,11 @@ int main(int argc, char* argv[])
     options.dryRun = args.found("dry-run");
     options.checkWalls = args.found("checkWalls");
     const bool solids = hasSet(dict, "solids");
+    // First, whatever the order of regions: water may be cut at them
+    const placedSolids placed(solids ? placeSolids(*mesh, dict) : placedSolids());
     // Also where there is neither: the fluid's reader says what is wrong
-    if (!solids || hasSet(dict, "fluid")) setFluid(*mesh, dict, options);
-    if (solids) setSolids(*mesh, dict, options);
+    if (!solids || hasSet(dict, "fluid")) setFluid(*mesh, dict, options, placed);
+    if (solids) setSolids(*mesh, dict, options, placed);
 
     Info<< "End" << nl << endl;
     return 0;

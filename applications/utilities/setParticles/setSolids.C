@@ -61,27 +61,34 @@ static void write
 } // namespace Foam
 
 
-void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+Foam::placedSolids Foam::placeSolids(const polyMesh& mesh, const dictionary& dict)
 {
     checkedDictionary entries(dict);
-    const scalar tolerance = entries.notNegative("overlapTolerance", 1e-4);
-    for (const char* other : {"regions", "bonds"}) entries.found(other);
+    for (const char* other : {"overlapTolerance", "regions", "bonds"}) entries.found(other);
     if (hasSet(dict, "fluid"))
     {
         for (const char* other : {"spacing", "packing"}) entries.found(other);
     }
     entries.endButMacros();
 
-    const demSettings settings(readDemSettings(mesh));
+    placedSolids placed;
+    placed.settings = std::make_unique<const demSettings>(readDemSettings(mesh));
     const auto bodies(wallGeometry(mesh.time()));
-
     Info<< nl << "Solids" << nl;
-    const List<solidRegion> regions(readSolidRegions(dict, {mesh, settings, bodies.get()}));
-    const solidSet solids(joined(regions));
-    reportRegions(regions, settings);
+    placed.regions = readSolidRegions(dict, {mesh, *placed.settings, bodies.get()});
+    reportRegions(placed.regions, *placed.settings);
+    return placed;
+}
+
+
+void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const placedSolids& placed)
+{
+    const demSettings& settings = *placed.settings;
+    const scalar tolerance = checkedDictionary(dict).notNegative("overlapTolerance", 1e-4);
+    const solidSet solids(joined(placed.regions));
     const riprap::DemBondState bonds(bondSolids(dict, solids, settings));
     Info<< endl;
-    checkSolidOverlap(regions, solids, bonds, tolerance);
+    checkSolidOverlap(placed.regions, solids, bonds, tolerance);
 
     if (!options.dryRun) write(mesh, settings, solids, bonds);
 }

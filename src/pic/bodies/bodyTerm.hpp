@@ -23,14 +23,17 @@ template<int D> inline constexpr int bodyModes = D == 2 ? 3 : 6;
 //- L with L L^T = M^-1, by rows; l is zero on entry
 inline void rootOfInverseMass(int modes, const double* inverseMass, double* l)
 {
+    // a body that is held in some ways has no root there
+    const double roundOff = 1e-12;
     for (int a = 0; a < modes; ++a)
         for (int b = 0; b <= a; ++b)
         {
-            double sum = inverseMass[a*modes + b];
+            const double own = inverseMass[a*modes + b];
+            double sum = own;
             for (int k = 0; k < b; ++k) sum -= l[a*modes + k]*l[b*modes + k];
             if (a != b) l[a*modes + b] = l[b*modes + b] > 0 ? sum/l[b*modes + b] : 0;
-            else if (sum < 0) throw std::invalid_argument("the mass of a body is not positive");
-            else l[a*modes + a] = std::sqrt(sum);
+            else if (sum < -roundOff*own) throw std::invalid_argument("the mass of a body is not positive");
+            else l[a*modes + a] = sum <= roundOff*own ? 0 : std::sqrt(sum);
         }
 }
 

@@ -28,15 +28,32 @@ namespace
         Foam::boundBox extents = Foam::boundBox(vector::zero, vector::zero);
     };
 
-    Motion motionOf(const riprap::DemState& now, const int group)
+    void addMass(const double mass, const double* x, const double* u, Motion& m)
+    {
+        m.mass += mass;
+        m.centre += mass*vector(x[0], x[1], x[2]);
+        m.velocity += mass*vector(u[0], u[1], u[2]);
+    }
+
+    // Rigid bodies with their own mass and centre
+    Motion motionOf
+    (
+        const riprap::DemState& now,
+        const riprap::DemClumpState& bodies,
+        const std::vector<riprap::DemClump>& clumps,
+        const int group
+    )
     {
         Motion m;
+        for (std::size_t k = 0; k < clumps.size(); ++k)
+        {
+            if (clumps[k].group == group) addMass(clumps[k].mass, &bodies.position[3*k], &bodies.velocity[3*k], m);
+        }
         for (std::size_t i = 0; i < now.id.size(); ++i)
         {
             if (now.group[i] != group) continue;
 
             const vector x(now.position[3*i], now.position[3*i + 1], now.position[3*i + 2]);
-            const vector u(now.velocity[3*i], now.velocity[3*i + 1], now.velocity[3*i + 2]);
             const vector reach(now.radius[i]*vector::one);
             if (m.particles == 0)
             {
@@ -45,9 +62,8 @@ namespace
             m.extents.min() = Foam::min(m.extents.min(), x - reach);
             m.extents.max() = Foam::max(m.extents.max(), x + reach);
             m.particles += 1;
-            m.mass += now.mass[i];
-            m.centre += now.mass[i]*x;
-            m.velocity += now.mass[i]*u;
+            const bool member = now.clump.size() && now.clump[i] >= 0;
+            if (!member) addMass(now.mass[i], &now.position[3*i], &now.velocity[3*i], m);
         }
         if (m.mass > 0)
         {
@@ -84,13 +100,18 @@ bool Foam::functionObjects::groupMotion::read(const dictionary& dict)
 bool Foam::functionObjects::groupMotion::write()
 {
     const riprap::DemState now(dem().scene().particles());
+    const std::vector<riprap::DemClump>& clumps = dem().input().clumps;
+    const riprap::DemClumpState bodies
+    (
+        clumps.size() ? dem().scene().clumps() : riprap::DemClumpState()
+    );
     const wordList names(dem().settings().groupNames());
 
     wordList columns;
     DynamicList<scalar> values;
     for (const label group : groups_)
     {
-        const Motion m(motionOf(now, group));
+        const Motion m(motionOf(now, bodies, clumps, group));
         const word& name = names[group];
         columns.append
         (

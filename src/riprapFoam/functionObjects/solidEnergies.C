@@ -63,7 +63,7 @@ bool Foam::functionObjects::solidEnergies::write()
         typeName,
         {
             "translation", "rotation", "potential", "contact", "bond", "total", "momentumX", "momentumY",
-            "momentumZ", "angularX", "angularY", "angularZ"
+            "momentumZ", "angularX", "angularY", "angularZ", "spring"
         }
     );
     for (const scalar value : {e.translation, e.rotation, e.potential, e.contact, e.bond, e.total()})
@@ -74,6 +74,7 @@ bool Foam::functionObjects::solidEnergies::write()
     {
         for (int d = 0; d < vector::nComponents; ++d) add(os, v[d]);
     }
+    add(os, e.spring);
     os  << endl;
     return true;
 }

@@ -34,6 +34,22 @@ public:
     virtual boundBox bounds() const { return box_; }
 
     virtual boolList inside(const pointField& points) const { return boolList(points.size(), true); }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return boxShape(box_, frame); }
+
+    virtual dictionary surfaceEntries(const particlePacking& frame) const
+    {
+        dictionary entries;
+        if (!frame.planar()) return entries;
+        const direction x = frame.axis(0), y = frame.axis(1);
+        pointField corners(4, box_.min());
+        corners[1][x] = corners[2][x] = box_.max()[x];
+        corners[2][y] = corners[3][y] = box_.max()[y];
+        entries.add("outline", corners);
+        return entries;
+    }
+
+    virtual bool straight() const { return true; }
 };
 
 defineTypeNameAndDebug(boxSource, 0);

@@ -2,6 +2,7 @@
 
 #include "particleRegions.H"
 #include "checkedDictionary.H"
+#include "fluidClip.H"
 #include "particleSource.H"
 
 namespace Foam
@@ -109,6 +110,9 @@ static particleRegion readRegion
     if (region.velocity.empty()) region.velocity = vectorField(region.size(), velocity);
 
     checkPlace(region, packing, space);
+    const auto* volume = dynamic_cast<const volumeSource*>(&source());
+    if (volume) region.lattice = volume->bounds();
+    if (region.clip) clipAtSolids(region, packing, space.solids);
     if (region.position.empty())
     {
         FatalIOErrorInFunction(region.dict)

@@ -4,6 +4,7 @@
 */
 
 #include "addToRunTimeSelectionTable.H"
+#include "mathematicalConstants.H"
 #include "particleSource.H"
 
 namespace Foam
@@ -15,6 +16,7 @@ class cylinderSource
 {
     point p1_, p2_;
     scalar radius_;
+    dictionary where_;          // for messages
 
 public:
 
@@ -22,7 +24,8 @@ public:
 
     cylinderSource(checkedDictionary& dict, const Time&)
     :
-        radius_(dict.positive("radius"))
+        radius_(dict.positive("radius")),
+        where_(dict.dict())
     {
         dict.found("p1");
         dict.found("p2");
@@ -60,6 +63,28 @@ public:
         }
         return in;
     }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return cylinderShape(p1_, p2_, radius_, frame, where_); }
+
+    // Of a circle: a polygon of the same area, a part of 1e-4 of the radius off it
+    virtual dictionary surfaceEntries(const particlePacking& frame) const
+    {
+        using constant::mathematical::twoPi;
+
+        dictionary entries;
+        const vector n(normalised(p2_ - p1_));
+        if (!frame.planar() || mag(n[frame.axis(2)]) < 1 - 1e-9) return entries;
+        const label sides = 256;
+        const scalar reach = radius_*Foam::sqrt(twoPi/sides/Foam::sin(twoPi/sides));
+        pointField corners(sides, frame.inPlane(0.5*(p1_ + p2_)));
+        forAll(corners, i)
+        {
+            corners[i][frame.axis(0)] += reach*Foam::cos(twoPi*i/sides);
+            corners[i][frame.axis(1)] += reach*Foam::sin(twoPi*i/sides);
+        }
+        entries.add("outline", corners);
+        return entries;
+    }
 };
 
 defineTypeNameAndDebug(cylinderSource, 0);
@@ -96,6 +121,8 @@ public:
         forAll(in, i) in[i] = magSqr(points[i] - centre_) <= sqr(radius_);
         return in;
     }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return sphereShape(centre_, radius_, frame); }
 };
 
 defineTypeNameAndDebug(sphereSource, 0);

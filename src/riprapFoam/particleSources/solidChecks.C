@@ -17,7 +17,7 @@ namespace Foam
 // Deeper in a wall than the tolerance allows?
 static boolList clearOf
 (
-    const solidRegion& region,
+    solidRegion& region,
     const wallSpace& space,
     const wallElements& elements,
     scalar tolerance
@@ -28,7 +28,11 @@ static boolList clearOf
 
     const wallSurface surface(space, elements, 1);
     const scalarField distance(surface.distance(region.position));
-    forAll(good, i) good[i] = distance[i] > (1 - tolerance)*region.radius[i];
+    forAll(good, i)
+    {
+        good[i] = distance[i] > (1 - tolerance)*region.radius[i];
+        region.wallGap = min(region.wallGap, distance[i] - region.radius[i]);
+    }
     return good;
 }
 
@@ -83,7 +87,12 @@ void Foam::checkSolidPlace(solidRegion& region, const solidSpace& space, scalar 
         const point x(plane.second().get<point>("point"));
         const vector n(normalised(plane.second().get<vector>("normal")));
         boolList good(region.size());
-        forAll(good, i) good[i] = ((region.position[i] - x) & n) > (1 - tolerance)*region.radius[i];
+        forAll(good, i)
+        {
+            const scalar distance = (region.position[i] - x) & n;
+            good[i] = distance > (1 - tolerance)*region.radius[i];
+            region.wallGap = min(region.wallGap, distance - region.radius[i]);
+        }
         clipOrStop(region, good, "behind the plane " + plane.first() + " or in it");
     }
 }

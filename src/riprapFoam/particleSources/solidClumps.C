@@ -163,7 +163,7 @@ void Foam::readClumps(checkedDictionary& dict, const word& source, const solidSp
         point centre(centres[c]);
         if (planar) centre[config.axes[2]] = mid;
         riprap::DemClump body;
-        body.mass = shape.volume;
+        body.mass = body.volume = shape.volume;
         const quaternion turn(rotation[c] & shape.axes);
         for (direction d = 0; d < vector::nComponents; ++d)
         {

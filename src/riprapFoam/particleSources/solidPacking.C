@@ -12,7 +12,8 @@ const Enum<solidPackingKind> solidPackingNames
     {solidPackingKind::square, "square"},
     {solidPackingKind::hexagonal, "hexagonal"},
     {solidPackingKind::layers, "layers"},
-    {solidPackingKind::random, "random"}
+    {solidPackingKind::random, "random"},
+    {solidPackingKind::fitted, "fitted"}
 });
 
 

@@ -13,8 +13,9 @@ class surfaceSource
 :
     public volumeSource
 {
-    autoPtr<triSurface> surface_;
+    std::shared_ptr<const triSurface> surface_;
     autoPtr<triSurfaceSearch> search_;
+    dictionary entries_;
 
 public:
 
@@ -22,13 +23,18 @@ public:
 
     surfaceSource(checkedDictionary& dict, const Time& time)
     {
-        surface_ = readClosedSurface(dict, time);
+        surface_.reset(readClosedSurface(dict, time).ptr());
         search_.reset(new triSurfaceSearch(*surface_));
+        entries_ = shapeEntries(dict.dict());
     }
 
     virtual boundBox bounds() const { return boundBox(surface_->points(), false); }
 
     virtual boolList inside(const pointField& points) const { return search_->calcInside(points); }
+
+    virtual clumpShape shape(const particlePacking& frame) const { return closedShape(surface_, frame); }
+
+    virtual dictionary surfaceEntries(const particlePacking& frame) const { return frame.planar() ? dictionary() : entries_; }
 };
 
 defineTypeNameAndDebug(surfaceSource, 0);

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidClip.H"
+#include "fittedPacking.H"
+#include "ListOps.H"
+#include "pointGrid.H"
+
+namespace Foam
+{
+
+// Layers that are moved, in spacings from the surface
+static const scalar movedLayers = 4;
+// Nearer than this to a solid's surface, in spacings, the start of a run refuses water
+static const scalar tooNear = 0.4;
+
+
+// All bodies as one
+static clumpShape together(const List<fluidObstacle>& solids)
+{
+    DynamicList<std::shared_ptr<const clumpShape>> shapes;
+    clumpShape all;
+    for (const fluidObstacle& solid : solids)
+    {
+        if (!solid.shape) continue;
+        shapes.append(solid.shape);
+        all.volume += solid.shape->volume;
+        all.box.add(solid.shape->box);
+    }
+    all.distance = [shapes](const pointField& points)
+    {
+        scalarField least(points.size(), GREAT);
+        for (const auto& shape : shapes) least = min(least, shape->distance(points));
+        return least;
+    };
+    return all;
+}
+
+
+// Part of a particle's cell that is in the bodies, by a fine lattice in it
+static scalar partInside(const clumpShape& bodies, const particlePacking& packing, const point& x)
+{
+    const label D = packing.planar() ? 2 : 3, n = packing.planar() ? 16 : 8;
+    pointField probes(D == 2 ? n*n : n*n*n, x);
+    forAll(probes, i)
+    {
+        const label index[3] = {i % n, (i/n) % n, i/(n*n)};
+        for (label d = 0; d < D; ++d) probes[i][packing.axis(d)] += ((index[d] + 0.5)/n - 0.5)*packing.spacing();
+    }
+    label in = 0;
+    for (const scalar distance : bodies.distance(probes)) in += distance < 0;
+    return scalar(in)/probes.size();
+}
+
+
+// Volume of the bodies in the region's cells, in particles
+static scalar wetVolume(const clumpShape& bodies, const particlePacking& packing, const pointField& x, const scalarField& distance)
+{
+    const scalar corner = 0.5*packing.spacing()*Foam::sqrt(scalar(packing.planar() ? 2 : 3));
+    scalar sum = 0;
+    forAll(x, i)
+    {
+        if (distance[i] < -corner) sum += 1;
+        else if (distance[i] < corner) sum += partInside(bodies, packing, x[i]);
+    }
+    return sum;
+}
+
+
+// What the region's lattice would be beyond its ends, outside of the bodies
+static pointField beyond(const particleRegion& region, const particlePacking& packing, const clumpShape& bodies, scalar reach)
+{
+    const label cells = label(std::ceil(reach/packing.spacing())) + 1;
+    boundBox box(region.lattice), limits(bodies.box);
+    for (label d = 0; d < (packing.planar() ? 2 : 3); ++d)
+    {
+        const direction axis = packing.axis(d);
+        box.min()[axis] -= cells*packing.spacing();
+        box.max()[axis] += cells*packing.spacing();
+    }
+    limits.min() -= reach*vector::one;
+    limits.max() += reach*vector::one;
+    if (packing.planar())
+    {
+        limits.min()[packing.axis(2)] = box.min()[packing.axis(2)] - 1;
+        limits.max()[packing.axis(2)] = box.max()[packing.axis(2)] + 1;
+    }
+    const pointField all(packing.fill(box, limits));
+    const scalarField distance(bodies.distance(all));
+    const scalar same = 0.1*packing.spacing();
+    const pointGrid own(same, region.position);
+    DynamicList<point> others;
+    forAll(all, i)
+    {
+        if (distance[i] > 0 && own.nearest(all[i], -1) >= same) others.append(all[i]);
+    }
+    return pointField(std::move(others));
+}
+
+
+static void clipAtShapes(particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
+{
+    const clumpShape bodies(together(solids));
+    const scalarField distance(bodies.distance(region.position));
+    const scalar wet = wetVolume(bodies, packing, region.position, distance);
+    const label gone = label(std::lround(wet));
+    if (wet == 0) return;
+
+    const scalar spacing = packing.spacing(), reach = (movedLayers + 2.5)*spacing;
+    const pointField ghosts(beyond(region, packing, bodies, reach));
+    labelList order;
+    sortedOrder(distance, order);
+    boolList stays(region.size(), true);
+    for (label i = 0; i < gone; ++i) stays[order[i]] = false;
+    region.keep(stays);
+
+    const scalarField left(bodies.distance(region.position));
+    DynamicList<label> moved;
+    DynamicList<point> held(ghosts);
+    forAll(left, i)
+    {
+        if (left[i] < movedLayers*spacing) moved.append(i);
+        else if (left[i] < reach) held.append(region.position[i]);
+    }
+    DynamicList<scalar> volume(scalarField(held.size(), scalar(1)));
+    for (const fluidObstacle& solid : solids)
+    {
+        if (!solid.shape) continue;
+        held.append(solid.centre);
+        volume.append(scalarField(solid.shape->volume/packing.volume()*solid.share));
+    }
+    pointField points(region.position, moved);
+    fittedPacking{bodies, packing, spacing, 0.5*spacing, false}.relax(points, pointField(std::move(held)), scalarField(std::move(volume)), false);
+    forAll(moved, i) region.position[moved[i]] = points[i];
+
+    const scalar cell = packing.volume();
+    Info<< "    " << region.name << ": cut at solids, " << gone << " particles of " << gone*cell << " m3" << (packing.planar() ? " per metre" : "")
+        << " for " << wet*cell << " of the bodies in it; " << moved.size() << " moved into layers about them" << nl;
+}
+
+
+// Where no shape is known, or no lattice
+static void clipAtParticles(particleRegion& region, const particlePacking& packing, const fluidObstacle& solid, bool shaped)
+{
+    const scalar least = tooNear*packing.spacing();
+    boolList good(region.size(), true);
+    if (shaped)
+    {
+        const scalarField distance(solid.shape->distance(region.position));
+        forAll(good, i) good[i] = distance[i] >= least;
+    }
+    else
+    {
+        const pointGrid centres(max(solid.radius) + least, solid.centre);
+        forAll(good, i)
+        {
+            centres.near
+            (
+                region.position[i],
+                [&](label s, const vector&, scalar distance) { if (distance < solid.radius[s] + least) good[i] = false; }
+            );
+        }
+    }
+    const label before = region.size();
+    region.keep(good);
+    if (before == region.size()) return;
+    Info<< "    " << region.name << ": cut at solids " << solid.name << ", " << before - region.size() << " particles of "
+        << (before - region.size())*packing.volume() << " m3" << (packing.planar() ? " per metre" : "")
+        << ", without layers about them" << nl;
+}
+
+} // namespace Foam
+
+
+void Foam::clipAtSolids(particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
+{
+    const bool fits = region.regular && packing.square();
+    bool any = false;
+    for (const fluidObstacle& solid : solids)
+    {
+        if (fits && solid.shape) any = true;
+        else clipAtParticles(region, packing, solid, bool(solid.shape));
+    }
+    if (any) clipAtShapes(region, packing, solids);
+}
