@@ -165,7 +165,7 @@ Study(
               *(Variant(f'fast-cylinder-{v}', ['-spacing', '0.005', *fast(v)]) for v in (1, 3, 10)),
               Variant('sphere-5-coarse', ['-spacing', '0.0125', *sphere(5)]),
               *(Variant(f'sphere-{v}', ['-spacing', '0.00625', *sphere(v)], large=True) for v in (1, 5, 10))],
-    quick=[Variant('quick-wedge', ['-spacing', '0.025']), Variant('quick-cylinder', ['-spacing', '0.011', *greenhow(1, 0.9, 0.66, 0.33)]),
+    quick=[Variant('quick-wedge', ['-spacing', '0.0125', '-set', 'system/tank:width 2; system/tank:depth 0.75; system/tank:height 1.4']), Variant('quick-cylinder', ['-spacing', '0.011', *greenhow(1, 0.9, 0.66, 0.33)]),
            Variant('quick-sphere', ['-spacing', '0.025', *sphere(5)])],
     analyse=analyse,
     plot=plot,
