@@ -332,6 +332,16 @@ TEST(RunningMean, followsAStepHalfItsWidthLate)
     EXPECT_NEAR(integral, 2 - 1.25, 0.01);
 }
 
+TEST(RunningMean, tellsHowManyIntervalsItHolds)
+{
+    RunningMean mean(0.5);
+    for (int k = 0; k <= 8; ++k)
+    {
+        mean.add(0.125*k, {1});
+        EXPECT_EQ(mean.intervals(), k < 4 ? 0 : 4);
+    }
+}
+
 TEST(RunningMean, goesOnOverARestart)
 {
     RunningMean whole(0.2), before(0.2), after(0.2);

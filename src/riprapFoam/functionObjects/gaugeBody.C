@@ -181,11 +181,10 @@ riprap::WallPose Foam::functionObjects::gaugeBody::fitted()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::functionObjects::gaugeBody::read
+void Foam::functionObjects::gaugeBody::find
 (
     const dictionary& dict,
-    const word& functionObject,
-    const scalarList& before
+    const word& functionObject
 )
 {
     kind_ = kind::none;
@@ -209,15 +208,19 @@ void Foam::functionObjects::gaugeBody::read
             << exit(FatalIOError);
     }
 
-    if (walls.found(name_))
-    {
-        kind_ = kind::walls;
-        index_ = walls.find(name_);
-        return;
-    }
+    kind_ = walls.found(name_) ? kind::walls : kind::solids;
+    index_ = kind_ == kind::walls ? walls.find(name_) : solids.find(name_);
+}
 
-    kind_ = kind::solids;
-    index_ = solids.find(name_);
+
+void Foam::functionObjects::gaugeBody::begin
+(
+    const dictionary& dict,
+    const scalarList& before
+)
+{
+    if (kind_ != kind::solids) return;
+
     poseAtBegin_ = riprap::WallPose();
     if (before.size() == 12)
     {
