@@ -10,7 +10,7 @@ do
     command -v $program >/dev/null || { echo "FAIL gauges no $program"; exit 1; }
 done
 case=$(mktemp -d)
-[[ -z ${KEEP:-} ]] && trap 'rm -rf "$case"' EXIT
+trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
 suite=gauges
 . "$root/tests/regression/setParticlesCases"
@@ -105,6 +105,21 @@ do
 done
 near tankVelocity "$(last riding/0/UMean.dat 2)" 0.5 0.005
 near tankGone "$(last staying/0/volumeFraction.dat 2)" 0 1e-9
+
+# Films of two spacings, thinner than what counts in the air: on a box of constant/geometry, on the floor above a gauge's foot; and one that flies
+geometry 'step { type searchableBox; min (0.1 0 -1); max (0.2 0.1 1); }'
+regions 'onStep { set fluid; source box; box (0.1 0.1 0) (0.2 0.12 0.01); } onFloor { set fluid; source box; box (0 0 0) (0.1 0.02 0.01); } sheet { set fluid; source box; box (0 0.2 0) (0.2 0.22 0.01); }'
+sed -i 's/spacing 0.005/spacing 0.01/' system/setParticlesDict
+water ''
+control "films { type waterLevel; $library points ((0.15 0 0) (0.05 0 0) (0.05 -0.1 0)); } all { type waterLevel; $library points ((0.15 0 0)); minThickness 0; }" 0.002
+rm -rf 0; setParticles >log 2>&1 || fail films "$(tail -3 log)"
+run films
+level() { awk -v c="$2" '!/^#/ { print $c; exit }' "postProcessing/$1/0/waterLevel.dat"; }
+near filmOnStep "$(level films 2)" 0.12 0.005
+near filmOnFloor "$(level films 3)" 0.02 0.005
+near filmAboveFoot "$(level films 4)" 0.12 0.005
+near sheetInTheAir "$(level all 2)" 0.22 0.005
+rm constant/geometry
 
 # A block of solids in the water that turns: of two gauges on opposite sides the left one sinks by 0.02 sin(3 t), the right one rises as much
 regions 'below { set fluid; source box; box (0 0 0) (0.2 0.06 0.01); pressure hydrostaticTo; } left { set fluid; source box; box (0 0.06 0) (0.08 0.1 0.01); pressure hydrostaticTo; }
