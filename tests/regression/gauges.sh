@@ -10,7 +10,7 @@ do
     command -v $program >/dev/null || { echo "FAIL gauges no $program"; exit 1; }
 done
 case=$(mktemp -d)
-[[ -z ${KEEP:-} ]] && trap 'rm -rf "$case"' EXIT
+trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
 suite=gauges
 . "$root/tests/regression/setParticlesCases"
@@ -105,6 +105,34 @@ do
 done
 near tankVelocity "$(last riding/0/UMean.dat 2)" 0.5 0.005
 near tankGone "$(last staying/0/volumeFraction.dat 2)" 0 1e-9
+
+# Films of two spacings, thinner than what counts in the air: on a box of constant/geometry, on the floor above a gauge's foot; and one that flies
+geometry 'step { type searchableBox; min (0.1 0 -1); max (0.2 0.1 1); }'
+regions 'onStep { set fluid; source box; box (0.1 0.1 0) (0.2 0.12 0.01); } onFloor { set fluid; source box; box (0 0 0) (0.1 0.02 0.01); } sheet { set fluid; source box; box (0 0.2 0) (0.2 0.22 0.01); }'
+sed -i 's/spacing 0.005/spacing 0.01/' system/setParticlesDict
+water ''
+control "films { type waterLevel; $library points ((0.15 0 0) (0.05 0 0) (0.05 -0.1 0)); } all { type waterLevel; $library points ((0.15 0 0)); minThickness 0; }" 0.002
+rm -rf 0; setParticles >log 2>&1 || fail films "$(tail -3 log)"
+run films
+level() { awk -v c="$2" '!/^#/ { print $c; exit }' "postProcessing/$1/0/waterLevel.dat"; }
+near filmOnStep "$(level films 2)" 0.12 0.005
+near filmOnFloor "$(level films 3)" 0.02 0.005
+near filmAboveFoot "$(level films 4)" 0.12 0.005
+near sheetInTheAir "$(level all 2)" 0.22 0.005
+rm constant/geometry
+
+# With picDem, on a piston that comes from 0.05 to 0.066 m: the level is 0.0225/0.134, 5 % of the pressure at the floor for the wave that it makes
+geometry 'piston { type searchableBox; min (-1 -1 -1); max (0.05 2 1); }'
+regions 'column { set fluid; source box; box (0.05 0 0) (0.2 0.15 0.01); }'
+dictionary constant/picProperties <<<'device cpu; walls { motion { piston { patches (piston); solidBodyMotionFunction linearMotion; velocity (0.04 0 0); } } }'
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }'
+mv constant/sphProperties .
+control "riding { type particleProbes; $library fields (p); body piston; average 0.1; probeLocations ((0.0501 0.05 0)); }" 0.4
+sed -i 's/solver sphDem/solver picDem/' system/controlDict
+rm -rf 0; setParticles >log 2>&1 || fail piston "$(tail -3 log)"
+run piston
+near piston "$(last riding/0/pMean.dat 2)" "$(awk 'BEGIN { print 9810*(0.0225/0.134 - 0.05) }')" 80
+mv sphProperties constant; rm constant/geometry constant/picProperties
 
 # A block of solids in the water that turns: of two gauges on opposite sides the left one sinks by 0.02 sin(3 t), the right one rises as much
 regions 'below { set fluid; source box; box (0 0 0) (0.2 0.06 0.01); pressure hydrostaticTo; } left { set fluid; source box; box (0 0.06 0) (0.08 0.1 0.01); pressure hydrostaticTo; }

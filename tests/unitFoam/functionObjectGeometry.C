@@ -105,6 +105,13 @@ TEST(FluidLevel, layersAndFilms)
     const Profile film(profile(1, 1000, [&](double s) { return layer(s, 0.005, 0.02) + layer(s, 0.5, 0.51); }));
     EXPECT_NEAR(fluidLevel(film.s, film.f, 0.03).top, 0.02, 0.0025);
 
+    // So is one on a solid that the line passes through, from 0.3 to 0.495; the drop above is none
+    const Profile crest(profile(1, 1000, [&](double s) { return layer(s, 0.5, 0.515) + layer(s, 0.8, 0.81); }));
+    std::vector<bool> solid(crest.s.size());
+    for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = crest.s[i] > 0.3 && crest.s[i] < 0.495;
+    EXPECT_EQ(fluidLevel(crest.s, crest.f, 0.03).top, 0);
+    EXPECT_NEAR(fluidLevel(crest.s, crest.f, 0.03, solid).top, 0.515, 0.0025);
+
     // Up to the end of the line, where the gauge ends under water
     const Profile roof(profile(1, 1000, [&](double s) { return layer(s, 0.98, 2); }));
     EXPECT_EQ(fluidLevel(roof.s, roof.f, 0.03).top, 0);
@@ -330,6 +337,16 @@ TEST(RunningMean, followsAStepHalfItsWidthLate)
         integral += mean.mean()[0]/128;
     }
     EXPECT_NEAR(integral, 2 - 1.25, 0.01);
+}
+
+TEST(RunningMean, tellsHowManyIntervalsItHolds)
+{
+    RunningMean mean(0.5);
+    for (int k = 0; k <= 8; ++k)
+    {
+        mean.add(0.125*k, {1});
+        EXPECT_EQ(mean.intervals(), k < 4 ? 0 : 4);
+    }
 }
 
 TEST(RunningMean, goesOnOverARestart)

@@ -100,7 +100,7 @@ void Foam::solverModules::picDem::registerScene()
     cloud_.reset(new picCloud(mesh_, *scene_, run_));
     sceneObject_.reset
     (
-        new picSceneObject(mesh_, *scene_, settings_.config, report_)
+        new picSceneObject(mesh_, *scene_, settings_.config, report_, bodies_)
     );
     makeFields();
     setFields();

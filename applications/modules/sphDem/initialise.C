@@ -128,8 +128,8 @@ void Foam::solverModules::sphDem::registerScene()
             *scene_,
             settings_.config,
             report_,
-            walls_,
-            bodies_
+            bodies_,
+            walls_
         )
     );
 }

@@ -5,7 +5,6 @@
 
 #include "frontPosition.H"
 #include "checkedDictionary.H"
-#include "gaugeLine.H"
 #include "levelCrossing.hpp"
 #include "particleCloudIO.H"
 #include "sphDictionaries.H"
@@ -108,6 +107,12 @@ bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
     minThickness_ =
         notNegative(dict, "minThickness", hasScene() ? dropThickness() : 0);
 
+    if (hasScene())
+    {
+        line_ = heightLine();
+        solid_ = inSolid(line_.points);
+    }
+
     return true;
 }
 
@@ -123,13 +128,8 @@ std::vector<double> Foam::functionObjects::frontPosition::positions() const
 }
 
 
-Foam::scalar Foam::functionObjects::frontPosition::height() const
+Foam::gaugeLine Foam::functionObjects::frontPosition::heightLine() const
 {
-    if (!hasScene())
-    {
-        return 0;
-    }
-
     const vector up(toVector(rule_.up));
     const vector across(toVector(rule_.direction) ^ up);
 
@@ -137,14 +137,24 @@ Foam::scalar Foam::functionObjects::frontPosition::height() const
     point foot(toVector(rule_.origin));
     foot += across*(across & (mesh_.bounds().centre() - foot));
 
-    const gaugeLine line(makeGaugeLine(mesh_.bounds(), foot, up, spacing_));
+    return makeGaugeLine(mesh_.bounds(), foot, up, spacing_);
+}
+
+
+Foam::scalar Foam::functionObjects::frontPosition::height() const
+{
+    if (!hasScene())
+    {
+        return 0;
+    }
 
     return
         riprap::fluidLevel
         (
-            line.height,
-            sample(line.points).volumeFraction,
-            minThickness_
+            line_.height,
+            sample(line_.points).volumeFraction,
+            minThickness_,
+            solid_
         ).top;
 }
 

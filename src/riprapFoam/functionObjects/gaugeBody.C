@@ -6,6 +6,7 @@
 #include "gaugeBody.H"
 #include "demSceneObject.H"
 #include "listed.H"
+#include "picSceneObject.H"
 #include "sphSceneObject.H"
 #include "wallBodies.H"
 #include "particleSources/principalAxes.H"
@@ -19,9 +20,15 @@ namespace
         return mesh.cfindObject<Foam::demSceneObject>(Foam::demSceneObject::typeName);
     }
 
-    const Foam::sphSceneObject* sphOf(const Foam::polyMesh& mesh)
+    //- The scene of the fluid, by whichever solver
+    const Foam::fluidSceneObject& fluidOf(const Foam::polyMesh& mesh)
     {
-        return mesh.cfindObject<Foam::sphSceneObject>(Foam::sphSceneObject::typeName);
+        using namespace Foam;
+        if (mesh.foundObject<picSceneObject>(picSceneObject::typeName))
+        {
+            return mesh.lookupObject<picSceneObject>(picSceneObject::typeName);
+        }
+        return mesh.lookupObject<sphSceneObject>(sphSceneObject::typeName);
     }
 
     //- Are the points spread enough to tell how they turn: not one, in 3D not on a line?
@@ -49,13 +56,11 @@ namespace
 
 Foam::wordList Foam::functionObjects::gaugeBody::wallNames() const
 {
-    wordList names;
-    if (const sphSceneObject* sph = sphOf(mesh_))
+    const wallBodies& bodies = fluidOf(mesh_).bodies();
+    wordList names(bodies.size());
+    forAll(names, body)
     {
-        for (label body = 0; body < sph->bodies().size(); ++body)
-        {
-            names.append(sph->bodies().name(body));
-        }
+        names[body] = bodies.name(body);
     }
     return names;
 }
@@ -181,11 +186,10 @@ riprap::WallPose Foam::functionObjects::gaugeBody::fitted()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::functionObjects::gaugeBody::read
+void Foam::functionObjects::gaugeBody::find
 (
     const dictionary& dict,
-    const word& functionObject,
-    const scalarList& before
+    const word& functionObject
 )
 {
     kind_ = kind::none;
@@ -209,15 +213,19 @@ void Foam::functionObjects::gaugeBody::read
             << exit(FatalIOError);
     }
 
-    if (walls.found(name_))
-    {
-        kind_ = kind::walls;
-        index_ = walls.find(name_);
-        return;
-    }
+    kind_ = walls.found(name_) ? kind::walls : kind::solids;
+    index_ = kind_ == kind::walls ? walls.find(name_) : solids.find(name_);
+}
 
-    kind_ = kind::solids;
-    index_ = solids.find(name_);
+
+void Foam::functionObjects::gaugeBody::begin
+(
+    const dictionary& dict,
+    const scalarList& before
+)
+{
+    if (kind_ != kind::solids) return;
+
     poseAtBegin_ = riprap::WallPose();
     if (before.size() == 12)
     {
@@ -232,8 +240,8 @@ riprap::WallPose Foam::functionObjects::gaugeBody::pose()
 {
     if (kind_ == kind::walls)
     {
-        const sphSceneObject& sph = *sphOf(mesh_);
-        return sph.bodies().pose(index_, sph.scene().time());
+        const fluidSceneObject& fluid = fluidOf(mesh_);
+        return fluid.bodies().pose(index_, fluid.fluidScene().time());
     }
     return kind_ == kind::solids ? fitted() : riprap::WallPose();
 }

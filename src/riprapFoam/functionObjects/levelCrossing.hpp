@@ -8,7 +8,8 @@
     fail exactly where columns are measured. Between samples f is linear.
 
     Drops and thin sheets: the level is the highest place below which water stands minThickness deep without
-    a gap. What begins within minThickness of the line's foot stands on the bed and counts, however shallow.
+    a gap. What begins within minThickness of the line's foot, or of a solid that the line passes through, stands on the bed
+    and counts, however shallow.
     Thicknesses are those of the smoothed f. Cut at half of the least inside value, 0.05, a lone particle looks
     2.7 spacings thick with h = 1.25 spacings, 3.0 with 1.7 (Wendland C2 in 2D; 2.3 and 1.8 in 3D): with a
     minThickness of 3 spacings none counts.
@@ -45,12 +46,14 @@ inline double medianOf(std::vector<double> values)
 //  @param s  positions, increasing [m]
 //  @param f  volume fraction at them
 //  @param minThickness  of water that is no drop [m]; 0: all counts
+//  @param solid  is there a solid at these places? empty: nowhere
 //  @param wet  fractions above it count as fluid when the inside value is found
 inline FluidLevel fluidLevel
 (
     const std::vector<double>& s,
     const std::vector<double>& f,
     double minThickness = 0,
+    const std::vector<bool>& solid = {},
     double wet = 0.1
 )
 {
@@ -72,9 +75,10 @@ inline FluidLevel fluidLevel
         return s[in] + (s[out] - s[in])*(f[in] - threshold)/(f[in] - f[out]);
     };
 
-    double bottom = 0;
+    double bottom = 0, bed = s[0];
     for (std::size_t i = 0; i < s.size(); ++i)
     {
+        if (!solid.empty() && solid[i]) bed = s[i];
         if (f[i] < threshold) continue;
 
         if (i == 0) bottom = s[i];
@@ -84,7 +88,7 @@ inline FluidLevel fluidLevel
         if (!end && f[i + 1] >= threshold) continue;
 
         const double top = end ? s[i] : crossing(i, i + 1);
-        const bool stands = bottom - s[0] <= minThickness;
+        const bool stands = bottom - bed <= minThickness;
 
         if (!level.wet) level.lowest = top;
         if (stands || top - bottom >= minThickness) level.top = top;

@@ -14,25 +14,28 @@ namespace
     constexpr std::size_t nNumbers = 6;
 
     const Foam::word samplesProperty("averageSamples");
+
+    // In a mean; fewer are warned of
+    constexpr std::size_t enough = 10;
 }
 
 
 void Foam::functionObjects::particleProbes::readAverage(const dictionary& dict)
 {
-    average_ = notNegative(dict, "average", 0);
-    mean_ = riprap::RunningMean(average_);
-    sampledAt_ = -GREAT;
-
-    if (average_ > 0 && foundProperty(samplesProperty))
+    // Of the run so far where the dictionary was edited, else of the one that is continued
+    std::vector<double> before(mean_.state());
+    if (before.empty() && foundProperty(samplesProperty))
     {
         scalarList samples;
         getProperty(samplesProperty, samples);
-        mean_.restore
-        (
-            std::vector<double>(samples.begin(), samples.end()),
-            nNumbers*locations_.size()
-        );
+        before.assign(samples.begin(), samples.end());
     }
+
+    average_ = notNegative(dict, "average", 0);
+    mean_ = riprap::RunningMean(average_);
+    mean_.restore(before, nNumbers*locations_.size());
+    sampledAt_ = -GREAT;
+    warned_ = false;
 }
 
 
@@ -73,6 +76,19 @@ Foam::functionObjects::particleProbes::asReadings
 }
 
 
+void Foam::functionObjects::particleProbes::warnOfFewSamples()
+{
+    const std::size_t n = mean_.intervals();
+    if (n == 0 || n >= enough || warned_) return;
+
+    warned_ = true;
+    IOWarningInFunction(dict_)
+        << "Entry average of function object " << name() << ": " << average_
+        << " s are " << label(n) << " samples. Take a sampleInterval in"
+        << " system/controlDict of at most " << average_/enough << endl;
+}
+
+
 const Foam::List<Foam::functionObjects::particleProbes::reading>&
 Foam::functionObjects::particleProbes::now()
 {
@@ -83,6 +99,7 @@ Foam::functionObjects::particleProbes::now()
         if (average_ > 0)
         {
             mean_.add(sampledAt_, asNumbers(readings_));
+            warnOfFewSamples();
         }
     }
     return readings_;
@@ -107,7 +124,7 @@ bool Foam::functionObjects::particleProbes::execute()
         }
         if (body_.ofSolids())
         {
-            setProperty("pose", gaugeBody::state(body_.pose()));
+            setProperty(poseProperty(), gaugeBody::state(body_.pose()));
         }
     }
 

@@ -45,6 +45,25 @@ Foam::vectorField Foam::functionObjects::particleProbes::turned
 }
 
 
+void Foam::functionObjects::particleProbes::readBody(const dictionary& dict)
+{
+    // Solids: from the pose now where the dictionary was edited, else from that of the run which is continued
+    const bool same = body_.ofSolids() && body_.name() == dict.lookupOrDefault("body", word::null);
+    scalarList before;
+    if (same)
+    {
+        before = gaugeBody::state(body_.pose());
+    }
+
+    body_.find(dict, name());
+    if (!same && body_.ofSolids() && foundProperty(poseProperty()))
+    {
+        getProperty(poseProperty(), before);
+    }
+    body_.begin(dict, before);
+}
+
+
 void Foam::functionObjects::particleProbes::requireInside(const dictionary& dict)
 {
     const pointField now(placed(body_.pose(), locations_));

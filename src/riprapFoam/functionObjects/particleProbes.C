@@ -55,12 +55,7 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
     correctSurface_ =
         dict.lookupOrDefault("surfaceCorrection", false) && !onGrid();
 
-    scalarList before;
-    if (foundProperty("pose"))
-    {
-        getProperty("pose", before);
-    }
-    body_.read(dict, name(), before);
+    readBody(dict);
     requireInside(dict);
     makeSensors(dict);
     readAverage(dict);

@@ -44,6 +44,13 @@ public:
         while (samples_.size() > 1 && samples_[1].time <= time - width_) samples_.pop_front();
     }
 
+    //- Of the window, once it is full; 0: it is not
+    std::size_t intervals() const
+    {
+        const bool full = samples_.size() > 1 && samples_.back().time - samples_.front().time >= width_;
+        return full ? samples_.size() - 1 : 0;
+    }
+
     std::vector<double> mean() const
     {
         if (samples_.empty()) return {};

@@ -5,6 +5,8 @@
 
 #include "sphFunctionObject.H"
 #include "gravityMeshObject.H"
+#include "particleCloudIO.H"
+#include "wallPoints.H"
 
 namespace Foam
 {
@@ -110,6 +112,45 @@ Foam::boundBox Foam::functionObjects::sphFunctionObject::reach() const
 Foam::scalar Foam::functionObjects::sphFunctionObject::dropThickness() const
 {
     return 3*fluid().fluidConfig().spacing;
+}
+
+
+std::vector<bool> Foam::functionObjects::sphFunctionObject::inSolid
+(
+    const pointField& points
+) const
+{
+    // Gauges on walls, and in 2D on the front of the mesh, are meant to be inside
+    const scalar inwards = 1e-3*fluid().fluidConfig().spacing;
+    const point& middle = mesh_.bounds().centre();
+
+    pointField inside(points);
+    for (point& x : inside)
+    {
+        for (Foam::direction d = 0; d < vector::nComponents; ++d)
+        {
+            x[d] += x[d] < middle[d] ? inwards : -inwards;
+            if (mesh_.geometricD()[d] < 0) x[d] = middle[d];
+        }
+    }
+
+    std::vector<bool> solid(inside.size(), false);
+    const labelList cell(locateParticles(mesh_, inside, labelList(), false));
+    forAll(cell, i)
+    {
+        solid[i] = cell[i] < 0;
+    }
+
+    const autoPtr<geometryWalls> geometry(wallGeometry(time_));
+    for (label body = 0; geometry.valid() && body < geometry->size(); ++body)
+    {
+        const boolList in(geometry->inSolid(body, inside));
+        forAll(in, i)
+        {
+            if (in[i]) solid[i] = true;
+        }
+    }
+    return solid;
 }
 
 

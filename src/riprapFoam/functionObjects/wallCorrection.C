@@ -47,7 +47,8 @@ void Foam::functionObjects::wallCorrection::sortWalls
 std::vector<riprap::Vector3> Foam::functionObjects::wallCorrection::images
 (
     const riprap::SphConfig& config,
-    const point& p
+    const point& p,
+    const riprap::Vector3& centre
 )
 {
     std::vector<riprap::Vector3> all{{{p.x(), p.y(), p.z()}}};
@@ -63,7 +64,7 @@ std::vector<riprap::Vector3> Foam::functionObjects::wallCorrection::images
 
         for (riprap::Vector3& x : all)
         {
-            x[a] -= length*std::floor((x[a] - config.domainMin[a])/length);
+            x[a] -= length*std::floor((x[a] - centre[a])/length + 0.5);
         }
         const std::size_t n = all.size();
         for (std::size_t i = 0; i < n; ++i)
@@ -124,9 +125,11 @@ void Foam::functionObjects::wallCorrection::update
     }
 
     std::vector<riprap::WallPose> poses(moving_.size());
+    std::vector<riprap::Vector3> centres(moving_.size());
     for (std::size_t body = 0; body < poses.size(); ++body)
     {
         poses[body] = sph.bodies().pose(body, sph.scene().time());
+        centres[body] = riprap::placed(poses[body], moving_[body].centre());
     }
 
     const bool fresh = places_.size() != std::size_t(points.size());
@@ -143,13 +146,12 @@ void Foam::functionObjects::wallCorrection::update
         const bool moved = fresh || at != p.at || n != p.normal;
         if (!moved && moving_.empty()) continue;
 
-        const std::vector<riprap::Vector3> seen(images(config, points[i]));
         if (moved)
         {
             p.at = at;
             p.normal = n;
             p.fixed.clear();
-            for (const riprap::Vector3& x : seen)
+            for (const riprap::Vector3& x : images(config, points[i], fixed_->centre()))
             {
                 if (fixed_->mayReach(x)) fixed_->near(x, p.fixed);
             }
@@ -158,7 +160,7 @@ void Foam::functionObjects::wallCorrection::update
         walls.clear();
         for (std::size_t body = 0; body < moving_.size(); ++body)
         {
-            for (const riprap::Vector3& x : seen)
+            for (const riprap::Vector3& x : images(config, points[i], centres[body]))
             {
                 moving_[body].near(x, poses[body], walls);
             }

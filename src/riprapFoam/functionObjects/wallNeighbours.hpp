@@ -88,6 +88,14 @@ public:
         cells_[key(cellIndex(x[0]), cellIndex(x[1]), cellIndex(x[2]))].push_back({x, normal});
     }
 
+    //- Of the box about its points; of none, the origin
+    Vector3 centre() const
+    {
+        Vector3 c{{0, 0, 0}};
+        for (int d = 0; d < 3 && !cells_.empty(); ++d) c[d] = 0.5*(lower_[d] + upper_[d]);
+        return c;
+    }
+
     //- Can it have a point within reach of x?
     bool mayReach(const Vector3& x) const
     {

@@ -41,6 +41,7 @@ bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
     minThickness_ = notNegative(dict, "minThickness", dropThickness());
     feet_ = points(dict, "points");
     lines_.resize(feet_.size());
+    solid_.resize(feet_.size());
 
     forAll(feet_, i)
     {
@@ -57,6 +58,7 @@ bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
         }
 
         lines_[i] = makeGaugeLine(mesh_.bounds(), feet_[i], up, spacing);
+        solid_[i] = inSolid(lines_[i].points);
     }
 
     return true;
@@ -88,7 +90,8 @@ bool Foam::functionObjects::waterLevel::write()
             (
                 lines_[i].height,
                 std::vector<double>(first, last),
-                minThickness_
+                minThickness_,
+                solid_[i]
             )
         );
         first = last;
