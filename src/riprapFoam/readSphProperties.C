@@ -37,6 +37,7 @@ static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
     config.eos =
         sph.choice("equationOfState", sphNames::equationOfState, config.eos);
     config.gamma = sph.positive("gamma", config.gamma);
+    config.lowestPressure = -sph.notNegativeOrNone("tension", 1e30);
 
     const scalar maxVelocity = sph.positiveOrAuto("maxVelocity");
     settings.autoMaxVelocity = (maxVelocity == 0);
@@ -65,6 +66,8 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
         checkedDictionary coeffs(sph.subDict("artificialViscosity"));
         config.artificialAlpha =
             coeffs.notNegative("alpha", config.artificialAlpha);
+        config.artificialAtWalls =
+            coeffs.either("walls", "yes", "no", config.artificialAtWalls);
         coeffs.end();
     }
 

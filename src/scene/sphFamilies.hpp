@@ -53,9 +53,9 @@ struct TermParameters
     DensityDiffusion<D, R> diffusion;
     ShiftingModel<R> shifting;
     TermChoice on;
-    bool wallViscosity;
+    bool wallViscosity, wallArtificial;
 
-    explicit TermParameters(const SphConfig& c) : on(c), wallViscosity(c.noSlip)
+    explicit TermParameters(const SphConfig& c) : on(c), wallViscosity(c.noSlip), wallArtificial(c.noSlip && c.artificialAtWalls)
     {
         laminar.mu = R(c.viscosity);
         laminar.softening = R(c.viscositySoftening);
@@ -75,7 +75,7 @@ struct TermParameters
     {
         if constexpr (part == Part::density) return Terms{Continuity{}};
         else return Terms{Pressure{}, Continuity{}, Switchable<LaminarViscosity<R>>(laminar, on.laminar && wallViscosity),
-            Switchable<ArtificialViscosity<R>>(artificial, on.artificial && wallViscosity)};
+            Switchable<ArtificialViscosity<R>>(artificial, on.artificial && wallArtificial)};
     }
 
     //- Call f(fluid terms, shifts?) with the types that fit the case: all terms in one pass

@@ -40,6 +40,7 @@ struct SphConfig : FluidConfig
     double gamma = 7;
     double maxVelocity = 1;                 // vmax [m/s], the scene's estimate
     double soundSpeed = 10;                 // c0 [m/s], normally 10 vmax (Eq. 35)
+    double lowestPressure = -1e30;          // [Pa] of the fluid
 
     // Kernel
     KernelKind kernel = KernelKind::wendlandC2;
@@ -51,6 +52,7 @@ struct SphConfig : FluidConfig
     ViscosityKind viscosityModel = ViscosityKind::laminar;
     double viscositySoftening = 0.01;       // eta of Eq. 36: r^2 + eta h^2
     double artificialAlpha = 0.02;
+    bool artificialAtWalls = true;          // artificial viscosity also acts between fluid and walls
     double antiClump = 0;                   // coefficient of Eq. 38 (0.01), 0: off
     double xsph = 0;                        // epsilon of Eq. 39, 0: off
     DiffusionKind diffusion = DiffusionKind::none;
