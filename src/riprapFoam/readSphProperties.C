@@ -37,7 +37,6 @@ static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
     config.eos =
         sph.choice("equationOfState", sphNames::equationOfState, config.eos);
     config.gamma = sph.positive("gamma", config.gamma);
-    config.lowestPressure = -sph.notNegativeOrNone("tension", 1e30);
 
     const scalar maxVelocity = sph.positiveOrAuto("maxVelocity");
     settings.autoMaxVelocity = (maxVelocity == 0);
@@ -55,7 +54,12 @@ static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
 static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
 {
     config.viscosityModel =
-        sph.choice("viscosity", sphNames::viscosity, config.viscosityModel);
+        sph.choice
+        (
+            "viscosity",
+            sphNames::viscosity,
+            riprap::ViscosityKind::laminarAndArtificial
+        );
     {
         checkedDictionary coeffs(sph.subDict("laminarViscosity"));
         config.viscositySoftening =
@@ -67,7 +71,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
         config.artificialAlpha =
             coeffs.notNegative("alpha", config.artificialAlpha);
         config.artificialAtWalls =
-            coeffs.either("walls", "yes", "no", config.artificialAtWalls);
+            coeffs.either("walls", "yes", "no", false);
         coeffs.end();
     }
 

@@ -40,7 +40,6 @@ struct SphConfig : FluidConfig
     double gamma = 7;
     double maxVelocity = 1;                 // vmax [m/s], the scene's estimate
     double soundSpeed = 10;                 // c0 [m/s], normally 10 vmax (Eq. 35)
-    double lowestPressure = -1e30;          // [Pa] of the fluid
 
     // Kernel
     KernelKind kernel = KernelKind::wendlandC2;

@@ -42,7 +42,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setModel()
 {
     const SphConfig& c = config_;
-    model_.eos = EquationOfState<real>::make(c.eos == EosKind::linear, c.gamma, c.soundSpeed, c.density, c.lowestPressure);
+    model_.eos = EquationOfState<real>::make(c.eos == EosKind::linear, c.gamma, c.soundSpeed, c.density);
     for (int d = 0; d < D; ++d) model_.gravity.c[d] = real(c.gravity[c.axes[d]]);
     const double h0 = c.smoothingRatio*c.spacing;
     model_.rho0 = real(c.density);

@@ -3,8 +3,6 @@
 
         Tait   (paper Eq. 35): p = c0^2 rho0/gamma ((1 + d)^gamma - 1)
         linear               : p = c0^2 rho0 d
-
-    and not below the lowest pressure that the fluid stands, where there is one: beyond, it is torn and keeps that pressure.
 */
 #pragma once
 
@@ -21,25 +19,14 @@ struct EquationOfState
     R stiffness;                // c0^2 rho0 [Pa]
     R c0;                       // [m/s]
     R rho0;                     // [kg/m3]
-    R lowest = R(-1e30);        // [Pa]
 
-    static EquationOfState make(bool linear, double gamma, double c0, double rho0, double lowest = -1e30)
+    static EquationOfState make(bool linear, double gamma, double c0, double rho0)
     {
-        EquationOfState e{};
-        e.isLinear = linear;
-        e.gamma = R(gamma);
-        e.stiffness = R(c0*c0*rho0);
-        e.c0 = R(c0);
-        e.rho0 = R(rho0);
-        e.lowest = R(lowest);
-        return e;
+        return EquationOfState{linear, R(gamma), R(c0*c0*rho0), R(c0), R(rho0)};
     }
 
     //- Pressure [Pa] of the density deviation d
-    HD R pressure(R d) const { return maximum(whole(d), lowest); }
-
-    //- The same of fluid that is never torn
-    HD R whole(R d) const
+    HD R pressure(R d) const
     {
         if (isLinear) return stiffness*d;
         if (gamma == R(7))      // expanded: no cancellation for small d
@@ -65,14 +52,6 @@ struct EquationOfState
 
     //- Elastic energy a unit mass [J/kg]: integral of p/rho^2 drho from rho0
     HD double elasticEnergy(double d) const
-    {
-        const double torn = double(lowest) > -1e29 ? double(deviation(lowest)) : -1;
-        // beyond, the work is that of a constant pressure
-        if (d < torn) return wholeEnergy(torn) + double(lowest)/rho0*(1/(1 + torn) - 1/(1 + d));
-        return wholeEnergy(d);
-    }
-
-    HD double wholeEnergy(double d) const
     {
         const double s = double(stiffness)/rho0, g = gamma;
         if (isLinear) return s*(log1p(d) - d/(1 + d));
