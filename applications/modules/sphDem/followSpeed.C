@@ -28,7 +28,7 @@ void Foam::solverModules::sphDem::addSolids(otherSpeeds& others) const
 
 
 //- Water faster than maxVelocity is compressed by more than a hundredth, and
-//  noise grows. Single drops are not a reason: a thousandth of the fluid is, and
+//  noise grows. Spray is not a reason: a hundredth of the fluid is, and
 //  ten particles at least. Raised by quarters, to what all but those stay below
 void Foam::solverModules::sphDem::followSpeed()
 {
@@ -43,7 +43,7 @@ void Foam::solverModules::sphDem::followSpeed()
         return;
     }
 
-    const scalar spray = max(scalar(1e-3)*report_.fluid, scalar(10));
+    const scalar spray = max(scalar(1e-2)*report_.fluid, scalar(10));
     const scalar raise = 1.25;
     std::array<double, riprap::SphScene::speedClasses> speeds;
     scalar next = config.maxVelocity;

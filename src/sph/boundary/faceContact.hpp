@@ -35,8 +35,7 @@ struct FaceContact
         if (!faces.groups) return;
         Vec<D, double> at;
         for (int d = 0; d < D; ++d) at.c[d] = box.toMetres(d, x.c[d]);
-        const FaceHit<D> hit = faces.find(at);
-        if (hit.depth > 0) putBack(box, gravity, kick, hit, at, x, v, clock);
+        if (faces.near(at)) putBack(box, gravity, kick, at, x, v, clock);
     }
 
 private:
@@ -44,11 +43,13 @@ private:
     //- Out of one face after another: in a corner of two parts the way out of one may lead behind the other
     HD_APART void putBack
     (
-        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, FaceHit<D> hit, Vec<D, double> at,
-        Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock
+        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, Vec<D, double> at, Vec<D, std::int64_t>& x,
+        Vec<D, real>& v, ClockData* clock
     ) const
     {
         constexpr int most = 4;
+        FaceHit<D> hit = faces.find(at);
+        if (!(hit.depth > 0)) return;
         Vec<D, double> u = convert<double>(v);
         const Vec<D, double> from = at, before = u;
         for (int k = 0; k < most && hit.depth > 0; ++k)

@@ -61,22 +61,26 @@ struct WallFaces
     int groups;                 // 0: there are no faces
     double tiny;                // [m] nearer to a face there is no direction from it
 
+    //- Are there any faces that x (in space) may be behind? Quick, and no for most
+    HD bool near(const Vec<D, double>& x) const
+    {
+        for (int g = 0; g < groups; ++g)
+        {
+            const int cell = cellOf(g, inFrame(g, x));
+            if (cell >= 0 && cellFirst[cell] < cellFirst[cell + 1]) return true;
+        }
+        return false;
+    }
+
     //- The deepest face that x (in space) is behind; depth 0: none
     HD FaceHit<D> find(const Vec<D, double>& x) const
     {
         FaceHit<D> hit;
         for (int g = 0; g < groups; ++g)
         {
-            if (!grid[g].moves) { search(g, x, hit); continue; }
-            Vec<D, double> X;
-            for (int d = 0; d < D; ++d)
-            {
-                X.c[d] = 0;
-                for (int e = 0; e < D; ++e) X.c[d] += pose[g].R[e][d]*(x.c[e] - pose[g].t[e]);
-            }
             const double before = hit.depth;
-            search(g, X, hit);
-            if (hit.depth > before) toSpace(g, hit);
+            search(g, inFrame(g, x), hit);
+            if (grid[g].moves && hit.depth > before) toSpace(g, hit);
         }
         return hit;
     }
@@ -104,6 +108,32 @@ struct WallFaces
     HD void before(int g, int thisPart, const Vec<D, double>& X, FaceHit<D>& hit) const { search(g, X, hit, thisPart); }
 
 private:
+
+    HD Vec<D, double> inFrame(int g, const Vec<D, double>& x) const
+    {
+        if (!grid[g].moves) return x;
+        Vec<D, double> X;
+        for (int d = 0; d < D; ++d)
+        {
+            X.c[d] = 0;
+            for (int e = 0; e < D; ++e) X.c[d] += pose[g].R[e][d]*(x.c[e] - pose[g].t[e]);
+        }
+        return X;
+    }
+
+    //- Its number among those of all groups, -1: outside the group's grid
+    HD int cellOf(int g, const Vec<D, double>& X) const
+    {
+        const FaceGrid<D>& cells = grid[g];
+        int cell = 0;
+        for (int d = D - 1; d >= 0; --d)
+        {
+            const double at = (X.c[d] - cells.low[d])*cells.inverseCell;
+            if (!(at >= 0) || at >= cells.n[d]) return -1;
+            cell = cell*cells.n[d] + int(at);
+        }
+        return cells.firstCell + cell;
+    }
 
     HD void toSpace(int g, FaceHit<D>& hit) const
     {
@@ -133,15 +163,9 @@ private:
     //- Parts below `parts` alone
     HD void search(int g, const Vec<D, double>& X, FaceHit<D>& hit, int parts = 0x7fffffff) const
     {
-        const FaceGrid<D>& cells = grid[g];
-        int cell = 0;
-        for (int d = D - 1; d >= 0; --d)
-        {
-            const double at = (X.c[d] - cells.low[d])*cells.inverseCell;
-            if (!(at >= 0) || at >= cells.n[d]) return;
-            cell = cell*cells.n[d] + int(at);
-        }
-        const int first = cellFirst[cells.firstCell + cell], last = cellFirst[cells.firstCell + cell + 1];
+        const int cell = cellOf(g, X);
+        if (cell < 0) return;
+        const int first = cellFirst[cell], last = cellFirst[cell + 1];
         for (int k = first; k < last;)
         {
             // the closest element of a part
