@@ -135,6 +135,7 @@ struct LeapfrogDrift : Mover<Backend, D, P>
 {
     using real = typename P::real;
     static constexpr const char* name = "leapfrogDrift";
+    static constexpr int residentBlocks = 12;    // as of symplecticDrift
 
     HD void operator()(int i) const
     {

@@ -47,6 +47,7 @@ struct SymplecticDrift : Mover<Backend, D, P>
 {
     using real = typename P::real;
     static constexpr const char* name = "symplecticDrift";
+    static constexpr int residentBlocks = 12;    // the few that meet a face must not take registers from all
 
     HD void operator()(int i) const
     {
