@@ -27,7 +27,8 @@ void Foam::solverModules::sphDem::addSolids(otherSpeeds& others) const
 }
 
 
-//- Water faster than maxVelocity is compressed by more than a hundredth, and
+//- The front on a dry bed is 1.41 times as fast as maxVelocity auto (Ritter), and
+//  is meant to be. Water faster than 1.5 times it has a Mach number above 0.15, and
 //  noise grows. Spray is not a reason: a hundredth of the fluid is, and
 //  ten particles at least. Raised by quarters, to what all but those stay below
 void Foam::solverModules::sphDem::followSpeed()
@@ -37,16 +38,17 @@ void Foam::solverModules::sphDem::followSpeed()
     (
         !settings_.autoMaxVelocity
      || !config.adjustTimeStep
-     || !(report_.maxSpeed > config.maxVelocity)
+     || !(report_.maxSpeed > 1.5*config.maxVelocity)
     )
     {
         return;
     }
 
+    const scalar beyond = 1.5*config.maxVelocity;
     const scalar spray = max(scalar(1e-2)*report_.fluid, scalar(10));
     const scalar raise = 1.25;
     std::array<double, riprap::SphScene::speedClasses> speeds;
-    scalar next = config.maxVelocity;
+    scalar next = beyond;
     for (double& speed : speeds)
     {
         speed = next;
@@ -70,7 +72,7 @@ void Foam::solverModules::sphDem::followSpeed()
         << " m/s, c0 " << config.soundSpeed << " to " << soundSpeed
         << " m/s at time " << report_.time << " s: "
         << 100*scalar(faster[0])/report_.fluid
-        << " % of the fluid is faster than the first" << endl;
+        << " % of the fluid is faster than 1.5 times the first" << endl;
 
     scene_->setMaxVelocity(maxVelocity, soundSpeed);
     config.maxVelocity = run_.maxVelocity = maxVelocity;
