@@ -8,7 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
-#include "ListOps.H"
+#include "UIndirectList.H"
 #include "packedFields.H"
 #include "sweptDomain.H"
 
@@ -100,28 +100,42 @@ void Foam::solverModules::sphDem::dropBeyondDomain
     const riprap::SphConfig& config = settings_.config;
     const scalar margin = 2*config.smoothingRatio*config.spacing;
 
-    boolList keep(walls_.position.size(), true);
-    forAll(keep, i)
+    const auto beyond = [&](const point& x)
     {
-        if (bodyOfSource[walls_.source[i]] >= 0) continue;
-
         for (int k = 0; k < config.dimensions; ++k)
         {
             const int axis = config.axes[k];
-            const scalar x = walls_.position[i][axis];
             if
             (
                 !config.periodic[axis]
-             && (x < config.domainMin[axis] - margin || x > config.domainMax[axis] + margin)
+             && (
+                    x[axis] < config.domainMin[axis] - margin
+                 || x[axis] > config.domainMax[axis] + margin
+                )
             )
             {
-                keep[i] = false;
+                return true;
             }
         }
+        return false;
+    };
+
+    DynamicList<label> kept(walls_.size());
+    forAll(walls_.position, i)
+    {
+        const bool moves = bodyOfSource[walls_.source[i]] >= 0;
+        if (moves || !beyond(walls_.position[i]))
+        {
+            kept.append(i);
+        }
     }
-    inplaceSubset(keep, walls_.position);
-    inplaceSubset(keep, walls_.normal);
-    inplaceSubset(keep, walls_.source);
+    if (kept.size() == walls_.size())
+    {
+        return;
+    }
+    walls_.position = pointField(walls_.position, kept);
+    walls_.normal = vectorField(walls_.normal, kept);
+    walls_.source = labelList(UIndirectList<label>(walls_.source, kept));
 }
 
 
