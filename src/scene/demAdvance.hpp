@@ -154,7 +154,11 @@ std::vector<double> DemSolver<Backend, D, P>::offences(int n)
         {
             double way = double(box_.template separation<real>(d, box_.pairPosition(d, x[i]), reference[std::size_t(d)*n_ + i]));
             if (host_.halt == DemHalt::clumpEscaped)
-                way = clump.empty() || clump[i] < 0 ? 0 : double(std::max({std::int64_t(0), x[i] - domainMax_[d], domainMin_[d] - x[i]}))/box_.unitsPerMetre[d];
+            {
+                // differences across the box do not fit the integers
+                const double at = double(x[i]), beyond = std::max({0.0, at - double(domainMax_[d]), double(domainMin_[d]) - at});
+                way = clump.empty() || clump[i] < 0 ? 0 : beyond/box_.unitsPerMetre[d];
+            }
             value[i] += std::isfinite(v[i]) ? way*way : std::numeric_limits<double>::infinity();
         }
     }

@@ -44,7 +44,8 @@ def table(folder, name):
 
 def growth(folder, scene, mass):
     """Largest rise of the energy above what it was before, over the energy of the start, heights counted from the tank's lowest corner.
-    Medians of three samples: in the moment of an impact walls hold elastic energy that they give back, and that the balance does not count"""
+    Medians of three samples: single samples of an impact dip by up to 3 % and come back, probably elastic energy of the walls, which the
+    balance does not count"""
     e = table(folder, 'energy')
     if not len(e.get('Time', [])):
         return float('nan')
