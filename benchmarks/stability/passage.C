@@ -1,6 +1,6 @@
 /*  The speed at which particles pass a wall: a block of fluid, or a single particle, is thrown on a flat wall with as many layers of points
     as the kernel's support needs, in short fixed steps (symplectic scheme) and in those that riprap chooses (leapfrog, with an
-    artificial viscosity of 0.02). Passed is what gets deeper than half of the wall's layers: from there on the wall
+    artificial viscosity of 0.02); and with riprap's defaults, with and without the wall's face. Passed is what gets deeper than half of the wall's layers: from there on the wall
     pushes it out at the other side. Of four positions relative to the wall's points the worst counts.
 
     Speeds in units of c0/10, for which the fluid's stiffness is meant. Beside the speed stand the density deviation that the block shows just
@@ -69,8 +69,8 @@ void report(ResultTable& table, ThrownBlock b, bool shortSteps, bool quick)
     r.kernel = wordOf(b.kernel);
     r.ratio = b.ratio;
     r.integrator = wordOf(b.integrator);
-    r.terms = shortSteps ? "short steps" : "adaptive steps";
-    r.walls = std::string(wordOf(b.walls)) + (b.wallRatio == 1 ? " dp" : " dp/2");
+    r.terms = b.defaults ? "defaults" : shortSteps ? "short steps" : "adaptive steps";
+    r.walls = std::string(wordOf(b.walls)) + (b.wallRatio == 1 ? " dp" : " dp/2") + (b.impermeable ? " impermeable" : "");
     const std::string what = b.side == 1 ? "particle: " : "block: ";
     r.quantity = what + "speed that passes / (c0/10)";
     r.measured = std::pow(10, limit);
@@ -115,6 +115,18 @@ void passage(ResultTable& table, bool quick)
                     b.artificial = shortSteps ? 0 : 0.02;
                     report(table, b, shortSteps, quick);
                 }
+    for (const bool impermeable : {false, true})
+        for (const int side : {1, 12})
+        {
+            if (quick && side == 12) continue;
+            ThrownBlock b;
+            b.defaults = true;
+            b.impermeable = impermeable;
+            b.side = side;
+            b.integrator = IntegratorKind::symplectic;
+            b.artificial = 0.02;
+            report(table, b, false, quick);
+        }
 }
 
 } // namespace riprap

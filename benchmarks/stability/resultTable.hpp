@@ -12,7 +12,7 @@ namespace riprap
 
 struct Result
 {
-    std::string test;           // acoustic, viscous, force, tensile, passage
+    std::string test;           // acoustic, viscous, force, tensile, passage, faces, wild
     std::string kernel;
     double ratio = 0;           // h/dp
     std::string integrator, terms, walls;
@@ -43,5 +43,7 @@ void viscous(ResultTable&, bool quick);
 void impactForce(ResultTable&, bool quick);
 void tensile(ResultTable&, bool quick);
 void passage(ResultTable&, bool quick);
+void wallFaces(ResultTable&, bool quick);
+void wildRule(ResultTable&, bool quick);
 
 } // namespace riprap

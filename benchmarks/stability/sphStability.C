@@ -1,6 +1,6 @@
 /*  sphStability: where riprap's SPH fails, found by bisection, beside theory.
 
-        sphStability [-csv FILE] [-quick] [acoustic|viscous|force|tensile|passage]...
+        sphStability [-csv FILE] [-quick] [acoustic|viscous|force|tensile|passage|faces|wild]...
 
     All scenes are 2D, small, and run on the CPU through createSphScene. See the header comment of each experiment.
 */
@@ -16,7 +16,7 @@ int main(int argc, char** argv)
         argc, argv, "sphStability",
         {
             {"acoustic", with(acoustic)}, {"viscous", with(viscous)}, {"force", with(impactForce)}, {"tensile", with(tensile)},
-            {"passage", with(passage)}
+            {"passage", with(passage)}, {"faces", with(wallFaces)}, {"wild", with(wildRule)}
         },
         {{"-quick", &quick}}
     );

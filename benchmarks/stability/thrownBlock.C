@@ -10,6 +10,26 @@ int ThrownBlock::layers() const { return int(std::ceil(2*ratio/wallRatio - 1e-9)
 
 double ThrownBlock::duration() const { return (2*h() + 1.2*side*spacing + 4*spacing)/speed; }
 
+void setDefaults(SphConfig& c, double alpha)
+{
+    c.viscosity = 1e-3;
+    c.viscosityModel = ViscosityKind::laminarAndArtificial;
+    c.artificialAlpha = alpha;
+    c.artificialAtWalls = false;
+    c.antiClump = 0.01;
+    c.diffusion = DiffusionKind::fourtakas;
+    c.integrator = IntegratorKind::symplectic;
+    c.adjustTimeStep = true;
+    c.acousticCourant = 0.5;
+}
+
+void setWildRule(SphConfig& c)
+{
+    c.maxDensityDeviation = 0.5;
+    c.maxSpeedRatio = 5;
+    c.removeWild = true;
+}
+
 std::unique_ptr<SphScene> throwBlock(const ThrownBlock& b)
 {
     const double dp = b.spacing, d = b.wallRatio*dp;
@@ -32,6 +52,9 @@ std::unique_ptr<SphScene> throwBlock(const ThrownBlock& b)
     c.maxDensityDeviation = 1e3;
     c.maxSpeedRatio = 1e9;
 
+    if (b.defaults) { setDefaults(c, b.artificial); c.acousticCourant = b.courant; }
+    if (b.wildRule) setWildRule(c);
+
     const double half = b.floorHalf(), below = b.thickness() + 10*dp;
     c.domainMin = {{-half, -below, 0}};
     c.domainMax = {{half, (4*b.side + 40)*dp, 1}};
@@ -49,6 +72,15 @@ std::unique_ptr<SphScene> throwBlock(const ThrownBlock& b)
     for (int j = 1; j <= b.layers(); ++j)
         for (int i = -across; i < across; ++i) w.position.insert(w.position.end(), {(i + 0.5)*d, (0.5 - j)*d, 0});
     w.normal.assign(w.position.size(), 0);
+    if (b.impermeable)
+    {
+        w.faces.point = {-half, 0, 0, half, 0, 0};
+        w.faces.vertex = {0, 1, -1};
+        w.faces.normal = {0, 1, 0};
+        w.faces.body = {-1};
+        w.faces.part = {0};
+        w.faces.halfThickness = {0};
+    }
     return createSphScene(c, f, w);
 }
 

@@ -18,6 +18,10 @@ struct ThrownBlock
     double offset = 0;          // of the fluid's lattice along the wall, in wall spacings
     double speed = 1;           // [m/s]
     double timeStep = 0;        // fixed [s]; 0: as riprap chooses it
+    bool defaults = false;      // riprap's terms and step, with `artificial` within the fluid
+    bool impermeable = false;   // the wall's face as well as its points
+    bool wildRule = false;
+    double courant = 0.5;       // of the defaults
     bool forceLimit = false;    // steps are limited by force alone, with a factor of 1 (to measure accelerations)
 
     static constexpr double spacing = 0.01, soundSpeed = 10, density = 1000;
@@ -31,6 +35,10 @@ struct ThrownBlock
 
 //- Guards are off. The floor is so wide that nothing gets to its ends in the block's duration unless it is faster than three times the block
 std::unique_ptr<SphScene> throwBlock(const ThrownBlock&);
+
+//- Terms and limits of the step as an empty sphProperties has them, but for alpha; the rule of wild particles with its limits
+void setDefaults(SphConfig&, double alpha);
+void setWildRule(SphConfig&);
 
 //- Depth of the lowest particle below the floor's surface, its ends apart [m]. Escaped particles count where they left
 double depth(SphScene&, const SphReport&, const ThrownBlock&);

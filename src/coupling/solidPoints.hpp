@@ -123,6 +123,7 @@ struct MeetFluid
     const int* active;
     const int* fluidStart;      // of each cell
     int* meets;                 // set to 1: whoever writes it writes the same
+    typename P::real reach;     // what may come within the support, both moving, until the next sort [m]
 
     HD void operator()(int i) const
     {
@@ -131,7 +132,7 @@ struct MeetFluid
         Vec<D, typename P::real> r;
         for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x.c[d]));
         bool found = false;
-        grid.forEachRange(r, fluidStart, [&](int begin, int end) { found = found || end > begin; });
+        grid.forEachRangeWithin(r, reach, fluidStart, [&](int begin, int end) { found = found || end > begin; });
         if (found) *meets = 1;
     }
 };
@@ -179,7 +180,7 @@ struct MovePoints
     SolidPoints<D, P> points;
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];
-    real halfSkin;
+    real allowedWay;
     double responseTime;        // h/c0 [s]
     bool half;
     ClockData* clock;
@@ -224,10 +225,10 @@ private:
             speed2 += u.c[d]*u.c[d];
         }
         if constexpr (Backend::gpu)
-            if (frames.frame) return clock->notice(frames.since(box, from, p, u, real(clock->time - clock->searched), ahead), halfSkin);
+            if (frames.frame) return clock->notice(frames.since(box, from, p, u, real(clock->time - clock->searched), ahead), allowedWay);
         const real distance = squareRoot(distance2);
-        if (distance > halfSkin) clock->skinViolations = 1;
-        if (distance + ahead*squareRoot(speed2) > halfSkin) clock->needRebuild = 1;
+        if (distance > allowedWay) clock->skinViolations = 1;
+        if (distance + ahead*squareRoot(speed2) > allowedWay) clock->needRebuild = 1;
     }
 
     HD void storeVelocity(int i, PairParticle<D, real> q) const

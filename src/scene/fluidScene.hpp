@@ -37,6 +37,7 @@ struct FluidEnergy                            // [J] (2D: per metre of depth)
 {
     double kinetic = 0, potential = 0, elastic = 0;
     double wallWork = 0;                    // done by moving walls since the start
+    double wallPressureWork = 0;            // SPH, where walls move: what the pressure of all walls did beyond that, since the start
     double faceWork = 0;                    // SPH: by faces of walls on particles that they put back, since the start; negative: taken
     double stiffening = 0;                  // elastic energy that changes of the speed of sound have added since the start
 };

@@ -38,6 +38,8 @@ void SphSolver<Backend, D, P>::setFaces(const WallFaceInput& in)
     faces_.part.upload(context_, tables.part);
     faces_.cellFirst.upload(context_, tables.cellFirst);
     faces_.cellElement.upload(context_, tables.cellElement);
+    faces_.cellFirstPlane.upload(context_, tables.cellFirstPlane);
+    faces_.plane.upload(context_, tables.plane);
     faces_.grid.upload(context_, tables.grid);
     faces_.pose.allocate(context_, moves.size());
     faces_.tiny = tables.tiny();
@@ -50,7 +52,8 @@ FaceContact<D, P> SphSolver<Backend, D, P>::faceContact()
     const int groups = int(faces_.grid.size());
     if (!groups) return contact;
     contact.faces = WallFaces<D>{faces_.vertex.data(), faces_.normal.data(), faces_.half.data(), faces_.part.data(),
-        faces_.cellFirst.data(), faces_.cellElement.data(), faces_.grid.data(), faces_.pose.data(), groups, faces_.tiny};
+        faces_.cellFirst.data(), faces_.cellElement.data(), faces_.cellFirstPlane.data(), faces_.plane.data(), faces_.grid.data(),
+        faces_.pose.data(), groups, faces_.tiny};
     contact.clearance = 1e-6*config_.spacing;
     return contact;
 }

@@ -42,7 +42,7 @@ void SphSolver<Backend, D, P>::settleFrames()
     if constexpr (Backend::gpu)
     {
         if (!parts_.frames.on()) return;
-        const double support = grid_.radius - 2*double(halfSkin_), alongWalls = double(parts_.wallRadius) - support;
+        const double support = grid_.radius - 2*double(allowedWay_), alongWalls = double(parts_.wallRadius) - support;
         parts_.frames.settle(context_, 0.5*(parts_.frames.width() - support), nBodies_ ? 0.5*alongWalls : alongWalls);
     }
 }

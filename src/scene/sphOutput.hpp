@@ -97,7 +97,9 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     readClock();
     e.faceWork = double(model_.mass)*faceUnit*double(host_.faceEnergy);
     e.stiffening = stiffening_;
-    if (nBodies_) for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
+    if (!nBodies_) return e;
+    for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
+    for (const double w : wall_.template download<double>(context_, wallPressureWorkField_)) e.wallPressureWork += w;
     return e;
 }
 

@@ -26,7 +26,7 @@ SphSolver<Backend, D, P>::SphSolver
     prime();
 }
 
-//- Half of what is added to the support may be travelled by a particle before neighbours are sought anew
+//- What is added to the support may be travelled by a particle before neighbours are sought anew: half of it on the GPU, all of it on the CPU
 template<class Backend, int D, class P>
 double SphSolver<Backend, D, P>::skinRatio() const
 {
@@ -94,7 +94,8 @@ void SphSolver<Backend, D, P>::setBox()
         skin = period*(1 - 1e-9)/3 - support;       // so that rounding does not cost a row
     }
     const double radius = support + skin;
-    halfSkin_ = real(0.5*skin);
+    // on the CPU who seeks is where it is now: only those that it seeks may have moved. A hair less, for rounding
+    allowedWay_ = real(Backend::gpu ? 0.5*skin : 0.999*skin);
     for (int d = 0; d < D; ++d)
     {
         const int axis = c.axes[d];
@@ -123,10 +124,10 @@ void SphSolver<Backend, D, P>::setBox()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setFrames()
 {
-    wallWay_ = halfSkin_;
+    wallWay_ = allowedWay_;
     if constexpr (Backend::gpu)
     {
-        const double skin = 2*double(halfSkin_), radius = grid_.radius, support = radius - skin;
+        const double skin = 2*double(allowedWay_), radius = grid_.radius, support = radius - skin;
         parts_.wallRadius = grid_.radius;
         double reach = support + std::max(skin, wallSkin*support);
         for (int d = 0; d < D; ++d) if (box_.periodic[d] && box_.length[d] < 4*reach) reach = radius;
@@ -196,6 +197,7 @@ void SphSolver<Backend, D, P>::setWalls(const WallInput& in)
         wallAField_ = wall_.fields();
         for (int d = 0; d < D; ++d) wall_.template add<real>("acceleration." + std::to_string(d));
         wallWorkField_ = wall_.template add<double>("work");
+        wallPressureWorkField_ = wall_.template add<double>("pressureWork");
         wallRest_.upload(context_, in.position);
         wallReference_.allocate(context_, std::size_t(nWalls_)*D);
         poses_.allocate(context_, std::size_t(nBodies_)*(poseIntervals + 1));

@@ -142,7 +142,8 @@ void SphSolver<Backend, D, P>::meetFluid()
 {
     meets_.upload(context_, std::vector<int>(1, 0));
     forEach(context_, nSolids_, MeetFluid<D, P>
-        {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data()});
+        {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data(),
+         Backend::gpu ? grid_.radius : grid_.radius + allowedWay_});
     solidsMeet_ = meets_.download()[0] != 0;
     if (!solidsMeet_) forEach(context_, nSolids_*D, ClearForces<real>{solidForce_.data()});
     else if (Backend::gpu) forEach(context_, n_, ClearAction<D, real>{solidAction()});
@@ -200,7 +201,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_ || (half && solids_->still())) return;
-    MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, halfSkin_,
+    MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, allowedWay_,
         config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data(), {}};
     for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     if constexpr (Backend::gpu) move.frames = parts_.frames.view();

@@ -28,16 +28,16 @@ namespace riprap
 template<class Backend, int D>
 struct FaceArrays
 {
-    Array<Backend, double> vertex, normal, half;
-    Array<Backend, int> part, cellFirst, cellElement;
+    Array<Backend, double> vertex, normal, half, plane;
+    Array<Backend, int> part, cellFirst, cellElement, cellFirstPlane;
     Array<Backend, FaceGrid<D>> grid;
     Array<Backend, FacePose<D>> pose;
     double tiny = 0;
 
     std::size_t bytes() const
     {
-        return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes() + cellElement.bytes() + grid.bytes()
-          + pose.bytes();
+        return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes() + cellElement.bytes()
+          + cellFirstPlane.bytes() + plane.bytes() + grid.bytes() + pose.bytes();
     }
 };
 
@@ -194,7 +194,7 @@ private:
     FluidModel<D, P> model_;
     StepLimits limits_;
     TermParameters<D, real> terms_;
-    real halfSkin_ = 0;         // [m] way of a particle, against those near it, for which neighbours hold
+    real allowedWay_ = 0;       // [m] way of a particle (GPU: against those near it) for which neighbours hold
     real wallWay_ = 0;          // of a wall that moves
     double emptyCoordinate_ = 0;
     double stiffening_ = 0;     // [J] that changes of the speed of sound have added
@@ -209,7 +209,7 @@ private:
 
     int nWalls_ = 0, nBodies_ = 0;
     FieldSet<Backend> wall_;
-    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1, wallWorkField_ = -1;
+    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1, wallWorkField_ = -1, wallPressureWorkField_ = -1;
     Records<Backend, D, P> wallRecords_;
     Array<Backend, position> wallReference_;
     CellSort<Backend> wallSort_;

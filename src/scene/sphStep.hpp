@@ -76,7 +76,7 @@ M SphSolver<Backend, D, P>::mover()
     m.fluid = fluidFields();
     m.records = fluidRecords_.view();
     for (int d = 0; d < D; ++d) m.reference[d] = fluidReference_.data() + std::size_t(d)*n_;
-    m.halfSkin = halfSkin_;
+    m.allowedWay = allowedWay_;
     if constexpr (Backend::gpu) m.frames = parts_.frames.view();
     m.count = fluidSort_.active();
     m.clock = clock_.data();
@@ -107,7 +107,7 @@ void SphSolver<Backend, D, P>::moveWalls(bool half)
         m.reference[d] = wallReference_.data() + std::size_t(d)*nWalls_;
     }
     m.table = PoseTable{poses_.data(), poseIntervals, poseBegin_, poseStep_};
-    m.halfSkin = wallWay_;
+    m.allowedWay = wallWay_;
     m.half = half;
     m.clock = clock_.data();
     forEach(context_, nWalls_, m);
@@ -148,12 +148,13 @@ void SphSolver<Backend, D, P>::wallForcePass(real* force)
         WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
         {
             box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
-            force, nullptr, {}, nullptr
+            force, nullptr, {}, nullptr, nullptr
         };
         if (nBodies_) for (int d = 0; d < D; ++d) pass.wallVelocity[d] = wall_.template data<real>(wallVField_ + d);
         if (force) return directPairLoop(context_, pass, nWalls_);
         pass.clock = clock_.data();
         pass.work = wall_.template data<double>(wallWorkField_);
+        pass.pressureWork = wall_.template data<double>(wallPressureWorkField_);
         run(pass, nWalls_);
     });
 }

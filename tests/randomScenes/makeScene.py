@@ -44,6 +44,7 @@ class Scene:
         self.scale = s
         self.fluids, self.bodies, self.obstacles, self.materials = [], [], [], []
         self.motion = None
+        self.moved = {}         # of what moves: shift along x [m] and angle about y [rad] at a time, once its files are made
         self.fill()
 
     def speed(self):
@@ -99,6 +100,35 @@ class Scene:
         """Potential of a unit mass in the lowest corner of the tank [m2/s2]"""
         gx, gz = 9.81*math.sin(self.tilt), -9.81*math.cos(self.tilt)
         return min(-gx*x*self.dp - gz*z*self.dp for x in (0, self.nx) for z in (0, self.nz))
+
+    def behind(self, x, time):
+        """How many of these positions (n, 3) [m] are in a wall at this time: outside the tank but through its open top, in a box, a cylinder or
+        the paddle. Plates have no inside"""
+        d, near = self.dp, 1e-3*self.dp
+        _, angle = self.moved.get('tank', lambda t: (0, 0))(time)
+        across, up = x[:, 0] - 0.5*self.nx*d, x[:, 2]
+        # into the frame of a tank that turns about y
+        X = 0.5*self.nx*d + math.cos(angle)*across - math.sin(angle)*up
+        Y, Z = x[:, 1], math.sin(angle)*across + math.cos(angle)*up
+        inside = self.inBox((X, Y, Z), (0, 0, 0), (self.nx*d, self.ny*d, self.nz*d if self.lid else 1e30), -near)
+        count = ~inside
+        for kind, at, w, h, _ in self.obstacles:
+            if kind == 'box':
+                y0, y1 = (0.25*self.ny*d, 0.75*self.ny*d) if self.dim == 3 else (-1e30, 1e30)
+                count |= self.inBox((X, Y, Z), (at*d, y0, -1e30), ((at + w)*d, y1, h*d), near)
+            elif kind == 'cylinder':
+                count |= (X - at*d)**2 + (Z - (h + w)*d)**2 < (0.5*w*d - near)**2
+        if 'paddle' in self.moved:
+            shift = self.moved['paddle'](time)[0]
+            count |= self.inBox((X - shift, Y, Z), (6*d, -1e30, 0), (9*d, 1e30, (self.nz - 4)*d), near)
+        return int(count.sum())
+
+    def inBox(self, x, low, high, by):
+        """Are they deeper in the box than this? In 2D y is none"""
+        inside = True
+        for k in (0, 2) if self.dim == 2 else (0, 1, 2):
+            inside = inside & (x[k] > low[k] + by) & (x[k] < high[k] - by)
+        return inside
 
     # * * * files
 
@@ -170,11 +200,14 @@ class Scene:
         amplitude = self.r.uniform(1, 4)*self.dp
         omega = self.r.uniform(0.5, 1.2)*math.sqrt(9.81*3.14/(self.nx*self.dp))
         if self.motion == 'paddle':
+            self.moved = {'paddle': lambda time: (amplitude*math.sin(omega*time), 0)}
             return ('walls { motion { paddle { patches (paddle); solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs '
                     '{ amplitude (%g 0 0); omega %g; } } } }\n' % (amplitude, omega))
+        degrees = self.r.uniform(2, 12)
+        self.moved = {'tank': lambda time: (0, math.radians(degrees)*math.sin(omega*time))}
         every = '"(floor|left|right|sides|top|obstacle.*)"'
         return ('walls { motion { tank { patches (%s); solidBodyMotionFunction oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs '
-                '{ origin (%g 0 0); amplitude (0 %g 0); omega %g; } } } }\n' % (every, 0.5*self.nx*self.dp, self.r.uniform(2, 12), omega))
+                '{ origin (%g 0 0); amplitude (0 %g 0); omega %g; } } } }\n' % (every, 0.5*self.nx*self.dp, degrees, omega))
 
     def solids(self, folder):
         d = self.dp

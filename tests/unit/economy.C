@@ -123,7 +123,7 @@ protected:
         a["wall records"] = (2*D() + 2)*real;
         if (!moving) return;
         a["wall body"] = 2*4;
-        a["wall work"] = 2*8;
+        a["wall work"] = a["wall pressureWork"] = 2*8;
         a["wall motion"] = 0;       // compared below
     }
 

@@ -46,6 +46,7 @@ protected:
                 expectSameWalls(*reference, *second);
             }
             EXPECT_EQ(reference->energy().wallWork, second->energy().wallWork);
+            EXPECT_EQ(reference->energy().wallPressureWork, second->energy().wallPressureWork);
             EXPECT_EQ(reference->saveState(), second->saveState());
         }
     }

@@ -16,7 +16,7 @@ class Faces
 public:
     explicit Faces(int dimensions) : D_(dimensions) {}
 
-    //- A segment from a to b, or a rectangle a b c d as two triangles; normal into the fluid
+    //- A segment from a to b, or a triangle, a rectangle a b c d as two; normal into the fluid
     void add(const std::vector<Vector3>& corners, const Vector3& normal, int part, double half = 0, int body = -1)
     {
         const int first = int(in.point.size()/3);
@@ -25,7 +25,7 @@ public:
         else
         {
             one(first, first + 1, first + 2, normal, part, half, body);
-            one(first, first + 2, first + 3, normal, part, half, body);
+            if (corners.size() > 3) one(first, first + 2, first + 3, normal, part, half, body);
         }
     }
 
@@ -122,6 +122,8 @@ void depthsOfBoxes()
             if (depth > spacing) continue;
             const FaceHit<D> hit = view.find(x);
             ASSERT_NEAR(hit.depth, std::max(depth, 0.0), 1e-12);
+            // in a box nothing in front of its walls is looked at twice
+            if (std::abs(depth) > 1e-6) { EXPECT_TRUE(outward || view.near(x) == (depth > 0)); }
             if (depth <= 1e-6) continue;
             ++behind;
             // straight out, onto the surface
@@ -133,6 +135,51 @@ void depthsOfBoxes()
 }
 
 TEST(WallFaceTables, DepthInAndAboutBoxes) { depthsOfBoxes<2>(); depthsOfBoxes<3>(); }
+
+//- A closed surface with dents: an octahedron with divided faces and vertices at random distances. Planes pass nothing that is behind it
+TEST(WallFaceTables, PlanesPassNothing)
+{
+    std::mt19937 engine(3);
+    std::map<std::array<int, 3>, double> radius;
+    const auto corner = [&](int i, int j, int k)
+    {
+        double& r = radius[{{i, j, k}}];
+        if (r == 0) r = uniform(engine, 0.2, 0.4)/std::sqrt(double(i*i + j*j + k*k));
+        return Vector3{{0.5 + i*r, 0.5 + j*r, 0.5 + k*r}};
+    };
+    Faces faces(3);
+    const auto triangle = [&](const Vector3& a, const Vector3& b, const Vector3& c)
+    {
+        Vec<3, double> p, q, out;
+        for (int d = 0; d < 3; ++d) { p.c[d] = b[d] - a[d]; q.c[d] = c[d] - a[d]; out.c[d] = a[d] - 0.5; }
+        const Vec<3, double> n = cross(p, q);
+        const double sign = (dot(n, out) > 0 ? 1 : -1)/std::sqrt(squaredNorm(n));
+        faces.add({a, b, c}, {{sign*n.c[0], sign*n.c[1], sign*n.c[2]}}, 0);
+    };
+    for (const int i : {-1, 1}) for (const int j : {-1, 1}) for (const int k : {-1, 1})
+    {
+        const Vector3 x = corner(2*i, 0, 0), y = corner(0, 2*j, 0), z = corner(0, 0, 2*k), xy = corner(i, j, 0), yz = corner(0, j, k),
+            zx = corner(i, 0, k);
+        triangle(x, xy, zx);
+        triangle(y, yz, xy);
+        triangle(z, zx, yz);
+        triangle(xy, yz, zx);
+    }
+    const auto tables = tablesOf<3>(faces.in, 0.02);
+    const auto view = tables.view();
+    int behind = 0, looked = 0, all = 0;
+    for (int n = 0; n < 200000; ++n, ++all)
+    {
+        const Vec<3, double> x{{uniform(engine, 0.05, 0.95), uniform(engine, 0.05, 0.95), uniform(engine, 0.05, 0.95)}};
+        const bool near = view.near(x);
+        looked += near;
+        if (!(view.find(x).depth > 0)) continue;
+        ++behind;
+        ASSERT_TRUE(near);
+    }
+    EXPECT_GT(behind, 1000);
+    EXPECT_LT(looked, all/2);
+}
 
 //- Nothing is behind the rim of an open tank, nor above it
 TEST(WallFaceTables, RimOfAnOpenTank)
@@ -159,7 +206,9 @@ TEST(WallFaceTables, Plates)
         const FaceHit<3> hit = view.find(Vec<3, double>{{0.5 + side*0.04, 0.3, 0.7}});
         EXPECT_NEAR(hit.depth, 0.02, 1e-14);
         EXPECT_NEAR(hit.nearest.c[0], 0.5 + side*0.06, 1e-14);
+        EXPECT_TRUE(view.near(Vec<3, double>{{0.5 + side*0.04, 0.3, 0.7}}));
         EXPECT_EQ(view.find(Vec<3, double>{{0.5 + side*0.061, 0.3, 0.7}}).depth, 0);
+        EXPECT_FALSE(view.near(Vec<3, double>{{0.5 + side*0.061, 0.3, 0.7}}));
     }
     EXPECT_EQ(view.find(Vec<3, double>{{0.51, 0.3, 1.01}}).depth, 0);
 }
@@ -277,6 +326,64 @@ TEST_P(WallFaces, MoveParticles)
     EXPECT_NEAR(s->faceContacts().impulse[0], 2*mass(c), 1e-3*mass(c));
 }
 
+//- Each with steps of 0.98 and 1.02 times the limit: a solid is looked for to one spacing behind its face; what has two faces sends a particle out
+//  at the nearer one (benchmarks/README.md)
+TEST_P(WallFaces, HoldUpToTheirLimits)
+{
+    SphConfig c = config();
+    c.adjustTimeStep = false;
+    c.maxSpeedRatio = 1e3;
+    const double speed = 2, begin = 0.5 + 1e-4*c.spacing;
+    const auto end = [&](const WallInput& w, double way)
+    {
+        c.fixedTimeStep = way/speed;
+        const auto s = scene(c, one({{begin, 0.5, 0.5}}, {{-speed, 0, 0}}), w);
+        s->advance(1e30, 1);
+        return s->fluid().position[0];
+    };
+    const auto face = [&](double x, double normal, double half, int part)
+    {
+        Faces f(D());
+        if (D() == 2) f.add({{{x, 0.1, 0}}, {{x, 0.9, 0}}}, {{normal, 0, 0}}, part, half);
+        else f.add({{{x, 0.1, 0.1}}, {{x, 0.9, 0.1}}, {{x, 0.9, 0.9}}, {{x, 0.1, 0.9}}}, {{normal, 0, 0}}, part, half);
+        WallInput w;
+        w.faces = f.in;
+        return w;
+    };
+    const WallInput solid = face(0.5, 1, 0, 0);
+    EXPECT_NEAR(end(solid, 0.98*c.spacing), 0.5, 1e-6);
+    EXPECT_NEAR(end(solid, 1.02*c.spacing), begin - 1.02*c.spacing, 1e-6) << "not found there";
+
+    const double half = 0.04;
+    const WallInput plate = face(0.5 - half, 1, half, 0);
+    EXPECT_NEAR(end(plate, 0.98*half), 0.5, 1e-6);
+    EXPECT_NEAR(end(plate, 1.02*half), 0.5 - 2*half, 1e-6) << "out at the other side";
+
+    Faces box(D());
+    const double thickness = 0.02;
+    box.box({{0.5 - thickness, 0.3, 0.3}}, {{0.5, 0.7, 0.7}}, true, 0);
+    WallInput thin;
+    thin.faces = box.in;
+    EXPECT_NEAR(end(thin, 0.49*thickness), 0.5, 1e-6);
+    EXPECT_NEAR(end(thin, 0.51*thickness), 0.5 - thickness, 1e-6) << "out at the other side";
+}
+
+//- A step of Courant number 0.5 is shorter than 0.5 h: a solid holds at any speed
+TEST_P(WallFaces, HoldAtAnySpeedWithAdaptiveSteps)
+{
+    SphConfig c = config();
+    c.acousticCourant = 0.5;
+    c.maxSpeedRatio = 1e6;
+    for (const double speed : {0.1, 1.0, 10.0, 100.0})
+    {
+        const double v = speed*c.soundSpeed;
+        const auto s = scene(c, one({{0.8, 0.5, 0.5}}, {{-v, 0, 0}}), tank());
+        const SphReport r = s->advance(1/v);
+        EXPECT_TRUE(r.escaped.empty()) << speed;
+        EXPECT_NEAR(s->fluid().position[0], 0.1, 1e-6) << speed;
+    }
+}
+
 //- A crowd thrown about in a tank with a box, a plate and no wall points at all: nothing gets through, and twice the same
 TEST_P(WallFaces, HoldACrowd)
 {
@@ -359,6 +466,35 @@ TEST_P(Wild, IsTakenOutAndTold)
             EXPECT_EQ(r.steps, undisturbed.steps) << "it does not shorten the step";
             EXPECT_TRUE(s->advance(0.02).wild.empty()) << "told once";
         }
+}
+
+//- Each limit from both sides
+TEST_P(Wild, ItsLimits)
+{
+    SphConfig c = config();
+    c.removeWild = true;
+    c.adjustTimeStep = false;
+    c.fixedTimeStep = 1e-9;
+    const double speed = c.maxSpeedRatio*c.maxVelocity, deviation = c.maxDensityDeviation;
+    const double acceleration = 100*c.soundSpeed*c.soundSpeed/(c.smoothingRatio*c.spacing);
+    const auto taken = [&](double v, double d, double a)
+    {
+        SphConfig k = c;
+        k.gravity = {{0, -a, 0}};
+        FluidInput f;
+        f.position = {0.5, 0.5, D() == 3 ? 0.5 : 0};
+        f.velocity = {v, 0, 0};
+        f.density = {c.density*(1 + d)};
+        return scene(k, f)->advance(1e30, 3).wild.size();
+    };
+    for (const double part : {0.999, 1.001})
+    {
+        const std::size_t expected = part > 1;
+        EXPECT_EQ(taken(part*speed, 0, 0), expected) << "speed";
+        EXPECT_EQ(taken(0, part*deviation, 0), expected) << "density";
+        EXPECT_EQ(taken(0, -part*deviation, 0), expected) << "density";
+        EXPECT_EQ(taken(0, 0, part*acceleration), expected) << "acceleration";
+    }
 }
 
 //- In the midst of others, too

@@ -78,6 +78,10 @@ void Foam::functionObjects::energyBalance::begin()
     if (energy.wallWork == 0)
     {
         getProperty("wallWork", workBefore_);
+        if (foundProperty("wallPressureWork"))
+        {
+            getProperty("wallPressureWork", pressureWorkBefore_);
+        }
     }
     if (energy.stiffening == 0 && foundProperty("stiffening"))
     {
@@ -93,6 +97,11 @@ bool Foam::functionObjects::energyBalance::execute()
         setProperty("largestKinetic", largestKinetic_);
         const riprap::FluidEnergy energy(fluid().fluidScene().energy());
         setProperty("wallWork", scalar(energy.wallWork + workBefore_));
+        setProperty
+        (
+            "wallPressureWork",
+            scalar(energy.wallPressureWork + pressureWorkBefore_)
+        );
         setProperty
         (
             "stiffening",
@@ -129,7 +138,7 @@ bool Foam::functionObjects::energyBalance::write()
         {
             "kinetic", "potential", "elastic", "wallWork", "dissipated",
             "total", "maxSpeed", "maxDensityDeviation", "drift", "stiffening",
-            "faceWork"
+            "faceWork", "wallPressureWork"
         }
     );
     add(os, energy.kinetic);
@@ -143,6 +152,7 @@ bool Foam::functionObjects::energyBalance::write()
     add(os, drift);
     add(os, stiffening);
     add(os, energy.faceWork);
+    add(os, energy.wallPressureWork + pressureWorkBefore_);
     os  << endl;
 
     return true;

@@ -1,4 +1,5 @@
-/*  Makes the tables of sph/boundary/wallFaces.hpp, on the host: normals of edges and vertices, and the cells of each group's grid.
+/*  Makes the tables of sph/boundary/wallFaces.hpp, on the host: normals of edges and vertices, the cells of each group's grid and their
+    planes.
 
     Faces of a later part that lie wholly in the solid of an earlier one of the same group (a box's bottom on a floor) are left out: there
     the way out would be through the other solid.
@@ -32,7 +33,8 @@ class FaceTables
 {
 public:
     std::vector<double> vertex{}, normal{}, half{};
-    std::vector<int> part{}, cellFirst{}, cellElement{};
+    std::vector<int> part{}, cellFirst{}, cellElement{}, cellFirstPlane{};
+    std::vector<double> plane{};
     std::vector<FaceGrid<D>> grid{};
 
     //- reach: how deep behind a face particles are looked for [m]; moves: of each group
@@ -47,8 +49,8 @@ public:
 
     WallFaces<D> view(const FacePose<D>* poses = nullptr) const
     {
-        return WallFaces<D>{vertex.data(), normal.data(), half.data(), part.data(), cellFirst.data(), cellElement.data(), grid.data(),
-            poses, int(grid.size()), tiny()};
+        return WallFaces<D>{vertex.data(), normal.data(), half.data(), part.data(), cellFirst.data(), cellElement.data(),
+            cellFirstPlane.data(), plane.data(), grid.data(), poses, int(grid.size()), tiny()};
     }
 
     double tiny() const { return 1e-9*reach_; }
@@ -88,6 +90,48 @@ private:
             const std::size_t begin = at;
             while (at < elements_.size() && elements_[at].group == g) ++at;
             makeGrid(begin, at, moves_[g]);
+        }
+        setPlanes();
+    }
+
+    // * * * planes
+
+    using Plane = std::array<double, D + 2>;
+
+    //- Rounding, and not the shape, decides nearer than this [m]
+    double margin() const { return 1e-7*reach_; }
+
+    Plane planeOf(const FaceElement<D>& e) const
+    {
+        Plane p;
+        for (int d = 0; d < D; ++d) p[d] = e.normal.c[d];
+        p[D] = dot(e.normal, e.v[0]) + e.half + margin();
+        p[D + 1] = e.half > 0 ? 2*(e.half + margin()) : 0;
+        return p;
+    }
+
+    bool same(const Plane& a, const Plane& b) const
+    {
+        for (int d = 0; d < D; ++d) if (std::abs(a[d] - b[d]) > 1e-12) return false;
+        return std::abs(a[D] - b[D]) < 0.01*margin() && std::abs(a[D + 1] - b[D + 1]) < 0.01*margin();
+    }
+
+    //- The planes of each cell's elements, those that coincide once
+    void setPlanes()
+    {
+        cellFirstPlane.assign(1, 0);
+        plane.clear();
+        std::vector<Plane> own;
+        for (std::size_t c = 0; c + 1 < cellFirst.size(); ++c)
+        {
+            own.clear();
+            for (int k = cellFirst[c]; k < cellFirst[c + 1]; ++k)
+            {
+                const Plane p = planeOf(elements_[cellElement[k]]);
+                if (std::none_of(own.begin(), own.end(), [&](const Plane& q) { return same(p, q); })) own.push_back(p);
+            }
+            for (const Plane& p : own) plane.insert(plane.end(), p.begin(), p.end());
+            cellFirstPlane.push_back(int(plane.size()/(D + 2)));
         }
     }
 

@@ -48,7 +48,7 @@ struct MoveWalls
     int axes[3];                // axis of the case for each axis here
     PoseTable table;
     typename P::position* reference[D];
-    real halfSkin;
+    real allowedWay;
     bool half;                  // at the middle of the step (predictor) instead of its end
     ClockData* clock;
 
@@ -85,8 +85,8 @@ struct MoveWalls
         }
         wall.storePosition(i, pairX);
         const real distance = squareRoot(distance2);
-        if (distance > halfSkin) clock->skinViolations = 1;
-        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > halfSkin) clock->needRebuild = 1;
+        if (distance > allowedWay) clock->skinViolations = 1;
+        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > allowedWay) clock->needRebuild = 1;
     }
 };
 

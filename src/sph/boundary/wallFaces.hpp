@@ -6,8 +6,9 @@
     thickness: what is nearer to it than half of that is in it, whichever side it came from. Each part (the mesh's patches, each body) is
     asked for itself: a point is in the walls if it is in any of them.
 
-    Cells of a grid in each group's frame list the elements of each part that can be the closest one to a point behind it; cells without
-    any (most) cost one look.
+    Cells of a grid in each group's frame list the elements of each part that can be the closest one to a point behind it, and the planes
+    of these elements. What is in front of all planes of its cell is in front of the walls, since the normals on edges and vertices are
+    positive sums of those of the faces there; so closest points are sought for the few particles that are behind a plane.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -56,18 +57,28 @@ struct WallFaces
     const int* part;            // of an element
     const int* cellFirst;
     const int* cellElement;     // by part within a cell
+    const int* cellFirstPlane;
+    const double* plane;        // D + 2 a plane: normal, the least n.X in front of it, and how far behind it the wall ends (0: it does not)
     const FaceGrid<D>* grid;
     const FacePose<D>* pose;
     int groups;                 // 0: there are no faces
     double tiny;                // [m] nearer to a face there is no direction from it
 
-    //- Are there any faces that x (in space) may be behind? Quick, and no for most
+    //- Are there any faces that x (in space) may be behind? Quick, and no for nearly all
     HD bool near(const Vec<D, double>& x) const
     {
         for (int g = 0; g < groups; ++g)
         {
-            const int cell = cellOf(g, inFrame(g, x));
-            if (cell >= 0 && cellFirst[cell] < cellFirst[cell + 1]) return true;
+            const Vec<D, double> X = inFrame(g, x);
+            const int cell = cellOf(g, X);
+            if (cell < 0) continue;
+            const int last = cellFirstPlane[cell + 1];
+            for (int k = cellFirstPlane[cell]; k < last; ++k)
+            {
+                const double* p = plane + (D + 2)*k;
+                const double above = dot(X, read(p)) - p[D];
+                if (above < 0 && (p[D + 1] == 0 || above > -p[D + 1])) return true;
+            }
         }
         return false;
     }

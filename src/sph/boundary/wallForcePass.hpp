@@ -1,6 +1,11 @@
 /*  Force of the fluid on wall points: the reaction, pair by pair, of what FluidPass adds to the fluid (the same terms,
     which are antisymmetric), hence equal and opposite to round-off. In a step it also sums the work that moving walls
-    do on the fluid, - F . u dt.
+    do on the fluid, - F . u dt, and the work of the walls' own pressure, which is what the fluid gets beyond that:
+
+        m_w sum m p_w/rho_w^2 (v - u_w) . grad_w W dt
+
+    a point of a wall presses as a volume of fluid would that is compressed, but has no density of its own that remembers it (docs/theory,
+    Energy).
 */
 #pragma once
 
@@ -20,7 +25,7 @@ struct WallForcePass
     template<class T> struct Self : PairParticle<Dim, T> { Vec<Dim, T> own; };
 
     static constexpr const char* name = "wallForce";
-    static constexpr int dimensions = Dim, sources = 1, channels = Dim;
+    static constexpr int dimensions = Dim, sources = 1, channels = Dim + 1;
     static constexpr bool variableH = VariableH, hasMaxima = false;
 
     Box<Dim, P> box;
@@ -35,6 +40,7 @@ struct WallForcePass
     const ClockData* clock;     // in a step; null: now
     const real* wallVelocity[Dim];  // null where all walls are fixed
     double* work;               // [J]
+    double* pressureWork;       // [J]
 
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
@@ -60,6 +66,7 @@ struct WallForcePass
         terms(i, j, g, c);
         const T mf = T(model.mass)*g.f;
         for (int d = 0; d < Dim; ++d) sums[d] += mf*(c.radial*g.dx.c[d] + c.cross*g.dv.c[d]);
+        sums[Dim] -= mf*i.pressureTerm*g.approach;
     }
 
     HD void finish(int i, const real* sums, float*) const
@@ -71,7 +78,9 @@ struct WallForcePass
             if (force) force[Dim*i + d] = f;
             if (work) power -= double(f)*wallVelocity[d][i];
         }
-        if (work) work[i] += power*clock->dt;
+        if (!work) return;
+        work[i] += power*clock->dt;
+        pressureWork[i] += double(model.wallMass)*sums[Dim]*clock->dt;
     }
 };
 

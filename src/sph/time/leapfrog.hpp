@@ -26,7 +26,7 @@ struct Mover
     FluidFields<D, P> fluid;
     RecordsView<Backend, D, P> records;
     typename P::position* reference[D];     // pair positions when the neighbours were found
-    real halfSkin;
+    real allowedWay;
     LocalFrames<D, P> frames;               // GPU: what the way since then is measured against
     const int* count;
     ClockData* clock;
@@ -102,8 +102,8 @@ struct Mover
         }
         const real distance = squareRoot(distance2);
         const real margin = real(1.25)*squareRoot(speed2)*real(clock->fullDt);
-        if (distance > halfSkin) clock->skinViolations = 1;
-        if (distance + margin > halfSkin || !model.inside(box, x)) clock->needRebuild = 1;
+        if (distance > allowedWay) clock->skinViolations = 1;
+        if (distance + margin > allowedWay || !model.inside(box, x)) clock->needRebuild = 1;
     }
 
 private:
@@ -125,7 +125,7 @@ private:
         const real pushed = ahead*ahead*squareRoot(a2);
         way.relativeNext += pushed;
         way.wholeNext += pushed;
-        clock->notice(way, halfSkin);
+        clock->notice(way, allowedWay);
         if (!model.inside(box, x)) clock->needRebuild = 1;
     }
 };
