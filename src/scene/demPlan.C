@@ -10,6 +10,7 @@
 #include "dem/contact/tangential/historySpring.hpp"
 #include "dem/contact/tangential/oneStepSpring.hpp"
 #include "dem/packingLimit.hpp"
+#include "dem/motion/clumpState.hpp"
 #include "scene/demScene.hpp"
 
 namespace riprap
@@ -18,19 +19,74 @@ namespace riprap
 namespace
 {
 
-//- Smallest mass and radius of a material's particles, and their highest speed
-struct Lightest { double mass = 1e300, radius = 1e300, speed = 0; std::size_t count = 0; };
+//- Smallest mass and radius of a material's particles, and their highest speed. Of rigid bodies `mass` is that of the body, and `share` what of it
+//  each contact carries where as many of its members touch a plane as can
+struct Lightest { double mass = 1e300, share = 1e300, radius = 1e300, speed = 0; std::size_t count = 0; int together = 1; };
+
+//- Of a body's members the part of a radius within which they touch a plane together: more than contacts should ever overlap
+constexpr double touchesTogether = 0.1;
+
+//- Directions in which a body may have flat faces: its principal axes, the axes in which it was made, and half-way between two or three of either
+std::vector<Vec<3, double>> faceNormals(const DemConfig& c, const DemClump& body)
+{
+    std::vector<Vec<3, double>> all;
+    const DemPose start = body.moved ? body.start : DemPose{body.position, {{1, 0, 0, 0}}};
+    for (int frame = 0; frame < 2; ++frame)
+        for (int code = 14; code < 27; ++code)          // one of each pair of opposite ones
+        {
+            Vec<3, double> n{{double(code % 3 - 1), double(code/3 % 3 - 1), double(code/9 - 1)}};
+            if (c.dimensions == 2 && n.c[c.axes[2]] != 0) continue;
+            if (frame == 1 && body.moved) n = rotated(start.orientation.data(), n, true);
+            if (frame == 0 || body.moved) n = rotated(body.orientation.data(), n);
+            all.push_back((1/std::sqrt(squaredNorm(n)))*n);
+        }
+    return all;
+}
+
+//- How many members of each body can touch a plane at once
+std::vector<int> touchingTogether(const DemConfig& c, const DemInput& in)
+{
+    const DemParticles& p = in.particles;
+    std::vector<std::vector<std::size_t>> members(in.clumps.size());
+    for (std::size_t i = 0; i < p.clump.size(); ++i) if (p.clump[i] >= 0) members[p.clump[i]].push_back(i);
+    std::vector<int> most(in.clumps.size(), 1);
+    for (std::size_t k = 0; k < in.clumps.size(); ++k)
+        for (const Vec<3, double>& n : faceNormals(c, in.clumps[k]))
+            for (const double side : {-1.0, 1.0})
+            {
+                const auto reach = [&](std::size_t i)
+                {
+                    double s = p.radius[i];
+                    for (int d = 0; d < 3; ++d) s += side*n.c[d]*(p.position[3*i + d] - in.clumps[k].position[d]);
+                    return s;
+                };
+                double furthest = -1e300;
+                for (const std::size_t i : members[k]) furthest = std::max(furthest, reach(i));
+                int touching = 0;
+                for (const std::size_t i : members[k]) touching += reach(i) > furthest - touchesTogether*p.radius[i];
+                most[k] = std::max(most[k], touching);
+            }
+    return most;
+}
 
 std::vector<Lightest> lightest(const DemConfig& c, const DemInput& in)
 {
     std::vector<Lightest> r(in.materials.size());
     const DemParticles& p = in.particles;
+    const std::vector<int> together = touchingTogether(c, in);
     for (std::size_t i = 0; i < p.size(); ++i)
     {
         Lightest& l = r[p.material.empty() ? 0 : p.material[i]];
         const int clump = p.clump.empty() ? -1 : p.clump[i];
+        const double mass = clump < 0 ? p.mass[i] : in.clumps[clump].mass;
+        const int n = clump < 0 ? 1 : together[clump];
         ++l.count;
-        l.mass = std::min(l.mass, clump < 0 ? p.mass[i] : in.clumps[clump].mass);
+        l.mass = std::min(l.mass, mass);
+        if (mass/n < l.share)
+        {
+            l.share = mass/n;
+            l.together = n;
+        }
         l.radius = std::min(l.radius, p.radius[i]);
         double v2 = 0;
         for (int d = 0; d < c.dimensions; ++d)
@@ -59,7 +115,7 @@ std::string words(const std::string& name, double a, const char* unit)
     return s.str();
 }
 
-//- sqrt(m/k) of the contacts of a pair
+//- sqrt(m/k) of the contacts of a pair; of a rigid body sqrt(M/(n k)) with the n members that can touch at once
 void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, const std::vector<Lightest>& all, DemPlan& plan)
 {
     const PairProperties& q = pair.properties;
@@ -70,7 +126,7 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
         if (!l.count) continue;
         double k = q.normalStiffness;
         std::string how = "k = ";
-        if (c.normal == NormalKind::cellSpring) k = l.mass*q.gravity/(q.theta*q.cellSize);
+        if (c.normal == NormalKind::cellSpring) k = l.share*q.gravity/(q.theta*q.cellSize);
         if (c.normal == NormalKind::hertz)
         {
             PairProperties e = q;
@@ -80,11 +136,13 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
             e.poissonB = in.materials[pair.b].poisson;
             // two equal ones meet at twice the speed: m*/2, R*/2; against a wall the same overlap ensues within 15 %
             const double speed = std::max({l.speed, fallSpeed(c), 1e-3}), E = e.effectiveYoung();
-            const double overlap = std::pow(15*l.mass*speed*speed/(16*E*std::sqrt(l.radius)), 0.4);
+            const double overlap = std::pow(15*l.share*speed*speed/(16*E*std::sqrt(l.radius)), 0.4);
             k = 2*E*std::sqrt(l.radius*overlap);
             how = words("impact at", speed, "m/s, k = ");
         }
-        plan.limits.push_back(StepLimit{"contact " + between, std::sqrt(l.mass/k), words(how, k, "N/m") + words(", m =", l.mass, "kg")});
+        std::string cause = words(how, k, "N/m") + words(", m =", l.share, "kg");
+        if (l.together > 1) cause += ", the share of each of " + std::to_string(l.together) + " members of a body that touch at once";
+        plan.limits.push_back(StepLimit{"contact " + between, std::sqrt(l.share/k), cause});
     }
 }
 
