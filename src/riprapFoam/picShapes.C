@@ -22,6 +22,8 @@ static riprap::PicShape sampled
     // In cells: distances beyond are needed only to see that nothing is near
     const scalar margin = 2*config.cellSize;
     const label finest = 100;
+    // Less loses of a box of 15 x 7 x 5 cells a hundredth at its edges
+    const scalar pointsOfCell = 4;
 
     // About the principal axes; in 2D about those of the plane
     const pointField corners(shape.box.points());
@@ -33,7 +35,8 @@ static riprap::PicShape sampled
 
     riprap::PicShape s;
     s.name = name;
-    s.step = max(0.5*config.cellSize, cmptMax(own.span())/finest);
+    s.step =
+        max(config.cellSize/pointsOfCell, cmptMax(own.span())/finest);
     label points = 1;
     for (direction d = 0; d < vector::nComponents; ++d)
     {

@@ -3,31 +3,13 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "bodyReference.hpp"
-#include "picSolidScene.hpp"
+#include "picShapeScene.hpp"
 #include "pic/bodies/bodyShape.hpp"
 
 namespace riprap
 {
 namespace
 {
-
-//- In a box of these half sides about the centre of mass, and a margin
-template<class Distance>
-PicShape shapeOf(int dimensions, const Vector3& half, double step, double margin, const Distance& distance)
-{
-    PicShape s;
-    s.name = "shape";
-    s.step = step;
-    for (int d = 0; d < dimensions; ++d)
-    {
-        s.n[d] = int(2*(half[d] + margin)/step) + 2;
-        s.lower[d] = -0.5*step*(s.n[d] - 1);
-    }
-    for (int k = 0; k < s.n[2]; ++k)
-        for (int j = 0; j < s.n[1]; ++j)
-            for (int i = 0; i < s.n[0]; ++i) s.distance.push_back(distance(s.lower[0] + i*step, s.lower[1] + j*step, dimensions == 3 ? s.lower[2] + k*step : 0));
-    return s;
-}
 
 PicShape ballShape(int dimensions, double radius, double step)
 { return shapeOf(dimensions, {{radius, radius, radius}}, step, 4*step, [&](double x, double y, double z) { return std::sqrt(x*x + y*y + z*z) - radius; }); }
@@ -49,6 +31,14 @@ SampledShape<D> turnedShape(const PicShape& shape, const Vec<D, double>& centre,
     s.axis[1][0] = std::sin(angle);
     s.axis[0][1] = -std::sin(angle);
     return s;
+}
+
+//- There a shape has its part of a volume, a disk the mean over eight planes, and a ball none: volumes alone are compared, in 3D with the true one
+template<int D>
+bool hasPole(const SampledShape<D>& s, const UniformGrid<D>& grid, int d, int f)
+{
+    const NodeGrid<D> nodes{grid};
+    return inPole(s, middleOfFace(nodes.position(grid.faceIndex(d, f)), d, grid.h), d, grid.h) > 0;
 }
 
 //- As of the ball itself, wherever it lies and however it is turned. Distances err by step^2/8R at most; where a face's plane nearly touches the ball its share errs by more, as the chord does: the mean is compared
@@ -81,12 +71,14 @@ void latticeIsBall(double step, double bound, double ofVolume)
         for (int d = 0; d < D; ++d)
             for (int f = 0; f < grid.faces(d); ++f)
             {
+                if (hasPole(sampled.sampled, grid, d, f)) continue;
                 const double p = a.aperture[d][f], q = b.aperture[d][f];
                 differ += std::abs(p - q);
                 faces += (p > 0 && p < 1) || (q > 0 && q < 1);
             }
         EXPECT_LT(differ, bound*faces) << k;
-        EXPECT_NEAR(b.terms[0].volume, a.terms[0].volume, ofVolume*a.terms[0].volume);
+        const double volume = D == 2 ? a.terms[0].volume : 4*M_PI/3*R*R*R;
+        EXPECT_NEAR(b.terms[0].volume, volume, ofVolume*volume);
         // farther out than the lattice: between the distance to its box and the truth and that
         Vec<D, double> far = ball.centre;
         far[0] += 14;
@@ -103,27 +95,6 @@ TEST(PicShapes, ALatticeOfABallCutsAsTheBall)
     latticeIsBall<2>(0.25, 0.0025, 0.00125);
     latticeIsBall<3>(0.5, 0.02, 0.0075);        // the mean error of linear distances, step^2/12 times twice the curvature, is 0.5 % of the volume
 }
-
-class PicShapeScene : public PicSolidScene
-{
-protected:
-
-    //- One body of a shape, with a small ball at its centre for contacts. turn: about the third axis
-    std::shared_ptr<PicSolids> body(const PicConfig& c, const Vector3& at, const PicShape& shape, double mass, double inertia, double turn = 0) const
-    {
-        auto s = balls(c, {at}, 0.02, 1000);
-        s->input.particles.clump = {0};
-        s->shapes = {shape};
-        DemClump k;
-        k.position = at;
-        k.mass = mass;
-        k.inertia = {{inertia, inertia, inertia}};
-        k.orientation = {{std::cos(0.5*turn), 0, 0, std::sin(0.5*turn)}};
-        k.shape = 0;
-        s->input.clumps = {k};
-        return s;
-    }
-};
 
 RIPRAP_ALL_SETUPS(PicShapeScene);
 

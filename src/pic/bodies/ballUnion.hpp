@@ -26,6 +26,7 @@ struct BallSet
     }
 
     HD const Ball<D>* single() const { return count == 1 ? balls : nullptr; }
+    HD const SampledShape<D>* lattice() const { return nullptr; }
 
     //- Pieces that balls cover, from the lowest on: each adds what lies beyond the end of those before
     HD SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const
@@ -74,6 +75,7 @@ struct BallUnion
     BallSet<D> set() const { return {balls.data(), int(balls.size())}; }
     double distance(const Vec<D, double>& x) const { return set().distance(x); }
     const Ball<D>* single() const { return set().single(); }
+    const SampledShape<D>* lattice() const { return nullptr; }
     SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const { return set().solidOfLine(x, axis, length); }
     double behindPole(const Vec<D, double>& x, int axis) const { return set().behindPole(x, axis); }
 

@@ -19,6 +19,7 @@ struct ShapeView
 
     HD double distance(const Vec<D, double>& x) const { return own ? own->distance(x) : balls.distance(x); }
     HD const Ball<D>* single() const { return own ? nullptr : balls.single(); }
+    HD const SampledShape<D>* lattice() const { return own; }
 
     HD SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const
     { return own ? own->solidOfLine(x, axis, length) : balls.solidOfLine(x, axis, length); }
@@ -37,6 +38,7 @@ struct BodyShape
     ShapeView<D> view() const { return {balls.set(), hasOwn() ? &sampled : nullptr}; }
     double distance(const Vec<D, double>& x) const { return view().distance(x); }
     const Ball<D>* single() const { return view().single(); }
+    const SampledShape<D>* lattice() const { return view().lattice(); }
     SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const { return view().solidOfLine(x, axis, length); }
     double behindPole(const Vec<D, double>& x, int axis) const { return view().behindPole(x, axis); }
 };

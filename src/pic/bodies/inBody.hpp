@@ -4,19 +4,24 @@
     nearly touches the body, and its added mass with it; there the mean over the planes of half a cell on either side is taken (inPole), and both converge
     with second order.
 
+    Of a shape of its own that mean is by volumes, also in 3D: a share is then what the body has of the volume that the face moves, from the middle of one cell to that of the next (volume fractions: Batty,
+    Bertails & Bridson 2007, ACM Trans. Graph. 26, 100). By planes alone a flat bottom would feel nothing of its depth within a layer of cells: the force would be that of the pressure in the middle of the layer.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include "core/math.hpp"
 #include "core/vec.hpp"
 #include "pic/shapes/diskInSquare.hpp"
+#include "pic/shapes/sampledShape.hpp"
 #include "pic/shapes/shapes.hpp"
 
 namespace riprap
 {
 
-//- Cells: a body that is farther from the middle of a face has nothing of it. In 3D no corner is farther; in 2D a pole is spread over half a cell
-template<int D> inline constexpr double faceReach = D == 2 ? 1 : 0.75;
+//- Cells: a body that is farther from the middle of a face has nothing of it, nor of half a cell on either side
+template<int D> inline constexpr double faceReach = D == 2 ? 1 : 0.875;
 
 //- Of a face of direction d with its lower corner at x
 template<int D>
@@ -24,6 +29,106 @@ HD Vec<D, double> middleOfFace(Vec<D, double> x, int d, double h)
 {
     for (int e = 0; e < D; ++e) if (e != d) x[e] += 0.5*h;
     return x;
+}
+
+//- How much the surface about a face lies across its axis, 0 .. 1. Where an edge bends it, a cell beside the face tells: what lies behind the edge is as flat
+EITHER_SIDE template<int D>
+HD double inPole(const SampledShape<D>& shape, const Vec<D, double>& middle, int d, double h)
+{
+    // 1 - cos of the angle between normals a cell apart: less than that of a ball of three cells a radius; an edge that bends by half a right angle
+    constexpr double round = 0.05, edge = 0.15;
+    const Vec<D, double> normal = shape.normal(middle);
+    const double own = shape.behindPole(middle, normal, d);
+    double least = own;
+    for (int e = 0; e < D; ++e)
+        for (int side = -1; side <= 1 && e != d; side += 2)
+        {
+            Vec<D, double> beside = middle;
+            beside[e] += side*h;
+            const Vec<D, double> there = shape.normal(beside);
+            const double bend = (1 - dot(normal, there) - round)/(edge - round), behind = shape.behindPole(beside, there, d);
+            if (bend > 0) least = minimum(least, own + minimum(bend, 1.0)*(behind - own));
+        }
+    return 1 - least/h;
+}
+
+//- What a shape has of the volume of a face, from half a cell before it to half a cell behind, by distances at points an eighth of a cell apart
+HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, int d, double h)
+{
+    constexpr int parts = 8;
+    const int along = 1 - d;
+    const auto at = [&](int i, int j)
+    {
+        Vec<2, double> point = x;
+        point[along] += h*i/parts;
+        point[d] += h*(double(j)/parts - 0.5);
+        return shape.distance(point);
+    };
+    SolidPart<2> sum{0, {0}};
+    double low[parts + 1];
+    for (int j = 0; j <= parts; ++j) low[j] = at(0, j);
+    for (int i = 0; i < parts; ++i)
+    {
+        double last = at(i + 1, 0);
+        for (int j = 0; j < parts; ++j)
+        {
+            const double next = at(i + 1, j + 1);
+            const SolidPart<3> p = solidOfSquare(low[j], last, low[j + 1], next);
+            sum.share += p.share/(parts*parts);
+            sum.moment[0] += (p.share*i + p.moment[0])/(parts*parts*parts);
+            low[j] = last;
+            last = next;
+        }
+        low[parts] = last;
+    }
+    return sum;
+}
+
+//- A quarter of a cell apart, across the face half a cell; a part's middle is taken for that of what it has
+HD SolidPart<3> inVolume(const SampledShape<3>& shape, const Vec<3, double>& x, int d, double h)
+{
+    constexpr int parts = 4, layers = 2;
+    const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
+    double distance[parts + 1][parts + 1][layers + 1];
+    for (int i = 0; i <= parts; ++i)
+        for (int j = 0; j <= parts; ++j)
+            for (int k = 0; k <= layers; ++k)
+            {
+                Vec<3, double> point = x;
+                point[a] += h*i/parts;
+                point[c] += h*j/parts;
+                point[d] += h*(double(k)/layers - 0.5);
+                distance[i][j][k] = shape.distance(point);
+            }
+    SolidPart<3> sum{0, {0, 0}};
+    for (int i = 0; i < parts; ++i)
+        for (int j = 0; j < parts; ++j)
+            for (int k = 0; k < layers; ++k)
+            {
+                double corner[8];
+                int in = 0;
+                for (int n = 0; n < 8; ++n)
+                {
+                    corner[n] = distance[i + (n & 1)][j + (n >> 1 & 1)][k + (n >> 2)];
+                    in += corner[n] < 0;
+                }
+                if (!in) continue;
+                const double share = (in == 8 ? 1.0 : solidOfCube(corner))/(parts*parts*layers);
+                sum.share += share;
+                sum.moment[0] += share*(i + 0.5)/parts;
+                sum.moment[1] += share*(j + 0.5)/parts;
+            }
+    return sum;
+}
+
+//- Parts a and b, weighted by 1 - w and w
+template<int D>
+HD SolidPart<D> between(const SolidPart<D>& a, const SolidPart<D>& b, double w)
+{
+    w = minimum(w, 1.0);
+    SolidPart<D> part{a.share + w*(b.share - a.share), {}};
+    for (int m = 0; m < D - 1; ++m) part.moment[m] = a.moment[m] + w*(b.moment[m] - a.moment[m]);
+    return part;
 }
 
 //- Faces of direction d from x along the other axis: the part in the body
@@ -37,6 +142,11 @@ HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, doubl
     if (distance > faceReach<2>*h) return {0, {0}};
     if (distance < -faceReach<2>*h) return {1, {0.5}};
     SolidPart<2> part = shape.solidOfLine(x, along, h);
+    if (const SampledShape<2>* own = shape.lattice())
+    {
+        const double flat = riprap::inPole(*own, middle, d, h);
+        return flat > 0 ? between(part, inVolume(*own, x, d, h), flat) : part;
+    }
     const double inPole = 1 - shape.behindPole(middle, d)/h;
     if (!(inPole > 0)) return part;
     part.share *= 1 - inPole;
@@ -95,6 +205,11 @@ HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, doubl
             last = next;
         }
         low[parts] = last;
+    }
+    if (const SampledShape<3>* own = shape.lattice())
+    {
+        const double flat = inPole(*own, at(parts/2, parts/2), d, h);
+        if (flat > 0) return between(part, inVolume(*own, x, d, h), flat);
     }
     return part;
 }

@@ -1,6 +1,6 @@
 /*  A solid of any shape by its signed distances at the points of a lattice in its own frame, linear between them along each axis.
 
-    Points of the lattice lie about half a cell of the grid apart, so that what is linear between them errs by less than what is linear across a cell. Edges
+    Points of the lattice lie about a quarter of a cell of the grid apart, so that what is linear between them errs by less than what is linear across a cell. Edges
     are rounded by as much. Beyond the lattice the distance is that to its nearest point more: never less than the truth to the box of the solid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -101,21 +101,26 @@ struct SampledShape
         return sum;
     }
 
-    //- As of a ball (shapes.hpp) whose radius is the way from the centre: zero where the surface lies across the axis
-    HD double behindPole(const Vec<D, double>& x, int across) const
+    //- Of length 1, out of the solid; 0 where distances tell none
+    HD Vec<D, double> normal(const Vec<D, double>& x) const
     {
         const double half = 0.5*lattice.step;
-        Vec<D, double> normal;
+        Vec<D, double> n;
         for (int d = 0; d < D; ++d)
         {
             Vec<D, double> up = x, down = x;
             up[d] += half;
             down[d] -= half;
-            normal[d] = distance(up) - distance(down);
+            n[d] = distance(up) - distance(down);
         }
-        const double length = std::sqrt(squaredNorm(normal)), radius = std::sqrt(squaredNorm(x - centre));
-        return length > 0 ? radius*(1 - std::fabs(normal[across])/length) : radius;
+        const double length = std::sqrt(squaredNorm(n));
+        return length > 0 ? (1/length)*n : n;
     }
+
+    //- As of a ball (shapes.hpp) whose radius is the way from the centre: zero where the surface lies across the axis
+    HD double behindPole(const Vec<D, double>& x, int across) const { return behindPole(x, normal(x), across); }
+    HD double behindPole(const Vec<D, double>& x, const Vec<D, double>& n, int across) const
+    { return std::sqrt(squaredNorm(x - centre))*(1 - std::fabs(n[across])); }
 
     //- Nothing of it is farther from its centre: the largest of the ways to points of the lattice in it, and a step
     double reach() const

@@ -11,6 +11,8 @@
 namespace riprap
 {
 
+template<int D> struct SampledShape;
+
 //- Disk or sphere
 template<int D>
 struct Ball
@@ -22,6 +24,9 @@ struct Ball
 
     //- Its only ball: shapes that are no ball have none
     HD const Ball* single() const { return this; }
+
+    //- Its lattice: shapes that are sampled have one
+    HD const SampledShape<D>* lattice() const { return nullptr; }
 
     //- Of the line from x along an axis, in parts of its length, what lies inside: from low to high; false: nothing
     HD bool covers(const Vec<D, double>& x, int axis, double length, double& low, double& high) const
