@@ -99,10 +99,16 @@ bool Foam::checkedDictionary::isWord
     const word& allowed
 ) const
 {
-    const token first(dict_.lookup(entry));
+    ITstream& is = dict_.lookup(entry);
+    const token first(is);
     if (first.isWord() && first.wordToken() != allowed)
     {
         unknownWord(entry, first.wordToken(), {allowed, "<number>"});
+    }
+    if (first.isWord())
+    {
+        // The next entry, where the semicolon is missing
+        dict_.checkITstream(is, entry);
     }
     return first.isWord();
 }

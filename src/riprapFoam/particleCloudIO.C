@@ -5,6 +5,7 @@
 #include "cloud.H"
 #include "IOdictionary.H"
 #include "IOField.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 #include <cstring>
@@ -59,6 +60,16 @@ public:
         return os.good();
     }
 };
+
+
+static bool ascending(const labelField* ids)
+{
+    for (label i = 1; ids && i < ids->size(); ++i)
+    {
+        if ((*ids)[i] <= (*ids)[i - 1]) return false;
+    }
+    return ids;
+}
 
 
 static IOobject cloudFile(const polyMesh& mesh, const word& cloudName, const word& file)
@@ -135,6 +146,32 @@ static void writeCloudProperties(const polyMesh& mesh, const particleCloud& c)
 } // namespace Foam
 
 
+const char* const Foam::inOrderOfIds = "in the order of ids";
+
+
+const Foam::labelField* Foam::idsOf(const particleCloud& c)
+{
+    for (const char* field : {"id", "origId"})
+    {
+        if (c.labels.found(field)) return &c.labels[field];
+    }
+    return nullptr;
+}
+
+
+void Foam::sortByLabel(particleCloud& c, const word& field)
+{
+    labelList order;
+    sortedOrder(c.labels[field], order);
+
+    c.position = pointField(c.position, order);
+    if (c.cell.size()) c.cell = labelField(c.cell, order);
+    forAllIters(c.labels, iter) iter.val() = labelField(iter.val(), order);
+    forAllIters(c.scalars, iter) iter.val() = scalarField(iter.val(), order);
+    forAllIters(c.vectors, iter) iter.val() = vectorField(iter.val(), order);
+}
+
+
 void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
 {
     const labelList cell
@@ -142,7 +179,9 @@ void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
         c.cell.size() == c.size() ? c.cell : locateParticles(mesh, c.position, c.cell, true)
     );
 
-    positionsWriter(cloudFile(mesh, c.name, "positions"), c.position, cell).write();
+    IOobject positions(cloudFile(mesh, c.name, "positions"));
+    if (ascending(idsOf(c))) positions.note() = inOrderOfIds;
+    positionsWriter(positions, c.position, cell).write();
     writeFields(mesh, c, c.labels);
     writeFields(mesh, c, c.scalars);
     writeFields(mesh, c, c.vectors);
@@ -153,5 +192,19 @@ void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
 Foam::dictionary Foam::readCloudProperties(const Time& time, const word& cloudName)
 {
     IOobject io(propertiesFile(time, cloudName, IOobject::MUST_READ));
-    return io.typeHeaderOk<IOdictionary>(true) ? dictionary(IOdictionary(io)) : dictionary();
+    if (!isFile(io.objectPath())) return dictionary();
+
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        FatalIOErrorInFunction(io.objectPath())
+            << "The file is empty or cut short: it has no header of OpenFOAM's" << exit(FatalIOError);
+    }
+    const IOdictionary properties(io);
+    const bool written = properties.found("geometry");
+    if (!written)
+    {
+        FatalIOErrorInFunction(properties)
+            << "Entry geometry is missing: has the file been cut short?" << exit(FatalIOError);
+    }
+    return dictionary(properties);
 }

@@ -7,6 +7,7 @@
 #include "IOField.H"
 #include "IOobjectList.H"
 #include "listed.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 namespace Foam
@@ -53,6 +54,20 @@ static IOobject cloudFile
 }
 
 
+// A field whose header cannot be read would be taken as one that is not there
+static void requireHeaders(const fileName& folder, const IOobjectList& files)
+{
+    for (const fileName& file : readDir(folder, fileName::FILE))
+    {
+        if (!files.found(word(file, false)))
+        {
+            FatalIOErrorInFunction(folder/file)
+                << "The file is empty or cut short: it has no header of OpenFOAM's" << exit(FatalIOError);
+        }
+    }
+}
+
+
 template<class T>
 static void readFields
 (
@@ -75,6 +90,25 @@ static void readFields
         }
         fields.set(name, values);
     }
+}
+
+
+// Positions are in the order of ids: so must be what belongs to them
+static void putFieldsInOrder(particleCloud& c)
+{
+    const labelField* ids = idsOf(c);
+    if (!ids) return;
+    label i = 1;
+    while (i < ids->size() && (*ids)[i] > (*ids)[i - 1]) ++i;
+    if (i >= ids->size()) return;
+
+    Info<< "Fields of lagrangian/" << c.name << " are not in the order of its positions, as reconstructPar leaves"
+        << " them: they are put in the order of ids" << nl << endl;
+    const pointField position(c.position);
+    const labelList cell(c.cell);
+    sortByLabel(c, c.labels.found("id") ? "id" : "origId");
+    c.position = position;
+    c.cell = cell;
 }
 
 } // namespace Foam
@@ -111,10 +145,12 @@ Foam::particleCloud Foam::readParticleCloud
     }
 
     particleCloud c(cloudName);
+    bool ordered = false;
     {
         positionsReader file(io);
         Istream& is = file.stream();
 
+        ordered = asPositions && file.note() == inOrderOfIds;
         const label n = readLabel(is);
         if (n < 0)
         {
@@ -137,9 +173,11 @@ Foam::particleCloud Foam::readParticleCloud
     }
 
     const IOobjectList files(mesh, instanceOf(mesh, instance), cloud::prefix/cloudName);
+    requireHeaders(mesh.time().path()/instanceOf(mesh, instance)/cloud::prefix/cloudName, files);
     readFields(files, c.size(), c.labels);
     readFields(files, c.size(), c.scalars);
     readFields(files, c.size(), c.vectors);
+    if (ordered) putFieldsInOrder(c);
     return c;
 }
 

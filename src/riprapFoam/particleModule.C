@@ -5,6 +5,7 @@
 
 #include "particleModule.H"
 #include "scene/sphScene.hpp"
+#include "timeManifest.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -76,6 +77,17 @@ bool Foam::particleModule::mayContinue(const runRecord& run, int64_t cloudSize)
         (
             "it has " + std::to_string(run.particles) + " particles, the"
             " cloud " + std::to_string(cloudSize)
+        );
+    }
+
+    const timeManifest& manifest(timeManifest::of(runTime_.timePath()));
+    asWritten_ = manifest.is == timeManifest::kind::whole;
+    const std::string changed(manifest.changedSince(cloudName_));
+    if (!changed.empty())
+    {
+        return notUsed
+        (
+            "the cloud has been changed since it was written (" + changed + ")"
         );
     }
 

@@ -17,11 +17,8 @@ bool hasPicRun(const Time& time)
 }
 
 
-picRun readPicRun(const Time& time)
+static void read(const IOdictionary& dict, picRun& run)
 {
-    const IOdictionary dict(stateObject(time, "picRun", IOobject::MUST_READ));
-
-    picRun run;
     run.spacing = dict.get<scalar>("spacing");
     run.given = dict.get<scalar>("given");
     run.read(dict);
@@ -43,7 +40,15 @@ picRun readPicRun(const Time& time)
             << "Not what riprapFoam wrote: spacing " << run.spacing
             << ", given " << run.given << exit(FatalIOError);
     }
+}
 
+
+picRun readPicRun(const Time& time)
+{
+    const IOobject io(stateObject(time, "picRun", IOobject::MUST_READ));
+
+    picRun run;
+    orDamaged(io, [&]() { read(IOdictionary(io), run); });
     return run;
 }
 

@@ -6,6 +6,7 @@
 #include "postProcessTimes.H"
 #include "listed.H"
 #include "functionObjectList.H"
+#include "timeManifest.H"
 #include "timeSelector.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -41,7 +42,21 @@ Foam::instantList Foam::selectPostProcessTimes
     for (const instant& t : timeSelector::select0(runTime, args))
     {
         // What timeSelector gives where there is no other
-        if (t.name() != runTime.constant()) times.append(t);
+        if (t.name() == runTime.constant()) continue;
+
+        const timeManifest& manifest(timeManifest::of(runTime.path()/t.name()));
+        if
+        (
+            manifest.is == timeManifest::kind::unfinished
+         || manifest.is == timeManifest::kind::damaged
+        )
+        {
+            Warning
+                << "Time " << t.name() << " is passed over: "
+                << manifest.why.c_str() << nl << endl;
+            continue;
+        }
+        times.append(t);
     }
 
     if (times.empty())

@@ -34,9 +34,10 @@ static void readStrength(checkedDictionary& dict, const word& entry, double& str
     const token first(dict.dict().lookup(entry));
     if (first.isWord())
     {
-        if (first.wordToken() != "none")
+        const word typed(dict.dict().get<word>(entry));
+        if (typed != "none")
         {
-            dict.unknownWord(entry, first.wordToken(), {"none", "<number>"});
+            dict.unknownWord(entry, typed, {"none", "<number>"});
         }
         return;
     }

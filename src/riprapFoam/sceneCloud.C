@@ -144,6 +144,7 @@ bool Foam::sceneCloud::writeObject
     fetched_ = false;
 
     particleCloud particles(fetch());
+    sortByLabel(particles, idField());
     addProperties(particles.properties);
     const label nOutside = locate(particles);
     writeParticleCloud(mesh_, particles);

@@ -9,6 +9,7 @@
 #include "moduleLog.H"
 #include "OSspecific.H"
 #include "sphNames.H"
+#include "timeManifest.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -137,6 +138,15 @@ bool Foam::sceneSolids::canContinue(string& why)
     {
         why = "it has " + Foam::name(label(run_.particles)) + " solid particles,"
             " the cloud " + Foam::name(n);
+        return false;
+    }
+
+    const timeManifest& manifest(timeManifest::of(runTime_.timePath()));
+    const std::string changed(manifest.changedSince("solids"));
+    if (!changed.empty())
+    {
+        why = "lagrangian/solids has been changed since it was written ("
+          + changed + ")";
         return false;
     }
     return true;

@@ -89,29 +89,6 @@ static std::vector<double> masses
 }
 
 
-//- Particles in the order of their ids: that of a scene's input, by which a
-//  saved state knows them, whatever the order in which they were written
-static void sortById(particleCloud& cloud)
-{
-    labelList order;
-    sortedOrder(cloud.labels["origId"], order);
-
-    cloud.position = pointField(cloud.position, order);
-    forAllIters(cloud.labels, iter)
-    {
-        iter.val() = labelField(iter.val(), order);
-    }
-    forAllIters(cloud.scalars, iter)
-    {
-        iter.val() = scalarField(iter.val(), order);
-    }
-    forAllIters(cloud.vectors, iter)
-    {
-        iter.val() = vectorField(iter.val(), order);
-    }
-    cloud.cell.clear();
-}
-
 } // End namespace Foam
 
 
@@ -131,7 +108,8 @@ Foam::solidSet Foam::readSolids
         cloud.labels.set("origId", labelField(identity(cloud.size())));
     }
 
-    sortById(cloud);
+    // That of a scene's input, by which a saved state knows its particles
+    sortByLabel(cloud, "origId");
 
     const dictionary properties(readCloudProperties(mesh.time(), name));
     auto materialOf = [&](const word& w, const dictionary& d) { return settings.material(w, d); };

@@ -7,6 +7,7 @@
 #include "emptyPolyPatch.H"
 #include "IOdictionary.H"
 #include "listed.H"
+#include "OSspecific.H"
 #include "particleCloudIO.H"
 #include "wallPolyPatch.H"
 
@@ -68,7 +69,16 @@ Foam::labelList Foam::wallPatches
 Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
 {
     IOobject io("geometry", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (!io.typeHeaderOk<IOdictionary>(true)) return nullptr;
+    if (!isFile(io.objectPath())) return nullptr;
+
+    // Passed over, it would leave walls out
+    if (!io.typeHeaderOk<IOdictionary>(true, true, false))
+    {
+        FatalIOErrorInFunction(io.objectPath())
+            << "The file does not begin as a dictionary does, with FoamFile { version 2.0; format ascii; class dictionary;"
+            << " object geometry; } after nothing but comments (an #include of a file that is not there, or a byte-order"
+            << " mark, is in the way, too)" << exit(FatalIOError);
+    }
     return autoPtr<geometryWalls>::New(time, IOdictionary(io));
 }
 

@@ -393,13 +393,15 @@ damaged()   # NAME MESSAGE COMMAND...
     refused "$name" "$message" riprapFoam
 }
 whole='is damaged .*: remove the folder .*0.001/uniform/riprap. to continue from the fields'
+# Named: latestTime would pass it over
+control 'startFrom startTime; startTime 0.001; endTime 0.002; writeInterval 0.001;'
 damaged stateCut "$whole" truncate -s 1000 uniform/riprap/demState
 damaged stateMissing "$whole" rm uniform/riprap/demState
 damaged runEntry "$whole" sed -i /timeStep/d uniform/riprap/demRun
-damaged noRadius 'no scalar field radius; there are .*lagrangian/solids' rm lagrangian/solids/radius
+damaged noRadius 'is damaged .lagrangian/solids/radius is missing' rm lagrangian/solids/radius
 damaged radius 'lagrangian/solids/radius has the value -0.005 at entry 0: it must be positive' sed -i 's/{0.005}/{-0.005}/' lagrangian/solids/radius
 damaged material 'lagrangian/solids/material has the value 7 at entry 0: it counts from 0 in \(glass steel\)' sed -i 's/{0}/{7}/' lagrangian/solids/material
-damaged cutU 'lagrangian/solids/U' truncate -s 1100 lagrangian/solids/U
+damaged cutU 'is damaged .lagrangian/solids/U is cut short' truncate -s 1100 lagrangian/solids/U
 rm -rf 0.001 0.002 written
 control ''
 rm -r 0/lagrangian; refused noParticles 'There are no particles at time 0' riprapFoam

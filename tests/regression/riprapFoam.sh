@@ -81,6 +81,8 @@ bad wallVelocity 'walls { velocity { lower (1 0 0); } }' 'Unknown entry velocity
 bad motionNoDict 'walls { motion { piston left; } }' 'Entry piston is no dictionary'
 bad kernelDict 'kernel { }' 'Entry kernel must be a value, not a dictionary'
 bad kernelNumber 'kernel 5;' 'expected word.*label 5'
+bad semicolonNone 'antiClump none XSPH 0.5;' "Entry 'antiClump' has 2 excess tokens"
+bad semicolonAuto 'maxVelocity auto kernel wendlandC2;' "Entry 'maxVelocity' has 2 excess tokens"
 bad kernelTwice 'kernel wendlandC2 cubicSpline;' "Entry 'kernel' has 1 excess tokens"
 bad gammaWord 'gamma seven;' "expected scalar value.*word 'seven'"
 bad softening 'laminarViscosity { softening 0; }' 'Entry softening is 0: it must be positive'
@@ -169,6 +171,17 @@ sed -i 's/type  *patch/type symmetryPlane/' constant/polyMesh/boundary
 wrong patchType 'Patch upper has the type symmetryPlane, .*valid are wall, patch .open., empty and cyclic .constant/polyMesh/boundary'
 rm -r constant/polyMesh; mv aside constant/polyMesh
 
+# A file of walls is there or it is not: none is passed over
+walled() { local name=$1; shift; "$@" >constant/geometry; wrong "geometry.$name" 'does not begin as a dictionary does.*constant/geometry'; rm constant/geometry; }
+plate='plate { type searchablePlate; origin (0.1 0 -1); span (0 0.1 2); }'
+header='FoamFile { version 2.0; format ascii; class dictionary; object geometry; }'
+walled noHeader echo "$plate"
+walled wrongClass echo "${header/dictionary/volScalarField} $plate"
+walled mark printf '\xef\xbb\xbf%s\n' "$header $plate"
+walled empty true
+walled includeFirst printf '#include "nowhere"\n%s\n' "$header $plate"
+geometry '#include "nowhere"'; wrong geometry.include 'nowhere.*constant/geometry|constant/geometry.*nowhere'; rm constant/geometry
+
 # Particles that are damaged, or were edited to what cannot be.
 cp -r 0 aside
 damaged()   # NAME MESSAGE COMMAND...
@@ -184,7 +197,7 @@ spread()    # FIELD VALUE: of the tenth particle, others 1000
     local file=lagrangian/fluid/$1
     { sed -n '1,/^}/p' "$file"; echo '800('; for i in {0..799}; do ((i == 9)) && echo "$2" || echo 1000; done; echo ')'; } >spread && mv spread "$file"
 }
-damaged cutPositions 'Bad token.*lagrangian/fluid/positions' cut positions 9000
+damaged cutPositions 'Bad token.*lagrangian/fluid/positions' cut positions 9039
 damaged cutRho 'lagrangian/fluid/rho' cut rho 1500
 damaged emptyPositions 'There are no particles' cut positions 0
 damaged noU 'no vector field U; there are \(\).*0/lagrangian/fluid' rm lagrangian/fluid/U
@@ -289,6 +302,7 @@ state()     # NAME COMMAND...
     local name=$1; shift
     rm -rf 0.005 0.01; cp -r written 0.005
     (cd 0.005/uniform/riprap && "$@")
+    sed -i 's/startFrom latestTime; startTime 0;/startFrom startTime; startTime 0.005;/' system/controlDict
     refused "state.$name" 'is damaged .*: remove the folder .*0.005/uniform/riprap. to continue from the fields' riprapFoam
 }
 state cut truncate -s 2000 sphState
@@ -312,6 +326,18 @@ reconstructPar -withZero >log 2>&1
 riprapFoam >log 2>&1
 says reconstructed 'Written 0.005: 800 particles'
 rm -rf processor*
+# The same of a written time with nothing deleted first: reconstructPar keeps its positions, and writes fields in the order of processors.
+# What follows is what follows from the fields that were written
+cp -r 0.005 written
+rm -r 0.005/uniform/riprap; control latestTime 0.01; riprapFoam >log 2>&1
+mv 0.01 expected; rm -rf 0.005; cp -r written 0.005
+decomposePar -force -latestTime >log 2>&1; reconstructPar -latestTime >log 2>&1
+cmp -s 0.005/lagrangian/fluid/id written/lagrangian/fluid/id && fail scrambled "reconstructPar has changed nothing" || pass scrambled
+riprapFoam >log 2>&1
+says scrambledOrder 'Fields of lagrangian/fluid are not in the order of its positions, as reconstructPar leaves them: they are put in the order of ids'
+says scrambledChanged 'Changed since riprapFoam wrote time 0.005: .*lagrangian/fluid/U'
+cmp -s 0.01/lagrangian/fluid/U expected/lagrangian/fluid/U && pass scrambledRepaired || fail scrambledRepaired "it does not go on as from the fields that were written"
+rm -rf 0.005 0.01 written expected processor*
 
 # Walls of no thickness: two blocks that touch, with a wall on either side between them
 baffle()    # TYPE OF right SIDE'S PATCH

@@ -40,7 +40,8 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
 
     if
     (
-       !sameSolids
+       !asWritten_
+    && !sameSolids
         (
             solids.particles, *scene_, settings_.config, mesh_.bounds().mag()
         )

@@ -10,6 +10,7 @@ Description
 
 #include "picDem.H"
 #include "Map.H"
+#include "OSspecific.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -32,6 +33,15 @@ bool Foam::solverModules::picDem::canContinue(const particleCloud& cloud)
     if (solids_ && !solids_->canContinue(why))
     {
         return notUsed(why);
+    }
+    if (run_.particles > 0 && !isDir(runTime_.timePath()/"lagrangian"/"fluid"))
+    {
+        FatalIOErrorInFunction(runTime_.timePath()/"uniform"/"riprap"/"picRun")
+            << "The water is missing: " << label(run_.particles)
+            << " particles were written, and lagrangian/fluid of this time is"
+            << " not there. Start from another time, or, to go on without"
+            << " water, remove the folder "
+            << runTime_.timePath()/"uniform"/"riprap" << exit(FatalIOError);
     }
     return mayContinue(run_, cloud.size());
 }
@@ -88,7 +98,10 @@ bool Foam::solverModules::picDem::loadState(const particleCloud& cloud)
         return notUsed(e.what());
     }
 
-    if (!sameCloud(cloud) || (solids_ && !solids_->sameAsCloud()))
+    const bool same =
+        asWritten_
+     || (sameCloud(cloud) && (!solids_ || solids_->sameAsCloud()));
+    if (!same)
     {
         return notUsed("the cloud has been changed since it was written");
     }

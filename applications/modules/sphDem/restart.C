@@ -56,7 +56,8 @@ bool Foam::solverModules::sphDem::loadState
     cloudComparison compare(config, cloud, scene_->fluid());
     const scalar closeX = 1e-3*config.spacing + 1e-5*mesh_.bounds().mag();
     const char* changed =
-        !compare.samePositions(closeX) ? "positions"
+        asWritten_ ? nullptr
+      : !compare.samePositions(closeX) ? "positions"
       : !compare.sameVelocities() ? "U"
       : !compare.sameDensities(density) ? "rho"
       : nullptr;
@@ -70,7 +71,7 @@ bool Foam::solverModules::sphDem::loadState
         );
     }
 
-    if (solids_ && !solids_->sameAsCloud())
+    if (!asWritten_ && solids_ && !solids_->sameAsCloud())
     {
         return notUsed
         (

@@ -15,12 +15,12 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "caseTime.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
 #include "solverModule.H"
 #include "stopSignals.H"
 #include "timePlan.H"
-#include "Time.H"
 
 using namespace Foam;
 
@@ -40,14 +40,23 @@ static void refuseParallel(int argc, char* argv[])
 }
 
 
-static void runLoop(Time& runTime, solverModule& module)
+//- As plan.run(), in which function objects write, too
+static bool goesOn(caseTime& runTime, timePlan& plan)
+{
+    const bool more = plan.run();
+    runTime.finishWrite();
+    return more;
+}
+
+
+static void runLoop(caseTime& runTime, solverModule& module)
 {
     timePlan plan(runTime);
     const stopSignals signals(module);
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (plan.run())
+    while (goesOn(runTime, plan))
     {
         plan.advanceTo
         (
@@ -75,7 +84,8 @@ static void runLoop(Time& runTime, solverModule& module)
 static void runCase(const argList& args, bool postProcess)
 {
     requireWriteIntervals(args.path()/"system"/Time::controlDictName);
-    Time runTime(Time::controlDictName, args);
+    autoPtr<caseTime> time(caseTime::New(args, postProcess));
+    caseTime& runTime = time.ref();
 
     if (postProcess && args.found("dry-run"))
     {

@@ -45,6 +45,8 @@ static void readPressure
     (
         dict.found("pressure") ? token(dict.dict().lookup("pressure")) : token(word("hydrostatic"))
     );
+    // Of one word only: the next entry follows where a semicolon is missing
+    if (first.isWord() && dict.found("pressure")) dict.dict().get<word>("pressure");
     if (first.isNumber())
     {
         region.pressure = scalarField(region.size(), dict.number("pressure"));

@@ -15,7 +15,7 @@ static void readMass(checkedDictionary& dict, bool whole, rigidEntries& r)
     const token first(dict.dict().lookup("mass"));
     if (whole && first.isWord())
     {
-        if (first.wordToken() == "cell") return;
+        if (dict.dict().get<word>("mass") == "cell") return;
         FatalIOErrorInFunction(dict.dict())
             << "Entry mass is " << first.wordToken() << ", but the body is rigid: it has the mass of its region. Leave the entry out, or"
             << " give a number [kg] or a density [kg/m3]" << exit(FatalIOError);

@@ -1,0 +1,174 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "caseTime.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "timeManifest.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Make controlDict start at a whole time. \return true if that is another
+//  one than Time would take
+static bool startAtWholeTime(const fileName& casePath, dictionary& controlDict)
+{
+    instantList times(Time::findTimes(casePath, "constant"));
+    if (times.size() && times[0].name() == "constant")
+    {
+        times = instantList(SubList<instant>(times, times.size() - 1, 1));
+    }
+    if (times.empty()) return false;
+
+    const word from(controlDict.getOrDefault<word>("startFrom", "latestTime"));
+    if (from != "latestTime")
+    {
+        scalar start = times.first().value();
+        if (from == "startTime" && !controlDict.readIfPresent("startTime", start))
+        {
+            return false;
+        }
+        for (const instant& t : times)
+        {
+            if (mag(t.value() - start) <= 1e-9*mag(start))
+            {
+                requireWholeTime(controlDict, casePath/t.name());
+            }
+        }
+        return false;
+    }
+
+    instant latest;
+    if (!latestWholeTime(casePath, times, latest))
+    {
+        // Says why. Without any particles their reader does
+        requireWholeTime(controlDict, casePath/times.last().name());
+        return false;
+    }
+    requireWholeTime(controlDict, casePath/latest.name());
+
+    controlDict.set("startFrom", "startTime");
+    controlDict.set("startTime", latest.value());
+    return latest.name() != times.last().name();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::caseTime::caseTime(const argList& args)
+:
+    Time(Time::controlDictName, args)
+{}
+
+
+Foam::caseTime::caseTime(const argList& args, const dictionary& controlDict)
+:
+    Time
+    (
+        controlDict,
+        args.rootPath(),
+        args.caseName(),
+        "system",
+        "constant",
+        !args.found("noFunctionObjects"),
+        !args.found("no-libs")
+    )
+{
+    // What Time does for a file that it reads itself
+    auto& dict = dynamic_cast<regIOobject&>(const_cast<dictionary&>(this->controlDict()));
+    if (controlDict.getOrDefault<bool>("runTimeModifiable", false))
+    {
+        fileHandler().addWatches(dict, fileNameList(1, dict.objectPath()));
+    }
+}
+
+
+Foam::autoPtr<Foam::caseTime> Foam::caseTime::New
+(
+    const argList& args,
+    bool anyTime
+)
+{
+    const fileName file(args.path()/"system"/Time::controlDictName);
+    if (!anyTime && isFile(file))
+    {
+        IFstream is(file);
+        dictionary controlDict(is);
+        controlDict.remove("FoamFile");
+        if (startAtWholeTime(args.path(), controlDict))
+        {
+            return autoPtr<caseTime>(new caseTime(args, controlDict));
+        }
+    }
+    return autoPtr<caseTime>(new caseTime(args));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::caseTime::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool valid
+) const
+{
+    if (!writeTime())
+    {
+        return Time::writeObject(fmt, ver, cmp, valid);
+    }
+
+    timeManifest::begin(timePath());
+    writing_ = timePath();
+
+    // Older times go when this one is whole
+    label& keep = const_cast<caseTime&>(*this).purgeWrite_;
+    const label asked = keep;
+    keep = 0;
+    const bool written = Time::writeObject(fmt, ver, cmp, valid);
+    keep = asked;
+
+    if (!written)
+    {
+        FatalErrorInFunction
+            << "Time " << timePath() << " cannot be written: is the disk full?"
+            << " It is not whole, earlier ones are" << exit(FatalError);
+    }
+    return written;
+}
+
+
+void Foam::caseTime::purge()
+{
+    if (purgeWrite_ <= 0) return;
+
+    const word name(writing_.name(), false);
+    if (previousWriteTimes_.empty() || previousWriteTimes_.top() != name)
+    {
+        previousWriteTimes_.push(name);
+    }
+    while (previousWriteTimes_.size() > purgeWrite_)
+    {
+        rmDir(path()/previousWriteTimes_.pop());
+    }
+}
+
+
+void Foam::caseTime::finishWrite()
+{
+    if (writing_.empty()) return;
+
+    timeManifest::finish(writing_);
+    purge();
+    writing_.clear();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,376 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "timeManifest.H"
+#include "Hasher.H"
+#include "HashSet.H"
+#include "IFstream.H"
+#include "listed.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static fileName folder(const fileName& timePath)
+{
+    return timePath/"uniform"/"riprap";
+}
+
+
+static fileName partOf(const fileName& timePath)
+{
+    return folder(timePath)/"manifest.part";
+}
+
+
+static fileName manifestOf(const fileName& timePath)
+{
+    return folder(timePath)/"manifest";
+}
+
+
+//- What is compared; of a compressed file: what it holds
+struct fileSum
+{
+    int64_t bytes = -1;             // -1: there is no such file
+    unsigned sum = 0;
+    bool foam = false;              // has OpenFOAM's first and last line
+};
+
+
+static fileSum sumOf(const fileName& file)
+{
+    fileSum found;
+    if (!isFile(file)) return found;
+
+    IFstream is(file, IOstream::BINARY);
+    std::istream& in = is.stdStream();
+    const std::size_t tail = 8;
+    std::string block(1 << 20, '\0');
+    std::string end;
+    bool first = false;
+    found.bytes = 0;
+    for (;;)
+    {
+        in.read(&block[0], block.size());
+        const std::size_t n = in.gcount();
+        if (n == 0) break;
+
+        if (found.bytes == 0) first = block.compare(0, 4, "/*--") == 0;
+        found.sum = Hasher(block.data(), n, found.sum);
+        found.bytes += n;
+        end += block.substr(n > tail ? n - tail : 0, n > tail ? tail : n);
+        if (end.size() > tail) end.erase(0, end.size() - tail);
+    }
+    found.foam = first && end == "**** //\n";
+    return found;
+}
+
+
+//- All below a directory but the manifest itself, relative to it
+static void listFiles
+(
+    const fileName& top,
+    const fileName& below,
+    DynamicList<fileName>& files
+)
+{
+    const fileName here(below.empty() ? top : top/below);
+    for (const fileName& file : readDir(here, fileName::FILE))
+    {
+        const fileName name(below.empty() ? file : below/file);
+        if (top/name != manifestOf(top) && top/name != partOf(top))
+        {
+            files.append(name);
+        }
+    }
+    for (const fileName& dir : readDir(here, fileName::DIRECTORY))
+    {
+        listFiles(top, below.empty() ? dir : below/dir, files);
+    }
+}
+
+
+//- Of particles, or of what a run must know beside them
+static bool isState(const fileName& file)
+{
+    return file.starts_with("lagrangian/") || file.starts_with("uniform/");
+}
+
+
+//- One line of a manifest against the file that is there now
+static void compare
+(
+    const fileName& timePath,
+    const fileSum& then,
+    const fileName& name,
+    timeManifest& manifest
+)
+{
+    const fileSum now(sumOf(timePath/name));
+    std::string lacks;
+
+    if (now.bytes == then.bytes && now.sum == then.sum)
+    {
+        return;
+    }
+    if (now.bytes < 0)
+    {
+        const bool moved =
+            name.name() == "positions"
+         && isFile(timePath/name.path()/"coordinates");
+        if (moved)
+        {
+            manifest.changed.append(name);
+        }
+        else if (isState(name))
+        {
+            lacks = " is missing";
+        }
+    }
+    else if (then.foam && !now.foam && now.bytes <= then.bytes)
+    {
+        lacks = " is cut short: " + std::to_string(now.bytes) + " of "
+          + std::to_string(then.bytes) + " bytes";
+    }
+    else if (name.starts_with("uniform/riprap/"))
+    {
+        lacks = " is not what was written: its check sum is wrong";
+    }
+    else
+    {
+        manifest.changed.append(name);
+    }
+
+    if (!lacks.empty() && manifest.why.empty())
+    {
+        manifest.is = timeManifest::kind::damaged;
+        manifest.why = name + lacks;
+    }
+}
+
+
+static timeManifest readManifest(const fileName& timePath)
+{
+    timeManifest manifest;
+    if (isFile(partOf(timePath)))
+    {
+        manifest.is = timeManifest::kind::unfinished;
+        manifest.why = "the run that wrote it was stopped before the last file";
+        return manifest;
+    }
+    if (!isFile(manifestOf(timePath)))
+    {
+        return manifest;
+    }
+
+    manifest.is = timeManifest::kind::whole;
+    std::ifstream in(manifestOf(timePath));
+    std::string line;
+    while (std::getline(in, line))
+    {
+        if (line.empty() || line[0] == '#') continue;
+
+        fileSum then;
+        std::string kind, name;
+        std::istringstream words(line);
+        words >> then.bytes >> then.sum >> kind >> std::ws;
+        std::getline(words, name);
+        if (!words && name.empty())
+        {
+            manifest.is = timeManifest::kind::damaged;
+            manifest.why = "uniform/riprap/manifest has the line " + line;
+            break;
+        }
+        then.foam = kind == "foam";
+        compare(timePath, then, fileName(name), manifest);
+    }
+    return manifest;
+}
+
+
+//- The last time that was compared
+static fileName comparedPath;
+static timeManifest compared;
+
+
+static std::string reasonOf(const timeManifest& manifest)
+{
+    return manifest.is == timeManifest::kind::none
+      ? std::string("it holds no particles") : manifest.why;
+}
+
+
+static bool usable(const fileName& timePath, const timeManifest& manifest)
+{
+    return manifest.is == timeManifest::kind::whole
+     || (manifest.is == timeManifest::kind::none && hasParticles(timePath));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::timeManifest& Foam::timeManifest::of(const fileName& timePath)
+{
+    if (comparedPath != timePath)
+    {
+        compared = readManifest(timePath);
+        comparedPath = timePath;
+    }
+    return compared;
+}
+
+
+void Foam::timeManifest::begin(const fileName& timePath)
+{
+    comparedPath.clear();
+    mkDir(folder(timePath));
+    std::ofstream part(partOf(timePath));
+    part << "# riprapFoam is writing this time, or was stopped while it did\n"
+         << std::flush;
+    if (!part)
+    {
+        FatalErrorInFunction
+            << "Cannot write " << partOf(timePath) << exit(FatalError);
+    }
+}
+
+
+void Foam::timeManifest::finish(const fileName& timePath)
+{
+    DynamicList<fileName> files;
+    listFiles(timePath, "", files);
+    sort(files);
+
+    std::ostringstream lines;
+    lines << "# As riprapFoam wrote them (compressed ones: what they hold):"
+        << " bytes, check sum, foam or other, name\n";
+    for (const fileName& file : files)
+    {
+        const fileSum now(sumOf(timePath/file));
+        if (isState(file) && !now.foam && file.ext() != "vtp")
+        {
+            FatalErrorInFunction
+                << "File " << timePath/file << " was not written to its end,"
+                << " but for " << label(now.bytes) << " bytes: is the disk"
+                << " full? This time is not whole, earlier ones are"
+                << exit(FatalError);
+        }
+        lines << now.bytes << ' ' << now.sum << (now.foam ? " foam " : " other ")
+            << file << '\n';
+    }
+
+    std::ofstream part(partOf(timePath));
+    part << lines.str() << std::flush;
+    part.close();
+    if (!part || !mv(partOf(timePath), manifestOf(timePath)))
+    {
+        FatalErrorInFunction
+            << "Cannot write " << manifestOf(timePath) << ": is the disk full?"
+            << " This time is not whole, earlier ones are" << exit(FatalError);
+    }
+}
+
+
+std::string Foam::timeManifest::changedSince(const word& cloud) const
+{
+    // Written for others: what a fluid's p and h follow from is read
+    static const wordHashSet unread({"p", "h", "force", "moment", "turned"});
+
+    std::string names;
+    for (const fileName& file : changed)
+    {
+        const bool field = file.path() == "lagrangian/" + cloud;
+        if
+        (
+            (field && !unread.found(file.name()))
+         || file.starts_with("uniform/lagrangian/" + cloud + '/')
+        )
+        {
+            names += (names.empty() ? "" : " ") + file.name();
+        }
+    }
+    return names;
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+bool Foam::hasParticles(const fileName& timePath)
+{
+    for (const char* cloud : {"fluid", "solids"})
+    {
+        for (const char* file : {"positions", "coordinates"})
+        {
+            if (isFile(timePath/"lagrangian"/cloud/file)) return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::latestWholeTime
+(
+    const fileName& casePath,
+    const instantList& times,
+    instant& latest
+)
+{
+    for (label i = times.size() - 1; i >= 0; --i)
+    {
+        const fileName timePath(casePath/times[i].name());
+        const timeManifest& manifest(timeManifest::of(timePath));
+        if (usable(timePath, manifest))
+        {
+            latest = times[i];
+            return true;
+        }
+        Warning
+            << "Time " << times[i].name() << " is passed over: "
+            << reasonOf(manifest).c_str() << nl << endl;
+    }
+    return false;
+}
+
+
+void Foam::requireWholeTime(const dictionary& controlDict, const fileName& timePath)
+{
+    const timeManifest& manifest(timeManifest::of(timePath));
+    const word name(timePath.name(), false);
+
+    if (manifest.is == timeManifest::kind::unfinished)
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "Time " << name << " is not whole: " << manifest.why.c_str()
+            << ". Remove the directory " << timePath << ", or start from"
+            << " another time: startFrom latestTime takes the latest whole one"
+            << exit(FatalIOError);
+    }
+    if (manifest.is == timeManifest::kind::damaged)
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "Time " << name << " is damaged (" << manifest.why.c_str()
+            << "): remove the folder " << folder(timePath) << " to continue"
+            << " from the fields of the cloud where these are good, or start"
+            << " from another time: startFrom latestTime takes the latest"
+            << " whole one" << exit(FatalIOError);
+    }
+    if (manifest.changed.size())
+    {
+        Info<< "Changed since riprapFoam wrote time " << name << ": "
+            << listed(manifest.changed).c_str() << nl << endl;
+    }
+}
+
+
+// ************************************************************************* //
