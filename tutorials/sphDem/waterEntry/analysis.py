@@ -8,7 +8,7 @@ import numpy as np
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, here)
 
-from impactTheory import Cylinder, Sphere, Wedge, entry, g  # noqa: E402
+from impactTheory import Cylinder, Sphere, Wedge, check, entry, g  # noqa: E402
 from riprap import clouds, plotting  # noqa: E402
 from riprap.bounds import Quantity  # noqa: E402
 from riprap.dictionaries import numberOf  # noqa: E402
@@ -86,7 +86,8 @@ def analyse(run):
     first, last = (len(clouds.readCloud(run.path, at, ())['positions']) for at in (names[0], names[-1]))
     return (againstElements(e) if e.reference else againstTheory(e, run.name)) + [
         Quantity('drift to the side / half breadth', error=float(np.abs(e.x - e.x[0]).max()/e.size)),
-        Quantity('particles lost', error=first - last)]
+        Quantity('particles lost', error=first - last),
+        *(Quantity(f'theory: {name}', error=e) for name, e in zip(('closed form', 'wedge of 20 degrees, Logvinovich'), check()))]
 
 
 def plot(runs, path):
@@ -152,14 +153,16 @@ def sphere(speed):
               'constant/solidProperties:materials/body/rho 1000', 'system/tank:width 0.6', 'system/tank:thickness 0.6', 'system/tank:depth 0.3', 'system/tank:height 0.7')
 
 
-# the drop test of Zhao, Faltinsen & Aarsnes (1996): 241 kg a metre, 0.5 m broad
-steep = of(0.024, 'system/body:size 0.25', 'system/body:deadrise 30', 'system/body:vertical -6.15', 'constant/solidProperties:materials/body/rho 6679',
-           'system/tank:width 2', 'system/tank:depth 1', 'system/tank:height 1.6')
+def steep(speed):
+    """The wedge of the drop test of Zhao, Faltinsen & Aarsnes (1996): 241 kg a metre, 0.5 m broad, until it is 0.148 m deep at this speed"""
+    return of(0.148/speed, 'system/body:size 0.25', 'system/body:deadrise 30', f'system/body:vertical -{speed}', 'constant/solidProperties:materials/body/rho 6679',
+              'system/tank:width 2', 'system/tank:depth 1', 'system/tank:height 1.6')
+
 
 Study(
     scene='waterEntry',
     variants=[Variant('wedge-20mm', ['-spacing', '0.02']), Variant('wedge'), Variant('wedge-5mm', ['-spacing', '0.005'], large=True),
-              Variant('wedge30', ['-spacing', '0.005', *steep]),
+              Variant('wedge30', ['-spacing', '0.005', *steep(6.15)]), *(Variant(f'wedge30-{v}', ['-spacing', '0.005', *steep(v)]) for v in (1, 10)),
               *(Variant(f'cylinder-{r}', ['-spacing', '0.0055', *greenhow(r)]) for r in (0.5, 1)),
               *(Variant(f'cylinder-{r}-fine', ['-spacing', '0.00275', *greenhow(r)], large=True) for r in (0.5, 1)),
               *(Variant(f'fast-cylinder-{v}', ['-spacing', '0.005', *fast(v)]) for v in (1, 3, 10)),
