@@ -23,12 +23,15 @@ class Scene:
     maxDeltaT: float = 1
     tolerance: float = 1e-9         # of p_rgh
     interval: float = 0.005         # of what is measured [s]
-    probes: list = field(default_factory=list)      # of p at the far wall, above the floor [m]
+    probes: list = field(default_factory=list)      # of p at the far wall or the obstacle's front, above the floor [m]
+    obstacle: tuple = ()            # a box on the floor: from x, to x, height [m]
 
 
 scenes = {
     'damBreak': Scene(0.584, 1.2, 0.5, (0.146, 0.292), sigma=0.07, walls='noSlip', tolerance=1e-7),
     'dambreakPressure': Scene(1.61, 1, 0.95, (0.6, 0.3), sigma=0.07, walls='noSlip', tolerance=1e-7, probes=[0.003, 0.015, 0.03, 0.08, 0.06]),
+    # a slice of the tank of Kleefsman et al. (2005), seen from the other side
+    'damBreakBox': Scene(3.22, 1, 0.95, (1.228, 0.55), walls='noSlip', tolerance=1e-7, probes=[0.021, 0.061, 0.101, 0.141], obstacle=(2.3955, 2.5565, 0.161)),
     'standingWave': Scene(1, 0.7, 8, (1, 0.5), periodic=True, maxDeltaT=0.005, interval=0.02),
     'hydrostatic': Scene(0.5, 0.375, 5, (0.5, 0.25), maxDeltaT=0.005, interval=0.25),
 }
@@ -68,6 +71,8 @@ sigma {scene.sigma};
 
 
 def mesh(case, scene, cell):
+    if scene.obstacle:
+        return meshAboutObstacle(case, scene, cell)
     nx, ny = round(scene.width/cell), round(scene.height/cell)
     W, H = nx*cell, ny*cell
     walls = 'walls { type wall; faces ((0 4 7 3) (1 2 6 5) (0 1 5 4)); }'
@@ -83,6 +88,43 @@ boundary
     {walls}
     atmosphere {{ type patch; faces ((3 7 6 2)); }}
     frontAndBack {{ type empty; faces ((0 3 2 1) (4 5 6 7)); }}
+);
+''')
+
+
+def meshAboutObstacle(case, scene, cell):
+    """Five blocks; cells as near to squares as the obstacle's sides let them be"""
+    x, y = (0, *scene.obstacle[:2], scene.width), (0, scene.obstacle[2], scene.height)
+    vertices = '\n'.join(f'({a} {b} {c})' for c in (0, cell) for b in y for a in x)
+    solid = {(1, 0)}
+    blocks, faces = [], {'walls': [], 'atmosphere': [], 'frontAndBack': []}
+    for j in range(2):
+        for i in range(3):
+            if (i, j) in solid:
+                continue
+            v = [k + i + 4*j + d for k in (0, 12) for d in (0, 1, 5, 4)]
+            n = [max(1, round(length/cell)) for length in (x[i + 1] - x[i], y[j + 1] - y[j])]
+            blocks.append(f"hex ({' '.join(map(str, v))}) ({n[0]} {n[1]} 1) simpleGrading (1 1 1)")
+            for (di, dj), face in {(-1, 0): (0, 4, 7, 3), (1, 0): (1, 2, 6, 5), (0, -1): (0, 1, 5, 4), (0, 1): (3, 7, 6, 2)}.items():
+                beside = (i + di, j + dj)
+                if beside in solid or not (0 <= beside[0] < 3 and 0 <= beside[1] < 2):
+                    faces['atmosphere' if beside[1] == 2 else 'walls'].append([v[k] for k in face])
+            faces['frontAndBack'] += [[v[k] for k in face] for face in ((0, 3, 2, 1), (4, 5, 6, 7))]
+    patches = '\n    '.join(f"{name} {{ type {kind}; faces ({' '.join('(' + ' '.join(map(str, f)) + ')' for f in faces[name])}); }}"
+                            for name, kind in (('walls', 'wall'), ('atmosphere', 'patch'), ('frontAndBack', 'empty')))
+    lines = '\n    '.join(blocks)
+    write(case, 'system/blockMeshDict', 'dictionary', f'''scale 1;
+vertices
+(
+{vertices}
+);
+blocks
+(
+    {lines}
+);
+boundary
+(
+    {patches}
 );
 ''')
 
@@ -159,7 +201,8 @@ def control(case, solver, name, cell, end):
 
     functions, interval = '', end
     if scene.probes:
-        points = ' '.join(f'({scene.width - 0.3*cell} {max(y, 0.01*cell)} {middle})' for y in scene.probes)
+        wall = scene.obstacle[0] if scene.obstacle else scene.width
+        points = ' '.join(f'({wall - 0.3*cell} {max(y, 0.01*cell)} {middle})' for y in scene.probes)
         functions = f'wallProbes {{ type probes; libs (sampling); fields (p); writeControl timeStep; writeInterval 1; probeLocations ({points}); }}'
     elif name == 'damBreak':
         functions = columns([middle]) + f'''    floor {{ type sets; libs (sampling); fields (alpha.water); interpolationScheme cell; setFormat raw; {sampled}

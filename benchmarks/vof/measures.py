@@ -39,6 +39,16 @@ def pressures(case, cell):
                delimiter=',', header='t sqrt(g/H),p/(rho g H)', comments='', fmt='%.5g')
 
 
+def frontOfBox(case, cell):
+    """Time of the first kilopascal at the lowest sensor; means of all from 0.45 to 0.9 s, as in tutorials/sphDem/damBreakBox"""
+    table = np.loadtxt(lastOf(case, 'wallProbes/*/p'))
+    t, p = table[:, 0], table[:, 1:]
+    yield 'arrival at P1 [s]', measures.crossing(t, p[:, 0], 1000), None
+    times = np.linspace(0.45, 0.9, 2001)
+    for k in range(p.shape[1]):
+        yield f'mean at P{k + 1}, 0.45 to 0.9 s [Pa]', float(np.interp(times, t, p[:, k]).mean()), None
+
+
 def folders(case, name):
     """Of a set's times, in order: time, folder"""
     found = glob.glob(os.path.join(case, 'postProcessing', name, '*'))
@@ -150,4 +160,4 @@ def pool(case, cell):
     yield 'pressure L2', None, measures.relativeL2(p[deep], 1000*9.81*(scene.water[1] - y[deep]))
 
 
-of = {'damBreak': collapse, 'dambreakPressure': pressures, 'standingWave': wave, 'hydrostatic': pool}
+of = {'damBreak': collapse, 'damBreakBox': frontOfBox, 'dambreakPressure': pressures, 'standingWave': wave, 'hydrostatic': pool}
