@@ -213,6 +213,39 @@ TEST(WallFaceTables, Plates)
     EXPECT_EQ(view.find(Vec<3, double>{{0.51, 0.3, 1.01}}).depth, 0);
 }
 
+//- A plate is a box: the shorter of the ways out of its face and over its rim is that to the surface of the box
+template<int D>
+void waysOutOfPlates()
+{
+    const double half = 0.1;
+    const Vector3 low{{0.4, 0.2, 0.3}}, high{{0.6, 0.71, 0.93}};
+    Faces faces(D);
+    if (D == 2) faces.add({{{0.5, 0.2, 0}}, {{0.5, 0.45, 0}}}, {{1, 0, 0}}, 0, half);
+    if (D == 2) faces.add({{{0.5, 0.45, 0}}, {{0.5, 0.71, 0}}}, {{1, 0, 0}}, 0, half);
+    if (D == 3) faces.add({{{0.5, 0.2, 0.3}}, {{0.5, 0.71, 0.3}}, {{0.5, 0.71, 0.93}}, {{0.5, 0.2, 0.93}}}, {{1, 0, 0}}, 0, half);
+    const auto tables = tablesOf<D>(faces.in, 0.05);
+    const auto view = tables.view();
+    std::mt19937 engine(3);
+    int over = 0;
+    for (int k = 0; k < 20000; ++k)
+    {
+        Vec<D, double> x;
+        for (int d = 0; d < D; ++d) x.c[d] = uniform(engine, low[d] - 0.02, high[d] + 0.02);
+        const double depth = -boxDistance<D>(x, low, high);
+        const FaceHit<D> hit = view.find(x);
+        if (depth <= 1e-6) { ASSERT_LT(hit.depth, 1e-6 + half); continue; }
+        const bool rim = hit.overRim > 0;
+        over += rim;
+        ASSERT_NEAR(rim ? hit.overRim : hit.depth, depth, 1e-12);
+        const Vec<D, double> out = rim ? hit.rimNearest : hit.nearest, normal = rim ? hit.rimNormal : hit.normal;
+        EXPECT_NEAR(boxDistance<D>(out, low, high), 0, 1e-12);
+        EXPECT_NEAR(squaredNorm(x + depth*normal - out), 0, 1e-20);
+    }
+    EXPECT_GT(over, 1000);
+}
+
+TEST(WallFaceTables, WaysOutOfPlates) { waysOutOfPlates<2>(); waysOutOfPlates<3>(); }
+
 //- A box that stands on the floor: the way out of it is never down through the floor
 TEST(WallFaceTables, BoxOnTheFloor)
 {
@@ -382,6 +415,39 @@ TEST_P(WallFaces, HoldAtAnySpeedWithAdaptiveSteps)
         EXPECT_TRUE(r.escaped.empty()) << speed;
         EXPECT_NEAR(s->fluid().position[0], 0.1, 1e-6) << speed;
     }
+}
+
+//- What comes down on the end of a plate stays on top of it, however thick it is; beside its foot the floor leaves no way but aside
+TEST_P(WallFaces, EndOfAPlate)
+{
+    SphConfig c = config();
+    c.adjustTimeStep = false;
+    c.fixedTimeStep = 2e-3;
+    const double half = 2*c.spacing, top = 0.5;
+    WallInput w = tank(true);
+    Faces f(D());
+    f.in = w.faces;
+    if (D() == 2) f.add({{{0.5, 0.1, 0}}, {{0.5, top, 0}}}, {{1, 0, 0}}, 1, half);
+    else f.add({{{0.5, 0, 0.1}}, {{0.5, 1, 0.1}}, {{0.5, 1, top}}, {{0.5, 0, top}}}, {{1, 0, 0}}, 1, half);
+    w.faces = f.in;
+    const auto end = [&](double x, double height, double fall)
+    {
+        const int up = D() - 1;
+        Vector3 at{{x, 0.5, 0.5}}, v{{0, 0, 0}};
+        at[up] = height + fall/2;
+        v[up] = -fall/c.fixedTimeStep;
+        const auto s = scene(c, one(at, v), w);
+        s->advance(1e30, 1);
+        return s->fluid();
+    };
+    for (const double aside : {-0.9, -0.3, 0.0, 0.5})
+    {
+        const FluidState on = end(0.5 + aside*half, top, 0.2*(1 - std::abs(aside))*half);
+        EXPECT_NEAR(on.position[0], 0.5 + aside*half, 1e-6) << aside;
+        EXPECT_NEAR(on.position[D() - 1], top, 1e-6) << aside;
+    }
+    const FluidState foot = end(0.5 + 0.9*half, 0.1 + 0.2*half, 0.05*half);
+    EXPECT_NEAR(foot.position[0], 0.5 + half, 1e-6) << "not into the floor";
 }
 
 //- A crowd thrown about in a tank with a box, a plate and no wall points at all: nothing gets through, and twice the same

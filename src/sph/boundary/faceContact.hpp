@@ -54,9 +54,19 @@ private:
         const Vec<D, double> from = at, before = u;
         for (int k = 0; k < most && hit.depth > 0; ++k)
         {
-            at = hit.nearest + clearance*hit.normal;
-            const double approach = dot(u - faces.velocity(hit.group, at), hit.normal);
-            if (approach < 0) u = u - approach*hit.normal;
+            Vec<D, double> normal = hit.normal;
+            at = hit.nearest + clearance*normal;
+            if (hit.overRim > 0)
+            {
+                const Vec<D, double> over = hit.rimNearest + clearance*hit.rimNormal;
+                if (!(faces.find(over).depth > 0))
+                {
+                    normal = hit.rimNormal;
+                    at = over;
+                }
+            }
+            const double approach = dot(u - faces.velocity(hit.group, at), normal);
+            if (approach < 0) u = u - approach*normal;
             hit = faces.find(at);
         }
         double energy = 0;

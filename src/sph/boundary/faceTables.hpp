@@ -302,10 +302,27 @@ private:
             for (; next < found[k].cell; ++next) cellFirst.push_back(int(cellElement.size()));
             if (meetsSolid(found[nearest], g, cell, radius))
                 for (std::size_t j = k; j < last; ++j)
-                    if (found[j].distance <= found[nearest].distance + 2*radius) cellElement.push_back(found[j].element);
+                    if (found[j].distance <= furthest(found[nearest], found[j], radius)) cellElement.push_back(found[j].element);
             k = last;
         }
         for (; next < cells; ++next) cellFirst.push_back(int(cellElement.size()));
+    }
+
+    //- Of a plate also those whose rim may be the nearest way out
+    double furthest(const Candidate& nearest, const Candidate& c, double radius) const
+    {
+        const double half = elements_[c.element].half;
+        return std::max(nearest.distance + 2*radius, half > 0 && hasRim(c.element) ? half + radius : 0.0);
+    }
+
+    bool hasRim(int e) const
+    {
+        for (int f = 0; f < D; ++f)
+        {
+            const double* n = &normal[(std::size_t(e)*normals + f + 1)*D];
+            if (std::all_of(n, n + D, [](double x) { return x == 0; })) return true;
+        }
+        return false;
     }
 
     //- May a point of the cell be behind the part? Not if its centre is in front by more than the cell reaches

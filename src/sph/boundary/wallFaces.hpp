@@ -3,7 +3,7 @@
     A point is behind a surface if the vector to it from the surface's closest point has a negative component along the normal there. On
     edges and vertices that is the sum of the faces' normals weighted by their angles, with which the sign is right (Baerentzen & Aanaes
     2005, IEEE Trans. Vis. Comput. Graph. 11(3), 243); on the rim of an open surface there is none, and nothing is behind it. A plate has a
-    thickness: what is nearer to it than half of that is in it, whichever side it came from. Each part (the mesh's patches, each body) is
+    thickness: what is nearer to it than half of that is in it, whichever side it came from; at its rim it ends flat. Each part (the mesh's patches, each body) is
     asked for itself: a point is in the walls if it is in any of them.
 
     Cells of a grid in each group's frame list the elements of each part that can be the closest one to a point behind it, and the planes
@@ -44,6 +44,9 @@ struct FaceHit
     Vec<D, double> normal{};
     Vec<D, double> nearest{};   // on the face
     int group = -1;
+    // of a plate, where the way out over its rim is shorter: that way. Whether it is open is for the caller to see: plates stand on floors
+    double overRim = 0;
+    Vec<D, double> rimNormal{}, rimNearest{};
 };
 
 template<int D>
@@ -91,7 +94,9 @@ struct WallFaces
         {
             const double before = hit.depth;
             search(g, inFrame(g, x), hit);
-            if (grid[g].moves && hit.depth > before) toSpace(g, hit);
+            if (!grid[g].moves || !(hit.depth > before)) continue;
+            toSpace(g, hit);
+            if (hit.overRim > 0) rimToSpace(g, hit);
         }
         return hit;
     }
@@ -164,6 +169,16 @@ private:
         hit.nearest = c;
     }
 
+    HD void rimToSpace(int g, FaceHit<D>& hit) const
+    {
+        FaceHit<D> rim;
+        rim.normal = hit.rimNormal;
+        rim.nearest = hit.rimNearest;
+        toSpace(g, rim);
+        hit.rimNormal = rim.normal;
+        hit.rimNearest = rim.nearest;
+    }
+
     HD Vec<D, double> read(const double* from) const
     {
         Vec<D, double> v;
@@ -180,7 +195,7 @@ private:
         for (int k = first; k < last;)
         {
             // the closest element of a part
-            const int own = part[cellElement[k]];
+            const int own = part[cellElement[k]], from = k;
             if (own >= parts) return;
             double least = 1e300;
             int element = -1, feature = insideElement;
@@ -195,17 +210,20 @@ private:
                 const double distance2 = squaredNorm(X - p);
                 if (distance2 < least) { least = distance2; element = e; feature = f; nearest = p; }
             }
-            consider(g, X, element, feature, nearest, sqrt(least), hit);
+            if (!consider(g, X, element, feature, nearest, sqrt(least), hit)) continue;
+            hit.overRim = 0;
+            if (half[element] > 0) for (int j = from; j < k; ++j) considerRim(X, cellElement[j], nearest, hit);
         }
     }
 
-    HD void consider(int g, const Vec<D, double>& X, int e, int feature, const Vec<D, double>& p, double distance, FaceHit<D>& hit) const
+    //- Is X deeper behind element e than behind those before?
+    HD bool consider(int g, const Vec<D, double>& X, int e, int feature, const Vec<D, double>& p, double distance, FaceHit<D>& hit) const
     {
         const Vec<D, double> own = read(normal + (e*normals + feature + 1)*D);
-        if (squaredNorm(own) == 0) return;
+        if (squaredNorm(own) == 0) return false;
         const bool plate = half[e] > 0;
         const double along = dot(X - p, own), depth = plate ? half[e] - distance : (along < 0 ? distance : 0.0);
-        if (!(depth > hit.depth)) return;
+        if (!(depth > hit.depth)) return false;
         hit.depth = depth;
         hit.group = g;
         // straight out where that is well defined
@@ -213,6 +231,31 @@ private:
         const bool clear = distance > tiny;
         hit.normal = clear ? (sign/distance)*(X - p) : own;
         hit.nearest = plate ? p + half[e]*hit.normal : p;
+        return true;
+    }
+
+    //- The way out over the rims of element e of a plate whose closest point is p. They are flat: as far from p as p from the rim
+    HD void considerRim(const Vec<D, double>& X, int e, const Vec<D, double>& p, FaceHit<D>& hit) const
+    {
+        for (int f = 0; f < D; ++f)
+        {
+            if (squaredNorm(read(normal + (e*normals + f + 1)*D)) != 0) continue;
+            const Vec<D, double> a = read(vertex + (e*D + f)*D), b = read(vertex + (e*D + (f + 1)%D)*D);
+            Vec<D, double> way = a - p, out = a - b;
+            if constexpr (D == 3)
+            {
+                const Vec<D, double> along = b - a, c = read(vertex + (e*D + (f + 2)%D)*D);
+                const double length2 = squaredNorm(along);
+                const double at = fmin(1.0, fmax(0.0, dot(p - a, along)/length2));
+                way = a + at*along - p;
+                out = a - c - (dot(a - c, along)/length2)*along;
+            }
+            const double distance = sqrt(squaredNorm(way));
+            if (!(distance < hit.depth) || (hit.overRim > 0 && distance >= hit.overRim)) continue;
+            hit.overRim = fmax(distance, tiny);
+            hit.rimNormal = distance > tiny ? (1/distance)*way : (1/sqrt(squaredNorm(out)))*out;
+            hit.rimNearest = X + way;
+        }
     }
 };
 
