@@ -10,8 +10,10 @@
 */
 
 #include "argList.H"
+#include "inputFile.H"
 #include "IOdictionary.H"
 #include "readMesh.H"
+#include "runProgram.H"
 #include "setParticles.H"
 #include "solidRegions.H"
 #include "Time.H"
@@ -25,7 +27,7 @@ static IOdictionary readDict(const Time& time, const argList& args)
     args.readIfPresent("dict", file);
     const bool path = file.find('/') != std::string::npos;
 
-    return IOdictionary
+    const IOobject io
     (
         path
       ? IOobject
@@ -38,6 +40,8 @@ static IOdictionary readDict(const Time& time, const argList& args)
         )
       : IOobject(file, time.system(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
     );
+    checkInputFile(io.objectPath(), largestNumber);
+    return IOdictionary(io);
 }
 
 
@@ -52,19 +56,11 @@ static void goToStart(Time& time)
 }
 
 
-int main(int argc, char* argv[])
+static void setCase(const argList& args)
 {
-    argList::addNote("Fill regions with particles, as system/setParticlesDict says");
-    argList::noParallel();
-    argList::noFunctionObjects();
-    argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
-    argList::addBoolOption("dry-run", "Report only, write nothing");
-    argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
-
-    const argList args(argc, argv);
-    if (!args.checkRootCase()) FatalError.exit();
-
-    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
+    const fileName controlDict(args.path()/"system"/Time::controlDictName);
+    checkInputFile(controlDict);
+    requireWriteIntervals(controlDict);
     Time runTime(Time::controlDictName, args);
     goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is
@@ -83,5 +79,21 @@ int main(int argc, char* argv[])
     if (solids) setSolids(*mesh, dict, options, placed);
 
     Info<< "End" << nl << endl;
+}
+
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Fill regions with particles, as system/setParticlesDict says");
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
+    argList::addBoolOption("dry-run", "Report only, write nothing");
+    argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
+
+    const argList args(argc, argv);
+    if (!args.checkRootCase()) FatalError.exit();
+
+    runProgram([&]() { setCase(args); });
     return 0;
 }
