@@ -54,7 +54,8 @@ Foam::solidCloud::solidCloud
     typeOfBondType_(typeOfBondType),
     run_(run),
     writesState_(writesState),
-    shapes_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("shapes"))
+    shapes_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("shapes")),
+    surfaces_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("surfaces"))
 {}
 
 
@@ -164,6 +165,7 @@ void Foam::solidCloud::addProperties(dictionary& properties) const
 {
     addSolidNames(properties, settings_);
     if (shapes_.size()) properties.add("shapes", shapes_, true);
+    if (surfaces_.size()) properties.add("surfaces", surfaces_, true);
 }
 
 
