@@ -20,6 +20,7 @@ Usage
 #include "postProcessTimes.H"
 #include "readMesh.H"
 #include "runProgram.H"
+#include "setParticlesRecord.H"
 #include "solverModule.H"
 #include "stopSignals.H"
 #include "timePlan.H"
@@ -119,6 +120,7 @@ static void runCase(const argList& args, bool postProcess)
         return;
     }
 
+    requireSetParticles(runTime);
     module->initialise();
 
     if (args.found("dry-run"))
