@@ -5,7 +5,6 @@
 
 #include "particleDomain.H"
 #include "cyclicPolyPatch.H"
-#include "inputFile.H"
 #include "SubField.H"
 #include "emptyPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -113,7 +112,6 @@ static void checkPatch(const polyPatch& patch)
 
 static void readGravity(const polyMesh& mesh, particleDomain& config)
 {
-    checkInputFile(mesh.time().constantPath()/"g", largestNumber);
     const uniformDimensionedVectorField g
     (
         IOobject
@@ -137,12 +135,12 @@ static void readGravity(const polyMesh& mesh, particleDomain& config)
     for (direction d = 0; d < vector::nComponents; ++d)
     {
         config.gravity[d] = g.value()[d];
-        // The fastest centrifuges
-        if (!(mag(config.gravity[d]) <= 1e7))
+        // Its square must be a number, too
+        if (!(mag(config.gravity[d]) < GREAT))
         {
             FatalErrorInFunction
                 << "constant/g: entry value is " << g.value()
-                << ": it must be an acceleration in m/s2, at most 1e7" << exit(FatalError);
+                << ": it must be an acceleration in m/s2" << exit(FatalError);
         }
     }
 
@@ -193,17 +191,18 @@ particleDomain readParticleDomain(const polyMesh& mesh)
 
 IOdictionary readConstant(const word& file, const Time& time)
 {
-    const IOobject io
+    return IOdictionary
     (
-        file,
-        time.constant(),
-        time,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
+        IOobject
+        (
+            file,
+            time.constant(),
+            time,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
     );
-    checkInputFile(io.objectPath(), largestNumber);
-    return IOdictionary(io);
 }
 
 } // End namespace Foam

@@ -28,7 +28,7 @@ static void requireInside
         FatalIOErrorInFunction(surfaces.dict(i))
             << "Surface " << surfaces.names()[i] << " of constant/geometry, "
             << reach << ", does not meet the mesh, " << mesh.bounds()
-            << ": move it there, or leave it out" << exit(FatalIOError);
+            << exit(FatalIOError);
     }
 }
 
@@ -64,7 +64,6 @@ std::vector<riprap::PicObstacle> Foam::picObstacles
         o.solidOutside =
             surfaces.side(i) == geometryWalls::solidSide::outside;
         o.body = bodyOf[i];
-        o.part = wallPatches(mesh).size() + i;
         for (const point& p : elements.points)
         {
             for (direction d = 0; d < vector::nComponents; ++d)
@@ -82,19 +81,6 @@ std::vector<riprap::PicObstacle> Foam::picObstacles
         all.push_back(std::move(o));
     }
     return all;
-}
-
-
-void Foam::requireObstacles
-(
-    const polyMesh& mesh,
-    const geometryWalls& surfaces,
-    const List<wallMotion>& motion,
-    scalar spacing
-)
-{
-    const wallBodies bodies(mesh.time(), motion);
-    picObstacles(mesh, surfaces, bodies.bodyOf(surfaces.names()), spacing);
 }
 
 

@@ -51,20 +51,6 @@ static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
 }
 
 
-//- Zero or positive, and no more than any scene stands
-static scalar upTo
-(
-    checkedDictionary& coeffs,
-    const word& entry,
-    scalar otherwise,
-    scalar most
-)
-{
-    const scalar value = coeffs.notNegative(entry, otherwise);
-    return value > most ? coeffs.between(entry, otherwise, 0, most) : value;
-}
-
-
 static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
 {
     config.viscosityModel =
@@ -83,7 +69,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     {
         checkedDictionary coeffs(sph.subDict("artificialViscosity"));
         config.artificialAlpha =
-            upTo(coeffs, "alpha", config.artificialAlpha, 100);
+            coeffs.notNegative("alpha", config.artificialAlpha);
         config.artificialAtWalls =
             coeffs.either("walls", "yes", "no", false);
         coeffs.end();
@@ -101,7 +87,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     {
         checkedDictionary coeffs(sph.subDict("densityDiffusionCoeffs"));
         config.diffusionDelta =
-            upTo(coeffs, "delta", config.diffusionDelta, 10);
+            coeffs.notNegative("delta", config.diffusionDelta);
         coeffs.end();
     }
 
@@ -110,7 +96,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     {
         checkedDictionary coeffs(sph.subDict("shiftingCoeffs"));
         config.shiftingCoefficient =
-            upTo(coeffs, "A", config.shiftingCoefficient, 100);
+            coeffs.notNegative("A", config.shiftingCoefficient);
         config.shiftingSurfaceThreshold = coeffs.positive
         (
             "surfaceThreshold",

@@ -21,7 +21,7 @@ namespace Foam
 namespace Foam
 {
 
-//- Those loaded, and the libraries of riprap and of the user
+//- Those loaded, and the libraries beside riprap's own
 static wordList availableModules()
 {
     wordHashSet names;
@@ -33,26 +33,23 @@ static wordList availableModules()
 
     const std::string head("lib");
     const std::string tail("Solver.so");
-    for (const char* folder : {"RIPRAP_LIBBIN", "FOAM_USER_LIBBIN"})
+    for (const fileName& file : readDir(getEnv("FOAM_USER_LIBBIN")))
     {
-        for (const fileName& file : readDir(getEnv(folder)))
+        if
+        (
+            file.size() > head.size() + tail.size()
+         && file.starts_with(head)
+         && file.ends_with(tail)
+        )
         {
-            if
+            names.insert
             (
-                file.size() > head.size() + tail.size()
-             && file.starts_with(head)
-             && file.ends_with(tail)
-            )
-            {
-                names.insert
+                file.substr
                 (
-                    file.substr
-                    (
-                        head.size(),
-                        file.size() - head.size() - tail.size()
-                    )
-                );
-            }
+                    head.size(),
+                    file.size() - head.size() - tail.size()
+                )
+            );
         }
     }
 

@@ -41,15 +41,6 @@ public:
 };
 
 
-//- OpenFOAM's functions do not say which entries are wrong
-static void stop(const wallMotion& motion, const error& e)
-{
-    FatalIOErrorInFunction(motion.dict)
-        << "Motion " << motion.name << ": " << e.message().c_str()
-        << exit(FatalIOError);
-}
-
-
 static point moved(const riprap::WallPose& pose, const point& x)
 {
     const auto& R = pose.rotation;
@@ -155,18 +146,7 @@ Foam::wallBodies::wallBodies
 {
     forAll(groups_, i)
     {
-        try
-        {
-            functions_.set(i, solidBodyMotionFunction::New(groups_[i].dict, time_));
-        }
-        catch (const IOerror&)
-        {
-            throw;
-        }
-        catch (const error& e)
-        {
-            stop(groups_[i], e);
-        }
+        functions_.set(i, solidBodyMotionFunction::New(groups_[i].dict, time_));
     }
 }
 
@@ -176,15 +156,7 @@ Foam::wallBodies::wallBodies
 riprap::WallPose Foam::wallBodies::pose(label body, scalar t) const
 {
     const momentOf now(time_, t);
-    septernion motion(septernion::I);
-    try
-    {
-        motion = functions_[body].transformation();
-    }
-    catch (const error& e)
-    {
-        stop(groups_[body], e);
-    }
+    const septernion motion(functions_[body].transformation());
 
     // Images of the origin and of the unit vectors: whatever the order in
     // which a septernion turns and moves

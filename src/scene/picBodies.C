@@ -1,7 +1,6 @@
 /*  SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "scene/picBodyForces.hpp"
-#include "pic/shapes/latticeVolume.hpp"
 #include <cmath>
 
 namespace riprap
@@ -82,7 +81,7 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     memory_.resize(all_.size());
     ballOfId_.resize(largestId_ + 1);
     for (auto* v : {&forces_, &moments_}) v->assign(3*std::size_t(largestId_ + 1), 0.0);
-    for (PicShape& s : shapes_)
+    for (const PicShape& s : shapes_)
     {
         SampledShape<D> u{};
         for (int d = 0; d < D; ++d)
@@ -92,11 +91,6 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
         }
         u.lattice.step = s.step;
         u.lattice.distance = s.distance.data();
-        if (s.volume > 0)
-        {
-            const double outward = outwardToVolume(u.lattice, s.volume);
-            for (double& distance : s.distance) distance -= outward;
-        }
         unplaced_.push_back(u);
         reachOf_.push_back(u.reach());
     }
@@ -382,33 +376,6 @@ Vector3 PicBodies<D>::force() const
     Vector3 sum{{0, 0, 0}};
     for (const Now& n : now_) for (int d = 0; d < D; ++d) sum[axes_[d]] += memory_[n.body].force[d];
     return sum;
-}
-
-template<int D>
-std::vector<FluidForce> PicBodies<D>::forces() const
-{
-    std::vector<FluidForce> all;
-    for (const Now& n : now_)
-    {
-        const Memory& m = memory_[n.body];
-        const Vec<D, double>& centre = bodies_[&n - now_.data()].centre;
-        FluidForce f;
-        f.part = all_[n.body].group;
-        for (int d = 0; d < D; ++d)
-        {
-            f.place[axes_[d]] = centre[d];
-            f.viscous[axes_[d]] = m.drag[d];
-            f.pressure[axes_[d]] = m.force[d] - m.drag[d];
-        }
-        for (int s = D; s < modes; ++s)
-        {
-            const int axis = D == 2 ? axes_[2] : axes_[s - D];
-            f.viscousMoment[axis] = spinSign()*m.drag[s];
-            f.pressureMoment[axis] = spinSign()*(m.force[s] - m.drag[s]);
-        }
-        all.push_back(f);
-    }
-    return all;
 }
 
 template<int D>

@@ -6,7 +6,6 @@
 #include "scene/sphNeighbours.hpp"
 #include "scene/sphStep.hpp"
 #include "scene/sphFaces.hpp"
-#include "scene/sphForces.hpp"
 #include "scene/sphSolids.hpp"
 #include "scene/sphAdvance.hpp"
 #include "scene/sphStiffness.hpp"

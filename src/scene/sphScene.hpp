@@ -101,7 +101,6 @@ struct WallInput
     std::vector<double> position;           // 3 n
     std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
     std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed; empty: all fixed
-    std::vector<std::int32_t> part;         // n, FluidForce::part; empty: all 0
     int nBodies = 0;
     WallFaceInput faces;                    // none: particles are held by forces alone
     std::size_t size() const { return position.size()/3; }
@@ -119,7 +118,6 @@ struct WildParticle
 struct FaceContacts
 {
     std::int64_t count = 0;
-    std::int64_t atBodies = 0;              // of these
     Vector3 impulse{{0, 0, 0}};             // on the fluid [N s] (2D: a metre of depth)
 };
 

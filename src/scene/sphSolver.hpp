@@ -1,6 +1,6 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
+    (the loop over steps), sphFaces.hpp (faces of walls), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
     sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 */
 #pragma once
@@ -12,7 +12,6 @@
     #include "core/graph.hpp"
     #include "core/neighbourList.hpp"
 #endif
-#include "coupling/bodyFaces.hpp"
 #include "coupling/solidPasses.hpp"
 #include "scene/sphFamilies.hpp"
 #include "scene/sphInstances.hpp"
@@ -34,14 +33,11 @@ struct FaceArrays
     Array<Backend, FaceGrid<D>> grid;
     Array<Backend, FacePose<D>> pose;
     double tiny = 0;
-    Array<Backend, int> groupOfKey;         // of solids
-    Array<Backend, FaceBlow> blow;          // of bodies
-    double reach = 0;                       // [m] from a face of a body to a point of it
 
     std::size_t bytes() const
     {
         return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes() + cellElement.bytes()
-          + cellFirstPlane.bytes() + plane.bytes() + grid.bytes() + pose.bytes() + groupOfKey.bytes() + blow.bytes();
+          + cellFirstPlane.bytes() + plane.bytes() + grid.bytes() + pose.bytes();
     }
 };
 
@@ -87,8 +83,6 @@ public:
     WallState walls() override;
     SphEnergy energy() override;
     std::vector<Vector3> wallForces() override;
-    std::vector<FluidForce> forcesOnWalls() override;
-    std::vector<FluidForce> forcesOnSolids() override;
     FaceContacts faceContacts() override;
     using FluidScene::sample;
     SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
@@ -138,17 +132,15 @@ private:
     template<class Pass> void run(const Pass&, int targets);
     void moveWalls(bool half);
     void wallPass(bool inStep);
-    void wallForcePass(real* force, bool viscous = true);
+    void wallForcePass(real* force);
     template<Part part> void fluidPass(Finish);
     void step();
     Tick tick() const;
 
     // sphFaces.hpp
-    void setFaces(const WallFaceInput&, const SolidPart&);
-    void setBodies(const SolidPart&);
+    void setFaces(const WallFaceInput&);
     FaceContact<D, P> faceContact();
     void moveFaces();
-    void blowBodies();
 
     // sphSolids.hpp
     void setSolids(SolidPart);
@@ -159,7 +151,7 @@ private:
     ForceShares forceShares(double fraction) const;
     void meetFluid();
     void pushSolids();
-    SolidTerms<real> solidTerms(bool viscous = true) const;
+    SolidTerms<real> solidTerms() const;
     Source<Backend, D, P> solidSource();
     Source<Backend, D, P> fluidAboutSolids();
     void sortSolids();
@@ -168,7 +160,7 @@ private:
     void moveSolids(bool half);
     void solidPressurePass(bool inStep);
     template<Part part> void solidPass();
-    void solidForcePass(real* pressureForce = nullptr);
+    void solidForcePass();
     template<class Pass> void runOverSolids(const Pass&);
 
     // sphAdvance.hpp
@@ -186,9 +178,6 @@ private:
 
     // sphStiffness.hpp
     double elasticEnergy();
-
-    // sphForces.hpp
-    std::vector<real> wallPointForces(bool viscous);
 
     // sphOutput.hpp
     void refreshRecords();
@@ -226,7 +215,7 @@ private:
     CellSort<Backend> wallSort_;
     Array<Backend, double> wallRest_;
     std::vector<double> wallInput_;             // positions as given
-    std::vector<std::int32_t> wallBodies_, wallParts_;
+    std::vector<std::int32_t> wallBodies_;
     Array<Backend, PoseSample> poses_;
     double poseBegin_ = 0, poseStep_ = 1;
     static constexpr int poseIntervals = 32;

@@ -25,8 +25,6 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
         }
         takeSteps(t, n);
         logEscaped(report_.escaped.size(), run_);
-        logPassedWalls();
-        checkOverlaps();
         return int64_t(report_.steps);
     };
     const scalar seconds = firstSteps(take, scene_->time(), step, 2000);
@@ -36,7 +34,7 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
     {
         const scalar steps = length/step;
         Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-            << std::to_string(int64_t(ceil(steps))).c_str() << nl;
+            << int64_t(ceil(steps)) << nl;
 
         logRunTime(seconds, steps, steps, run_.particles);
     }

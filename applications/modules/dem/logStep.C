@@ -32,8 +32,6 @@ void Foam::solverModules::dem::report()
     Info<< endl;
 
     logEscaped(report_.escaped.size(), run_);
-    logPassedWalls();
-    checkOverlaps();
 
     logProgress();
 }

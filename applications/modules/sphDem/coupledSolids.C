@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSolids.H"
-#include "bodyFaces.H"
-#include "particleCloudIO.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -26,8 +24,7 @@ Foam::coupledSolids::coupledSolids
         fluid.config.precision,
         boundary
     ),
-    coupling_(fluid.coupling),
-    impermeable_(fluid.walls.impermeable)
+    coupling_(fluid.coupling)
 {
     if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::impulse;
     for (const demGroup& g : asRead_.groups)
@@ -179,13 +176,6 @@ riprap::SolidInput Foam::coupledSolids::input
     input.input = input_;
     input.volume = volumes();
     requireFine(fluidConfig, input.volume);
-    if (impermeable_)
-    {
-        const dictionary properties(readCloudProperties(runTime_, "solids"));
-        input.faces =
-            bodyFaces(properties, runTime_, fluidConfig, input_.clumps);
-    }
-    bodiesWithFaces_ = bodiesWithFaces(input.faces);
     return input;
 }
 

@@ -16,12 +16,8 @@ Usage
 
 #include "argList.H"
 #include "caseTime.H"
-#include "checkControlDict.H"
-#include "checkFunctionObjects.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
-#include "runProgram.H"
-#include "setParticlesRecord.H"
 #include "solverModule.H"
 #include "stopSignals.H"
 #include "timePlan.H"
@@ -87,7 +83,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
 static void runCase(const argList& args, bool postProcess)
 {
-    checkControlDict(args.path()/"system"/Time::controlDictName);
+    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
     autoPtr<caseTime> time(caseTime::New(args, postProcess));
     caseTime& runTime = time.ref();
 
@@ -119,12 +115,10 @@ static void runCase(const argList& args, bool postProcess)
         return;
     }
 
-    requireSetParticles(runTime);
     module->initialise();
 
     if (args.found("dry-run"))
     {
-        checkFunctionObjects(runTime);
         module->dryRun(timePlan(runTime).sampleInterval());
     }
     else
@@ -157,12 +151,16 @@ int main(int argc, char* argv[])
         return 0;
     }
 
-    runProgram
-    ([&]()
+    try
     {
         runCase(args, postProcess);
-        Info<< "End\n" << endl;
-    });
+    }
+    catch (const std::exception& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+    }
+
+    Info<< "End\n" << endl;
     return 0;
 }
 

@@ -7,7 +7,6 @@
 #include "treeDataCell.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
-#include "sph/kernels/cubicSpline.hpp"
 #include "sph/kernels/wendlandC2.hpp"
 
 namespace Foam
@@ -133,20 +132,13 @@ Foam::shepardRange Foam::checkWalls
     const labelList& patchIDs,
     const wallPoints& walls,
     const pointField& fluid,
-    const riprap::SphConfig& config
+    scalar spacing,
+    scalar h
 )
 {
     const label D = mesh.nGeometricD();
-    const scalar spacing = config.spacing;
-    const scalar h = config.smoothingRatio*spacing;
     const scalar support = 2*h;
-    const auto weight = [&](scalar r)
-    {
-        const bool wendland = config.kernel == riprap::KernelKind::wendlandC2;
-        return
-            (wendland ? riprap::WendlandC2::alpha(D) : riprap::CubicSpline::alpha(D))
-           *(wendland ? riprap::WendlandC2::value(r/h) : riprap::CubicSpline::value(r/h))/std::pow(h, D);
-    };
+    const scalar factor = riprap::WendlandC2::alpha(D)/std::pow(h, D);
     const scalar fluidVolume = std::pow(spacing, D), wallVolume = std::pow(walls.spacing, D);
 
     const pointGrid fluidGrid(support, fluid), wallGrid(support, walls.position);
@@ -157,7 +149,7 @@ Foam::shepardRange Foam::checkWalls
     range.lattice = 0;
     for (const vector& d : probes(mesh, support, spacing))
     {
-        range.lattice += fluidVolume*weight(mag(d));
+        range.lattice += fluidVolume*factor*riprap::WendlandC2::value(mag(d)/h);
     }
 
     for (const point& x : fluid)
@@ -170,7 +162,7 @@ Foam::shepardRange Foam::checkWalls
             [&](label, const vector&, scalar d)
             {
                 near = true;
-                sum += wallVolume*weight(d);
+                sum += wallVolume*factor*riprap::WendlandC2::value(d/h);
             }
         );
         if (!near) continue;
@@ -182,7 +174,7 @@ Foam::shepardRange Foam::checkWalls
         fluidGrid.near
         (
             x,
-            [&](label, const vector&, scalar d) { sum += fluidVolume*weight(d); }
+            [&](label, const vector&, scalar d) { sum += fluidVolume*factor*riprap::WendlandC2::value(d/h); }
         );
 
         ++range.checked;

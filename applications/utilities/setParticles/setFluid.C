@@ -7,7 +7,6 @@
 #include "particleCloudIO.H"
 #include "particleRegions.H"
 #include "picDictionaries.H"
-#include "picObstacles.H"
 #include "sceneState.H"
 #include "sphDictionaries.H"
 
@@ -25,7 +24,6 @@ static wallPoints makeWalls
     wallPointsControls controls;
     controls.spacing = settings.config.wallSpacing;
     controls.layers = wallLayers(settings);
-    controls.where = settings.walls.dict;
     return generateWallPoints(mesh, patches, bodies, controls);
 }
 
@@ -71,13 +69,7 @@ static particleCloud allRegions(const List<particleRegion>& regions, scalar spac
 
 
 // Densities by the equation of state
-static particleCloud makeCloud
-(
-    const polyMesh& mesh,
-    const List<particleRegion>& regions,
-    const vector& gravity,
-    sphSettings& settings
-)
+static particleCloud makeCloud(const polyMesh& mesh, const List<particleRegion>& regions, sphSettings& settings)
 {
     particleCloud c(allRegions(regions, settings.config.spacing));
     const scalarField& p = c.scalars["p"];
@@ -92,8 +84,6 @@ static particleCloud makeCloud
 
     c.scalars.set("rho", rho);
     c.properties.add("soundSpeed", exact(config.soundSpeed));
-    c.properties.add("density", exact(config.density));
-    c.properties.add("gravity", exact(scalarList({gravity.x(), gravity.y(), gravity.z()})));
     c.scalars.set("h", scalarField(c.size(), config.smoothingRatio*config.spacing));
     return c;
 }
@@ -175,15 +165,13 @@ static void warnOfStanding(const placedSolids& placed, scalar spacing)
 }
 
 
-// With picDem: no wall points, no equation of state
+// A case of picDem alone: no wall points, no equation of state
 static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
-    const picSettings settings(readPicSettings(mesh));
-    const riprap::PicConfig& config = settings.config;
+    const riprap::PicConfig config(readPicSettings(mesh).config);
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
     const particlePacking packing(readPacking(dict, mesh, gravity));
     const auto bodies(wallGeometry(mesh.time()));
-    if (bodies.valid()) requireObstacles(mesh, *bodies, settings.motion, packing.spacing());
     const wallPoints noWalls;
     const List<particleRegion> regions
     (
@@ -193,18 +181,9 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
     if (options.checkWalls)
     {
         FatalErrorInFunction
-            << "-checkWalls: with solver picDem there are no wall points, of which it would tell" << exit(FatalError);
+            << "-checkWalls needs the walls of constant/sphProperties, which this case has not" << exit(FatalError);
     }
     if (!options.dryRun) write(mesh.time(), mesh, allRegions(regions, packing.spacing()), noWalls);
-}
-
-
-// What a cloud is for: the solver's; with any other than those of water, of whichever there are properties
-static bool ofGrid(const Time& time, const word& solver)
-{
-    if (solver == "picDem" || solver == "sphDem") return solver == "picDem";
-    const fileName constant(time.path()/time.constant());
-    return !isFile(constant/"sphProperties") && isFile(constant/"picProperties");
 }
 
 } // namespace Foam
@@ -212,7 +191,8 @@ static bool ofGrid(const Time& time, const word& solver)
 
 void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const placedSolids& placed)
 {
-    if (ofGrid(mesh.time(), options.solver))
+    const fileName constant(mesh.time().path()/mesh.time().constant());
+    if (!isFile(constant/"sphProperties") && isFile(constant/"picProperties"))
     {
         setFluidOfGrid(mesh, dict, options);
         return;
@@ -238,7 +218,7 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
     (
         readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density, obstacles(placed)})
     );
-    const particleCloud cloud(makeCloud(mesh, regions, gravity, settings));
+    const particleCloud cloud(makeCloud(mesh, regions, settings));
     warnOfStanding(placed, packing.spacing());
 
     reportRegions(regions, packing, config.density);
@@ -251,7 +231,11 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
     {
         reportShepard
         (
-            checkWalls(mesh, bodies.get(), patches, walls, cloud.position, config)
+            checkWalls
+            (
+                mesh, bodies.get(), patches, walls, cloud.position, config.spacing,
+                config.smoothingRatio*config.spacing
+            )
         );
     }
     if (!options.dryRun) write(mesh.time(), mesh, cloud, walls);

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  setParticles: fill regions of a case with particles, as system/setParticlesDict says.
 
-        setParticles [-case DIR] [-solver NAME] [-dict FILE] [-dry-run] [-checkWalls]
+        setParticles [-case DIR] [-dict FILE] [-dry-run] [-checkWalls]
 
     Writes at startTime, for regions of fluid, the cloud lagrangian/fluid (positions, U, rho, p, h, id) and the wall
-    points as VTK/walls.vtp (picDem: neither rho, h nor wall points); for regions of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports
+    points as VTK/walls.vtp; for regions of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports
     counts, volumes and masses by region. A state file of an earlier run at that time is removed. -dry-run: writes
     nothing. -checkWalls: also says how well walls and fluid fill space together.
 */
 
 #include "argList.H"
-#include "checkControlDict.H"
-#include "inputFile.H"
 #include "IOdictionary.H"
 #include "readMesh.H"
-#include "runProgram.H"
 #include "setParticles.H"
-#include "setParticlesRecord.H"
 #include "solidRegions.H"
 #include "Time.H"
 #include "timePlan.H"
@@ -29,7 +25,7 @@ static IOdictionary readDict(const Time& time, const argList& args)
     args.readIfPresent("dict", file);
     const bool path = file.find('/') != std::string::npos;
 
-    const IOobject io
+    return IOdictionary
     (
         path
       ? IOobject
@@ -42,8 +38,6 @@ static IOdictionary readDict(const Time& time, const argList& args)
         )
       : IOobject(file, time.system(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
     );
-    checkInputFile(io.objectPath(), largestNumber);
-    return IOdictionary(io);
 }
 
 
@@ -58,9 +52,19 @@ static void goToStart(Time& time)
 }
 
 
-static void setCase(const argList& args)
+int main(int argc, char* argv[])
 {
-    checkControlDict(args.path()/"system"/Time::controlDictName);
+    argList::addNote("Fill regions with particles, as system/setParticlesDict says");
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
+    argList::addBoolOption("dry-run", "Report only, write nothing");
+    argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
+
+    const argList args(argc, argv);
+    if (!args.checkRootCase()) FatalError.exit();
+
+    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
     Time runTime(Time::controlDictName, args);
     goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is
@@ -71,32 +75,13 @@ static void setCase(const argList& args)
     setOptions options;
     options.dryRun = args.found("dry-run");
     options.checkWalls = args.found("checkWalls");
-    options.solver = args.getOrDefault<word>("solver", runTime.controlDict().getOrDefault<word>("solver", word::null));
     const bool solids = hasSet(dict, "solids");
     // First, whatever the order of regions: water may be cut at them
     const placedSolids placed(solids ? placeSolids(*mesh, dict) : placedSolids());
     // Also where there is neither: the fluid's reader says what is wrong
     if (!solids || hasSet(dict, "fluid")) setFluid(*mesh, dict, options, placed);
     if (solids) setSolids(*mesh, dict, options, placed);
-    if (!options.dryRun) recordSetParticles(runTime, dict);
 
     Info<< "End" << nl << endl;
-}
-
-
-int main(int argc, char* argv[])
-{
-    argList::addNote("Fill regions with particles, as system/setParticlesDict says");
-    argList::noParallel();
-    argList::noFunctionObjects();
-    argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
-    argList::addOption("solver", "name", "The solver module that will run, if not that of system/controlDict");
-    argList::addBoolOption("dry-run", "Report only, write nothing");
-    argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
-
-    const argList args(argc, argv);
-    if (!args.checkRootCase()) FatalError.exit();
-
-    runProgram([&]() { setCase(args); });
     return 0;
 }

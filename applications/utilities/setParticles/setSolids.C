@@ -51,7 +51,6 @@ static void write
     particleCloud cloud(solidCloudOf(solids.particles));
     addSolidNames(cloud.properties, settings);
     if (solids.shapes.size()) cloud.properties.add("shapes", solids.shapes);
-    if (solids.surfaces.size()) cloud.properties.add("surfaces", solids.surfaces);
     writeParticleCloud(mesh, cloud);
     writeBondFiles(time, bonds);
     writeClumpFiles(time, solids.clumps);
@@ -66,12 +65,11 @@ Foam::placedSolids Foam::placeSolids(const polyMesh& mesh, const dictionary& dic
 {
     checkedDictionary entries(dict);
     for (const char* other : {"overlapTolerance", "regions", "bonds"}) entries.found(other);
-    const wordList ofFluid({"spacing", "packing"});
     if (hasSet(dict, "fluid"))
     {
-        for (const word& other : ofFluid) entries.found(other);
+        for (const char* other : {"spacing", "packing"}) entries.found(other);
     }
-    entries.endButMacros(ofFluid);
+    entries.endButMacros();
 
     placedSolids placed;
     placed.settings = std::make_unique<const demSettings>(readDemSettings(mesh));

@@ -4,7 +4,6 @@
 #include "checkedDictionary.H"
 #include "fluidClip.H"
 #include "particleSource.H"
-#include "requireMemory.H"
 
 namespace Foam
 {
@@ -90,7 +89,7 @@ static particleRegion readRegion
     dict.found("set");
     region.clip = dict.either("clip", "yes", "no", false);
     vector velocity(Zero);
-    if (dict.found("velocity")) velocity = dict.velocity("velocity");
+    if (dict.found("velocity")) velocity = dict.dict().get<vector>("velocity");
 
     const auto source = particleSource::New(dict, space.mesh.time());
     region.regular = source->regular();
@@ -205,9 +204,12 @@ bool Foam::hasSet(const dictionary& all, const word& set)
 // Nothing may take the machine down by a slip in the spacing
 void Foam::checkCount(const dictionary& dict, const word& name, scalar n, const word& meant)
 {
-    // While a region is filled: positions, cells, who is near, and the cloud itself
-    const scalar bytes = 300;
-    requireMemory(dict, "Region " + name + " would hold", n, "particles", bytes, meant);
+    if (n > 1e9)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Region " << name << " would hold about " << n
+            << " particles: is the " << meant << " meant?" << exit(FatalIOError);
+    }
 }
 
 
@@ -222,12 +224,11 @@ Foam::particlePacking Foam::readPacking
     const scalar spacing = dict.positive("spacing");
     const auto kind = dict.choice("packing", particlePacking::names, particlePacking::kind::square);
     dict.found("regions");
-    const wordList ofSolids({"bonds", "overlapTolerance"});
     if (hasSet(all, "solids"))
     {
-        for (const word& other : ofSolids) dict.found(other);
+        for (const char* other : {"bonds", "overlapTolerance"}) dict.found(other);
     }
-    dict.endButMacros(ofSolids);
+    dict.endButMacros();
     return particlePacking(mesh, kind, spacing, gravity);
 }
 

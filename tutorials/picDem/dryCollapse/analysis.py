@@ -10,7 +10,7 @@ from riprap.dictionaries import numberOf
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
-dem = 'dem/dryCollapse'
+dem = os.path.join('..', '..', 'dem', 'dryCollapse')
 
 
 def centre(run):
