@@ -21,7 +21,7 @@ namespace Foam
 namespace Foam
 {
 
-//- Those loaded, and the libraries beside riprap's own
+//- Those loaded, and the libraries of riprap and of the user
 static wordList availableModules()
 {
     wordHashSet names;
@@ -33,23 +33,26 @@ static wordList availableModules()
 
     const std::string head("lib");
     const std::string tail("Solver.so");
-    for (const fileName& file : readDir(getEnv("FOAM_USER_LIBBIN")))
+    for (const char* folder : {"RIPRAP_LIBBIN", "FOAM_USER_LIBBIN"})
     {
-        if
-        (
-            file.size() > head.size() + tail.size()
-         && file.starts_with(head)
-         && file.ends_with(tail)
-        )
+        for (const fileName& file : readDir(getEnv(folder)))
         {
-            names.insert
+            if
             (
-                file.substr
+                file.size() > head.size() + tail.size()
+             && file.starts_with(head)
+             && file.ends_with(tail)
+            )
+            {
+                names.insert
                 (
-                    head.size(),
-                    file.size() - head.size() - tail.size()
-                )
-            );
+                    file.substr
+                    (
+                        head.size(),
+                        file.size() - head.size() - tail.size()
+                    )
+                );
+            }
         }
     }
 

@@ -26,8 +26,19 @@ expect bashrcStrict "can be sourced under set -eu, which stays set" strict
 twice() { bash -c '. etc/bashrc; one=$PATH:$LD_LIBRARY_PATH; . etc/bashrc; [[ $one == "$PATH:$LD_LIBRARY_PATH" ]]'; }
 expect bashrcTwice "sourced again, it changes nothing" twice
 
-ownFolders() { [[ $(variable FOAM_USER_APPBIN) == "$root"/platforms/* && $(variable FOAM_APPBIN) != /usr/bin ]]; }
+ownFolders() { [[ $(variable RIPRAP_APPBIN) == "$root"/platforms/* && $(variable FOAM_APPBIN) != /usr/bin ]]; }
 expect bashrcOwnFolders "nothing can be linked into /usr/bin" ownFolders
+
+# In a shell without OpenFOAM, and in one that has it: its own values, the user's or OpenFOAM's
+bare=(env -i "HOME=$HOME" "PATH=/usr/bin:/bin" NVCC=)
+usersFolders()
+{
+    local given found
+    given=$("${bare[@]}" FOAM_USER_APPBIN=/mine/bin FOAM_USER_LIBBIN=/mine/lib bash -c '. etc/bashrc; echo "$FOAM_USER_APPBIN $FOAM_USER_LIBBIN"')
+    found=$("${bare[@]}" bash -c '. .deps/OpenFOAM-v*/etc/bashrc; . etc/bashrc; echo "$FOAM_USER_APPBIN $FOAM_USER_LIBBIN"')
+    [[ $given == '/mine/bin /mine/lib' && $found != *"$root"* && $found == /*/bin\ /*/lib ]]
+}
+expect bashrcUsersFolders "FOAM_USER_APPBIN and FOAM_USER_LIBBIN stay the user's" usersFolders
 
 forCpu() { [[ $(variable RIPRAP_OPTIONS NVCC=) != *cuda* && -z $(variable RIPRAP_NVCC NVCC=) ]]; }
 expect buildForCpu "NVCC= builds for the CPU alone" forCpu
