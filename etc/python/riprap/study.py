@@ -155,12 +155,12 @@ class Run:
 
 @dataclass
 class Variant:
-    """One run of verify: options of Allrun beside -name; case: another tutorial's directory;
+    """One run of verify: options of Allrun beside -name; case: another tutorial, as module/name;
     label: added to the name of the run's folder; mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone; left out where there is none unless
     it is finished and reused, or named by -only"""
     name: str
     options: list = field(default_factory=list)
-    case: str = '.'
+    case: str = ''
     mayFail: bool = False
     large: bool = False
     label: str = ''
@@ -237,13 +237,15 @@ class Study:
             failures += 1
         if options.quantities:
             writeQuantities(options.quantities, bounds, runs, results)
-        for name, run in runs.items() if not options.sets else ():
+        # A copy of a tutorial is no result of riprap's
+        shipped = here.startswith(os.path.join(root(), 'tutorials', ''))
+        for name, run in runs.items() if shipped and not options.sets else ():
             if self.recorded is not None and name not in self.recorded:
                 continue
             q = headline(results[name], self.headline)
             records.append(self.scene, run, q.name, q.checked)
         if runs and not (options.quick or options.sets):
-            images = os.path.join(root(), 'docs', 'images')
+            images = os.path.join(root(), 'docs', 'images') if shipped else here
             os.makedirs(images, exist_ok=True)
             self.plot(list(runs.values()), os.path.join(images, self.scene + '.png'))
         told = f'; findings that miss their bounds: {findings}' if findings else ''
@@ -295,7 +297,7 @@ def headline(quantities, name):
 
 def place(here, variant):
     """The case that a variant is a run of, and the run's folder"""
-    case = os.path.normpath(os.path.join(here, variant.case))
+    case = os.path.join(root(), 'tutorials', variant.case) if variant.case else here
     return case, os.path.join(case, 'runs', variant.name + variant.label)
 
 

@@ -16,7 +16,7 @@ def pair(part, n, end):
     tank = f'system/tank:nx {4*n}; system/tank:ny {ny}; system/tank:tankHeight {ny*h:.8g}'
     options = ['-spacing', f'{0.5*h:.8g}', '-endTime', end]
     return [Variant('slab3D' + part, [*options, '-set', f'{tank}; system/tank:nz 4; system/tank:span {4*h:.8g}']),
-            Variant('slab2D' + part, [*options, '-set', tank], '../damBreak')]
+            Variant('slab2D' + part, [*options, '-set', tank], 'picDem/damBreak')]
 
 
 def compare(runs, results):

@@ -10,7 +10,7 @@ from riprap.dictionaries import numberOf
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
-dem = os.path.join('..', '..', 'dem', 'dryCollapse')
+dem = 'dem/dryCollapse'
 
 
 def centre(run):

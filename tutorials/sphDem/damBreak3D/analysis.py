@@ -22,7 +22,7 @@ def pair(part, spacing, end=()):
     """The slab and the same case in 2D, with the slab's walls (spacing of the fluid)"""
     options = ['-spacing', f'{spacing:g}', *end]
     return [Variant('slab3D' + part, options),
-            Variant('slab2D' + part, [*options, '-set', 'walls/spacing 0.005', *(end or ('-endTime', '0.4'))], '../damBreak')]
+            Variant('slab2D' + part, [*options, '-set', 'walls/spacing 0.005', *(end or ('-endTime', '0.4'))], 'sphDem/damBreak')]
 
 
 Study(
