@@ -88,6 +88,35 @@ static wordUse useOf(const std::string& name, const std::string& text)
     return use;
 }
 
+//- Letters that are to be changed, added or left out
+static label lettersApart(const word& a, const word& b)
+{
+    labelList last(identity(b.size() + 1));
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+        labelList now(last.size());
+        now[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j)
+        {
+            const label other = last[j] + (a[i] != b[j]);
+            now[j + 1] = min(other, 1 + min(last[j + 1], now[j]));
+        }
+        last = now;
+    }
+    return last[b.size()];
+}
+
+
+//- A slip of the pen, not a name of the user's own
+static bool isLike(const word& name, const UList<word>& valid)
+{
+    for (const word& other : valid)
+    {
+        if (lettersApart(name, other) <= 2) return true;
+    }
+    return false;
+}
+
 } // End namespace Foam
 
 
@@ -209,30 +238,40 @@ void Foam::checkedDictionary::end() const
 }
 
 
-void Foam::checkedDictionary::endButMacros() const
+void Foam::checkedDictionary::endButMacros(const wordList& elsewhere) const
 {
     const std::string text(textOf(dict_.name()));
+    DynamicList<word> unused;
 
     for (const entry& e : dict_)
     {
-        if (known_.found(e.keyword())) continue;
-
-        const bool single = e.isStream() && e.stream().size() == 1;
+        const word& name = e.keyword();
+        if (known_.found(name)) continue;
 
         // What the file itself does not hold has come by #include
-        const wordUse use(useOf(e.keyword(), text));
-        if
-        (
-            !(single && use.macro)
-         && !(single && e.stream()[0].isNumber() && !use.plain)
-        )
+        const wordUse use(useOf(name, text));
+        const bool single = e.isStream() && e.stream().size() == 1;
+        const bool number = single && e.stream()[0].isNumber();
+
+        if ((single && use.macro) || (number && !use.plain)) continue;
+
+        if (!number || elsewhere.found(name) || isLike(name, known_))
         {
             unknownEntry
             (
-                e.keyword(),
+                name,
                 ", and numbers and words that the file uses as $name"
             );
         }
+        unused.append(name);
+    }
+
+    if (unused.size())
+    {
+        IOWarningInFunction(dict_)
+            << "Numbers that nothing uses: " << listed(unused).c_str()
+            << " (foamDictionary replaces $name by its value); entries of"
+            << " this dictionary are " << listed(known_).c_str() << nl << endl;
     }
 }
 

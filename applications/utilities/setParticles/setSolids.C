@@ -65,11 +65,12 @@ Foam::placedSolids Foam::placeSolids(const polyMesh& mesh, const dictionary& dic
 {
     checkedDictionary entries(dict);
     for (const char* other : {"overlapTolerance", "regions", "bonds"}) entries.found(other);
+    const wordList ofFluid({"spacing", "packing"});
     if (hasSet(dict, "fluid"))
     {
-        for (const char* other : {"spacing", "packing"}) entries.found(other);
+        for (const word& other : ofFluid) entries.found(other);
     }
-    entries.endButMacros();
+    entries.endButMacros(ofFluid);
 
     placedSolids placed;
     placed.settings = std::make_unique<const demSettings>(readDemSettings(mesh));

@@ -224,11 +224,12 @@ Foam::particlePacking Foam::readPacking
     const scalar spacing = dict.positive("spacing");
     const auto kind = dict.choice("packing", particlePacking::names, particlePacking::kind::square);
     dict.found("regions");
+    const wordList ofSolids({"bonds", "overlapTolerance"});
     if (hasSet(all, "solids"))
     {
-        for (const char* other : {"bonds", "overlapTolerance"}) dict.found(other);
+        for (const word& other : ofSolids) dict.found(other);
     }
-    dict.endButMacros();
+    dict.endButMacros(ofSolids);
     return particlePacking(mesh, kind, spacing, gravity);
 }
 
