@@ -47,6 +47,7 @@ void Foam::fluidCloud::addProperties(dictionary& properties) const
 {
     properties.add("spacing", run_.spacing);
     properties.add("soundSpeed", exact(run_.soundSpeed));
+    properties.add("density", exact(run_.density));
 }
 
 

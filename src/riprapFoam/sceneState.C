@@ -7,7 +7,10 @@
 #include "labelIOList.H"
 #include "Hasher.H"
 #include "OSspecific.H"
+#include "DynamicList.H"
 #include <cstdio>
+#include <cstdlib>
+#include <sstream>
 
 namespace Foam
 {
@@ -57,6 +60,37 @@ word exact(scalar value)
     char text[32];
     std::snprintf(text, sizeof(text), "%.17g", double(value));
     return word(text, false);
+}
+
+
+string exact(const UList<scalar>& values)
+{
+    string text;
+    for (const scalar value : values)
+    {
+        text += (text.empty() ? "" : " ") + exact(value);
+    }
+    return text;
+}
+
+
+scalarList exactList(const dictionary& dict, const word& entry)
+{
+    std::istringstream text(dict.getOrDefault<string>(entry, string::null));
+    DynamicList<scalar> values;
+    std::string one;
+    while (text >> one)
+    {
+        char* end = nullptr;
+        values.append(std::strtod(one.c_str(), &end));
+        if (*end)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << entry << " holds " << one << ", no number"
+                << exit(FatalIOError);
+        }
+    }
+    return scalarList(std::move(values));
 }
 
 

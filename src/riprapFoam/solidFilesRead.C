@@ -7,9 +7,11 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidFileFields.H"
+#include "HashSet.H"
 #include "listed.H"
 #include "mathematicalConstants.H"
 #include "packedFields.H"
+#include "sceneState.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -36,6 +38,39 @@ static labelList meaning
         }
     }
     return index;
+}
+
+
+//- Masses of the cloud are those of materials' rho of then: FatalIOError if
+//  it has changed, since no one knows which masses follow it
+static void requireDensities
+(
+    const Time& time,
+    const dictionary& properties,
+    const demSettings& settings,
+    const labelList& meaningOf,
+    const std::vector<std::int32_t>& material
+)
+{
+    const scalarList then(exactList(properties, "densities"));
+    labelHashSet used;
+    for (const std::int32_t m : material) used.insert(m);
+
+    forAll(then, i)
+    {
+        const label m = i < meaningOf.size() ? meaningOf[i] : -1;
+        if (!used.found(m)) continue;
+
+        const scalar now = settings.materials[m].density;
+        if (mag(now - then[i]) <= 1e-9*then[i]) continue;
+
+        FatalIOErrorInFunction(settings.dict.subDict("materials"))
+            << "Material " << settings.materials[m].elastic.name.c_str()
+            << ": rho is " << now << ", and the masses of lagrangian/solids"
+            << " at time " << time.timeName() << " were made with " << then[i]
+            << " (" << properties.name() << "). Run setParticles to make them"
+            << " anew, or take rho back" << exit(FatalIOError);
+    }
 }
 
 
@@ -116,6 +151,7 @@ Foam::solidSet Foam::readSolids
     auto groupOf = [&](const word& w, const dictionary& d) { return settings.group(w, d); };
     auto typeOf = [&](const word& w, const dictionary& d) { return settings.bondType(w, d); };
     const labelList groups(meaning(properties, "groups", groupOf));
+    const labelList materials(meaning(properties, "materials", materialOf));
 
     solidSet solids;
     riprap::DemParticles& p = solids.particles;
@@ -130,9 +166,16 @@ Foam::solidSet Foam::readSolids
     p.material = indices
     (
         cloud, "material",
-        meaning(properties, "materials", materialOf),
+        materials,
         settings.materialNames()
     );
+    if (cloud.scalars.found("mass"))
+    {
+        requireDensities
+        (
+            mesh.time(), properties, settings, materials, p.material
+        );
+    }
     p.group = indices(cloud, "group", groups, settings.groupNames());
     p.id = uniqueIds(name, "origId", cloud.labels["origId"]);
     p.mass =
@@ -180,7 +223,13 @@ Foam::particleCloud Foam::solidCloudOf(const riprap::DemParticles& p)
 
 void Foam::addSolidNames(dictionary& properties, const demSettings& settings)
 {
+    scalarList densities(settings.materials.size());
+    forAll(densities, i)
+    {
+        densities[i] = settings.materials[i].density;
+    }
     properties.add("materials", settings.materialNames(), true);
+    properties.add("densities", exact(densities), true);
     properties.add("groups", settings.groupNames(), true);
     properties.add("bondTypes", settings.bondNames(), true);
 }

@@ -66,6 +66,10 @@ says walls2 '^Walls: 258 points'
 setParticles -checkWalls >log 2>&1
 within shepardLeast2 'least ' 0.999999 1.000001
 within shepardMost2 'most ' 0.999999 1.000001
+dictionary constant/sphProperties <<<'kernel cubicSpline;'
+setParticles -checkWalls >log 2>&1
+says shepardCubic2 'over that of a lattice \(0.99[0-9]*\)'
+within shepardCubicLeast2 'least ' 0.999999 1.000001
 walls 'spacing 0.0025;'
 setParticles -checkWalls >log 2>&1
 says wallsHalf2 '^Walls: 850 points'
@@ -116,7 +120,7 @@ rm constant/geometry
 fill "$tank"
 printf 'x' >0/uniform/stay; mkdir -p 0/uniform/riprap; touch 0/uniform/riprap/sphState
 setParticles >log 2>&1
-[[ ! -e 0/uniform/riprap && -e 0/uniform/stay ]] && pass staleState || fail staleState "the state of an earlier run is still there"
+[[ ! -e 0/uniform/riprap/sphState && -e 0/uniform/stay ]] && pass staleState || fail staleState "the state of an earlier run is still there"
 rm -r 0; setParticles -dry-run >log 2>&1
 [[ ! -e 0/lagrangian ]] && grep -q 'total: 800' log && pass dryRun || fail dryRun "-dry-run wrote, or did not report"
 for format in ascii binary
@@ -145,6 +149,31 @@ thick 0.01;
 regions ( tank { set fluid; source box; box (0 0 0) ($wide ${high} $:thick); } );
 END
 setParticles >log 2>&1; says macros 'total: 800 particles'
+quiet macrosQuiet 'Warning'
+# foamDictionary puts values in their place, and leaves numbers that nothing uses
+foamDictionary system/setParticlesDict -entry spacing -set 0.01 >log 2>&1
+setParticles >log 2>&1; says macrosReplaced 'Warning.*Numbers that nothing uses: \(wide high notUsedHere thick\).*total: 200 particles'
+
+# Particles for the solver that will run, whatever other files are there
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-9; relTol 0; } }'
+dictionary constant/picProperties </dev/null
+sed -i 's/startFrom latestTime/startFrom startTime/' system/controlDict
+regions "$tank"
+inControl() { sed -i "s/solver [a-zA-Z]*;/solver $1;/" system/controlDict; }
+of()        # SOLVER HOW OPTIONS...
+{
+    local solver=$1 how=$2 points=no rho=no told=no; shift 2
+    rm -rf 0 VTK; setParticles "$@" >log 2>&1
+    says "for.$solver.$how" 'total: 800 particles'
+    [[ $solver != sphDem ]] || points=yes
+    [[ ! -e 0/lagrangian/fluid/rho ]] || rho=yes
+    ! grep -q '^Walls:' log || told=yes
+    [[ $rho$told == $points$points ]] && pass "for.$solver.$how.fields" || fail "for.$solver.$how.fields" "rho is there: $rho, wall points told: $told"
+}
+inControl picDem; of picDem control; of sphDem option -solver sphDem
+inControl sphDem; of sphDem control; of picDem option -solver picDem
+# With neither file of the other it does not matter; the one that is needed is named
+rm constant/picProperties; refused for.picDem 'cannot find file .*constant/picProperties' setParticles -solver picDem
 
 # One message, with the file and what is wrong
 bad()       # NAME MESSAGE REGIONS

@@ -53,6 +53,10 @@ void Foam::solverModules::sphDem::buildScene
     }
 
     const riprap::FluidInput fluid(fluidInput(cloud));
+    if (!continued)
+    {
+        warnOfOtherProperties();
+    }
 
     const riprap::WallMotion motion
     (

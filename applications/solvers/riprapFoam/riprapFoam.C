@@ -18,6 +18,7 @@ Usage
 #include "caseTime.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
+#include "setParticlesRecord.H"
 #include "solverModule.H"
 #include "stopSignals.H"
 #include "timePlan.H"
@@ -115,6 +116,7 @@ static void runCase(const argList& args, bool postProcess)
         return;
     }
 
+    requireSetParticles(runTime);
     module->initialise();
 
     if (args.found("dry-run"))

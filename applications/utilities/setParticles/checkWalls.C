@@ -7,6 +7,7 @@
 #include "treeDataCell.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
+#include "sph/kernels/cubicSpline.hpp"
 #include "sph/kernels/wendlandC2.hpp"
 
 namespace Foam
@@ -132,13 +133,20 @@ Foam::shepardRange Foam::checkWalls
     const labelList& patchIDs,
     const wallPoints& walls,
     const pointField& fluid,
-    scalar spacing,
-    scalar h
+    const riprap::SphConfig& config
 )
 {
     const label D = mesh.nGeometricD();
+    const scalar spacing = config.spacing;
+    const scalar h = config.smoothingRatio*spacing;
     const scalar support = 2*h;
-    const scalar factor = riprap::WendlandC2::alpha(D)/std::pow(h, D);
+    const auto weight = [&](scalar r)
+    {
+        const bool wendland = config.kernel == riprap::KernelKind::wendlandC2;
+        return
+            (wendland ? riprap::WendlandC2::alpha(D) : riprap::CubicSpline::alpha(D))
+           *(wendland ? riprap::WendlandC2::value(r/h) : riprap::CubicSpline::value(r/h))/std::pow(h, D);
+    };
     const scalar fluidVolume = std::pow(spacing, D), wallVolume = std::pow(walls.spacing, D);
 
     const pointGrid fluidGrid(support, fluid), wallGrid(support, walls.position);
@@ -149,7 +157,7 @@ Foam::shepardRange Foam::checkWalls
     range.lattice = 0;
     for (const vector& d : probes(mesh, support, spacing))
     {
-        range.lattice += fluidVolume*factor*riprap::WendlandC2::value(mag(d)/h);
+        range.lattice += fluidVolume*weight(mag(d));
     }
 
     for (const point& x : fluid)
@@ -162,7 +170,7 @@ Foam::shepardRange Foam::checkWalls
             [&](label, const vector&, scalar d)
             {
                 near = true;
-                sum += wallVolume*factor*riprap::WendlandC2::value(d/h);
+                sum += wallVolume*weight(d);
             }
         );
         if (!near) continue;
@@ -174,7 +182,7 @@ Foam::shepardRange Foam::checkWalls
         fluidGrid.near
         (
             x,
-            [&](label, const vector&, scalar d) { sum += fluidVolume*factor*riprap::WendlandC2::value(d/h); }
+            [&](label, const vector&, scalar d) { sum += fluidVolume*weight(d); }
         );
 
         ++range.checked;

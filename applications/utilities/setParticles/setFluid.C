@@ -69,7 +69,13 @@ static particleCloud allRegions(const List<particleRegion>& regions, scalar spac
 
 
 // Densities by the equation of state
-static particleCloud makeCloud(const polyMesh& mesh, const List<particleRegion>& regions, sphSettings& settings)
+static particleCloud makeCloud
+(
+    const polyMesh& mesh,
+    const List<particleRegion>& regions,
+    const vector& gravity,
+    sphSettings& settings
+)
 {
     particleCloud c(allRegions(regions, settings.config.spacing));
     const scalarField& p = c.scalars["p"];
@@ -84,6 +90,8 @@ static particleCloud makeCloud(const polyMesh& mesh, const List<particleRegion>&
 
     c.scalars.set("rho", rho);
     c.properties.add("soundSpeed", exact(config.soundSpeed));
+    c.properties.add("density", exact(config.density));
+    c.properties.add("gravity", exact(scalarList({gravity.x(), gravity.y(), gravity.z()})));
     c.scalars.set("h", scalarField(c.size(), config.smoothingRatio*config.spacing));
     return c;
 }
@@ -165,7 +173,7 @@ static void warnOfStanding(const placedSolids& placed, scalar spacing)
 }
 
 
-// A case of picDem alone: no wall points, no equation of state
+// With picDem: no wall points, no equation of state
 static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
     const riprap::PicConfig config(readPicSettings(mesh).config);
@@ -181,9 +189,18 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
     if (options.checkWalls)
     {
         FatalErrorInFunction
-            << "-checkWalls needs the walls of constant/sphProperties, which this case has not" << exit(FatalError);
+            << "-checkWalls: with solver picDem there are no wall points, of which it would tell" << exit(FatalError);
     }
     if (!options.dryRun) write(mesh.time(), mesh, allRegions(regions, packing.spacing()), noWalls);
+}
+
+
+// What a cloud is for: the solver's; with any other than those of water, of whichever there are properties
+static bool ofGrid(const Time& time, const word& solver)
+{
+    if (solver == "picDem" || solver == "sphDem") return solver == "picDem";
+    const fileName constant(time.path()/time.constant());
+    return !isFile(constant/"sphProperties") && isFile(constant/"picProperties");
 }
 
 } // namespace Foam
@@ -191,8 +208,7 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
 
 void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const placedSolids& placed)
 {
-    const fileName constant(mesh.time().path()/mesh.time().constant());
-    if (!isFile(constant/"sphProperties") && isFile(constant/"picProperties"))
+    if (ofGrid(mesh.time(), options.solver))
     {
         setFluidOfGrid(mesh, dict, options);
         return;
@@ -218,7 +234,7 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
     (
         readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density, obstacles(placed)})
     );
-    const particleCloud cloud(makeCloud(mesh, regions, settings));
+    const particleCloud cloud(makeCloud(mesh, regions, gravity, settings));
     warnOfStanding(placed, packing.spacing());
 
     reportRegions(regions, packing, config.density);
@@ -231,11 +247,7 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
     {
         reportShepard
         (
-            checkWalls
-            (
-                mesh, bodies.get(), patches, walls, cloud.position, config.spacing,
-                config.smoothingRatio*config.spacing
-            )
+            checkWalls(mesh, bodies.get(), patches, walls, cloud.position, config)
         );
     }
     if (!options.dryRun) write(mesh.time(), mesh, cloud, walls);

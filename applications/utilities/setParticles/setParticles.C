@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  setParticles: fill regions of a case with particles, as system/setParticlesDict says.
 
-        setParticles [-case DIR] [-dict FILE] [-dry-run] [-checkWalls]
+        setParticles [-case DIR] [-solver NAME] [-dict FILE] [-dry-run] [-checkWalls]
 
     Writes at startTime, for regions of fluid, the cloud lagrangian/fluid (positions, U, rho, p, h, id) and the wall
-    points as VTK/walls.vtp; for regions of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports
+    points as VTK/walls.vtp (picDem: neither rho, h nor wall points); for regions of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports
     counts, volumes and masses by region. A state file of an earlier run at that time is removed. -dry-run: writes
     nothing. -checkWalls: also says how well walls and fluid fill space together.
 */
@@ -13,6 +13,7 @@
 #include "IOdictionary.H"
 #include "readMesh.H"
 #include "setParticles.H"
+#include "setParticlesRecord.H"
 #include "solidRegions.H"
 #include "Time.H"
 #include "timePlan.H"
@@ -58,6 +59,7 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
+    argList::addOption("solver", "name", "The solver module that will run, if not that of system/controlDict");
     argList::addBoolOption("dry-run", "Report only, write nothing");
     argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
 
@@ -75,12 +77,14 @@ int main(int argc, char* argv[])
     setOptions options;
     options.dryRun = args.found("dry-run");
     options.checkWalls = args.found("checkWalls");
+    options.solver = args.getOrDefault<word>("solver", runTime.controlDict().getOrDefault<word>("solver", word::null));
     const bool solids = hasSet(dict, "solids");
     // First, whatever the order of regions: water may be cut at them
     const placedSolids placed(solids ? placeSolids(*mesh, dict) : placedSolids());
     // Also where there is neither: the fluid's reader says what is wrong
     if (!solids || hasSet(dict, "fluid")) setFluid(*mesh, dict, options, placed);
     if (solids) setSolids(*mesh, dict, options, placed);
+    if (!options.dryRun) recordSetParticles(runTime, dict);
 
     Info<< "End" << nl << endl;
     return 0;
