@@ -71,6 +71,14 @@ solids 'groups { held { fixed all; } }'
 fill 'list { set solids; source csv; file "list.csv"; material glass; }'
 says csv 'list: 2 particles, radius 0.01 to 0.02 m, mass 5\.59[0-9]* kg'     # pi (7800 1e-4 + 2500 4e-4)
 grep -q '(0.1 0.05 0.005' 0/lagrangian/solids/positions && pass csvMidPlane || fail csvMidPlane "particles are not in the mid-plane"
+# One rigid body has one velocity: columns of a list would be lost
+for columns in 'u,v,w 1,0,0' 'wx,wy,wz 0,0,1' 'group held'
+do
+    set -- $columns
+    printf 'x,y,z,radius,%s\n0.05,0.05,0,0.01,%s\n0.07,0.05,0,0.01,%s\n' "$1" "$2" "$2" >rigid.csv
+    set2 'list { set solids; source csv; rigid yes; file "rigid.csv"; material glass; }'
+    refused "rigidList.${1%%,*}" "Region list is one rigid body, and its list has the columns ${1//,/, }.*velocity.*setParticlesDict" setParticles
+done
 solids 'bonds { cement { normalStiffness 1e9; shearStiffness 1e9; } }'
 fill "bar { $glass source box; box (0 0 0) (0.06 0.02 0.01); }" 'bonds ( bar { type cement; groups (free); gapTolerance 1e-6; } );'
 says bonds2 'bonds bar: 16'                             # 2 x 5 + 6
@@ -111,6 +119,14 @@ mv 0.1 whole; riprapFoam >log 2>&1
 says clumpsRestart 'Continuing exactly from time 0.05'
 cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass clumpsRestartExact || fail clumpsRestartExact "a continued run is another one"
 rm -rf 0.05 0.1 whole postProcessing
+
+# Over an open top single particles flow out; a rigid body does not, and its guard says which patch is there
+tank2; solids ''; control ''
+fill "up { $glass source box; box (0.05 0.07 0) (0.07 0.09 0.01); velocity (0 1 0); }"
+riprapFoam >log 2>&1; says outflow '\(4 in all\), by nearest patch: upper 4.*Escaped through walls in all: 0.* End'
+rm -rf 0 0.0* 0.1; fill "up { $glass source box; box (0.05 0.07 0) (0.07 0.09 0.01); velocity (0 1 0); rigid yes; }"
+refused bodyOutflow 'Guard .*particle [0-3] at .*nearest patch: upper. is a member of a rigid body and left the domain, by .*rigid bodies must stay inside' riprapFoam
+rm -rf 0 0.0* 0.1
 
 # A run: files, restart to the bit, function objects
 tank2

@@ -19,6 +19,18 @@ static label readName
 }
 
 
+// A rigid body moves as one: what a list says of each particle's motion or group would be lost
+static void requireOneMotion(const solidRegion& region)
+{
+    const char* columns =
+        region.velocity.size() ? "u, v, w" : region.spin.size() ? "wx, wy, wz" : region.group.size() ? "group" : nullptr;
+    if (!columns) return;
+    FatalIOErrorInFunction(region.dict)
+        << "Region " << region.name << " is one rigid body, and its list has the columns " << columns << " for each particle: leave them out;"
+        << " the entries velocity, spin and group of the region are the body's" << exit(FatalIOError);
+}
+
+
 static solidRegion readRegion(const namedDictionary& entries, const solidSpace& space)
 {
     const demSettings& settings = space.settings;
@@ -63,6 +75,7 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
     if (source == "csv")
     {
         readSolidList(dict, space, region);
+        if (rigid) requireOneMotion(region);
     }
     else if (shaped)
     {
