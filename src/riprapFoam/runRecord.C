@@ -18,13 +18,20 @@ void Foam::runRecord::read(const dictionary& dict)
     steps = count(dict, "steps");
     device = dict.get<word>("device");
     precision = dict.get<word>("precision");
+    domain = exactList(dict, "domain");
 
-    if (particles < 0 || initialParticles <= 0 || escaped < 0 || steps < 0)
+    const bool cornered = domain.empty() || domain.size() == 6;
+    if
+    (
+        particles < 0 || initialParticles < 0 || escaped < 0 || steps < 0
+     || !cornered
+    )
     {
         FatalIOErrorInFunction(dict)
             << "not what riprapFoam wrote: particles " << particles
             << ", initialParticles " << initialParticles << ", escaped "
-            << escaped << ", steps " << steps << exit(FatalIOError);
+            << escaped << ", steps " << steps << ", domain " << domain
+            << exit(FatalIOError);
     }
 }
 
@@ -39,6 +46,10 @@ void Foam::runRecord::write(dictionary& dict) const
     dict.add("steps", exact(steps));
     dict.add("device", device);
     dict.add("precision", precision);
+    if (domain.size())
+    {
+        dict.add("domain", exact(domain));
+    }
 }
 
 

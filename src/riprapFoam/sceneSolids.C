@@ -104,6 +104,11 @@ void Foam::sceneSolids::readInput(bool continued)
         mesh_, settings_, solids, movingWalls_, movingGroups_, during_, typeOfBondType_
     );
     coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
+    if (continued)
+    {
+        // Else the state says whether its own fits
+        run_.keepDomain(config);
+    }
 
     if (!continued)
     {
@@ -111,6 +116,8 @@ void Foam::sceneSolids::readInput(bool continued)
         run_.initialParticles = solids.particles.size();
         run_.brokenBefore = broken;
     }
+    run_.brokenBefore += solids.lostBonds;
+    run_.setDomain(config);
     run_.particles = solids.particles.size();
 }
 

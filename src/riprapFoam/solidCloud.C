@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidCloud.H"
+#include "HashSet.H"
 #include "quaternion.H"
 #include "sceneState.H"
 #include "solidFiles.H"
@@ -55,17 +56,73 @@ Foam::solidCloud::solidCloud
     run_(run),
     writesState_(writesState),
     shapes_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("shapes"))
-{}
+{
+    if (input_.bonds.size() || run_.brokenBefore > 0)
+    {
+        readBrokenBonds();
+    }
+}
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-riprap::DemBondState Foam::solidCloud::bonds() const
+void Foam::solidCloud::readBrokenBonds()
 {
-    riprap::DemBondState bonds(scene_.bonds());
-    for (std::int32_t& type : bonds.type)
+    const particleCloud read(readParticleCloud(mesh(), "solids"));
+    if (!read.labels.found("brokenBonds") || !read.labels.found("origId"))
     {
-        type = typeOfBondType_[type];
+        return;
+    }
+    const labelField& broken = read.labels["brokenBonds"];
+    const labelField& id = read.labels["origId"];
+    forAll(broken, i)
+    {
+        brokenBefore_.insert(id[i], broken[i]);
+    }
+
+    const riprap::DemState now(scene_.particles());
+    for (std::size_t i = 0; i < now.id.size(); ++i)
+    {
+        label& before = brokenBefore_(now.id[i], 0);
+        before = max(before - now.brokenBonds[i], label(0));
+    }
+}
+
+
+//- A continued run is given those alone, and shall write the same
+riprap::DemBondState Foam::solidCloud::bonds
+(
+    const riprap::DemState& particles,
+    int64_t& lost
+) const
+{
+    labelHashSet there(2*label(particles.id.size()));
+    for (const std::int32_t id : particles.id)
+    {
+        there.insert(id);
+    }
+
+    const riprap::DemBondState all(scene_.bonds());
+    riprap::DemBondState bonds;
+    lost = 0;
+    for (std::size_t k = 0; k < all.a.size(); ++k)
+    {
+        if (!there.found(all.a[k]) || !there.found(all.b[k]))
+        {
+            ++lost;
+            continue;
+        }
+        bonds.a.push_back(all.a[k]);
+        bonds.b.push_back(all.b[k]);
+        bonds.type.push_back(typeOfBondType_[all.type[k]]);
+        bonds.broken.push_back(all.broken[k]);
+        bonds.gap.push_back(all.gap[k]);
+        bonds.restGap.push_back(all.restGap[k]);
+        for (int d = 0; d < 3; ++d)
+        {
+            bonds.force.push_back(all.force[3*k + d]);
+            bonds.moment.push_back(all.moment[3*k + d]);
+        }
     }
     return bonds;
 }
@@ -147,7 +204,12 @@ void Foam::solidCloud::fill(particleCloud& particles) const
     particles.labels.set("material", toField<label>(now.material));
     particles.labels.set("group", toField<label>(now.group));
     particles.labels.set("contacts", toField<label>(now.contacts));
-    particles.labels.set("brokenBonds", toField<label>(now.brokenBonds));
+    labelField broken(toField<label>(now.brokenBonds));
+    forAll(broken, i)
+    {
+        broken[i] += brokenBefore_.lookup(now.id[i], 0);
+    }
+    particles.labels.set("brokenBonds", broken);
     particles.labels.set("origId", toField<label>(now.id));
     if (input_.clumps.size())
     {
@@ -173,18 +235,22 @@ void Foam::solidCloud::writeState() const
     {
         writeStateWords(time(), demRun::stateFile, scene_.saveState());
     }
-    writeDemRun(time(), run_);
-
     if (input_.clumps.size())
     {
         writeClumps();
     }
+
+    demRun run(run_);
     if (input_.bonds.size())
     {
-        const riprap::DemBondState now(bonds());
+        const riprap::DemState particles(scene_.particles());
+        int64_t lost = 0;
+        const riprap::DemBondState now(bonds(particles, lost));
         writeBondFiles(time(), now);
-        writeBondLines(time(), scene_.particles(), now);
+        writeBondLines(time(), particles, now);
+        run.brokenBefore += lost;
     }
+    writeDemRun(time(), run);
 }
 
 

@@ -37,6 +37,11 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
         mesh_, settings_, solids, movingWalls_, movingGroups_, moving_, typeOfBondType_
     );
     coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
+    if (continued)
+    {
+        // Else the state says whether its own fits
+        run_.keepDomain(config);
+    }
 
     try
     {
@@ -58,6 +63,7 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
     run_.stepFraction = config.stepFraction;
     run_.maxDeltaT = config.maxTimeStep;
     run_.time = runTime_.value();
+    run_.setDomain(config);
     run_.particles = solids.particles.size();
     run_.device = sphNames::device[scene_->device()];
     run_.precision = sphNames::precision[config.precision];

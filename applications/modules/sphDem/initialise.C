@@ -28,6 +28,7 @@ void Foam::solverModules::sphDem::buildScene
 
     otherSpeeds others;
     const riprap::WallInput walls(buildWalls(others));
+    domainKept_ = !continued || run_.keepDomain(config);
     if (solids_)
     {
         solids_->read(continued);
@@ -105,6 +106,7 @@ void Foam::solverModules::sphDem::buildScene
     run_.maxVelocity = config.maxVelocity;
     run_.soundSpeed = config.soundSpeed;
     run_.density = config.density;
+    run_.setDomain(config);
     run_.time = runTime_.value();
     run_.particles = cloud.size();
     run_.device = sphNames::device[scene_->device()];

@@ -39,6 +39,14 @@ bool Foam::solverModules::sphDem::loadState
 )
 {
     const riprap::SphConfig& config = settings_.config;
+    if (!domainKept_)
+    {
+        return notUsed
+        (
+            "walls move beyond the domain that it was written for (another"
+            " endTime, or another motion)"
+        );
+    }
     const std::vector<std::int32_t> state(readSphState(runTime_));
 
     try
