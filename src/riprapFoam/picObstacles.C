@@ -28,7 +28,7 @@ static void requireInside
         FatalIOErrorInFunction(surfaces.dict(i))
             << "Surface " << surfaces.names()[i] << " of constant/geometry, "
             << reach << ", does not meet the mesh, " << mesh.bounds()
-            << exit(FatalIOError);
+            << ": move it there, or leave it out" << exit(FatalIOError);
     }
 }
 
@@ -81,6 +81,19 @@ std::vector<riprap::PicObstacle> Foam::picObstacles
         all.push_back(std::move(o));
     }
     return all;
+}
+
+
+void Foam::requireObstacles
+(
+    const polyMesh& mesh,
+    const geometryWalls& surfaces,
+    const List<wallMotion>& motion,
+    scalar spacing
+)
+{
+    const wallBodies bodies(mesh.time(), motion);
+    picObstacles(mesh, surfaces, bodies.bodyOf(surfaces.names()), spacing);
 }
 
 

@@ -7,6 +7,7 @@
 #include "particleCloudIO.H"
 #include "particleRegions.H"
 #include "picDictionaries.H"
+#include "picObstacles.H"
 #include "sceneState.H"
 #include "sphDictionaries.H"
 
@@ -176,10 +177,12 @@ static void warnOfStanding(const placedSolids& placed, scalar spacing)
 // With picDem: no wall points, no equation of state
 static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
-    const riprap::PicConfig config(readPicSettings(mesh).config);
+    const picSettings settings(readPicSettings(mesh));
+    const riprap::PicConfig& config = settings.config;
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
     const particlePacking packing(readPacking(dict, mesh, gravity));
     const auto bodies(wallGeometry(mesh.time()));
+    if (bodies.valid()) requireObstacles(mesh, *bodies, settings.motion, packing.spacing());
     const wallPoints noWalls;
     const List<particleRegion> regions
     (
