@@ -69,11 +69,10 @@ std::vector<int> touchingTogether(const DemConfig& c, const DemInput& in)
     return most;
 }
 
-std::vector<Lightest> lightest(const DemConfig& c, const DemInput& in)
+std::vector<Lightest> lightest(const DemConfig& c, const DemInput& in, const std::vector<int>& together)
 {
     std::vector<Lightest> r(in.materials.size());
     const DemParticles& p = in.particles;
-    const std::vector<int> together = touchingTogether(c, in);
     for (std::size_t i = 0; i < p.size(); ++i)
     {
         Lightest& l = r[p.material.empty() ? 0 : p.material[i]];
@@ -103,6 +102,22 @@ double fallSpeed(const DemConfig& c)
     {
         const int axis = c.axes[d];
         if (!c.periodic[axis]) v2 += 2*std::abs(c.gravity[axis])*(c.domainMax[axis] - c.domainMin[axis]);
+    }
+    return std::sqrt(v2);
+}
+
+//- With which a particle can come to the lowest corner of the domain
+double impactSpeed(const DemConfig& c, const DemInput& in, std::size_t i)
+{
+    const DemParticles& p = in.particles;
+    const int clump = p.clump.empty() ? -1 : p.clump[i];
+    double v2 = 0;
+    for (int d = 0; d < c.dimensions; ++d)
+    {
+        const int axis = c.axes[d];
+        const double v = clump >= 0 ? in.clumps[clump].velocity[axis] : (p.velocity.empty() ? 0 : p.velocity[3*i + axis]);
+        const double below = c.gravity[axis] > 0 ? c.domainMax[axis] - p.position[3*i + axis] : p.position[3*i + axis] - c.domainMin[axis];
+        v2 += v*v + (c.periodic[axis] ? 0 : 2*std::abs(c.gravity[axis])*std::max(0.0, below));
     }
     return std::sqrt(v2);
 }
@@ -316,6 +331,38 @@ void warnOfGap(const DemConfig& c, const DemInput& in, DemPlan& plan)
     }
 }
 
+//- Springs of constant stiffness: a particle, or a rigid body on as many members as can touch at once, that sinks in by more than a member's radius goes
+//  through what it hits
+void warnOfSoftness(const DemConfig& c, const DemInput& in, const std::vector<int>& together, DemPlan& plan)
+{
+    if (c.normal != NormalKind::linear && c.normal != NormalKind::incremental) return;
+    const DemParticles& p = in.particles;
+    for (const DemPair& pair : in.pairs)
+    {
+        const double k = pair.properties.normalStiffness;
+        double most = 1, mass = 0, speed = 0, radius = 0;
+        for (std::size_t i = 0; i < p.size(); ++i)
+        {
+            const int material = p.material.empty() ? 0 : p.material[i], clump = p.clump.empty() ? -1 : p.clump[i];
+            if (material != pair.a && material != pair.b) continue;
+            const double m = clump < 0 ? p.mass[i] : in.clumps[clump].mass/together[clump], v = impactSpeed(c, in, i);
+            const double deep = v*std::sqrt(m/k)/p.radius[i];
+            if (!(deep > most)) continue;
+            most = deep;
+            mass = clump < 0 ? m : in.clumps[clump].mass;
+            speed = v;
+            radius = p.radius[i];
+        }
+        if (mass == 0) continue;
+        std::ostringstream s;
+        s.precision(4);
+        s << in.materials[pair.a].name << "-" << in.materials[pair.b].name << ": a body of " << mass << " kg that meets another or a wall at " << speed
+          << " m/s, as it may from where it is, sinks in by " << most*radius << " m, which is more than the radius of its particles, "
+          << radius << " m, and comes out on the other side; stiffness " << 4*most*most*k << " would halve the radius";
+        plan.warnings.push_back(s.str());
+    }
+}
+
 } // namespace
 
 DemPlan planDemScene(const DemConfig& c, const DemInput& in)
@@ -325,7 +372,8 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     plan.clumps = in.clumps.size();
     plan.bonds = in.bonds.size();
     for (const DemWall& w : in.walls) plan.wallElements += w.plane ? 1 : w.elements.size()/c.dimensions;
-    const std::vector<Lightest> all = lightest(c, in);
+    plan.together = touchingTogether(c, in);
+    const std::vector<Lightest> all = lightest(c, in, plan.together);
     for (const DemPair& pair : in.pairs) addContact(c, in, pair, all, plan);
     addBonds(c, in, plan);
     addSprings(c, in, plan);
@@ -340,6 +388,7 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     }
     if (c.normal == NormalKind::hertz) addRayleigh(in, all, plan);
     warnOfGap(c, in, plan);
+    warnOfSoftness(c, in, plan.together, plan);
     setStep(c, packed, plan);
 
     // state twice (for sorting), records, cells; half lists with histories twice (before and after a rebuild). A GPU keeps full lists once,

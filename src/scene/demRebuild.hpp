@@ -68,7 +68,7 @@ struct PlaceSolids
         for (int d = 0; d < D; ++d) mover.reference[d][i] = p.c[d] = mover.box.pairPosition(d, s.x[d][i]);
         const Vec<D, typename P::real> v = convert<typename P::real>(s.velocity(i));
         mover.frames.include(mover.box, p, v);
-        mover.solids.store(i, p, ContactBody<D, typename P::real>{v, s.spin(i), s.radius[i], s.mass[i]}, s.material[i]);
+        mover.solids.store(i, p, ContactBody<D, typename P::real>{v, s.spin(i), s.radius[i], mover.massInContacts(i)}, s.material[i]);
     }
 };
 

@@ -222,6 +222,7 @@ struct DemPlan
     std::string hardCause;                  // which of them, in words
     std::string cause;                      // what sets the step
     std::vector<StepLimit> limits;
+    std::vector<int> together;              // of each clump, members that can touch a plane at once
     std::vector<std::string> warnings;      // e.g. paper 2's spring eats the gap at this speed
 };
 DemPlan planDemScene(const DemConfig&, const DemInput&);

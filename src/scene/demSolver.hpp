@@ -143,6 +143,7 @@ private:
     void setGroups();
     void setPairs();
     void setBonds();
+    int leastSharing(int together) const;
     void setClumps();
     ClumpConstraint constraintOf(const DemGroup&) const;
     void setConstraints(std::vector<ClumpData>&);

@@ -115,6 +115,8 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
     m.motions = groupMotions();
     m.clumps = nClumps_ ? clumps_.data() : nullptr;
     m.offset = offset_.data();
+    // paper 2's spring goes with the mass of its particles
+    m.sharesMass = nClumps_ && config_.normal != NormalKind::cellSpring;
     return m;
 }
 

@@ -108,6 +108,40 @@ TEST_P(DemClumpImpact, ElasticBounce)
         }
 }
 
+//- Dashpots know the body: with the mass of single members bodies bounced as if nothing braked them (0.97 for 0.4). A share of what touches has no closed
+//  form where members join in one after the other, or where fewer touch than share: bodies that land on a corner bounce more
+TEST_P(DemClumpImpact, Restitution)
+{
+    for (const int D : {2, 3})
+        for (const Shape shape : {Shape::ball, Shape::flat, Shape::corner})
+        {
+            const double e = 0.4;
+            const auto scene = createDemScene(openBox(config(D)), drop(D, shape, e).in);
+            const DemReport r = scene->advance(0.02);
+            ASSERT_EQ(r.stop, DemStop::none) << r.stopMessage;
+            const double u = scene->clumps().velocity[1];
+            if (shape != Shape::corner) EXPECT_NEAR(u, e, 0.01) << D << "D, shape " << int(shape);
+            else EXPECT_LT(u, 0.6) << D << "D: one member, or an edge of them, with the share of a few more";
+            EXPECT_GT(u, 0.98*e);
+        }
+}
+
+//- A body that would sink in by more than its members' radius
+TEST(DemClumpPlan, WarnsOfSoftContacts)
+{
+    DemConfig c;
+    c.normal = NormalKind::linear;
+    c.dimensions = 2;
+    c = openBox(c);
+    const Drop ball = drop(2, Shape::ball, 0.4);
+    DemInput in = ball.in;
+    EXPECT_TRUE(planDemScene(c, in).warnings.empty());
+    in.clumps[0].velocity[1] = -11*std::sqrt(double(ball.touching));     // 11 sqrt(1 kg/1e6 N/m) = 11 mm, of radii of 10 mm
+    const auto warnings = planDemScene(c, in).warnings;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("sinks in by 0.011"), std::string::npos) << warnings[0];
+}
+
 RIPRAP_DEM_CASES(DemClumpImpact);
 
 } // namespace

@@ -18,8 +18,18 @@ struct ClumpData
     double q[4];                // orientation (w, x, y, z); 2D: about the third axis
     double f[3], m[3];          // contact forces and moments now
     double mass, inertia[3];    // principal
-    int group, padding;
+    int group;
+    int touching;               // members on which a contact acts now
+    int together, least;        // members that can touch a plane at once; of them at least so many share the body's mass
 };
+
+//- What a contact of one member moves: of the members that touch now each has its share. Dashpots take it, so that they together have the restitution
+//  of one contact of the body. Of those that touch for the first time nobody has counted how many they are: all that can
+HD double contactMass(const ClumpData& c)
+{
+    if (c.touching <= 0) return c.mass/c.together;
+    return c.mass/(c.touching > c.least ? c.touching : c.least);
+}
 
 //- R(q) a, or with `inverse` its transpose
 HD Vec<3, double> rotated(const double* q, const Vec<3, double>& a, bool inverse = false)

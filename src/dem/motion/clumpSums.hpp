@@ -31,7 +31,7 @@ struct ClumpMembers
     const int* slotOf;          // where a key is
     const real* external;       // by key: D + spins numbers; may be null
 
-    //- sums[0..2]: forces, sums[3..5]: moments; of the e-th member
+    //- sums[0..2]: forces, sums[3..5]: moments, sums[6]: is it touched?; of the e-th member
     template<bool contacts>
     HD void add(const ClumpData& c, int e, double* sums) const
     {
@@ -45,6 +45,12 @@ struct ClumpMembers
             if (contacts) force.c[d] = double(fields.f[d][i]);
             if (more) force.c[d] += double(more[d]);
             sums[d] += force.c[d];
+        }
+        if (contacts)
+        {
+            bool touched = false;
+            for (int d = 0; d < D; ++d) touched = touched || fields.f[d][i] != 0;
+            sums[6] += touched;
         }
         const Vec<3, double> t = cross(arm, force);
         for (int s = 0; s < spins<D>; ++s)
@@ -73,6 +79,7 @@ struct GatherClumps
     {
         springs.add(c, int(&c - members.clumps), members.box, sums);
         for (int d = 0; d < 3; ++d) { c.f[d] = sums[d]; c.m[d] = sums[3 + d]; }
+        c.touching = int(sums[6]);
     }
 };
 
@@ -107,7 +114,7 @@ struct EachClump
     {
         if (!sum.active()) return;
         ClumpData& c = sum.members.clumps[k];
-        double sums[6] = {};
+        double sums[7] = {};
         for (int e = sum.members.first[k]; e < sum.members.first[k + 1]; ++e) sum.members.template add<Sum::contacts>(c, e, sums);
         sum.use(c, sums);
     }
@@ -119,7 +126,7 @@ struct BlockEachClump
 {
     static constexpr const char* name = Sum::name;
     static constexpr int threads = 256;
-    struct Shared { double sums[6][threads]; };
+    struct Shared { double sums[7][threads]; };
 
     Sum sum;
 
@@ -127,18 +134,18 @@ struct BlockEachClump
     {
         if (!sum.active()) return;
         ClumpData& c = sum.members.clumps[k];
-        double sums[6] = {};
+        double sums[7] = {};
         for (int e = sum.members.first[k] + team.index; e < sum.members.first[k + 1]; e += team.size)
             sum.members.template add<Sum::contacts>(c, e, sums);
-        for (int s = 0; s < 6; ++s) shared.sums[s][team.index] = sums[s];
+        for (int s = 0; s < 7; ++s) shared.sums[s][team.index] = sums[s];
         team.wait();
         for (int half = team.size/2; half > 0; half /= 2)
         {
-            if (team.index < half) for (int s = 0; s < 6; ++s) shared.sums[s][team.index] += shared.sums[s][team.index + half];
+            if (team.index < half) for (int s = 0; s < 7; ++s) shared.sums[s][team.index] += shared.sums[s][team.index + half];
             team.wait();
         }
         if (team.index > 0) return;
-        for (int s = 0; s < 6; ++s) sums[s] = shared.sums[s][0];
+        for (int s = 0; s < 7; ++s) sums[s] = shared.sums[s][0];
         sum.use(c, sums);
     }
 };

@@ -86,6 +86,7 @@ struct MoveSolids : SolidMotion<D, P>
     MotionTable motions;
     const ClumpData* clumps;    // null: there are none
     const double* offset;       // of a clump's member from its centre, in the body: 3 a key
+    bool sharesMass;            // do dashpots of a clump's members take the clump's mass (clumpState.hpp)?
 
     HD bool inside(const Vec<D, std::int64_t>& x) const
     {
@@ -122,8 +123,14 @@ struct MoveSolids : SolidMotion<D, P>
         if (s.turn[0]) followTurn(i, w, t.dt);
         Vec<D, position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
-        solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], s.mass[i]}, s.material[i]);
+        solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], massInContacts(i)}, s.material[i]);
         checkSkin(i, p, x, convert<real>(v), t, member, this->clock);
+    }
+
+    HD real massInContacts(int i) const
+    {
+        const SolidFields<D, P>& s = this->fields;
+        return sharesMass && s.clump[i] >= 0 ? real(contactMass(clumps[s.clump[i]])) : s.mass[i];
     }
 
     //- A member of a rigid body is where the body has it
