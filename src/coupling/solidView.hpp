@@ -7,6 +7,7 @@
 
 #include <vector>
 #include "core/backend.hpp"
+#include "dem/motion/clumpConstraint.hpp"
 #include "dem/solidFields.hpp"
 
 namespace riprap
@@ -18,6 +19,17 @@ struct SolidView
     Box<D, P> box;              // in which the solids' positions are
     SolidFields<D, P> fields;
     const int* slotOf;          // of a key; -1: it has left
+};
+
+//- Its rigid bodies
+template<int D, class P>
+struct BodyView
+{
+    ClumpData* clumps;
+    const GroupData<D, typename P::real>* groups;
+    const ClumpConstraint* constraints;         // of groups; null: none is constrained
+    Box<D, P> box;
+    int count;
 };
 
 //- A scene of solids as the fluid drives it. Pointers hold until the next advanceTo
@@ -33,6 +45,7 @@ public:
     virtual bool still() const = 0;
 
     virtual SolidView<D, P> view() = 0;
+    virtual BodyView<D, P> bodies() = 0;
 
     //- Keys of the particles that are there, in the order in which they are read back
     virtual std::vector<std::int32_t> order() = 0;

@@ -55,7 +55,8 @@ Foam::solidCloud::solidCloud
     typeOfBondType_(typeOfBondType),
     run_(run),
     writesState_(writesState),
-    shapes_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("shapes"))
+    shapes_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("shapes")),
+    surfaces_(readCloudProperties(mesh.time(), "solids").subOrEmptyDict("surfaces"))
 {
     if (input_.bonds.size() || run_.brokenBefore > 0)
     {
@@ -226,6 +227,7 @@ void Foam::solidCloud::addProperties(dictionary& properties) const
 {
     addSolidNames(properties, settings_);
     if (shapes_.size()) properties.add("shapes", shapes_, true);
+    if (surfaces_.size()) properties.add("surfaces", surfaces_, true);
 }
 
 

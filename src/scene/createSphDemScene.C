@@ -66,6 +66,8 @@ std::unique_ptr<SphScene> createSphDemScene
 (const SphConfig& config, const FluidInput& fluid, const WallInput& walls, const SolidInput& solids, WallMotion motion)
 {
     checkVolumes(solids);
+    for (const std::int32_t body : solids.faces.body)
+        require(body >= 0 && body < int(solids.input.clumps.size()), "faces of a rigid body that does not exist");
     require(!solids.coupling.xsph || config.xsph > 0, "XSPH between fluid and solids needs XSPH in the fluid");
     require(!solids.coupling.antiClump || config.antiClump > 0, "the anti-clump term between fluid and solids needs that of the fluid");
     require(!(solids.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
@@ -76,6 +78,10 @@ std::unique_ptr<SphScene> createSphDemScene
     part.coupling = solids.coupling;
     part.volume = solids.volume;
     part.added = addedShares(config, solids);
+    part.faces = solids.faces;
+    part.clump = solids.input.particles.clump;
+    part.clumps = int(solids.input.clumps.size());
+    for (const double r : solids.input.particles.radius) part.largestRadius = std::max(part.largestRadius, r);
     return createSphScene(here, fluid, walls, std::move(motion), std::move(part));
 }
 

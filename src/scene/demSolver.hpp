@@ -122,6 +122,7 @@ public:
     void follow(const Context<Backend>& fluid) override { context_.follow(fluid); }
     int keys() const override { return n_; }
     SolidView<D, P> view() override { return SolidView<D, P>{box_, fields(), slotOf_.data()}; }
+    BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), constraints(), box_, nClumps_}; }
     std::vector<std::int32_t> order() override;
     real* external() override;
     int subcycles(double dt) override;

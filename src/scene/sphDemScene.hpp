@@ -38,6 +38,8 @@ struct SolidInput
     DemConfig config;                       // device, precision, dimensions, axes and gravity are taken from the fluid's
     DemInput input;
     std::vector<double> volume;             // n [m3] (2D: m2), of DemInput::particles
+    WallFaceInput faces;                    // of rigid bodies, which nothing passes: body is that of DemInput::clumps, points from its centre along its
+                                            // principal axes (2D: along the scene's as they were when it was made)
 };
 
 //- What passes between fluid and solids now

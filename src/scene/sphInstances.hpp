@@ -13,6 +13,10 @@ struct SolidPart
     CouplingConfig coupling;
     std::vector<double> added;  // of each: mass of the water that its pressure moves over its own, or that of the rigid body that it is of
     std::vector<double> volume;
+    WallFaceInput faces;        // of rigid bodies
+    std::vector<std::int32_t> clump;            // of each particle; empty: there are none
+    int clumps = 0;
+    double largestRadius = 0;   // [m]
 };
 
 using SphMaker = std::unique_ptr<SphScene>(*)(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);

@@ -109,6 +109,7 @@ FaceContacts SphSolver<Backend, D, P>::faceContacts()
     readClock();
     FaceContacts r;
     r.count = host_.faceContacts;
+    r.atBodies = host_.bodyContacts;
     for (int d = 0; d < D; ++d) r.impulse[config_.axes[d]] = double(model_.mass)*faceUnit*double(host_.faceImpulse[d]);
     return r;
 }

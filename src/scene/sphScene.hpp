@@ -118,6 +118,7 @@ struct WildParticle
 struct FaceContacts
 {
     std::int64_t count = 0;
+    std::int64_t atBodies = 0;              // of these
     Vector3 impulse{{0, 0, 0}};             // on the fluid [N s] (2D: a metre of depth)
 };
 

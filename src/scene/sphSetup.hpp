@@ -18,7 +18,7 @@ SphSolver<Backend, D, P>::SphSolver
     setBox();
     setFluid(fluid);
     setWalls(walls);
-    setFaces(walls.faces);
+    setFaces(walls.faces, solids);
     setSolids(std::move(solids));
     setFrames();
     allocateLists();

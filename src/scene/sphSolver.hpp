@@ -12,6 +12,7 @@
     #include "core/graph.hpp"
     #include "core/neighbourList.hpp"
 #endif
+#include "coupling/bodyFaces.hpp"
 #include "coupling/solidPasses.hpp"
 #include "scene/sphFamilies.hpp"
 #include "scene/sphInstances.hpp"
@@ -33,11 +34,14 @@ struct FaceArrays
     Array<Backend, FaceGrid<D>> grid;
     Array<Backend, FacePose<D>> pose;
     double tiny = 0;
+    Array<Backend, int> groupOfKey;         // of solids
+    Array<Backend, FaceBlow> blow;          // of bodies
+    double reach = 0;                       // [m] from a face of a body to a point of it
 
     std::size_t bytes() const
     {
         return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes() + cellElement.bytes()
-          + cellFirstPlane.bytes() + plane.bytes() + grid.bytes() + pose.bytes();
+          + cellFirstPlane.bytes() + plane.bytes() + grid.bytes() + pose.bytes() + groupOfKey.bytes() + blow.bytes();
     }
 };
 
@@ -138,9 +142,11 @@ private:
     Tick tick() const;
 
     // sphFaces.hpp
-    void setFaces(const WallFaceInput&);
+    void setFaces(const WallFaceInput&, const SolidPart&);
+    void setBodies(const SolidPart&);
     FaceContact<D, P> faceContact();
     void moveFaces();
+    void blowBodies();
 
     // sphSolids.hpp
     void setSolids(SolidPart);

@@ -16,7 +16,7 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 6;
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 7;
 static constexpr int stateHeader = 14;
 
 } // namespace detail

@@ -206,6 +206,7 @@ void SphSolver<Backend, D, P>::step()
     if (config_.integrator == IntegratorKind::leapfrog)
     {
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
+        blowBodies();
         moveWalls(false);
         moveSolids(false);
         wallPass(true);
@@ -222,6 +223,7 @@ void SphSolver<Backend, D, P>::step()
         solidPass<Part::density>();
         fluidPass<Part::density>(Finish::close);
         forEach(context_, n_, mover<SymplecticDrift<Backend, D, P>>());
+        blowBodies();
         moveWalls(false);
         moveSolids(false);
         wallPass(true);

@@ -109,6 +109,12 @@ says rigidBody 'block: one rigid body, mass 0\.128 kg per metre, centre \(0\.05 
 says rigidCount 'Written 10 particles, 0 bonds and 1 clumps'
 riprapFoam >log 2>&1 && pass run.rigid || fail run.rigid "$(grep -m1 -A3 ERROR log)"
 says rigidLog 'particles +10, clumps 1, bonds 0'
+says rigidFaces 'impermeable +1 of 1 rigid bodies'
+grep -lqs surfaces 0.*/uniform/lagrangian/solids/cloudProperties && pass rigidFacesKept || fail rigidFacesKept 'no written time knows the surface of the body'
+cp 0.02/lagrangian/fluid/positions fluid; rm -r 0.02; riprapFoam >log 2>&1
+says restartRigid 'Continuing exactly from time 0.01'
+says rigidFacesAgain 'impermeable +1 of 1 rigid bodies'
+cmp -s fluid 0.02/lagrangian/fluid/positions && pass restartRigidFluid || fail restartRigidFluid "other positions"
 rm -rf 0.0* postProcessing; fill "$above"
 riprapFoam -dry-run >log 2>&1 && pass dryRun || fail dryRun "$(grep -m1 -A3 ERROR log)"
 says memory 'solid points'

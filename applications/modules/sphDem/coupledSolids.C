@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSolids.H"
+#include "bodyFaces.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -24,7 +25,8 @@ Foam::coupledSolids::coupledSolids
         fluid.config.precision,
         boundary
     ),
-    coupling_(fluid.coupling)
+    coupling_(fluid.coupling),
+    impermeable_(fluid.walls.impermeable)
 {
     if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::impulse;
     for (const demGroup& g : asRead_.groups)
@@ -176,6 +178,11 @@ riprap::SolidInput Foam::coupledSolids::input
     input.input = input_;
     input.volume = volumes();
     requireFine(fluidConfig, input.volume);
+    if (impermeable_)
+    {
+        input.faces = bodyFaces(runTime_, fluidConfig, input_.clumps);
+    }
+    bodiesWithFaces_ = bodiesWithFaces(input.faces);
     return input;
 }
 

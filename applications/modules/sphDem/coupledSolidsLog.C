@@ -20,6 +20,11 @@ void Foam::coupledSolids::logModels() const
         << ", viscosity " << (coupling_.viscosity ? "yes" : "no")
         << ", XSPH " << (coupling_.xsph ? "yes" : "no")
         << ", antiClump " << (coupling_.antiClump ? "yes" : "no") << nl;
+    if (!input_.clumps.empty())
+    {
+        logItem("impermeable") << bodiesWithFaces_ << " of "
+            << label(input_.clumps.size()) << " rigid bodies" << nl;
+    }
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
     logSolids(fluidStep, limit);

@@ -42,10 +42,16 @@ void Foam::solverModules::sphDem::report()
     {
         solids_->logStep();
     }
-    if (const std::int64_t contacts = scene_->faceContacts().count)
+    const riprap::FaceContacts contacts(scene_->faceContacts());
+    if (contacts.count > contacts.atBodies)
     {
-        Info<< "Put back at faces of walls: " << contacts << " times in all"
-            << nl;
+        Info<< "Put back at faces of walls: "
+            << contacts.count - contacts.atBodies << " times in all" << nl;
+    }
+    if (contacts.atBodies)
+    {
+        Info<< "Put back at faces of bodies: " << contacts.atBodies
+            << " times in all" << nl;
     }
     logEscaped(report_.escaped.size(), run_);
     if (report_.skinExceeded)

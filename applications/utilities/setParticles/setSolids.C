@@ -51,6 +51,7 @@ static void write
     particleCloud cloud(solidCloudOf(solids.particles));
     addSolidNames(cloud.properties, settings);
     if (solids.shapes.size()) cloud.properties.add("shapes", solids.shapes);
+    if (solids.surfaces.size()) cloud.properties.add("surfaces", solids.surfaces);
     writeParticleCloud(mesh, cloud);
     writeBondFiles(time, bonds);
     writeClumpFiles(time, solids.clumps);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  Particles of solids in a volume: on a lattice, at random, or so that they follow its surface. */
 
+#include "bodyFaces.H"
 #include "fittedPacking.H"
 #include "mathematicalConstants.H"
 #include "particleSource.H"
@@ -222,7 +223,11 @@ Foam::scalarField Foam::placeInVolume(checkedDictionary& dict, bool rigid, const
     if (rigid || (cells && kind != solidPackingKind::random))
     {
         region.exact = std::make_shared<const clumpShape>(volume.shape(frame));
-        if (rigid) region.shape = volume.surfaceEntries(frame);
+        if (rigid)
+        {
+            region.shape = volume.surfaceEntries(frame);
+            region.surface = bodySurface(dict.dict());
+        }
     }
     if (!rigid && kind == solidPackingKind::fitted)
     {

@@ -67,6 +67,12 @@ Foam::solidSet Foam::joined(const List<solidRegion>& regions)
             p.id.push_back(p.id.size());
         }
         const int shape = region.shape.empty() ? -1 : all.shapes.size();
+        if (region.surface.size() && region.clumps.size() == 1)
+        {
+            dictionary surface(region.surface);
+            surface.add("body", before);
+            all.surfaces.add(region.name, surface);
+        }
         for (riprap::DemClump clump : region.clumps)
         {
             clump.shape = shape;

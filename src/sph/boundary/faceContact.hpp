@@ -7,15 +7,11 @@
 #pragma once
 
 #include "core/precision.hpp"
-#include "core/sharedWrites.hpp"
-#include "sph/boundary/wallFaces.hpp"
+#include "sph/boundary/bodyContact.hpp"
 #include "sph/time/clock.hpp"
 
 namespace riprap
 {
-
-//- Units in which the clock counts, of a particle's mass: 1e-9 m/s and 1e-9 m2/s2 about
-static constexpr double faceUnit = 1.0/1073741824;
 
 template<int D, class P>
 struct FaceContact
@@ -23,6 +19,7 @@ struct FaceContact
     using real = typename P::real;
 
     WallFaces<D> faces;
+    BodyContact<D, P> bodies;
     double clearance;           // [m] in front of the face that a particle is put to
 
     //- At the end of a drift. kick: of the half step that is still to come, as far as it is known
@@ -35,21 +32,27 @@ struct FaceContact
         if (!faces.groups) return;
         Vec<D, double> at;
         for (int d = 0; d < D; ++d) at.c[d] = box.toMetres(d, x.c[d]);
-        if (faces.near(at)) putBack(box, gravity, kick, at, x, v, clock);
+        int near[BodyContact<D, P>::most];
+        const int count = bodies.start ? bodies.near(box, x, near) : 0;
+        bool behind = faces.near(at);
+        for (int k = 0; k < count; ++k) behind = behind || faces.near(near[k], at);
+        if (behind) putBack(box, gravity, kick, at, near, count, x, v, clock);
     }
 
 private:
 
-    //- Out of one face after another: in a corner of two parts the way out of one may lead behind the other
+    //- Out of one face after another: in a corner of two parts the way out of one may lead behind the other. Walls have the last word: a body may lie
+    //  on one
     HD_APART void putBack
     (
-        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, Vec<D, double> at, Vec<D, std::int64_t>& x,
-        Vec<D, real>& v, ClockData* clock
+        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, Vec<D, double> at, const int* near, int count,
+        Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock
     ) const
     {
         constexpr int most = 4;
-        FaceHit<D> hit = faces.find(at);
+        FaceHit<D> hit = faces.find(at, near, count);
         if (!(hit.depth > 0)) return;
+        const bool body = count && hit.group >= bodies.first;
         Vec<D, double> u = convert<double>(v);
         const Vec<D, double> from = at, before = u;
         for (int k = 0; k < most && hit.depth > 0; ++k)
@@ -59,15 +62,19 @@ private:
             if (hit.overRim > 0)
             {
                 const Vec<D, double> over = hit.rimNearest + clearance*hit.rimNormal;
-                if (!(faces.find(over).depth > 0))
+                if (!(faces.find(over, near, count).depth > 0))
                 {
                     normal = hit.rimNormal;
                     at = over;
                 }
             }
             const double approach = dot(u - faces.velocity(hit.group, at), normal);
-            if (approach < 0) u = u - approach*normal;
-            hit = faces.find(at);
+            if (approach < 0)
+            {
+                u = u - approach*normal;
+                if (count) bodies.count(faces, hit.group, at, -approach*normal);
+            }
+            hit = faces.find(at, near, k < most - 2 ? count : 0);
         }
         double energy = 0;
         for (int d = 0; d < D; ++d)
@@ -79,6 +86,7 @@ private:
         }
         addShared(&clock->faceEnergy, std::int64_t(rint(energy/faceUnit)));
         addShared(&clock->faceContacts, std::int64_t(1));
+        if (body) addShared(&clock->bodyContacts, std::int64_t(1));
     }
 };
 

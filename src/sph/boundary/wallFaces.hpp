@@ -64,40 +64,38 @@ struct WallFaces
     const double* plane;        // D + 2 a plane: normal, the least n.X in front of it, and how far behind it the wall ends (0: it does not)
     const FaceGrid<D>* grid;
     const FacePose<D>* pose;
-    int groups;                 // 0: there are no faces
+    int groups;                 // 0: there are no faces; those of bodies in the fluid come behind them and are asked by name
     double tiny;                // [m] nearer to a face there is no direction from it
 
     //- Are there any faces that x (in space) may be behind? Quick, and no for nearly all
     HD bool near(const Vec<D, double>& x) const
     {
-        for (int g = 0; g < groups; ++g)
+        for (int g = 0; g < groups; ++g) if (near(g, x)) return true;
+        return false;
+    }
+
+    //- The same of one group
+    HD bool near(int g, const Vec<D, double>& x) const
+    {
+        const Vec<D, double> X = inFrame(g, x);
+        const int cell = cellOf(g, X);
+        if (cell < 0) return false;
+        const int last = cellFirstPlane[cell + 1];
+        for (int k = cellFirstPlane[cell]; k < last; ++k)
         {
-            const Vec<D, double> X = inFrame(g, x);
-            const int cell = cellOf(g, X);
-            if (cell < 0) continue;
-            const int last = cellFirstPlane[cell + 1];
-            for (int k = cellFirstPlane[cell]; k < last; ++k)
-            {
-                const double* p = plane + (D + 2)*k;
-                const double above = dot(X, read(p)) - p[D];
-                if (above < 0 && (p[D + 1] == 0 || above > -p[D + 1])) return true;
-            }
+            const double* p = plane + (D + 2)*k;
+            const double above = dot(X, read(p)) - p[D];
+            if (above < 0 && (p[D + 1] == 0 || above > -p[D + 1])) return true;
         }
         return false;
     }
 
-    //- The deepest face that x (in space) is behind; depth 0: none
-    HD FaceHit<D> find(const Vec<D, double>& x) const
+    //- The deepest face that x (in space) is behind, of walls and of some other groups; depth 0: none
+    HD FaceHit<D> find(const Vec<D, double>& x, const int* others = nullptr, int count = 0) const
     {
         FaceHit<D> hit;
-        for (int g = 0; g < groups; ++g)
-        {
-            const double before = hit.depth;
-            search(g, inFrame(g, x), hit);
-            if (!grid[g].moves || !(hit.depth > before)) continue;
-            toSpace(g, hit);
-            if (hit.overRim > 0) rimToSpace(g, hit);
-        }
+        for (int g = 0; g < groups; ++g) deepest(g, x, hit);
+        for (int k = 0; k < count; ++k) deepest(others[k], x, hit);
         return hit;
     }
 
@@ -124,6 +122,15 @@ struct WallFaces
     HD void before(int g, int thisPart, const Vec<D, double>& X, FaceHit<D>& hit) const { search(g, X, hit, thisPart); }
 
 private:
+
+    HD void deepest(int g, const Vec<D, double>& x, FaceHit<D>& hit) const
+    {
+        const double before = hit.depth;
+        search(g, inFrame(g, x), hit);
+        if (!grid[g].moves || !(hit.depth > before)) return;
+        toSpace(g, hit);
+        if (hit.overRim > 0) rimToSpace(g, hit);
+    }
 
     HD Vec<D, double> inFrame(int g, const Vec<D, double>& x) const
     {

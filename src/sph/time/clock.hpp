@@ -47,6 +47,7 @@ struct ClockData
 
     // What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums do not depend on an order
     std::int64_t faceContacts = 0, faceEnergy = 0, faceImpulse[3] = {0, 0, 0};
+    std::int64_t bodyContacts = 0;      // of faceContacts
 
     //- A particle's way: does it still hold, and after the next step? Read before written: the whole way of nearly everyone is too long
     //  for the box at rest, and a million stores to one word take longer than the step
@@ -82,7 +83,7 @@ struct ClockData
     }
 };
 
-static_assert(sizeof(ClockData) == 15*8 + 22*4, "ClockData has padding");
+static_assert(sizeof(ClockData) == 16*8 + 22*4, "ClockData has padding");
 
 struct StepLimits
 {
