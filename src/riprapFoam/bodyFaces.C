@@ -4,7 +4,6 @@
 #include "clumpShape.H"
 #include "closedSurface.H"
 #include "mathematicalConstants.H"
-#include "particleCloudIO.H"
 #include "quaternion.H"
 
 #include <set>
@@ -59,6 +58,32 @@ struct closedFaces
         for (const labelledTri& t : surface) add(first + t[0], first + t[1], first + t[2]);
     }
 
+    scalar middle() const { return 0.5*(config.domainMin[config.axes[2]] + config.domainMax[config.axes[2]]); }
+
+    //- In 2D: where it cuts the mid-plane. Points at that height are taken to be above it, so that each line is cut once
+    void section(const triSurface& surface)
+    {
+        const pointField& p = surface.points();
+        for (const labelledTri& t : surface)
+        {
+            point cut[2];
+            label cuts = 0;
+            for (label e = 0; e < 3; ++e)
+            {
+                const point& a = p[t[e]];
+                const point& b = p[t[(e + 1) % 3]];
+                const scalar from = (a & axis(2)) - middle(), to = (b & axis(2)) - middle();
+                if ((from >= 0) != (to >= 0)) cut[cuts++] = a + from/(from - to)*(b - a);
+            }
+            if (cuts < 2 || mag(cut[1] - cut[0]) < VSMALL) continue;
+            const label first = points.size();
+            points.append(cut[0]);
+            points.append(cut[1]);
+            add(first, first + 1, -1);
+            if ((normal(elements.last()) & ((p[t[1]] - p[t[0]]) ^ (p[t[2]] - p[t[0]]))) < 0) std::swap(elements.last()[0], elements.last()[1]);
+        }
+    }
+
     //- A quadrilateral that is seen counter-clockwise from outside
     void quad(label a, label b, label c, label d) { add(a, b, c); add(a, c, d); }
 
@@ -96,10 +121,9 @@ struct closedFaces
         const label around = sides(radius);
         if (planar())
         {
-            const scalar middle = 0.5*(config.domainMin[config.axes[2]] + config.domainMax[config.axes[2]]);
             if (mag(n & axis(2)) > 0.5) return polygon(circle(p1, axis(0), axis(1), radius, around));
             const vector across(axis(2) ^ n);
-            const scalar half = Foam::sqrt(max(sqr(radius) - sqr((p1 & axis(2)) - middle), scalar(0)));
+            const scalar half = Foam::sqrt(max(sqr(radius) - sqr((p1 & axis(2)) - middle()), scalar(0)));
             return polygon(pointField(List<point>{p1 - half*across, p2 - half*across, p2 + half*across, p1 + half*across}));
         }
         const vector a(normalised(mag(n.x()) < 0.9 ? vector(1, 0, 0) ^ n : vector(0, 1, 0) ^ n)), b(n ^ a);
@@ -122,9 +146,8 @@ struct closedFaces
     {
         if (planar())
         {
-            const scalar middle = 0.5*(config.domainMin[config.axes[2]] + config.domainMax[config.axes[2]]);
-            const scalar section = Foam::sqrt(max(sqr(radius) - sqr((centre & axis(2)) - middle), scalar(0)));
-            return polygon(circle(centre, axis(0), axis(1), section, sides(section)));
+            const scalar reach = Foam::sqrt(max(sqr(radius) - sqr((centre & axis(2)) - middle()), scalar(0)));
+            return polygon(circle(centre, axis(0), axis(1), reach, sides(reach)));
         }
         const label around = sides(radius), rows = around/2, first = points.size();
         for (label r = 0; r <= rows; ++r)
@@ -177,7 +200,7 @@ struct closedFaces
 };
 
 
-//- By the entries that bodySurface left. false: there is none in this case
+//- By the entries that bodySurface left. false: there is none, as of a ball beside the mid-plane
 static bool read(const dictionary& entries, const Time& time, closedFaces& faces)
 {
     const word source(entries.get<word>("source"));
@@ -189,10 +212,12 @@ static bool read(const dictionary& entries, const Time& time, closedFaces& faces
     }
     else if (source == "cylinder") faces.cylinder(entries.get<point>("p1"), entries.get<point>("p2"), entries.get<scalar>("radius"));
     else if (source == "sphere") faces.sphere(entries.get<point>("centre"), entries.get<scalar>("radius"));
-    else if (!faces.planar())
+    else
     {
         checkedDictionary dict(entries);
-        faces.triangles(readClosedSurface(dict, time)());
+        const autoPtr<triSurface> surface(readClosedSurface(dict, time));
+        if (faces.planar()) faces.section(surface());
+        else faces.triangles(surface());
     }
     return faces.elements.size();
 }
@@ -221,12 +246,12 @@ Foam::dictionary Foam::bodySurface(const dictionary& region)
 
 riprap::WallFaceInput Foam::bodyFaces
 (
+    const dictionary& properties,
     const Time& time,
     const riprap::SphConfig& config,
     const std::vector<riprap::DemClump>& clumps
 )
 {
-    const dictionary properties(readCloudProperties(time, "solids"));
     riprap::WallFaceInput all;
     std::vector<bool> done(clumps.size(), false);
     for (const entry& e : properties.subOrEmptyDict("surfaces"))

@@ -10,6 +10,8 @@ import os
 import random
 import sys
 
+import numpy as np
+
 HEADER = """FoamFile
 {{
     version     2.0;
@@ -130,6 +132,25 @@ class Scene:
             inside = inside & (x[k] > low[k] + by) & (x[k] < high[k] - by)
         return inside
 
+    def depthOfBody(self, a):
+        """From where to where a body of so many spacings reaches along y"""
+        if self.dim == 2:
+            return 0, self.ny*self.dp
+        if a > self.ny - 2:
+            return self.dp, (self.ny - 1)*self.dp
+        return (self.ny/2 - a/2)*self.dp, (self.ny/2 + a/2)*self.dp
+
+    def inBody(self, x, before, now):
+        """How many of these positions (n, 3) are deeper in the body than a tenth of a spacing, by the positions of its particles at the start and now"""
+        X, Z, a = self.bodies[0][:3]
+        y, yy = self.depthOfBody(a)
+        middle, centre = before.mean(0), now.mean(0)
+        # the rotation between them (Kabsch 1976)
+        u, _, v = np.linalg.svd((before - middle).T @ (now - centre))
+        turn = v.T @ np.diag([1, 1, np.linalg.det(v.T @ u.T)]) @ u.T
+        own = (x - centre) @ turn + middle
+        return int(np.sum(self.inBox(own.T, (X*self.dp, y, Z*self.dp), ((X + a)*self.dp, yy, (Z + a)*self.dp), 0.1*self.dp)))
+
     # * * * files
 
     def box(self, x0, z0, x1, z1):
@@ -154,10 +175,7 @@ class Scene:
             pressure = 'pressure zero;' if u and u[1] else ''
             regions += 'water%d { set fluid; source box; box %s; clip yes; %s %s }\n' % (k, self.box(x0, z0, x1, z1), velocity, pressure)
         for k, (x, z, a, rho, v) in enumerate(self.bodies):
-            y = (self.ny/2 - a/2)*d if self.dim == 3 else 0
-            yy = (self.ny/2 + a/2)*d if self.dim == 3 else W
-            if self.dim == 3 and a > self.ny - 2:
-                y, yy = 1*d, (self.ny - 1)*d
+            y, yy = self.depthOfBody(a)
             regions += ('body%d { set solids; source box; box (%g %g %g) (%g %g %g); radius %g; material m%d; group body%d; rigid yes; mass cell; velocity (0 0 %g); }\n'
                         % (k, x*d, y, z*d, (x + a)*d, yy, (z + a)*d, 0.5*d, k, k, -v))
         write(folder, 'system', 'setParticlesDict', 'spacing %g;\nregions\n(\n%s);\n' % (d, regions))

@@ -6,7 +6,7 @@
 
 A line a scene: PASS or FAIL, then what was measured. A scene holds if
 - it runs to its end;
-- nothing leaves but through an open top, and no particle of water or of a body is in a wall at the end (plates have no inside);
+- nothing leaves but through an open top, no particle of water or of a body is in a wall at the end (plates have no inside), and none of water in a body;
 - no pair can have been missed;
 - its energy never grows by more than 1 %: energy of bodies counted in, and where walls move
   what they do and what the pressure of walls does (docs/theory, Energy).
@@ -71,6 +71,13 @@ def behind(folder, scene, cloud):
     return scene.behind(readPositions(path), float(last)) if os.path.exists(path) else 0
 
 
+def inBody(folder, scene):
+    """Particles of water in the body at the end"""
+    first, last = times(folder)[0], times(folder)[-1]
+    at = lambda time, cloud: readPositions(os.path.join(folder, time, 'lagrangian', cloud, 'positions'))     # noqa: E731
+    return scene.inBody(at(last, 'fluid'), at(first, 'solids'), at(last, 'solids'))
+
+
 def run(seed, options):
     folder = os.path.join(options.keep, str(seed))
     shutil.rmtree(folder, ignore_errors=True)
@@ -108,6 +115,9 @@ def run(seed, options):
     if not status:
         hidden = {cloud: behind(folder, scene, cloud) for cloud in ('fluid', 'solids')}
         faults += ['%d of %s in walls' % (n, cloud) for cloud, n in hidden.items() if n]
+        wet = inBody(folder, scene) if scene.bodies else 0
+        if wet:
+            faults.append('%d of fluid in the body' % wet)
     if 'Missed pairs' in text:
         faults.append('missed pairs')
     counts = re.findall(r'Put back at faces of walls: (\d+)', text)

