@@ -317,12 +317,19 @@ void PicSolver<Backend, D, P>::reserve(std::size_t count)
     set_.allocate(context_, room);
     for (int k = 0; k < set_.fields(); ++k) if (n_) context_.toDevice(set_.bytes(k), kept[k].data(), kept[k].size());
     sort_.allocate(context_, room, grid_.cells());
-    place_.allocate(context_, room);
-    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d)
-    {
-        shift_[d].allocate(context_, room);
-        context_.zero(shift_[d].data(), room*sizeof(real));
-    }
+    enlarge(place_, room);
+    // this step's, which solids that run over particles still ask for
+    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) enlarge(shift_[d], room);
+}
+
+//- With what it holds
+template<class Backend, int D, class P>
+template<class T>
+void PicSolver<Backend, D, P>::enlarge(Array<Backend, T>& array, std::size_t room)
+{
+    std::vector<T> kept = array.download();
+    kept.resize(room);
+    array.upload(context_, kept);
 }
 
 //- The opening through which a particle has left the block; -1: none

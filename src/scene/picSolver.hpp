@@ -126,6 +126,7 @@ private:
     void letIn(double dt);
     void append(const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities);
     void reserve(std::size_t particles);
+    template<class T> void enlarge(Array<Backend, T>&, std::size_t room);
     int leftThrough(const Vec<D, double>& x) const;
     double openingSpeed(double t) const;
     std::size_t openingMemorySize() const { return 2*openings_.faces.size() + 4*openings_.in.size(); }
