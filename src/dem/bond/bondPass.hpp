@@ -68,7 +68,7 @@ struct BondPass
         for (int d = 0; d < D; ++d) n.c[d] = real(line[d]/distance);
         const double stretch = distance - (double(a.radius) + double(b.radius)) - bonds.rest[k];
         BondForce<D, real> f = bondForce(bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock.dt()), history);
-        if (f.broken != BondBreak::none)
+        if (f.broken != int(BondBreak::none))
         {
             bonds.broken[k] = int(f.broken);
             clock.raised->needRebuild = 1;      // the two may touch from now on

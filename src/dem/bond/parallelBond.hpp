@@ -15,6 +15,8 @@
 */
 #pragma once
 
+#include <cstdint>
+#include <type_traits>
 #include "dem/contact/contact.hpp"
 
 namespace riprap
@@ -59,8 +61,12 @@ struct BondForce
     Spin<D, R> momentA, momentB;
     Spin<D, R> bending;         // M on A, twist included
     R normal;                   // F_n
-    BondBreak broken;
+    std::conditional_t<sizeof(R) == 8, std::int64_t, std::int32_t> broken;      // BondBreak, as wide as a real
 };
+
+//- Padding has whatever bits were there before, and they would be part of a written state
+template<int D, class R> inline constexpr bool bondForceIsFull = sizeof(BondForce<D, R>) == (D + 3*spins<D> + 2)*sizeof(R);
+static_assert(bondForceIsFull<2, float> && bondForceIsFull<3, float> && bondForceIsFull<2, double> && bondForceIsFull<3, double>);
 
 //- stretch: U_n - U_0; h: history, read and written
 template<int D, class R>
@@ -95,7 +101,7 @@ HD BondForce<D, R> bondForce
 
     const R tension = f.normal/s.area + squareRoot(squaredNorm(bending))*s.radius/s.inertia;
     const R stress = squareRoot(squaredNorm(shear))/s.area + absolute(twist)*s.radius/s.polar;
-    f.broken = tension > p.tensile ? BondBreak::tension : (stress > p.shearStrength ? BondBreak::shear : BondBreak::none);
+    f.broken = int(tension > p.tensile ? BondBreak::tension : (stress > p.shearStrength ? BondBreak::shear : BondBreak::none));
 
     const R m = a.mass*b.mass/(a.mass + b.mass), factor = R(D == 2 ? 0.5 : 0.4);
     const R ia = factor*a.mass*a.radius*a.radius, ib = factor*b.mass*b.radius*b.radius, inertia = ia*ib/(ia + ib);

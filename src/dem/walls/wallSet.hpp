@@ -29,13 +29,15 @@ struct WallData
 {
     int material, plane, motion;        // motion -1: at rest
     int firstElement, elements;
-    int firstCell, n[3];                // grid of the surface
+    int firstCell, n[3], padding;       // grid of the surface; no bits but those that are set, since a written state holds them
     double point[3], normal[3];         // plane, in the wall's frame
     double low[3], high[3];             // extent in the wall's frame
     double inverseCell[3];
     WallFrame frame;
     double referenceR[9], referenceT[3];    // when neighbours were found
 };
+
+static_assert(sizeof(WallData) == 10*4 + 15*8 + sizeof(WallFrame) + 12*8, "WallData has padding");
 
 //- Surfaces of all walls; element numbers count through
 template<int D>
