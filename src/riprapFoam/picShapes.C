@@ -61,6 +61,7 @@ static riprap::PicShape sampled
     }
     const scalarField distance(shape.distance(at));
     s.distance.assign(distance.begin(), distance.end());
+    s.volume = shape.volume;
     return s;
 }
 

@@ -1,6 +1,7 @@
 /*  SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "scene/picBodyForces.hpp"
+#include "pic/shapes/latticeVolume.hpp"
 #include <cmath>
 
 namespace riprap
@@ -81,7 +82,7 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
     memory_.resize(all_.size());
     ballOfId_.resize(largestId_ + 1);
     for (auto* v : {&forces_, &moments_}) v->assign(3*std::size_t(largestId_ + 1), 0.0);
-    for (const PicShape& s : shapes_)
+    for (PicShape& s : shapes_)
     {
         SampledShape<D> u{};
         for (int d = 0; d < D; ++d)
@@ -91,6 +92,11 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
         }
         u.lattice.step = s.step;
         u.lattice.distance = s.distance.data();
+        if (s.volume > 0)
+        {
+            const double outward = outwardToVolume(u.lattice, s.volume);
+            for (double& distance : s.distance) distance -= outward;
+        }
         unplaced_.push_back(u);
         reachOf_.push_back(u.reach());
     }

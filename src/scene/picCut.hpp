@@ -30,7 +30,11 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
 {
     const bool anew = base_.nodeDistance.empty() || base_.moves, moved = bodies_ && bodies_->read();
-    if (!anew && !moved && !bodiesLoaded_) return;
+    if (!anew && !moved && !bodiesLoaded_)
+    {
+        if (bodies_) bodyCut_.forgetWater(context_, cutFields());
+        return;
+    }
     bodiesRest_ = bodiesLoaded_ = false;
     // where blocks, before and after, are more than all there is
     const bool all = anew || 2*bodyCut_.blockNodes() > grid_.cells();

@@ -127,6 +127,7 @@ struct PicShape
     double step = 0;                        // [m]
     std::array<int, 3> n{{1, 1, 1}};        // points; 2D: one along the empty axis
     std::vector<double> distance;           // [m]
+    double volume = 0;                      // that distances are held to (pic/shapes/latticeVolume.hpp) [m3] (2D: m2); 0: as they have it
 };
 
 //- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and gravity

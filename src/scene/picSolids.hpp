@@ -52,6 +52,10 @@ void PicSolver<Backend, D, P>::cutByBodies()
     if (opens()) writeOpenFaces();
 }
 
+//- Where the surface cuts the volumes of faces, bodies have what is under water
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::cutToWater() { if (bodyCut_.cutToWater(context_, phi_.data(), cutFields())) bodiesRest_ = false; }
+
 //- The closed parts of faces move with bodies as predicted, or as in the step before
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)

@@ -150,6 +150,7 @@ private:
     void setSolids(bool inWater);
     CutFields<D, real> cutFields();
     void cutByBodies();
+    void cutToWater();
     void useBodyVelocities(bool predicted);
     void projectWithBodies(double dt, bool sameWater);
     void slowBetweenSolids(double dt);

@@ -386,6 +386,7 @@ void PicSolver<Backend, D, P>::step(double dt, PicReport& report)
 {
     const double before = clock_.steps ? clock_.lastStep : 0;
     if (insideMoves_ && !cutForStep_) cutGrid(clock_.time, dt);
+    if (bodies_) cutToWater();
     if (opens()) setOpenFaces(clock_.time);
     if (bodies_) bodies_->predict(dt, before);
     clock_.lastKick = kick(dt);

@@ -8,6 +8,7 @@
 #include <map>
 #include "core/sort.hpp"
 #include "pic/bodies/bodyRows.hpp"
+#include "pic/bodies/wetShares.hpp"
 
 namespace riprap
 {
@@ -51,6 +52,18 @@ public:
     //- Where bodies are: shape, centre and reach of each. f: of walls alone. up: the direction across which volumes are measured
     template<class Bodies, class R>
     void cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up, const CutFields<D, R>& f);
+
+    //- Where the surface is, shares of what is under water: of bodies with a shape of their own. \return is there any? Wall velocities are to be set anew then
+    template<class R>
+    bool cutToWater(Context<Backend>& context, const R* phi, const CutFields<D, R>& f);
+
+    //- Shares as the cut has made them
+    template<class R>
+    void forgetWater(Context<Backend>& context, const CutFields<D, R>& f)
+    {
+        if (cutToWater_) forEach(context, shareCount_, keepShares(f, true));
+        cutToWater_ = false;
+    }
 
     //- Wall velocities of bodies that move like that: modes values a body
     template<class R>
@@ -106,6 +119,9 @@ private:
     template<class Bodies> void place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies);
     void measure(Context<Backend>& context);
     void fillRows(Context<Backend>& context, int up);
+    void fillCells(Context<Backend>& context);
+    template<class R> CloseByBodies<D, R> closeByBodies(const CutFields<D, R>& f);
+    template<class R> KeepShares<D, R> keepShares(const CutFields<D, R>& f, bool back);
 
     ShareRows<D> shares() const { return {shareFirst_.data(), shareX_.data(), share_.data(), arm_.data()}; }
     SortedShares<D> sorted() const { return {FaceKeys<D>(grid_), shareCount_, scratch_.keys[1].data(), scratch_.values[1].data()}; }
@@ -148,6 +164,9 @@ private:
     Array<Backend, int> shareFirst_, shareX_, bodyOfShare_;     // of rows of faces; of shares
     Array<Backend, double> share_;
     Array<Backend, Vec<D, double>> arm_;
+    Array<Backend, double> keptShare_, keptAperture_;           // as the cut has made them, while shares are cut to the water
+    Array<Backend, Vec<D, double>> keptArm_;
+    bool cutToWater_ = false;
     Array<Backend, int> cellFirst_, cellX_, cell_;              // of rows of cells; of entries
     Array<Backend, double> j_, velocity_, ofRow_, ofBody_;
     SortScratch<Backend> scratch_;                              // keys[1], values[1]: shares by faces
@@ -159,18 +178,50 @@ void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& g
 {
     place(context, grid, bodies);
     measure(context);
+    cutToWater_ = false;
+    forEach(context, shareCount_, closeByBodies(f));
+    LeaveSidesAlone<D, R> leave{blocks(), shareFirst_.data(), shareX_.data(), {}, share_.data()};
+    for (int d = 0; d < D; ++d) leave.base[d] = f.baseAperture[d];
+    forEach(context, D*rowCount_, leave);
+    fillRows(context, up);
+    forEach(context, lanes*rowCount_, LowerDistances<D, lanes>{blocks(), f.band, f.distance});
+}
+
+template<class Backend, int D>
+template<class R>
+CloseByBodies<D, R> BodyCut<Backend, D>::closeByBodies(const CutFields<D, R>& f)
+{
     CloseByBodies<D, R> close{sorted(), {}, {}, share_.data(), arm_.data(), blocks(), bodyOfShare_.data()};
     for (int d = 0; d < D; ++d)
     {
         close.base[d] = f.baseAperture[d];
         close.aperture[d] = f.aperture[d];
     }
-    forEach(context, shareCount_, close);
-    LeaveSidesAlone<D, R> leave{blocks(), shareFirst_.data(), shareX_.data(), {}, share_.data()};
-    for (int d = 0; d < D; ++d) leave.base[d] = f.baseAperture[d];
-    forEach(context, D*rowCount_, leave);
-    fillRows(context, up);
-    forEach(context, lanes*rowCount_, LowerDistances<D, lanes>{blocks(), f.band, f.distance});
+    return close;
+}
+
+template<class Backend, int D>
+template<class R>
+KeepShares<D, R> BodyCut<Backend, D>::keepShares(const CutFields<D, R>& f, bool back)
+{
+    KeepShares<D, R> keep{sorted(), {}, share_.data(), arm_.data(), keptAperture_.data(), keptShare_.data(), keptArm_.data(), back};
+    for (int d = 0; d < D; ++d) keep.aperture[d] = f.aperture[d];
+    return keep;
+}
+
+template<class Backend, int D>
+template<class R>
+bool BodyCut<Backend, D>::cutToWater(Context<Backend>& context, const R* phi, const CutFields<D, R>& f)
+{
+    forgetWater(context, f);
+    if (!sampled_.size() || !shareCount_) return false;
+    makeRoom(context, keptAperture_, shareCount_);
+    makeRoom(context, keptShare_, shareCount_);
+    makeRoom(context, keptArm_, shareCount_);
+    forEach(context, shareCount_, keepShares(f, false));
+    forEach(context, shareCount_, CutToWater<D, R>{closeByBodies(f), phi});
+    fillCells(context);
+    return cutToWater_ = true;
 }
 
 //- Lattices of shapes are copied once: they stay where they are on the host
@@ -265,6 +316,12 @@ void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
     entryCount_ = sumUp(context, cellFirst_, rowCount_);
     makeRoom(context, cell_, entryCount_);
     makeRoom(context, j_, std::size_t(entryCount_)*modes);
+    fillCells(context);
+}
+
+template<class Backend, int D>
+void BodyCut<Backend, D>::fillCells(Context<Backend>& context)
+{
     forEach(context, lanes*rowCount_, FillBodyCells<D, lanes>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
 }
 

@@ -119,6 +119,23 @@ struct FindShares
     }
 };
 
+//- A body's share of a face, of a part of its volume where the body has a shape of its own; arm: from the body's centre to the middle of the share
+template<int D>
+HD double measureShare(const BodyBlocks<D>& blocks, int body, int d, const typename UniformGrid<D>::Index& f, const AlongFace& volume, Vec<D, double>& arm)
+{
+    const UniformGrid<D>& g = blocks.grid;
+    const SolidPart<D> part = inBody(blocks.shape(body), NodeGrid<D>{g}.position(f), d, g.h, volume);
+    const bool any = part.share > 0;
+    int m = 0;
+    for (int e = 0; e < D; ++e)
+    {
+        const double in = e == d ? 0 : any ? part.moment[m]/part.share : 0;
+        m += e != d;
+        arm[e] = g.origin[e] + g.h*(f.c[e] + in) - blocks.body[body].centre[e];
+    }
+    return any ? part.share : 0;
+}
+
 template<int D, int Lanes>
 struct MeasureShares
 {
@@ -140,24 +157,14 @@ struct MeasureShares
         const FaceRow<D> at(blocks, r);
         const int d = at.d;
         const UniformGrid<D>& g = blocks.grid;
-        const NodeGrid<D> nodes{g};
-        const ShapeView<D> shape = blocks.shape(at.row.body);
         typename UniformGrid<D>::Index f = blocks.first(at.row);
         f.c[0] = x[r] + lane;
         for (int s = first[r] + lane; s < first[r + 1]; s += Lanes, f.c[0] += Lanes)
         {
             const bool twice = g.periodic[d] && (f.c[d] == 0 || f.c[d] == g.n[d]);
-            SolidPart<D> part = inBody(shape, nodes.position(f), d, g.h);
-            if (twice) part.share = 0;
-            const bool any = part.share > 0;
-            int m = 0;
-            for (int e = 0; e < D; ++e)
-            {
-                const double in = e == d ? 0 : any ? part.moment[m]/part.share : 0;
-                m += e != d;
-                arm[s][e] = g.origin[e] + g.h*(f.c[e] + in) - blocks.body[at.row.body].centre[e];
-            }
-            share[s] = any ? part.share : 0;
+            share[s] = measureShare(blocks, at.row.body, d, f, AlongFace(), arm[s]);
+            if (twice) share[s] = 0;
+            const bool any = share[s] > 0;
             body[s] = at.row.body;
             key[s] = any ? faces.first[d] + std::uint32_t(g.face(d, f)) : faces.none();
             number[s] = std::uint32_t(s);
@@ -202,19 +209,24 @@ struct CloseByBodies
 
     HD void operator()(int q) const
     {
-        sorted.onceAFace(q, [&](int d, int face, int end)
-        {
-            double sum = 0;
-            for (int s = q; s < end; ++s) sum += share[sorted.number[s]];
-            const double before = base[d][face], most = end - q > 1 ? before*(1 - contactLeak) : before;
-            const bool leaks = most < before && sum > most, opens = leaks || before - sum >= smallestAperture;
-            const double scale = leaks ? most/sum : before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
-            if (leaks) sum = most;
-            if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
-            if (scale != 1 && !opens && end - q == 1 && before == 1) takeWhole(d, face, int(sorted.number[q]));
-            aperture[d][face] = R(opens ? before - sum : 0);
-        });
+        sorted.onceAFace(q, [&](int d, int face, int end) { (*this)(d, face, q, end); });
     }
+
+    //- A face with the shares q .. end - 1
+    HD void operator()(int d, int face, int q, int end) const
+    {
+        double sum = 0;
+        for (int s = q; s < end; ++s) sum += share[sorted.number[s]];
+        const double before = base[d][face], most = end - q > 1 ? before*(1 - contactLeak) : before;
+        const bool leaks = most < before && sum > most, opens = leaks || before - sum >= smallestAperture;
+        const double scale = leaks ? most/sum : before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
+        if (leaks) sum = most;
+        if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
+        if (scale != 1 && !opens && end - q == 1 && before == 1) takeWhole(d, face, int(sorted.number[q]));
+        aperture[d][face] = R(opens ? before - sum : 0);
+    }
+
+    HD ShapeView<D> shapeOf(int q) const { return blocks.shape(body[sorted.number[q]]); }
 
     //- The share of a body that has the face to itself is the face, its middle the face's: else the body's spin would push something into cells that it fills, which have no equation, and over those that have one it
     //  would not sum to zero

@@ -1,7 +1,7 @@
 /*  A body's share of a face, from its distances and, in 2D, its lines.
 
     In 3D the parts of faces are exact for a ball, else by distances at points a quarter of a cell apart. In 2D they are exact. Their sum is the body's area by chords at the planes of the faces, which misses up to (h/a)^1.5 of it where a plane
-    nearly touches the body, and its added mass with it; there the mean over the planes of half a cell on either side is taken (inPole), and both converge
+    nearly touches the body, in 3D up to (h/a)^2/4 of its volume, and its added mass with it; there the mean over the planes of half a cell on either side is taken (inPole), and both converge
     with second order.
 
     Of a shape of its own that mean is by volumes, also in 3D: a share is then what the body has of the volume that the face moves, from the middle of one cell to that of the next (volume fractions: Batty,
@@ -35,8 +35,8 @@ HD Vec<D, double> middleOfFace(Vec<D, double> x, int d, double h)
 EITHER_SIDE template<int D>
 HD double inPole(const SampledShape<D>& shape, const Vec<D, double>& middle, int d, double h)
 {
-    // 1 - cos of the angle between normals a cell apart: less than that of a ball of three cells a radius; an edge that bends by half a right angle
-    constexpr double round = 0.05, edge = 0.15;
+    // 1 - cos of the angle between normals: a cell apart less than that of a ball of three cells a radius; an edge that bends by half a right angle; half a cell apart that of a ball of eight cells
+    constexpr double round = 0.05, edge = 0.15, plane = 0.002;
     const Vec<D, double> normal = shape.normal(middle);
     const double own = shape.behindPole(middle, normal, d);
     double least = own;
@@ -46,14 +46,29 @@ HD double inPole(const SampledShape<D>& shape, const Vec<D, double>& middle, int
             Vec<D, double> beside = middle;
             beside[e] += side*h;
             const Vec<D, double> there = shape.normal(beside);
-            const double bend = (1 - dot(normal, there) - round)/(edge - round), behind = shape.behindPole(beside, there, d);
+            const double behind = shape.behindPole(beside, there, d);
+            if (!(behind < least)) continue;
+            double bend = (1 - dot(normal, there) - round)/(edge - round);
+            if (bend < 1)
+            {
+                beside[e] += 0.5*side*h;
+                bend = maximum(bend, 1 - (1 - dot(there, shape.normal(beside)))/plane);
+            }
             if (bend > 0) least = minimum(least, own + minimum(bend, 1.0)*(behind - own));
         }
     return 1 - least/h;
 }
 
-//- What a shape has of the volume of a face, from half a cell before it to half a cell behind, by distances at points an eighth of a cell apart
-HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, int d, double h)
+//- A part of the volume of a face, in cells from it along its direction: the whole lies between the middles of the two cells
+struct AlongFace
+{
+    double from = -0.5, to = 0.5;
+
+    HD double middle() const { return 0.5*(from + to); }
+};
+
+//- What a shape has of the volume of a face, by distances at points an eighth of a cell apart
+HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, int d, double h, const AlongFace& part)
 {
     constexpr int parts = 8;
     const int along = 1 - d;
@@ -61,7 +76,7 @@ HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, 
     {
         Vec<2, double> point = x;
         point[along] += h*i/parts;
-        point[d] += h*(double(j)/parts - 0.5);
+        point[d] += h*(part.from + (part.to - part.from)*j/parts);
         return shape.distance(point);
     };
     SolidPart<2> sum{0, {0}};
@@ -85,7 +100,7 @@ HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, 
 }
 
 //- A quarter of a cell apart, across the face half a cell; a part's middle is taken for that of what it has
-HD SolidPart<3> inVolume(const SampledShape<3>& shape, const Vec<3, double>& x, int d, double h)
+HD SolidPart<3> inVolume(const SampledShape<3>& shape, const Vec<3, double>& x, int d, double h, const AlongFace& part)
 {
     constexpr int parts = 4, layers = 2;
     const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
@@ -97,7 +112,7 @@ HD SolidPart<3> inVolume(const SampledShape<3>& shape, const Vec<3, double>& x, 
                 Vec<3, double> point = x;
                 point[a] += h*i/parts;
                 point[c] += h*j/parts;
-                point[d] += h*(double(k)/layers - 0.5);
+                point[d] += h*(part.from + (part.to - part.from)*k/layers);
                 distance[i][j][k] = shape.distance(point);
             }
     SolidPart<3> sum{0, {0, 0}};
@@ -131,9 +146,9 @@ HD SolidPart<D> between(const SolidPart<D>& a, const SolidPart<D>& b, double w)
     return part;
 }
 
-//- Faces of direction d from x along the other axis: the part in the body
+//- Faces of direction d from x along the other axis: the part in the body; of a shape of its own, in a part of the face's volume
 EITHER_SIDE template<class Shape>
-HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, double h)
+HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, double h, const AlongFace& volume = AlongFace())
 {
     constexpr int planes = 8;
     const int along = 1 - d;
@@ -141,12 +156,15 @@ HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, doubl
     const double distance = shape.distance(middle);
     if (distance > faceReach<2>*h) return {0, {0}};
     if (distance < -faceReach<2>*h) return {1, {0.5}};
-    SolidPart<2> part = shape.solidOfLine(x, along, h);
     if (const SampledShape<2>* own = shape.lattice())
     {
+        Vec<2, double> plane = x;
+        plane[d] += h*volume.middle();
+        const SolidPart<2> part = shape.solidOfLine(plane, along, h);
         const double flat = riprap::inPole(*own, middle, d, h);
-        return flat > 0 ? between(part, inVolume(*own, x, d, h), flat) : part;
+        return flat > 0 ? between(part, inVolume(*own, x, d, h, volume), flat) : part;
     }
+    SolidPart<2> part = shape.solidOfLine(x, along, h);
     const double inPole = 1 - shape.behindPole(middle, d)/h;
     if (!(inPole > 0)) return part;
     part.share *= 1 - inPole;
@@ -170,22 +188,46 @@ HD SolidPart<3> inBall(const Ball<3>& ball, const Vec<3, double>& x, int d, doub
     return diskInSquare(d == 0 ? r[1] : r[0], d == 2 ? r[1] : r[2], radius*radius - r[d]*r[d]);
 }
 
+//- The same, beside its poles the mean over planes
+EITHER_SIDE HD SolidPart<3> inBallAndPole(const Ball<3>& ball, Vec<3, double> x, int d, double h)
+{
+    constexpr int planes = 8;
+    SolidPart<3> part = inBall(ball, x, d, h);
+    const Vec<3, double> middle = middleOfFace(x, d, h);
+    const double inPole = 1 - ball.behindPole(middle, d)/h, face = x[d];
+    if (!(inPole > 0) || std::fabs(ball.distance(middle)) > faceReach<3>*h) return part;
+    part.share *= 1 - inPole;
+    for (int m = 0; m < 2; ++m) part.moment[m] *= 1 - inPole;
+    for (int k = 0; k < planes; ++k)
+    {
+        x[d] = face + h*((k + 0.5)/planes - 0.5);
+        const SolidPart<3> there = inBall(ball, x, d, h);
+        part.share += inPole/planes*there.share;
+        for (int m = 0; m < 2; ++m) part.moment[m] += inPole/planes*there.moment[m];
+    }
+    return part;
+}
+
 //- A face of direction d in 3D with its lower corner at x. Where the body is not one ball, distances at the face's corners alone would cut chords off it: of a ball of 3.75 cells
 //  a radius 2.3 % of the volume, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
 EITHER_SIDE template<class Shape>
-HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h)
+HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h, const AlongFace& volume = AlongFace())
 {
     constexpr int parts = 4;
     const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
-    if (const Ball<3>* ball = shape.single()) return inBall(*ball, x, d, h);
+    if (const Ball<3>* ball = shape.single()) return inBallAndPole(*ball, x, d, h);
+    const SampledShape<3>* own = shape.lattice();
+    const double plane = own ? h*volume.middle() : 0;
     const auto at = [&](int i, int j)
     {
         Vec<3, double> point = x;
         point[a] += h*i/parts;
         point[c] += h*j/parts;
+        point[d] += plane;
         return point;
     };
-    const double middle = shape.distance(at(parts/2, parts/2));
+    const Vec<3, double> face = middleOfFace(x, d, h);
+    const double middle = shape.distance(face);
     if (middle > faceReach<3>*h) return {0, {0, 0}};
     if (middle < -faceReach<3>*h) return {1, {0.5, 0.5}};
     double low[parts + 1];      // distances at one end of a row of parts, and, as it is made, at the other
@@ -206,10 +248,10 @@ HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, doubl
         }
         low[parts] = last;
     }
-    if (const SampledShape<3>* own = shape.lattice())
+    if (own)
     {
-        const double flat = inPole(*own, at(parts/2, parts/2), d, h);
-        if (flat > 0) return between(part, inVolume(*own, x, d, h), flat);
+        const double flat = inPole(*own, face, d, h);
+        if (flat > 0) return between(part, inVolume(*own, x, d, h, volume), flat);
     }
     return part;
 }
@@ -259,7 +301,7 @@ private:
     HD double away(int e) const
     {
         const double r = x[e] - ball->centre[e];
-        return e == d ? r : maximum(0.0, maximum(r, -r - h));
+        return e == d ? maximum(0.0, std::fabs(r) - 0.5*h) : maximum(0.0, maximum(r, -r - h));
     }
 };
 
