@@ -1,7 +1,7 @@
 /*  The fill of a new scene where solids are: what the particles of lagrangian/fluid left out there is water wherever its level reaches.
 
-    A cell near a solid takes the fill of its neighbours at the same height, as far as there are any, then of those above and below: the water that
-    rests about a solid is filled as if the solid were not there, so that the surface meets it as it comes.
+    A cell near a solid takes the fill of its neighbours at the same height, as far as there are any, however wide the solid is, then of those above and below: the water that
+    rests about a solid is filled as if the solid were not there, so that the surface meets it as it comes, and a film over a wide deck reaches its middle.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,6 +22,7 @@ void fillSolids(const UniformGrid<D>& g, const std::vector<char>& known, const s
     std::vector<char> filled = known;
     const auto pass = [&](bool alongUp)
     {
+        bool any = false;
         std::vector<char> next = filled;
         std::vector<double> value = fill;
         for (int i = 0; i < g.cells(); ++i)
@@ -43,11 +44,13 @@ void fillSolids(const UniformGrid<D>& g, const std::vector<char>& known, const s
             if (!count) continue;
             value[i] = sum/count;
             next[i] = 1;
+            any = true;
         }
         filled.swap(next);
         fill.swap(value);
+        return any;
     };
-    if (up >= 0) for (int k = 0; k < layers; ++k) pass(false);
+    if (up >= 0) while (pass(false)) {}
     for (int k = 0; k < layers; ++k) pass(true);
     // gaps that no cell is clear of: what their particles say
     for (int i = 0; i < g.cells(); ++i)
