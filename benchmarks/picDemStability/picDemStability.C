@@ -1,6 +1,6 @@
-/*  picDemStability: where solids in the water of particles in cells fail, by bisection. 2D, without viscosity, double precision; the last three mixed.
+/*  picDemStability: where solids in the water of particles in cells fail, by bisection. 2D, without viscosity, double precision; the last four mixed.
 
-        picDemStability [-csv FILE] [density|step|gap|speed|subcycles|size|thin]...
+        picDemStability [-csv FILE] [density|step|gap|speed|subcycles|size|thin|shapes]...
 
     density   least density ratio at which a disk sinks or rises without blowing up, weakly and implicitly coupled, over the step
     step      largest step, implicitly coupled, over the density ratio
@@ -9,6 +9,7 @@
     subcycles largest step of the solids with which two disks that meet bounce as with short steps, over their speed
     size      disks of few cells: force of the first step, least size that sinks to the floor, heaps of several in a cell without a gap
     thin      largest speed at which two disks, or one and the floor, stay apart, over the gap
+    shapes    lightest disk, square and barge that float, with and without `reflection`; largest speed at which flat bottoms enter
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,6 +21,7 @@
 #include "scene/picScene.hpp"
 #include "../picStability/picRows.hpp"
 #include "../stability/experiments.hpp"
+#include "shapes.hpp"
 
 using namespace riprap;
 
@@ -439,7 +441,33 @@ void thin(PicRows& rows)
         }
 }
 
+//- Half a second; never faster than twice what it came with, or a fall through the tank
+bool floats(const Floater& f, double ratio, double above, double speed, bool reflection)
+{
+    const auto s = floaterScene(f, ratio, above, speed, reflection);
+    for (int k = 1; k <= 25; ++k)
+    {
+        if (s->advance(0.02*k).stop != StopReason::none) return false;
+        const DemState q = s->solids()->particles();
+        if (q.velocity.empty()) return false;
+        for (const double v : q.velocity) if (!(std::abs(v) < 2*speed + std::sqrt(2*g))) return false;
+    }
+    return true;
+}
+
+void shapes(PicRows& rows)
+{
+    for (const bool reflection : {true, false})
+        for (const Floater& f : floaters)
+            rows.add("shapes", std::string(f.name) + (reflection ? ", reflection" : ", no reflection"), f.half[1], "least density ratio that floats for 0.5 s, half out at the start (0.001: none found)",
+                bisectRatio(1e-3, 1, false, [&](double ratio) { return floats(f, ratio, 0, 0, reflection); }));
+    for (const Floater& f : floaters)
+        for (const double ratio : {0.1, 1.0})
+            rows.add("shapes", std::string(f.name) + ", enters", ratio, "largest speed at which it enters the water [m/s] (30: none found)",
+                bisectRatio(0.5, 30, true, [&](double speed) { return floats(f, ratio, (f.turn > 0.5 ? 1.5 : 1)*f.half[1]*h + 0.3*h, speed, true); }));
+}
+
 } // namespace
 
 int main(int argc, char** argv)
-{ return runExperiments<PicRows>(argc, argv, "picDemStability", {{"density", density}, {"step", step}, {"gap", gap}, {"speed", speed}, {"subcycles", subcycles}, {"size", size}, {"thin", thin}}); }
+{ return runExperiments<PicRows>(argc, argv, "picDemStability", {{"density", density}, {"step", step}, {"gap", gap}, {"speed", speed}, {"subcycles", subcycles}, {"size", size}, {"thin", thin}, {"shapes", shapes}}); }
