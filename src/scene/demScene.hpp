@@ -289,7 +289,8 @@ struct DemEnergy                            // [J] (2D: per metre)
     double total() const { return translation + rotation + potential + contact + bond + spring; }
 };
 
-struct DemWallForce { Vector3 force{{0, 0, 0}}, moment{{0, 0, 0}}; };   // on the wall; moment about the origin
+//- On the wall, and what of it is normal to where it is touched; moments about the origin
+struct DemWallForce { Vector3 force{{0, 0, 0}}, moment{{0, 0, 0}}, normal{{0, 0, 0}}, normalMoment{{0, 0, 0}}; };
 
 class DemScene
 {

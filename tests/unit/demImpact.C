@@ -103,6 +103,16 @@ TEST_P(DemImpact, OneStepSpringCreeps)
         const double speed = scene->particles().velocity[0], creep = 0.01*g*std::sin(slope)/(kappa*1e4*c.timeStep);
         if (kind == TangentialKind::history) EXPECT_NEAR(speed, 0, 1e-4*creep);
         else EXPECT_NEAR(speed, creep, 0.01*creep);
+        // the wall gets the weight along its normal, and along itself what holds the body; both act at the centre's height over the wall or on it
+        const DemWallForce f = scene->wallForces()[0];
+        const double weight = 0.01*g;
+        EXPECT_NEAR(f.normal[1], -weight*std::cos(slope), 1e-4*weight);
+        EXPECT_NEAR(f.normal[0], 0, 1e-6*weight);
+        EXPECT_NEAR(f.force[0] - f.normal[0], weight*std::sin(slope), 1e-3*weight);
+        EXPECT_NEAR(f.force[1] - f.normal[1], 0, 1e-6*weight);
+        const double x = scene->particles().position[0];
+        EXPECT_NEAR(f.normalMoment[2], x*f.normal[1], 1e-6*weight);
+        EXPECT_NEAR(f.moment[2] - f.normalMoment[2], 0.2*(f.force[0] - f.normal[0]), 1e-4*weight);
     }
 }
 

@@ -426,6 +426,11 @@ TEST_P(PicSolidScene, FeelsTheMomentOfWaterThatSticks)
         EXPECT_NEAR(q.velocity[1], theory, 0.02*coarse*theory);
         EXPECT_NEAR(q.velocity[3], theory, 0.02*coarse*theory);
         EXPECT_NEAR(s->solids()->particles().moment[2], -moment, 0.02*coarse*moment);
+        // and gives it to the tank
+        double onTank = 0;
+        for (const FluidForce& f : s->forcesOnWalls()) onTank += (f.place[0] - 0.5)*f.viscous[1] - (f.place[1] - 0.5)*f.viscous[0];
+        EXPECT_NEAR(onTank, moment, 0.02*coarse*moment);
+        EXPECT_NEAR(s->forcesOnSolids()[0].viscousMoment[2], -moment, 0.02*coarse*moment);
     }
 }
 
