@@ -8,6 +8,7 @@ Description
 
 #include "picDem.H"
 #include "sphNames.H"
+#include "wallPoints.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -98,9 +99,23 @@ void Foam::solverModules::picDem::registerScene()
     report_.fluid = run_.particles;
 
     cloud_.reset(new picCloud(mesh_, *scene_, run_));
+    wordList walls;
+    for (const label patchi : wallPatches(mesh_))
+    {
+        walls.append(mesh_.boundaryMesh()[patchi].name());
+    }
+    labelList bodyOfWall(walls.size(), -1);
+    if (obstacles_.valid())
+    {
+        walls.append(obstacles_->names());
+        bodyOfWall.append(bodyOfObstacle());
+    }
     sceneObject_.reset
     (
-        new picSceneObject(mesh_, *scene_, settings_.config, report_, bodies_)
+        new picSceneObject
+        (
+            mesh_, *scene_, settings_.config, report_, bodies_, walls, bodyOfWall
+        )
     );
     makeFields();
     setFields();

@@ -44,6 +44,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls
     input.position.reserve(3*walls_.size());
     input.normal.reserve(3*walls_.size());
     input.body.reserve(walls_.size());
+    input.part.reserve(walls_.size());
 
     forAll(walls_.position, i)
     {
@@ -54,6 +55,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls
         }
         bodyOfPoint[i] = bodyOfSource[walls_.source[i]];
         input.body.push_back(bodyOfPoint[i]);
+        input.part.push_back(walls_.source[i]);
     }
 
     coverMotion(bodyOfPoint, others);
