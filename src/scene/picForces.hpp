@@ -1,7 +1,7 @@
 /*  PicSolver: forces of the last step on walls, where they are asked for. Nothing of this is part of a step.
 
-    Pressure: pic/cutCells/wallParts.hpp. Shear, of water that sticks, by the velocities of now: what the viscous term takes from a face beside a side of the domain,
-    2 mu (u - w)/h times its area, and across each pair of faces of which one lies in the water and one in an obstacle mu (u - w)/(theta h).
+    Pressure: pic/cutCells/wallParts.hpp. Shear, of water that sticks: what the viscous term takes from a face beside a side of the domain, 2 mu (u - w)/h times its area,
+    and across each pair of faces of which one lies in the water and one in an obstacle mu (u - w)/(theta h).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -26,6 +26,7 @@ template<class Backend, int D, class P>
 std::vector<FluidForce> PicSolver<Backend, D, P>::forcesOnWalls()
 {
     std::vector<FluidForce> all;
+    shearAsked_ = sticksInside();
     if (!clock_.steps || !clock_.initial) return all;       // no pressure yet, no water
     setWallParts();
     addPressureForces(all);
@@ -116,22 +117,36 @@ int PicSolver<Backend, D, P>::nearestObstacle(int component, const typename Unif
     return part;
 }
 
+//- Velocities that viscosity has made: the projection, which comes after, leaves those beside cut cells rough
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::keepSheared()
+{
+    for (int d = 0; d < D; ++d)
+    {
+        if (shearedU_[d].size() == 0)
+        {
+            shearedU_[d].allocate(context_, grid_.faces(d));
+            shearedLayer_[d].allocate(context_, grid_.faces(d));
+        }
+        forEach(context_, grid_.faces(d), KeepSheared<real>{u_[d].data(), layer_[d].data(), shearedU_[d].data(), shearedLayer_[d].data()});
+    }
+}
+
 //- As bodies are dragged (picSolids.hpp)
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::addObstacleStress(std::vector<FluidForce>& all)
 {
     const double stress = config_.viscosity*grid_.area()/grid_.h;
-    const std::vector<unsigned char> wet = wet_.download();
+    if (shearedU_[0].size() == 0) return;       // asked for the first time, or since a state was loaded: it comes with the next step
     for (int component = 0; component < D; ++component)
     {
         const int faces = grid_.faces(component);
-        const std::vector<real> u = u_[component].download();
+        const std::vector<real> u = shearedU_[component].download();
+        const std::vector<unsigned char> layer = shearedLayer_[component].download();
         const std::vector<double>& moving = base_.walls.wallVelocity[component];
-        std::vector<real> distance(faces), w(faces, real(0)), aperture(wallParts_->aperture[component].begin(), wallParts_->aperture[component].end());
+        std::vector<real> distance(faces), w(faces, real(0));
         std::copy(moving.begin(), moving.end(), w.begin());
         for (int f = 0; f < faces; ++f) FaceDistances<D, real>{{grid_}, component, wallParts_->distance.data(), distance.data()}(f);
-        std::vector<unsigned char> layer(faces);
-        for (int f = 0; f < faces; ++f) MarkByWetCells<D, real>{grid_, wet.data(), aperture.data(), distance.data(), component, layer.data()}(f);
         const ViscousFaces<D, real> about{grid_, component, layer.data(), nullptr, false, distance.data(), w.data()};
         for (int i = 0; i < faces; ++i)
         {

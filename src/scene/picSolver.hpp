@@ -192,6 +192,7 @@ private:
     void addPressureForces(std::vector<FluidForce>&);
     void addSideStress(std::vector<FluidForce>&);
     void addObstacleStress(std::vector<FluidForce>&);
+    void keepSheared();
     int nearestObstacle(int component, const typename UniformGrid<D>::Index& face) const;
     FluidForce shearOn(int part, int component, double force, const Vec<D, double>& place) const;
 
@@ -289,6 +290,9 @@ private:
     PicMomentum momentum_;
     std::unique_ptr<WallParts<D>> wallParts_;   // once somebody has asked for forces on walls
     double wallPartsTime_ = 0;
+    bool shearAsked_ = false;
+    Array<Backend, real> shearedU_[D];          // once it was: of the last step, what drags obstacles
+    Array<Backend, unsigned char> shearedLayer_[D];
     double volume_ = 0, flying_ = 0;            // of water without flying particles [cells]; flying particles
     std::atomic<bool> interrupted_{false};
 };
