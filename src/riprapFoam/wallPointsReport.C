@@ -5,6 +5,7 @@
 #include "pointGrid.H"
 #include "coupledPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "inputFile.H"
 #include "IOdictionary.H"
 #include "listed.H"
 #include "OSspecific.H"
@@ -70,6 +71,7 @@ Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
 {
     IOobject io("geometry", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!isFile(io.objectPath())) return nullptr;
+    checkInputFile(io.objectPath(), largestNumber);
 
     // Passed over, it would leave walls out
     if (!io.typeHeaderOk<IOdictionary>(true, true, false))

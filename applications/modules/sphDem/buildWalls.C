@@ -32,6 +32,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls
     wallPointsControls controls;
     controls.spacing = settings_.config.wallSpacing;
     controls.layers = wallLayers(settings_);
+    controls.where = settings_.walls.dict;
 
     walls_ = generateWallPoints(mesh_, patches, geometry.get(), controls);
 

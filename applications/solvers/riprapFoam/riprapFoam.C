@@ -16,8 +16,10 @@ Usage
 
 #include "argList.H"
 #include "caseTime.H"
+#include "inputFile.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
+#include "runProgram.H"
 #include "setParticlesRecord.H"
 #include "solverModule.H"
 #include "stopSignals.H"
@@ -84,7 +86,9 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
 static void runCase(const argList& args, bool postProcess)
 {
-    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
+    const fileName controlDict(args.path()/"system"/Time::controlDictName);
+    checkInputFile(controlDict);
+    requireWriteIntervals(controlDict);
     autoPtr<caseTime> time(caseTime::New(args, postProcess));
     caseTime& runTime = time.ref();
 
@@ -153,16 +157,12 @@ int main(int argc, char* argv[])
         return 0;
     }
 
-    try
+    runProgram
+    ([&]()
     {
         runCase(args, postProcess);
-    }
-    catch (const std::exception& e)
-    {
-        FatalErrorInFunction << e.what() << exit(FatalError);
-    }
-
-    Info<< "End\n" << endl;
+        Info<< "End\n" << endl;
+    });
     return 0;
 }
 
