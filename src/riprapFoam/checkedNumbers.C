@@ -135,6 +135,15 @@ Foam::scalar Foam::checkedDictionary::positiveOrAuto(const word& entry)
 }
 
 
+Foam::vector Foam::checkedDictionary::velocity(const word& entry)
+{
+    found(entry);
+    const vector v(dict_.get<vector>(entry));
+    require(mag(v) <= 1e5, entry, mag(v), "a velocity of at most 1e5 m/s");
+    return v;
+}
+
+
 Foam::scalar Foam::checkedDictionary::positive
 (
     const word& entry,

@@ -137,12 +137,12 @@ static void readGravity(const polyMesh& mesh, particleDomain& config)
     for (direction d = 0; d < vector::nComponents; ++d)
     {
         config.gravity[d] = g.value()[d];
-        // Its square must be a number, too
-        if (!(mag(config.gravity[d]) < GREAT))
+        // The fastest centrifuges
+        if (!(mag(config.gravity[d]) <= 1e7))
         {
             FatalErrorInFunction
                 << "constant/g: entry value is " << g.value()
-                << ": it must be an acceleration in m/s2" << exit(FatalError);
+                << ": it must be an acceleration in m/s2, at most 1e7" << exit(FatalError);
         }
     }
 

@@ -49,13 +49,16 @@ def prepare(tutorial):
 
 
 def files(base):
-    """Dictionaries of the case, and what they include"""
+    """Dictionaries that the case's solver reads, and what they include"""
+    with open(os.path.join(base, 'system', 'controlDict')) as f:
+        solver = re.search(r'^\s*solver\s+(\w+)', f.read(), re.M).group(1)
+    left = {'sphDem': {'picProperties'}, 'picDem': {'sphProperties'}, 'dem': {'sphProperties', 'picProperties', 'fluidProperties'}}[solver]
     found = []
     for part in ('constant', 'system'):
         folder = os.path.join(base, part)
         for name in sorted(os.listdir(folder)):
             path = os.path.join(folder, name)
-            if name in OTHER or name.endswith('.py') or not os.path.isfile(path) or os.path.getsize(path) > 20000:
+            if name in OTHER | left or name.endswith('.py') or not os.path.isfile(path) or os.path.getsize(path) > 20000:
                 continue
             with open(path, errors='replace') as f:
                 if 'FoamFile' in f.read(2000):

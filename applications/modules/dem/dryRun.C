@@ -34,7 +34,7 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
     {
         const scalar steps = length/step;
         Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-            << int64_t(ceil(steps)) << nl;
+            << std::to_string(int64_t(ceil(steps))).c_str() << nl;
 
         logRunTime(seconds, steps, steps, run_.particles);
     }

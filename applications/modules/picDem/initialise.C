@@ -59,13 +59,8 @@ void Foam::solverModules::picDem::buildScene
     }
     catch (const std::invalid_argument& e)
     {
-        if (solids_)
-        {
-            FatalIOErrorInFunction(solids_->dict())
-                << "The case cannot be run: " << e.what() << exit(FatalIOError);
-        }
-        FatalErrorInFunction
-            << "The case cannot be run: " << e.what() << exit(FatalError);
+        FatalIOErrorInFunction(solids_ ? solids_->dict() : settings_.dict)
+            << "The case cannot be run: " << e.what() << exit(FatalIOError);
     }
 
     const label particles = label(scene_->fluid().id.size());

@@ -16,7 +16,7 @@ Usage
 
 #include "argList.H"
 #include "caseTime.H"
-#include "inputFile.H"
+#include "checkControlDict.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
 #include "runProgram.H"
@@ -86,9 +86,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
 static void runCase(const argList& args, bool postProcess)
 {
-    const fileName controlDict(args.path()/"system"/Time::controlDictName);
-    checkInputFile(controlDict);
-    requireWriteIntervals(controlDict);
+    checkControlDict(args.path()/"system"/Time::controlDictName);
     autoPtr<caseTime> time(caseTime::New(args, postProcess));
     caseTime& runTime = time.ref();
 

@@ -10,6 +10,7 @@
 */
 
 #include "argList.H"
+#include "checkControlDict.H"
 #include "inputFile.H"
 #include "IOdictionary.H"
 #include "readMesh.H"
@@ -59,9 +60,7 @@ static void goToStart(Time& time)
 
 static void setCase(const argList& args)
 {
-    const fileName controlDict(args.path()/"system"/Time::controlDictName);
-    checkInputFile(controlDict);
-    requireWriteIntervals(controlDict);
+    checkControlDict(args.path()/"system"/Time::controlDictName);
     Time runTime(Time::controlDictName, args);
     goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is

@@ -90,7 +90,7 @@ static particleRegion readRegion
     dict.found("set");
     region.clip = dict.either("clip", "yes", "no", false);
     vector velocity(Zero);
-    if (dict.found("velocity")) velocity = dict.dict().get<vector>("velocity");
+    if (dict.found("velocity")) velocity = dict.velocity("velocity");
 
     const auto source = particleSource::New(dict, space.mesh.time());
     region.regular = source->regular();
