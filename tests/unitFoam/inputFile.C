@@ -30,7 +30,7 @@ namespace
         }
         catch (const Foam::IOerror& e)
         {
-            said = e.message() + " at " + e.ioFileName().name() + ':' + std::to_string(e.ioStartLineNumber());
+            said = e.message() + " at " + Foam::fileName(e.ioFileName()).name() + ':' + std::to_string(e.ioStartLineNumber());
         }
         Foam::FatalIOError.throwExceptions(before);
         return said;
