@@ -57,6 +57,15 @@ static std::shared_ptr<Function1<Type>> series
             << exit(FatalIOError);
     }
     dict.subDict(entry + "Coeffs");
+    // A constant without its word: what follows it would be ignored
+    const ITstream& value = dict.dict().lookup(entry);
+    const bool vectors = pTraits<Type>::nComponents > 1;
+    if (value.size() && !value[0].isWord() && (vectors ? value.last() != token::END_LIST : value.size() > 1))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Opening " << opening << ": entry " << entry << " holds more"
+            << " than its value, " << what << exit(FatalIOError);
+    }
     return std::shared_ptr<Function1<Type>>
     (
         Function1<Type>::New(entry, dict.dict()).ptr()

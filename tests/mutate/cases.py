@@ -9,7 +9,7 @@ import sys
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), '..', '..'))
 NAME = 'mutate'                 # of the runs
-OTHER = {'blockMeshDict'}       # not riprap's
+OTHER = {'blockMeshDict', 'fvSchemes'}      # not riprap's, or not used
 READ = {'g', 'geometry', 'fluidProperties', 'sphProperties', 'picProperties', 'solidProperties', 'controlDict', 'fvSolution', 'fvSchemes', 'setParticlesDict'}
 
 QUICK = '''
@@ -52,7 +52,7 @@ def files(base):
     """Dictionaries that the case's solver reads, and what they include"""
     with open(os.path.join(base, 'system', 'controlDict')) as f:
         solver = re.search(r'^\s*solver\s+(\w+)', f.read(), re.M).group(1)
-    left = {'sphDem': {'picProperties'}, 'picDem': {'sphProperties'}, 'dem': {'sphProperties', 'picProperties', 'fluidProperties'}}[solver]
+    left = {'sphDem': {'picProperties', 'fvSolution'}, 'picDem': {'sphProperties'}, 'dem': {'sphProperties', 'picProperties', 'fluidProperties', 'fvSolution'}}[solver]
     found = []
     for part in ('constant', 'system'):
         folder = os.path.join(base, part)

@@ -17,6 +17,7 @@ Usage
 #include "argList.H"
 #include "caseTime.H"
 #include "checkControlDict.H"
+#include "checkFunctionObjects.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
 #include "runProgram.H"
@@ -123,6 +124,7 @@ static void runCase(const argList& args, bool postProcess)
 
     if (args.found("dry-run"))
     {
+        checkFunctionObjects(runTime);
         module->dryRun(timePlan(runTime).sampleInterval());
     }
     else
