@@ -7,6 +7,8 @@
 #include "error.H"
 #include "core/machineMemory.hpp"
 
+#include <cmath>
+
 void Foam::requireMemory
 (
     const dictionary& dict,
@@ -23,7 +25,7 @@ void Foam::requireMemory
 
     FatalIOErrorInFunction(dict)
         << what.c_str() << " about " << count << ' ' << of << ", and this machine has memory for "
-        << most << ": is the " << meant.c_str() << " meant?" << exit(FatalIOError);
+        << std::floor(most) << ": is the " << meant.c_str() << " meant?" << exit(FatalIOError);
 }
 
 

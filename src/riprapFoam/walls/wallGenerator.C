@@ -51,9 +51,10 @@ static void checkCount(const wallSpace& space, const wallSurface& wall, const st
     const scalar n = wall.layers*sum(mag(wall.surface.faceAreas()))/sqr(space.spacing);
     // Of the dense set from which a layer of points is chosen
     const scalar bytes = 1000;
-    OStringStream spacing;
-    spacing << "spacing of " << space.spacing << " m (walls/spacing of constant/sphProperties, or else spacing of system/setParticlesDict)";
-    requireMemory(where, "Walls (" + what + ") would have", n, "points", bytes, spacing.str());
+    OStringStream walls;
+    walls << "Walls (" << what.c_str() << ") would have at " << space.spacing
+        << " m (walls/spacing of constant/sphProperties, or else spacing of system/setParticlesDict)";
+    requireMemory(where, walls.str(), n, "points", bytes, "spacing");
 }
 
 
