@@ -39,7 +39,7 @@ Foam::scalar Foam::checkedDictionary::number(const word& entry)
     const scalar value = dict_.get<scalar>(entry);
     require(std::isfinite(value), entry, value, "finite");
     // Macros and #calc: what a file holds itself has been looked at
-    require(mag(value) <= largestNumber, entry, value, "at most 1e15");
+    require(mag(value) <= largestNumber, entry, value, "at most 1e20");
     return value;
 }
 
@@ -180,7 +180,7 @@ Foam::scalar Foam::checkedDictionary::positive
     is >> value;
     dict_.checkITstream(is, entry);
     require(value > 0 && std::isfinite(value), entry, value, "positive");
-    require(value >= smallestPositive && value <= largestNumber, entry, value, "from 1e-18 to 1e15");
+    require(value >= smallestPositive && value <= largestNumber, entry, value, "from 1e-18 to 1e20");
     return value;
 }
 

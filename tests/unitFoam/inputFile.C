@@ -95,8 +95,8 @@ TEST(InputFile, numbersMustBeFinite)
     EXPECT_EQ(check("a nan;"), "Entry a holds nan: it must be a finite number at case:1");
     EXPECT_EQ(check("a (0 -Inf 0);"), "Entry a holds -Inf: it must be a finite number at case:1");
     EXPECT_EQ(check("a 1e-400;"), "");
-    EXPECT_EQ(check("a 2e15;", Foam::largestNumber), "Entry a holds 2e15: numbers up to 1e+15 are valid at case:1");
-    EXPECT_EQ(check("a -1e15;", Foam::largestNumber), "");
+    EXPECT_EQ(check("a 2e20;", Foam::largestNumber), "Entry a holds 2e20: numbers up to 1e+20 are valid at case:1");
+    EXPECT_EQ(check("a -1e20;", Foam::largestNumber), "");
 }
 
 TEST(InputFile, bracketsMustMatch)
