@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/largest.hpp"
 #include "dem/contactProbe.hpp"
 #include "scene/demSolver.hpp"
 
@@ -281,6 +282,33 @@ DemEnergy DemSolver<Backend, D, P>::energy()
         (types[b.type[k]], radius[slots[ends[0][k]]], radius[slots[ends[1][k]]], real(b.gap[k] - b.restGap[k]), &history[std::size_t(k)*bondHistory<D>]));
     }
     return e;
+}
+
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::deepestOverlap()
+{
+    double most = 0;
+    withLaw(config_, [&](auto law)
+    {
+        DeepestOverlap<Backend, D, P, decltype(law)> deepest;
+        setModel(deepest.probe);
+        most = largestOver(context_, activeSolids(), deepest);
+    });
+    if (!nWalls_ || !wallMemory_.entries) return most;
+    const auto first = wallMemory_.entryFirst.download();
+    const auto entry = wallMemory_.entry.download();
+    const auto force = wallMemory_.force.download();
+    const auto radius = field<real>(radiusField_);
+    const auto material = field<std::int32_t>(materialField_);
+    const auto gaps = gaps_.download();
+    const int n = activeSolids(), m = int(input_.materials.size());
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e)
+        {
+            const double gap = double(gaps[material[i]*m + input_.walls[entry[e].wall].material]);
+            most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
+        }
+    return most;
 }
 
 template<class Backend, int D, class P>
