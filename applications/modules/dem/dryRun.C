@@ -25,6 +25,8 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
         }
         takeSteps(t, n);
         logEscaped(report_.escaped.size(), run_);
+        logPassedWalls();
+        checkOverlaps();
         return int64_t(report_.steps);
     };
     const scalar seconds = firstSteps(take, scene_->time(), step, 2000);
