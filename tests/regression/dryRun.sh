@@ -60,7 +60,7 @@ glass() { dictionary constant/solidProperties <<<"device cpu; materials { glass 
 glass ''; fill
 passes dem '[12][0-9]*'
 glass 'skin 1e-4;'
-passes thinSkin '[12][0-9]*'
+passes thinSkin '[1-9][0-9]*'
 sed -i 's/velocity (1 0 0)/velocity (30 0 0)/' system/setParticlesDict; fill
 stops tooFast 'Guard at time .* particle [01] at .*\(nearest patch: [a-z]+\) goes [0-9.e-]+ m in a step of [0-9.e-]+ s, at 30 m/s, and its radius is 0.005 m'
 [[ $(grep -oE 'particle [01]' log | wc -l) == 1 ]] && pass tooFastOnce || fail tooFastOnce 'the particle is named more than once'

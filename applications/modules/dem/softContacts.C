@@ -33,7 +33,9 @@ void Foam::solverModules::dem::checkOverlaps()
 
     // An impact's overlap goes with k^-1/2, or E^-2/5
     const bool hertz = settings_.config.normal == riprap::NormalKind::hertz;
-    const scalar stiffer = pow(deepest/0.01, hertz ? 2.5 : 2);
+    const scalar exactly = pow(deepest/0.01, hertz ? 2.5 : 2);
+    const scalar digit = pow(10.0, floor(log10(exactly)) - 1);
+    const scalar stiffer = digit*round(exactly/digit);      // two digits
     Info<< "Warning: at time " << report_.time << " s bodies overlap by "
         << 100*deepest << " % of a diameter, above " << 100*large
         << " %: contacts are soft for these speeds and loads. "
