@@ -220,8 +220,9 @@ void DemSolver<Backend, D, P>::findOffender(DemReport& report)
     else
     {
         const double radius = double(field<real>(radiusField_)[worst]);
-        s << "goes " << offence[worst]*radius << " m in a step of " << host_.dt << " s, at " << report.stopValue << " m/s, and its radius is " << radius
-          << " m" << cure;
+        s << "goes " << offence[worst]*radius << " m in a step of " << host_.dt << " s, at " << report.stopValue << " m/s, and ";
+        if (driven_) s << "lists of neighbours reach " << double(halfSkin_) << " m: the fluid's blow on it is too hard for this time step";
+        else s << "its radius is " << radius << " m" << cure;
     }
     report.stopMessage = s.str();
 }

@@ -201,10 +201,11 @@ struct MoveSolids : SolidMotion<D, P>
         if (member && !in && raised->halt == DemHalt::none) raised->halt = DemHalt::clumpEscaped;
     }
 
+    //- Under a fluid's forces any way that was not foreseen is too far: steps there follow the speed (DemSolver::subcycles), so it was one blow
     HD void checkStep(int i, real speed2, const DemClockData& t, DemClockData* raised) const
     {
         const real step = real(t.dt), radius = this->fields.radius[i];
-        if (!(step*step*speed2 <= radius*radius)) raised->halt = DemHalt::tooFar;
+        if (suddenWay > 0 || !(step*step*speed2 <= radius*radius)) raised->halt = DemHalt::tooFar;
     }
 
     //- The same against what is around it
