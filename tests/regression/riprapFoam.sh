@@ -133,7 +133,7 @@ gravity() { dictionary constant/g uniformDimensionedVectorField <<<"$2"; wrong "
 gravity dimensions 'dimensions [0 1 -1 0 0 0 0]; value (0 -9.81 0);' 'constant/g: entry dimensions is .*: it must be \[0 1 -2'
 gravity short 'dimensions [0 1 -2 0 0 0 0]; value (0 -9.81);' 'expected scalar value.*constant/g.value'
 gravity noValue 'dimensions [0 1 -2 0 0 0 0];' "'value' not found.*constant/g"
-gravity huge 'dimensions [0 1 -2 0 0 0 0]; value (0 -1e200 0);' 'Entry value holds -1e200: numbers up to 1e.15 are valid'
+gravity huge 'dimensions [0 1 -2 0 0 0 0]; value (0 -1e200 0);' 'Entry value holds -1e200: numbers up to 1e.20 are valid'
 gravity zero 'dimensions [0 1 -2 0 0 0 0]; value (0 0 0);' 'Entry maxVelocity is auto, but there is neither gravity nor an initial velocity.*sphProperties'
 dictionary constant/g uniformDimensionedVectorField <<<'dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);'
 
