@@ -113,9 +113,9 @@ struct FluidToSolidPass
     KernelConstants<Dim, real> kernel;
     FluidModel<Dim, P> model;
     SolidPoints<Dim, P> points;
-    const ClockData* clock;
+    const ClockData* clock;     // in a step; null: now
 
-    HD bool enabled() const { return clock->active; }
+    HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return *points.active; }
     HD float* maxima() const { return nullptr; }
     HD Vec<Dim, typename P::position> position(int i) const { return solid.loadPosition(i); }

@@ -28,12 +28,14 @@ struct DemClockData
     int aged[2] = {0, 0};                   // neighbours, by the ways of particles against those near them; by the ways alone
     int far[2] = {0, 0};                    // farther than that was foreseen, likewise
 
+    //- May pairs of the positions at hand be missing? Then forces wait for new neighbours
+    HD bool lost() const { return far[0] && far[1]; }
+
     //- Lists hold as long as one of the two says so
-    HD void settleAge()
-    {
-        if (aged[0] && aged[1]) needRebuild = 1;
-        if (far[0] && far[1] && halt == DemHalt::none) halt = DemHalt::tooFar;
-    }
+    HD void settleAge() { if ((aged[0] && aged[1]) || lost()) needRebuild = 1; }
+
+    //- Does this step come to its forces?
+    HD bool forcesDue() const { return active && !lost(); }
 
     //- Neighbours are new
     HD void search()
@@ -99,7 +101,7 @@ struct ForceClock
     HD bool active() const
     {
         if (turn == ForceTurn::always) return true;
-        return turn == ForceTurn::inStep ? clock->active != 0 : ticked(*clock).active != 0;
+        return turn == ForceTurn::inStep ? clock->forcesDue() : ticked(*clock).active != 0;
     }
     //- The step that led to the positions at hand
     HD double dt() const { return clock->dt; }

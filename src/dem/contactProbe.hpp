@@ -85,6 +85,28 @@ struct SumContactEnergy
     }
 };
 
+//- Overlap of a particle's deepest contact with others, of the smaller diameter
+template<class Backend, int D, class P, class Law>
+struct DeepestOverlap
+{
+    static constexpr const char* name = "deepestOverlap";
+    ContactProbe<Backend, D, P, Law> probe;
+
+    HD double value(int i) const
+    {
+        double most = 0;
+        for (int k = 0; i < *probe.active && k < probe.list.count[i]; ++k)
+        {
+            const auto c = probe.probe(i, k);
+            if (c.other < 0) continue;
+            int a, b;
+            const double radius = minimum(double(probe.solids.body(i, a).radius), double(probe.solids.body(c.other, b).radius));
+            most = maximum(most, 0.5*(double(c.overlap) - double(probe.gap[probe.pairOf(a, b)]))/radius);
+        }
+        return most;
+    }
+};
+
 //- How many contacts there are, each counted once
 template<class Backend, int D, class P, class Law>
 struct SumContacts

@@ -186,6 +186,23 @@ struct StickToSolids
     HD void operator()(int i) const { if (faces.inSolid(i)) u[i] = faces.velocityOfSolid(i); }
 };
 
+//- What drags solids, for those who ask after the step
+template<class R>
+struct KeepSheared
+{
+    static constexpr const char* name = "keepSheared";
+    const R* u;
+    const unsigned char* layer;
+    R* keptU;
+    unsigned char* keptLayer;
+
+    HD void operator()(int i) const
+    {
+        keptU[i] = u[i];
+        keptLayer[i] = layer[i];
+    }
+};
+
 template<int D, class R>
 struct FaceDot
 {

@@ -7,7 +7,11 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "checkedDictionary.H"
+#include "inputFile.H"
 #include <cmath>
+
+static constexpr double smallestPositive = 1e-18;
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -34,6 +38,8 @@ Foam::scalar Foam::checkedDictionary::number(const word& entry)
     found(entry);
     const scalar value = dict_.get<scalar>(entry);
     require(std::isfinite(value), entry, value, "finite");
+    // Macros and #calc: what a file holds itself has been looked at
+    require(mag(value) <= largestNumber, entry, value, "at most 1e20");
     return value;
 }
 
@@ -56,6 +62,8 @@ Foam::scalar Foam::checkedDictionary::positive(const word& entry)
 {
     const scalar value = number(entry);
     require(value > 0, entry, value, "positive");
+    // Its square must be a number of single precision
+    require(value >= smallestPositive, entry, value, "at least 1e-18");
     return value;
 }
 
@@ -127,6 +135,15 @@ Foam::scalar Foam::checkedDictionary::positiveOrAuto(const word& entry)
 }
 
 
+Foam::vector Foam::checkedDictionary::velocity(const word& entry)
+{
+    found(entry);
+    const vector v(dict_.get<vector>(entry));
+    require(mag(v) <= 1e5, entry, mag(v), "a velocity of at most 1e5 m/s");
+    return v;
+}
+
+
 Foam::scalar Foam::checkedDictionary::positive
 (
     const word& entry,
@@ -163,6 +180,7 @@ Foam::scalar Foam::checkedDictionary::positive
     is >> value;
     dict_.checkITstream(is, entry);
     require(value > 0 && std::isfinite(value), entry, value, "positive");
+    require(value >= smallestPositive && value <= largestNumber, entry, value, "from 1e-18 to 1e20");
     return value;
 }
 

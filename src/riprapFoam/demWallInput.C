@@ -204,4 +204,43 @@ std::vector<riprap::DemWall> Foam::demWallInput
 }
 
 
+void Foam::markWalledSides
+(
+    const polyMesh& mesh,
+    const std::vector<riprap::DemWall>& walls,
+    riprap::DemConfig& config
+)
+{
+    wordHashSet fixed;
+    for (const riprap::DemWall& wall : walls)
+    {
+        if (wall.motion < 0) fixed.insert(word(wall.name, false));
+    }
+
+    const boundBox& box = mesh.bounds();
+    const scalar tolerance = 1e-6*box.mag();
+    for (direction axis = 0; axis < vector::nComponents; ++axis)
+    {
+        for (const int side : {0, 1})
+        {
+            const scalar end = side ? box.max()[axis] : box.min()[axis];
+            label walled = 0;
+            label open = 0;
+            for (const polyPatch& patch : mesh.boundaryMesh())
+            {
+                label there = 0;
+                for (const face& f : patch)
+                {
+                    bool all = true;
+                    for (const label v : f) all = all && mag(mesh.points()[v][axis] - end) < tolerance;
+                    there += all;
+                }
+                (fixed.found(patch.name()) ? walled : open) += there;
+            }
+            config.walled[axis][side] = walled && !open;
+        }
+    }
+}
+
+
 // ************************************************************************* //

@@ -5,6 +5,7 @@
 
 #include "particleDomain.H"
 #include "cyclicPolyPatch.H"
+#include "inputFile.H"
 #include "SubField.H"
 #include "emptyPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -112,6 +113,7 @@ static void checkPatch(const polyPatch& patch)
 
 static void readGravity(const polyMesh& mesh, particleDomain& config)
 {
+    checkInputFile(mesh.time().constantPath()/"g", largestNumber);
     const uniformDimensionedVectorField g
     (
         IOobject
@@ -135,12 +137,12 @@ static void readGravity(const polyMesh& mesh, particleDomain& config)
     for (direction d = 0; d < vector::nComponents; ++d)
     {
         config.gravity[d] = g.value()[d];
-        // Its square must be a number, too
-        if (!(mag(config.gravity[d]) < GREAT))
+        // The fastest centrifuges
+        if (!(mag(config.gravity[d]) <= 1e7))
         {
             FatalErrorInFunction
                 << "constant/g: entry value is " << g.value()
-                << ": it must be an acceleration in m/s2" << exit(FatalError);
+                << ": it must be an acceleration in m/s2, at most 1e7" << exit(FatalError);
         }
     }
 
@@ -191,18 +193,17 @@ particleDomain readParticleDomain(const polyMesh& mesh)
 
 IOdictionary readConstant(const word& file, const Time& time)
 {
-    return IOdictionary
+    const IOobject io
     (
-        IOobject
-        (
-            file,
-            time.constant(),
-            time,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        file,
+        time.constant(),
+        time,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
     );
+    checkInputFile(io.objectPath(), largestNumber);
+    return IOdictionary(io);
 }
 
 } // End namespace Foam

@@ -5,7 +5,7 @@
 
 #include "picGrid.H"
 #include "emptyPolyPatch.H"
-#include "wallPolyPatch.H"
+#include "wallPoints.H"
 #include "pic/uniformGrid.hpp"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -123,7 +123,8 @@ void Foam::picGrid::numberCells(const fvMesh& mesh)
 }
 
 
-//- Everything inside is open, and so are faces of patches of type patch
+//- Everything inside is open, and so are faces of patches of type patch; walls
+//  are numbered in the order of wallPatches
 void Foam::picGrid::openSides
 (
     const fvMesh& mesh,
@@ -155,15 +156,18 @@ void Foam::picGrid::openSides
         {
             walls_.opening[d].assign(open.size(), -1);
         }
+        walls_.part[d].assign(open.size(), -1);
     }
 
+    const labelList walls(wallPatches(mesh));
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(patch) || isA<wallPolyPatch>(patch))
+        if (isA<emptyPolyPatch>(patch))
         {
             continue;
         }
 
+        const int wall = walls.find(patch.index());
         int number = -1;
         for (std::size_t k = 0; k < config.openings.size(); ++k)
         {
@@ -186,10 +190,16 @@ void Foam::picGrid::openSides
                 riprap::UniformGrid<3>::Index f =
                     grid.cellIndex(gridCell_[patch.faceCells()[facei]]);
                 f.c[d] += along > 0;
-                walls_.aperture[d][grid.face(d, f)] = 1;
+                const int face = grid.face(d, f);
+                if (wall >= 0)
+                {
+                    walls_.part[d][face] = wall;
+                    continue;
+                }
+                walls_.aperture[d][face] = 1;
                 if (number >= 0)
                 {
-                    walls_.opening[d][grid.face(d, f)] = number;
+                    walls_.opening[d][face] = number;
                 }
             }
         }

@@ -64,6 +64,7 @@ std::vector<riprap::PicObstacle> Foam::picObstacles
         o.solidOutside =
             surfaces.side(i) == geometryWalls::solidSide::outside;
         o.body = bodyOf[i];
+        o.part = wallPatches(mesh).size() + i;
         for (const point& p : elements.points)
         {
             for (direction d = 0; d < vector::nComponents; ++d)

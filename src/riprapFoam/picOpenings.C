@@ -8,6 +8,7 @@
 #include "Function1.H"
 #include "listed.H"
 #include "picNames.H"
+#include "SubField.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -56,6 +57,15 @@ static std::shared_ptr<Function1<Type>> series
             << exit(FatalIOError);
     }
     dict.subDict(entry + "Coeffs");
+    // A constant without its word: what follows it would be ignored
+    const ITstream& value = dict.dict().lookup(entry);
+    const bool vectors = pTraits<Type>::nComponents > 1;
+    if (value.size() && !value[0].isWord() && (vectors ? value.last() != token::END_LIST : value.size() > 1))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Opening " << opening << ": entry " << entry << " holds more"
+            << " than its value, " << what << exit(FatalIOError);
+    }
     return std::shared_ptr<Function1<Type>>
     (
         Function1<Type>::New(entry, dict.dict()).ptr()
@@ -87,6 +97,41 @@ static std::function<scalar(scalar)> heights
 }
 
 
+//- Water that is faster than sound in it is not incompressible: a wrong unit
+static void requireSlow
+(
+    const dictionary& entries,
+    const word& opening,
+    const char* entry,
+    scalar speed
+)
+{
+    const scalar sound = 1500;
+    if (speed <= sound) return;
+    FatalIOErrorInFunction(entries)
+        << "Opening " << opening << ": entry " << entry << " means a speed of "
+        << speed << " m/s, above that of sound in water" << exit(FatalIOError);
+}
+
+
+static void requireNear
+(
+    const dictionary& entries,
+    const word& opening,
+    scalar level,
+    const polyMesh& mesh
+)
+{
+    const scalar most = 100*mesh.bounds().mag() + mag(mesh.bounds().midpoint());
+    if (mag(level) <= most) return;
+    FatalIOErrorInFunction(entries)
+        << "Opening " << opening << ": entry level is " << level
+        << " m, more than 100 times the size of the mesh away from it, "
+        << mesh.bounds().min() << " to " << mesh.bounds().max()
+        << exit(FatalIOError);
+}
+
+
 static riprap::PicOpening readOpening
 (
     const dictionary& entries,
@@ -112,6 +157,7 @@ static riprap::PicOpening readOpening
     {
         const auto u =
             series<vector>(dict, name, "velocity", "a vector [m/s]");
+        requireSlow(entries, name, "velocity", mag(u->value(mesh.time().value())));
         opening.velocity = [u](scalar t)
         {
             const vector v(u->value(t));
@@ -122,6 +168,14 @@ static riprap::PicOpening readOpening
     {
         const auto rate =
             series<scalar>(dict, name, "flowRate", "into the mesh [m3/s]");
+        const polyPatch& patch = mesh.boundaryMesh()[mesh.boundaryMesh().findPatchID(name)];
+        requireSlow
+        (
+            entries,
+            name,
+            "flowRate",
+            mag(rate->value(mesh.time().value()))/max(sum(mag(patch.faceAreas())), VSMALL)
+        );
         const scalar thickness =
             config.dimensions == 2 ? mesh.bounds().span()[config.axes[2]] : 1;
         opening.flowRate = [rate, thickness](scalar t)
@@ -133,6 +187,7 @@ static riprap::PicOpening readOpening
     if (opening.kind == OpeningKind::level || dict.found("level"))
     {
         opening.level = heights(dict, name, config);
+        requireNear(entries, name, opening.level(mesh.time().value()), mesh);
     }
     dict.end();
     return opening;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readMesh.H"
+#include "inputFile.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -12,6 +13,8 @@ Foam::autoPtr<Foam::fvMesh> Foam::readMesh(const Time& time)
     const fileName system(time.path()/time.system());
     const bool schemes =
         isFile(system/"fvSchemes") && isFile(system/"fvSolution");
+
+    for (const char* file : {"fvSchemes", "fvSolution"}) checkInputFile(system/file);
 
     // The mesh itself is read in any case
     return autoPtr<fvMesh>::New

@@ -51,6 +51,20 @@ static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
 }
 
 
+//- Zero or positive, and no more than any scene stands
+static scalar upTo
+(
+    checkedDictionary& coeffs,
+    const word& entry,
+    scalar otherwise,
+    scalar most
+)
+{
+    const scalar value = coeffs.notNegative(entry, otherwise);
+    return value > most ? coeffs.between(entry, otherwise, 0, most) : value;
+}
+
+
 static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
 {
     config.viscosityModel =
@@ -69,7 +83,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     {
         checkedDictionary coeffs(sph.subDict("artificialViscosity"));
         config.artificialAlpha =
-            coeffs.notNegative("alpha", config.artificialAlpha);
+            upTo(coeffs, "alpha", config.artificialAlpha, 100);
         config.artificialAtWalls =
             coeffs.either("walls", "yes", "no", false);
         coeffs.end();
@@ -87,7 +101,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     {
         checkedDictionary coeffs(sph.subDict("densityDiffusionCoeffs"));
         config.diffusionDelta =
-            coeffs.notNegative("delta", config.diffusionDelta);
+            upTo(coeffs, "delta", config.diffusionDelta, 10);
         coeffs.end();
     }
 
@@ -96,7 +110,7 @@ static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
     {
         checkedDictionary coeffs(sph.subDict("shiftingCoeffs"));
         config.shiftingCoefficient =
-            coeffs.notNegative("A", config.shiftingCoefficient);
+            upTo(coeffs, "A", config.shiftingCoefficient, 100);
         config.shiftingSurfaceThreshold = coeffs.positive
         (
             "surfaceThreshold",

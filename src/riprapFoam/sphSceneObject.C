@@ -4,8 +4,15 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphSceneObject.H"
+#include "wallBodies.H"
 
 namespace Foam
 {
     defineTypeNameAndDebug(sphSceneObject, 0);
+}
+
+
+Foam::labelList Foam::sphSceneObject::bodyOfWall() const
+{
+    return bodies().bodyOf(walls_.names);
 }

@@ -41,6 +41,15 @@ public:
 };
 
 
+//- OpenFOAM's functions do not say which entries are wrong
+static void stop(const wallMotion& motion, const error& e)
+{
+    FatalIOErrorInFunction(motion.dict)
+        << "Motion " << motion.name << ": " << e.message().c_str()
+        << exit(FatalIOError);
+}
+
+
 static point moved(const riprap::WallPose& pose, const point& x)
 {
     const auto& R = pose.rotation;
@@ -146,7 +155,18 @@ Foam::wallBodies::wallBodies
 {
     forAll(groups_, i)
     {
-        functions_.set(i, solidBodyMotionFunction::New(groups_[i].dict, time_));
+        try
+        {
+            functions_.set(i, solidBodyMotionFunction::New(groups_[i].dict, time_));
+        }
+        catch (const IOerror&)
+        {
+            throw;
+        }
+        catch (const error& e)
+        {
+            stop(groups_[i], e);
+        }
     }
 }
 
@@ -156,7 +176,15 @@ Foam::wallBodies::wallBodies
 riprap::WallPose Foam::wallBodies::pose(label body, scalar t) const
 {
     const momentOf now(time_, t);
-    const septernion motion(functions_[body].transformation());
+    septernion motion(septernion::I);
+    try
+    {
+        motion = functions_[body].transformation();
+    }
+    catch (const error& e)
+    {
+        stop(groups_[body], e);
+    }
 
     // Images of the origin and of the unit vectors: whatever the order in
     // which a septernion turns and moves

@@ -5,6 +5,7 @@
 #include "pointGrid.H"
 #include "coupledPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "inputFile.H"
 #include "IOdictionary.H"
 #include "listed.H"
 #include "OSspecific.H"
@@ -70,6 +71,7 @@ Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
 {
     IOobject io("geometry", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!isFile(io.objectPath())) return nullptr;
+    checkInputFile(io.objectPath(), largestNumber);
 
     // Passed over, it would leave walls out
     if (!io.typeHeaderOk<IOdictionary>(true, true, false))
@@ -79,7 +81,22 @@ Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
             << " object geometry; } after nothing but comments (an #include of a file that is not there, or a byte-order"
             << " mark, is in the way, too)" << exit(FatalIOError);
     }
-    return autoPtr<geometryWalls>::New(time, IOdictionary(io));
+
+    const IOdictionary dict(io);
+    try
+    {
+        return autoPtr<geometryWalls>::New(time, dict);
+    }
+    catch (const IOerror&)
+    {
+        throw;
+    }
+    // OpenFOAM's surfaces do not say in which file they are
+    catch (const error& e)
+    {
+        FatalIOErrorInFunction(dict) << e.message().c_str() << exit(FatalIOError);
+    }
+    return nullptr;
 }
 
 

@@ -89,8 +89,9 @@ void checkParticles(const DemConfig& c, const DemInput& in)
         }
         for (int d = 0; d < c.dimensions; ++d)
         {
-            const double x = p.position[3*i + c.axes[d]];
-            if (x < c.domainMin[c.axes[d]] || x > c.domainMax[c.axes[d]]) bad("is outside the domain");
+            const int axis = c.axes[d];
+            const double x = p.position[3*i + axis], r = p.radius[i];
+            if (x < c.domainMin[axis] - c.walled[axis][0]*r || x > c.domainMax[axis] + c.walled[axis][1]*r) bad("is outside the domain");
         }
         if (!p.material.empty() && (p.material[i] < 0 || p.material[i] >= int(in.materials.size())))
             bad("is of unknown material " + std::to_string(p.material[i]));

@@ -22,10 +22,12 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
     if (fuses()) return runFused(rebuilds);
+    const std::int64_t within = searchesWithin_;
     while (!finished())
     {
         if (host_.needRebuild)
         {
+            adaptSkin();
             rebuild();
             ++rebuilds;
             readClock();
@@ -51,6 +53,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             steps(std::min(sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_, stepsLeft()));
         }
         readClock();
+        if (Backend::gpu && host_.lost() && host_.halt == DemHalt::none) finishLate();
         if (Backend::gpu && sleeps() && host_.step > before && host_.step % stepsPerCheck == 0) checkSleep(false);
         if constexpr (Backend::gpu)
         {
@@ -61,6 +64,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
         }
     }
     collectForces();
+    rebuilds += searchesWithin_ - within;
 }
 
 template<class Backend, int D, class P>
@@ -85,6 +89,7 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
 {
     if (host_.needRebuild && host_.halt == DemHalt::none)
     {
+        adaptSkin();
         rebuild();
         ++report.rebuilds;
         readClock();
@@ -98,6 +103,7 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
     report.brokenBonds = brokenBonds();
     report.asleep = sleeps() ? asleepNow() : 0;
     collectEscaped(report);
+    collectPassed(report);
     if (host_.halt != DemHalt::none) findOffender(report);
 }
 
@@ -138,13 +144,29 @@ void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
     reported_ = active;
 }
 
-//- How far particle i has gone since neighbours were sought [m], which the guard tested; of a member of a rigid body that left the domain,
-//  how far it is outside. No number: infinity
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::clearPassed()
+{ if (surfaces_) passed_.upload(context_, std::vector<WallPassings>(1, WallPassings{0, n_, 0})); }
+
+//- Particles that have gone through walls since the last report
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::collectPassed(DemReport& report)
+{
+    if (!surfaces_) return;
+    const WallPassings passed = passed_.download()[0];
+    if (!passed.count) return;
+    report.passedWalls = std::size_t(passed.count);
+    report.passedId = ids_[passed.key];
+    clearPassed();
+}
+
+//- The way of particle i in the last step, of its radius, which the guard tested; of a member of a rigid body that left the domain, how far it is
+//  outside [m]. No number: infinity
 template<class Backend, int D, class P>
 std::vector<double> DemSolver<Backend, D, P>::offences(int n)
 {
     std::vector<double> value(n, 0.0);
-    const std::vector<position> reference = reference_.download();
+    const auto radius = field<real>(radiusField_);
     const auto clump = clumpField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(clumpField_);
     for (int d = 0; d < D; ++d)
     {
@@ -152,7 +174,7 @@ std::vector<double> DemSolver<Backend, D, P>::offences(int n)
         const auto v = field<double>(vField_ + d);
         for (int i = 0; i < n; ++i)
         {
-            double way = double(box_.template separation<real>(d, box_.pairPosition(d, x[i]), reference[std::size_t(d)*n_ + i]));
+            double way = v[i]*host_.dt/double(radius[i]);
             if (host_.halt == DemHalt::clumpEscaped)
             {
                 // differences across the box do not fit the integers
@@ -172,13 +194,11 @@ void DemSolver<Backend, D, P>::findOffender(DemReport& report)
 {
     std::ostringstream s;
     s.precision(6);
-    std::ostringstream limit;
-    limit.precision(6);
-    limit << " contacts are found within half the skin, " << double(halfSkin_) << " m (entry skin): take a shorter step or a larger skin";
+    const std::string cure = ": it passes through what it meets; take a shorter step, and contacts that are stiff enough for this speed";
     if (host_.halt == DemHalt::wallTooFar)
     {
         report.stop = DemStop::tooFast;
-        s << "a wall went farther since its neighbours were sought than they hold, with steps of " << host_.dt << " s;" << limit.str();
+        s << "a wall goes farther in a step of " << host_.dt << " s than the radius of the smallest particle, " << radii_.smallest << " m" << cure;
         report.stopMessage = s.str();
         return;
     }
@@ -198,8 +218,12 @@ void DemSolver<Backend, D, P>::findOffender(DemReport& report)
         s << "is a member of a rigid body and left the domain, by " << offence[worst] << " m, at " << report.stopValue
           << " m/s: rigid bodies must stay inside";
     else
-        s << "went " << offence[worst] << " m since its neighbours were sought, at " << report.stopValue << " m/s with steps of " << host_.dt
-          << " s;" << limit.str();
+    {
+        const double radius = double(field<real>(radiusField_)[worst]);
+        s << "goes " << offence[worst]*radius << " m in a step of " << host_.dt << " s, at " << report.stopValue << " m/s, and ";
+        if (driven_) s << "lists of neighbours reach " << double(halfSkin_) << " m: the fluid's blow on it is too hard for this time step";
+        else s << "its radius is " << radius << " m" << cure;
+    }
     report.stopMessage = s.str();
 }
 

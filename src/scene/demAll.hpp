@@ -7,6 +7,7 @@
 #include "core/device.hpp"
 #include "scene/demSetup.hpp"
 #include "scene/demStep.hpp"
+#include "scene/demSkin.hpp"
 #include "scene/demLists.hpp"
 #include "scene/demAdvance.hpp"
 #include "scene/demCoupling.hpp"

@@ -196,7 +196,7 @@ DemClumpState DemSolver<Backend, D, P>::clumps()
     {
         const DemGroup& g = input_.groups[c.group];
         const bool constrained = g.constraint.any();
-        const ClumpData later = constrained ? kicked(c, half) : c;
+        const ClumpData later = kicked(c, half);
         const Vec<3, double> w = spinOf(later, c.q);
         double v[3] = {}, x[3] = {}, f[3] = {}, m[3] = {}, q[4] = {c.q[0], 0, 0, 0}, spin[3] = {};
         if (D == 2) x[config_.axes[2]] = input_.clumps[&c - all.data()].position[config_.axes[2]];

@@ -166,13 +166,27 @@ void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
     }
 }
 
+//- Between two steps, of which the next begins with the forces
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::searchMoved()
+{
+    if constexpr (Backend::gpu)
+    {
+        adaptSkin();
+        parts_.moved = true;
+        rebuild();
+        parts_.moved = false;
+        forgetSearch();
+    }
+}
+
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
 {
     if constexpr (Backend::gpu)
     {
         if (finished()) return;
-        if (host_.needRebuild) { rebuild(); ++rebuilds; forgetSearch(); }
+        if (host_.needRebuild) { adaptSkin(); rebuild(); ++rebuilds; forgetSearch(); }
         setWindow();
         host_.needRebuild = 0;
         writeClock();
@@ -189,11 +203,8 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
             {
                 stepsExpected_ = stepsSince_;
                 closeSteps();
-                parts_.moved = true;
-                rebuild();
-                parts_.moved = false;
+                searchMoved();
                 ++rebuilds;
-                forgetSearch();
                 openSteps();
                 if (sleeps()) checkSleep(true);
             }
@@ -211,6 +222,7 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
             if (sleeps() && taken && host_.step % stepsPerCheck == 0) checkSleep(true);
         }
         closeSteps();
+        if (host_.lost() && host_.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
         writeClock();
         forces(ForceTurn::always);
         readClock();

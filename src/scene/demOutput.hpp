@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/largest.hpp"
 #include "dem/contactProbe.hpp"
 #include "scene/demSolver.hpp"
 
@@ -284,6 +285,33 @@ DemEnergy DemSolver<Backend, D, P>::energy()
 }
 
 template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::deepestOverlap()
+{
+    double most = 0;
+    withLaw(config_, [&](auto law)
+    {
+        DeepestOverlap<Backend, D, P, decltype(law)> deepest;
+        setModel(deepest.probe);
+        most = largestOver(context_, activeSolids(), deepest);
+    });
+    if (!nWalls_ || !wallMemory_.entries) return most;
+    const auto first = wallMemory_.entryFirst.download();
+    const auto entry = wallMemory_.entry.download();
+    const auto force = wallMemory_.force.download();
+    const auto radius = field<real>(radiusField_);
+    const auto material = field<std::int32_t>(materialField_);
+    const auto gaps = gaps_.download();
+    const int n = activeSolids(), m = int(input_.materials.size());
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e)
+        {
+            const double gap = double(gaps[material[i]*m + input_.walls[entry[e].wall].material]);
+            most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
+        }
+    return most;
+}
+
+template<class Backend, int D, class P>
 std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
 {
     std::vector<DemWallForce> out(nWalls_);
@@ -292,7 +320,32 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
     const auto first = wallMemory_.entryFirst.download();
     const auto entry = wallMemory_.entry.download();
     const auto force = wallMemory_.force.download();
+    const auto on = wallMemory_.on.download();
+    const auto normal = wallMemory_.normal.download();
+    const std::vector<WallData> walls = walls_.download();
     const std::vector<double> x = positions(n);
+    // the part of a force along the normals of an entry's touches
+    const auto alongNormals = [&](int e, const Vec<3, double>& force)
+    {
+        Vec<3, double> sum{{0, 0, 0}}, basis[wallTouches];
+        int known = 0;
+        for (int slot = e*wallTouches; slot < (e + 1)*wallTouches; ++slot)
+        {
+            if (!on[slot]) continue;
+            Vec<D, double> local;
+            for (int d = 0; d < D; ++d) local.c[d] = double(normal[slot*D + d]);
+            local = outOfFrame<D>(walls[entry[e].wall].frame.R, local);
+            Vec<3, double> b{{0, 0, 0}};
+            for (int d = 0; d < D; ++d) b.c[config_.axes[d]] = local.c[d];
+            for (int k = 0; k < known; ++k) b = b - dot(b, basis[k])*basis[k];
+            const double size = std::sqrt(squaredNorm(b));
+            if (!(size > 1e-3)) continue;           // as others
+            basis[known] = (1/size)*b;
+            sum = sum + dot(force, basis[known])*basis[known];
+            ++known;
+        }
+        return sum;
+    };
     for (int i = 0; i < n; ++i)
         for (int e = first[i]; e < first[i + 1]; ++e)
         {
@@ -300,9 +353,16 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
             for (int d = 0; d < D; ++d) f.c[config_.axes[d]] = -double(force[e*wallWords<D> + d]);
             for (int c = 0; c < S; ++c)
                 m.c[D == 2 ? config_.axes[2] : c] = -(D == 2 ? spinSign() : 1)*double(force[e*wallWords<D> + D + c]);
-            m = m + cross(Vec<3, double>{{x[3*i], x[3*i + 1], x[3*i + 2]}}, f);
+            const Vec<3, double> centre{{x[3*i], x[3*i + 1], x[3*i + 2]}}, pressed = alongNormals(e, f), turned = cross(centre, pressed);
+            m = m + cross(centre, f);
             DemWallForce& w = out[entry[e].wall];
-            for (int d = 0; d < 3; ++d) { w.force[d] += f.c[d]; w.moment[d] += m.c[d]; }
+            for (int d = 0; d < 3; ++d)
+            {
+                w.force[d] += f.c[d];
+                w.moment[d] += m.c[d];
+                w.normal[d] += pressed.c[d];
+                w.normalMoment[d] += turned.c[d];
+            }
         }
     return out;
 }

@@ -33,6 +33,7 @@ struct DemConfig
     // Domain: a particle whose centre leaves it has escaped. Periodic axes are wrapped.
     Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
     bool periodic[3] = {false, false, false};
+    bool walled[3][2] = {};                 // does a wall stand at the end [axis][0: min, 1: max]? Who is pressed into it leaves a radius (the smallest) later
 
     Vector3 gravity{{0, 0, 0}};             // [m/s2]
 
@@ -240,6 +241,8 @@ struct DemReport
     std::size_t asleep = 0;                 // now
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
+    std::size_t passedWalls = 0;            // particles that went through surfaces within the domain in this call
+    std::int32_t passedId = -1;             // one of them
     DemStop stop = DemStop::none;           // then: which particle, where, how much, in words
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
@@ -289,7 +292,8 @@ struct DemEnergy                            // [J] (2D: per metre)
     double total() const { return translation + rotation + potential + contact + bond + spring; }
 };
 
-struct DemWallForce { Vector3 force{{0, 0, 0}}, moment{{0, 0, 0}}; };   // on the wall; moment about the origin
+//- On the wall, and what of it is normal to where it is touched; moments about the origin
+struct DemWallForce { Vector3 force{{0, 0, 0}}, moment{{0, 0, 0}}, normal{{0, 0, 0}}, normalMoment{{0, 0, 0}}; };
 
 class DemScene
 {
@@ -310,6 +314,7 @@ public:
     virtual DemBondState bonds() = 0;
     virtual DemClumpState clumps() = 0;
     virtual DemEnergy energy() = 0;
+    virtual double deepestOverlap() = 0;    // of all contacts now, of the diameter of the smaller one
     virtual std::vector<DemWallForce> wallForces() = 0;     // in the order of DemInput::walls
 
     //- Forces and moments from outside (a fluid), added in every step until given anew; 3 values an id 0 .. largest id

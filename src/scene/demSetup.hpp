@@ -82,12 +82,16 @@ void DemSolver<Backend, D, P>::setPairs()
     });
 }
 
-//- How far the search looks, from the radii
+//- What the search adds to contact unless fast particles need more [m]
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setReach()
+double DemSolver<Backend, D, P>::leastSkin() const
+{ return (config_.skin >= 0 ? config_.skin : (Backend::gpu ? 0.1 : 0.15))*2*radii_.smallest; }
+
+//- How far the search looks
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::setReach(double skin)
 {
-    const double ratio = config_.skin >= 0 ? config_.skin : (Backend::gpu ? 0.1 : 0.15);
-    const double skin = ratio*2*radii_.smallest;
+    skin_ = skin;
     halfSkin_ = real(0.5*skin);
     reach_ = skin + largestGap_;
 }
@@ -97,7 +101,7 @@ void DemSolver<Backend, D, P>::setBox()
 {
     const DemConfig& c = config_;
     radii_ = RadiusClasses::of(given_->particles.radius);
-    setReach();
+    setReach(leastSkin());
     const double margin = 2*radii_.largest + reach_;
     for (int d = 0; d < D; ++d)
     {
@@ -121,8 +125,9 @@ void DemSolver<Backend, D, P>::setDomain()
     {
         const int axis = config_.axes[d];
         const bool periodic = config_.periodic[axis];
-        domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : box_.toFixed(d, config_.domainMin[axis]);
-        domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis]);
+        const double below = config_.walled[axis][0]*radii_.smallest, above = config_.walled[axis][1]*radii_.smallest;
+        domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : box_.toFixed(d, config_.domainMin[axis] - below);
+        domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis] + above);
     }
     classes_.set(box_, radii_, reach_, Backend::gpu);
 }
@@ -316,7 +321,7 @@ void DemSolver<Backend, D, P>::setWalls()
 {
     nWalls_ = int(input_.walls.size());
     if (!nWalls_) return;
-    const double cell = radii_.largest + reach_;
+    const double cell = wallCell();
     SurfaceBuilder<D> builder;
     std::vector<WallData> walls;
     for (const DemWall& in : input_.walls)
@@ -362,6 +367,7 @@ void DemSolver<Backend, D, P>::setWalls()
     cellFirst_.upload(context_, builder.cellFirst);
     cellElement_.upload(context_, builder.cellElement);
     if (wallMotions_) poses_.allocate(context_, std::size_t(wallMotions_)*samples*poseNumbers);
+    clearPassed();
 }
 
 //- Where steps are fused a particle's way is measured against what is around it. Who sleeps does not look where others go
@@ -384,7 +390,7 @@ void DemSolver<Backend, D, P>::prime()
     host_.active = 1;
     writeClock();
     // moving walls take their places; no step has any length yet
-    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), clock_.data(), 1e300});
+    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), clock_.data(), 1e300, 1e300});
     rebuild(true);
     forces();
     collectForces();

@@ -1,5 +1,5 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction), demBodies.hpp (rigid bodies),
-    demStep.hpp (steps), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
+    demStep.hpp (steps), demSkin.hpp (how far neighbours are sought), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
     read back)
     and demState.hpp (save and load).
 
@@ -81,6 +81,7 @@ struct WallMemoryArrays
 struct DemSearchState
 {
     RadiusClasses radii;
+    double skin = 0;                        // [m]
     double lower[3] = {}, length[3] = {};   // of the box [m]
 };
 
@@ -105,6 +106,7 @@ public:
     DemClumpState clumps() override;
     std::vector<DemSpringState> springs() override;
     DemEnergy energy() override;
+    double deepestOverlap() override;
     std::vector<DemWallForce> wallForces() override;
     void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;
     std::vector<std::int32_t> saveState() override;
@@ -136,7 +138,8 @@ public:
 private:
 
     // demSetup.hpp
-    void setReach();
+    double leastSkin() const;
+    void setReach(double skin);
     void setFrames();
     void setBox();
     void setDomain();
@@ -186,6 +189,9 @@ private:
     void moveParticles();
     MoveWalls wallMover(DemClockData*);
     void step();
+    void finishStep();
+    void searchWithin();
+    void finishLate();
     int stepsLeft() const;
     void steps(int count);
 
@@ -197,9 +203,17 @@ private:
     template<class Law> void fusedStep();
     void fusedSteps(int count);
     void runAhead(std::int64_t count);
+    void searchMoved();
     void forgetSearch() { host_.search(); stepsSince_ = 0; }
     std::vector<const void*> graphKey(int count);
     void runFused(std::int64_t& rebuilds);
+
+    // demSkin.hpp
+    void setSkin(double skin);
+    double mostSkin() const;
+    double wallCell() const;
+    double largestWallSpeed();
+    void adaptSkin();
 
     // demLists.hpp
     void rebuild(bool fresh = false, bool inPlace = false);
@@ -246,10 +260,12 @@ private:
     void runToTarget(std::int64_t& rebuilds);
     void finishReport(DemReport&, std::int64_t before);
     void collectEscaped(DemReport&);
+    void collectPassed(DemReport&);
     void findOffender(DemReport&);
     std::vector<double> offences(int n);
     double largestSpeed();
     std::size_t brokenBonds();
+    void clearPassed();
 
     // demOutput.hpp
     int activeSolids();
@@ -276,7 +292,8 @@ private:
     SizeClasses<D, P> classes_;
     std::int64_t domainMin_[D], domainMax_[D];
     real halfSkin_ = 0, suddenWay_ = 0;
-    double reach_ = 0, largestGap_ = 0;
+    double skin_ = 0, reach_ = 0, largestGap_ = 0;
+    bool driven_ = false;       // by a fluid, whose coupling chooses steps by the skin
     std::vector<double> emptyCoordinate_;
 
     int n_ = 0;                 // particles with memory
@@ -328,12 +345,15 @@ private:
     Array<Backend, double> vertices_;
     Array<Backend, int> elements_, sharedFirst_, shared_, cellFirst_, cellElement_;
     WallMemoryArrays<Backend, real> wallMemory_, oldWallMemory_;
+    Array<Backend, WallPassings> passed_;
 
     Array<Backend, DemClockData> clock_;
     DemClockData host_;
     DemReport lastReport_;
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     DemParts<Backend, D, P> parts_;
+    std::int64_t searchedAt_ = 0;           // step of the last search
+    std::int64_t searchesWithin_ = 0;       // steps
     int stepsPerBatch_ = 16;
     std::int64_t stepsExpected_ = 16, stepsSince_ = 0;  // fused: between the last two searches, since the last one
     static constexpr int stepsTogether = 8;         // recorded

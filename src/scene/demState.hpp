@@ -145,6 +145,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 {
     rebuild();
     readClock();
+    searchedAt_ = host_.step;
     host_.windowEnd = -1e300;               // motions are sampled anew, by both
     writeClock();
     const int n = activeSolids();
@@ -164,6 +165,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     write(clock_.data(), sizeof(DemClockData));
     DemSearchState search;
     search.radii = radii_;
+    search.skin = skin_;
     for (int d = 0; d < D; ++d) { search.lower[d] = box_.lower[d]; search.length[d] = box_.length[d]; }
     append(&search, sizeof(search));
     const auto key = field<std::int32_t>(idField_);
@@ -244,6 +246,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     readClock();
     host_.fullDt = plan_.timeStep;
     host_.needRebuild = 0;
+    searchedAt_ = host_.step;
     writeClock();
     context_.synchronise();
 }
@@ -261,17 +264,11 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
         else fits = fits && lo > s.lower[d] && hi < s.lower[d] + s.length[d];
     }
     if (!fits) throw std::invalid_argument("saved state: it is of another domain");
-    const double cell = radii_.largest + reach_;
+    const double cell = wallCell();
     radii_ = s.radii;
-    setReach();
-#ifdef __CUDACC__
-    parts_.graphs.clear();                  // they hold on to the cells' and walls' numbers
-#endif
     for (int d = 0; d < D; ++d) box_.set(d, s.lower[d], s.length[d], config_.periodic[config_.axes[d]]);
-    setDomain();
-    setFrames();
-    sort_.allocate(context_, n_, classes_.cells());
-    if (radii_.largest + reach_ != cell) setWalls();
+    setSkin(config_.skin >= 0 ? leastSkin() : s.skin);
+    if (wallCell() != cell) setWalls();
 }
 
 //- Whom each row of the state is about, and that all of them are there

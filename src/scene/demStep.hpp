@@ -191,6 +191,7 @@ WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
     pass.clock = forceClock(turn);
     pass.adds = Backend::gpu && turn != ForceTurn::ahead;
     pass.skipsAsleep = !Backend::gpu;
+    pass.passed = passed_.data();
     if constexpr (Backend::gpu)
     {
         if (turn == ForceTurn::ahead)
@@ -322,7 +323,7 @@ void DemSolver<Backend, D, P>::moveParticles()
 
 template<class Backend, int D, class P>
 MoveWalls DemSolver<Backend, D, P>::wallMover(DemClockData* clock)
-{ return MoveWalls{walls_.data(), wallPoses(), clock, clock, double(halfSkin_)}; }
+{ return MoveWalls{walls_.data(), wallPoses(), clock, clock, double(halfSkin_), radii_.smallest}; }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::step()
@@ -330,17 +331,47 @@ void DemSolver<Backend, D, P>::step()
     forEach(context_, 1, DemTick{clock_.data()});
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
     if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data()));
-    const ClumpKick<D, P> kick = clumpKick();
     const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
-    if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), kick, verlet, clock_.data()});
+    if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), clumpKick(), verlet, clock_.data()});
     moveParticles();
+    if constexpr (!Backend::gpu) if (clock_.data()->lost() && clock_.data()->halt == DemHalt::none) searchWithin();
+    finishStep();
+}
+
+//- What a step does where its particles have come to
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::finishStep()
+{
     forces();
-    if (!verlet) return;
+    if (config_.integrator != DemIntegratorKind::velocityVerlet) return;
     FinishVerlet<D, P> finish{};
     setMotion(finish);
     finish.clumps = nClumps_;
     forEach(context_, n_, finish);
-    if (nClumps_) forEach(context_, nClumps_, FinishClumps<D, P>{clumps_.data(), kick, clock_.data()});
+    if (nClumps_) forEach(context_, nClumps_, FinishClumps<D, P>{clumps_.data(), clumpKick(), clock_.data()});
+}
+
+//- A step has carried a particle farther than lists hold: new ones before its forces
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::searchWithin()
+{
+    adaptSkin();
+    rebuild();
+    ++searchesWithin_;
+}
+
+//- On the GPU, whose steps follow one another without the host: the forces that the last one waits with
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::finishLate()
+{
+    searchWithin();
+    readClock();
+    host_.active = 1;
+    writeClock();
+    finishStep();
+    readClock();
+    host_.active = 0;
+    writeClock();
 }
 
 //- To the target or the last step; one at least

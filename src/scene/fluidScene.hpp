@@ -71,6 +71,15 @@ struct SightPlanes
     std::vector<double> depth;              // of the plane behind the point [m]
 };
 
+//- Force of the fluid on a place of a wall or on a solid [N], and its moment about that place [N m] (2D: a metre of depth)
+struct FluidForce
+{
+    std::int32_t part = 0;                  // of walls the caller's number of what the place belongs to, of solids their group
+    Vector3 place{{0, 0, 0}};               // [m]
+    Vector3 pressure{{0, 0, 0}}, viscous{{0, 0, 0}};
+    Vector3 pressureMoment{{0, 0, 0}}, viscousMoment{{0, 0, 0}};
+};
+
 class FluidScene
 {
 public:
@@ -79,6 +88,10 @@ public:
     virtual double time() const = 0;
     virtual FluidState fluid() = 0;
     virtual FluidEnergy energy() = 0;
+
+    //- Where they are not zero, now (SPH) or in the last step (PIC)
+    virtual std::vector<FluidForce> forcesOnWalls() = 0;
+    virtual std::vector<FluidForce> forcesOnSolids() = 0;
 
     //- Interpolation of the fluid at points (3 m). Particles behind the planes are left out; a grid's water ends at its walls by itself
     virtual SampleResult sample(const std::vector<double>& points, const SightPlanes&) = 0;

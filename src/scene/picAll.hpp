@@ -11,6 +11,7 @@
 #include "scene/picSolids.hpp"
 #include "scene/picStep.hpp"
 #include "scene/picViscosity.hpp"
+#include "scene/picForces.hpp"
 #include "scene/picMomentum.hpp"
 #include "scene/picAdvance.hpp"
 #include "scene/picOutput.hpp"

@@ -385,6 +385,33 @@ Vector3 PicBodies<D>::force() const
 }
 
 template<int D>
+std::vector<FluidForce> PicBodies<D>::forces() const
+{
+    std::vector<FluidForce> all;
+    for (const Now& n : now_)
+    {
+        const Memory& m = memory_[n.body];
+        const Vec<D, double>& centre = bodies_[&n - now_.data()].centre;
+        FluidForce f;
+        f.part = all_[n.body].group;
+        for (int d = 0; d < D; ++d)
+        {
+            f.place[axes_[d]] = centre[d];
+            f.viscous[axes_[d]] = m.drag[d];
+            f.pressure[axes_[d]] = m.force[d] - m.drag[d];
+        }
+        for (int s = D; s < modes; ++s)
+        {
+            const int axis = D == 2 ? axes_[2] : axes_[s - D];
+            f.viscousMoment[axis] = spinSign()*m.drag[s];
+            f.pressureMoment[axis] = spinSign()*(m.force[s] - m.drag[s]);
+        }
+        all.push_back(f);
+    }
+    return all;
+}
+
+template<int D>
 std::vector<double> PicBodies<D>::memory() const
 {
     std::vector<double> v;

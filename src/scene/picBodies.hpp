@@ -110,6 +110,7 @@ public:
     double contactTimes(double dt) const { return betaTime_ > 0 ? dt/betaTime_ : 1; }    // how many of those that beta is meant for are in dt
     std::vector<ContactArea<D>> contacts(const UniformGrid<D>&) const;
     Vector3 force() const;                      // of the water on all of them [N]
+    std::vector<FluidForce> forces() const;     // on each, at its centre of mass
 
     //- For a saved state
     std::vector<double> memory() const;
@@ -126,7 +127,7 @@ private:
     };
 
     //- Of a body between two steps
-    struct Memory { Modes force{}, old{}, start{}, middle{}, given{}; bool begun = false; };      // given: to the solid, last
+    struct Memory { Modes force{}, old{}, start{}, middle{}, given{}, drag{}; bool begun = false; };      // given: to the solid, last; drag: of force
 
     //- Of those that are there
     struct Now

@@ -149,6 +149,7 @@ void PicBodies<D>::act(const std::vector<double>& against)
         for (int k = 0; k < modes; ++k)
         {
             m.force[k] = -against[i*modes + k] + now_[i].drag[k];
+            m.drag[k] = now_[i].drag[k];
             m.middle[k] = now_[i].moved[k];
             finite_ = finite_ && std::isfinite(m.force[k]);
         }

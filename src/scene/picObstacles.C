@@ -59,6 +59,21 @@ Obstacle<D> obstacleOf(const PicConfig& c, const PicObstacle& in, const WallMoti
     return o;
 }
 
+//- What is open of faces without obstacles
+template<int D>
+std::vector<double> openOfSides(const UniformGrid<D>& grid, const PicWalls& sides, int d)
+{
+    std::vector<double> open = sides.aperture[d];
+    if (!open.empty()) return open;
+    open.assign(grid.faces(d), 1);
+    for (int f = 0; f < grid.faces(d) && !grid.periodic[d]; ++f)
+    {
+        const int layer = grid.faceIndex(d, f).c[d];
+        if (layer == 0 || layer == grid.n[d]) open[f] = 0;
+    }
+    return open;
+}
+
 template<int D>
 PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t, double dt)
 {
@@ -66,15 +81,8 @@ PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObs
     CutGrid<D> cut;
     for (int d = 0; d < D; ++d)
     {
-        cut.aperture[d] = sides.aperture[d];
+        cut.aperture[d] = openOfSides(grid, sides, d);
         cut.wallVelocity[d] = sides.wallVelocity[d];
-        if (!cut.aperture[d].empty()) continue;
-        cut.aperture[d].assign(grid.faces(d), 1);
-        for (int f = 0; f < grid.faces(d) && !grid.periodic[d]; ++f)
-        {
-            const int layer = grid.faceIndex(d, f).c[d];
-            if (layer == 0 || layer == grid.n[d]) cut.aperture[d][f] = 0;
-        }
     }
     std::vector<Obstacle<D>> in;
     for (const PicObstacle& o : obstacles) in.push_back(obstacleOf<D>(c, o, motion, t, dt));
@@ -97,5 +105,32 @@ PicCut cutWalls(const PicConfig& c, const PicWalls& sides, const std::vector<Pic
 {
     return c.dimensions == 2 ? cutIn<2>(c, sides, obstacles, motion, t, dt) : cutIn<3>(c, sides, obstacles, motion, t, dt);
 }
+
+template<int D>
+WallParts<D> partsOfWalls(const PicConfig& c, const PicWalls& sides, const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t)
+{
+    const UniformGrid<D> grid = gridOf<D>(c);
+    WallParts<D> parts;
+    PicCut cut = cutIn<D>(c, sides, obstacles, motion, t, 1);
+    std::vector<double> open[D];
+    for (int d = 0; d < D; ++d)
+    {
+        parts.aperture[d] = std::move(cut.walls.aperture[d]);
+        open[d] = openOfSides(grid, sides, d);
+    }
+    parts.distance = std::move(cut.nodeDistance);
+    std::vector<Obstacle<D>> in;
+    for (const PicObstacle& o : obstacles)
+    {
+        in.push_back(obstacleOf<D>(c, o, motion, t, 1));
+        addObstacle(grid, in.back(), o.part, parts);
+    }
+    dropCovered(grid, in, parts);
+    addSides(grid, open, sides.part, parts);
+    return parts;
+}
+
+template WallParts<2> partsOfWalls<2>(const PicConfig&, const PicWalls&, const std::vector<PicObstacle>&, const WallMotion&, double);
+template WallParts<3> partsOfWalls<3>(const PicConfig&, const PicWalls&, const std::vector<PicObstacle>&, const WallMotion&, double);
 
 } // namespace riprap

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "pic/cutCells/wallParts.hpp"
 #include "scene/picScene.hpp"
 
 namespace riprap
@@ -19,5 +20,9 @@ struct PicCut
     bool moves = false;
 };
 PicCut cutWalls(const PicConfig&, const PicWalls& sides, const std::vector<PicObstacle>&, const WallMotion& motion, double t, double dt);
+
+//- Which part closes what at time t
+template<int D>
+WallParts<D> partsOfWalls(const PicConfig&, const PicWalls& sides, const std::vector<PicObstacle>&, const WallMotion& motion, double t);
 
 } // namespace riprap

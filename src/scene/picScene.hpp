@@ -105,6 +105,7 @@ struct PicWalls
     std::vector<double> aperture[3];        // 0 closed .. 1 open
     std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
     std::vector<int> opening[3];            // on the sides: number of the opening a face belongs to, -1: none; empty: there are none
+    std::vector<int> part[3];               // on the sides: FluidForce::part of the wall, -1: none; empty: there are none
 };
 
 //- A surface inside the domain, oriented or not
@@ -116,6 +117,7 @@ struct PicObstacle
     bool closed = true;                     // else a sheet: it parts, but has no inside
     bool solidOutside = false;              // the water is inside, as in a basin
     int body = -1;                          // index of its motion, -1: it rests
+    int part = 0;                           // FluidForce::part
 };
 
 //- The shape of rigid bodies by signed distances at the points of a lattice about their principal axes (2D: of the plane as given), the first

@@ -1,5 +1,5 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picMomentum.hpp, picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
+    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picMomentum.hpp, picForces.hpp (on walls), picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
     back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -71,6 +71,8 @@ public:
     Coupling coupling() override { return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling(); }
     void watchMomentum(bool on) override { watches_ = on; }
     PicMomentum momentum() override { return momentum_; }
+    std::vector<FluidForce> forcesOnWalls() override;
+    std::vector<FluidForce> forcesOnSolids() override { return bodies_ ? bodies_->forces() : std::vector<FluidForce>(); }
     FluidEnergy energy() override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     using FluidScene::sample;
@@ -186,6 +188,15 @@ private:
     void keepForced();
     void weighMomentum(double dt);
 
+    // picForces.hpp
+    void setWallParts();
+    void addPressureForces(std::vector<FluidForce>&);
+    void addSideStress(std::vector<FluidForce>&);
+    void addObstacleStress(std::vector<FluidForce>&);
+    void keepSheared();
+    int nearestObstacle(int component, const typename UniformGrid<D>::Index& face) const;
+    FluidForce shearOn(int part, int component, double force, const Vec<D, double>& place) const;
+
     // picViscosity.hpp
     bool diffusesImplicitly(double dt) const;
     ViscousFaces<D, real> viscousFaces(int d, bool homogeneous = false);
@@ -278,6 +289,11 @@ private:
     bool watches_ = false;
     std::vector<real> forced_[D];               // while somebody watches
     PicMomentum momentum_;
+    std::unique_ptr<WallParts<D>> wallParts_;   // once somebody has asked for forces on walls
+    double wallPartsTime_ = 0;
+    bool shearAsked_ = false;
+    Array<Backend, real> shearedU_[D];          // once it was: of the last step, what drags obstacles
+    Array<Backend, unsigned char> shearedLayer_[D];
     double volume_ = 0, flying_ = 0;            // of water without flying particles [cells]; flying particles
     std::atomic<bool> interrupted_{false};
 };

@@ -78,6 +78,7 @@ void PicSolver<Backend, D, P>::diffuseImplicitly(double dt, double number)
         solveViscous(k);
     }
     if (sticksInside() && bodies_) dragBodies(dt);
+    if (sticksInside() && shearAsked_) keepSheared();
     for (int d = 0; d < D; ++d)
     {
         // the pressure's part off again; gravity's comes with the other forces

@@ -6,6 +6,7 @@
 #include "scene/sphNeighbours.hpp"
 #include "scene/sphStep.hpp"
 #include "scene/sphFaces.hpp"
+#include "scene/sphForces.hpp"
 #include "scene/sphSolids.hpp"
 #include "scene/sphAdvance.hpp"
 #include "scene/sphStiffness.hpp"

@@ -70,12 +70,13 @@ struct TermParameters
         shifting = ShiftingModel<R>{R(c.shiftingCoefficient), R(surface), R(D)};
     }
 
+    //- viscous: else the pressure alone
     template<Part part>
-    auto wallTerms() const
+    auto wallTerms(bool viscous = true) const
     {
         if constexpr (part == Part::density) return Terms{Continuity{}};
-        else return Terms{Pressure{}, Continuity{}, Switchable<LaminarViscosity<R>>(laminar, on.laminar && wallViscosity),
-            Switchable<ArtificialViscosity<R>>(artificial, on.artificial && wallArtificial)};
+        else return Terms{Pressure{}, Continuity{}, Switchable<LaminarViscosity<R>>(laminar, viscous && on.laminar && wallViscosity),
+            Switchable<ArtificialViscosity<R>>(artificial, viscous && on.artificial && wallArtificial)};
     }
 
     //- Call f(fluid terms, shifts?) with the types that fit the case: all terms in one pass

@@ -114,23 +114,6 @@ FaceContacts SphSolver<Backend, D, P>::faceContacts()
     return r;
 }
 
-template<class Backend, int D, class P>
-std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
-{
-    std::vector<Vector3> total(nBodies_ + 1, Vector3{{0, 0, 0}});
-    if (!nWalls_) return total;
-    sortNow();
-    wallPass(false);
-    Array<Backend, real> force;
-    force.allocate(context_, std::size_t(nWalls_)*D);
-    wallForcePass(force.data());
-    const auto f = force.download();
-    const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
-    for (int i = 0; i < nWalls_; ++i)
-        for (int d = 0; d < D; ++d) total[wallBodies_[id[i]] + 1][config_.axes[d]] += f[std::size_t(i)*D + d];
-    return total;
-}
-
 //- D components of the normal and the depth, one plane after the other
 template<class Backend, int D, class P>
 std::vector<typename P::real> SphSolver<Backend, D, P>::solvedPlanes(const SightPlanes& planes) const

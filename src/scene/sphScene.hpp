@@ -101,6 +101,7 @@ struct WallInput
     std::vector<double> position;           // 3 n
     std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
     std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed; empty: all fixed
+    std::vector<std::int32_t> part;         // n, FluidForce::part; empty: all 0
     int nBodies = 0;
     WallFaceInput faces;                    // none: particles are held by forces alone
     std::size_t size() const { return position.size()/3; }

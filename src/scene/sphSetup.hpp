@@ -185,6 +185,7 @@ void SphSolver<Backend, D, P>::setWalls(const WallInput& in)
     nBodies_ = in.nBodies;
     wallInput_ = in.position;
     wallBodies_ = in.body.empty() ? std::vector<std::int32_t>(nWalls_, -1) : in.body;
+    wallParts_ = in.part.empty() ? std::vector<std::int32_t>(nWalls_, 0) : in.part;
     if (!nWalls_) return;
     wallXField_ = wall_.fields();
     for (int d = 0; d < D; ++d) wall_.template add<std::int64_t>("position." + std::to_string(d));

@@ -81,15 +81,15 @@ SolidAction<D, typename P::real> SphSolver<Backend, D, P>::solidAction()
 }
 
 template<class Backend, int D, class P>
-SolidTerms<typename P::real> SphSolver<Backend, D, P>::solidTerms() const
+SolidTerms<typename P::real> SphSolver<Backend, D, P>::solidTerms(bool viscous) const
 {
     SolidPressure pressure{};
     pressure.gradient = coupling_.kind == CouplingKind::pressureGradient;
     return SolidTerms<real>
     {
         pressure, Continuity{},
-        Switchable<LaminarViscosity<real>>(terms_.laminar, terms_.on.laminar && coupling_.viscosity),
-        Switchable<ArtificialViscosity<real>>(terms_.artificial, terms_.on.artificial && coupling_.viscosity),
+        Switchable<LaminarViscosity<real>>(terms_.laminar, viscous && terms_.on.laminar && coupling_.viscosity),
+        Switchable<ArtificialViscosity<real>>(terms_.artificial, viscous && terms_.on.artificial && coupling_.viscosity),
         Switchable<AntiClump<real>>(terms_.antiClump, coupling_.antiClump),
         coupling_.xsph ? real(2)*terms_.xsph.epsilon : real(0)
     };
@@ -250,17 +250,20 @@ void SphSolver<Backend, D, P>::solidPass()
     });
 }
 
+//- pressureForce: where that of the pressure alone is put, between two steps
 template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::solidForcePass()
+void SphSolver<Backend, D, P>::solidForcePass(real* pressureForce)
 {
     if (!solidsMeet_) return;
+    SolidPoints<D, P> points = solidPoints();
+    if (pressureForce) points.force = pressureForce;
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
         runOverSolids(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
         {
-            box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), solidTerms(), kernelConstants<Kernel>(), model_,
-            solidPoints(), clock_.data()
+            box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), solidTerms(!pressureForce), kernelConstants<Kernel>(), model_,
+            points, pressureForce ? nullptr : clock_.data()
         });
     });
 }

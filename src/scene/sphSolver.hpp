@@ -1,6 +1,6 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphFaces.hpp (faces of walls), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
+    (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
     sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 */
 #pragma once
@@ -87,6 +87,8 @@ public:
     WallState walls() override;
     SphEnergy energy() override;
     std::vector<Vector3> wallForces() override;
+    std::vector<FluidForce> forcesOnWalls() override;
+    std::vector<FluidForce> forcesOnSolids() override;
     FaceContacts faceContacts() override;
     using FluidScene::sample;
     SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
@@ -136,7 +138,7 @@ private:
     template<class Pass> void run(const Pass&, int targets);
     void moveWalls(bool half);
     void wallPass(bool inStep);
-    void wallForcePass(real* force);
+    void wallForcePass(real* force, bool viscous = true);
     template<Part part> void fluidPass(Finish);
     void step();
     Tick tick() const;
@@ -157,7 +159,7 @@ private:
     ForceShares forceShares(double fraction) const;
     void meetFluid();
     void pushSolids();
-    SolidTerms<real> solidTerms() const;
+    SolidTerms<real> solidTerms(bool viscous = true) const;
     Source<Backend, D, P> solidSource();
     Source<Backend, D, P> fluidAboutSolids();
     void sortSolids();
@@ -166,7 +168,7 @@ private:
     void moveSolids(bool half);
     void solidPressurePass(bool inStep);
     template<Part part> void solidPass();
-    void solidForcePass();
+    void solidForcePass(real* pressureForce = nullptr);
     template<class Pass> void runOverSolids(const Pass&);
 
     // sphAdvance.hpp
@@ -184,6 +186,9 @@ private:
 
     // sphStiffness.hpp
     double elasticEnergy();
+
+    // sphForces.hpp
+    std::vector<real> wallPointForces(bool viscous);
 
     // sphOutput.hpp
     void refreshRecords();
@@ -221,7 +226,7 @@ private:
     CellSort<Backend> wallSort_;
     Array<Backend, double> wallRest_;
     std::vector<double> wallInput_;             // positions as given
-    std::vector<std::int32_t> wallBodies_;
+    std::vector<std::int32_t> wallBodies_, wallParts_;
     Array<Backend, PoseSample> poses_;
     double poseBegin_ = 0, poseStep_ = 1;
     static constexpr int poseIntervals = 32;

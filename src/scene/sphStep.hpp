@@ -136,15 +136,15 @@ void SphSolver<Backend, D, P>::wallPass(bool inStep)
     });
 }
 
-//- Force on the walls; without somewhere to put it, the work that moving walls do in this step
+//- Force on the walls, or that of the pressure alone; without somewhere to put it, the work that moving walls do in this step
 template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::wallForcePass(real* force)
+void SphSolver<Backend, D, P>::wallForcePass(real* force, bool viscous)
 {
     if (!force && !nBodies_) return;
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        const auto terms = terms_.template wallTerms<Part::momentum>();
+        const auto terms = terms_.template wallTerms<Part::momentum>(viscous);
         WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
         {
             box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,

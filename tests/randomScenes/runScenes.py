@@ -85,7 +85,7 @@ def run(seed, options):
     scene.files(folder)
     if options.set:
         with open(os.path.join(folder, 'constant', 'sphProperties'), 'a') as f:
-            f.write(options.set + '\n')
+            f.write('#inputMode merge\n' + options.set + '\n')
     start = time.time()
     environment = dict(os.environ, OMP_NUM_THREADS=str(options.threads))
     for program in ('blockMesh', 'setParticles', 'riprapFoam'):

@@ -93,7 +93,7 @@ bad unknownInShifting 'shiftingCoeffs { B 1; }' 'Unknown entry B; valid are \(A 
 bad unknownInGuards 'guards { speed 1; }' 'Unknown entry speed; valid are \(densityDeviation speedRatio wild maxWild escape maxEscaped\)'
 bad unknownInWalls 'walls { material steel; }' 'Unknown entry material; valid are .*layers slip impermeable patches motion'
 bad wallsNoDict 'walls extrapolated;' 'Entry walls must be a dictionary'
-bad wallSpacingTiny 'walls { spacing 1e-9; }' 'is the spacing meant .walls/spacing of constant'
+bad wallSpacingTiny 'walls { spacing 1e-9; }' 'walls/spacing of constant/sphProperties.*is the spacing meant'
 bad wallLayersWord 'walls { layers many; }' 'layers has the unknown word many; valid are \(auto <number>\)'
 bad wallLayersMany 'walls { layers 21; }' 'Entry layers is 21: it must be auto or a whole number'
 bad wallPatchesWord 'walls { patches lower; }' "expected <int> or '\('.*word 'lower'"
@@ -133,7 +133,7 @@ gravity() { dictionary constant/g uniformDimensionedVectorField <<<"$2"; wrong "
 gravity dimensions 'dimensions [0 1 -1 0 0 0 0]; value (0 -9.81 0);' 'constant/g: entry dimensions is .*: it must be \[0 1 -2'
 gravity short 'dimensions [0 1 -2 0 0 0 0]; value (0 -9.81);' 'expected scalar value.*constant/g.value'
 gravity noValue 'dimensions [0 1 -2 0 0 0 0];' "'value' not found.*constant/g"
-gravity huge 'dimensions [0 1 -2 0 0 0 0]; value (0 -1e200 0);' 'constant/g: entry value is .*acceleration'
+gravity huge 'dimensions [0 1 -2 0 0 0 0]; value (0 -1e200 0);' 'Entry value holds -1e200: numbers up to 1e.20 are valid'
 gravity zero 'dimensions [0 1 -2 0 0 0 0]; value (0 0 0);' 'Entry maxVelocity is auto, but there is neither gravity nor an initial velocity.*sphProperties'
 dictionary constant/g uniformDimensionedVectorField <<<'dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);'
 

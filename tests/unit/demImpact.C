@@ -103,6 +103,16 @@ TEST_P(DemImpact, OneStepSpringCreeps)
         const double speed = scene->particles().velocity[0], creep = 0.01*g*std::sin(slope)/(kappa*1e4*c.timeStep);
         if (kind == TangentialKind::history) EXPECT_NEAR(speed, 0, 1e-4*creep);
         else EXPECT_NEAR(speed, creep, 0.01*creep);
+        // the wall gets the weight along its normal, and along itself what holds the body; both act at the centre's height over the wall or on it
+        const DemWallForce f = scene->wallForces()[0];
+        const double weight = 0.01*g;
+        EXPECT_NEAR(f.normal[1], -weight*std::cos(slope), 1e-4*weight);
+        EXPECT_NEAR(f.normal[0], 0, 1e-6*weight);
+        EXPECT_NEAR(f.force[0] - f.normal[0], weight*std::sin(slope), 1e-3*weight);
+        EXPECT_NEAR(f.force[1] - f.normal[1], 0, 1e-6*weight);
+        const double x = scene->particles().position[0];
+        EXPECT_NEAR(f.normalMoment[2], x*f.normal[1], 1e-6*weight);
+        EXPECT_NEAR(f.moment[2] - f.normalMoment[2], 0.2*(f.force[0] - f.normal[0]), 1e-4*weight);
     }
 }
 
@@ -213,28 +223,58 @@ TEST_P(DemImpact, VerletAndLeapfrogAgree)
     for (int d = 0; d < 2; ++d) EXPECT_NEAR(v[0][d], v[1][d], 1e-3);
 }
 
-//- A particle that outruns detection stops the run, and is named
+//- A particle that goes farther in a step than its radius stops the run, and is named
 TEST_P(DemImpact, TooFastIsRefused)
 {
     DemConfig c = config(3);
     c.timeStep = 1e-5;
     DemInput in = oneMaterial();
     addParticle(in, {{0, 0, 0}});
-    addParticle(in, {{-0.0215, 0, 0}}, {{900, 0, 0}});      // 1.5 mm off, 9 mm in a step; with nobody near it might go on
+    addParticle(in, {{-0.0215, 0, 0}}, {{1100, 0, 0}});     // 1.5 mm off, 11 mm in a step; with nobody near it might go on
     in.particles.id = {7, 42};
     const DemReport r = createDemScene(c, in)->advance(1);
     EXPECT_EQ(r.stop, DemStop::tooFast);
     EXPECT_EQ(r.stopId, 42);
-    EXPECT_NEAR(r.stopValue, 900, 1e-3);
+    EXPECT_NEAR(r.stopValue, 1100, 1e-3);
     EXPECT_EQ(r.totalSteps, 1);
-    // what it says is what was tested: the way and the limit it broke, and where that comes from
+    // what it says is what was tested: the way and the limit it broke
     double way = 0, speed = 0, step = 0, limit = 0;
-    ASSERT_EQ(std::sscanf(r.stopMessage.c_str(), "went %lf m since its neighbours were sought, at %lf m/s with steps of %lf s; "
-        "contacts are found within half the skin, %lf m (entry skin)", &way, &speed, &step, &limit), 4) << r.stopMessage;
-    EXPECT_NEAR(way, 9e-3, 1e-6);
-    EXPECT_NEAR(speed, 900, 1e-3);
+    ASSERT_EQ(std::sscanf(r.stopMessage.c_str(), "goes %lf m in a step of %lf s, at %lf m/s, and its radius is %lf m",
+        &way, &step, &speed, &limit), 4) << r.stopMessage;
+    EXPECT_NEAR(way, 11e-3, 1e-6);
+    EXPECT_NEAR(speed, 1100, 1e-3);
     EXPECT_NEAR(step, 1e-5, 1e-11);
-    EXPECT_NEAR(limit, 0.5*0.02*(GetParam().device == DeviceKind::gpu ? 0.1 : 0.15), 1e-9);
+    EXPECT_NEAR(limit, 0.01, 1e-8);
+}
+
+//- One that outruns its neighbours in a step meets them all the same: as with a skin that is wide enough, elastically
+TEST_P(DemImpact, FastOnesMeet)
+{
+    for (const DemIntegratorKind kind : {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
+        for (const double speed : {5.0, 20.0})
+        {
+            DemConfig c = config(3);
+            c.integrator = kind;
+            c.timeStep = 2e-4;              // 1 mm and 4 mm in a step, half the skin is 1.5 mm
+            DemInput in = oneMaterial(2e5/speed);
+            in.particles.id = {3, 9};
+            addParticle(in, {{0.1, 0, 0}});
+            addParticle(in, {{-0.1, 0.003, 0}}, {{speed, 0, 0}});
+            DemState s[2];
+            for (const bool wide : {false, true})
+            {
+                c.skin = wide ? 1 : -1;
+                c.allowLargeStep = true;
+                auto scene = createDemScene(c, in);
+                const DemReport r = scene->advance(1e9, int(0.25/speed/2e-4));
+                ASSERT_EQ(r.stop, DemStop::none) << r.stopMessage;
+                s[wide] = scene->particles();
+            }
+            EXPECT_GT(s[0].velocity[3*find(s[0], 3)], 0.5*speed);
+            for (const int id : {3, 9})
+                for (int d = 0; d < 3; ++d)
+                    EXPECT_NEAR(s[0].velocity[3*find(s[0], id) + d], s[1].velocity[3*find(s[1], id) + d], (mixed() ? 1e-6 : 1e-12)*speed) << id << " " << speed;
+        }
 }
 
 //- Who leaves the domain is taken out and reported

@@ -281,6 +281,78 @@ TEST_P(DemWalls, TooFastWallIsRefused)
     EXPECT_NE(r.stopMessage.find("wall"), std::string::npos);
 }
 
+//- A soft body that is pressed through a plate beyond its centre comes back on the side that it came from, with all of its energy; one that not even a
+//  whole diameter of overlap holds is said to have passed
+TEST_P(DemWalls, SoftBodiesStayOnTheirSide)
+{
+    for (const int D : {2, 3})
+        for (const double speed : {2.0, 5.0, 6.0, 9.0})         // overlaps of 0.6, 1.6, 1.9 and 2.8 radii
+        {
+            DemConfig c = config(D);
+            DemInput in = oneMaterial(1e3);
+            in.walls.push_back(meshedPlane(D, 4));
+            addParticle(in, {{0.013, -0.18, 0.07}}, {{0.3, -speed, 0}});
+            in.particles.id = {5};
+            auto scene = createDemScene(c, in);
+            const double before = scene->energy().total();
+            DemReport r = scene->advance(0.2/speed);
+            ASSERT_EQ(r.stop, DemStop::none) << r.stopMessage;
+            const DemState s = scene->particles();
+            ASSERT_EQ(s.id.size(), 1u);
+            if (speed > 8)
+            {
+                EXPECT_LT(s.position[1], -0.2);
+                EXPECT_EQ(r.passedWalls, 1u);
+                EXPECT_EQ(r.passedId, 5);
+                EXPECT_EQ(scene->advance(0.21/speed).passedWalls, 0u);
+                continue;
+            }
+            EXPECT_EQ(r.passedWalls, 0u);
+            EXPECT_GT(s.position[1], -0.2);
+            EXPECT_NEAR(s.velocity[1], speed, 1e-3*speed) << D << " " << speed;
+            EXPECT_NEAR(s.velocity[0], 0.3, 1e-9);
+            EXPECT_NEAR(scene->energy().total(), before, 2e-3*before);
+        }
+}
+
+//- While it is on the other side the overlap is more than its radius, and grows as far as it goes
+TEST_P(DemWalls, OverlapOfOneThatIsPressedThrough)
+{
+    DemConfig c = config(3);
+    DemInput in = oneMaterial(1e3);
+    in.walls.push_back(meshedPlane(3, 4));
+    addParticle(in, {{0.013, -0.18, 0.07}}, {{0, -5, 0}});
+    auto scene = createDemScene(c, in);
+    double deepest = 0;
+    for (int k = 0; k < 400; ++k)
+    {
+        scene->advance(1e9, 1);
+        const double height = scene->particles().position[1] + 0.2;
+        deepest = std::min(deepest, height);
+        if (height < 0.0099) { EXPECT_NEAR(scene->deepestOverlap(), (0.01 - height)/0.02, 1e-5); }
+    }
+    EXPECT_NEAR(deepest, 0.01 - 5*std::sqrt(0.01/1e3), 2e-4);
+}
+
+//- The same at the end of the domain, where its centre is outside meanwhile: it has not escaped where a wall is said to stand there
+TEST_P(DemWalls, PressedIntoTheWallOfTheDomain)
+{
+    for (const int D : {2, 3})
+        for (const bool walled : {true, false})
+        {
+            DemConfig c = config(D);
+            c.domainMin[1] = -0.2;
+            c.walled[1][0] = walled;
+            DemInput in = oneMaterial(1e3);
+            in.walls.push_back(meshedPlane(D, 4));
+            addParticle(in, {{0.013, -0.18, 0.07}}, {{0, -5, 0}});
+            auto scene = createDemScene(c, in);
+            const DemReport r = scene->advance(0.04);
+            EXPECT_EQ(r.escaped.size(), walled ? 0u : 1u) << D;
+            if (walled) { EXPECT_NEAR(scene->particles().velocity[1], 5, 5e-3); }
+        }
+}
+
 DemInput dumbbell(Vector3 inertia, Vector3 spin)
 {
     DemInput in = oneMaterial();
@@ -292,6 +364,28 @@ DemInput dumbbell(Vector3 inertia, Vector3 spin)
     in.clumps.push_back(k);
     for (const double x : {-0.02, 0.02}) { addParticle(in, {{x, 0, 0}}, {{0, 0, 0}}, 0.015); in.particles.clump.push_back(0); }
     return in;
+}
+
+//- Velocity and spin of a body are those of now, not of half a step ago: under a force and a moment that stay v = F t/m and w = M t/I
+TEST_P(DemWalls, ClumpsVelocityAndSpinAreOfNow)
+{
+    for (const DemIntegratorKind kind : {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
+    {
+        DemConfig c = config(3);
+        c.integrator = kind;
+        c.timeStep = 1e-4;
+        DemInput in = dumbbell(Vector3{{1e-5, 1e-5, 1e-5}}, Vector3{{0, 0, 0}});
+        in.groups.resize(1);
+        in.groups[0].force = Vector3{{0, 0.01, 0}};
+        in.groups[0].moment = Vector3{{0, 0, 2e-5}};
+        auto scene = createDemScene(c, in);
+        scene->advance(1e-2);
+        const DemClumpState s = scene->clumps();
+        EXPECT_NEAR(s.velocity[1], 0.01*1e-2/0.05, 1e-8);
+        EXPECT_NEAR(s.spin[2], 2e-5*1e-2/1e-5, 1e-7);
+        const double rotation = 0.5*1e-5*s.spin[2]*s.spin[2];
+        EXPECT_NEAR(scene->energy().rotation, rotation, 1e-9*rotation);
+    }
 }
 
 //- Free rotation: about a principal axis as a clock; about the middle axis it tumbles, with energy and angular momentum kept

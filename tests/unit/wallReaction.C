@@ -13,9 +13,34 @@ class WallReaction : public RandomScene
 {
 protected:
 
+    //- Parts of the wall, pressure and viscosity sum to the whole
+    void parts(SphScene& s, const SphConfig& c, const WallInput& w, const Vector3& whole, double size)
+    {
+        Vector3 sum{{0, 0, 0}};
+        double viscous = 0, ofParts[2] = {0, 0};
+        for (const FluidForce& f : s.forcesOnWalls())
+        {
+            for (int k = 0; k < 3; ++k)
+            {
+                sum[k] += f.pressure[k] + f.viscous[k];
+                viscous += std::abs(f.viscous[k]);
+                ofParts[f.part] += std::abs(f.pressure[k]);
+                EXPECT_EQ(f.pressureMoment[k], 0);
+            }
+        }
+        // the same pairs in the same order but for the parts' sums
+        for (int k = 0; k < D(); ++k) EXPECT_NEAR(sum[k], whole[k], epsilon()*size) << "axis " << k;
+        EXPECT_GT(ofParts[0], 0);
+        EXPECT_GT(ofParts[1], 0);
+        if (c.viscosityModel == ViscosityKind::none) EXPECT_EQ(viscous, 0);
+        else EXPECT_GT(viscous, 1e-6*size);
+        EXPECT_EQ(w.part.size(), w.size());
+    }
+
     void compare(const SphConfig& c, bool moving)
     {
         WallInput w = floorOf(c, 1, 0, 5);
+        for (std::size_t i = 0; i < w.size(); ++i) w.part.push_back(w.position[3*i] > 0.5*(c.domainMin[0] + c.domainMax[0]));
         WallMotion motion;
         if (moving)
         {
@@ -33,6 +58,7 @@ protected:
         const Vector3 onWalls = s->wallForces()[moving ? 1 : 0];
         // both are sums over all pairs, rounded a few times each
         for (int k = 0; k < D(); ++k) EXPECT_NEAR(total[k], -onWalls[k], 20*epsilon()*sum) << "axis " << k;
+        parts(*s, c, w, onWalls, sum);
         EXPECT_GT(std::abs(onWalls[1]), 1e-3*sum) << "or the test would prove nothing";
     }
 };

@@ -25,6 +25,8 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
         }
         takeSteps(t, n);
         logEscaped(report_.escaped.size(), run_);
+        logPassedWalls();
+        checkOverlaps();
         return int64_t(report_.steps);
     };
     const scalar seconds = firstSteps(take, scene_->time(), step, 2000);
@@ -34,7 +36,7 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
     {
         const scalar steps = length/step;
         Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-            << int64_t(ceil(steps)) << nl;
+            << std::to_string(int64_t(ceil(steps))).c_str() << nl;
 
         logRunTime(seconds, steps, steps, run_.particles);
     }

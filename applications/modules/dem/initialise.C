@@ -37,6 +37,7 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
         mesh_, settings_, solids, movingWalls_, movingGroups_, moving_, typeOfBondType_
     );
     coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
+    markWalledSides(mesh_, input_.walls, config);
     if (continued)
     {
         // Else the state says whether its own fits

@@ -32,6 +32,8 @@ void Foam::solverModules::dem::report()
     Info<< endl;
 
     logEscaped(report_.escaped.size(), run_);
+    logPassedWalls();
+    checkOverlaps();
 
     logProgress();
 }

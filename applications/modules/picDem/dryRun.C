@@ -42,7 +42,7 @@ void Foam::solverModules::picDem::logEffort(scalar sampleInterval)
 
     const scalar steps = length/step;
     Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-        << int64_t(ceil(steps)) << " with this step; more as the water becomes"
+        << std::to_string(int64_t(ceil(steps))).c_str() << " with this step; more as the water becomes"
         << " faster" << nl;
 
     logRunTime(seconds, steps, steps, run_.particles);

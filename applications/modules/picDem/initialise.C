@@ -8,6 +8,7 @@ Description
 
 #include "picDem.H"
 #include "sphNames.H"
+#include "wallPoints.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -58,13 +59,8 @@ void Foam::solverModules::picDem::buildScene
     }
     catch (const std::invalid_argument& e)
     {
-        if (solids_)
-        {
-            FatalIOErrorInFunction(solids_->dict())
-                << "The case cannot be run: " << e.what() << exit(FatalIOError);
-        }
-        FatalErrorInFunction
-            << "The case cannot be run: " << e.what() << exit(FatalError);
+        FatalIOErrorInFunction(solids_ ? solids_->dict() : settings_.dict)
+            << "The case cannot be run: " << e.what() << exit(FatalIOError);
     }
 
     const label particles = label(scene_->fluid().id.size());
@@ -98,9 +94,23 @@ void Foam::solverModules::picDem::registerScene()
     report_.fluid = run_.particles;
 
     cloud_.reset(new picCloud(mesh_, *scene_, run_));
+    wordList walls;
+    for (const label patchi : wallPatches(mesh_))
+    {
+        walls.append(mesh_.boundaryMesh()[patchi].name());
+    }
+    labelList bodyOfWall(walls.size(), -1);
+    if (obstacles_.valid())
+    {
+        walls.append(obstacles_->names());
+        bodyOfWall.append(bodyOfObstacle());
+    }
     sceneObject_.reset
     (
-        new picSceneObject(mesh_, *scene_, settings_.config, report_, bodies_)
+        new picSceneObject
+        (
+            mesh_, *scene_, settings_.config, report_, bodies_, walls, bodyOfWall
+        )
     );
     makeFields();
     setFields();

@@ -32,6 +32,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls
     wallPointsControls controls;
     controls.spacing = settings_.config.wallSpacing;
     controls.layers = wallLayers(settings_);
+    controls.where = settings_.walls.dict;
 
     walls_ = generateWallPoints(mesh_, patches, geometry.get(), controls);
 
@@ -44,6 +45,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls
     input.position.reserve(3*walls_.size());
     input.normal.reserve(3*walls_.size());
     input.body.reserve(walls_.size());
+    input.part.reserve(walls_.size());
 
     forAll(walls_.position, i)
     {
@@ -54,6 +56,7 @@ riprap::WallInput Foam::solverModules::sphDem::buildWalls
         }
         bodyOfPoint[i] = bodyOfSource[walls_.source[i]];
         input.body.push_back(bodyOfPoint[i]);
+        input.part.push_back(walls_.source[i]);
     }
 
     coverMotion(bodyOfPoint, others);

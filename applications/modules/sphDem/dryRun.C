@@ -51,8 +51,8 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
     const scalar steps = length/step;
 
     Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-        << int64_t(ceil(steps)) << " with this step, about "
-        << int64_t(ceil(most*steps)) << " at maxVelocity" << nl;
+        << std::to_string(int64_t(ceil(steps))).c_str() << " with this step, about "
+        << std::to_string(int64_t(ceil(most*steps))).c_str() << " at maxVelocity" << nl;
 
     logRunTime(seconds, steps, most*steps, run_.particles);
 }

@@ -16,8 +16,11 @@ Usage
 
 #include "argList.H"
 #include "caseTime.H"
+#include "checkControlDict.H"
+#include "checkFunctionObjects.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
+#include "runProgram.H"
 #include "setParticlesRecord.H"
 #include "solverModule.H"
 #include "stopSignals.H"
@@ -84,7 +87,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
 static void runCase(const argList& args, bool postProcess)
 {
-    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
+    checkControlDict(args.path()/"system"/Time::controlDictName);
     autoPtr<caseTime> time(caseTime::New(args, postProcess));
     caseTime& runTime = time.ref();
 
@@ -121,6 +124,7 @@ static void runCase(const argList& args, bool postProcess)
 
     if (args.found("dry-run"))
     {
+        checkFunctionObjects(runTime);
         module->dryRun(timePlan(runTime).sampleInterval());
     }
     else
@@ -153,16 +157,12 @@ int main(int argc, char* argv[])
         return 0;
     }
 
-    try
+    runProgram
+    ([&]()
     {
         runCase(args, postProcess);
-    }
-    catch (const std::exception& e)
-    {
-        FatalErrorInFunction << e.what() << exit(FatalError);
-    }
-
-    Info<< "End\n" << endl;
+        Info<< "End\n" << endl;
+    });
     return 0;
 }
 

@@ -25,6 +25,7 @@ static wallPoints makeWalls
     wallPointsControls controls;
     controls.spacing = settings.config.wallSpacing;
     controls.layers = wallLayers(settings);
+    controls.where = settings.walls.dict;
     return generateWallPoints(mesh, patches, bodies, controls);
 }
 

@@ -10,8 +10,11 @@
 */
 
 #include "argList.H"
+#include "checkControlDict.H"
+#include "inputFile.H"
 #include "IOdictionary.H"
 #include "readMesh.H"
+#include "runProgram.H"
 #include "setParticles.H"
 #include "setParticlesRecord.H"
 #include "solidRegions.H"
@@ -26,7 +29,7 @@ static IOdictionary readDict(const Time& time, const argList& args)
     args.readIfPresent("dict", file);
     const bool path = file.find('/') != std::string::npos;
 
-    return IOdictionary
+    const IOobject io
     (
         path
       ? IOobject
@@ -39,6 +42,8 @@ static IOdictionary readDict(const Time& time, const argList& args)
         )
       : IOobject(file, time.system(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
     );
+    checkInputFile(io.objectPath(), largestNumber);
+    return IOdictionary(io);
 }
 
 
@@ -53,20 +58,9 @@ static void goToStart(Time& time)
 }
 
 
-int main(int argc, char* argv[])
+static void setCase(const argList& args)
 {
-    argList::addNote("Fill regions with particles, as system/setParticlesDict says");
-    argList::noParallel();
-    argList::noFunctionObjects();
-    argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
-    argList::addOption("solver", "name", "The solver module that will run, if not that of system/controlDict");
-    argList::addBoolOption("dry-run", "Report only, write nothing");
-    argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
-
-    const argList args(argc, argv);
-    if (!args.checkRootCase()) FatalError.exit();
-
-    requireWriteIntervals(args.path()/"system"/Time::controlDictName);
+    checkControlDict(args.path()/"system"/Time::controlDictName);
     Time runTime(Time::controlDictName, args);
     goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is
@@ -87,5 +81,22 @@ int main(int argc, char* argv[])
     if (!options.dryRun) recordSetParticles(runTime, dict);
 
     Info<< "End" << nl << endl;
+}
+
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Fill regions with particles, as system/setParticlesDict says");
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
+    argList::addOption("solver", "name", "The solver module that will run, if not that of system/controlDict");
+    argList::addBoolOption("dry-run", "Report only, write nothing");
+    argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
+
+    const argList args(argc, argv);
+    if (!args.checkRootCase()) FatalError.exit();
+
+    runProgram([&]() { setCase(args); });
     return 0;
 }

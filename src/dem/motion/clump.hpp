@@ -82,7 +82,7 @@ struct FinishClumps
     ClumpKick<D, P> kick;
     const DemClockData* clock;
 
-    HD void operator()(int k) const { if (clock->active) kick(clumps[k], 0.5*clock->dt); }
+    HD void operator()(int k) const { if (clock->forcesDue()) kick(clumps[k], 0.5*clock->dt); }
 };
 
 } // namespace riprap

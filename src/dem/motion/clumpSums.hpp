@@ -73,7 +73,7 @@ struct GatherClumps
     ClumpSprings<D, P> springs;
     const DemClockData* clock;  // null: now
 
-    HD bool active() const { return !clock || clock->active; }
+    HD bool active() const { return !clock || clock->forcesDue(); }
 
     HD void use(ClumpData& c, double* sums) const
     {

@@ -171,7 +171,8 @@ struct MoveSolids : SolidMotion<D, P>
         }
     }
 
-    //- Ask for new neighbours before the next step could carry the particle past half the skin; refuse a step that already did
+    //- Ask for new neighbours before the next step could carry the particle past half the skin, or at once where this one did. Refuse a step of more
+    //  than its radius: it would go through what it meets
     HD void checkSkin
     (
         int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, bool member,
@@ -191,8 +192,20 @@ struct MoveSolids : SolidMotion<D, P>
         const bool in = inside(x), enough = left >= 0 && way*way*speed2 <= left*left;
         if (!enough || !in) raised->needRebuild = 1;
         // not so written that a number which is none slips through
-        if (!(distance <= halfSkin)) raised->halt = DemHalt::tooFar;
-        else if (member && !in) raised->halt = DemHalt::clumpEscaped;
+        if (!(distance <= halfSkin))
+        {
+            raiseOnce(raised->far);
+            raiseOnce(raised->far + 1);
+            checkStep(i, speed2, t, raised);
+        }
+        if (member && !in && raised->halt == DemHalt::none) raised->halt = DemHalt::clumpEscaped;
+    }
+
+    //- Under a fluid's forces any way that was not foreseen is too far: steps there follow the speed (DemSolver::subcycles), so it was one blow
+    HD void checkStep(int i, real speed2, const DemClockData& t, DemClockData* raised) const
+    {
+        const real step = real(t.dt), radius = this->fields.radius[i];
+        if (suddenWay > 0 || !(step*step*speed2 <= radius*radius)) raised->halt = DemHalt::tooFar;
     }
 
     //- The same against what is around it
@@ -206,8 +219,10 @@ struct MoveSolids : SolidMotion<D, P>
         const WaySince<real> way = frames.since(box, from, p, v, real(t.time - t.searched), real(1.25*t.fullDt));
         if (!(way.relativeNext + suddenWay <= halfSkin && way.wholeNext + suddenWay <= way.limit)) raiseOnce(raised->aged);
         if (!(way.wholeNext + suddenWay <= halfSkin)) raiseOnce(raised->aged + 1);
-        if (!(way.relative <= halfSkin && way.whole <= way.limit)) raiseOnce(raised->far);
-        if (!(way.whole <= halfSkin)) raiseOnce(raised->far + 1);
+        const bool farHere = !(way.relative <= halfSkin && way.whole <= way.limit), farWay = !(way.whole <= halfSkin);
+        if (farHere) raiseOnce(raised->far);
+        if (farWay) raiseOnce(raised->far + 1);
+        if (farHere && farWay) checkStep(i, squaredNorm(v), t, raised);
         if (!inside(x)) raised->needRebuild = 1;
     }
 };
@@ -223,7 +238,7 @@ struct FinishVerlet : SolidMotion<D, P>
 
     HD void operator()(int i) const
     {
-        if (!this->clock->active || i >= *this->active) return;
+        if (!this->clock->forcesDue() || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
         if (s.asleep(i) || (clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
         Vec<D, double> v = s.velocity(i);

@@ -24,6 +24,7 @@ struct MoveWalls
     const DemClockData* clock;
     DemClockData* raised;       // where flags go
     double halfSkin;
+    double most;                // way in a step [m]; more would pass particles by
 
     HD void operator()(int k) const
     {
@@ -59,7 +60,28 @@ struct MoveWalls
         w.frame.spin[2] = spin(1, 0);
     }
 
+    HD static double cornerSpeed2(const WallData& w, int corner)
+    {
+        double X[3], x[3];
+        cornerOf(w, corner, X);
+        for (int d = 0; d < 3; ++d)
+        {
+            x[d] = 0;
+            for (int e = 0; e < 3; ++e) x[d] += w.frame.R[3*d + e]*X[e];
+        }
+        const double* s = w.frame.spin;
+        const double u[3] =
+        {
+            w.frame.velocity[0] + s[1]*x[2] - s[2]*x[1], w.frame.velocity[1] + s[2]*x[0] - s[0]*x[2],
+            w.frame.velocity[2] + s[0]*x[1] - s[1]*x[0]
+        };
+        return u[0]*u[0] + u[1]*u[1] + u[2]*u[2];
+    }
+
 private:
+
+    HD static void cornerOf(const WallData& w, int corner, double* X)
+    { for (int d = 0; d < 3; ++d) X[d] = (corner >> d) & 1 ? w.high[d] : w.low[d]; }
 
     //- The corners of the wall's extent travel farthest
     HD void checkSkin(const WallData& w) const
@@ -67,33 +89,27 @@ private:
         double farthest2 = 0, fastest2 = 0;
         for (int corner = 0; corner < 8; ++corner)
         {
-            double X[3], moved2 = 0, x[3];
-            for (int d = 0; d < 3; ++d) X[d] = (corner >> d) & 1 ? w.high[d] : w.low[d];
+            double X[3], moved2 = 0;
+            cornerOf(w, corner, X);
             for (int d = 0; d < 3; ++d)
             {
                 double now = w.frame.T[d], before = w.referenceT[d];
-                x[d] = 0;
                 for (int e = 0; e < 3; ++e)
                 {
                     now += w.frame.R[3*d + e]*X[e];
-                    x[d] += w.frame.R[3*d + e]*X[e];
                     before += w.referenceR[3*d + e]*X[e];
                 }
                 moved2 += (now - before)*(now - before);
             }
-            const double* s = w.frame.spin;
-            const double u[3] =
-            {
-                w.frame.velocity[0] + s[1]*x[2] - s[2]*x[1], w.frame.velocity[1] + s[2]*x[0] - s[0]*x[2],
-                w.frame.velocity[2] + s[0]*x[1] - s[1]*x[0]
-            };
-            const double speed2 = u[0]*u[0] + u[1]*u[1] + u[2]*u[2];
+            const double speed2 = cornerSpeed2(w, corner);
             farthest2 = moved2 > farthest2 ? moved2 : farthest2;
             fastest2 = speed2 > fastest2 ? speed2 : fastest2;
         }
         const double distance = sqrt(farthest2);
         if (!(distance + 1.25*sqrt(fastest2)*clock->fullDt <= halfSkin)) raised->needRebuild = 1;
-        if (!(distance <= halfSkin)) raised->halt = DemHalt::wallTooFar;
+        if (distance <= halfSkin) return;
+        raised->far[0] = raised->far[1] = 1;
+        if (!(sqrt(fastest2)*clock->dt <= most)) raised->halt = DemHalt::wallTooFar;
     }
 };
 

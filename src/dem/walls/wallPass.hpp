@@ -5,10 +5,14 @@
     faces of one plane are felt as that plane, and a polygonal drum as one surface. What a touch remembers goes with its
     normal (in the wall's frame), from element to element.
 
+    A particle stays on its side: where its centre is pressed through a surface the touch keeps its normal, and its overlap grows on beyond the
+    radius. It has passed the wall where not even that holds it, a radius behind; that is counted.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include "core/sharedWrites.hpp"
 #include "dem/clock.hpp"
 #include "dem/contact/contact.hpp"
 #include "dem/motion/motionTable.hpp"
@@ -43,6 +47,9 @@ struct WallTouch
     int feature;
 };
 
+//- Particles that walls could not hold: how many, and the lowest of their keys
+struct WallPassings { std::int64_t count; int key, padding; };
+
 template<int D, class P, class Law>
 struct WallPass : WallSearch<D, P>
 {
@@ -61,6 +68,7 @@ struct WallPass : WallSearch<D, P>
     StepState<D, P> state;      // of fused steps, which add up the forces themselves
     bool adds;                  // to the fields' forces; else whoever sums them up finds them here
     bool skipsAsleep;           // sums that forces are added to are those of when it fell asleep
+    WallPassings* passed;
 
     HD void operator()(int k) const
     {
@@ -81,7 +89,7 @@ struct WallPass : WallSearch<D, P>
             Vec<D, real> f = filled<D>(real(0));
             Spin<D, real> m = filled<S>(real(0));
             real energy = 0, overlap = 0;
-            entryForce(e, body, material, x, f, m, energy, overlap);
+            entryForce(e, i, body, material, x, f, m, energy, overlap);
             real* kept = memory.force + e*wallWords<D>;
             for (int d = 0; d < D; ++d) kept[d] = f.c[d];
             for (int c = 0; c < S; ++c) kept[D + c] = m.c[c];
@@ -137,7 +145,7 @@ struct WallPass : WallSearch<D, P>
             const Vec<D, double> p = closestPoint(v, X, feature);
             Vec<D, double> n = p - X;
             double distance = sqrt(squaredNorm(n));
-            if (distance >= within || distance < 1e-300) continue;
+            if (distance >= within || (distance < 1e-300 && feature != insideElement)) continue;
             if (feature != insideElement)
             {
                 if (!this->surface.closestThere(e, feature, p, X)) continue;
@@ -186,7 +194,7 @@ private:
 
     HD void entryForce
     (
-        int e, const ContactBody<D, real>& body, int material, const Vec<D, double>& x, Vec<D, real>& force,
+        int e, int i, const ContactBody<D, real>& body, int material, const Vec<D, double>& x, Vec<D, real>& force,
         Spin<D, real>& moment, real& energy, real& overlap
     ) const
     {
@@ -198,7 +206,7 @@ private:
         WallTouch<D> touch[wallTouches];
         const int touches = findTouches(entry, w, X, double(body.radius) + double(gap[pair]), touch);
         real h[wallTouches][H + 1];
-        recall(e, touches, touch, h);
+        recall(e, touches, touch, h, i, body, double(gap[pair]), x);
         for (int k = 0; k < touches; ++k) touchForce(w, pair, body, x, touch[k], h[k], force, moment, energy, overlap);
         remember(e, touches, touch, h);
     }
@@ -237,9 +245,13 @@ private:
     }
 
     //- Each touch takes the history of the slot whose normal was nearest to its own, if within 25 degrees
-    HD void recall(int e, int touches, const WallTouch<D>* touch, real (*h)[H + 1]) const
+    HD void recall
+    (
+        int e, int touches, WallTouch<D>* touch, real (*h)[H + 1], int i, const ContactBody<D, real>& body, double gap, const Vec<D, double>& x
+    ) const
     {
         bool taken[wallTouches] = {};
+        int unknown = 0;
         for (int k = 0; k < touches; ++k)
         {
             for (int c = 0; c < H; ++c) h[k][c] = 0;
@@ -253,10 +265,42 @@ private:
                 for (int d = 0; d < D; ++d) along += double(memory.normal[slot*D + d])*touch[k].normal.c[d];
                 if (along > nearest) { nearest = along; best = s; }
             }
-            if (best < 0) continue;
+            if (best < 0) { unknown |= 1 << k; continue; }
             taken[best] = true;
             for (int c = 0; c < H; ++c) h[k][c] = memory.history[(e*wallTouches + best)*H + c];
         }
+        for (int s = 0; s < wallTouches; ++s)
+            if (memory.on[e*wallTouches + s] && !taken[s]) keepSide(e, s, touches, unknown, touch, h, i, body, gap, x);
+    }
+
+    //- A touch that is gone: has its surface come to the other side of the centre, by no more than a step's way?
+    HD void keepSide
+    (
+        int e, int s, int touches, int& unknown, WallTouch<D>* touch, real (*h)[H + 1], int i, const ContactBody<D, real>& body, double gap,
+        const Vec<D, double>& x
+    ) const
+    {
+        const int slot = e*wallTouches + s;
+        const WallFrame& frame = this->walls[memory.entry[e].wall].frame;
+        const Vec<D, real> v = body.velocity - surfaceVelocity(frame, x);
+        const double way = 1.25*double(squareRoot(squaredNorm(v)))*clock.dt() + 1e-3*double(body.radius);
+        // in front of the surface before this step
+        const double before = double(body.radius) + gap - double(memory.force[e*wallWords<D> + D + S + 1]);
+        for (int k = 0; k < touches; ++k)
+        {
+            if (!(unknown >> k & 1)) continue;
+            double along = 0;
+            for (int d = 0; d < D; ++d) along += double(memory.normal[slot*D + d])*touch[k].normal.c[d];
+            if (along > -0.5 || before + touch[k].distance > way) continue;
+            touch[k].normal = -1.0*touch[k].normal;
+            touch[k].distance = -touch[k].distance;
+            for (int c = 0; c < H; ++c) h[k][c] = memory.history[slot*H + c];
+            unknown &= ~(1 << k);
+            return;
+        }
+        if (before >= 0) return;
+        addShared(&passed->count, 1);
+        lowerTo(&passed->key, this->fields.id[i]);
     }
 
     HD void remember(int e, int touches, const WallTouch<D>* touch, real (*h)[H + 1]) const

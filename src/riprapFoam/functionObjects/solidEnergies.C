@@ -5,6 +5,7 @@
 
 #include "solidEnergies.H"
 #include "addToRunTimeSelectionTable.H"
+#include "quaternion.H"
 
 namespace Foam
 {
@@ -22,15 +23,43 @@ namespace
 
     struct Momentum { vector linear = Foam::Zero, angular = Foam::Zero; };
 
-    Momentum momentumOf(const riprap::DemState& now, const int dimensions)
+    vector vectorOf(const std::vector<double>& v, const std::size_t i)
     {
-        const double beta = dimensions == 2 ? 0.5 : 0.4;
+        return vector(v[3*i], v[3*i + 1], v[3*i + 2]);
+    }
+
+    //- Of a rigid body, whose members' masses are not its own: about its centre, I w
+    vector spinMomentum(const riprap::DemClump& body, const riprap::DemClumpState& now, const std::size_t k, const int emptyAxis)
+    {
+        const vector w(vectorOf(now.spin, k));
+        if (emptyAxis >= 0) return body.inertia[2]*w;
+
+        const double* q = &now.orientation[4*k];
+        const Foam::quaternion turn(q[0], vector(q[1], q[2], q[3]));
+        const vector I(body.inertia[0], body.inertia[1], body.inertia[2]);
+        return turn.transform(Foam::cmptMultiply(I, turn.invTransform(w)));
+    }
+
+    Momentum momentumOf(riprap::DemScene& scene, const std::vector<riprap::DemClump>& bodies, const riprap::DemConfig& config)
+    {
+        const riprap::DemState now(scene.particles());
+        const double beta = config.dimensions == 2 ? 0.5 : 0.4;
         Momentum m;
+        if (bodies.size())
+        {
+            const riprap::DemClumpState moving(scene.clumps());
+            for (std::size_t k = 0; k < bodies.size(); ++k)
+            {
+                const vector p(bodies[k].mass*vectorOf(moving.velocity, k));
+                m.linear += p;
+                m.angular += (vectorOf(moving.position, k) ^ p)
+                  + spinMomentum(bodies[k], moving, k, config.dimensions == 2 ? config.axes[2] : -1);
+            }
+        }
         for (std::size_t i = 0; i < now.id.size(); ++i)
         {
-            const vector x(now.position[3*i], now.position[3*i + 1], now.position[3*i + 2]);
-            const vector u(now.velocity[3*i], now.velocity[3*i + 1], now.velocity[3*i + 2]);
-            const vector w(now.spin[3*i], now.spin[3*i + 1], now.spin[3*i + 2]);
+            if (now.clump.size() && now.clump[i] >= 0) continue;
+            const vector x(vectorOf(now.position, i)), u(vectorOf(now.velocity, i)), w(vectorOf(now.spin, i));
             m.linear += now.mass[i]*u;
             m.angular += now.mass[i]*(x ^ u) + beta*now.mass[i]*Foam::sqr(now.radius[i])*w;
         }
@@ -56,7 +85,7 @@ Foam::functionObjects::solidEnergies::solidEnergies
 bool Foam::functionObjects::solidEnergies::write()
 {
     const riprap::DemEnergy e(dem().scene().energy());
-    const Momentum m(momentumOf(dem().scene().particles(), dem().settings().config.dimensions));
+    const Momentum m(momentumOf(dem().scene(), dem().input().clumps, dem().settings().config));
 
     OFstream& os = row
     (

@@ -4,6 +4,7 @@
 #include "checkedDictionary.H"
 #include "fluidClip.H"
 #include "particleSource.H"
+#include "requireMemory.H"
 
 namespace Foam
 {
@@ -89,7 +90,7 @@ static particleRegion readRegion
     dict.found("set");
     region.clip = dict.either("clip", "yes", "no", false);
     vector velocity(Zero);
-    if (dict.found("velocity")) velocity = dict.dict().get<vector>("velocity");
+    if (dict.found("velocity")) velocity = dict.velocity("velocity");
 
     const auto source = particleSource::New(dict, space.mesh.time());
     region.regular = source->regular();
@@ -204,12 +205,9 @@ bool Foam::hasSet(const dictionary& all, const word& set)
 // Nothing may take the machine down by a slip in the spacing
 void Foam::checkCount(const dictionary& dict, const word& name, scalar n, const word& meant)
 {
-    if (n > 1e9)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Region " << name << " would hold about " << n
-            << " particles: is the " << meant << " meant?" << exit(FatalIOError);
-    }
+    // While a region is filled: positions, cells, who is near, and the cloud itself
+    const scalar bytes = 300;
+    requireMemory(dict, "Region " + name + " would hold", n, "particles", bytes, meant);
 }
 
 

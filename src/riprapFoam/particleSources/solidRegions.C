@@ -56,7 +56,7 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
         settings.group("free", region.dict)
     );
     vector velocity(Zero), spin(Zero);
-    if (dict.found("velocity")) velocity = region.dict.get<vector>("velocity");
+    if (dict.found("velocity")) velocity = dict.velocity("velocity");
     if (dict.found("spin")) spin = region.dict.get<vector>("spin");
     const bool rigid = dict.either("rigid", "yes", "no", false);
 

@@ -6,11 +6,13 @@
 namespace Foam
 {
 
-// Facets round a circle of radius r
+// Facets round a circle of radius r. At most those of a radius of 8,500 spacings
 static label facets(scalar r, scalar spacing)
 {
+    constexpr scalar most = 2048;
     const scalar sagitta = min(0.01*spacing/r, 0.5);
-    return max(label(16), label(constant::mathematical::pi/acos(1 - sagitta)) + 1);
+    if (sagitta < 1e-6) return label(most);
+    return max(label(16), label(min(most, constant::mathematical::pi/acos(1 - sagitta))) + 1);
 }
 
 

@@ -3,6 +3,7 @@
 #include "wallGenerator.H"
 #include "particleCloudIO.H"
 #include "pointGrid.H"
+#include "requireMemory.H"
 #include "SortableList.H"
 
 namespace Foam
@@ -45,16 +46,15 @@ void wallGenerator::drop(const wallSurface& wall, wallCandidates& c, bool lattic
 
 
 // Nothing may take the machine down by a slip in the spacing
-static void checkCount(const wallSpace& space, const wallSurface& wall, const string& what)
+static void checkCount(const wallSpace& space, const wallSurface& wall, const string& what, const dictionary& where)
 {
     const scalar n = wall.layers*sum(mag(wall.surface.faceAreas()))/sqr(space.spacing);
-    if (n > 1e9)
-    {
-        FatalErrorInFunction
-            << "Walls (" << what.c_str() << ") would have about " << n << " points at a spacing of "
-            << space.spacing << " m: is the spacing meant (walls/spacing of constant/sphProperties, or else spacing of"
-            << " system/setParticlesDict)?" << exit(FatalError);
-    }
+    // Of the dense set from which a layer of points is chosen
+    const scalar bytes = 1000;
+    OStringStream walls;
+    walls << "Walls (" << what.c_str() << ") would have at " << space.spacing
+        << " m (walls/spacing of constant/sphProperties, or else spacing of system/setParticlesDict)";
+    requireMemory(where, walls.str(), n, "points", bytes, "spacing");
 }
 
 
@@ -63,7 +63,7 @@ void wallGenerator::lay(const wallElements& elements, label layers, label bodyi,
     for (const wallElements& part : connectedParts(elements))
     {
         const wallSurface wall(space_, part, layers);
-        checkCount(space_, wall, what);
+        checkCount(space_, wall, what, bodyi < 0 ? controls_.where : bodies_->dict(bodyi));
         wallCandidates c;
         const label nNotes = notes_.size();
         const bool lattice = layLattice(space_, wall, c, notes_);

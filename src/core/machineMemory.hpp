@@ -1,0 +1,10 @@
+/*  Memory of this machine that is free: what is asked for is compared with it before it is allocated. */
+#pragma once
+
+namespace riprap
+{
+
+//- Bytes that programs can still take, within a container's limit; infinity where the system does not say
+double freeMemory();
+
+} // namespace riprap

@@ -1,0 +1,122 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "checkControlDict.H"
+#include "checkedDictionary.H"
+#include "IFstream.H"
+#include "inputFile.H"
+#include "OSspecific.H"
+#include "timePlan.H"
+
+#include <numeric>
+#include <vector>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Letters to be put in, left out, changed, or exchanged with the next
+static label slips(const std::string& a, const std::string& b)
+{
+    std::vector<label> before, last(b.size() + 1), now(b.size() + 1);
+    std::iota(last.begin(), last.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i)
+    {
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j)
+        {
+            now[j] = min(min(last[j], now[j - 1]) + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) now[j] = min(now[j], before[j - 2] + 1);
+        }
+        before = last;
+        last = now;
+    }
+    return last[b.size()];
+}
+
+
+static void checkNames(const dictionary& control)
+{
+    static const wordList known
+    ({
+        "application", "solver", "startFrom", "startTime", "stopAt", "endTime", "deltaT", "adjustTimeStep", "maxDeltaT",
+        "maxCo", "maxFlyingCo", "sampleInterval", "writeControl", "writeInterval", "writeFrequency", "purgeWrite",
+        "writeFormat", "writePrecision", "writeCompression", "writeVersion", "timeFormat", "timePrecision",
+        "runTimeModifiable", "graphFormat", "functions", "libs", "profiling", "DebugSwitches", "InfoSwitches",
+        "OptimisationSwitches", "DimensionedConstants", "DimensionSets"
+    });
+    for (const entry& e : control)
+    {
+        const word& name = e.keyword();
+        if (known.found(name) || e.keyword().isPattern()) continue;
+        for (const word& right : known)
+        {
+            if (slips(name, right) <= (right.size() < 5 ? 1 : 2))
+            {
+                FatalIOErrorInFunction(control)
+                    << "Unknown entry " << name << ": is " << right << " meant?" << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+static void checkWord(checkedDictionary& control, const word& entry, const wordList& valid)
+{
+    if (!control.found(entry)) return;
+    const word typed(control.dict().get<word>(entry));
+    if (!valid.found(typed)) control.unknownWord(entry, typed, valid);
+}
+
+
+//- Times that are rounded to 12 digits
+static void checkInterval(checkedDictionary& control, const word& entry, bool zero)
+{
+    if (!control.found(entry)) return;
+    const scalar interval = control.number(entry);
+    control.require
+    (
+        (zero && interval == 0) || interval >= 1e-12,
+        entry,
+        interval,
+        zero ? "zero (every particle step) or positive, at least 1e-12" : "positive, at least 1e-12"
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::checkControlDict(const fileName& file)
+{
+    if (!isFile(file)) return;
+
+    checkInputFile(file);
+    IFstream is(file);
+    dictionary dict(is);
+    dict.remove("FoamFile");
+    checkNames(dict);
+
+    checkedDictionary control(dict);
+    const wordList onOff({"on", "off", "yes", "no", "true", "false"});
+    wordList compression(onOff);
+    compression.append(wordList({"compressed", "uncompressed"}));
+    checkWord(control, "writeFormat", {"ascii", "binary"});
+    checkWord(control, "writeCompression", compression);
+    checkWord(control, "timeFormat", {"general", "fixed", "scientific"});
+
+    control.whole("purgeWrite", 0, 0, labelMax);
+    control.whole("writePrecision", 6, 1, 100);
+    control.whole("timePrecision", 6, 1, 100);
+    checkInterval(control, "sampleInterval", true);
+    if (control.found("endTime")) control.dict().get<scalar>("endTime");
+
+    requireWriteIntervals(file);
+}
+
+
+// ************************************************************************* //
