@@ -144,6 +144,11 @@ static riprap::PairProperties readPair
         dict.number("friction");
         p.friction = dict.notNegative("friction", p.friction);
         p.stiffnessRatio = dict.positive("stiffnessRatio", p.stiffnessRatio);
+        dict.require
+        (
+            p.stiffnessRatio <= 10, "stiffnessRatio", p.stiffnessRatio,
+            "at most 10, tangential over normal stiffness"
+        );
         p.tangentialDamping = dict.either
         (
             "tangentialDamping", "yes", "no", p.tangentialDamping

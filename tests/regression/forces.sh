@@ -110,8 +110,8 @@ geometry 'block { type searchableBox; min (0.153 0.0637 -1); max (0.2531 0.1233 
 dictionary constant/picProperties <<<"device cpu; walls { $motion }"
 dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
 dictionary system/setParticlesDict <<<'spacing 0.01; packing square; regions ( pool { set fluid; source box; box (0 0 -1) (0.4 0.2 1); pressure hydrostatic; clip yes; } );'
-setParticles >log 2>&1
 control picDem 0.02 "$parts"
+setParticles >log 2>&1
 run pic
 near picRight right force 2 196.2 0.4                   # 0.2 %: the surface settles
 near picRightMoment right moment 4 -13.08 0.06
@@ -129,8 +129,8 @@ solids 'held { fixed all; }'
 printf 'x,y,z\n0.2,0.09,0.005\n' >constant/disk.csv
 dictionary system/setParticlesDict <<<'spacing 0.01; packing square; regions ( pool { set fluid; source box; box (0 0 -1) (0.4 0.2 1); pressure hydrostatic; clip yes; }
 disk { set solids; material stone; group held; radius 0.05; source csv; file "disk.csv"; } );'
-cp constant/disk.csv .; setParticles >log 2>&1
 control picDem 0.02 "$groups"
+cp constant/disk.csv .; setParticles >log 2>&1
 run picSolids
 near picHeld held force 3 77.05 1.5                     # rho g pi R^2, R = 5 cells
 near picHeldMoment held moment 4 0 0.1

@@ -174,9 +174,10 @@ inControl picDem; of picDem control; of sphDem option -solver sphDem
 inControl sphDem; of sphDem control; of picDem option -solver picDem
 # A surface that the run would refuse, whatever the spacing
 geometry 'below { type searchableBox; min (0.05 -0.05 -1); max (0.08 -0.01 1); }'
+sed -i 's/; }/; clip yes; }/' system/setParticlesDict
 for spacing in 0.0044 0.02
 do
-    sed -i "s/spacing [0-9.]*;/spacing $spacing;/; s/; }/; clip yes; }/" system/setParticlesDict
+    sed -i "s/spacing [0-9.]*;/spacing $spacing;/" system/setParticlesDict
     refused "below.$spacing" 'Surface below of constant/geometry, .*does not meet the mesh, .*: move it there, or leave it out.*constant/geometry' setParticles -solver picDem
 done
 rm constant/geometry; regions "$tank"

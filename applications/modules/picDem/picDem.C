@@ -18,6 +18,24 @@ namespace solverModules
 }
 
 
+namespace
+{
+    // The linear solver of the pressure, in system/fvSolution
+    const Foam::dictionary& solverOfPressure(const Foam::fvMesh& mesh)
+    {
+        const Foam::dictionary& all = mesh.solutionDict();
+        if (!all.isDict("solvers") || !all.subDict("solvers").isDict("p"))
+        {
+            FatalIOErrorInFunction(all)
+                << "There is no dictionary p in solvers: the pressure needs"
+                << " its linear solver, as  solvers { p { solver cudaPCG;"
+                << " tolerance 1e-8; relTol 0; } }" << exit(Foam::FatalIOError);
+        }
+        return mesh.solverDict("p");
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
@@ -28,7 +46,7 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     grid_(mesh, asRead_.config),
     obstacles_(wallGeometry(runTime)),
     bodies_(runTime, asRead_.motion),
-    pressure_(runTime, "p", mesh.solverDict("p"))
+    pressure_(runTime, "p", solverOfPressure(mesh))
 {
     if (waterSolids::there(runTime))
     {
