@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallBodies.H"
+#include <cmath>
 #include "checkedDictionary.H"
 #include "listed.H"
 #include "Time.H"
@@ -175,7 +176,11 @@ Foam::wallBodies::wallBodies
 
 riprap::WallPose Foam::wallBodies::pose(label body, scalar t) const
 {
-    const momentOf now(time_, t);
+    // OpenFOAM's spline reads before its table where the time is the table's
+    // first to the bit: the next number is in it
+    const bool first = functions_[body].type() == "tabulated6DoFMotion"
+        && t == time_.startTime().value() && time_.endTime().value() > t;
+    const momentOf now(time_, first ? std::nextafter(t, GREAT) : t);
     septernion motion(septernion::I);
     try
     {

@@ -137,8 +137,8 @@ wrongControl deltaT 'deltaT' 'adjustTimeStep no; deltaT -1;'
 dictionary constant/fluidProperties <<<'mu 1e-3;'; refused noRho "rho.* not found|'rho'" riprapFoam
 dictionary constant/fluidProperties <<<'rho -1000; mu 1e-3;'; refused rhoNegative 'Entry rho is -1000: it must be positive' riprapFoam
 dictionary constant/fluidProperties <<<'rho 1000; mu 1e-3;'
-dictionary system/fvSolution </dev/null; refused noSolver "'p' not found" riprapFoam
-dictionary system/fvSolution <<<'solvers { }'; refused noPressure "'?p'?.* not found|keyword p " riprapFoam
+dictionary system/fvSolution </dev/null; refused noSolver 'There is no dictionary p in solvers.*system/fvSolution' riprapFoam
+dictionary system/fvSolution <<<'solvers { }'; refused noPressure 'There is no dictionary p in solvers.*system/fvSolution' riprapFoam
 dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
 
 # No water
