@@ -268,6 +268,38 @@ PIC_TEST(LocalFieldHasTheDerivatives)
     EXPECT_GT(beside, 20);
 }
 
+//- Where a stage leaves the block the velocity is that at its side, and nothing beside the field is read: there are no numbers there
+PIC_TEST(StagesBeyondSidesAreAtThem)
+{
+    using C = TypeParam;
+    using R = typename C::real;
+    constexpr int D = C::D, beside = 512;
+    UniformGrid<D> g{};
+    g.h = 0.1;
+    for (int d = 0; d < D; ++d) g.n[d] = 6;
+    for (const double speed : {4.0, -4.0})
+    {
+        std::vector<R> u[D];
+        Vec<3, const R*> field{{nullptr, nullptr, nullptr}};
+        Vec<D, double> x, v;
+        for (int d = 0; d < D; ++d)
+        {
+            v.c[d] = speed*(1 + 0.25*d);
+            x.c[d] = 0.31 + 0.01*d;
+            u[d].assign(g.faces(d) + 2*beside, std::numeric_limits<R>::quiet_NaN());
+            std::fill(u[d].begin() + beside, u[d].end() - beside, R(v.c[d]));
+            field.c[d] = u[d].data() + beside;
+        }
+        field.c[2] = field.c[D - 1];
+        const double dt = 0.3;
+        for (const int order : {2, 3})
+        {
+            const Vec<D, double> to = carriedAnywhere<2, false>(g, field, x, dt, order);
+            for (int d = 0; d < D; ++d) EXPECT_NEAR(to.c[d], x.c[d] + dt*v.c[d], 100*C::epsilon*std::abs(speed)) << order << ' ' << d;
+        }
+    }
+}
+
 //- Paths in a vortex by one look a step and by one a stage: both off by dt^3, the one by up to twice the other's
 PIC_TEST(OneLookAStepKeepsTheOrder)
 {

@@ -23,9 +23,6 @@ struct Splash
 {
     static constexpr int D = C::D;
     using R = typename C::real;
-    //- Zeros on either side of fields: what lies there must not differ between two of them
-    static constexpr int pad = 64;
-    const R beside = R(0);
 
     Cloud<C> cloud;
     std::vector<unsigned char> near;
@@ -36,19 +33,14 @@ struct Splash
     {
         Random random(5);
         const UniformGrid<D>& g = cloud.grid;
-        near.assign(pad, 0);
         for (int i = 0; i < g.cells(); ++i)
         {
             near.push_back(static_cast<unsigned char>(random(0, 2.999)));
             phi.push_back(R(g.h*random(-5, 1)));
         }
-        near.resize(near.size() + pad, 0);
         for (int d = 0; d < D; ++d)
         {
-            u[d].assign(pad, beside); du[d].assign(pad, beside);
             for (int i = 0; i < g.faces(d); ++i) { u[d].push_back(R(speed*random(-1, 1))); du[d].push_back(R(random(-1, 1))); }
-            u[d].resize(u[d].size() + pad, beside);
-            du[d].resize(du[d].size() + pad, beside);
             shift[d].assign(cloud.n, R(0));
         }
         cloud.map.prepare(cloud.context, g, cloud.sort);
@@ -60,8 +52,8 @@ struct Splash
         f.grid = cloud.grid;
         f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();
-        for (int d = 0; d < D; ++d) { f.u[d] = u[d].data() + pad; f.du[d] = du[d].data() + pad; f.fall[d] = R(-0.1*d); }
-        f.nearWater = near.data() + pad;
+        for (int d = 0; d < D; ++d) { f.u[d] = u[d].data(); f.du[d] = du[d].data(); f.fall[d] = R(-0.1*d); }
+        f.nearWater = near.data();
         f.picPart = R(picPart);
         f.affine = affine;
         return f;
@@ -73,8 +65,8 @@ struct Splash
         f.grid = cloud.grid;
         f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();
-        for (int d = 0; d < D; ++d) { f.u[d] = u[d].data() + pad; f.aperture[d] = closed(d); f.shift[d] = shift[d].data(); }
-        f.nearWater = near.data() + pad;
+        for (int d = 0; d < D; ++d) { f.u[d] = u[d].data(); f.aperture[d] = closed(d); f.shift[d] = shift[d].data(); }
+        f.nearWater = near.data();
         f.timeStep = dt;
         f.order = order;
         f.margin = 1e-4*cloud.grid.h;
@@ -83,8 +75,8 @@ struct Splash
 
     const R* closed(int d)
     {
-        walls[d].assign(cloud.grid.faces(d) + 2*pad, R(0));
-        return walls[d].data() + pad;
+        walls[d].assign(cloud.grid.faces(d), R(0));
+        return walls[d].data();
     }
 
     std::vector<double> state()
@@ -163,7 +155,7 @@ TYPED_TEST(PicRows, PairsPushInLanesAsOneByOne)
         f.inverse = 1/s.cloud.grid.h;
         f.particles = s.cloud.view();
         f.phi = s.phi.data();
-        f.nearWater = s.near.data() + Splash<C>::pad;
+        f.nearWater = s.near.data();
         for (int d = 0; d < C::D; ++d) f.shift[d] = s.shift[d].data();
         f.strength = R(0.01);
         f.spacing = R(0.5*s.cloud.grid.h);

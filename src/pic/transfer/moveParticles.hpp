@@ -26,8 +26,11 @@ namespace riprap
 
 //- Velocity of the grid at a point anywhere. Around: also where the block ends in itself, or is narrower than the spline
 template<int Order, bool Around, int D, class R>
-HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x)
+HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, Vec<D, double> x)
 {
+    // a point on an upper side is the last cell's: what that beyond sees lies out of the field
+    constexpr double inside = 1e-6;         // cells: more than single precision rounds off
+    if (!Around) for (int d = 0; d < D; ++d) x.c[d] = minimum(x.c[d], (g.n[d] - inside)*g.h);
     const InCell<D, R> at(g, x);
     Vec<D, R> v;
     UNROLL
