@@ -11,15 +11,10 @@ A line a scene: PASS or FAIL, then what was measured. A scene holds if
 - momentum of water, bodies and walls balances: each step to 1e-6 of its impulses without `reflection` (single precision 1e-4), with it half of the steps to 5e-3 and their sum to 2 %;
 - the same run with another number of threads, and one that goes on from its middle, end with the same bits.
 """
-import argparse
 import os
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -27,9 +22,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../etc/python'))
 from picScenes import PicScene     # noqa: E402
 from runScenes import table     # noqa: E402
+from sceneRuns import SceneRun, parser, runAll     # noqa: E402
 from riprap.clouds import readPositions, times     # noqa: E402
-
-STATE = 'uniform/riprap/picState'
 
 
 def growth(folder, scene, mass):
@@ -54,49 +48,10 @@ def unbalance(folder, axes):
     return float(np.median(residual)), float(residual.max()), float(np.abs(parts['residual'].sum(axis=1)).sum()/impulse.sum())
 
 
-class Run:
+class Run(SceneRun):
     def __init__(self, seed, options):
-        self.seed, self.options, self.faults = seed, options, []
-        self.folder = os.path.join(options.keep, str(seed))
-        self.scene = PicScene(seed, options.scale)
+        super().__init__(PicScene(seed, options.scale), seed, options, 'uniform/riprap/picState')
         self.scene.end = float('%.3g' % (self.scene.end*options.end))
-
-    def program(self, name, folder, threads=1):
-        """Its log; a fault unless it ends well"""
-        path = os.path.join(folder, 'log.' + name)
-        environment = dict(os.environ, OMP_NUM_THREADS=str(threads))
-        with open(path, 'w') as log:
-            try:
-                status = subprocess.run([name], cwd=folder, stdout=log, stderr=subprocess.STDOUT, env=environment, timeout=self.options.limit).returncode
-            except subprocess.TimeoutExpired:
-                status = 'time'
-        with open(path) as f:
-            text = f.read()
-        if status:
-            why = re.findall(r'(Guard at[^\n]*|FATAL[^\n]*\n[^\n]*)', text)
-            reached = re.findall(r'^Time = (\S+)', text, re.M)
-            self.faults.append('%s %s at %s of %g: %s' % (name, status, reached[-1] if reached else '-', self.scene.end, ' '.join(why)[:300].replace('\n', ' ')))
-        return text
-
-    def state(self, folder):
-        with open(os.path.join(folder, times(folder)[-1], STATE), 'rb') as f:
-            return f.read()
-
-    def repeats(self):
-        whole, middle = self.state(self.folder), times(self.folder)[1]
-        for name, keep, threads in (('another run', '0', 2), ('a continued run', middle, 1)):
-            again = self.folder + '.again'
-            shutil.rmtree(again, ignore_errors=True)
-            os.makedirs(again)
-            for part in ('constant', 'system', keep):
-                shutil.copytree(os.path.join(self.folder, part), os.path.join(again, part))
-            text = self.program('riprapFoam', again, threads)
-            if keep == middle and 'Continuing exactly' not in text:
-                self.faults.append('it does not continue exactly')
-            elif not self.faults and self.state(again) != whole:
-                self.faults.append(name + ' has other bits')
-            if not self.options.kept:
-                shutil.rmtree(again)
 
     def lost(self, log):
         count = int((re.findall(r'Escaped through walls in all: (\d+)', log) or ['0'])[-1])
@@ -112,14 +67,10 @@ class Run:
                 self.faults.append('%d of %s in walls' % (hidden, cloud))
 
     def check(self):
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.scene.files(self.folder)
-        start, log, mass = time.time(), '', []
-        for name in ('blockMesh', 'setParticles', 'riprapFoam'):
-            if not self.faults:
-                log = self.program(name, self.folder)
-                mass = mass or re.findall(r'total: .*mass (\S+) kg', log)
-        rise = growth(self.folder, self.scene, float(mass[0])) if mass else float('nan')
+        self.files()
+        start = time.time()
+        log, mass = self.run()
+        rise = growth(self.folder, self.scene, mass) if mass else float('nan')
         if not self.scene.opens and not rise <= 0.01:
             self.faults.append('energy grows')
         median, largest, whole = unbalance(self.folder, 'XZ' if self.scene.dim == 2 else 'XYZ')
@@ -141,27 +92,9 @@ class Run:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--seeds', default='1-50')
-    parser.add_argument('--scale', type=int, default=1)
-    parser.add_argument('--end', type=float, default=1, help='part of the time that a scene has')
-    parser.add_argument('--jobs', type=int, default=os.cpu_count())
-    parser.add_argument('--keep')
-    parser.add_argument('--dimensions', type=int, help='2 or 3: the others are passed over')
-    parser.add_argument('--limit', type=float, default=300)
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch:
-        options.kept = bool(options.keep)
-        options.keep = options.keep or scratch
-        seeds = []
-        for part in options.seeds.split(','):
-            first, _, last = part.partition('-')
-            seeds += range(int(first), int(last or first) + 1)
-        seeds = [s for s in seeds if options.dimensions in (None, PicScene(s, 1).dim)]
-        with ThreadPoolExecutor(options.jobs) as pool:
-            good = list(pool.map(lambda s: Run(s, options).check(), seeds))
-    print('%d of %d scenes hold' % (sum(good), len(good)))
-    return 0 if all(good) else 1
+    options = parser(__doc__)
+    options.add_argument('--end', type=float, default=1, help='part of the time that a scene has')
+    return runAll(options.parse_args(), lambda s: PicScene(s, 1).dim, lambda s, options: Run(s, options).check())
 
 
 if __name__ == '__main__':

@@ -11,22 +11,18 @@ A line a scene: PASS or FAIL, then what was measured. A scene holds if
 - its energy never grows by more than 1 %: energy of bodies counted in, and where walls move
   what they do and what the pressure of walls does (docs/theory, Energy).
 """
-import argparse
 import glob
 import os
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../etc/python'))
 from makeScene import Scene     # noqa: E402
+from sceneRuns import SceneRun, parser, runAll     # noqa: E402
 from riprap.clouds import readPositions, times     # noqa: E402
 
 
@@ -79,40 +75,23 @@ def inBody(folder, scene):
 
 
 def run(seed, options):
-    folder = os.path.join(options.keep, str(seed))
-    shutil.rmtree(folder, ignore_errors=True)
-    scene = Scene(seed, options.scale)
-    scene.files(folder)
+    its = SceneRun(Scene(seed, options.scale), seed, options)
+    folder, scene, faults = its.folder, its.scene, its.faults
+    its.files()
     if options.set:
         with open(os.path.join(folder, 'constant', 'sphProperties'), 'a') as f:
             f.write('#inputMode merge\n' + options.set + '\n')
     start = time.time()
-    environment = dict(os.environ, OMP_NUM_THREADS=str(options.threads))
-    for program in ('blockMesh', 'setParticles', 'riprapFoam'):
-        with open(os.path.join(folder, 'log.' + program), 'w') as log:
-            try:
-                status = subprocess.run([program], cwd=folder, stdout=log, stderr=subprocess.STDOUT, env=environment, timeout=options.limit).returncode
-            except subprocess.TimeoutExpired:
-                status = 'time'
-        if status:
-            break
-    with open(log.name) as f:
-        text = f.read()
-    faults = []
-    if status:
-        why = re.findall(r'(Guard at[^\n]*|FATAL[^\n]*\n[^\n]*)', text)
-        times = re.findall(r'^Time = (\S+)', text, re.M)
-        faults.append('%s %s at %s of %g: %s' % (program, status, times[-1] if times else '-', scene.end, ' '.join(why)[:300].replace('\n', ' ')))
+    text, mass = its.run(options.threads)
+    ended = not faults
     lost = int((re.findall(r'Escaped through walls in all: (\d+)', text) or ['0'])[-1])
     if lost:
         faults.append('%d through walls' % lost)
     wild = (re.findall(r'Taken out in all: (\d+)', text) or ['0'])[-1]
-    with open(os.path.join(folder, 'log.setParticles')) as f:
-        mass = re.findall(r'total: .*mass (\S+) kg', f.read())
-    rise, lent = growth(folder, scene, float(mass[0])) if mass else (float('nan'), 0)
+    rise, lent = growth(folder, scene, mass) if mass else (float('nan'), 0)
     if not rise <= 0.01:
         faults.append('energy grows')
-    if not status:
+    if ended:
         hidden = {cloud: behind(folder, scene, cloud) for cloud in ('fluid', 'solids')}
         faults += ['%d of %s in walls' % (n, cloud) for cloud, n in hidden.items() if n]
         wet = inBody(folder, scene) if scene.bodies else 0
@@ -130,27 +109,10 @@ def run(seed, options):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--seeds', default='1-50')
-    parser.add_argument('--scale', type=int, default=1)
-    parser.add_argument('--set')
-    parser.add_argument('--jobs', type=int, default=os.cpu_count())
-    parser.add_argument('--threads', type=int, default=1)
-    parser.add_argument('--keep')
-    parser.add_argument('--dimensions', type=int, help='2 or 3: the others are passed over')
-    parser.add_argument('--limit', type=float, default=300)
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch:
-        options.keep = options.keep or scratch
-        seeds = []
-        for part in options.seeds.split(','):
-            first, _, last = part.partition('-')
-            seeds += range(int(first), int(last or first) + 1)
-        seeds = [s for s in seeds if options.dimensions in (None, Scene(s, 1).dim)]
-        with ThreadPoolExecutor(options.jobs) as pool:
-            good = list(pool.map(lambda s: run(s, options), seeds))
-    print('%d of %d scenes hold' % (sum(good), len(good)))
-    return 0 if all(good) else 1
+    options = parser(__doc__)
+    options.add_argument('--set')
+    options.add_argument('--threads', type=int, default=1)
+    return runAll(options.parse_args(), lambda s: Scene(s, 1).dim, run)
 
 
 if __name__ == '__main__':
