@@ -5,6 +5,7 @@
 */
 #include <algorithm>
 #include "backendTest.hpp"
+#include "cutFields.hpp"
 #include "pic/bodies/bodyCut.hpp"
 #include "pic/bodies/freeBody.hpp"
 #include "pic/cutCells/obstacleDistance.hpp"
@@ -200,20 +201,7 @@ struct StillWater
         for (auto& ball : bodies[body].shape.balls.balls) ball.centre = ball.centre + by;
     }
 
-    CutFields<D, R> fields()
-    {
-        CutFields<D, R> f{};
-        for (int d = 0; d < D; ++d)
-        {
-            f.aperture[d] = aperture[d].data();
-            f.wallVelocity[d] = wallVelocity[d].data();
-            f.baseAperture[d] = base[d].data();
-        }
-        f.distance = distance.data();
-        f.baseDistance = baseDistance.data();
-        f.band = bandNodes*grid.h;
-        return f;
-    }
+    CutFields<D, R> fields() { return cutFieldsOf(grid, aperture, wallVelocity, base, distance, baseDistance); }
 
     //- Forces and moments of the water: modes a body
     std::vector<double> forces()

@@ -79,15 +79,7 @@ protected:
         return f;
     }
 
-    FluidInput particle(const Vector3& x, const Vector3& v) const
-    {
-        FluidInput f;
-        f.position.assign(x.begin(), x.end());
-        f.velocity.assign(v.begin(), v.end());
-        if (D() == 2) f.position[2] = f.velocity[2] = 0;
-        f.density.push_back(1000);
-        return f;
-    }
+    FluidInput particle(const Vector3& x, const Vector3& v) const { return oneParticle(D(), x, v); }
 
     //- How many particles are deeper in the body than this
     int inside(SphScene& s, double half, double depth) const

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include "backendTest.hpp"
 #include "bodyReference.hpp"
+#include "cutFields.hpp"
 #include "pic/bodies/contactArea.hpp"
 #include "pic/cutCells/obstacleDistance.hpp"
 #include "pic/pressure/pressureStep.hpp"
@@ -121,20 +122,7 @@ struct CutBox
         b.reach = s.reach();
     }
 
-    CutFields<D, R> fields()
-    {
-        CutFields<D, R> f{};
-        for (int d = 0; d < D; ++d)
-        {
-            f.aperture[d] = aperture[d].data();
-            f.wallVelocity[d] = wallVelocity[d].data();
-            f.baseAperture[d] = base[d].data();
-        }
-        f.distance = distance.data();
-        f.baseDistance = of.data();
-        f.band = bandNodes*grid.h;
-        return f;
-    }
+    CutFields<D, R> fields() { return cutFieldsOf(grid, aperture, wallVelocity, base, distance, of); }
 
     void cutNow()
     {

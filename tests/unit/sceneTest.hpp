@@ -40,6 +40,17 @@ inline std::vector<Setup> setups(std::vector<int> dimensions)
 
 inline std::string setupName(const testing::TestParamInfo<Setup>& info) { return testing::PrintToString(info.param); }
 
+//- One particle of water
+inline FluidInput oneParticle(int dimensions, const Vector3& x, const Vector3& v)
+{
+    FluidInput f;
+    f.position.assign(x.begin(), x.end());
+    f.velocity.assign(v.begin(), v.end());
+    if (dimensions == 2) f.position[2] = f.velocity[2] = 0;
+    f.density.push_back(1000);
+    return f;
+}
+
 //- Every device, 2D and 3D (or 2D alone, where the third dimension adds nothing), both precisions
 #define RIPRAP_ALL_SETUPS(suite) INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(setups({2, 3})), setupName)
 #define RIPRAP_PLANE_SETUPS(suite) INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(setups({2})), setupName)

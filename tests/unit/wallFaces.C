@@ -276,15 +276,7 @@ protected:
         return w;
     }
 
-    FluidInput one(const Vector3& x, const Vector3& v) const
-    {
-        FluidInput f;
-        f.position.assign(x.begin(), x.end());
-        f.velocity.assign(v.begin(), v.end());
-        if (D() == 2) f.position[2] = f.velocity[2] = 0;
-        f.density.push_back(1000);
-        return f;
-    }
+    FluidInput one(const Vector3& x, const Vector3& v) const { return oneParticle(D(), x, v); }
 
     double mass(const SphConfig& c) const { return c.density*std::pow(c.spacing, D()); }
 };
