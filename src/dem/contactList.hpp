@@ -11,6 +11,7 @@
 */
 #pragma once
 
+#include <vector>
 #include "core/backend.hpp"
 #include "core/sort.hpp"
 
@@ -150,6 +151,16 @@ public:
     int blocks() const { return blocks_; }
     std::size_t entries() const { return entries_; }
     std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes() + owner_.bytes(); }
+
+    //- Which entries are one of the first n particles'; the others fill up blocks
+    std::vector<char> used(int n) const
+    {
+        std::vector<char> yes(entries_, 0);
+        const std::vector<int> base = base_.download(), count = count_.download();
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < count[i]; ++k) yes[std::size_t(base[i/width]) + std::size_t(k)*width + i % width] = 1;
+        return yes;
+    }
 
     //- Where entries are, without the entries
     void swapShape(ContactList& o)

@@ -245,7 +245,7 @@ private:
     template<class F> void forEachBondMemory(const std::vector<int>& kept, F f);
     std::size_t historyTogether() const;
     std::size_t historyRows() const;
-    void clearUnused(std::vector<std::int32_t>& words, std::size_t at) const;
+    void clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const;
     void restoreSearch(const DemSearchState&);
     void restoreIds(const std::vector<std::int32_t>& ids);
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);

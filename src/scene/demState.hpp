@@ -117,14 +117,19 @@ void DemSolver<Backend, D, P>::forEachMemory(F f)
     f(wallMemory_.force.data(), std::size_t(wallMemory_.entries)*wallWords<D>*sizeof(real));
 }
 
-//- Histories of what does not touch are whatever was there before: the same state shall be the same words
+//- What fills up blocks of entries, and histories of what does not touch, are whatever was there before: the same state of n particles shall be the same words
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at) const
+void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
 {
     using List = ContactListView<Backend, real>;
     const std::size_t entries = list_.entries(), each = sizeof(real)/4, entry = at;
     const auto clear = [&](std::size_t from, std::size_t reals) { std::fill_n(words.begin() + from, reals*each, 0); };
     const auto free = [&](std::size_t e) { return !(std::uint32_t(words[entry + e]) & List::touching); };
+    if (Backend::gpu)
+    {
+        const std::vector<char> used = list_.used(n);
+        for (std::size_t e = 0; e < entries; ++e) if (!used[e]) words[entry + e] = 0;
+    }
     at += entries;
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
@@ -189,7 +194,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     }
     const std::size_t memory = words.size();
     forEachMemory(write);
-    clearUnused(words, memory);
+    clearUnused(words, memory, n);
     words.push_back(detail::demChecksum(words, words.size()));
     return words;
 }
