@@ -16,11 +16,12 @@ static riprap::PicShape sampled
 (
     const word& name,
     const clumpShape& shape,
-    const riprap::PicConfig& config
+    const riprap::PicConfig& config,
+    scalar cellSize
 )
 {
     // In cells: distances beyond are needed only to see that nothing is near
-    const scalar margin = 2*config.cellSize;
+    const scalar margin = 2*cellSize;
     const label finest = 100;
     // Less loses of a box of 15 x 7 x 5 cells a hundredth at its edges
     const scalar pointsOfCell = 4;
@@ -36,7 +37,7 @@ static riprap::PicShape sampled
     riprap::PicShape s;
     s.name = name;
     s.step =
-        max(config.cellSize/pointsOfCell, cmptMax(own.span())/finest);
+        max(cellSize/pointsOfCell, cmptMax(own.span())/finest);
     label points = 1;
     for (direction d = 0; d < vector::nComponents; ++d)
     {
@@ -73,7 +74,8 @@ static riprap::PicShape sampled
 std::vector<riprap::PicShape> Foam::picShapes
 (
     const Time& time,
-    const riprap::PicConfig& config
+    const riprap::PicConfig& config,
+    scalar cellSize
 )
 {
     const dictionary properties(readCloudProperties(time, "solids"));
@@ -87,7 +89,7 @@ std::vector<riprap::PicShape> Foam::picShapes
             readShape(dict, time, config.dimensions, config.axes)
         );
         dict.end();
-        all.push_back(sampled(e.keyword(), shape, config));
+        all.push_back(sampled(e.keyword(), shape, config, cellSize));
     }
     return all;
 }

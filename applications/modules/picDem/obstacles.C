@@ -42,7 +42,7 @@ riprap::PicInside Foam::solverModules::picDem::inside(bool continued)
     }
     if (solids_)
     {
-        inside.solids = solids_->input(continued);
+        inside.solids = solids_->input(grid_.cellSize(), continued);
     }
     if (bodies_.size())
     {

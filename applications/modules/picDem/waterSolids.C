@@ -76,6 +76,7 @@ void Foam::waterSolids::warnOfLightSolids() const
 
 std::shared_ptr<const riprap::PicSolids> Foam::waterSolids::input
 (
+    scalar cellSize,
     bool continued
 )
 {
@@ -84,7 +85,7 @@ std::shared_ptr<const riprap::PicSolids> Foam::waterSolids::input
     auto solids = std::make_shared<riprap::PicSolids>();
     solids->config = settings_.config;
     solids->input = input_;
-    solids->shapes = picShapes(runTime_, fluid_);
+    solids->shapes = picShapes(runTime_, fluid_, cellSize);
     shapes_.clear();
     for (const riprap::PicShape& shape : solids->shapes)
     {

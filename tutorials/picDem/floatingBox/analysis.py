@@ -20,13 +20,16 @@ def tank(run):
     return run.dictionary('system/tank')
 
 
-def cell(run):
-    return 5/numberOf(tank(run)['nx'])
+def kind(run):
+    """heave, roll or still, by what the run begins with"""
+    if numberOf(tank(run)['angle']):
+        return 'roll'
+    return 'still' if abs(numberOf(tank(run)['centre']) - floats) < 1e-9 else 'heave'
 
 
 def series(run):
     """Times, and the height above where it floats or the angle, over the first"""
-    if run.name.startswith('roll'):
+    if kind(run) == 'roll':
         table = run.table('ends', 'particleDisplacement.dat')
         a, b = (n[:-1] for n in table if n[:-1].isdigit() and n.endswith('X'))
         line = np.arctan2(table[b + 'Y'] - table[a + 'Y'], table[b + 'X'] - table[a + 'X'])
@@ -37,7 +40,7 @@ def series(run):
 
 def theory(run, times):
     depth = -numberOf(tank(run)['bottom'])
-    if run.name.startswith('roll'):
+    if kind(run) == 'roll':
         mass = rho*width*height
         return FloatingBox(width, draught, depth, axis=floats).roll(times, mass*(width**2 + height**2)/12, floats)
     return FloatingBox(width, draught, depth).heave(times)
@@ -56,7 +59,7 @@ def period(times, values):
 
 def analyse(run):
     times, values = series(run)
-    if run.name.startswith('still'):
+    if kind(run) == 'still':
         return [Quantity('drift of the draught [draughts]', float(np.abs(values).max()/draught))]
     exact = theory(run, times)
     computed, reference = period(times, values), period(times, exact)
@@ -68,29 +71,29 @@ def analyse(run):
 
 def plot(runs, path):
     fig, axes = plotting.figure(2)
-    for axis, kind in zip(axes, ('heave', 'roll')):
-        mine = [r for r in runs if r.name.startswith(kind)]
+    for axis, motion in zip(axes, ('heave', 'roll')):
+        mine = [r for r in runs if kind(r) == motion]
         for r in mine:
             times, values = series(r)
             axis.plot(times, values/values[0], linewidth=1, label=r.name)
         if mine:
             axis.plot(times, theory(mine[0], times), 'k--', linewidth=1, label='potential theory')
-        axis.set(xlabel='t [s]', ylabel=f'{kind} / first')
-        axis.legend(fontsize=6)
+            axis.legend(fontsize=6)
+        axis.set(xlabel='t [s]', ylabel=f'{motion} / first')
     plotting.save(fig, path)
 
 
-def grid(kind, offset=0, n=250):
+def grid(motion, offset=0, n=250):
     """offset: of the grid against the surface, in cells; n: cells in the length"""
     h = 5/n
     bottom = -0.5 - offset*h
     top = bottom + 36*0.02
     entries = f'system/tank:nx {n}; system/tank:ny {round(0.72/h)}; system/tank:bottom {bottom:.12g}; system/tank:top {top:.12g}; system/tank:spacing {h/4:.12g}'
-    if kind != 'heave':
+    if motion != 'heave':
         entries += f'; system/tank:centre {floats:.12g}'
-    if kind == 'roll':
+    if motion == 'roll':
         entries += '; system/tank:angle 5; system/tank:moves roll'
-    if kind == 'still':
+    if motion == 'still':
         entries += '; system/tank:moves free'
     return ['-set', entries]
 
@@ -98,8 +101,8 @@ def grid(kind, offset=0, n=250):
 offsets = (0, 0.25, 0.5, 0.75)
 Study(
     scene='picFloatingBox',
-    variants=[Variant(f'{kind}-{offset:g}', grid(kind, offset)) for kind in ('heave', 'roll', 'still') for offset in offsets]
-    + [Variant(f'{kind}-fine', grid(kind, 0.25, 500)) for kind in ('heave', 'roll')],
+    variants=[Variant(f'{motion}-{offset:g}', grid(motion, offset)) for motion in ('heave', 'roll', 'still') for offset in offsets]
+    + [Variant(f'{motion}-fine', grid(motion, 0.25, 500)) for motion in ('heave', 'roll')],
     quick=[Variant('heave-0.25-quick', grid('heave', 0.25)), Variant('roll-0.5-quick', grid('roll', 0.5))],
     analyse=analyse,
     plot=plot,
