@@ -5,16 +5,34 @@
 #include "error.H"
 #include "OSspecific.H"
 
+#include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
 
 namespace
 {
-    const Foam::fileName folder("unitTestsFoamCase/inputFile");
+    //- Of this program's own; it goes with it
+    struct Scratch
+    {
+        Foam::fileName folder;
+
+        Scratch()
+        {
+            char name[] = "/tmp/unitTestsFoamXXXXXX";
+            folder = mkdtemp(name);
+        }
+
+        ~Scratch()
+        {
+            Foam::rmDir(folder);
+        }
+    };
+
+    const Scratch scratch;
+    const Foam::fileName& folder = scratch.folder;
 
     void file(const std::string& name, const std::string& text)
     {
-        Foam::mkDir(folder);
         std::ofstream(folder/name) << text;
     }
 
