@@ -16,7 +16,7 @@ bool Foam::sameSolids
     scalar size
 )
 {
-    const riprap::DemState now(scene.particles());
+    const riprap::DemState now(scene.motion());
     if (now.id.size() != cloud.size())
     {
         return false;

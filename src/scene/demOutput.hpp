@@ -29,6 +29,7 @@ std::vector<double> DemSolver<Backend, D, P>::positions(int n)
     for (int d = 0; d < D; ++d)
     {
         const auto x = field<std::int64_t>(xField_ + d);
+        #pragma omp parallel for schedule(static) if (n > 10000)
         for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[d]] = box_.toMetres(d, x[i]);
     }
     return out;
@@ -43,12 +44,13 @@ void DemSolver<Backend, D, P>::putVector(int n, int field, int components, bool 
     {
         const auto v = this->field<T>(field + d);
         const bool one = spin && D == 2;
+        #pragma omp parallel for schedule(static) if (n > 10000)
         for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[one ? 2 : d]] = (one ? spinSign() : 1)*double(v[i]);
     }
 }
 
 template<class Backend, int D, class P>
-DemState DemSolver<Backend, D, P>::particles()
+DemState DemSolver<Backend, D, P>::motion()
 {
     readClock();
     const int n = activeSolids();
@@ -68,11 +70,14 @@ DemState DemSolver<Backend, D, P>::particles()
     const auto calm = calmField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(calmField_);
     // leapfrog keeps velocities of half a step ago: forces are of now
     const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
+    for (auto* v : {&s.radius, &s.mass}) v->resize(n);
+    s.id.resize(n);
+    #pragma omp parallel for schedule(static) if (n > 10000)
     for (int i = 0; i < n; ++i)
     {
-        s.id.push_back(ids_[key[i]]);
-        s.radius.push_back(double(radius[i]));
-        s.mass.push_back(double(mass[i]));
+        s.id[i] = ids_[key[i]];
+        s.radius[i] = double(radius[i]);
+        s.mass[i] = double(mass[i]);
         const DemGroup& g = input_.groups[s.group[i]];
         const bool asleep = !calm.empty() && calm[i] >= asleepFrom, kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
         const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
@@ -96,6 +101,28 @@ DemState DemSolver<Backend, D, P>::particles()
             if (kicked && !g.heldSpin) w += half*rate;
         }
     }
+    if (turnField_ >= 0)
+    {
+        s.orientation.assign(4*std::size_t(n), 0.0);
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+        {
+            const auto q = field<real>(turnField_ + k);
+            for (int i = 0; i < n; ++i)
+            {
+                if (D == 3) { s.orientation[4*std::size_t(i) + k] = double(q[i]); continue; }
+                s.orientation[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
+                s.orientation[4*std::size_t(i) + 1 + config_.axes[2]] = spinSign()*std::sin(0.5*double(q[i]));
+            }
+        }
+    }
+    return s;
+}
+
+template<class Backend, int D, class P>
+DemState DemSolver<Backend, D, P>::particles()
+{
+    DemState s(motion());
+    const int n = int(s.id.size());
     s.contacts.assign(n, 0);
     s.brokenBonds.assign(n, 0);
     const std::vector<int> slotOf = slotOf_.download();
@@ -112,20 +139,6 @@ DemState DemSolver<Backend, D, P>::particles()
         const auto a = bondIds_[0].download(), b = bondIds_[1].download(), broken = bondBroken_.download();
         for (int k = 0; k < nBonds_; ++k)
             if (broken[k]) for (const int key : {a[k], b[k]}) if (slotOf[key] >= 0) ++s.brokenBonds[slotOf[key]];
-    }
-    if (turnField_ >= 0)
-    {
-        s.orientation.assign(4*std::size_t(n), 0.0);
-        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
-        {
-            const auto q = field<real>(turnField_ + k);
-            for (int i = 0; i < n; ++i)
-            {
-                if (D == 3) { s.orientation[4*std::size_t(i) + k] = double(q[i]); continue; }
-                s.orientation[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
-                s.orientation[4*std::size_t(i) + 1 + config_.axes[2]] = spinSign()*std::sin(0.5*double(q[i]));
-            }
-        }
     }
     return s;
 }

@@ -310,6 +310,9 @@ public:
     virtual const DemReport& lastReport() const = 0;
 
     virtual DemState particles() = 0;
+
+    //- The same without contacts and brokenBonds, which take most of the time
+    virtual DemState motion() = 0;
     virtual DemContacts contacts() = 0;
     virtual DemBondState bonds() = 0;
     virtual DemClumpState clumps() = 0;

@@ -101,6 +101,7 @@ public:
     double time() const override { return host_.time; }
     const DemReport& lastReport() const override { return lastReport_; }
     DemState particles() override;
+    DemState motion() override;
     DemContacts contacts() override;
     DemBondState bonds() override;
     DemClumpState clumps() override;

@@ -52,6 +52,19 @@ struct FluidState
     std::vector<std::int32_t> id;
 };
 
+struct FluidExtremes
+{
+    double speed = 0;                       // largest [m/s]
+    double densityDeviation = 0;            // largest of |rho/rho0 - 1|
+};
+
+//- The particles that lie furthest along a direction, in no order
+struct FluidEnd
+{
+    std::size_t particles = 0;              // in all
+    std::vector<double> position;           // 3 m
+};
+
 //- Interpolated values at points; SPH: sum V f W / sum V W, and sum V W itself. They are those at the centroid of what was
 //  sampled, which is not the point where the fluid about it is one-sided
 struct SampleResult
@@ -88,6 +101,10 @@ public:
     virtual double time() const = 0;
     virtual FluidState fluid() = 0;
     virtual FluidEnergy energy() = 0;
+    virtual FluidExtremes extremes() = 0;
+
+    //- Those no more than reach [m] behind the one that is furthest along a unit vector; a few more where round-off decides
+    virtual FluidEnd farEnd(const Vector3& direction, double reach) = 0;
 
     //- Where they are not zero, now (SPH) or in the last step (PIC)
     virtual std::vector<FluidForce> forcesOnWalls() = 0;

@@ -244,7 +244,7 @@ template<int D>
 bool PicBodies<D>::read()
 {
     const std::vector<FreeBody<D, Shape>> before = std::move(bodies_);
-    const DemState s = scene_.particles();
+    const DemState s = scene_.motion();
     const DemClumpState c = clumps_ ? scene_.clumps() : DemClumpState();
     std::vector<int> slot(largestId_ + 1, -1);
     for (int i = 0; i < int(s.id.size()); ++i) slot[s.id[i]] = i;

@@ -4,23 +4,73 @@
 */
 #pragma once
 
+#include "core/largest.hpp"
 #include "pic/pressureAt.hpp"
+#include "scene/fluidEnd.hpp"
 #include "scene/picSolver.hpp"
 
 namespace riprap
 {
 
+template<int D, class R>
+struct ParticleEnergy
+{
+    static constexpr const char* name = "particleEnergy";
+    PicParticles<D, R> particles;
+    Vec<D, double> gravity;
+    const R* v[D];
+
+    HD void add(int i, double* sums) const
+    {
+        const Vec<D, double> x = particles.position(i);
+        for (int d = 0; d < D; ++d)
+        {
+            sums[0] += 0.5*double(v[d][i])*v[d][i];
+            sums[1] -= gravity.c[d]*x.c[d];
+        }
+    }
+};
+
+template<int D, class R>
+struct SpeedNow
+{
+    static constexpr const char* name = "speedNow";
+    const R* v[D];
+
+    HD double value(int i) const
+    {
+        double v2 = 0;
+        for (int d = 0; d < D; ++d) v2 += double(v[d][i])*v[d][i];
+        return v2;
+    }
+};
+
+template<int D, class R>
+struct ParticlePlaces
+{
+    UniformGrid<D> grid;
+    PicParticles<D, R> particles;
+
+    HD double x(int d, int i) const { return grid.origin[d] + particles.x[d][i]; }
+};
+
 //- Component d of the particles' velocities at the time of their positions
 template<class Backend, int D, class P>
-std::vector<typename P::real> PicSolver<Backend, D, P>::velocities(int d)
+void PicSolver<Backend, D, P>::velocitiesNow(int d, Array<Backend, real>& now)
 {
-    Array<Backend, real> now;
     now.allocate(context_, n_);
     withOrder([&](auto order)
     {
         forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
             real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});
     });
+}
+
+template<class Backend, int D, class P>
+std::vector<typename P::real> PicSolver<Backend, D, P>::velocities(int d)
+{
+    Array<Backend, real> now;
+    velocitiesNow(d, now);
     return now.download();
 }
 
@@ -99,6 +149,7 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points,
     result.pressure.assign(m, 0.0);
     result.velocity.assign(3*m, 0.0);
     result.centroid.assign(3*m, 0.0);
+    #pragma omp parallel for schedule(static) if (m > 1000)
     for (std::size_t i = 0; i < m; ++i)
     {
         Vec<D, double> at;
@@ -119,19 +170,44 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points,
 template<class Backend, int D, class P>
 FluidEnergy PicSolver<Backend, D, P>::energy()
 {
-    FluidEnergy e;
-    const double mass = config_.density*clock_.particleVolume;
+    Array<Backend, real> v[D];
+    ParticleEnergy<D, real> sum{particles(), {}, {}};
     for (int d = 0; d < D; ++d)
     {
-        const std::vector<real> v = velocities(d);
-        const auto x = set_.template download<double>(context_, xField_ + d);
-        for (int i = 0; i < n_; ++i)
-        {
-            e.kinetic += 0.5*mass*double(v[i])*v[i];
-            e.potential -= mass*gravity_[d]*(x[i]);
-        }
+        velocitiesNow(d, v[d]);
+        sum.v[d] = v[d].data();
+        sum.gravity.c[d] = gravity_[d];
     }
+    const auto sums = sumOver<2>(context_, n_, sum);
+    const double mass = config_.density*clock_.particleVolume;
+    FluidEnergy e;
+    e.kinetic = mass*sums[0];
+    e.potential = mass*sums[1];
     return e;
+}
+
+//- The density is that of the fluid
+template<class Backend, int D, class P>
+FluidExtremes PicSolver<Backend, D, P>::extremes()
+{
+    Array<Backend, real> v[D];
+    SpeedNow<D, real> speed{};
+    for (int d = 0; d < D; ++d)
+    {
+        velocitiesNow(d, v[d]);
+        speed.v[d] = v[d].data();
+    }
+    FluidExtremes e;
+    e.speed = std::sqrt(largestOver(context_, n_, speed));
+    return e;
+}
+
+template<class Backend, int D, class P>
+FluidEnd PicSolver<Backend, D, P>::farEnd(const Vector3& direction, double reach)
+{
+    Vec<D, double> lower, upper;
+    for (int d = 0; d < D; ++d) { lower.c[d] = grid_.origin[d]; upper.c[d] = grid_.origin[d] + grid_.h*grid_.n[d]; }
+    return farEndOf<Backend, D>(context_, n_, ParticlePlaces<D, real>{grid_, particles()}, config_.axes, direction, reach, lower, upper, emptyCoordinate_);
 }
 
 template<class Backend, int D, class P>

@@ -74,6 +74,8 @@ public:
     std::vector<FluidForce> forcesOnWalls() override;
     std::vector<FluidForce> forcesOnSolids() override { return bodies_ ? bodies_->forces() : std::vector<FluidForce>(); }
     FluidEnergy energy() override;
+    FluidExtremes extremes() override;
+    FluidEnd farEnd(const Vector3& direction, double reach) override;
     double particleSpacing() const override { return std::pow(clock_.particleVolume, 1.0/D); }
     using FluidScene::sample;
     SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
@@ -205,6 +207,7 @@ private:
     void solveViscous(real k);
 
     // picOutput.hpp
+    void velocitiesNow(int d, Array<Backend, real>&);
     std::vector<real> velocities(int d);
 
     // picState.hpp

@@ -78,7 +78,7 @@ std::vector<FluidForce> SphSolver<Backend, D, P>::forcesOnSolids()
     solidForcePass(force.data());
     const std::vector<real> pressure = force.download(), whole = solidForce_.download();
     const std::vector<std::int32_t> keys = solids_->order();
-    const DemState now = solidScene_->particles();
+    const DemState now = solidScene_->motion();
     for (std::size_t i = 0; i < keys.size(); ++i)
     {
         FluidForce f;

@@ -1,6 +1,8 @@
 /*  SphSolver: everything that is read back. */
 #pragma once
 
+#include "core/largest.hpp"
+#include "scene/fluidEnd.hpp"
 #include "scene/sphReadBack.hpp"
 #include "scene/sphSolver.hpp"
 
@@ -20,6 +22,7 @@ void SphSolver<Backend, D, P>::toMetres(const std::vector<std::int64_t>* x, std:
 {
     out.assign(3*n, emptyCoordinate_);
     for (int d = 0; d < D; ++d)
+        #pragma omp parallel for schedule(static) if (n > 10000)
         for (std::size_t i = 0; i < n; ++i) out[3*i + config_.axes[d]] = box_.toMetres(d, x[d][i]);
 }
 
@@ -41,16 +44,19 @@ FluidState SphSolver<Backend, D, P>::fluid()
     for (int d = 0; d < D; ++d)
     {
         const auto v = fluid_.template download<real>(context_, vField_ + d);
+        #pragma omp parallel for schedule(static) if (n > 10000)
         for (int i = 0; i < n; ++i) s.velocity[3*std::size_t(i) + config_.axes[d]] = v[i];
     }
     const auto deviation = fluid_.template download<real>(context_, deviationField_);
     s.id = fluid_.template download<std::int32_t>(context_, idField_);
     s.id.resize(n);
+    for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) v->resize(n);
+    #pragma omp parallel for schedule(static) if (n > 10000)
     for (int i = 0; i < n; ++i)
     {
-        s.density.push_back(config_.density*(1 + double(deviation[i])));
-        s.pressure.push_back(model_.eos.pressure(deviation[i]));
-        s.smoothingLength.push_back(model_.smoothingLength(deviation[i]));
+        s.density[i] = config_.density*(1 + double(deviation[i]));
+        s.pressure[i] = model_.eos.pressure(deviation[i]);
+        s.smoothingLength[i] = model_.smoothingLength(deviation[i]);
     }
     return s;
 }
@@ -101,6 +107,24 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
     for (const double w : wall_.template download<double>(context_, wallPressureWorkField_)) e.wallPressureWork += w;
     return e;
+}
+
+template<class Backend, int D, class P>
+FluidExtremes SphSolver<Backend, D, P>::extremes()
+{
+    const int n = activeFluid();
+    FluidExtremes e;
+    e.speed = std::sqrt(largestOver(context_, n, FluidSpeed2<D, P>{fluidFields()}));
+    e.densityDeviation = largestOver(context_, n, FluidDeviation<D, P>{fluidFields()});
+    return e;
+}
+
+template<class Backend, int D, class P>
+FluidEnd SphSolver<Backend, D, P>::farEnd(const Vector3& direction, double reach)
+{
+    Vec<D, double> lower, upper;
+    for (int d = 0; d < D; ++d) { lower.c[d] = box_.lower[d]; upper.c[d] = box_.lower[d] + box_.length[d]; }
+    return farEndOf<Backend, D>(context_, activeFluid(), FluidPlaces<D, P>{box_, fluidFields()}, config_.axes, direction, reach, lower, upper, emptyCoordinate_);
 }
 
 template<class Backend, int D, class P>

@@ -46,6 +46,38 @@ struct EnergySums
     }
 };
 
+template<int D, class P>
+struct FluidSpeed2
+{
+    static constexpr const char* name = "fluidSpeed";
+    FluidFields<D, P> fluid;
+
+    HD double value(int i) const
+    {
+        double v2 = 0;
+        for (int d = 0; d < D; ++d) v2 += double(fluid.v[d][i])*fluid.v[d][i];
+        return v2;
+    }
+};
+
+template<int D, class P>
+struct FluidDeviation
+{
+    static constexpr const char* name = "fluidDeviation";
+    FluidFields<D, P> fluid;
+
+    HD double value(int i) const { return fabs(double(fluid.deviation[i])); }
+};
+
+template<int D, class P>
+struct FluidPlaces
+{
+    Box<D, P> box;
+    FluidFields<D, P> fluid;
+
+    HD double x(int d, int i) const { return box.toMetres(d, fluid.x[d][i]); }
+};
+
 //- Pressures of walls into the order of the input
 template<class Backend, int D, class P>
 struct ReadWalls

@@ -86,6 +86,8 @@ public:
     FluidState fluid() override;
     WallState walls() override;
     SphEnergy energy() override;
+    FluidExtremes extremes() override;
+    FluidEnd farEnd(const Vector3& direction, double reach) override;
     std::vector<Vector3> wallForces() override;
     std::vector<FluidForce> forcesOnWalls() override;
     std::vector<FluidForce> forcesOnSolids() override;

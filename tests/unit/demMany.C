@@ -81,6 +81,25 @@ TEST_P(DemMany, FindsEveryContact)
             }
 }
 
+//- What is read without contacts is what is read with them
+TEST_P(DemMany, MotionIsThatOfParticles)
+{
+    for (const int D : {2, 3})
+    {
+        DemConfig c = config(D);
+        for (int d = 0; d < D; ++d) c.periodic[d] = true;
+        c.orientation = true;
+        auto scene = createDemScene(c, cloud(300, D, 0.03, 0.03, 5, 0.5));
+        scene->advance(1, 50);
+        const DemState all = scene->particles(), motion = scene->motion();
+        EXPECT_GT(*std::max_element(all.contacts.begin(), all.contacts.end()), 0);
+        EXPECT_TRUE(motion.contacts.empty());
+        for (const auto field : {&DemState::position, &DemState::velocity, &DemState::spin, &DemState::force, &DemState::moment,
+             &DemState::orientation, &DemState::radius, &DemState::mass}) { EXPECT_EQ(all.*field, motion.*field); }
+        for (const auto field : {&DemState::material, &DemState::group, &DemState::clump, &DemState::id}) { EXPECT_EQ(all.*field, motion.*field); }
+    }
+}
+
 //- Nothing from outside: linear momentum stays, with friction and damping; an elastic cloud keeps its energy
 TEST_P(DemMany, MomentumAndEnergy)
 {

@@ -2,6 +2,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include "farEnd.hpp"
 #include "sceneTest.hpp"
 
 namespace riprap
@@ -172,6 +173,26 @@ TEST_P(Sample, FollowsTheFluid)
         if (k == 0 || k == 10) { EXPECT_NEAR(r.volumeFraction[0], k ? 1 : 0.5, 0.03) << "the surface was there at the start, and passes"; }
         EXPECT_NEAR(r.volumeFraction[1], 0.5, 0.03) << "the surface is now here";
     }
+}
+
+TEST_P(Sample, EndsAndExtremesAreThoseOfAllParticles)
+{
+    SphConfig c = config();
+    FluidInput f = uniform(c, false, 0.01, {{0.3, 0.2, -0.1}});
+    std::mt19937 engine(5);
+    for (std::size_t i = 0; i < f.size(); ++i)
+    {
+        f.density[i] *= 1 + riprap::uniform(engine, -0.004, 0.004);
+        for (int d = 0; d < D(); ++d)
+        {
+            f.position[3*i + d] += riprap::uniform(engine, -0.2, 0.2)*c.spacing;
+            f.velocity[3*i + d] += riprap::uniform(engine, -0.5, 0.5);
+        }
+    }
+    const auto s = scene(c, f);
+    expectFarEnds(*s, D(), c.density);
+    s->advance(0.005);
+    expectFarEnds(*s, D(), c.density);
 }
 
 TEST_P(Sample, EnergyByHand)

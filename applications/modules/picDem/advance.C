@@ -36,7 +36,6 @@ void Foam::solverModules::picDem::takeSteps(scalar t, int64_t maxSteps)
 Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
 {
     takeSteps(t, singleStep ? 1 : 0);
-    setFields();
 
     return report_.time;
 }

@@ -115,8 +115,9 @@ void Foam::solverModules::picDem::setWallPressure()
 }
 
 
-void Foam::solverModules::picDem::setFields()
+void Foam::solverModules::picDem::updateFields()
 {
+    const wallTimes::part timed("fields");
     const riprap::PicGridState state(scene_->grid());
     const labelList& cell = grid_.gridCell();
 

@@ -113,7 +113,7 @@ void Foam::solverModules::picDem::registerScene()
         )
     );
     makeFields();
-    setFields();
+    updateFields();
 }
 
 

@@ -25,6 +25,7 @@ Usage
 #include "solverModule.H"
 #include "stopSignals.H"
 #include "timePlan.H"
+#include "wallTimes.H"
 
 using namespace Foam;
 
@@ -47,9 +48,45 @@ static void refuseParallel(int argc, char* argv[])
 //- As plan.run(), in which function objects write, too
 static bool goesOn(caseTime& runTime, timePlan& plan)
 {
-    const bool more = plan.run();
+    bool more;
+    {
+        const wallTimes::part timed("function objects");
+        more = plan.run();
+    }
+    const wallTimes::part timed("writing");
     runTime.finishWrite();
     return more;
+}
+
+
+//- Does a function object that is not riprap's look at fields of the mesh?
+static bool fieldsAreRead(const Time& runTime)
+{
+    const dictionary* functions = runTime.controlDict().findDict("functions");
+    if (!functions)
+    {
+        return false;
+    }
+    for (const entry& e : *functions)
+    {
+        if (!e.isDict())
+        {
+            continue;
+        }
+        fileNameList libs;
+        e.dict().readIfPresent("functionObjectLibs", libs);
+        e.dict().readIfPresent("libs", libs);
+        bool others = libs.empty();
+        for (const fileName& lib : libs)
+        {
+            others = others || lib.lessExt().name() != "libriprapFoam";
+        }
+        if (others)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -59,6 +96,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
     const stopSignals signals(module);
 
     Info<< "\nStarting time loop\n" << endl;
+    wallTimes::ofRun().started();
 
     while (goesOn(runTime, plan))
     {
@@ -70,7 +108,14 @@ static void runLoop(caseTime& runTime, solverModule& module)
         Info<< "Time = " << runTime.timeName() << nl << endl;
         module.report();
 
-        if (const char* signal = signals.received())
+        const char* signal = signals.received();
+        if (signal || runTime.writeTime() || fieldsAreRead(runTime))
+        {
+            module.updateFields();
+        }
+
+        const wallTimes::part timed("writing");
+        if (signal)
         {
             Info<< "Stopping on " << signal << ": writing this time\n" << endl;
             runTime.writeAndEnd();
@@ -82,6 +127,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
         runTime.printExecutionTime(Info);
     }
+    wallTimes::ofRun().write(runTime);
 }
 
 
@@ -138,6 +184,8 @@ static void runCase(const argList& args, bool postProcess)
 
 int main(int argc, char* argv[])
 {
+    wallTimes::ofRun();
+
     argList::addNote("Particle solvers in an OpenFOAM case");
     argList::noParallel();
     argList::addOption("solver", "name", "Solver module, e.g. sphDem");

@@ -31,7 +31,7 @@ Foam::functionObjects::brokenBonds::brokenBonds
 }
 
 
-bool Foam::functionObjects::brokenBonds::write()
+bool Foam::functionObjects::brokenBonds::writeSample()
 {
     const riprap::DemBondState bonds(dem().scene().bonds());
     const riprap::DemState now(dem().scene().particles());

@@ -68,7 +68,7 @@ void Foam::functionObjects::contactChains::writeLines(const riprap::DemContacts&
 }
 
 
-bool Foam::functionObjects::contactChains::write()
+bool Foam::functionObjects::contactChains::writeSample()
 {
     const riprap::DemContacts contacts(dem().scene().contacts());
     writeLines(contacts);

@@ -22,26 +22,6 @@ namespace
     {
         return e.kinetic + e.potential + e.elastic;
     }
-
-    struct Extremes { double speed = 0, densityDeviation = 0; };
-
-    Extremes extremes(const riprap::FluidState& fluid, const double density)
-    {
-        Extremes e;
-        for (std::size_t i = 0; i < fluid.density.size(); ++i)
-        {
-            const double* u = &fluid.velocity[3*i];
-            e.speed = std::max(e.speed, u[0]*u[0] + u[1]*u[1] + u[2]*u[2]);
-            e.densityDeviation =
-                std::max
-                (
-                    e.densityDeviation,
-                    std::abs(fluid.density[i]/density - 1)
-                );
-        }
-        e.speed = std::sqrt(e.speed);
-        return e;
-    }
 }
 
 
@@ -90,7 +70,7 @@ void Foam::functionObjects::energyBalance::begin()
 }
 
 
-bool Foam::functionObjects::energyBalance::execute()
+bool Foam::functionObjects::energyBalance::executeSample()
 {
     if (time_.writeTime())
     {
@@ -113,13 +93,10 @@ bool Foam::functionObjects::energyBalance::execute()
 }
 
 
-bool Foam::functionObjects::energyBalance::write()
+bool Foam::functionObjects::energyBalance::writeSample()
 {
     const riprap::FluidEnergy energy(fluid().fluidScene().energy());
-    const Extremes now
-    (
-        extremes(fluid().fluidScene().fluid(), fluid().fluidConfig().density)
-    );
+    const riprap::FluidExtremes now(fluid().fluidScene().extremes());
 
     const scalar work = energy.wallWork + workBefore_;
     const scalar stiffening = energy.stiffening + stiffeningBefore_;

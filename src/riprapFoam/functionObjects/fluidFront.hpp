@@ -37,38 +37,51 @@ struct FrontRule
     int minNeighbours = 0;
 };
 
-//- (x - origin).direction of the front particle's centre [m]; -infinity when no particle counts
-inline double fluidFront(const std::vector<double>& position, const FrontRule& rule)
+//- Of particles on the host: see FluidScene::farEnd
+inline FluidEnd farEnd(const std::vector<double>& position, const Vector3& direction, double reach)
+{
+    const Vector3 zero{{0, 0, 0}};
+    double first = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < position.size(); i += 3) first = std::max(first, along(&position[i], zero, direction));
+
+    FluidEnd end;
+    end.particles = position.size()/3;
+    for (std::size_t i = 0; i < position.size(); i += 3)
+    {
+        if (along(&position[i], zero, direction) >= first - reach) end.position.insert(end.position.end(), &position[i], &position[i] + 3);
+    }
+    return end;
+}
+
+//- (x - origin).direction of the front particle's centre [m]; -infinity when no particle counts.
+//  farEnd(reach): the particles no further than reach behind the furthest one
+template<class FarEnd>
+double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
 {
     const double none = -std::numeric_limits<double>::infinity();
-    const std::size_t n = position.size()/3;
-
-    double first = none, last = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        const double s = along(&position[3*i], rule.origin, rule.direction);
-        first = std::max(first, s);
-        last = std::min(last, s);
-    }
 
     struct Candidate { double s; std::size_t particle; };
     std::vector<Candidate> window;
 
-    for (double reach = 4*rule.support; n > 0; reach *= 2)
+    for (double reach = 4*rule.support;; reach *= 2)
     {
+        const FluidEnd end(farEnd(reach));
+        const std::vector<double>& position = end.position;
         window.clear();
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; 3*i < position.size(); ++i)
         {
             const double s = along(&position[3*i], rule.origin, rule.direction);
-            if (s >= first - reach) window.push_back({s, i});
+            if (s > none) window.push_back({s, i});
         }
+        if (window.empty()) break;
         std::sort
         (
             window.begin(), window.end(),
             [](const Candidate& a, const Candidate& b) { return a.s > b.s; }
         );
 
-        const bool all = window.size() == n;
+        const double first = window[0].s;
+        const bool all = 3*end.particles == position.size();
 
         for (std::size_t c = 0; c < window.size(); ++c)
         {
@@ -104,10 +117,15 @@ inline double fluidFront(const std::vector<double>& position, const FrontRule& r
             if (neighbours >= rule.minNeighbours) return s;
         }
 
-        if (all || first - reach < last) break;
+        if (all || !std::isfinite(reach)) break;        // what is not a number is in no window
     }
 
     return none;
+}
+
+inline double fluidFront(const std::vector<double>& position, const FrontRule& rule)
+{
+    return fluidFrontOf([&](double reach) { return farEnd(position, rule.direction, reach); }, rule);
 }
 
 } // namespace riprap

@@ -11,6 +11,7 @@
 #include "sphRun.H"
 #include "OSspecific.H"
 #include "addToRunTimeSelectionTable.H"
+#include <map>
 
 namespace Foam
 {
@@ -117,14 +118,22 @@ bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
 }
 
 
-std::vector<double> Foam::functionObjects::frontPosition::positions() const
+riprap::FluidEnd Foam::functionObjects::frontPosition::farEnd
+(
+    scalar reach
+) const
 {
     if (hasScene())
     {
-        return fluid().fluidScene().fluid().position;
+        return fluid().fluidScene().farEnd(rule_.direction, reach);
     }
 
-    return flatPoints(readParticleCloud(mesh_, fluidCloud).position);
+    return riprap::farEnd
+    (
+        flatPoints(readParticleCloud(mesh_, fluidCloud).position),
+        rule_.direction,
+        reach
+    );
 }
 
 
@@ -159,7 +168,7 @@ Foam::scalar Foam::functionObjects::frontPosition::height() const
 }
 
 
-bool Foam::functionObjects::frontPosition::write()
+bool Foam::functionObjects::frontPosition::writeSample()
 {
     if (!hasScene() && !hasParticleCloud(mesh_, fluidCloud))
     {
@@ -168,13 +177,23 @@ bool Foam::functionObjects::frontPosition::write()
         return true;
     }
 
-    const std::vector<double> x(positions());
-    const label particles = x.size()/3;
+    // Rules ask for the same ends
+    std::map<scalar, riprap::FluidEnd> ends;
+    const auto end = [&](scalar reach) -> const riprap::FluidEnd&
+    {
+        auto known = ends.find(reach);
+        if (known == ends.end())
+        {
+            known = ends.emplace(reach, farEnd(reach)).first;
+        }
+        return known->second;
+    };
+    const label particles = end(4*rule_.support).particles;
 
     // Edge of the furthest particle; 0 when there is none
     const auto edge = [&](const riprap::FrontRule& rule)
     {
-        const double centre = riprap::fluidFront(x, rule);
+        const double centre = riprap::fluidFrontOf(end, rule);
         return std::isfinite(centre) ? centre + 0.5*spacing_ : 0;
     };
 

@@ -117,7 +117,7 @@ std::array<double, 9> Foam::functionObjects::gaugeBody::turned
 void Foam::functionObjects::gaugeBody::beginSolids(const dictionary& dict)
 {
     const demSceneObject& dem = *demOf(mesh_);
-    const riprap::DemState now(dem.scene().particles());
+    const riprap::DemState& now = dem.motion();
     const bool planar = dem.settings().config.dimensions == 2;
 
     ids_.clear();
@@ -154,7 +154,7 @@ riprap::WallPose Foam::functionObjects::gaugeBody::fitted()
 {
     const demSceneObject& dem = *demOf(mesh_);
     const riprap::DemConfig& config = dem.settings().config;
-    const riprap::DemState now(dem.scene().particles());
+    const riprap::DemState& now = dem.motion();
     follow(now);
 
     riprap::WallPose pose

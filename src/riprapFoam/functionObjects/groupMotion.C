@@ -97,9 +97,9 @@ bool Foam::functionObjects::groupMotion::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::groupMotion::write()
+bool Foam::functionObjects::groupMotion::writeSample()
 {
-    const riprap::DemState now(dem().scene().particles());
+    const riprap::DemState& now = dem().motion();
     const std::vector<riprap::DemClump>& clumps = dem().input().clumps;
     const riprap::DemClumpState bodies
     (

@@ -41,7 +41,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
 }
 
 
-bool Foam::functionObjects::momentumBalance::write()
+bool Foam::functionObjects::momentumBalance::writeSample()
 {
     const riprap::PicMomentum m(pic().momentum());
 

@@ -127,9 +127,9 @@ void Foam::functionObjects::particleDisplacement::begin()
 }
 
 
-bool Foam::functionObjects::particleDisplacement::write()
+bool Foam::functionObjects::particleDisplacement::writeSample()
 {
-    const riprap::DemState now(dem().scene().particles());
+    const riprap::DemState& now = dem().motion();
     const scalar none = std::numeric_limits<scalar>::quiet_NaN();
 
     wordList columns;

@@ -100,7 +100,7 @@ void Foam::functionObjects::particleForces::addContactsOnGroups()
     if (!parts_->groups().found(true)) return;
 
     riprap::DemScene& scene = parts_->solids()->scene();
-    const riprap::DemState now(scene.particles());
+    const riprap::DemState& now = parts_->solids()->motion();
     const riprap::DemContacts contacts(scene.contacts());
 
     std::unordered_map<std::int32_t, std::size_t> at;
@@ -232,7 +232,7 @@ bool Foam::functionObjects::particleForces::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::particleForces::write()
+bool Foam::functionObjects::particleForces::writeSample()
 {
     force_ = vector(Zero);
     moment_ = vector(Zero);

@@ -106,7 +106,7 @@ Foam::functionObjects::particleProbes::now()
 }
 
 
-bool Foam::functionObjects::particleProbes::execute()
+bool Foam::functionObjects::particleProbes::executeSample()
 {
     if (average_ > 0)
     {

@@ -189,7 +189,7 @@ void Foam::functionObjects::particleProbes::writeTable
 }
 
 
-bool Foam::functionObjects::particleProbes::write()
+bool Foam::functionObjects::particleProbes::writeSample()
 {
     const List<reading>& probes = now();
 

@@ -140,7 +140,7 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::particlesToMesh::execute()
+bool Foam::functionObjects::particlesToMesh::executeSample()
 {
     if (onGrid())
     {
@@ -183,7 +183,7 @@ bool Foam::functionObjects::particlesToMesh::execute()
 }
 
 
-bool Foam::functionObjects::particlesToMesh::write()
+bool Foam::functionObjects::particlesToMesh::writeSample()
 {
     if (postProcess || ownWriteControl_ || time_.writeTime())
     {

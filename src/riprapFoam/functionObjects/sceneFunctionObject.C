@@ -6,6 +6,7 @@
 #include "sceneFunctionObject.H"
 #include "checkedDictionary.H"
 #include "listed.H"
+#include "wallTimes.H"
 
 namespace Foam
 {
@@ -227,7 +228,15 @@ bool Foam::functionObjects::sceneFunctionObject::read(const dictionary& dict)
 
 bool Foam::functionObjects::sceneFunctionObject::execute()
 {
-    return true;
+    const wallTimes::part timed(name());
+    return executeSample();
+}
+
+
+bool Foam::functionObjects::sceneFunctionObject::write()
+{
+    const wallTimes::part timed(name());
+    return writeSample();
 }
 
 

@@ -40,14 +40,14 @@ namespace
         return turn.transform(Foam::cmptMultiply(I, turn.invTransform(w)));
     }
 
-    Momentum momentumOf(riprap::DemScene& scene, const std::vector<riprap::DemClump>& bodies, const riprap::DemConfig& config)
+    Momentum momentumOf(const Foam::demSceneObject& solids, const std::vector<riprap::DemClump>& bodies, const riprap::DemConfig& config)
     {
-        const riprap::DemState now(scene.particles());
+        const riprap::DemState& now = solids.motion();
         const double beta = config.dimensions == 2 ? 0.5 : 0.4;
         Momentum m;
         if (bodies.size())
         {
-            const riprap::DemClumpState moving(scene.clumps());
+            const riprap::DemClumpState moving(solids.scene().clumps());
             for (std::size_t k = 0; k < bodies.size(); ++k)
             {
                 const vector p(bodies[k].mass*vectorOf(moving.velocity, k));
@@ -82,10 +82,10 @@ Foam::functionObjects::solidEnergies::solidEnergies
 }
 
 
-bool Foam::functionObjects::solidEnergies::write()
+bool Foam::functionObjects::solidEnergies::writeSample()
 {
     const riprap::DemEnergy e(dem().scene().energy());
-    const Momentum m(momentumOf(dem().scene(), dem().input().clumps, dem().settings().config));
+    const Momentum m(momentumOf(dem(), dem().input().clumps, dem().settings().config));
 
     OFstream& os = row
     (

@@ -30,7 +30,7 @@ Foam::functionObjects::solidWallForce::solidWallForce
 }
 
 
-bool Foam::functionObjects::solidWallForce::write()
+bool Foam::functionObjects::solidWallForce::writeSample()
 {
     const std::vector<riprap::DemWallForce> forces(dem().scene().wallForces());
     const auto& walls = dem().input().walls;

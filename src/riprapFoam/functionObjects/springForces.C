@@ -30,7 +30,7 @@ Foam::functionObjects::springForces::springForces
 }
 
 
-bool Foam::functionObjects::springForces::write()
+bool Foam::functionObjects::springForces::writeSample()
 {
     const std::vector<riprap::DemSpringState> now(dem().scene().springs());
     if (now.empty())

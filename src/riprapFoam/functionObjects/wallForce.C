@@ -46,7 +46,7 @@ bool Foam::functionObjects::wallForce::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::wallForce::write()
+bool Foam::functionObjects::wallForce::writeSample()
 {
     const std::vector<riprap::Vector3> forces(sph().scene().wallForces());
 

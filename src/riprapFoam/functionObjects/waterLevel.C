@@ -65,7 +65,7 @@ bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::waterLevel::write()
+bool Foam::functionObjects::waterLevel::writeSample()
 {
     pointField all;
     for (const gaugeLine& line : lines_)
