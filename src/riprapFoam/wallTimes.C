@@ -80,6 +80,10 @@ void Foam::wallTimes::started()
     parts_.clear();
     functionObjects_.clear();
     add(parts_, "start", since(begin_));
+    for (const char* name : {"solver", "fields", "function objects", "writing"})
+    {
+        parts_.push_back(entry{name, 0, 0});
+    }
 }
 
 
@@ -109,6 +113,7 @@ void Foam::wallTimes::write(const Time& time) const
     };
     for (const entry& e : parts_)
     {
+        if (!e.count) continue;
         put(e.name, e.seconds, e.count, 4);
         if (e.name != "function objects") continue;
         for (const entry& f : functionObjects_)

@@ -68,9 +68,9 @@ void checkFluid(const PicConfig& c, const FluidInput& f, bool solids)
         {
             const int axis = c.axes[d];
             const double x = f.position[3*i + axis];
-            const bool inside = x >= c.domainMin[axis] && x <= c.domainMax[axis];
-            require(inside, "fluid particle " + std::to_string(i) + " is outside the domain");
-            require(std::isfinite(f.velocity[3*i + axis]), "fluid particle " + std::to_string(i) + " has no proper velocity");
+            // no text is made of millions that are right
+            if (!(x >= c.domainMin[axis] && x <= c.domainMax[axis])) require(false, "fluid particle " + std::to_string(i) + " is outside the domain");
+            if (!std::isfinite(f.velocity[3*i + axis])) require(false, "fluid particle " + std::to_string(i) + " has no proper velocity");
         }
 }
 

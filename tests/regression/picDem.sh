@@ -88,6 +88,23 @@ near foamVolume volume/0/volFieldValue.dat 2 1e-4 1e-9
 near foamFloor floor/0/surfaceFieldValue.dat 2 490.5 0.2            # 0.05 m deep
 good; rm -rf 0.05 0.1 postProcessing
 
+# Fields reach OpenFOAM's function objects at each sample, and are written right where nobody else looks at them
+column='spacing 0.005; regions ( column { set fluid; source box; box (0 0 -1) (0.1 0.08 1); velocity (0 0 0); pressure hydrostatic; } );'
+short='endTime 0.04; sampleInterval 0.01; writeInterval 0.04;'
+dictionary system/setParticlesDict <<<"$column"
+control "$short functions { points { type probes; libs (\"libsampling.so\"); fields (p); probeLocations ((0.05 0.01 0.005)); } }"
+setParticles >log 2>&1; riprapFoam >log 2>&1
+[[ $(awk '!/^#/ { print $2 }' postProcessing/points/0/p | sort -u | wc -l) -ge 4 ]] && pass fields.eachSample || fail fields.eachSample 'a probe sees the same p at several samples'
+cp -r 0.04 read; rm -rf 0.04 postProcessing
+control "$short"; riprapFoam >log 2>&1
+for field in p U alpha.water
+do
+    cmp -s read/$field 0.04/$field && pass fields.$field || fail fields.$field 'is another without function objects'
+done
+says wallTimes 'Wall time \[s\].*start.*solver.*fields.*writing.*all +[0-9.]+ +100.0 %'
+[[ -s postProcessing/wallTimes/0/wallTimes.dat ]] && pass wallTimes.file || fail wallTimes.file 'no postProcessing/wallTimes'
+good; rm -rf read 0.04 postProcessing
+
 # A channel with a given flow on one side and a level on the other: 0.05 m deep at 0.2 m/s; steady, and exact when continued
 block 0.2 0.1 0.01 '20 10 1' "in { type patch; faces ((0 4 7 3)); } out { type patch; faces ((1 2 6 5)); } $lower $open $flat"
 good; control ''

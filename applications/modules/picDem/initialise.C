@@ -63,7 +63,7 @@ void Foam::solverModules::picDem::buildScene
             << "The case cannot be run: " << e.what() << exit(FatalIOError);
     }
 
-    const label particles = label(scene_->fluid().id.size());
+    const label particles = label(scene_->farEnd({{1, 0, 0}}, 0).particles);
     if (!continued)
     {
         const auto passed = run_.passed;
