@@ -86,16 +86,36 @@ Foam::labelList Foam::locateParticles
     labelList cell(points.size(), -1);
     if (!mesh.nCells()) return cell;
 
-    cellWalk walk(mesh);
+    const auto hinted = [&](label i)
+    {
+        return hint.size() == points.size() && hint[i] >= 0 && hint[i] < mesh.nCells();
+    };
+
+    // What the walk needs of the mesh is there before the threads ask for it. A point within a cell is in no other: chunks do not matter
+    mesh.cells();
+    mesh.cellCentres();
+    mesh.faceAreas();
+    const label chunk = 4096, chunks = (points.size() + chunk - 1)/chunk;
+    #pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
+    for (label k = 0; k < chunks; ++k)
+    {
+        cellWalk walk(mesh);
+        label last = 0;
+        for (label i = k*chunk; i < min((k + 1)*chunk, points.size()); ++i)
+        {
+            cell[i] = walk.find(points[i], hinted(i) ? hint[i] : last);
+            if (cell[i] >= 0) last = cell[i];
+        }
+    }
+
+    // The rest, one by one: the mesh builds its tree for them
     label last = 0;
     forAll(points, i)
     {
-        const point& p = points[i];
-        const label guess = hint.size() == points.size() && hint[i] >= 0 && hint[i] < mesh.nCells() ? hint[i] : last;
-
-        cell[i] = walk.find(p, guess);
         if (cell[i] < 0)
         {
+            const point& p = points[i];
+            const label guess = hinted(i) ? hint[i] : last;
             if (mesh.pointInCell(p, guess))
             {
                 cell[i] = guess;
