@@ -53,9 +53,10 @@ struct TermParameters
     DensityDiffusion<D, R> diffusion;
     ShiftingModel<R> shifting;
     TermChoice on;
-    bool wallViscosity, wallArtificial;
+    bool wallViscosity, wallArtificial, solidArtificial;
 
-    explicit TermParameters(const SphConfig& c) : on(c), wallViscosity(c.noSlip), wallArtificial(c.noSlip && c.artificialAtWalls)
+    explicit TermParameters(const SphConfig& c)
+      : on(c), wallViscosity(c.noSlip), wallArtificial(c.noSlip && c.artificialAtWalls), solidArtificial(c.artificialAtWalls)
     {
         laminar.mu = R(c.viscosity);
         laminar.softening = R(c.viscositySoftening);

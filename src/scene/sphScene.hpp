@@ -51,7 +51,7 @@ struct SphConfig : FluidConfig
     ViscosityKind viscosityModel = ViscosityKind::laminar;
     double viscositySoftening = 0.01;       // eta of Eq. 36: r^2 + eta h^2
     double artificialAlpha = 0.02;
-    bool artificialAtWalls = true;          // artificial viscosity also acts between fluid and walls
+    bool artificialAtWalls = true;          // artificial viscosity also acts between fluid and walls or solids
     double antiClump = 0;                   // coefficient of Eq. 38 (0.01), 0: off
     double xsph = 0;                        // epsilon of Eq. 39, 0: off
     DiffusionKind diffusion = DiffusionKind::none;

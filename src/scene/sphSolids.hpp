@@ -89,7 +89,7 @@ SolidTerms<typename P::real> SphSolver<Backend, D, P>::solidTerms(bool viscous) 
     {
         pressure, Continuity{},
         Switchable<LaminarViscosity<real>>(terms_.laminar, viscous && terms_.on.laminar && coupling_.viscosity),
-        Switchable<ArtificialViscosity<real>>(terms_.artificial, viscous && terms_.on.artificial && coupling_.viscosity),
+        Switchable<ArtificialViscosity<real>>(terms_.artificial, viscous && terms_.on.artificial && terms_.solidArtificial && coupling_.viscosity),
         Switchable<AntiClump<real>>(terms_.antiClump, coupling_.antiClump),
         coupling_.xsph ? real(2)*terms_.xsph.epsilon : real(0)
     };

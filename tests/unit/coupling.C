@@ -51,6 +51,29 @@ TEST_P(Coupling, ForceOfOnePair)
     }
 }
 
+//- Artificial viscosity is friction that grows with the spacing: it acts between fluid and solids where it acts at walls, and only there
+TEST_P(Coupling, ArtificialViscosityActsOnSolidsAsAtWalls)
+{
+    const auto push = [&](ViscosityKind viscosity, bool atWalls)
+    {
+        SphConfig c = config();
+        c.wallSpacing = c.spacing;
+        c.viscosityModel = viscosity;
+        c.artificialAtWalls = atWalls;
+        FluidInput f;
+        f.position = {0.5, 0.5, D() == 3 ? 0.5 : 0.0};
+        f.velocity = {0.1, 0, 0};
+        f.density = {1.01*c.density};
+        SolidInput solids = block(c, 1, 0.5*c.spacing, {{0, 0, 0}});
+        solids.input.particles.position = {0.5 + 0.8*c.spacing, 0.5, D() == 3 ? 0.5 : 0.0};
+        return createSphDemScene(c, f, {}, solids)->coupling().force[0];
+    };
+    const double none = push(ViscosityKind::none, true);
+    EXPECT_GT(none, 0);
+    EXPECT_EQ(push(ViscosityKind::artificial, false), none);
+    EXPECT_GT(push(ViscosityKind::artificial, true), (mixed() ? 1 + 3e-5 : 1 + 1e-10)*none);
+}
+
 //- What the fluid loses the solids gain, step by step, whatever the scheme; bonded bodies and rigid ones
 TEST_P(Coupling, MomentumIsKept)
 {
