@@ -138,8 +138,8 @@ def cylinder(speed, ratio, radius, time, width, depth):
               f'system/tank:width {width}', f'system/tank:depth {depth}', f'system/tank:height {depth + 0.7}')
 
 
-def greenhow(ratio, end=1.85, width=1, depth=0.5):
-    """Greenhow & Lin (1983), until t sqrt(g/D) = end"""
+def greenhow(ratio, end=1.85, width=2, depth=1):
+    """Greenhow & Lin (1983), until t sqrt(g/D) = end. The boundary elements know no walls: 18 D by 9 D of water"""
     return cylinder(2.955, ratio, 0.055, end*np.sqrt(0.11/g) + 0.004, width, depth)
 
 
