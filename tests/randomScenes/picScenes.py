@@ -11,6 +11,8 @@ import os
 import random
 import sys
 
+import numpy as np
+
 from makeScene import write
 
 KINDS = ('drop', 'flat', 'breach', 'float', 'collide', 'slide')
@@ -206,21 +208,40 @@ class PicScene:
         gx, gz = 9.81*math.sin(self.tilt), -9.81*math.cos(self.tilt)
         return min(-gx*x*self.h - gz*z*self.h for x in (0, self.nx) for z in (0, self.nz))
 
-    def behind(self, x):
-        """How many of these positions (n, 3) [m] are in a wall"""
-        h, near = self.h, 0.05*self.h
-        X, Y, Z = x[:, 0], x[:, 1], x[:, 2]
-        out = (X < -near) | (X > self.nx*h + near) | (Z < -near) | (Z > self.nz*h + near)
-        if self.dim == 3:
-            out |= (Y < -near) | (Y > self.ny*h + near)
+    def distance(self, X, Z):
+        """Signed, of an obstacle at positions [cells], negative in it, where it is within two cells"""
+        least = np.full(np.shape(X), 2.0)
         for o in self.obstacles:
             if o[0] == 'slope':
-                out |= (X - self.foot*h)*math.sin(self.slope) + Z*math.cos(self.slope) < -near
+                d = (X - self.foot)*math.sin(self.slope) + Z*math.cos(self.slope)
             elif o[0] == 'box':
-                out |= (X > (o[1] - 0.5*o[2])*h + near) & (X < (o[1] + 0.5*o[2])*h - near) & (Z < o[3]*h - near)
+                a, b = np.abs(X - o[1]) - 0.5*o[2], np.abs(Z - 0.5*(o[3] - 1)) - 0.5*(o[3] + 1)
+                d = np.hypot(np.maximum(a, 0), np.maximum(b, 0)) + np.minimum(np.maximum(a, b), 0)
             else:
-                out |= (X - o[1]*h)**2 + (Z - o[3]*h)**2 < (0.5*o[2]*h - near)**2
-        return int(out.sum())
+                d = np.hypot(X - o[1], Z - o[3]) - 0.5*o[2]
+            least = np.minimum(least, np.maximum(d, -2))
+        return least
+
+    def sampledDistance(self, X, Z):
+        """The same as the cut cells have it: exact at the nodes of the grid, linear between them. At a right edge that is up to 0.29 cells less than the whole, at a cylinder of 2 cells 0.07"""
+        i, k = (np.clip(np.floor(c), 0, n - 1) for c, n in ((X, self.nx), (Z, self.nz)))
+        f, g = X - i, Z - k
+        return ((1 - f)*((1 - g)*self.distance(i, k) + g*self.distance(i, k + 1)) +
+                f*((1 - g)*self.distance(i + 1, k) + g*self.distance(i + 1, k + 1)))
+
+    def sunk(self, x, distance):
+        """How deep each of these positions (n, 3) [m] is in a wall or, by this distance, in an obstacle [cells]; negative: in none"""
+        X, Y, Z = (x/self.h).T
+        out = [-X, X - self.nx, -Z, Z - self.nz, -distance(X, Z)]
+        if self.dim == 3:
+            out += [-Y, Y - self.ny]
+        return np.max(out, axis=0)
+
+    def behind(self, cloud, x):
+        """How many of the positions of this cloud are in a wall. Water is kept out of solids as the grid has them, whose round ones have flat sides (0.0075 cells). Solids touch the
+        exact shapes, and press into them"""
+        distance, most = {'fluid': (self.sampledDistance, 0.01), 'solids': (self.distance, 0.05)}[cloud]
+        return int((self.sunk(x, distance) > most).sum())
 
     # * * * files
 
