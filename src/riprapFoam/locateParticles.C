@@ -95,6 +95,8 @@ Foam::labelList Foam::locateParticles
     mesh.cells();
     mesh.cellCentres();
     mesh.faceAreas();
+    boundBox around(mesh.bounds());
+    around.inflate(1e-6);
     const label chunk = 4096, chunks = (points.size() + chunk - 1)/chunk;
     #pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
     for (label k = 0; k < chunks; ++k)
@@ -108,11 +110,11 @@ Foam::labelList Foam::locateParticles
         }
     }
 
-    // The rest, one by one: the mesh builds its tree for them
+    // The rest, one by one: the mesh builds its tree for them, but not for those that are clear of it
     label last = 0;
     forAll(points, i)
     {
-        if (cell[i] < 0)
+        if (cell[i] < 0 && (nearest || around.contains(points[i])))
         {
             const point& p = points[i];
             const label guess = hinted(i) ? hint[i] : last;

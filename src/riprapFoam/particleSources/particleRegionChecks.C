@@ -32,19 +32,19 @@ void Foam::checkPlace
     if (space.walls.size() == 0) return;
     const scalar near = 0.25*(packing.spacing() + space.walls.spacing);
     const pointGrid walls(near, space.walls.position);
+    labelList found(region.size(), -1);
+    #pragma omp parallel for schedule(static) if (region.size() > 10000)
+    for (label i = 0; i < region.size(); ++i)
+    {
+        walls.near(region.position[i], [&](label w, const vector&, scalar) { if (found[i] < 0) found[i] = w; });
+    }
     boolList good(region.size(), true);
     word wall;
     forAll(good, i)
     {
-        walls.near
-        (
-            region.position[i],
-            [&](label w, const vector&, scalar)
-            {
-                if (good[i] && wall.empty()) wall = space.walls.names[space.walls.source[w]];
-                good[i] = false;
-            }
-        );
+        if (found[i] < 0) continue;
+        if (wall.empty()) wall = space.walls.names[space.walls.source[found[i]]];
+        good[i] = false;
     }
     clipOrStop(region, good, "too near to wall " + wall + " (or others)");
 }
