@@ -6,6 +6,7 @@
 
 #include "core/largest.hpp"
 #include "pic/pressureAt.hpp"
+#include "pic/speed.hpp"
 #include "scene/fluidEnd.hpp"
 #include "scene/picSolver.hpp"
 
@@ -18,30 +19,15 @@ struct ParticleEnergy
     static constexpr const char* name = "particleEnergy";
     PicParticles<D, R> particles;
     Vec<D, double> gravity;
-    const R* v[D];
 
     HD void add(int i, double* sums) const
     {
         const Vec<D, double> x = particles.position(i);
         for (int d = 0; d < D; ++d)
         {
-            sums[0] += 0.5*double(v[d][i])*v[d][i];
+            sums[0] += 0.5*double(particles.v[d][i])*particles.v[d][i];
             sums[1] -= gravity.c[d]*x.c[d];
         }
-    }
-};
-
-template<int D, class R>
-struct SpeedNow
-{
-    static constexpr const char* name = "speedNow";
-    const R* v[D];
-
-    HD double value(int i) const
-    {
-        double v2 = 0;
-        for (int d = 0; d < D; ++d) v2 += double(v[d][i])*v[d][i];
-        return v2;
     }
 };
 
@@ -64,6 +50,19 @@ void PicSolver<Backend, D, P>::velocitiesNow(int d, Array<Backend, real>& now)
         forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
             real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});
     });
+}
+
+//- Particles with these velocities, kept in v
+template<class Backend, int D, class P>
+PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particlesNow(Array<Backend, real> (&v)[D])
+{
+    PicParticles<D, real> now = particles();
+    for (int d = 0; d < D; ++d)
+    {
+        velocitiesNow(d, v[d]);
+        now.v[d] = v[d].data();
+    }
+    return now;
 }
 
 template<class Backend, int D, class P>
@@ -171,13 +170,8 @@ template<class Backend, int D, class P>
 FluidEnergy PicSolver<Backend, D, P>::energy()
 {
     Array<Backend, real> v[D];
-    ParticleEnergy<D, real> sum{particles(), {}, {}};
-    for (int d = 0; d < D; ++d)
-    {
-        velocitiesNow(d, v[d]);
-        sum.v[d] = v[d].data();
-        sum.gravity.c[d] = gravity_[d];
-    }
+    ParticleEnergy<D, real> sum{particlesNow(v), {}};
+    for (int d = 0; d < D; ++d) sum.gravity.c[d] = gravity_[d];
     const auto sums = sumOver<2>(context_, n_, sum);
     const double mass = config_.density*clock_.particleVolume;
     FluidEnergy e;
@@ -191,14 +185,8 @@ template<class Backend, int D, class P>
 FluidExtremes PicSolver<Backend, D, P>::extremes()
 {
     Array<Backend, real> v[D];
-    SpeedNow<D, real> speed{};
-    for (int d = 0; d < D; ++d)
-    {
-        velocitiesNow(d, v[d]);
-        speed.v[d] = v[d].data();
-    }
     FluidExtremes e;
-    e.speed = std::sqrt(largestOver(context_, n_, speed));
+    e.speed = largestOver(context_, n_, ParticleSpeed<D, real>{particlesNow(v)});
     return e;
 }
 

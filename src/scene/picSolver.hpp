@@ -208,6 +208,7 @@ private:
 
     // picOutput.hpp
     void velocitiesNow(int d, Array<Backend, real>&);
+    PicParticles<D, real> particlesNow(Array<Backend, real> (&v)[D]);
     std::vector<real> velocities(int d);
 
     // picState.hpp
