@@ -56,7 +56,7 @@ words() { local n=$1; printf 'word %.0s' $(seq "$n"); }
 caught()
 {
     local bad
-    for bad in "$(words 36)" "$(for k in 1 2 3; do words 27; echo .; done)" "| $(words 26)|" '[a](nothing.md)' '[a](#nothing)' '$a \, b$'; do ! cells "$bad" || return 1; done
+    for bad in "$(words 36)" "$(for k in 1 2 3; do words 27; echo .; done)" "| $(words 26)|" '[a](nothing)' '[a](#nothing)' '$a \, b$'; do ! cells "$bad" || return 1; done
     cells "$(words 35)." && cells "| $(words 25)|" && cells "    $(words 90)" && cells '[a](#b)
 
 # B'
