@@ -46,32 +46,22 @@ expect buildForCpu "NVCC= builds for the CPU alone" forCpu
 architectures() { [[ $(variable RIPRAP_OPTIONS NVCC=nvcc "RIPRAP_CUDA_ARCH=80 90" RIPRAP_CPU_ARCH=) == *Opt-cuda80-90 ]]; }
 expect buildArchitectures "the build's name has the GPUs' architectures, and no -march when it is empty" architectures
 
-# Links of the documentation: files, and headings by the anchors that GitHub makes of them
-links()
+# Links of all documents: files, and headings by the anchors that GitHub makes of them
+broken=$(etc/checkDocs --links) && echo "PASS documentationLinks" || echo "FAIL documentationLinks ${broken//$'\n'/; }"
+
+# The manual: links, and no paragraph, sentence or cell that is too long to read
+wrong=$(etc/checkDocs) && echo "PASS docs" || echo "FAIL docs ${wrong//$'\n'/; }"
+cells() { local f; f=$(mktemp --suffix=.md); printf '%s\n' "$1" >"$f"; etc/checkDocs "$f"; local status=$?; rm -f "$f"; return $status; }
+words() { local n=$1; printf 'word %.0s' $(seq "$n"); }
+caught()
 {
-    python3 - <<'END'
-import pathlib, re, subprocess, sys
-files = subprocess.run(["git", "ls-files", "*.md"], capture_output=True, text=True).stdout.split()
-files = [pathlib.Path(f) for f in files] or [p for p in pathlib.Path(".").rglob("*.md") if ".deps" not in p.parts]
-def anchors(path):
-    text = re.sub(r"```.*?```", "", path.read_text(), flags=re.S)
-    found = []
-    for title in re.findall(r"^#+ +(.+?) *$", text, flags=re.M):
-        title = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", title).lower()
-        found.append(re.sub(r"[^\w\- ]", "", title).replace(" ", "-"))
-    return found
-broken = []
-for path in files:
-    for link in re.findall(r"\]\(([^)\s]+)\)", path.read_text()):
-        if re.match(r"[a-z]+:", link): continue
-        name, _, anchor = link.partition("#")
-        target = path.parent/name if name else path
-        if not target.exists() or anchor and anchor not in anchors(target): broken.append(f"{path}: {link}")
-print("; ".join(broken))
-sys.exit(bool(broken) or not files)
-END
+    local bad
+    for bad in "$(words 36)" "$(for k in 1 2 3; do words 27; echo .; done)" "| $(words 26)|" '[a](nothing)' '[a](#nothing)' '$a \, b$'; do ! cells "$bad" || return 1; done
+    cells "$(words 35)." && cells "| $(words 25)|" && cells "    $(words 90)" && cells '[a](#b)
+
+# B'
 }
-broken=$(links) && echo "PASS documentationLinks" || echo "FAIL documentationLinks $broken"
+expect docsChecked "etc/checkDocs finds what is too long, and broken links and formulas, and nothing else" caught
 
 # Documents and sources that comments and documents name: from the root, from src, or by the bare name
 named()
