@@ -11,7 +11,7 @@
 namespace riprap
 {
 
-enum class DemHalt : int {none = 0, tooFar, clumpEscaped, wallTooFar};
+enum class DemHalt : int {none = 0, tooFar, wallTooFar};
 
 struct DemClockData
 {

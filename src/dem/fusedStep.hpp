@@ -140,7 +140,7 @@ private:
         if (mover.fields.turn[0]) mover.followTurn(i, w, t.dt);
         const Vec<D, real> single = convert<real>(v);
         state.to.store(i, p, ContactBody<D, real>{single, w, self.radius, self.mass}, material);
-        mover.checkSkin(i, p, x, single, t, false, next);
+        mover.checkSkin(i, p, x, single, t, next);
     }
 };
 

@@ -240,8 +240,6 @@ void checkBonds(const DemInput& in)
 
 void checkClumps(const DemConfig& c, const DemInput& in)
 {
-    std::vector<int> members(in.clumps.size(), 0);
-    for (const std::int32_t k : in.particles.clump) if (k >= 0) ++members[k];
     for (std::size_t k = 0; k < in.clumps.size(); ++k)
     {
         const DemClump& q = in.clumps[k];
@@ -253,7 +251,6 @@ void checkClumps(const DemConfig& c, const DemInput& in)
         require(std::abs(norm - 1) < 1e-6, name + "the orientation must be a unit quaternion");
         require(q.group >= 0 && q.group < std::max<int>(1, int(in.groups.size())), name + "unknown group");
         require(in.groups.empty() || in.groups[q.group].motion < 0, name + "a clump cannot be of a group that moves as prescribed");
-        require(members[k] > 0, name + "it has no members");
     }
 }
 

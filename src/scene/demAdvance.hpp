@@ -160,27 +160,18 @@ void DemSolver<Backend, D, P>::collectPassed(DemReport& report)
     clearPassed();
 }
 
-//- The way of particle i in the last step, of its radius, which the guard tested; of a member of a rigid body that left the domain, how far it is
-//  outside [m]. No number: infinity
+//- The way of particle i in the last step, of its radius, which the guard tested. No number: infinity
 template<class Backend, int D, class P>
 std::vector<double> DemSolver<Backend, D, P>::offences(int n)
 {
     std::vector<double> value(n, 0.0);
     const auto radius = field<real>(radiusField_);
-    const auto clump = clumpField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(clumpField_);
     for (int d = 0; d < D; ++d)
     {
-        const auto x = field<std::int64_t>(xField_ + d);
         const auto v = field<double>(vField_ + d);
         for (int i = 0; i < n; ++i)
         {
-            double way = v[i]*host_.dt/double(radius[i]);
-            if (host_.halt == DemHalt::clumpEscaped)
-            {
-                // differences across the box do not fit the integers
-                const double at = double(x[i]), beyond = std::max({0.0, at - double(domainMax_[d]), double(domainMin_[d]) - at});
-                way = clump.empty() || clump[i] < 0 ? 0 : beyond/box_.unitsPerMetre[d];
-            }
+            const double way = v[i]*host_.dt/double(radius[i]);
             value[i] += std::isfinite(v[i]) ? way*way : std::numeric_limits<double>::infinity();
         }
     }
@@ -211,12 +202,8 @@ void DemSolver<Backend, D, P>::findOffender(DemReport& report)
     report.stopId = ids_[field<std::int32_t>(idField_)[worst]];
     report.stopPosition = Vector3{{x[3*worst], x[3*worst + 1], x[3*worst + 2]}};
     report.stopValue = std::isfinite(offence[worst]) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
-    report.stop = !std::isfinite(offence[worst]) ? DemStop::notANumber
-        : (host_.halt == DemHalt::clumpEscaped ? DemStop::clumpEscaped : DemStop::tooFast);
+    report.stop = !std::isfinite(offence[worst]) ? DemStop::notANumber : DemStop::tooFast;
     if (report.stop == DemStop::notANumber) s << "has a velocity that is not a number";
-    else if (report.stop == DemStop::clumpEscaped)
-        s << "is a member of a rigid body and left the domain, by " << offence[worst] << " m, at " << report.stopValue
-          << " m/s: rigid bodies must stay inside";
     else
     {
         const double radius = double(field<real>(radiusField_)[worst]);

@@ -25,6 +25,14 @@ void DemSolver<Backend, D, P>::setClumps()
 {
     nClumps_ = int(input_.clumps.size());
     if (!nClumps_) return;
+    std::vector<int> first(nClumps_ + 1, 0), member;
+    const auto& of = given_->particles.clump;
+    for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
+    for (int k = 0; k < nClumps_; ++k)
+    {
+        largestClump_ = std::max(largestClump_, first[k + 1]);
+        first[k + 1] += first[k];
+    }
     std::vector<ClumpData> clumps(nClumps_);
     for (int k = 0; k < nClumps_; ++k)
     {
@@ -43,6 +51,7 @@ void DemSolver<Backend, D, P>::setClumps()
         c.group = in.group;
         c.together = plan_.together[k];
         c.least = leastSharing(c.together);
+        c.left = first[k + 1] == first[k];
         if (D == 2) c.L[2] = in.inertia[2]*spinSign()*in.spin[config_.axes[2]];
         else
         {
@@ -53,14 +62,6 @@ void DemSolver<Backend, D, P>::setClumps()
         }
     }
     std::vector<double> offset(3*std::size_t(n_), 0.0);
-    std::vector<int> first(nClumps_ + 1, 0), member;
-    const auto& of = given_->particles.clump;
-    for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
-    for (int k = 0; k < nClumps_; ++k)
-    {
-        largestClump_ = std::max(largestClump_, first[k + 1]);
-        first[k + 1] += first[k];
-    }
     member.resize(std::max(1, first[nClumps_]));
     std::vector<int> next(first.begin(), first.end() - 1);
     for (int i = 0; i < n_ && !of.empty(); ++i)
@@ -224,6 +225,7 @@ DemClumpState DemSolver<Backend, D, P>::clumps()
             s.moment.push_back(m[d]);
         }
         s.orientation.insert(s.orientation.end(), q, q + 4);
+        s.left.push_back(c.left != 0);
     }
     return s;
 }
@@ -238,6 +240,8 @@ std::vector<DemSpringState> DemSolver<Backend, D, P>::springs()
     for (std::size_t i = 0; i < all.size(); ++i)
     {
         const ClumpData& c = clumps[springOfGroups_[i].first];
+        all[i].left = c.left != 0;
+        if (all[i].left) continue;
         const SpringPull pull = pullOf(allSprings_[springOfGroups_[i].second], c, box_);
         all[i].length = pull.length;
         all[i].tension = pull.tension;
@@ -260,6 +264,7 @@ double DemSolver<Backend, D, P>::springEnergy()
     for (std::size_t i = 0; i < now.size(); ++i)
     {
         const SpringData& s = allSprings_[springOfGroups_[i].second];
+        if (now[i].left) continue;
         const double stretch = now[i].length - s.length;
         if (!s.slack || stretch > 0) sum += 0.5*s.stiffness*stretch*stretch;
     }

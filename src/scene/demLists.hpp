@@ -13,6 +13,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     collectForces();
+    if (nClumps_) forEach(context_, n_, MarkLeavers<D, P>{mover(), clumps_.data()});
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
     forEach(context_, n_, keys);
     sort_.sort(context_, n_);

@@ -261,6 +261,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     e.potential = sums[2];
     for (int k = 0; k < nClumps_; ++k)
     {
+        if (c.left[k]) continue;
         const DemClump& in = input_.clumps[k];
         for (int d = 0; d < 3; ++d) e.translation += 0.5*in.mass*c.velocity[3*k + d]*c.velocity[3*k + d];
         Vec<3, double> w{{c.spin[3*k], c.spin[3*k + 1], c.spin[3*k + 2]}};

@@ -10,6 +10,22 @@
 namespace riprap
 {
 
+//- A rigid body leaves the domain as one, with the first of its members that does
+template<int D, class P>
+struct MarkLeavers
+{
+    static constexpr const char* name = "markLeavers";
+
+    MoveSolids<D, P> mover;
+    ClumpData* clumps;
+
+    HD void operator()(int i) const
+    {
+        const SolidFields<D, P>& s = mover.fields;
+        if (i < *mover.active && s.clump[i] >= 0 && !mover.inside(s.position(i))) raiseOnce(&clumps[s.clump[i]].left);
+    }
+};
+
 template<int D, class P>
 struct SolidKeys
 {
@@ -25,7 +41,8 @@ struct SolidKeys
         const Vec<D, std::int64_t> x = mover.fields.position(i);
         Vec<D, typename P::real> r;
         for (int d = 0; d < D; ++d) r.c[d] = mover.box.pairRelative(d, mover.box.pairPosition(d, x.c[d]));
-        const bool in = i < *mover.active && mover.inside(x);
+        const int clump = mover.clumps ? mover.fields.clump[i] : -1;
+        const bool in = i < *mover.active && (clump < 0 ? mover.inside(x) : !mover.clumps[clump].left);
         keys[i] = std::uint32_t(in ? classes.cellOf(r, mover.fields.radius[i]) : classes.cells());
         indices[i] = std::uint32_t(i);
     }

@@ -228,7 +228,7 @@ struct DemPlan
 };
 DemPlan planDemScene(const DemConfig&, const DemInput&);
 
-enum class DemStop {none, notANumber, tooFast, clumpEscaped};
+enum class DemStop {none, notANumber, tooFast};
 
 struct DemReport
 {
@@ -275,7 +275,11 @@ struct DemBondState
     std::vector<double> gap, restGap;       // [m]
 };
 
-struct DemClumpState { std::vector<double> position, velocity, spin, orientation, force, moment; };
+struct DemClumpState
+{
+    std::vector<double> position, velocity, spin, orientation, force, moment;
+    std::vector<char> left;                 // a clump: it is out of the domain, and what stands here is its last
+};
 
 //- A spring or line of a group (DemGroup::springs), in the order of groups
 struct DemSpringState
@@ -284,6 +288,7 @@ struct DemSpringState
     double length = 0;                      // now [m]
     double tension = 0;                     // [N], negative: it pushes
     Vector3 point{{0, 0, 0}}, force{{0, 0, 0}};     // where it acts, and on the body [N]
+    bool left = false;                      // its body is out of the domain: nothing of it acts
 };
 
 struct DemEnergy                            // [J] (2D: per metre)

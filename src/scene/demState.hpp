@@ -18,7 +18,7 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t demMagic = 0x72697064, demVersion = 3;
+static constexpr std::int32_t demMagic = 0x72697064, demVersion = 4;
 
 inline std::int32_t demChecksum(const std::vector<std::int32_t>& words, std::size_t n)
 {

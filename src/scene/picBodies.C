@@ -254,7 +254,7 @@ bool PicBodies<D>::read()
     for (int b = 0; b < int(all_.size()); ++b)
     {
         const Body& body = all_[b];
-        const int carrier = slot[body.ids[0]];
+        const int carrier = body.ids.empty() ? -1 : slot[body.ids[0]];
         if (carrier < 0) continue;              // has left
         Now n;
         n.body = b;
@@ -411,16 +411,22 @@ std::vector<FluidForce> PicBodies<D>::forces() const
     return all;
 }
 
+//- Of balls that have left nobody knows in a scene that goes on
 template<int D>
 std::vector<double> PicBodies<D>::memory() const
 {
+    std::vector<char> there(largestId_ + 1, 0);
+    for (const std::int32_t id : scene_.motion().id) there[id] = 1;
     std::vector<double> v;
-    for (const Memory& m : memory_)
+    for (std::size_t b = 0; b < all_.size(); ++b)
     {
+        if (all_[b].clump < 0 && !there[all_[b].ids[0]]) continue;
+        const Memory& m = memory_[b];
         for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) v.insert(v.end(), a->begin(), a->end());
         v.push_back(m.begun);
     }
-    for (const auto* a : {&forces_, &moments_}) v.insert(v.end(), a->begin(), a->end());
+    for (const auto* a : {&forces_, &moments_})
+        for (int id = 0; id <= largestId_; ++id) if (there[id]) v.insert(v.end(), &(*a)[3*std::size_t(id)], &(*a)[3*std::size_t(id)] + 3);
     return v;
 }
 
@@ -428,7 +434,9 @@ template<int D>
 bool PicBodies<D>::setMemory(const std::vector<double>& v)
 {
     constexpr std::size_t each = 5*modes + 1;
-    if (v.size() != each*memory_.size() + forces_.size() + moments_.size()) return false;
+    std::vector<char> there(largestId_ + 1, 0);
+    for (const Body& b : all_) for (const int id : b.ids) there[id] = 1;
+    if (v.size() != each*memory_.size() + 6*std::size_t(std::count(there.begin(), there.end(), 1))) return false;
     for (std::size_t b = 0; b < memory_.size(); ++b)
     {
         const double* from = &v[b*each];
@@ -437,7 +445,8 @@ bool PicBodies<D>::setMemory(const std::vector<double>& v)
         m.begun = *from != 0;
     }
     const double* from = &v[each*memory_.size()];
-    for (auto* a : {&forces_, &moments_}) { std::copy(from, from + a->size(), a->begin()); from += a->size(); }
+    for (auto* a : {&forces_, &moments_})
+        for (int id = 0; id <= largestId_; ++id) if (there[id]) { std::copy(from, from + 3, &(*a)[3*std::size_t(id)]); from += 3; }
     // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
     send();
     return true;

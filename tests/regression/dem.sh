@@ -129,13 +129,18 @@ says clumpsRestart 'Continuing exactly from time 0.05'
 cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass clumpsRestartExact || fail clumpsRestartExact "a continued run is another one"
 rm -rf 0.05 0.1 whole postProcessing
 
-# Over an open top single particles flow out; a rigid body does not, and its guard says which patch is there
+# Over an open top particles flow out, rigid bodies as a whole
 tank2; solids ''; control ''
 fill "up { $glass source box; box (0.05 0.07 0) (0.07 0.09 0.01); velocity (0 1 0); }"
 riprapFoam >log 2>&1; says outflow '\(4 in all\), by nearest patch: upper 4.*Escaped through walls in all: 0.* End'
-rm -rf 0 0.0* 0.1; fill "up { $glass source box; box (0.05 0.07 0) (0.07 0.09 0.01); velocity (0 1 0); rigid yes; }"
-refused bodyOutflow 'Guard .*particle [0-3] at .*nearest patch: upper. is a member of a rigid body and left the domain, by .*rigid bodies must stay inside' riprapFoam
-rm -rf 0 0.0* 0.1
+rm -rf 0 0.0* 0.1; fill "up { $glass source box; box (0.05 0.07 0) (0.07 0.09 0.01); velocity (0 1 0); rigid yes; }
+stay { $glass source box; box (0.02 0 0) (0.04 0.02 0.01); rigid yes; }"
+control 'writeFormat binary; functions { energy { type solidEnergies; libs ("libriprapFoam.so"); } }'
+riprapFoam >log 2>&1; says bodyOutflow '\(4 in all\), by nearest patch: upper 4.*Escaped through walls in all: 0.* End'
+mv 0.1 whole; riprapFoam >log 2>&1
+says bodyOutflowRestart 'Continuing exactly from time 0.05'
+cmp -s 0.1/uniform/riprap/demState whole/uniform/riprap/demState && pass bodyOutflowExact || fail bodyOutflowExact "a continued run is another one"
+rm -rf 0 0.0* 0.1 whole postProcessing
 
 # A run: files, restart to the bit, function objects
 tank2

@@ -52,7 +52,7 @@ struct ClumpSprings
     //- sums[0..2]: forces, sums[3..5]: moments
     HD void add(const ClumpData& c, int k, const Box<D, P>& box, double* sums) const
     {
-        if (!spring) return;
+        if (!spring || c.left) return;
         for (int e = first[k]; e < first[k + 1]; ++e)
         {
             const SpringPull pull = pullOf(spring[e], c, box);

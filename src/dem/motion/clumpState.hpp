@@ -21,6 +21,7 @@ struct ClumpData
     int group;
     int touching;               // members on which a contact acts now
     int together, least;        // members that can touch a plane at once; of them at least so many share the body's mass
+    int left, unused;           // left: it is out of the domain and its members with it; it stays where that happened
 };
 
 //- What a contact of one member moves: of the members that touch now each has its share. Dashpots take it, so that they together have the restitution

@@ -124,7 +124,7 @@ struct MoveSolids : SolidMotion<D, P>
         Vec<D, position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
         solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], massInContacts(i)}, s.material[i]);
-        checkSkin(i, p, x, convert<real>(v), t, member, this->clock);
+        checkSkin(i, p, x, convert<real>(v), t, this->clock);
     }
 
     HD real massInContacts(int i) const
@@ -175,8 +175,7 @@ struct MoveSolids : SolidMotion<D, P>
     //  than its radius: it would go through what it meets
     HD void checkSkin
     (
-        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, bool member,
-        DemClockData* raised
+        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, DemClockData* raised
     ) const
     {
         if (frames.frame) return checkFrame(i, p, x, v, t, raised);
@@ -189,8 +188,8 @@ struct MoveSolids : SolidMotion<D, P>
         }
         // 5/4 of a step's way must be left
         const real distance = squareRoot(distance2), left = halfSkin - suddenWay - distance, way = real(1.25*t.fullDt);
-        const bool in = inside(x), enough = left >= 0 && way*way*speed2 <= left*left;
-        if (!enough || !in) raised->needRebuild = 1;
+        const bool enough = left >= 0 && way*way*speed2 <= left*left;
+        if (!enough || !inside(x)) raised->needRebuild = 1;
         // not so written that a number which is none slips through
         if (!(distance <= halfSkin))
         {
@@ -198,7 +197,6 @@ struct MoveSolids : SolidMotion<D, P>
             raiseOnce(raised->far + 1);
             checkStep(i, speed2, t, raised);
         }
-        if (member && !in && raised->halt == DemHalt::none) raised->halt = DemHalt::clumpEscaped;
     }
 
     //- Under a fluid's forces any way that was not foreseen is too far: steps there follow the speed (DemSolver::subcycles), so it was one blow

@@ -12,14 +12,13 @@ namespace riprap
 
 //- Velocity of particle i; a member of a rigid body has the body's. The position comes with it
 template<int D, class P>
-HD Vec<D, double> velocityNow(const MoveSolids<D, P>& m, int i, Vec<D, std::int64_t>& x, bool& member)
+HD Vec<D, double> velocityNow(const MoveSolids<D, P>& m, int i, Vec<D, std::int64_t>& x)
 {
     const SolidFields<D, P>& s = m.fields;
     x = s.position(i);
     Vec<D, double> v = s.velocity(i);
     Spin<D, typename P::real> w = s.spin(i);
-    member = m.clumps && s.clump[i] >= 0;
-    if (member) m.follow(m.clumps[s.clump[i]], s.id[i], x, v, w);
+    if (m.clumps && s.clump[i] >= 0) m.follow(m.clumps[s.clump[i]], s.id[i], x, v, w);
     return v;
 }
 
@@ -33,8 +32,7 @@ struct SpeedOfSolids
     {
         if (i >= *move.active) return 0;
         Vec<D, std::int64_t> x;
-        bool member;
-        return sqrt(squaredNorm(velocityNow(move, i, x, member)));
+        return sqrt(squaredNorm(velocityNow(move, i, x)));
     }
 };
 
@@ -49,11 +47,10 @@ struct CheckWays
     {
         if (i >= *move.active || move.fields.asleep(i)) return;
         Vec<D, std::int64_t> x;
-        bool member;
-        const Vec<D, double> v = velocityNow(move, i, x, member);
+        const Vec<D, double> v = velocityNow(move, i, x);
         Vec<D, typename P::position> p;
         for (int d = 0; d < D; ++d) p.c[d] = move.box.pairPosition(d, x.c[d]);
-        move.checkSkin(i, p, x, convert<real>(v), *move.clock, member, move.clock);
+        move.checkSkin(i, p, x, convert<real>(v), *move.clock, move.clock);
     }
 };
 

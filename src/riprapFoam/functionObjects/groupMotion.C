@@ -47,7 +47,7 @@ namespace
         Motion m;
         for (std::size_t k = 0; k < clumps.size(); ++k)
         {
-            if (clumps[k].group == group) addMass(clumps[k].mass, &bodies.position[3*k], &bodies.velocity[3*k], m);
+            if (clumps[k].group == group && !bodies.left[k]) addMass(clumps[k].mass, &bodies.position[3*k], &bodies.velocity[3*k], m);
         }
         for (std::size_t i = 0; i < now.id.size(); ++i)
         {

@@ -50,6 +50,7 @@ namespace
             const riprap::DemClumpState moving(solids.scene().clumps());
             for (std::size_t k = 0; k < bodies.size(); ++k)
             {
+                if (moving.left[k]) continue;
                 const vector p(bodies[k].mass*vectorOf(moving.velocity, k));
                 m.linear += p;
                 m.angular += (vectorOf(moving.position, k) ^ p)
