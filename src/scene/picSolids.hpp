@@ -68,41 +68,40 @@ void PicSolver<Backend, D, P>::useBodyVelocities(bool predicted)
     if (opens()) writeOpenFaces();
 }
 
-//- Bodies as walls that move, for a solver on the host: it may be the better for knowing where they stand (pic/bodies/hats.hpp)
+//- Do bodies give way in the pressure's equation? Else they are walls for it, as where all sleep
 template<class Backend, int D, class P>
-std::vector<BodyTerm> PicSolver<Backend, D, P>::pistons()
-{
-    std::vector<BodyTerm> terms;
-    if (bodies_ && !linearSolver_.onDevice()) terms = bodyCut_.terms();
-    for (BodyTerm& t : terms) t.modes = 0;
-    return terms;
-}
+bool PicSolver<Backend, D, P>::bodiesYield() const { return bodies_ && !bodies_->weak() && bodies_->yield(); }
 
-//- Solved with the pressure, or walls for it, as where all sleep. The impulse by which particles are left ahead is known before. Light bodies bring slow modes, which a solver on the host takes away
+//- Light bodies bring slow modes, which a solver on the host takes away; it may also be the better for knowing where walls stand (pic/bodies/hats.hpp)
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
+PressureReport PicSolver<Backend, D, P>::solveWithBodies(const PressureFields<D, real>& fields, bool sameWater, double tolerance)
 {
-    const bool coupled = !bodies_->weak() && bodies_->yield();
-    if (config_.reflection > 0 && coupled) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
-    useBodyVelocities(true);
-    const PressureFields<D, real> fields = pressureFields(dt);
-    if (!coupled)
+    const MultigridControls* own = linearSolver_.onDevice();
+    if (!bodiesYield())
     {
-        std::vector<BodyTerm> walls = pistons();
-        lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, &walls, sameWater, &rows_);
+        std::vector<BodyTerm> walls;
+        if (bodies_ && !own) walls = bodyCut_.terms();
+        for (BodyTerm& t : walls) t.modes = 0;
+        return pressureStep_.project(context_, fields, linearSolver_, &walls, sameWater, &rows_, nullptr, tolerance);
     }
-    else if (linearSolver_.onDevice() && !bodies_->anyLighter(bodyCut_.volumes(), pressureStep_.heavyFrom(bodies_->bodies().size(), sameWater)*config_.density))
+    if (own && !bodies_->anyLighter(bodyCut_.volumes(), pressureStep_.heavyFrom(bodies_->bodies().size(), sameWater)*config_.density))
     {
         const std::vector<double> roots = bodies_->roots();
         const BodiesOnGrid<Backend, D> onGrid{bodyCut_, roots};
-        lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_, &onGrid);
+        return pressureStep_.project(context_, fields, linearSolver_, nullptr, sameWater, &rows_, &onGrid, tolerance);
     }
-    else
-    {
-        std::vector<BodyTerm> terms = bodyCut_.terms();
-        bodies_->fill(terms);
-        lastPressure_ = pressureStep_.project(context_, fields, linearSolver_, &terms, sameWater, &rows_);
-    }
+    std::vector<BodyTerm> terms = bodyCut_.terms();
+    bodies_->fill(terms);
+    return pressureStep_.project(context_, fields, linearSolver_, &terms, sameWater, &rows_, nullptr, tolerance);
+}
+
+//- The impulse by which particles are left ahead is known before
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
+{
+    if (config_.reflection > 0 && bodiesYield()) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
+    useBodyVelocities(true);
+    lastPressure_ = solveWithBodies(pressureFields(dt), sameWater);
     bodies_->move(bodyCut_.gather(context_, pressure_.data()), dt);
 }
 

@@ -156,6 +156,8 @@ private:
     void cutByBodies();
     void cutToWater();
     void useBodyVelocities(bool predicted);
+    bool bodiesYield() const;
+    PressureReport solveWithBodies(const PressureFields<D, real>& fields, bool sameWater, double tolerance = 0);
     void projectWithBodies(double dt, bool sameWater);
     void slowBetweenSolids(double dt);
     void setSolidVelocity();
@@ -172,7 +174,6 @@ private:
     void markWater();
     void toGrid();
     void project(double dt, double drift);
-    std::vector<BodyTerm> pistons();
     void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
     Array<Backend, double>& wholePressure() { return config_.reflection > 0 ? whole_ : pressure_; }
     Array<Backend, real>* carrier() { return config_.reflection > 0 ? carrier_ : u_; }

@@ -181,7 +181,8 @@ void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, 
 //  Over a drift u.grad u has a part G that is the gradient of a pressure, and a rest S. Particles, which move at the middle of the coming drift, must be
 //  ahead of the projected velocity by dt/2 G: a plain projection (`reflection no`) takes that away and dissipates. The advection-reflection of Zehnder, Narain
 //  & Thomaszewski (2018, ACM Trans. Graph. 37) gives G dt and nothing by turns; here it is half of what the last drift's divergence was, each step.
-//  And the projected velocity lags by dt/2 S where it carries particles. Both come from one more solution: that of the velocity as particles bring it.
+//  And the projected velocity lags by dt/2 S where it carries particles. Both come from one more solution: that of the velocity as particles bring it, with bodies
+//  free from the velocity that they had. Were they moved as given there, the half that is added back would hold work which they never did.
 //  The second solution's pressure then lacks what lies in `after`, half of the dynamic pressure: wholePressure() has it.
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::project(double dt, double drift)
@@ -204,8 +205,7 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         if (bodies_) useBodyVelocities(false);
         force(before_, false);
         const MultigridControls* own = linearSolver_.onDevice();
-        std::vector<BodyTerm> walls = pistons();
-        pressureStep_.project(context_, pressureFields(dt, true), linearSolver_, &walls, false, &rows_, nullptr, own ? own->reflectionTolerance : 0);
+        solveWithBodies(pressureFields(dt, true), false, own ? own->reflectionTolerance : 0);
         if (cuts())
         {
             PressureFields<D, real> left = pressureFields(1);

@@ -8,19 +8,6 @@
 #include "moduleLog.H"
 #include "picShapes.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Of the water's density: lighter solids under a surface do not stand the
-//  reflection, whose first solution takes them as pistons
-//  (tutorials/picDem/freeBody/README.md)
-const Foam::scalar lightest = 0.03;
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::waterSolids::waterSolids
@@ -45,31 +32,6 @@ Foam::waterSolids::waterSolids
     contactVelocity_(fluid.contactVelocity),
     contactVelocityTime_(fluid.contactVelocityTime)
 {}
-
-
-// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-void Foam::waterSolids::warnOfLightSolids() const
-{
-    const riprap::DemParticles& p = input_.particles;
-
-    scalar least = GREAT;
-    for (std::size_t i = 0; i < p.radius.size(); ++i)
-    {
-        const int material = p.material.empty() ? 0 : p.material[i];
-        least = min(least, settings_.materials[material].density);
-    }
-
-    if (least < lightest*fluid_.density && fluid_.reflection > 0)
-    {
-        IOWarningInFunction(dict())
-            << "There are solids of " << least << " kg/m3, less than "
-            << lightest << " of the water's rho: with 'reflection yes;', the"
-            << " default of constant/picProperties, they are thrown out of the"
-            << " water's surface. If they come near it, set 'reflection no;'"
-            << nl << endl;
-    }
-}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -125,7 +87,6 @@ void Foam::waterSolids::logModels() const
     std::string limit;
     const scalar fluidStep = scene_->estimateTimeStep(limit);
     logSolids(fluidStep, limit);
-    warnOfLightSolids();
 }
 
 

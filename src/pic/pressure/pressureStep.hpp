@@ -93,7 +93,7 @@ public:
             const CoupledView<D> view = coupled_.view();
             report = multigrid_.solve(context, *controls, &view);
         }
-        else report = controls && !free ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, free ? *bodies : std::vector<BodyTerm>());
+        else report = controls && !free ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, controls, free ? *bodies : std::vector<BodyTerm>());
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
@@ -122,7 +122,10 @@ public:
 
 private:
 
-    PressureReport solveOnHost(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies);
+    PressureReport solveOnHost
+    (
+        Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const MultigridControls* controls, const std::vector<BodyTerm>& bodies
+    );
     PressureReport solveCoupled(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls);
     static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
 
@@ -169,7 +172,7 @@ private:
 //- Rows in the order of the grid: owners ascend, and so do the neighbours of each
 template<class Backend, int D, class R>
 PressureReport PressureStep<Backend, D, R>::solveOnHost
-(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const std::vector<BodyTerm>& bodies)
+(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const MultigridControls* controls, const std::vector<BodyTerm>& bodies)
 {
     const UniformGrid<D>& grid = f.grid;
     const FineData<D>& fine = multigrid_.fine();
@@ -214,7 +217,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
     }
     // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero, and solvers that factorise
     // meet no singular matrix
-    if (pocketCells_ && !solver.onDevice())
+    if (pocketCells_ && !controls)
         for (const int c : pockets_.roots()) if (row[c] >= 0) r.diagonal[row[c]] *= 2;
     for (int own = 0; own < r.rows(); ++own)
     {
@@ -266,7 +269,6 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         }
         r.bodies.push_back(std::move(rows));
     }
-    const MultigridControls* controls = solver.onDevice();
     PressureReport report = controls ? solveCoupled(context, r, stored, *controls) : solver.solve(r);
     report.wetCells = r.rows() + lone;
     for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];

@@ -153,9 +153,8 @@ def crowd(n, s, dimensions=2, onHost=False):
 
 
 def underSurface(n, s):
-    """Disks as in crowd(), in water that is open above, where very light ones do not stand `reflection`"""
-    more = '; constant/picProperties:reflection no' if s < 0.03 else ''
-    return Variant(f'surface{n}-{s:g}', sets(10, s, more, reach=max(2.0, math.sqrt(n*5.6**2/0.33)/10), bodies=n, surface=True))
+    """Disks as in crowd(), in water that is open above"""
+    return Variant(f'surface{n}-{s:g}', sets(10, s, reach=max(2.0, math.sqrt(n*5.6**2/0.33)/10), bodies=n, surface=True))
 
 
 onFaces = '; system/tank:offset (0 0 0)'
