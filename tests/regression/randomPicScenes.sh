@@ -1,6 +1,6 @@
 #!/bin/bash
 # Random scenes of picDem with bodies (tests/randomScenes): none stops, nothing is lost or passes a wall, energy does not grow, momentum balances, runs repeat and continue to the bit.
-# Those that do not hold today are left out, with what they miss (docs/verification.md)
+# Those that do not hold today are left out, with what they miss (docs/verification/randomScenes.md)
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

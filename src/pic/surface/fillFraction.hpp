@@ -19,7 +19,7 @@ namespace riprap
 
 //- In cells: the surface that the fill tells must be further away than this for the cell to be held by it. The fill tells half a cell at most, and cells
 //  are wet from 0.01 cells on (wetDepth), so 0.49 would be the weakest hold that makes full cells wet and empty ones dry; 0.45 allows particles to leave
-//  one fortieth of the cell empty. A stronger one moves surfaces that the flow carries right: 0.3 feeds waves 1.4 % in 25 periods (docs/verification.md)
+//  one fortieth of the cell empty. A stronger one moves surfaces that the flow carries right: 0.3 feeds waves 1.4 % in 25 periods (docs/verification/picSloshing.md)
 static constexpr double surfaceTolerance = 0.45;
 
 //- phi/h of a flat surface that fills a cell's neighbourhood to alpha, within +-1/2
