@@ -5,6 +5,8 @@
 
     Speeds in units of c0/10, for which the fluid's stiffness is meant. Beside the speed stand the density deviation that the block shows just
     below it, and at the design speed: what a guard may let through, and what it need not.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "resultTable.hpp"
 #include "thrownBlock.hpp"
