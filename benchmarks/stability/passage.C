@@ -34,7 +34,7 @@ Outcome thrown(ThrownBlock b, bool shortSteps)
         const SphReport r = scene->advance(1e30, 2);
         if (r.stop != StopReason::none) { o.failed = true; break; }
         o.deviation = std::max(o.deviation, r.maxDensityDeviation);
-        
+
             for (const Vector3& x : r.escaped) if (x[1] < 0) o.depth = 1e30;
         o.depth = std::max(o.depth, depth(*scene, r, b));
     }
