@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Six layers of cylinders in a column that breaks: error against cost, one panel a choice, beside the base (star) and what chance makes of it (grey); open: against finer cells of the same choice"""
+"""Six layers of cylinders in a column that breaks: error against cost, one panel a choice, beside the base (star)
+and what chance makes of it (grey); open: against finer cells of the same choice"""
 from riprap import plotting
 
 from . import groups, newest, number
@@ -17,7 +18,8 @@ def labelOf(row, title):
     s = settings(row)
     if title == 'device':
         return f"{'GPU' if 'NVIDIA' in row['device'] else 'CPU'}, {float(s['cellsDiameter']):.0f} cells"
-    key = {'cells a diameter': 'cellsDiameter', 'beta of Eq. 20, once a step': 'contactVelocity', 'gap in cells': 'gap', 'transfer': 'transfer', 'coupling': 'coupling', 'maxCo': 'maxCo'}.get(title)
+    key = {'cells a diameter': 'cellsDiameter', 'beta of Eq. 20, once a step': 'contactVelocity', 'gap in cells': 'gap',
+           'transfer': 'transfer', 'coupling': 'coupling', 'maxCo': 'maxCo'}.get(title)
     if key:
         return s[key]
     many = f": {float(s['subcycles']):.1f} a step of the water" if 'subcycles' in s else ''

@@ -5,6 +5,8 @@
     Unless it starts at rest, the column moves as u = k (x, -y, 0), k = 2/s: free of divergence, along the floor and the left
     wall, 2 m/s at the front and 4 m/s at the top. So particles move past one another, and neighbours are sought anew as
     often as in a dam break under way, after a few hundred steps instead of thousands.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

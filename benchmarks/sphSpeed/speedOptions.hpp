@@ -1,4 +1,7 @@
-/*  What sphSpeed is asked to run. */
+/*  What sphSpeed is asked to run.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <string>

@@ -5,6 +5,8 @@
     from outside, with rebuilds, time-step control and the host's part in it; the median of repeats counts. Repeats that together
     are longer than 0.05 s of the flow start from one saved state, so that all do the same work. Kernels are timed in one more
     repeat, since timing each launch keeps the GPU from replaying recorded steps.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "damBreakScene.hpp"
 #include "speedRow.hpp"

@@ -3,6 +3,8 @@
     Operations: every addition, multiplication, comparison, conversion, division and square root counts one, on real pairs only (those within
     the support): lanes that a pack or a skin wastes are not useful work. Bytes: every array that a kernel reads or writes
     passes memory once; neighbours' records come from caches. Work on wall points is not counted.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

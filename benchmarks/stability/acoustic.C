@@ -2,6 +2,8 @@
 
     Theory: omega dt < 2 for the symplectic scheme; the leapfrog with predicted velocity and density grows by (omega dt)^4/4 a step
     whatever the step is, unless something damps. omega is that of the fastest wave of the lattice.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "periodicLattice.hpp"
 #include "resultTable.hpp"

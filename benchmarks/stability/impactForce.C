@@ -4,6 +4,8 @@
     Reported in three units: h/c0, h/(c0 + v) (acoustic limit) and sqrt(h/a), a the largest acceleration of a run with short steps (force limit).
     Theory, for comparison: the acoustic limit of the fluid at rest, omega dt = 2. Where the measured step in units of h/(c0 + v) falls
     below it, it is the force (and the compression, which raises the speed of sound) that binds.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "latticeModes.hpp"
 #include "resultTable.hpp"

@@ -14,6 +14,8 @@
     H(G) = sum (G 1 + (G'/r) x x) (1 - cos k.x), F_A = F (W/W(dp))^4, s_A likewise (anti-clump term, epsilonA).
     The second part of v' is the tensile instability (Swegle et al. 1995, J. Comput. Phys. 116, 123; Morris 1996,
     Publ. Astron. Soc. Aust. 13, 97; here for the continuity equation in place of a density sum): where s vanishes, nothing else acts.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

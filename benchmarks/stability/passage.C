@@ -5,6 +5,8 @@
 
     Speeds in units of c0/10, for which the fluid's stiffness is meant. Beside the speed stand the density deviation that the block shows just
     below it, and at the design speed: what a guard may let through, and what it need not.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "resultTable.hpp"
 #include "thrownBlock.hpp"
@@ -32,7 +34,7 @@ Outcome thrown(ThrownBlock b, bool shortSteps)
         const SphReport r = scene->advance(1e30, 2);
         if (r.stop != StopReason::none) { o.failed = true; break; }
         o.deviation = std::max(o.deviation, r.maxDensityDeviation);
-        
+
             for (const Vector3& x : r.escaped) if (x[1] < 0) o.depth = 1e30;
         o.depth = std::max(o.depth, depth(*scene, r, b));
     }

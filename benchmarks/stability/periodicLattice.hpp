@@ -1,4 +1,7 @@
-/*  A square lattice of fluid in a periodic box (2D), in double precision on the CPU: the scene of the linear experiments. */
+/*  A square lattice of fluid in a periodic box (2D), in double precision on the CPU: the scene of the linear experiments.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "latticeModes.hpp"

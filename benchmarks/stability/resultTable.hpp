@@ -1,4 +1,7 @@
-/*  What the experiments found, beside theory: printed as it comes, and as CSV. */
+/*  What the experiments found, beside theory: printed as it comes, and as CSV.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <cmath>

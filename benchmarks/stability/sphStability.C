@@ -3,6 +3,8 @@
         sphStability [-csv FILE] [-quick] [acoustic|viscous|force|tensile|passage|faces|wild]...
 
     All scenes are 2D, small, and run on the CPU through createSphScene. See the header comment of each experiment.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "resultTable.hpp"
 

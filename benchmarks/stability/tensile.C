@@ -5,6 +5,8 @@
     500 h/c0 (an eighth of a second of the paper's dam break). Any tension makes displacements grow; under a small one they
     end in another order, since rearranging raises the density. A square lattice is unstable under compression as well, more slowly: it is
     not the densest.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "periodicLattice.hpp"
 #include "resultTable.hpp"

@@ -1,4 +1,7 @@
-/*  A block of fluid, or a single particle, thrown down on a flat wall without gravity: the scene of the violent experiments (2D). */
+/*  A block of fluid, or a single particle, thrown down on a flat wall without gravity: the scene of the violent experiments (2D).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "scene/sphScene.hpp"

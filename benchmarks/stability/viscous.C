@@ -3,6 +3,8 @@
 
     Theory: both schemes see the velocity predicted to the end of the step, which for a decay is the two-step Adams-Bashforth scheme:
     nu(k) dt < 1, nu(k) the largest rate of decay of the lattice.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "periodicLattice.hpp"
 #include "resultTable.hpp"

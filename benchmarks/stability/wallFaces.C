@@ -6,6 +6,8 @@
     Courant number C, s = C h v/(c0 + v).
 
     `passage` throws a block on a wall with points and a face.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "resultTable.hpp"
 #include "thrownBlock.hpp"

@@ -6,6 +6,8 @@
     the limit by itself.
     Block: thrown on a flat impermeable wall, for the speed (theory: where the block itself is too fast), and at the design speed c0/10 for the Courant number
     (theory: sound, with density diffusion).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "periodicLattice.hpp"
 #include "resultTable.hpp"

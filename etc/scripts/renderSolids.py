@@ -5,8 +5,8 @@ usage: [xvfb-run -a] pvbatch renderSolids.py CASE [field=NAME] [bonds] [box=X0,Y
 
 Opens CASE/<name>.foam in ParaView's OpenFOAM reader, as a user would, draws each body of lagrangian/solids as a sphere of its radius, coloured by a field (default U,
 its magnitude), at the given times (default: the last), and saves CASE/<name>-solids.png.
-bonds: bodies in grey; over them the whole bonds of VTK/bonds as lines coloured by their tension, in a 2D case. box: the part to be seen. oblique: from the side and above. water: the surface where
-half of a cell is water (alpha.water), and the tank's outline.
+bonds: bodies in grey; over them the whole bonds of VTK/bonds as lines coloured by their tension, in a 2D case. box: the part to be seen. oblique: from the side and above. water:
+the surface where half of a cell is water (alpha.water), and the tank's outline.
 (pvbatch takes words that begin with - for its own.)
 """
 import glob

@@ -1,4 +1,7 @@
-/*  Backends: Cpu (OpenMP) and Gpu (CUDA), the context in which kernels are launched, and device memory. */
+/*  Backends: Cpu (OpenMP) and Gpu (CUDA), the context in which kernels are launched, and device memory.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,8 @@
     near in memory too. A row is a line of cells along x: particles of a row's cells lie side by side in
     memory, so a search is a few contiguous ranges. Cells are fine along x (ranges are trimmed to the sphere) and
     1/reach of the search radius along the other axes.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -1,4 +1,7 @@
-/*  Sorts a set of particles into the cells of a grid and tabulates where each cell begins. */
+/*  Sorts a set of particles into the cells of a grid and tabulates where each cell begins.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/cellGrid.hpp"

@@ -1,4 +1,7 @@
-/*  Which devices there are. */
+/*  Which devices there are.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <string>

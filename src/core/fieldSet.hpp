@@ -1,4 +1,7 @@
-/*  Named per-particle fields that are sorted together. Only what is added exists. */
+/*  Named per-particle fields that are sorted together. Only what is added exists.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <string>

@@ -2,6 +2,8 @@
 
     A particle is served by `lanes` threads (1 for large scenes, up to 8 for small ones). Thread t of a particle owns
     a list of its own: entries [warp base + 32 k + lane] of four indices each, so that a warp's loads are coalesced.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -1,4 +1,7 @@
-/*  A recorded sequence of launches, replayed without the host: what makes small scenes fast on the GPU. */
+/*  A recorded sequence of launches, replayed without the host: what makes small scenes fast on the GPU.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/backend.hpp"

@@ -2,6 +2,8 @@
 
     A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i) const`; on the GPU blocks are of 256
     threads; `static constexpr int residentBlocks` asks for so many of 128 threads on a processor at a time.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

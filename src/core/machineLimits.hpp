@@ -6,6 +6,8 @@
                  16 bytes, neighbours of a perfectly sorted cubic lattice. The pair loop cannot be faster than its loads.
 
     Best of several runs, in the first GPU or all OpenMP threads. Zero where there is no such device.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -1,4 +1,7 @@
-/*  Memory of this machine that is free: what is asked for is compared with it before it is allocated. */
+/*  Memory of this machine that is free: what is asked for is compared with it before it is allocated.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 namespace riprap

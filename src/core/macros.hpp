@@ -1,4 +1,7 @@
-/*  Host/device qualifiers: the only spelling of them outside core is HD. */
+/*  Host/device qualifiers: the only spelling of them outside core is HD.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #ifdef __CUDACC__

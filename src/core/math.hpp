@@ -1,4 +1,7 @@
-/*  The few functions that physics functors need, for float, double and (on the CPU) Pack alike. */
+/*  The few functions that physics functors need, for float, double and (on the CPU) Pack alike.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <cmath>

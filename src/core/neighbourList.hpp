@@ -2,6 +2,8 @@
 
     Two layouts of one list: a fixed block for each warp (dense sets: one traversal), or blocks cut from a pool to the
     warp's longest list (sets of which few targets have neighbours: counted first, then written).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

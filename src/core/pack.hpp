@@ -1,5 +1,7 @@
 /*  Pack<R>: one vector register of R, so that the branch-free physics functors run eight (float) or four
     (double) pairs at a time on the CPU. GCC vector extensions; never seen by nvcc.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -19,6 +19,8 @@
 
     Gpu: gather over neighbour lists, one or several lanes a particle, no atomics on sums: bitwise repeatable.
     Cpu: packs of neighbours over the rows of the cell grid.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

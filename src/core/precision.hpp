@@ -4,6 +4,8 @@
     integers: translation-invariant, and periodic without a branch because differences wrap. Pairs see
       Mixed : its upper 32 bits and float arithmetic (box/2^32 resolution: 2e-9 m in a box of 10 m)
       Double: double positions in the box and double arithmetic, wrapped by rounding.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

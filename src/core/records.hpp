@@ -3,6 +3,8 @@
     Cpu: one array a component, so that a pack of neighbours is one load.
     Gpu: two aligned records A (position, p/rho^2[, rho]) and B (velocity[, rho]), so that a neighbour costs two gathers.
     The smoothing length is a third array that exists only where it varies.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -1,5 +1,7 @@
 /*  Stable sort of (key, index) pairs and exclusive scans: CUB on the GPU, a parallel LSD radix sort on the CPU.
     Stable and free of atomics, hence deterministic.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

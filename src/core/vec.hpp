@@ -1,4 +1,7 @@
-/*  Small fixed-size vectors of any arithmetic type (scalar or Pack). Aggregates: no constructors. */
+/*  Small fixed-size vectors of any arithmetic type (scalar or Pack). Aggregates: no constructors.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/macros.hpp"

@@ -1,4 +1,7 @@
-/*  Chooses device, dimension and precision, checks consistency, and builds the scene. */
+/*  Chooses device, dimension and precision, checks consistency, and builds the scene.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #include "scene/sphInstances.hpp"
 #include "core/device.hpp"
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "scene/demAll.hpp"
 
 std::unique_ptr<riprap::DemScene> riprap::demCpu3Mixed(const DemConfig& c, const DemInput& in, const DemPlan& p)

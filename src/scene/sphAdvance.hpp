@@ -1,6 +1,8 @@
 /*  SphSolver: the loop over steps. On the GPU a rebuild, a step and several steps are recorded in graphs, each twice because a
     rebuild swaps the halves of double-buffered fields; steps switch themselves off when neighbours have aged or the target is
     reached, so the host looks on only after two cycles of a rebuild and a number of steps.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

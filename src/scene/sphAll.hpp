@@ -1,4 +1,7 @@
-/*  SphSolver with all its parts, for the instantiating units. */
+/*  SphSolver with all its parts, for the instantiating units.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/device.hpp"

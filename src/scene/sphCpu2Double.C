@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "scene/sphAll.hpp"
 
 std::unique_ptr<riprap::SphScene> riprap::sphCpu2Double

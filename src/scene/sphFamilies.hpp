@@ -2,6 +2,8 @@
 
     The combinations that scenes usually take are compiled exactly; all others run a general one in which each term is
     switched by a flag that is the same for all pairs. Adding a term: its header, a line in `general`.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

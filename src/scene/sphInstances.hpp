@@ -1,4 +1,7 @@
-/*  What the instantiating units (one a backend, dimension and precision) offer to createSphScene. */
+/*  What the instantiating units (one a backend, dimension and precision) offer to createSphScene.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "scene/sphDemScene.hpp"

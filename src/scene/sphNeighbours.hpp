@@ -1,4 +1,7 @@
-/*  SphSolver: the structures in which neighbours are found: sorting into cells, and on the GPU lists. */
+/*  SphSolver: the structures in which neighbours are found: sorting into cells, and on the GPU lists.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "scene/sphSolver.hpp"

@@ -1,4 +1,7 @@
-/*  SphSolver: everything that is read back. */
+/*  SphSolver: everything that is read back.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/largest.hpp"

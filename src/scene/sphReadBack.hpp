@@ -1,4 +1,7 @@
-/*  The kernels of everything that is read back: see sphOutput.hpp. */
+/*  The kernels of everything that is read back: see sphOutput.hpp.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/pairLoop.hpp"

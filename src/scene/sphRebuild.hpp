@@ -1,4 +1,7 @@
-/*  The kernels of a rebuild: keys of particles, and their records in the new order. */
+/*  The kernels of a rebuild: keys of particles, and their records in the new order.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "core/cellGrid.hpp"

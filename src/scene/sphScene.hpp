@@ -3,6 +3,8 @@
     No OpenFOAM and no CUDA appear here. All quantities are SI, double, host memory; vectors are
     stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well: the empty one of the fluid is ignored,
     and comes back as the middle of the domain. A scene owns everything that lives on its device.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -1,4 +1,7 @@
-/*  SphSolver: construction from a configuration and particles. */
+/*  SphSolver: construction from a configuration and particles.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "scene/sphSolver.hpp"

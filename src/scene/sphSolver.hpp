@@ -2,6 +2,8 @@
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
     (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
     sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -4,6 +4,8 @@
     bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
     walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
     (FNV-1a over all words before it).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

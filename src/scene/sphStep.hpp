@@ -1,4 +1,7 @@
-/*  SphSolver: what kernels are given, and the parts of a step. */
+/*  SphSolver: what kernels are given, and the parts of a step.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "scene/sphSolver.hpp"

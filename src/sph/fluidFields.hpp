@@ -1,4 +1,7 @@
-/*  The fluid's state on the device (structure of arrays) and the constants of its model. */
+/*  The fluid's state on the device (structure of arrays) and the constants of its model.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 /*  The pass over the fluid: accelerations, density rates and drifts from fluid and wall neighbours, and what the time
     integration does at the end of it. A part of it alone (momentum or density) leaves the other's state untouched.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

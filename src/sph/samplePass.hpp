@@ -1,6 +1,8 @@
 /*  Kernel interpolation of the fluid at points: sum V W, sum V p W, sum V v W (paper Eq. 27), sum V (x_j - x) W. The
     caller divides by the first where it wants a value that does not fade at the surface (Shepard); the last gives the
     centroid that such a value belongs to. Fluid behind a point's planes (SightPlanes) is left out.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes a random case of picDem with bodies: picScenes.py SEED FOLDER [scale]
 
-A tank (closed, level or tilted by gravity's direction) with a pool or a column of water, a step, a cylinder or a slope in it, or a channel with openings; balls, disks, boxes, prisms and clumps of 0.05 to 10
-times the water's density, hard and soft, that fall in, enter flat, rise and breach the surface, float, collide under water or slide down the slope into it; 2D and 3D, with and without
-`reflection`. scale: cells per length against the coarse scene (1).
+A tank (closed, level or tilted by gravity's direction) with a pool or a column of water, a step, a cylinder or a slope in it, or a channel with openings; balls, disks, boxes,
+prisms and clumps of 0.05 to 10 times the water's density, hard and soft, that fall in, enter flat, rise and breach the surface, float, collide under water
+or slide down the slope into it; 2D and 3D, with and without `reflection`. scale: cells per length against the coarse scene (1).
 """
 import math
 import os
@@ -223,7 +223,8 @@ class PicScene:
         return least
 
     def sampledDistance(self, X, Z):
-        """The same as the cut cells have it: exact at the nodes of the grid, linear between them. At a right edge that is up to 0.29 cells less than the whole, at a cylinder of 2 cells 0.07"""
+        """The same as the cut cells have it: exact at the nodes of the grid, linear between them.
+        At a right edge that is up to 0.29 cells less than the whole, at a cylinder of 2 cells 0.07"""
         i, k = (np.clip(np.floor(c), 0, n - 1) for c, n in ((X, self.nx), (Z, self.nz)))
         f, g = X - i, Z - k
         return ((1 - f)*((1 - g)*self.distance(i, k) + g*self.distance(i, k + 1)) +
@@ -238,8 +239,8 @@ class PicScene:
         return np.max(out, axis=0)
 
     def behind(self, cloud, x):
-        """How many of the positions of this cloud are in a wall. Water is kept out of solids as the grid has them, whose round ones have flat sides (0.0075 cells). Solids touch the
-        exact shapes, and press into them"""
+        """How many of the positions of this cloud are in a wall. Water is kept out of solids as the grid has them, whose round ones have flat sides (0.0075 cells).
+        Solids touch the exact shapes, and press into them"""
         distance, most = {'fluid': (self.sampledDistance, 0.01), 'solids': (self.distance, 0.05)}[cloud]
         return int((self.sunk(x, distance) > most).sum())
 
@@ -275,16 +276,17 @@ class PicScene:
         fastest = max(self.fastest, math.sqrt(2*9.81*self.nz*h))
         stiffness = self.heaviest*(fastest/(self.soft*6*h))**2
         write(folder, 'constant', 'solidProperties',
-              'contact { normal linear; tangential history; rolling none; }\nmaterials { %s tank { rho 2500; } }\n' % ' '.join('m%d { rho %.6g; }' % m for m in enumerate(self.materials)) +
+              'contact { normal linear; tangential history; rolling none; }\nmaterials { %s tank { rho 2500; } }\n'
+              % ' '.join('m%d { rho %.6g; }' % m for m in enumerate(self.materials)) +
               'pairs { default { stiffness %.6g; restitution %g; friction %g; stiffnessRatio 0.5; gap %.9g; } }\nwalls { material tank; }\ngroups { %s }\n'
               % (stiffness, self.r.choice([0.2, 0.8]), self.friction, self.gap*h, ' '.join('body%d {}' % k for k in range(len(self.materials)))))
         write(folder, 'system', 'fvSolution', 'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }\n')
         write(folder, 'system', 'fvSchemes', 'ddtSchemes {}\ngradSchemes {}\ndivSchemes {}\nlaplacianSchemes {}\ninterpolationSchemes {}\nsnGradSchemes {}\n')
+        functions = ('energy', 'energyBalance'), ('solids', 'solidEnergies'), ('momentum', 'momentumBalance')
         write(folder, 'system', 'controlDict', 'application riprapFoam;\nsolver picDem;\nstartFrom latestTime;\nstartTime 0;\nstopAt endTime;\nendTime %.9g;\n'
               % self.end + 'deltaT 1e-4;\nadjustTimeStep yes;\nmaxCo 0.5;\nsampleInterval 0;\nwriteControl adjustableRunTime;\nwriteInterval %.9g;\n'
               % (self.end/2) + 'writeFormat binary;\nwritePrecision 10;\ntimeFormat general;\ntimePrecision 8;\nrunTimeModifiable no;\n'
-              'functions\n{\n%s}\n' % ''.join('%s { type %s; libs ("libriprapFoam.so"); }\n' % f for f in
-                                             (('energy', 'energyBalance'), ('solids', 'solidEnergies'), ('momentum', 'momentumBalance'))))
+              'functions\n{\n%s}\n' % ''.join('%s { type %s; libs ("libriprapFoam.so"); }\n' % f for f in functions))
 
     def geometry(self, folder):
         h, text, W = self.h, '', self.ny*self.h

@@ -6,9 +6,11 @@
 
 A line a scene: PASS or FAIL, then what was measured. A scene holds if
 - it runs to its end, and each pressure is solved;
-- no particle of water or of a body is lost (bodies leave by openings), or in a wall or an obstacle at the end: of water by 0.01 cells of the obstacle as the grid has it, of bodies by 0.05 cells of its exact shape;
+- no particle of water or of a body is lost (bodies leave by openings), or in a wall or an obstacle at the end: of water by 0.01 cells of the obstacle as the grid has it,
+  of bodies by 0.05 cells of its exact shape;
 - its energy (water and bodies, contacts included) never grows by more than 1 % of what it had at the start, heights counted from the tank's lowest corner (not with openings);
-- momentum of water, bodies and walls balances: each step to 1e-6 of its impulses without `reflection` (single precision 1e-4), with it half of the steps to 5e-3 and their sum to 2 %;
+- momentum of water, bodies and walls balances: each step to 1e-6 of its impulses without `reflection` (single precision 1e-4), with it half of the steps
+  to 5e-3 and their sum to 2 %;
 - the same run with another number of threads, and one that goes on from its middle, end with the same bits.
 """
 import os

@@ -70,7 +70,10 @@ def behind(folder, scene, cloud):
 def inBody(folder, scene):
     """Particles of water in the body at the end"""
     first, last = times(folder)[0], times(folder)[-1]
-    at = lambda time, cloud: readPositions(os.path.join(folder, time, 'lagrangian', cloud, 'positions'))     # noqa: E731
+
+    def at(time, cloud):
+        return readPositions(os.path.join(folder, time, 'lagrangian', cloud, 'positions'))
+
     return scene.inBody(at(last, 'fluid'), at(first, 'solids'), at(last, 'solids'))
 
 

@@ -87,6 +87,45 @@ END
 }
 missing=$(named) && echo "PASS namedFiles" || echo "FAIL namedFiles there is no$missing"
 
+# check NAME COMMAND...: what it prints is the reason of a failure; its exit status 3 means that a program for it is not installed
+check()
+{
+    local name=$1 said status; shift
+    said=$("$@" 2>&1); status=$?
+    case $status in
+        0) echo "PASS $name";;
+        3) echo "${said:-SKIP $name}";;
+        *) echo "FAIL $name ${said//$'\n'/; }";;
+    esac
+}
+check includes etc/checkLayering
+check includesChecked etc/checkLayering --self-test
+check python etc/checkPython
+check whitespace etc/checkWhitespace
+
+check licences etc/checkLicences
+noLicence()
+{
+    local folder said; folder=$(mktemp -d)
+    git -C "$folder" init -q
+    mkdir "$folder/src"; echo 'int x;' >"$folder/src/bad.C"; echo '// SPDX-License-Identifier: GPL-3.0-or-later' >"$folder/src/good.C"; echo 1 >"$folder/data.csv"
+    said=$(etc/checkLicences "$folder"); local status=$?
+    rm -rf "$folder"
+    [[ $status == 1 && $said == *src/bad* && $said != *src/good* && $said != *data* ]]
+}
+expect licencesChecked "etc/checkLicences finds a source without licence line, and nothing else" noLicence
+if command -v reuse >/dev/null; then check licencesReuse reuse lint; else echo "SKIP licencesReuse reuse is not installed"; fi
+
+subjects()
+{
+    local file status=0; file=$(mktemp)
+    message() { printf '%b' "$1" >"$file"; etc/gitHooks/commit-msg "$file" 2>/dev/null; }
+    message "$(printf 'x%.0s' {1..72})\n\nWhy.\n" && ! message "$(printf 'x%.0s' {1..73})\n" && ! message 'What\nWhy.\n' && ! message '# only a comment\n' || status=1
+    rm -f "$file"
+    return $status
+}
+expect commitSubjects "etc/gitHooks/commit-msg takes subjects of 72 characters and no more" subjects
+
 # In an empty folder of a copy: the refusal must leave nothing behind in src
 refused()
 {

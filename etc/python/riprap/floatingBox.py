@@ -38,7 +38,7 @@ class FloatingBox:
 
     def solve(self, omega, roll=False):
         """Added mass and damping, and the damping that the waves tell"""
-        b, T, h, s, N = self.b, self.T, self.h, self.h - self.T, self.terms
+        b, h, s, N = self.b, self.h, self.h - self.T, self.terms
         k0, km = self.wavenumbers(omega)
         k = np.concatenate([[1j*k0], km])                       # Y_m = cos(k_m (z + h))/norm; of i k_0 the hyperbolic one
         norm = np.sqrt(h/2 + np.sin(2*k*h)/(4*k))

@@ -156,8 +156,8 @@ class Run:
 @dataclass
 class Variant:
     """One run of verify: options of Allrun beside -name; case: another tutorial, as module/name;
-    label: added to the name of the run's folder; mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone; left out where there is none unless
-    it is finished and reused, or named by -only"""
+    label: added to the name of the run's folder; mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone;
+    left out where there is none unless it is finished and reused, or named by -only"""
     name: str
     options: list = field(default_factory=list)
     case: str = ''

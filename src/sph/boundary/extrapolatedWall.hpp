@@ -1,5 +1,7 @@
 /*  Extrapolated wall pressure (extrapolation.hpp), and the density that the equation of state gives for it. v_w enters laminar viscosity
     only, volume changes and artificial viscosity see u_w (with v_w there, energy grows: docs/theory).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

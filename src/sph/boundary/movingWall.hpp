@@ -1,5 +1,7 @@
 /*  Moving walls: points carried by the rigid motion of their group, known at equally spaced instants of the interval
     that is being advanced and interpolated between them by cubic Hermite polynomials (error of order interval^4).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

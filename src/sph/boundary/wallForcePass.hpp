@@ -6,6 +6,8 @@
 
     a point of a wall presses as a volume of fluid would that is compressed, but has no density of its own that remembers it (docs/theory,
     Energy).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

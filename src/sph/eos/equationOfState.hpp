@@ -3,6 +3,8 @@
 
         Tait   (paper Eq. 35): p = c0^2 rho0/gamma ((1 + d)^gamma - 1)
         linear               : p = c0^2 rho0 d
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -2,6 +2,8 @@
 
         W = alpha h^-D ((2 - q)^3 - 4 (1 - q)^3)/4   (each bracket clipped at zero)
         alpha = 10/(7 pi) in 2D, 1/pi in 3D
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

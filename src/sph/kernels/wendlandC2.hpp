@@ -2,6 +2,8 @@
 
         W = alpha h^-D (1 - q/2)^4 (2q + 1)          alpha = 7/(4 pi) in 2D, 21/(16 pi) in 3D
         grad W = F (x_i - x_j),  F = -5 alpha h^-(D+2) (1 - q/2)^3     [1/m^(D+2)]
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

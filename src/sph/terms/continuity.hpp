@@ -1,4 +1,7 @@
-/*  Continuity (paper Eq. 32): drho_i/dt = rho_i sum m_j/rho_j (v_i - v_j) . grad_i W */
+/*  Continuity (paper Eq. 32): drho_i/dt = rho_i sum m_j/rho_j (v_i - v_j) . grad_i W
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "sph/terms/term.hpp"

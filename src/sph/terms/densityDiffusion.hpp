@@ -4,6 +4,8 @@
     fourtakas: rhoH_ij = rho0 g . (x_j - x_i)/c0^2, the hydrostatic difference, so that a tank at rest stays at rest
                (Fourtakas et al. 2019, linearised equation of state)
     Between fluid particles only.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -7,6 +7,8 @@
         dv_i/dt     += m_j F (c.radial (x_i - x_j) + c.cross (v_i - v_j))
         drho_i/dt   += m_j F c.rate
         dx_i/dt     -= m_j W c.smooth (v_i - v_j)
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -1,4 +1,7 @@
-/*  XSPH (paper Eq. 39 with W as corrected in docs/theory.md; Monaghan 1989): dx_i/dt = v_i - epsilon sum m_j/rho_ij (v_i - v_j) W */
+/*  XSPH (paper Eq. 39 with W as corrected in docs/theory.md; Monaghan 1989): dx_i/dt = v_i - epsilon sum m_j/rho_ij (v_i - v_j) W
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
 #pragma once
 
 #include "sph/terms/term.hpp"

@@ -7,6 +7,8 @@
     with the h of the largest density deviation where h varies: no particle has a smaller one,
     shortens it to land on the target time, and switches the steps off when the target is reached, the neighbour
     structures have aged, or a guard fires.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

@@ -4,6 +4,8 @@
         x_{n+1}   = x_n + (v_{n+1/2} + drift_n) dt
         pass at x_{n+1} with v, rho predicted to n+1 by a_n, rate_n
         v_{n+1}   = v_{n+1/2} + a_{n+1} dt/2;  rho likewise      (FluidPass::finish)
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

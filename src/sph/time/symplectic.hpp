@@ -9,6 +9,8 @@
     Density is a coordinate here: it moves with the velocity of the middle of the step, forces follow from it at the end.
     A sound wave then keeps its amplitude up to omega dt = 2, where the leapfrog with predicted density grows by
     (omega dt)^4/4 a step (docs/theory). Viscosity sees the velocity predicted to n+1 by a_n.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 

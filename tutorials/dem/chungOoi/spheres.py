@@ -17,8 +17,10 @@ class Sphere:
     def __init__(self, run, index, line, table):
         self.radius, self.material = float(line['radius']), line['material']
         self.t = table['Time']
+
         def of(name):
             return np.column_stack([table[f'{index}{name}{axis}'] for axis in 'xyz'])
+
         self.x = np.column_stack([table[f'{index}{axis}'] for axis in 'XYZ'])
         self.U, self.W, self.F = of('U'), of('W'), of('F')
         m = run.solid['materials'][self.material]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A box that floats, 0.3 m wide with a draught of 0.1 m, let go from 0.02 m above where it floats, or turned by 5 degrees: periods, against linear potential theory (riprap.floatingBox)"""
+"""A box that floats, 0.3 m wide with a draught of 0.1 m, let go from 0.02 m above where it floats, or turned by 5 degrees:
+periods, against linear potential theory (riprap.floatingBox)"""
 import math
 import os
 

@@ -130,11 +130,12 @@ def sets(across, s, more='', dimensions=2, reach=2, bodies=1, surface=False):
     of = dict(side=side, top=top, middle=side/2, cells=n, spacing=h/2, tankRadius=reach*radius, bodies=bodies, depth=h, middleZ=h/2)
     if dimensions == 3:
         of.update(depth=side, middleZ=side/2, layers=n, ends='wall', dimensions=3)
-    text = '; '.join(f'system/{"water" if key in ("side", "spacing", "top") else "tank"}:{key} {value if isinstance(value, str) else format(value, ".10g")}' for key, value in of.items())
+    text = '; '.join(f'system/{"water" if key in ("side", "spacing", "top") else "tank"}:{key} {value if isinstance(value, str) else format(value, ".10g")}'
+                     for key, value in of.items())
     return ['-set', f'{text}; constant/solidProperties:materials/body/rho {1000*s:g}{more}']
 
 
-#- coupledPCG with OpenFOAM's GAMG on the host, as in the tutorials that use it
+# coupledPCG with OpenFOAM's GAMG on the host, as in the tutorials that use it
 host = ''.join(f'; system/fvSolution:solvers/p/{entry}' for entry in (
     'solver coupledPCG', 'preconditioner/preconditioner GAMG', 'preconditioner/smoother symGaussSeidel', 'preconditioner/nVcycles 1',
     'preconditioner/nPreSweeps 1', 'preconditioner/nPostSweeps 1', 'preconditioner/nFinestSweeps 1', 'preconditioner/directSolveCoarsest true',

@@ -6,7 +6,6 @@ import numpy as np
 
 from riprap import clouds, plotting
 from riprap.bounds import Quantity
-from riprap.dictionaries import numberOf
 from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))

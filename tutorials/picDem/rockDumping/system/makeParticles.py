@@ -69,4 +69,7 @@ def stones():
 
 with open('system/rocks', 'w') as out:
     out.write('// Of setParticlesDict, by system/makeParticles.py\n')
+    # REUSE-IgnoreStart
+    out.write('// SPDX-License-Identifier: GPL-3.0-or-later\n')
+    # REUSE-IgnoreEnd
     out.write('\n'.join({'balls': balls, 'clumps': clumps, 'stones': stones}[shape]()) + '\n')
