@@ -85,6 +85,20 @@ says section2 'mass 0\.025 kg per metre, centre \(0\.05 0\.03 0\.005\), .* \(0 0
 tank3; solids ''; control dem 0.1 ''
 fill "rock { $wood source surface; file \"octa.stl\"; spacing 0.004; }"
 says surface3 'mass 0\.00533333 kg, centre \(0\.05 0\.03 0\.02\), .*\(4\.26667e-07 4\.26667e-07 4\.26667e-07\) kg m2, volume 1\.06667e-05 m3'   # rho 4/3 r^3, m r^2/5
+printf 'x,y,z\n0.05,0.03,0.02\n0.06,0.03,0.02\n' >rock.csv
+fill "rock { $wood source csv; file \"rock.csv\"; radius 0.004; surface { source surface; file \"octa.stl\"; } }"
+says listed3 'mass 0\.00533333 kg, centre \(0\.05 0\.03 0\.02\), .*\(4\.26667e-07 4\.26667e-07 4\.26667e-07\) kg m2, volume 1\.06667e-05 m3 rock: 2 particles'
+sed -n '/^shapes/,/^}/p' 0/uniform/lagrangian/solids/cloudProperties | grep -q 'octa.stl' && pass listedShape3 || fail listedShape3 "picDem is not told the surface"
+# Turned axes: its faces are where its particles are, and those must follow them
+fill "rock { $wood source surface; file \"octa.stl\"; spacing 0.004; }"
+awk 'BEGIN {print "x,y,z"} /^\([0-9]/ {gsub(/[()]/, ""); print $1 "," $2 "," $3}' 0/lagrangian/solids/positions >rock.csv
+pool='pool { set fluid; source box; box (0 0 0) (0.1 0.06 0.01); clip yes; }'
+rock="$wood source csv; file \"rock.csv\"; radius 0.002; inertia (2e-5 1e-5 0 2e-5 0 2e-5);"
+fill "$pool rock { $rock surface { source surface; file \"octa.stl\"; } }" 0.005
+says covered3 'Written [0-9]+ particles, 0 bonds and 1 clumps'
+sed -i '/^0.06/d' rock.csv
+dictionary system/setParticlesDict <<<"spacing 0.005; regions ( $pool rock { $rock surface { source surface; file \"octa.stl\"; } } );"
+refused uncovered3 'Region rock: no particle of the list is within 0\.007 m of its entry surface at \(0\.0[67]' setParticles
 fill "ball { $wood source sphere; centre (0.05 0.03 0.02); radius 0.015; spacing 0.003; }"
 says sphere3 'mass 0\.00706858 kg, .*\(6\.36173e-07 6\.36173e-07 6\.36173e-07\)'
 says sphereCount3 'ball: 524 particles'                 # 4/3 pi 5^3
@@ -160,6 +174,53 @@ grep -q '(0.095 0.105 ' 0/lagrangian/fluid/positions && pass clipStays || fail c
 printf 'x,y,z\n0.2,0.1,0\n' >list.csv
 fill "$pond body { set solids; material wood; source csv; file \"list.csv\"; radius 0.005; }" 0.01
 says clipList 'water: cut at solids body, [0-9]+ particles .*without layers'
+# A hollow ring of particles from a list, 28 of them: water thrown at it gets in between them, but not through its surface
+awk 'BEGIN {print "x,y,z"; for (i = 0; i < 28; ++i) {a = 6.2831853*i/28; printf "%.9g,%.9g,0\n", 0.2 + 0.045*cos(a), 0.1 + 0.045*sin(a)}}' >ring.csv
+shot='water { set fluid; source box; box (0.16 0.2 0) (0.24 0.3 0.01); velocity (0 -8 0); pressure zero; }'
+list="$wood source csv; file \"ring.csv\"; radius 0.005;" round='surface { source cylinder; p1 (0.2 0.1 -1); p2 (0.2 0.1 1); radius 0.05; }'
+control sphDem 0.06 ''; sed -i 's/writeInterval 0.06/writeInterval 0.03/' system/controlDict; solids 'groups { held { fixed all; } }'
+throw()     # NAME GROUP SURFACE: how many particles are inside at the end
+{
+    fill "$shot ring { $list group $2; $3 }" 0.01
+    cp log made; run "$1"
+    wet=$(awk '/^\([0-9]/ {gsub(/[()]/, ""); n += ($1 - 0.2)^2 + ($2 - 0.1)^2 < 0.049^2} END {print n + 0}' 0.06/lagrangian/fluid/positions)
+}
+throw ringOpen held ''
+((wet > 0)) && pass ringLeaks || fail ringLeaks "no water is in the ring without a surface: this test says nothing"
+says ringOpenLog 'impermeable +0 of 1 rigid bodies'
+throw ringClosed held "$round"
+((wet == 0)) && pass ringHolds || fail ringHolds "$wet particles of water are in the ring"
+says ringLog 'impermeable +1 of 1 rigid bodies'
+cp 0.06/lagrangian/fluid/positions fluid; rm -r 0.06; riprapFoam >log 2>&1
+says ringContinues 'Continuing exactly from time 0.03'
+cmp -s fluid 0.06/lagrangian/fluid/positions && pass ringRestart || fail ringRestart "other positions"
+cp made log
+says ringMass 'one rigid body, mass 3\.92699 kg per metre, centre \(0\.2 0\.1 0\.005\), .* \(0 0 0\.00490874\) .* volume 0\.00785398 m3'     # rho pi R^2, m R^2/2
+grep -q outline 0/uniform/lagrangian/solids/cloudProperties && pass ringShape || fail ringShape "picDem is not told the shape"
+solids ''; fill "$pond ring { $list density 800; $round }" 0.01
+says ringClips 'water: cut at solids, 79 particles of 0\.0079 m3'
+says ringDensity 'mass 6\.28319 kg per metre'
+wrongRing() { dictionary system/setParticlesDict <<<"spacing 0.01; regions ( $pond ring { $list $3 } );"; refused "$1" "$2.*setParticlesDict" setParticles; }
+wrongRing surfaceOutside 'Entry surface does not hold the particles of region ring: the centres of 28 of 28 are outside of it, that at .* by 0\.005' "${round/radius 0.05/radius 0.04}"
+wrongRing surfaceFar 'Region ring: no particle of the list is within 0\.015 m of its entry surface at .* water would get in' "${round/radius 0.05/radius 0.08}"
+wrongRing surfaceValue 'Entry surface must be a dictionary' 'surface "hull.stl";'
+wrongRing surfaceEmpty "'source' not found" 'surface { }'
+wrongRing surfaceWord 'Entry source has the unknown word csv; valid are .box cylinder sphere surface' 'surface { source csv; file "ring.csv"; }'
+wrongRing surfaceEntry 'Unknown entry spacing' "${round/radius/spacing 0.01; radius}"
+wrongRing surfaceFile 'Entry file: there is no .*nothing.stl.; constant/triSurface holds' 'surface { source surface; file "nothing.stl"; }'
+octahedron constant/triSurface/open.stl 0
+wrongRing surfaceOpen 'Entry file: the surface .*open.stl. is not closed' 'surface { source surface; file "open.stl"; }'
+dictionary system/setParticlesDict <<<"spacing 0.01; regions ( $pond ring { ${list/rigid yes;/} $round } );"; refused surfaceLoose 'Unknown entry surface' setParticles
+dictionary system/setParticlesDict <<<"spacing 0.01; regions ( $pond ring { ${list/source csv; file \"ring.csv\"; radius 0.005;/source box; box (0.1 0.1 0) (0.2 0.2 0.01); spacing 0.01;} $round } );"
+refused surfaceOfBox 'Unknown entry surface' setParticles
+sed 's/$/,0.1/; 1 s/0.1/mass/' ring.csv >heavy.csv
+wrongRing surfaceMass 'the mass of its entry surface, and its list has a column mass' "file \"heavy.csv\"; $round"
+sed 's/$/,wood/; 1 s/wood/material/; 5 s/wood/lead/' ring.csv >mixed.csv
+sed -i 's/wood { rho 500; E 1e7; nu 0.25; }/& lead { rho 11000; E 1e7; nu 0.25; }/' constant/solidProperties
+wrongRing surfaceMaterials 'its list has materials of different density' "file \"mixed.csv\"; $round"
+fill "$pond ring { $list file \"mixed.csv\"; mass 2; $round }" 0.01
+says ringMixed 'one rigid body, mass 2 kg per metre'
+solids ''
 # A hinged flap in water turns about its hinge; guided alike by two ways in sphDem
 solids 'groups { flap { constrain { hinge { point (0.2 0.15 0); } } } }'
 fill "$pond flap { $wood group flap; source box; box (0.19 0.05 0) (0.21 0.15 0.01); spacing 0.01; }" 0.01

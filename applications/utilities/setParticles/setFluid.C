@@ -240,6 +240,7 @@ void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptio
     );
     const particleCloud cloud(makeCloud(mesh, regions, gravity, settings));
     warnOfStanding(placed, packing.spacing());
+    for (const solidRegion& region : placed.regions) requireCovered(region, mesh.time(), config);
 
     reportRegions(regions, packing, config.density);
     reportWallPoints(walls, Info());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  rigid yes;  all particles of a region are one rigid body. A region of a box, cylinder, sphere or surface has the mass, centre and inertia of its exact volume
-    at its material's density; of a list they are those of its particles together, each with its own inertia (2/5 m R^2 of a sphere, m R^2/2 of a disk). What
-    rigidEntries.H has comes before both. Particles share the body's mass and volume.
+    at its material's density; of a list without the entry surface they are those of its particles together, each with its own inertia (2/5 m R^2 of a sphere, m R^2/2
+    of a disk). What rigidEntries.H has comes before both. Particles share the body's mass and volume.
 */
 
 #include "principalAxes.H"
@@ -135,6 +135,6 @@ void Foam::makeRigid
     Info<< "    " << region.name << ": one rigid body, mass " << body.mass << " kg" << metre << ", centre " << body.centre
         << ", principal moments of inertia " << vector(clump.inertia[0], clump.inertia[1], clump.inertia[2]) << " kg m2" << metre
         << ", volume " << body.volume << " m3" << metre;
-    if (region.exact) Info<< "; the cells of its particles are " << region.cells/body.volume << " of it";
+    if (region.cells > 0) Info<< "; the cells of its particles are " << region.cells/body.volume << " of it";
     Info<< nl;
 }

@@ -75,7 +75,11 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
     if (source == "csv")
     {
         readSolidList(dict, space, region);
-        if (rigid) requireOneMotion(region);
+        if (rigid)
+        {
+            requireOneMotion(region);
+            readRigidSurface(dict, given, space, region);
+        }
     }
     else if (shaped)
     {
