@@ -7,6 +7,7 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "timeManifest.H"
+#include "timeWriter.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -125,7 +126,11 @@ bool Foam::caseTime::writeObject
         return Time::writeObject(fmt, ver, cmp, valid);
     }
 
-    timeManifest::begin(timePath());
+    timeWriter::ofRun().begin
+    (
+        timePath(),
+        controlDict().getOrDefault<bool>("writeAsynchronously", true)
+    );
     writing_ = timePath();
 
     // Older times go when this one is whole
@@ -145,9 +150,10 @@ bool Foam::caseTime::writeObject
 }
 
 
-void Foam::caseTime::purge()
+Foam::fileNameList Foam::caseTime::old()
 {
-    if (purgeWrite_ <= 0) return;
+    DynamicList<fileName> paths;
+    if (purgeWrite_ <= 0) return fileNameList();
 
     const word name(writing_.name(), false);
     if (previousWriteTimes_.empty() || previousWriteTimes_.top() != name)
@@ -156,8 +162,9 @@ void Foam::caseTime::purge()
     }
     while (previousWriteTimes_.size() > purgeWrite_)
     {
-        rmDir(path()/previousWriteTimes_.pop());
+        paths.append(path()/previousWriteTimes_.pop());
     }
+    return fileNameList(std::move(paths));
 }
 
 
@@ -165,8 +172,7 @@ void Foam::caseTime::finishWrite()
 {
     if (writing_.empty()) return;
 
-    timeManifest::finish(writing_);
-    purge();
+    timeWriter::ofRun().finish(old());
     writing_.clear();
 }
 

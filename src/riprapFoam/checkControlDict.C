@@ -44,7 +44,7 @@ static void checkNames(const dictionary& control)
     ({
         "application", "solver", "startFrom", "startTime", "stopAt", "endTime", "deltaT", "adjustTimeStep", "maxDeltaT",
         "maxCo", "maxFlyingCo", "sampleInterval", "writeControl", "writeInterval", "writeFrequency", "purgeWrite",
-        "writeFormat", "writePrecision", "writeCompression", "writeVersion", "timeFormat", "timePrecision",
+        "writeFormat", "writePrecision", "writeCompression", "writeVersion", "writeAsynchronously", "timeFormat", "timePrecision",
         "runTimeModifiable", "graphFormat", "functions", "libs", "profiling", "DebugSwitches", "InfoSwitches",
         "OptimisationSwitches", "DimensionedConstants", "DimensionSets"
     });
@@ -107,6 +107,7 @@ void Foam::checkControlDict(const fileName& file)
     compression.append(wordList({"compressed", "uncompressed"}));
     checkWord(control, "writeFormat", {"ascii", "binary"});
     checkWord(control, "writeCompression", compression);
+    checkWord(control, "writeAsynchronously", onOff);
     checkWord(control, "timeFormat", {"general", "fixed", "scientific"});
 
     control.whole("purgeWrite", 0, 0, labelMax);

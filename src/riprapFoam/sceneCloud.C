@@ -41,14 +41,19 @@ vectorField toVectors(const std::vector<double>& xyz)
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
+Foam::labelList Foam::sceneCloud::locate
+(
+    const pointField& position,
+    const labelUList& id,
+    label& nOutside
+) const
 {
-    const labelField& id = particles.labels[idField()];
-
     // setParticles numbers from 0: one label a particle that ever was
     cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
-    labelList& cell = particles.cell;
-    cell = locateParticles(mesh_, particles.position, labelList(cellOfId_, id), false);
+    labelList cell
+    (
+        locateParticles(mesh_, position, labelList(cellOfId_, id), false)
+    );
 
     DynamicList<label> outside;
     forAll(cell, i)
@@ -63,20 +68,15 @@ Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
     // OpenFOAM's utilities do not accept a particle that is in no cell
     const labelList nearest
     (
-        locateParticles
-        (
-            mesh_,
-            pointField(particles.position, outside),
-            labelList(),
-            true
-        )
+        locateParticles(mesh_, pointField(position, outside), labelList(), true)
     );
     forAll(outside, i)
     {
         cell[outside[i]] = nearest[i];
     }
 
-    return outside.size();
+    nOutside = outside.size();
+    return cell;
 }
 
 
@@ -91,13 +91,13 @@ const Foam::word& Foam::sceneCloud::idField() const
 
 const Foam::particleCloud& Foam::sceneCloud::fetch() const
 {
-    if (!fetched_)
+    if (!particles_)
     {
-        fill(particles_);
-        particles_.cell.clear();
-        fetched_ = true;
+        auto particles = std::make_shared<particleCloud>(name());
+        fill(*particles);
+        particles_ = particles;
     }
-    return particles_;
+    return *particles_;
 }
 
 
@@ -106,8 +106,7 @@ const Foam::particleCloud& Foam::sceneCloud::fetch() const
 Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
 :
     cloud(mesh, name),
-    mesh_(mesh),
-    particles_(name)
+    mesh_(mesh)
 {}
 
 
@@ -141,13 +140,26 @@ bool Foam::sceneCloud::writeObject
 {
     // First, since the scene then goes on as one that was given this state
     writeState();
-    fetched_ = false;
+    particles_.reset();
 
-    particleCloud particles(fetch());
-    sortByLabel(particles, idField());
-    addProperties(particles.properties);
-    const label nOutside = locate(particles);
-    writeParticleCloud(mesh_, particles);
+    const particleCloud& particles = fetch();
+    const labelField& id = particles.labels[idField()];
+    const labelList order(orderOf(id));
+    label nOutside = 0;
+    writtenCloud written;
+    written.cell = std::make_shared<const labelList>
+    (
+        locate
+        (
+            pointField(particles.position, order),
+            labelList(id, order),
+            nOutside
+        )
+    );
+    written.cloud = particles_;
+    written.order = std::make_shared<const labelList>(order);
+    addProperties(written.properties);
+    writeParticleCloud(mesh_, written);
 
     Info<< "Written " << time().timeName() << ": " << particles.size()
         << " particles";
