@@ -2,11 +2,13 @@
 /*  Files of a time that are written while the run goes on: the same bytes as OpenFOAM's own writing gives, states of any size, and failures that are told. */
 
 #include "IOField.H"
+#include "labelField.H"
 #include "labelIOList.H"
 #include "OSspecific.H"
 #include "sceneState.H"
 #include "testTime.H"
 #include "timeWriter.H"
+#include "vectorField.H"
 
 #include <cmath>
 #include <cstring>
@@ -74,6 +76,8 @@ namespace
         {
             for (const char* compression : {"off", "on"})
             {
+                // OpenFOAM compresses no binary files
+                if (std::string(format) == "binary" && std::string(compression) == "on") continue;
                 const autoPtr<Time> time(timeOf(format, compression));
                 const fileName path(object(time(), "values").objectPath() + (compression == std::string("on") ? ".gz" : ""));
                 IOField<T>(object(time(), "values"), values).write();
@@ -86,7 +90,7 @@ namespace
                     const fileSum sum(file.write(threads));
                     EXPECT_GT(expected.size(), 100u);
                     EXPECT_EQ(bytes(path), expected) << format << ' ' << values.size() << ' ' << threads;
-                    if (compression == std::string("off")) EXPECT_EQ(sum.bytes, int64_t(expected.size()));
+                    EXPECT_EQ(sum.bytes, compression == std::string("off") ? int64_t(expected.size()) : -1);
                 }
             }
         }
@@ -211,12 +215,12 @@ TEST(Writing, aTimeIsWholeWhenItsLastFileIs)
 {
     for (const bool later : {true, false})
     {
-        const autoPtr<Time> time(timeOf("ascii"));
+        autoPtr<Time> time(timeOf("ascii"));
         const fileName path(time().path()/(later ? "1" : "2"));
         timeWriter& writer = timeWriter::ofRun();
         writer.begin(path, later);
         EXPECT_TRUE(isFile(path/"uniform/riprap/manifest.part"));
-        time().setTime(later ? 1 : 2, 1);
+        time.ref().setTime(later ? 1 : 2, 1);
         for (const char* name : {"a", "b"})
         {
             writtenFile file(object(time(), name), IOField<scalar>::typeName, time());
