@@ -6,6 +6,7 @@
 #include "caseTime.H"
 #include "IFstream.H"
 #include "OSspecific.H"
+#include "pictures.H"
 #include "timeManifest.H"
 #include "timeWriter.H"
 
@@ -126,6 +127,7 @@ bool Foam::caseTime::writeObject
         return Time::writeObject(fmt, ver, cmp, valid);
     }
 
+    pictures::ofRun().next(*this);
     timeWriter::ofRun().begin
     (
         timePath(),
@@ -155,6 +157,7 @@ Foam::fileNameList Foam::caseTime::old()
     DynamicList<fileName> paths;
     if (purgeWrite_ <= 0) return fileNameList();
 
+    const bool picture = pictures::ofRun().now();
     const word name(writing_.name(), false);
     if (previousWriteTimes_.empty() || previousWriteTimes_.top() != name)
     {
@@ -162,7 +165,16 @@ Foam::fileNameList Foam::caseTime::old()
     }
     while (previousWriteTimes_.size() > purgeWrite_)
     {
-        paths.append(path()/previousWriteTimes_.pop());
+        // Of pictures alone no run starts
+        const word oldest(previousWriteTimes_.pop());
+        if (oldest == lastState_ && picture) heldState_ = oldest;
+        else paths.append(path()/oldest);
+    }
+    if (!picture)
+    {
+        if (heldState_.size()) paths.append(path()/heldState_);
+        heldState_.clear();
+        lastState_ = name;
     }
     return fileNameList(std::move(paths));
 }
@@ -172,7 +184,7 @@ void Foam::caseTime::finishWrite()
 {
     if (writing_.empty()) return;
 
-    timeWriter::ofRun().finish(old());
+    timeWriter::ofRun().finish(old(), pictures::ofRun().now());
     writing_.clear();
 }
 

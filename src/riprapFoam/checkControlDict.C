@@ -44,7 +44,7 @@ static void checkNames(const dictionary& control)
     ({
         "application", "solver", "startFrom", "startTime", "stopAt", "endTime", "deltaT", "adjustTimeStep", "maxDeltaT",
         "maxCo", "maxFlyingCo", "sampleInterval", "writeControl", "writeInterval", "writeFrequency", "purgeWrite",
-        "writeFormat", "writePrecision", "writeCompression", "writeVersion", "writeAsynchronously", "timeFormat", "timePrecision",
+        "writeFormat", "writePrecision", "writeCompression", "stateInterval", "pictureFields", "writeVersion", "writeAsynchronously", "timeFormat", "timePrecision",
         "runTimeModifiable", "graphFormat", "functions", "libs", "profiling", "DebugSwitches", "InfoSwitches",
         "OptimisationSwitches", "DimensionedConstants", "DimensionSets"
     });
@@ -110,6 +110,17 @@ void Foam::checkControlDict(const fileName& file)
     checkWord(control, "writeAsynchronously", onOff);
     checkWord(control, "timeFormat", {"general", "fixed", "scientific"});
 
+    control.whole("stateInterval", 1, 1, labelMax);
+    if (control.found("pictureFields"))
+    {
+        control.dict().get<wordList>("pictureFields");
+        if (control.whole("stateInterval", 1, 1, labelMax) == 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry pictureFields without stateInterval: every written"
+                << " time holds the state and all fields" << exit(FatalIOError);
+        }
+    }
     control.whole("purgeWrite", 0, 0, labelMax);
     control.whole("writePrecision", 6, 1, 100);
     control.whole("timePrecision", 6, 1, 100);

@@ -6,6 +6,7 @@
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "OSspecific.H"
+#include "pictures.H"
 #include "timeWriter.H"
 
 #include <cstring>
@@ -93,6 +94,8 @@ static void writeFields
 {
     for (const word& field : fields.sortedToc())
     {
+        if (!pictures::ofRun().holds(field)) continue;
+
         const Field<T>& values = fields[field];
         if (values.size() != w.cloud->size())
         {

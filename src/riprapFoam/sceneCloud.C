@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneCloud.H"
+#include "pictures.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -29,9 +30,11 @@ static void addFields(const HashTable<Field<T>>& fields, objectRegistry& obr)
 vectorField toVectors(const std::vector<double>& xyz)
 {
     vectorField v(label(xyz.size()/3));
-    forAll(v, i)
+    #pragma omp parallel for schedule(static) if (v.size() > 10000)
+    for (label i = 0; i < v.size(); ++i)
     {
-        v[i] = vector(xyz[3*i], xyz[3*i + 1], xyz[3*i + 2]);
+        const double* x = &xyz[3*std::size_t(i)];
+        v[i] = vector(x[0], x[1], x[2]);
     }
     return v;
 }
@@ -112,6 +115,16 @@ Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::wordList Foam::sceneCloud::fieldNames() const
+{
+    const particleCloud& particles = fetch();
+    wordList names(particles.labels.sortedToc());
+    names.append(particles.scalars.sortedToc());
+    names.append(particles.vectors.sortedToc());
+    return names;
+}
+
+
 Foam::label Foam::sceneCloud::nParcels() const
 {
     return fetch().size();
@@ -139,8 +152,9 @@ bool Foam::sceneCloud::writeObject
 ) const
 {
     // First, since the scene then goes on as one that was given this state
-    writeState();
-    particles_.reset();
+    const bool picture = pictures::ofRun().now();
+    writeState(picture);
+    if (!picture) particles_.reset();
 
     const particleCloud& particles = fetch();
     const labelField& id = particles.labels[idField()];
@@ -162,7 +176,7 @@ bool Foam::sceneCloud::writeObject
     writeParticleCloud(mesh_, written);
 
     Info<< "Written " << time().timeName() << ": " << particles.size()
-        << " particles";
+        << " particles" << (picture ? ", a picture" : "");
     if (nOutside)
     {
         Info<< ", " << nOutside << " of them outside the mesh";

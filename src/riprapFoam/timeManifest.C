@@ -67,6 +67,10 @@ static fileSum sumOf(const fileName& file)
 }
 
 
+//- In the manifest of one
+static const char* const pictureLine = "# A picture, without the state\n";
+
+
 //- All below a directory but the manifest itself, relative to it
 static void listFiles
 (
@@ -169,6 +173,12 @@ static timeManifest readManifest(const fileName& timePath)
     std::string line;
     while (std::getline(in, line))
     {
+        if (line + '\n' == pictureLine)
+        {
+            manifest.is = timeManifest::kind::picture;
+            manifest.why = "it is a picture, without the state to start from";
+            return manifest;
+        }
         if (line.empty() || line[0] == '#') continue;
 
         fileSum then;
@@ -241,7 +251,8 @@ void Foam::timeManifest::begin(const fileName& timePath)
 void Foam::timeManifest::finish
 (
     const fileName& timePath,
-    const fileSums& known
+    const fileSums& known,
+    bool picture
 )
 {
     DynamicList<fileName> files;
@@ -250,7 +261,8 @@ void Foam::timeManifest::finish
 
     std::ostringstream lines;
     lines << "# As riprapFoam wrote them (compressed ones: what they hold):"
-        << " bytes, check sum, foam or other, name\n";
+        << " bytes, check sum, foam or other, name\n"
+        << (picture ? pictureLine : "");
     for (const fileName& file : files)
     {
         const auto written = known.find(timePath/file);
@@ -358,6 +370,13 @@ void Foam::requireWholeTime(const dictionary& controlDict, const fileName& timeP
             << ". Remove the directory " << timePath << ", or start from"
             << " another time: startFrom latestTime takes the latest whole one"
             << exit(FatalIOError);
+    }
+    if (manifest.is == timeManifest::kind::picture)
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "Time " << name << " is a picture, without the state to start"
+            << " from (stateInterval): start from another time, startFrom"
+            << " latestTime takes the latest that has it" << exit(FatalIOError);
     }
     if (manifest.is == timeManifest::kind::damaged)
     {

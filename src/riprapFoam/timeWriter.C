@@ -7,6 +7,14 @@
 #include "OSspecific.H"
 #include <chrono>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static int severalThreads()
+{
+    return Foam::max(1, Foam::min(8, int(std::thread::hardware_concurrency())));
+}
+
+
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 //- The thread's life
@@ -117,25 +125,32 @@ void Foam::timeWriter::put(writtenFile&& file)
 {
     const auto kept = std::make_shared<const writtenFile>(std::move(file));
     mkDir(kept->path().path());
-    const bool counted = open_;
+    const bool counted = open_, later = asynchronous_;
     add
     (
-        [this, kept, counted]()
+        [this, kept, counted, later]()
         {
-            const fileSum sum(kept->write(threads_));
+            const bool several = !later || freeCores_;
+            const fileSum sum(kept->write(several ? severalThreads() : 1));
             if (counted && sum.bytes >= 0) sums_[kept->path()] = sum;
         }
     );
 }
 
 
-void Foam::timeWriter::finish(const fileNameList& old)
+void Foam::timeWriter::put(job next)
+{
+    add(std::move(next));
+}
+
+
+void Foam::timeWriter::finish(const fileNameList& old, bool picture)
 {
     add
     (
-        [this, old]()
+        [this, old, picture]()
         {
-            timeManifest::finish(timePath_, sums_);
+            timeManifest::finish(timePath_, sums_, picture);
             for (const fileName& path : old)
             {
                 rmDir(path);

@@ -18,6 +18,7 @@ Usage
 #include "caseTime.H"
 #include "checkControlDict.H"
 #include "checkFunctionObjects.H"
+#include "pictures.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
 #include "runProgram.H"
@@ -168,7 +169,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
         runTime.printExecutionTime(Info);
     }
     waitForWriting();
-    wallTimes::ofRun().write(runTime);
+    wallTimes::ofRun().write(runTime, timeWriter::ofRun().seconds());
 }
 
 
@@ -208,6 +209,7 @@ static void runCase(const argList& args, bool postProcess)
 
     requireSetParticles(runTime);
     module->initialise();
+    pictures::check(runTime);
 
     if (args.found("dry-run"))
     {
