@@ -71,6 +71,22 @@ struct ProbeAll
     }
 };
 
+//- Whom all entries of all particles touch, -1: nobody
+template<class Backend, int D, class P, class Law>
+struct ProbeOthers
+{
+    static constexpr const char* name = "probeOthers";
+
+    ContactProbe<Backend, D, P, Law> probe;
+    int* out;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *probe.active) return;
+        for (int k = 0; k < probe.list.count[i]; ++k) out[probe.list.index(i, k)] = probe.probe(i, k).other;
+    }
+};
+
 template<class Backend, int D, class P, class Law>
 struct SumContactEnergy
 {

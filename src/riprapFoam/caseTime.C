@@ -6,7 +6,9 @@
 #include "caseTime.H"
 #include "IFstream.H"
 #include "OSspecific.H"
+#include "pictures.H"
 #include "timeManifest.H"
+#include "timeWriter.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -125,7 +127,12 @@ bool Foam::caseTime::writeObject
         return Time::writeObject(fmt, ver, cmp, valid);
     }
 
-    timeManifest::begin(timePath());
+    pictures::ofRun().next(*this);
+    timeWriter::ofRun().begin
+    (
+        timePath(),
+        controlDict().getOrDefault<bool>("writeAsynchronously", true)
+    );
     writing_ = timePath();
 
     // Older times go when this one is whole
@@ -145,10 +152,12 @@ bool Foam::caseTime::writeObject
 }
 
 
-void Foam::caseTime::purge()
+Foam::fileNameList Foam::caseTime::old()
 {
-    if (purgeWrite_ <= 0) return;
+    DynamicList<fileName> paths;
+    if (purgeWrite_ <= 0) return fileNameList();
 
+    const bool picture = pictures::ofRun().now();
     const word name(writing_.name(), false);
     if (previousWriteTimes_.empty() || previousWriteTimes_.top() != name)
     {
@@ -156,8 +165,18 @@ void Foam::caseTime::purge()
     }
     while (previousWriteTimes_.size() > purgeWrite_)
     {
-        rmDir(path()/previousWriteTimes_.pop());
+        // Of pictures alone no run starts
+        const word oldest(previousWriteTimes_.pop());
+        if (oldest == lastState_ && picture) heldState_ = oldest;
+        else paths.append(path()/oldest);
     }
+    if (!picture)
+    {
+        if (heldState_.size()) paths.append(path()/heldState_);
+        heldState_.clear();
+        lastState_ = name;
+    }
+    return fileNameList(std::move(paths));
 }
 
 
@@ -165,8 +184,7 @@ void Foam::caseTime::finishWrite()
 {
     if (writing_.empty()) return;
 
-    timeManifest::finish(writing_);
-    purge();
+    timeWriter::ofRun().finish(old(), pictures::ofRun().now());
     writing_.clear();
 }
 

@@ -44,7 +44,7 @@ static void checkNames(const dictionary& control)
     ({
         "application", "solver", "startFrom", "startTime", "stopAt", "endTime", "deltaT", "adjustTimeStep", "maxDeltaT",
         "maxCo", "maxFlyingCo", "sampleInterval", "writeControl", "writeInterval", "writeFrequency", "purgeWrite",
-        "writeFormat", "writePrecision", "writeCompression", "writeVersion", "timeFormat", "timePrecision",
+        "writeFormat", "writePrecision", "writeCompression", "stateInterval", "pictureFields", "writeVersion", "writeAsynchronously", "timeFormat", "timePrecision",
         "runTimeModifiable", "graphFormat", "functions", "libs", "profiling", "DebugSwitches", "InfoSwitches",
         "OptimisationSwitches", "DimensionedConstants", "DimensionSets"
     });
@@ -107,8 +107,20 @@ void Foam::checkControlDict(const fileName& file)
     compression.append(wordList({"compressed", "uncompressed"}));
     checkWord(control, "writeFormat", {"ascii", "binary"});
     checkWord(control, "writeCompression", compression);
+    checkWord(control, "writeAsynchronously", onOff);
     checkWord(control, "timeFormat", {"general", "fixed", "scientific"});
 
+    control.whole("stateInterval", 1, 1, labelMax);
+    if (control.found("pictureFields"))
+    {
+        control.dict().get<wordList>("pictureFields");
+        if (control.whole("stateInterval", 1, 1, labelMax) == 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry pictureFields without stateInterval: every written"
+                << " time holds the state and all fields" << exit(FatalIOError);
+        }
+    }
     control.whole("purgeWrite", 0, 0, labelMax);
     control.whole("writePrecision", 6, 1, 100);
     control.whole("timePrecision", 6, 1, 100);

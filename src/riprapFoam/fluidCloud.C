@@ -51,8 +51,10 @@ void Foam::fluidCloud::addProperties(dictionary& properties) const
 }
 
 
-void Foam::fluidCloud::writeState() const
+void Foam::fluidCloud::writeState(bool picture) const
 {
+    if (picture) return;
+
     writeSphState(time(), scene_.saveState());
     writeSphRun(time(), run_);
 }

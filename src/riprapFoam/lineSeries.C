@@ -6,7 +6,7 @@
 #include "lineSeries.H"
 #include "OSspecific.H"
 #include "SortableList.H"
-#include "Time.H"
+#include "timeWriter.H"
 #include <fstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -66,16 +66,18 @@ void Foam::writeLineSeries
 )
 {
     const fileName folder(time.globalPath()/"VTK");
-    writePolyLines
+    const fileName file(folder/name/(name + '_' + time.timeName() + ".vtp"));
+    timeWriter::ofRun().put
     (
-        folder/name/(name + '_' + time.timeName() + ".vtp"),
-        points,
-        lines,
-        fields.labels,
-        fields.scalars,
-        fields.vectors
+        [folder, name, file, points, lines, fields]()
+        {
+            writePolyLines
+            (
+                file, points, lines, fields.labels, fields.scalars, fields.vectors
+            );
+            writeSeries(folder, name);
+        }
     );
-    writeSeries(folder, name);
 }
 
 

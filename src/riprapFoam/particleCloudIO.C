@@ -6,67 +6,63 @@
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "OSspecific.H"
-#include "Time.H"
+#include "pictures.H"
+#include "timeWriter.H"
 
 #include <cstring>
 
 namespace Foam
 {
 
-// The positions file: class Cloud<passiveParticle>, entries "(x y z) celli"; binary: 3 scalars and one
-// label in one block, as Foam::particle::writePosition writes them.
-class positionsWriter : public regIOobject
+// Class Cloud<passiveParticle>, entries "(x y z) celli"; binary: 3 scalars and one label in one block, as Foam::particle::writePosition writes them
+static void writePositions
+(
+    fileSink& sink,
+    const pointField& position,
+    const labelList& cell,
+    const listFormat& format
+)
 {
-    const pointField& position_;
-    const labelList& cell_;
-
-public:
-
-    positionsWriter(const IOobject& io, const pointField& position, const labelList& cell)
-    :
-        regIOobject(io),
-        position_(position),
-        cell_(cell)
-    {}
-
-    virtual const word& type() const
+    const label n = position.size();
+    sink.write(std::to_string(n) + "\n(\n");
+    if (format.format == IOstream::ASCII)
     {
-        static const word cloudClass("Cloud<passiveParticle>", false);
-        return cloudClass;
+        writeRows
+        (
+            sink, n, 4*(riprap::numberSize(format.precision) + 1) + 3,
+            [&](char* to, label i)
+            {
+                to = putText(to, position[i], format.precision);
+                *to++ = ' ';
+                return putText(to, cell[i], 0);
+            }
+        );
     }
-
-    virtual bool writeData(Ostream& os) const
+    else
     {
-        constexpr std::size_t nBytes = sizeof(point) + sizeof(label);
-
-        os  << position_.size() << nl << token::BEGIN_LIST << nl;
-        forAll(position_, i)
-        {
-            if (os.format() == IOstream::ASCII)
+        writeRows
+        (
+            sink, n, sizeof(point) + sizeof(label) + 2,
+            [&](char* to, label i)
             {
-                os  << position_[i] << token::SPACE << cell_[i];
+                *to++ = '(';
+                std::memcpy(to, &position[i], sizeof(point));
+                std::memcpy(to + sizeof(point), &cell[i], sizeof(label));
+                to += sizeof(point) + sizeof(label);
+                *to++ = ')';
+                return to;
             }
-            else
-            {
-                char block[nBytes];
-                std::memcpy(block, &position_[i], sizeof(point));
-                std::memcpy(block + sizeof(point), &cell_[i], sizeof(label));
-                os.write(block, nBytes);
-            }
-            os  << nl;
-        }
-        os  << token::END_LIST << endl;
-
-        return os.good();
+        );
     }
-};
+    sink.write(")\n");
+}
 
 
-static bool ascending(const labelField* ids)
+static bool ascending(const labelField* ids, const labelUList& order)
 {
-    for (label i = 1; ids && i < ids->size(); ++i)
+    for (label i = 1; ids && i < order.size(); ++i)
     {
-        if ((*ids)[i] <= (*ids)[i - 1]) return false;
+        if ((*ids)[order[i]] <= (*ids)[order[i - 1]]) return false;
     }
     return ids;
 }
@@ -87,24 +83,36 @@ static IOobject cloudFile(const polyMesh& mesh, const word& cloudName, const wor
 }
 
 
+//- Ordered when it is written
 template<class T>
 static void writeFields
 (
     const polyMesh& mesh,
-    const particleCloud& c,
+    const writtenCloud& w,
     const HashTable<Field<T>>& fields
 )
 {
     for (const word& field : fields.sortedToc())
     {
-        if (fields[field].size() != c.size())
+        if (!pictures::ofRun().holds(field)) continue;
+
+        const Field<T>& values = fields[field];
+        if (values.size() != w.cloud->size())
         {
             FatalErrorInFunction
-                << "field " << field << " of cloud " << c.name << " has "
-                << fields[field].size() << " values for " << c.size() << " particles"
+                << "field " << field << " of cloud " << w.cloud->name << " has "
+                << values.size() << " values for " << w.cloud->size() << " particles"
                 << exit(FatalError);
         }
-        IOField<T>(cloudFile(mesh, c.name, field), fields[field]).write();
+        writtenFile file(cloudFile(mesh, w.cloud->name, field), IOField<T>::typeName, mesh.time());
+        file.add
+        (
+            [cloud = w.cloud, order = w.order, &values](fileSink& sink, const listFormat& format)
+            {
+                writeList(sink, Field<T>(values, *order), format);
+            }
+        );
+        timeWriter::ofRun().put(std::move(file));
     }
 }
 
@@ -124,23 +132,19 @@ static IOobject propertiesFile(const objectRegistry& db, const word& cloudName, 
 }
 
 
-static void writeCloudProperties(const polyMesh& mesh, const particleCloud& c)
+static void writeCloudProperties(const polyMesh& mesh, const writtenCloud& w)
 {
-    IOdictionary properties(propertiesFile(mesh, c.name, IOobject::NO_READ));
-    properties.merge(c.properties);
+    IOdictionary properties(propertiesFile(mesh, w.cloud->name, IOobject::NO_READ));
+    properties.merge(w.properties);
     properties.add("geometry", cloud::geometryTypeNames[cloud::geometryType::POSITIONS]);
 
     dictionary count;
-    count.add("particleCount", c.size());
+    count.add("particleCount", w.cloud->size());
     properties.add(word("processor" + Foam::name(Pstream::myProcNo())), count);
 
-    properties.writeObject
-    (
-        IOstream::ASCII,
-        IOstream::currentVersion,
-        mesh.time().writeCompression(),
-        true
-    );
+    writtenFile file(properties, IOdictionary::typeName, IOstream::ASCII, mesh.time().writeCompression());
+    file.addWritten([&](Ostream& os) { properties.writeData(os); });
+    timeWriter::ofRun().put(std::move(file));
 }
 
 } // namespace Foam
@@ -159,10 +163,47 @@ const Foam::labelField* Foam::idsOf(const particleCloud& c)
 }
 
 
+Foam::labelList Foam::orderOf(const labelUList& ids)
+{
+    // Mostly numbers from 0, of which few are missing
+    const label n = ids.size();
+    label least = 0, most = -1;
+    for (const label id : ids)
+    {
+        least = min(least, id);
+        most = max(most, id);
+    }
+    labelList order;
+    if (least < 0 || most > 4*int64_t(n) + 1024)
+    {
+        sortedOrder(ids, order);
+        return order;
+    }
+
+    labelList entryOf(most + 1, -1);
+    forAll(ids, i)
+    {
+        label& entry = entryOf[ids[i]];
+        if (entry >= 0)
+        {
+            sortedOrder(ids, order);
+            return order;
+        }
+        entry = i;
+    }
+    order.setSize(n);
+    label next = 0;
+    for (const label i : entryOf)
+    {
+        if (i >= 0) order[next++] = i;
+    }
+    return order;
+}
+
+
 void Foam::sortByLabel(particleCloud& c, const word& field)
 {
-    labelList order;
-    sortedOrder(c.labels[field], order);
+    const labelList order(orderOf(c.labels[field]));
 
     c.position = pointField(c.position, order);
     if (c.cell.size()) c.cell = labelField(c.cell, order);
@@ -172,20 +213,38 @@ void Foam::sortByLabel(particleCloud& c, const word& field)
 }
 
 
+void Foam::writeParticleCloud(const polyMesh& mesh, const writtenCloud& w)
+{
+    const particleCloud& c = *w.cloud;
+    IOobject positions(cloudFile(mesh, c.name, "positions"));
+    if (ascending(idsOf(c), *w.order)) positions.note() = inOrderOfIds;
+    writtenFile file(positions, word("Cloud<passiveParticle>", false), mesh.time());
+    file.add
+    (
+        [cloud = w.cloud, order = w.order, cell = w.cell](fileSink& sink, const listFormat& format)
+        {
+            writePositions(sink, pointField(cloud->position, *order), *cell, format);
+        }
+    );
+    timeWriter::ofRun().put(std::move(file));
+    writeFields(mesh, w, c.labels);
+    writeFields(mesh, w, c.scalars);
+    writeFields(mesh, w, c.vectors);
+    writeCloudProperties(mesh, w);
+}
+
+
 void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
 {
-    const labelList cell
+    writtenCloud w;
+    w.properties = c.properties;
+    w.cloud = std::make_shared<const particleCloud>(c);
+    w.order = std::make_shared<const labelList>(identity(c.size()));
+    w.cell = std::make_shared<const labelList>
     (
         c.cell.size() == c.size() ? c.cell : locateParticles(mesh, c.position, c.cell, true)
     );
-
-    IOobject positions(cloudFile(mesh, c.name, "positions"));
-    if (ascending(idsOf(c))) positions.note() = inOrderOfIds;
-    positionsWriter(positions, c.position, cell).write();
-    writeFields(mesh, c, c.labels);
-    writeFields(mesh, c, c.scalars);
-    writeFields(mesh, c, c.vectors);
-    writeCloudProperties(mesh, c);
+    writeParticleCloud(mesh, w);
 }
 
 

@@ -46,8 +46,10 @@ void Foam::picCloud::addProperties(dictionary& properties) const
 }
 
 
-void Foam::picCloud::writeState() const
+void Foam::picCloud::writeState(bool picture) const
 {
+    if (picture) return;
+
     writePicState(time(), scene_.saveState());
     writePicRun(time(), run_);
 }

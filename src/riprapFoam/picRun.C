@@ -86,9 +86,9 @@ std::vector<std::int32_t> readPicState(const Time& time)
 }
 
 
-void writePicState(const Time& time, const std::vector<std::int32_t>& words)
+void writePicState(const Time& time, std::vector<std::int32_t>&& words)
 {
-    writeStateWords(time, "picState", words);
+    writeStateWords(time, "picState", std::move(words));
 }
 
 } // End namespace Foam

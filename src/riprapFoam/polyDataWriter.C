@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 
 #include <fstream>
+#include <stdexcept>
 
 namespace Foam
 {
@@ -116,7 +117,8 @@ static void writePiece
 
     if (!os.good())
     {
-        FatalErrorInFunction << "cannot write " << file << exit(FatalError);
+        // Maybe in a thread of its own
+        throw std::runtime_error("Cannot write " + file + ": is the disk full?");
     }
 }
 

@@ -48,6 +48,7 @@ Foam::instantList Foam::selectPostProcessTimes
         if
         (
             manifest.is == timeManifest::kind::unfinished
+         || manifest.is == timeManifest::kind::picture
          || manifest.is == timeManifest::kind::damaged
         )
         {

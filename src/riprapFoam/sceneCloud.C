@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneCloud.H"
+#include "pictures.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -29,9 +30,11 @@ static void addFields(const HashTable<Field<T>>& fields, objectRegistry& obr)
 vectorField toVectors(const std::vector<double>& xyz)
 {
     vectorField v(label(xyz.size()/3));
-    forAll(v, i)
+    #pragma omp parallel for schedule(static) if (v.size() > 10000)
+    for (label i = 0; i < v.size(); ++i)
     {
-        v[i] = vector(xyz[3*i], xyz[3*i + 1], xyz[3*i + 2]);
+        const double* x = &xyz[3*std::size_t(i)];
+        v[i] = vector(x[0], x[1], x[2]);
     }
     return v;
 }
@@ -41,14 +44,19 @@ vectorField toVectors(const std::vector<double>& xyz)
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
+Foam::labelList Foam::sceneCloud::locate
+(
+    const pointField& position,
+    const labelUList& id,
+    label& nOutside
+) const
 {
-    const labelField& id = particles.labels[idField()];
-
     // setParticles numbers from 0: one label a particle that ever was
     cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
-    labelList& cell = particles.cell;
-    cell = locateParticles(mesh_, particles.position, labelList(cellOfId_, id), false);
+    labelList cell
+    (
+        locateParticles(mesh_, position, labelList(cellOfId_, id), false)
+    );
 
     DynamicList<label> outside;
     forAll(cell, i)
@@ -63,20 +71,15 @@ Foam::label Foam::sceneCloud::locate(particleCloud& particles) const
     // OpenFOAM's utilities do not accept a particle that is in no cell
     const labelList nearest
     (
-        locateParticles
-        (
-            mesh_,
-            pointField(particles.position, outside),
-            labelList(),
-            true
-        )
+        locateParticles(mesh_, pointField(position, outside), labelList(), true)
     );
     forAll(outside, i)
     {
         cell[outside[i]] = nearest[i];
     }
 
-    return outside.size();
+    nOutside = outside.size();
+    return cell;
 }
 
 
@@ -91,13 +94,13 @@ const Foam::word& Foam::sceneCloud::idField() const
 
 const Foam::particleCloud& Foam::sceneCloud::fetch() const
 {
-    if (!fetched_)
+    if (!particles_)
     {
-        fill(particles_);
-        particles_.cell.clear();
-        fetched_ = true;
+        auto particles = std::make_shared<particleCloud>(name());
+        fill(*particles);
+        particles_ = particles;
     }
-    return particles_;
+    return *particles_;
 }
 
 
@@ -106,12 +109,21 @@ const Foam::particleCloud& Foam::sceneCloud::fetch() const
 Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
 :
     cloud(mesh, name),
-    mesh_(mesh),
-    particles_(name)
+    mesh_(mesh)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::sceneCloud::fieldNames() const
+{
+    const particleCloud& particles = fetch();
+    wordList names(particles.labels.sortedToc());
+    names.append(particles.scalars.sortedToc());
+    names.append(particles.vectors.sortedToc());
+    return names;
+}
+
 
 Foam::label Foam::sceneCloud::nParcels() const
 {
@@ -140,17 +152,31 @@ bool Foam::sceneCloud::writeObject
 ) const
 {
     // First, since the scene then goes on as one that was given this state
-    writeState();
-    fetched_ = false;
+    const bool picture = pictures::ofRun().now();
+    writeState(picture);
+    if (!picture) particles_.reset();
 
-    particleCloud particles(fetch());
-    sortByLabel(particles, idField());
-    addProperties(particles.properties);
-    const label nOutside = locate(particles);
-    writeParticleCloud(mesh_, particles);
+    const particleCloud& particles = fetch();
+    const labelField& id = particles.labels[idField()];
+    const labelList order(orderOf(id));
+    label nOutside = 0;
+    writtenCloud written;
+    written.cell = std::make_shared<const labelList>
+    (
+        locate
+        (
+            pointField(particles.position, order),
+            labelList(id, order),
+            nOutside
+        )
+    );
+    written.cloud = particles_;
+    written.order = std::make_shared<const labelList>(order);
+    addProperties(written.properties);
+    writeParticleCloud(mesh_, written);
 
     Info<< "Written " << time().timeName() << ": " << particles.size()
-        << " particles";
+        << " particles" << (picture ? ", a picture" : "");
     if (nOutside)
     {
         Info<< ", " << nOutside << " of them outside the mesh";

@@ -8,9 +8,13 @@
 #include "Hasher.H"
 #include "OSspecific.H"
 #include "DynamicList.H"
+#include "timeWriter.H"
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+
+std::size_t Foam::stateListSize = std::size_t(1) << 30;
+
 
 namespace Foam
 {
@@ -20,6 +24,105 @@ namespace Foam
 static label hashOf(const std::vector<std::int32_t>& words)
 {
     return label(Hasher(words.data(), words.size()*sizeof(words[0]), 0));
+}
+
+
+//- A file of words, of either class
+class wordsReader
+:
+    public regIOobject
+{
+public:
+
+    explicit wordsReader(const IOobject& io) : regIOobject(io) {}
+
+    virtual bool writeData(Ostream&) const { return false; }
+
+    //- The words, and in front of them number and hash. \return whether
+    //  these are right
+    bool read(std::vector<std::int32_t>& words);
+};
+
+
+bool wordsReader::read(std::vector<std::int32_t>& words)
+{
+    Istream& is = readStream(word::null);
+    bool good = false;
+    if (headerClassName() == labelIOList::typeName)
+    {
+        const labelList all(is);
+        if (all.size() >= 2)
+        {
+            words.assign(all.begin() + 2, all.end());
+            good = all[0] == label(words.size()) && all[1] == hashOf(words);
+        }
+    }
+    else
+    {
+        const label lists = readLabel(is);
+        is.readBegin("words");
+        const labelList head(is);
+        for (label k = 1; k < lists; ++k)
+        {
+            const labelList part(is);
+            words.insert(words.end(), part.begin(), part.end());
+        }
+        is.readEnd("words");
+        good =
+            head.size() == 3
+         && std::uint32_t(head[0]) == std::uint32_t(words.size())
+         && std::uint32_t(head[1]) == std::uint32_t(uint64_t(words.size()) >> 32)
+         && head[2] == hashOf(words);
+    }
+    close();
+    return good;
+}
+
+
+//- Some words as a list, binary
+static void writeList
+(
+    fileSink& sink,
+    const std::vector<std::int32_t>& head,
+    const std::int32_t* words,
+    std::size_t n
+)
+{
+    const auto bytes = [&](const std::int32_t* from, std::size_t size)
+    {
+        sink.write(reinterpret_cast<const char*>(from), size*sizeof(*from));
+    };
+    sink.write('\n' + std::to_string(head.size() + n) + "\n(");
+    bytes(head.data(), head.size());
+    bytes(words, n);
+    sink.write(")");
+}
+
+
+static void writeLists(fileSink& sink, const std::vector<std::int32_t>& words)
+{
+    const std::size_t n = words.size();
+    const std::int32_t hash = hashOf(words);
+    if (n + 2 <= stateListSize)
+    {
+        writeList(sink, {std::int32_t(n), hash}, words.data(), n);
+        return;
+    }
+
+    const std::size_t lists = (n + stateListSize - 1)/stateListSize;
+    sink.write('\n' + std::to_string(lists + 1) + "\n(");
+    writeList
+    (
+        sink, {std::int32_t(n), std::int32_t(uint64_t(n) >> 32), hash}, nullptr, 0
+    );
+    for (std::size_t from = 0; from < n; from += stateListSize)
+    {
+        writeList
+        (
+            sink, {}, words.data() + from, std::min(stateListSize, n - from)
+        );
+    }
+    sink.write("\n)\n");
 }
 
 
@@ -153,13 +256,15 @@ bool hasState
 
 void writeState(const IOdictionary& dict)
 {
-    dict.regIOobject::writeObject
+    writtenFile file
     (
+        dict,
+        IOdictionary::typeName,
         IOstream::ASCII,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        true
+        IOstream::UNCOMPRESSED
     );
+    file.addWritten([&](Ostream& os) { dict.writeData(os); });
+    timeWriter::ofRun().put(std::move(file));
 }
 
 
@@ -170,21 +275,11 @@ std::vector<std::int32_t> readStateWords
 )
 {
     const IOobject io(stateObject(time, name, IOobject::MUST_READ));
-    labelList all;
-    orDamaged(io, [&]() { all = labelIOList(io); });
-
     std::vector<std::int32_t> words;
-    if (all.size() >= 2)
-    {
-        words.assign(all.begin() + 2, all.end());
-    }
+    bool good = false;
+    orDamaged(io, [&]() { good = wordsReader(io).read(words); });
 
-    if
-    (
-        all.size() < 2
-     || all[0] != label(words.size())
-     || all[1] != hashOf(words)
-    )
+    if (!good)
     {
         damaged(io, "its check sum is wrong");
     }
@@ -196,21 +291,24 @@ void writeStateWords
 (
     const Time& time,
     const word& name,
-    const std::vector<std::int32_t>& words
+    std::vector<std::int32_t>&& words
 )
 {
-    labelIOList file(stateObject(time, name), label(words.size()) + 2);
-    file[0] = words.size();
-    file[1] = hashOf(words);
-    std::copy(words.begin(), words.end(), file.begin() + 2);
-
-    file.regIOobject::writeObject
+    const bool one = words.size() + 2 <= stateListSize;
+    writtenFile file
     (
+        stateObject(time, name),
+        one ? labelIOList::typeName : word("labelListList"),
         IOstream::BINARY,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        true
+        IOstream::UNCOMPRESSED
     );
+    const auto kept =
+        std::make_shared<const std::vector<std::int32_t>>(std::move(words));
+    file.add
+    (
+        [kept](fileSink& sink, const listFormat&) { writeLists(sink, *kept); }
+    );
+    timeWriter::ofRun().put(std::move(file));
 }
 
 } // End namespace Foam

@@ -20,9 +20,10 @@ namespace Foam
 static vectorField rotationVectors(const std::vector<double>& wxyz)
 {
     vectorField turned(label(wxyz.size()/4));
-    forAll(turned, i)
+    #pragma omp parallel for schedule(static) if (turned.size() > 10000)
+    for (label i = 0; i < turned.size(); ++i)
     {
-        const double* q = &wxyz[4*i];
+        const double* q = &wxyz[4*std::size_t(i)];
         const vector imaginary(sign(q[0])*vector(q[1], q[2], q[3]));
         const scalar length = mag(imaginary);
         turned[i] = length > VSMALL
@@ -141,12 +142,16 @@ void Foam::solidCloud::setConstants
     const label n = particles.size();
     const bool inertias = given.inertia.size();
     scalarField radius(n), mass(n), inertia(inertias ? n : 0);
-    forAll(radius, i)
+    #pragma omp parallel for schedule(static) if (n > 10000)
+    for (label i = 0; i < n; ++i)
     {
-        // The input is in the order of ids
-        const std::size_t j =
-            std::lower_bound(given.id.begin(), given.id.end(), now.id[i])
-          - given.id.begin();
+        // The input is in the order of ids, mostly numbers from 0
+        std::size_t j = now.id[i];
+        if (j >= given.id.size() || given.id[j] != now.id[i])
+        {
+            j = std::lower_bound(given.id.begin(), given.id.end(), now.id[i])
+              - given.id.begin();
+        }
         radius[i] = given.radius[j];
         mass[i] = given.mass[j];
         if (inertias) inertia[i] = given.inertia[j];
@@ -206,9 +211,12 @@ void Foam::solidCloud::fill(particleCloud& particles) const
     particles.labels.set("group", toField<label>(now.group));
     particles.labels.set("contacts", toField<label>(now.contacts));
     labelField broken(toField<label>(now.brokenBonds));
-    forAll(broken, i)
+    if (brokenBefore_.size())
     {
-        broken[i] += brokenBefore_.lookup(now.id[i], 0);
+        forAll(broken, i)
+        {
+            broken[i] += brokenBefore_.lookup(now.id[i], 0);
+        }
     }
     particles.labels.set("brokenBonds", broken);
     particles.labels.set("origId", toField<label>(now.id));
@@ -231,13 +239,13 @@ void Foam::solidCloud::addProperties(dictionary& properties) const
 }
 
 
-void Foam::solidCloud::writeState() const
+void Foam::solidCloud::writeState(bool picture) const
 {
-    if (writesState_)
+    if (writesState_ && !picture)
     {
         writeStateWords(time(), demRun::stateFile, scene_.saveState());
     }
-    if (input_.clumps.size())
+    if (input_.clumps.size() && !picture)
     {
         writeClumps();
     }
@@ -248,11 +256,11 @@ void Foam::solidCloud::writeState() const
         const riprap::DemState particles(scene_.particles());
         int64_t lost = 0;
         const riprap::DemBondState now(bonds(particles, lost));
-        writeBondFiles(time(), now);
+        if (!picture) writeBondFiles(time(), now);
         writeBondLines(time(), particles, now);
         run.brokenBefore += lost;
     }
-    writeDemRun(time(), run);
+    if (!picture) writeDemRun(time(), run);
 }
 
 

@@ -62,9 +62,9 @@ std::vector<std::int32_t> readSphState(const Time& time)
 }
 
 
-void writeSphState(const Time& time, const std::vector<std::int32_t>& words)
+void writeSphState(const Time& time, std::vector<std::int32_t>&& words)
 {
-    writeStateWords(time, "sphState", words);
+    writeStateWords(time, "sphState", std::move(words));
 }
 
 } // End namespace Foam

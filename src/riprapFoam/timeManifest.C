@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -37,15 +38,6 @@ static fileName manifestOf(const fileName& timePath)
 }
 
 
-//- What is compared; of a compressed file: what it holds
-struct fileSum
-{
-    int64_t bytes = -1;             // -1: there is no such file
-    unsigned sum = 0;
-    bool foam = false;              // has OpenFOAM's first and last line
-};
-
-
 static fileSum sumOf(const fileName& file)
 {
     fileSum found;
@@ -54,7 +46,7 @@ static fileSum sumOf(const fileName& file)
     IFstream is(file, IOstream::BINARY);
     std::istream& in = is.stdStream();
     const std::size_t tail = 8;
-    std::string block(1 << 20, '\0');
+    std::string block(fileSum::block, '\0');
     std::string end;
     bool first = false;
     found.bytes = 0;
@@ -73,6 +65,10 @@ static fileSum sumOf(const fileName& file)
     found.foam = first && end == "**** //\n";
     return found;
 }
+
+
+//- In the manifest of one
+static const char* const pictureLine = "# A picture, without the state\n";
 
 
 //- All below a directory but the manifest itself, relative to it
@@ -177,6 +173,12 @@ static timeManifest readManifest(const fileName& timePath)
     std::string line;
     while (std::getline(in, line))
     {
+        if (line + '\n' == pictureLine)
+        {
+            manifest.is = timeManifest::kind::picture;
+            manifest.why = "it is a picture, without the state to start from";
+            return manifest;
+        }
         if (line.empty() || line[0] == '#') continue;
 
         fileSum then;
@@ -246,7 +248,12 @@ void Foam::timeManifest::begin(const fileName& timePath)
 }
 
 
-void Foam::timeManifest::finish(const fileName& timePath)
+void Foam::timeManifest::finish
+(
+    const fileName& timePath,
+    const fileSums& known,
+    bool picture
+)
 {
     DynamicList<fileName> files;
     listFiles(timePath, "", files);
@@ -254,17 +261,23 @@ void Foam::timeManifest::finish(const fileName& timePath)
 
     std::ostringstream lines;
     lines << "# As riprapFoam wrote them (compressed ones: what they hold):"
-        << " bytes, check sum, foam or other, name\n";
+        << " bytes, check sum, foam or other, name\n"
+        << (picture ? pictureLine : "");
     for (const fileName& file : files)
     {
-        const fileSum now(sumOf(timePath/file));
+        const auto written = known.find(timePath/file);
+        const fileSum now
+        (
+            written == known.end() ? sumOf(timePath/file) : written->second
+        );
         if (isState(file) && !now.foam && file.ext() != "vtp")
         {
-            FatalErrorInFunction
-                << "File " << timePath/file << " was not written to its end,"
-                << " but for " << label(now.bytes) << " bytes: is the disk"
-                << " full? This time is not whole, earlier ones are"
-                << exit(FatalError);
+            throw std::runtime_error
+            (
+                "File " + timePath/file + " was not written to its end, but"
+                " for " + std::to_string(now.bytes) + " bytes: is the disk"
+                " full? This time is not whole, earlier ones are"
+            );
         }
         lines << now.bytes << ' ' << now.sum << (now.foam ? " foam " : " other ")
             << file << '\n';
@@ -275,9 +288,11 @@ void Foam::timeManifest::finish(const fileName& timePath)
     part.close();
     if (!part || !mv(partOf(timePath), manifestOf(timePath)))
     {
-        FatalErrorInFunction
-            << "Cannot write " << manifestOf(timePath) << ": is the disk full?"
-            << " This time is not whole, earlier ones are" << exit(FatalError);
+        throw std::runtime_error
+        (
+            "Cannot write " + manifestOf(timePath) + ": is the disk full?"
+            " This time is not whole, earlier ones are"
+        );
     }
 }
 
@@ -355,6 +370,13 @@ void Foam::requireWholeTime(const dictionary& controlDict, const fileName& timeP
             << ". Remove the directory " << timePath << ", or start from"
             << " another time: startFrom latestTime takes the latest whole one"
             << exit(FatalIOError);
+    }
+    if (manifest.is == timeManifest::kind::picture)
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "Time " << name << " is a picture, without the state to start"
+            << " from (stateInterval): start from another time, startFrom"
+            << " latestTime takes the latest that has it" << exit(FatalIOError);
     }
     if (manifest.is == timeManifest::kind::damaged)
     {

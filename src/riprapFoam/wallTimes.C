@@ -80,14 +80,14 @@ void Foam::wallTimes::started()
     parts_.clear();
     functionObjects_.clear();
     add(parts_, "start", since(begin_));
-    for (const char* name : {"solver", "fields", "function objects", "writing"})
+    for (const char* name : {"solver", "fields", "function objects", "writing", "waiting for writing"})
     {
         parts_.push_back(entry{name, 0, 0});
     }
 }
 
 
-void Foam::wallTimes::write(const Time& time) const
+void Foam::wallTimes::write(const Time& time, double meanwhile) const
 {
     const double whole = since(begin_);
     double other = whole;
@@ -123,6 +123,7 @@ void Foam::wallTimes::write(const Time& time) const
     }
     put("other", max(other, 0.0), 1, 4);
     put("all", whole, 1, 4);
+    if (meanwhile > 0) put("written meanwhile", meanwhile, 1, 4);
     Info<< endl;
 }
 

@@ -123,24 +123,50 @@ DemState DemSolver<Backend, D, P>::particles()
 {
     DemState s(motion());
     const int n = int(s.id.size());
-    s.contacts.assign(n, 0);
+    s.contacts = contactCounts(n);
     s.brokenBonds.assign(n, 0);
-    const std::vector<int> slotOf = slotOf_.download();
-    std::vector<int> at(ids_.empty() ? 0 : *std::max_element(ids_.begin(), ids_.end()) + 1, -1);
-    for (int i = 0; i < n; ++i) at[s.id[i]] = i;
-    const DemContacts touching = contacts();
-    for (std::size_t k = 0; k < touching.a.size(); ++k)
-    {
-        ++s.contacts[at[touching.a[k]]];
-        if (touching.b[k] >= 0) ++s.contacts[at[touching.b[k]]];
-    }
     if (nBonds_)
     {
-        const auto a = bondIds_[0].download(), b = bondIds_[1].download(), broken = bondBroken_.download();
+        const auto slotOf = slotOf_.download(), a = bondIds_[0].download(), b = bondIds_[1].download();
+        const auto broken = bondBroken_.download();
         for (int k = 0; k < nBonds_; ++k)
             if (broken[k]) for (const int key : {a[k], b[k]}) if (slotOf[key] >= 0) ++s.brokenBonds[slotOf[key]];
     }
     return s;
+}
+
+//- Of the first n with others and with walls: as contacts() lists them, without what they are
+template<class Backend, int D, class P>
+std::vector<std::int32_t> DemSolver<Backend, D, P>::contactCounts(int n)
+{
+    std::vector<std::int32_t> contacts(n, 0);
+    Array<Backend, int> others;
+    others.allocate(context_, list_.entries() + 1);
+    withLaw(config_, [&](auto law)
+    {
+        ContactProbe<Backend, D, P, decltype(law)> probe;
+        setModel(probe);
+        forEach(context_, n_, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
+    });
+    const auto all = others.download();
+    std::vector<int> base(list_.blocks() + 1), count(std::size_t(list_.blocks())*list_.width);
+    context_.toHost(base.data(), list_.base(), base.size()*sizeof(int));
+    context_.toHost(count.data(), list_.count(), count.size()*sizeof(int));
+    constexpr int width = ContactList<Backend, real>::width;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < count[i]; ++k)
+        {
+            const int j = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
+            if (j < 0 || (Backend::gpu && j < i)) continue;
+            ++contacts[i];
+            ++contacts[j];
+        }
+    if (!nWalls_ || !wallMemory_.entries) return contacts;
+    const auto first = wallMemory_.entryFirst.download();
+    const auto on = wallMemory_.on.download();
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e) if (on[std::size_t(e)*wallTouches]) ++contacts[i];
+    return contacts;
 }
 
 template<class Backend, int D, class P>

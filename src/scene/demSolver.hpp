@@ -271,6 +271,7 @@ private:
     // demOutput.hpp
     int activeSolids();
     std::vector<double> positions(int n);
+    std::vector<std::int32_t> contactCounts(int n);
     template<class T> std::vector<T> field(int f) { return fields_.template download<T>(context_, f); }
     template<class T> void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
 

@@ -160,6 +160,12 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
         detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), histories_, n, fields_.fields(),
         int(kept.size()), nClumps_, nWalls_, int(list_.entries()), wallMemory_.entries
     };
+    // Room for most of it, without which it would be copied again and again
+    std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
+    for (int f = 0; f < fields_.fields(); ++f) expected += (std::size_t(n)*fields_.elementBytes(f) + 3)/4;
+    forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
+    if (nClumps_) expected += (nClumps_*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    words.reserve(expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
         const std::size_t at = words.size();

@@ -41,12 +41,14 @@ std::vector<std::int32_t> PicSolver<Backend, D, P>::saveState()
         detail::picMagic, detail::picVersion, D, int(sizeof(real)), int(Backend::gpu), n_, set_.fields(), grid_.cells(), int(sizeof(PicClock))
     };
     detail::appendBytes(words, &clock_, sizeof(PicClock));
-    std::vector<unsigned char> bytes;
+    std::size_t expected = words.size() + 1;
+    forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    words.reserve(expected);
     forEachSaved([&](unsigned char* data, std::size_t size)
     {
-        bytes.resize(size);
-        if (size) context_.toHost(bytes.data(), data, size);
-        detail::appendBytes(words, bytes.data(), size);
+        const std::size_t at = words.size();
+        words.resize(at + (size + 3)/4, 0);
+        if (size) context_.toHost(&words[at], data, size);
     });
     if (opens())
     {
@@ -59,7 +61,7 @@ std::vector<std::int32_t> PicSolver<Backend, D, P>::saveState()
         words.push_back(int(memory.size()));
         detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
         const std::vector<std::int32_t> solids = inside_.scene->saveState();
-        words.push_back(int(solids.size()));
+        words.push_back(std::int32_t(std::uint32_t(solids.size())));
         words.insert(words.end(), solids.begin(), solids.end());
     }
     words.push_back(detail::checksum(words, words.size()));
@@ -100,7 +102,7 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         {
             memory.resize(count);
             std::memcpy(memory.data(), &words[solidsAt + 1], count*sizeof(double));
-            expected += 1 + std::size_t(std::max(words[expected - 1], 0));
+            expected += 1 + std::size_t(std::uint32_t(words[expected - 1]));
         }
     }
     if (expected != words.size()) { n_ = before; fail("wrong length"); }

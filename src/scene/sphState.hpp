@@ -38,14 +38,16 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     detail::appendBytes(words, &stiffening_, sizeof(stiffening_));
-    std::vector<unsigned char> bytes;
+    std::size_t expected = words.size() + 1;
+    for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    words.reserve(expected);
     const auto append = [&](FieldSet<Backend>& set, int count)
     {
         for (int f = 0; f < set.fields(); ++f)
         {
-            bytes.resize(std::size_t(count)*set.elementBytes(f));
-            if (count) context_.toHost(bytes.data(), set.bytes(f), bytes.size());
-            detail::appendBytes(words, bytes.data(), bytes.size());
+            const std::size_t at = words.size(), bytes = std::size_t(count)*set.elementBytes(f);
+            words.resize(at + (bytes + 3)/4, 0);
+            if (count) context_.toHost(&words[at], set.bytes(f), bytes);
         }
     };
     append(fluid_, n);
@@ -59,7 +61,7 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
             detail::appendBytes(words, values.data(), values.size()*sizeof(real));
         }
         const std::vector<std::int32_t> own = solidScene_->saveState();
-        words.push_back(std::int32_t(own.size()));
+        words.push_back(std::int32_t(std::uint32_t(own.size())));
         words.insert(words.end(), own.begin(), own.end());
     }
     words.push_back(detail::checksum(words, words.size()));
@@ -92,7 +94,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     {
         expected += (solidForceBefore_.size() ? 4 : 3)*solidWords + 1;
         if (expected > words.size()) fail("wrong length");
-        expected += words[expected - 2];
+        expected += std::uint32_t(words[expected - 2]);
     }
     if (expected != words.size()) fail("wrong length");
     if (solids_) loadSolids(words, solidsAt);
@@ -140,7 +142,7 @@ void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words
         context_.toDevice(a->data(), &words[at], bytes);
         at += (bytes + 3)/4;
     }
-    const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + words[at]);
+    const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + std::uint32_t(words[at]));
     solidScene_->loadState(own);
     showForces();
 }

@@ -71,6 +71,9 @@ TEST_P(DemMany, FindsEveryContact)
                     const DemState s = scene->particles();
                     const DemContacts found = scene->contacts();
                     std::set<std::pair<int, int>> pairs;
+                    std::map<int, int> counts;
+                    for (const auto* ids : {&found.a, &found.b}) for (const int id : *ids) ++counts[id];
+                    for (std::size_t i = 0; i < s.id.size(); ++i) EXPECT_EQ(s.contacts[i], counts[s.id[i]]);
                     for (std::size_t q = 0; q < found.a.size(); ++q)
                         EXPECT_TRUE(pairs.insert(std::minmax(found.a[q], found.b[q])).second) << "twice";
                     const auto expected = touching(c, s);

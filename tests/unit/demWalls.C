@@ -169,6 +169,7 @@ TEST_P(DemWalls, EdgeIsFelt)
         EXPECT_NEAR(k.force[1], f/std::sqrt(2.0), 1e-5*f);
         EXPECT_NEAR(k.point[0], 0.45, 2e-3);
         EXPECT_EQ(k.b[0], -1);
+        EXPECT_EQ(scene->particles().contacts[0], 1);
     }
 }
 

@@ -12,6 +12,7 @@ Description
 #include "picDem.H"
 #include "calculatedFvPatchFields.H"
 #include "emptyPolyPatch.H"
+#include "timeWriter.H"
 #include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -19,6 +20,61 @@ Description
 
 namespace Foam
 {
+
+//- Is written while the run goes on
+template<class Type>
+class gridField
+:
+    public GeometricField<Type, fvPatchField, volMesh>
+{
+    using base = GeometricField<Type, fvPatchField, volMesh>;
+
+public:
+
+    using base::base;
+
+    virtual bool writeObject
+    (
+        IOstream::streamFormat format,
+        IOstream::versionNumber,
+        IOstream::compressionType compression,
+        const bool
+    ) const
+    {
+        const_cast<gridField&>(*this).instance() = this->time().timeName();
+        const Field<Type>& values = this->primitiveField();
+        const bool listed = values.size() && !values.uniform();
+
+        writtenFile file(*this, this->type(), format, compression);
+        file.addWritten([&](Ostream& os)
+        {
+            os.writeEntry("dimensions", this->dimensions());
+            this->oriented().writeEntry(os);
+            os << nl << nl;
+            if (!listed)
+            {
+                values.writeEntry("internalField", os);
+                return;
+            }
+            os.writeKeyword("internalField") << word("nonuniform") << token::SPACE
+                << word("List<" + word(pTraits<Type>::typeName) + '>', false)
+                << token::SPACE;
+        });
+        if (listed)
+        {
+            file.add(listBody(Field<Type>(values)));
+            file.add(";\n");
+        }
+        file.addWritten([&](Ostream& os)
+        {
+            os << nl;
+            this->boundaryField().writeEntry("boundaryField", os);
+        });
+        timeWriter::ofRun().put(std::move(file));
+        return true;
+    }
+};
+
 
 template<class Type>
 static void make
@@ -36,7 +92,7 @@ static void make
     }
     field.reset
     (
-        new GeometricField<Type, fvPatchField, volMesh>
+        new gridField<Type>
         (
             IOobject
             (
@@ -121,13 +177,18 @@ void Foam::solverModules::picDem::updateFields()
     const riprap::PicGridState state(scene_->grid());
     const labelList& cell = grid_.gridCell();
 
-    forAll(cell, i)
+    scalarField& p = p_->primitiveFieldRef();
+    vectorField& U = U_->primitiveFieldRef();
+    scalarField& alpha = alpha_->primitiveFieldRef();
+
+    #pragma omp parallel for
+    for (label i = 0; i < cell.size(); ++i)
     {
-        const label c = cell[i];
+        const std::size_t c = cell[i];
         const double* u = &state.velocity[3*c];
-        (*p_)[i] = state.pressure[c];
-        (*U_)[i] = vector(u[0], u[1], u[2]);
-        (*alpha_)[i] = state.water[c];
+        p[i] = state.pressure[c];
+        U[i] = vector(u[0], u[1], u[2]);
+        alpha[i] = state.water[c];
     }
 
     p_->correctBoundaryConditions();

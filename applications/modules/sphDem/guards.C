@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "pictures.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -30,6 +31,7 @@ void Foam::solverModules::sphDem::writeAtStop()
     runTime_.setTime(report_.time, runTime_.timeIndex() + 1);
     Info<< "Writing the state at the stop as time " << runTime_.timeName()
         << nl << endl;
+    pictures::ofRun().requireState();
     runTime_.writeNow();
 }
 

@@ -18,6 +18,7 @@ Usage
 #include "caseTime.H"
 #include "checkControlDict.H"
 #include "checkFunctionObjects.H"
+#include "pictures.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
 #include "runProgram.H"
@@ -25,6 +26,7 @@ Usage
 #include "solverModule.H"
 #include "stopSignals.H"
 #include "timePlan.H"
+#include "timeWriter.H"
 #include "wallTimes.H"
 
 using namespace Foam;
@@ -45,9 +47,43 @@ static void refuseParallel(int argc, char* argv[])
 }
 
 
+//- All that has been written so far is there
+static void waitForWriting()
+{
+    const wallTimes::part timed("waiting for writing");
+    timeWriter::ofRun().wait();
+}
+
+
+//- Function objects that may look at the files of the time
+static bool filesAreRead(const Time& runTime)
+{
+    const dictionary* functions = runTime.controlDict().findDict("functions");
+    if (!functions || !runTime.writeTime())
+    {
+        return false;
+    }
+    for (const entry& e : *functions)
+    {
+        const word type
+        (
+            e.isDict() ? e.dict().getOrDefault<word>("type", word::null) : word()
+        );
+        if (type == "systemCall" || type == "coded") return true;
+    }
+    return false;
+}
+
+
 //- As plan.run(), in which function objects write, too
 static bool goesOn(caseTime& runTime, timePlan& plan)
 {
+    if (filesAreRead(runTime))
+    {
+        waitForWriting();
+    }
+    timeWriter::ofRun().check();
+
     bool more;
     {
         const wallTimes::part timed("function objects");
@@ -94,6 +130,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 {
     timePlan plan(runTime);
     const stopSignals signals(module);
+    const timeWriter::session writing;
 
     Info<< "\nStarting time loop\n" << endl;
     wallTimes::ofRun().started();
@@ -114,6 +151,10 @@ static void runLoop(caseTime& runTime, solverModule& module)
             module.updateFields();
         }
 
+        if (signal || runTime.writeTime())
+        {
+            waitForWriting();
+        }
         const wallTimes::part timed("writing");
         if (signal)
         {
@@ -127,7 +168,8 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
         runTime.printExecutionTime(Info);
     }
-    wallTimes::ofRun().write(runTime);
+    waitForWriting();
+    wallTimes::ofRun().write(runTime, timeWriter::ofRun().seconds());
 }
 
 
@@ -167,6 +209,7 @@ static void runCase(const argList& args, bool postProcess)
 
     requireSetParticles(runTime);
     module->initialise();
+    pictures::check(runTime);
 
     if (args.found("dry-run"))
     {

@@ -1,0 +1,67 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "writtenFile.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::writtenFile::writtenFile
+(
+    const IOobject& io,
+    const word& className,
+    const Time& time
+)
+:
+    writtenFile(io, className, time.writeFormat(), time.writeCompression())
+{}
+
+
+Foam::writtenFile::writtenFile
+(
+    const IOobject& io,
+    const word& className,
+    IOstream::streamFormat format,
+    IOstream::compressionType compression
+)
+:
+    path_(io.objectPath()),
+    compression_(compression),
+    format_{format, int(IOstream::defaultPrecision())}
+{
+    addWritten([&](Ostream& os) { io.writeHeader(os, className); });
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::writtenFile::add(std::string text)
+{
+    bodies_.push_back
+    (
+        [text = std::move(text)](fileSink& sink, const listFormat&)
+        {
+            sink.write(text);
+        }
+    );
+}
+
+
+Foam::fileSum Foam::writtenFile::write(int threads) const
+{
+    static const std::string end =
+        "\n\n// ************************************************************"
+        "************* //\n";
+
+    fileSink sink(path_, compression_, threads);
+    for (const fileBody& body : bodies_)
+    {
+        body(sink, format_);
+    }
+    sink.write(end);
+    return sink.close();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,149 @@
+#!/bin/bash
+# Writing while the run goes on: the same files as at once, failures that are told, programs that find the files; pictures between states.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL writing no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam
+do
+    command -v $program >/dev/null || { echo "FAIL writing no $program"; exit 1; }
+done
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+suite=writing
+. "$root/tests/regression/setParticlesCases"
+
+control()   # SOLVER ENDTIME INTERVAL [ENTRIES]
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver $1; startFrom latestTime; startTime 0; stopAt endTime; endTime $2;
+deltaT 1e-4; adjustTimeStep yes; maxCo 0.5; sampleInterval $3; writeControl adjustableRunTime; writeInterval $3; writeFormat ascii;
+writePrecision 6; timePrecision 9; ${4:-}"
+}
+solids()
+{
+    dictionary constant/solidProperties <<<"materials { glass { rho 2500; E 1e6; nu 0.25; } }
+pairs { default { restitution 0.5; friction 0.3; stiffness 1e3; } } walls { material glass; }"
+}
+pool='pool { set fluid; source box; box (0 0 -1) (0.1 0.05 1); }'
+grain='grain { set solids; material glass; source cylinder; p1 (0.15 0.06 -1); p2 (0.15 0.06 1); radius 0.021; particleRadius 0.003; bonds yes; }'
+loose='grain { set solids; material glass; source cylinder; p1 (0.15 0.06 -1); p2 (0.15 0.06 1); radius 0.021; particleRadius 0.021; }'
+makeSphDem() { tank2; control sphDem 0.006 0.001; regions "$pool"; walls ''; echo 'device cpu;' >>constant/sphProperties; setParticles >log 2>&1; }
+makePicDem()
+{
+    tank2; control picDem 0.024 0.004; solids; dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
+    dictionary constant/picProperties <<<'device cpu;'; regions "$pool $loose"; setParticles >log 2>&1
+}
+makeDem() { tank2; control dem 0.006 0.001; solids; echo 'device cpu;' >>constant/solidProperties; dictionary system/setParticlesDict <<<"regions ( $loose );"; setParticles >log 2>&1; }
+times() { (cd "${1:-.}" && ls -d 0.* | sort -g | tr '\n' ' '); }
+last() { ls -d 0.* | sort -g | tail -1; }
+sums() { (cd "$1" && find lagrangian uniform/riprap -type f ! -name 'manifest*' | sort | xargs cksum); }
+
+# The bytes do not depend on who writes them
+for solver in sphDem picDem dem
+do
+    for name in ascii binary compressed
+    do
+        case $name in
+            compressed) format='writeFormat ascii; writeCompression on; purgeWrite 2';;
+            *) format="writeFormat $name";;
+        esac
+        name=$solver.$name
+        rm -rf both; mkdir both; cd both || exit 1
+        make${solver^} || { fail "$name.case" "$(tail -3 log)"; cd ..; continue; }
+        cp -r . ../later
+        for how in yes no
+        do
+            [[ $how == yes ]] && cd ../later || cd ../both
+            sed -i "s/writeFormat ascii;/$format; writeAsynchronously $how;/" system/controlDict
+            riprapFoam >log 2>&1 || { fail "$name.$how" "$(oneLine | tail -c 400)"; }
+        done
+        cd ..
+        if [[ -n $(times both) ]] && diff -r -x log -x wallTimes -x controlDict both later >diff.log; then pass "$name"; else fail "$name" "$(head -3 diff.log)"; fi
+        rm -rf later
+    done
+done
+
+# What cannot be written ends the run, with the times before kept
+rm -rf fails; mkdir fails; cd fails || exit 1
+makeSphDem
+sed -i 's/writePrecision 6;/writePrecision 6; purgeWrite 1;/' system/controlDict
+mkdir -p 0.003/lagrangian/fluid/U
+for how in yes no
+do
+    dictionary system/more <<<"writeAsynchronously $how;"
+    echo '#include "more"' >>system/controlDict
+    refused "folderInTheWay.$how" 'lagrangian/fluid/U cannot be written: is the disk full. This time is not whole, earlier ones are' riprapFoam
+    [[ -e 0.002/uniform/riprap/manifest && -e 0.003/uniform/riprap/manifest.part && ! -e 0.001 && ! -e 0.005 ]] && pass kept.$how || fail kept.$how "there are $(times)"
+    rm -rf 0.001 0.002 0.004
+done
+rmdir 0.003/lagrangian/fluid/U
+riprapFoam >log 2>&1
+says goesOn 'Time 0.003 is passed over.* End'
+cd ..
+
+# Function objects that run programs find the files of the time. OpenFOAM runs none for root: then as nobody
+rm -rf found; mkdir found; cd found || exit 1
+makeSphDem
+cat >>system/controlDict <<'END'
+functions { look { type systemCall; libs ("libutilityFunctionObjects.so"); writeControl writeTime; executeControl writeTime; executeCalls (); endCalls ();
+writeCalls ("for t in 0.00*; do tail -n 1 $t/lagrangian/fluid/U $t/uniform/riprap/sphRun; done | grep -c '[*][*] //' "); } }
+END
+as=()
+if ((EUID == 0)); then chmod 755 "$case"; chown -R 65534 .; as=(setpriv --reuid 65534 --clear-groups env "PATH=$PATH" "LD_LIBRARY_PATH=$LD_LIBRARY_PATH"); fi
+"${as[@]}" riprapFoam >log 2>&1
+found=$(grep -xE '[0-9]+' log | tr '\n' ' ')
+if [[ $found == '2 4 6 8 10 12 ' ]]; then pass systemCall
+elif grep -qE '^End$' log && ! grep -q 'System calls should not' log; then fail systemCall "files found: $found"
+else echo "SKIP writing.systemCall $(grep -m1 -oE 'System calls should not.*|Permission denied' log || echo 'not as nobody')"
+fi
+cd ..
+
+# Pictures: fewer fields, no state, and the run as it is with states alone
+rm -rf pictures; mkdir pictures; cd pictures || exit 1
+for solver in sphDem picDem dem
+do
+    rm -rf $solver; mkdir $solver; cd $solver || exit 1
+    make${solver^}
+    sed -i 's/writePrecision 6;/writePrecision 6; stateInterval 4; pictureFields (U id origId); /' system/controlDict
+    [[ $solver == dem ]] && sed -i 's/(U id origId)/(U origId)/' system/controlDict
+    [[ $solver == sphDem ]] && sed -i 's/(U id origId)/(U id)/' system/controlDict
+    riprapFoam >log 2>&1
+    says $solver.pictures 'Written 0.00[1-9]*: [0-9]* particles, a picture.* End'
+    read -ra t <<<"$(times)"
+    cloud=fluid; [[ $solver == dem ]] && cloud=solids
+    fields() { (cd "$1/lagrangian/$cloud" && ls | tr '\n' ' '); }
+    id=id; [[ $solver == dem ]] && id=origId
+    got=; for k in 0 1 2 4; do got+="$(fields "${t[$k]}")$(ls "${t[$k]}/uniform/riprap" | tr '\n' ' ')"; done
+    want="U $id positions manifest "
+    [[ $got == "U $id positions manifest U $id positions manifest U $id positions manifest U $id positions manifest " ]] && pass $solver.few || fail $solver.few "$got, not $want"
+    for k in 3 5
+    do
+        ls "${t[$k]}"/uniform/riprap/*State >/dev/null 2>&1 && pass $solver.state$k || fail $solver.state$k "no state at ${t[$k]}"
+    done
+    sums "${t[5]}" >whole.sums
+    # Named it is refused; the latest with a state is taken, and leads to the same end
+    rm -rf "${t[5]}"
+    sed -i "s/startFrom latestTime; startTime 0/startFrom startTime; startTime ${t[4]}/" system/controlDict
+    refused $solver.picture "Time ${t[4]} is a picture, without the state to start from.*controlDict" riprapFoam
+    sed -i "s/startFrom startTime; startTime ${t[4]}/startFrom latestTime; startTime 0/" system/controlDict
+    riprapFoam >log 2>&1
+    says $solver.latest "Time ${t[4]} is passed over: it is a picture.*Continuing exactly from time ${t[3]}.* End"
+    sums "${t[5]}" | cmp -s - whole.sums && pass $solver.same || fail $solver.same 'another end'
+    riprapFoam -postProcess >log 2>&1
+    says $solver.postProcess "Time ${t[1]} is passed over: it is a picture"
+    cd ..
+done
+
+# The last state is not removed before there is a new one
+cd sphDem || exit 1
+rm -rf 0.*; sed -i 's/stateInterval 4;/stateInterval 3; purgeWrite 1;/; s/endTime 0.006/endTime 0.005/' system/controlDict
+(riprapFoam & pid=$!; while [[ ! -e 0.004/uniform/riprap/manifest ]] && kill -0 $pid 2>/dev/null; do :; done; kill -STOP $pid 2>/dev/null; times >at4; kill -CONT $pid 2>/dev/null; wait $pid) >log 2>&1
+grep -q '0.003' at4 && pass purge.held || fail purge.held "at 0.004 there are $(cat at4)"
+[[ $(times) == '0.005 ' ]] && pass purge.end || fail purge.end "at the end there are $(times)"
+wrong() { sed -i "s/^startIt.*//" system/controlDict; cp system/controlDict kept; echo "$2" >>system/controlDict; refused "$1" "$3" riprapFoam -dry-run; cp kept system/controlDict; }
+wrong field 'pictureFields (U nonsense);' 'Entry pictureFields names nonsense, which no cloud has; there are \(U h id p rho\).*controlDict'
+wrong interval 'stateInterval 0;' 'stateInterval is 0: it must be .*controlDict'
+wrong noInterval 'stateInterval 1;' 'Entry pictureFields without stateInterval: every written time holds the state.*controlDict'
+wrong switch 'writeAsynchronously maybe;' 'writeAsynchronously.*maybe.*controlDict'
