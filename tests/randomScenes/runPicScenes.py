@@ -77,7 +77,7 @@ class Run(SceneRun):
             self.faults.append('energy grows')
         median, largest, whole = unbalance(self.folder, 'XZ' if self.scene.dim == 2 else 'XYZ')
         bound = 1e-6 if self.scene.precision == 'double' else 1e-4
-        if not (largest <= bound if not self.scene.reflection else median <= 5e-3 and whole <= 0.02):
+        if not (largest <= bound if not self.scene.reflection else median <= self.options.momentum and whole <= 0.02):
             self.faults.append('momentum does not balance')
         if 'not converged' in log:
             self.faults.append('a pressure is not solved')
@@ -96,6 +96,7 @@ class Run(SceneRun):
 def main():
     options = parser(__doc__)
     options.add_argument('--end', type=float, default=1, help='part of the time that a scene has')
+    options.add_argument('--momentum', type=float, default=5e-3, help='bound of half of the steps with reflection')
     return runAll(options.parse_args(), lambda s: PicScene(s, 1).dim, lambda s, options: Run(s, options).check())
 
 
