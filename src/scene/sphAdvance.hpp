@@ -93,10 +93,7 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             if (host_.overflows()) { growLists(); continue; }
             const bool interrupted = interrupted_.exchange(false);      // heeded, whatever else ends the loop
             if (finished() || interrupted) break;
-            if (steps != stepsPerCycle_) continue;
-            const int taken = int(host_.step - before);
-            fitCycle(taken);
-            fitSkin(taken, taken < 2*steps);
+            if (steps == stepsPerCycle_) fitCycle(int(host_.step - before));
         }
     }
 }
@@ -153,18 +150,6 @@ void SphSolver<Backend, D, P>::fitCycle(int taken)
     {
         stepsPerCycle_ = std::min(longest, stepsPerCycle_ + std::max(1, stepsPerCycle_/16));
         cyclesFull_ = 0;
-    }
-}
-
-//- Lists of the next cycles, after those of two have lasted for so many steps
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::fitSkin([[maybe_unused]] int taken, [[maybe_unused]] bool aged)
-{
-    if constexpr (Backend::gpu)
-    {
-        if (parts_.wideWay == parts_.thinWay || !parts_.skin.heed(taken, aged)) return;
-        takeSkin();
-        stepsPerCycle_ = std::max(2, parts_.skin.wide ? 2*stepsPerCycle_ : stepsPerCycle_/2);
     }
 }
 

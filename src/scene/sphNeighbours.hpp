@@ -45,19 +45,8 @@ void SphSolver<Backend, D, P>::settleFrames()
     if constexpr (Backend::gpu)
     {
         if (!parts_.frames.on()) return;
-        const double support = grid_.radius - 2*double(parts_.thinWay), alongWalls = double(parts_.wallRadius) - support;
+        const double support = grid_.radius - 2*double(allowedWay_), alongWalls = double(parts_.wallRadius) - support;
         parts_.frames.settle(context_, 0.5*(parts_.frames.width() - support), nBodies_ ? 0.5*alongWalls : alongWalls);
-    }
-}
-
-//- What particles may go with the skin that is chosen. Recorded steps hold on to what it was
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::takeSkin()
-{
-    if constexpr (Backend::gpu)
-    {
-        allowedWay_ = parts_.skin.wide ? parts_.wideWay : parts_.thinWay;
-        parts_.graphs.recorded = false;
     }
 }
 
@@ -111,9 +100,8 @@ void SphSolver<Backend, D, P>::buildLists()
     {
         const auto fluid = fluidRecords_.view();
         int* overflow = clock_.data()->overflow;
-        const real radius = parts_.skin.wide ? grid_.radius + 2*(parts_.wideWay - parts_.thinWay) : grid_.radius;
         parts_.fluidFluid.build
-        (context_, box_, grid_, radius, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
+        (context_, box_, grid_, grid_.radius, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
         if (solidsMeet_)
         {
             const auto solid = solidRecords_.view();

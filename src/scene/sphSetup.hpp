@@ -137,13 +137,6 @@ void SphSolver<Backend, D, P>::setFrames()
         parts_.wallRadius = real(reach);
         if (nBodies_) wallWay_ = real(0.5*(reach - support));
         parts_.frames.set(context_, box_, 2*radius, 2e6);
-
-        // A wide skin is no more than walls are listed for. Solids are listed for the thin one. Lists may have to grow by half
-        parts_.thinWay = parts_.wideWay = allowedWay_;
-        const double wide = std::min(wideSkin*support, reach - support);
-        bool room = !solids_ && n_ <= mostWide && skin < thinSkin*support && wide > skin;
-        for (int d = 0; d < D; ++d) room = room && !(box_.periodic[d] && box_.length[d] < 4*(support + wide));
-        if (room) parts_.wideWay = real(0.5*wide);
     }
 }
 

@@ -19,7 +19,6 @@
 #include "scene/sphFamilies.hpp"
 #include "scene/sphInstances.hpp"
 #include "scene/sphRebuild.hpp"
-#include "scene/sphSkin.hpp"
 #include "sph/boundary/faceTables.hpp"
 #include "sph/boundary/movingWall.hpp"
 #include "sph/boundary/stationaryWall.hpp"
@@ -68,8 +67,6 @@ struct BackendParts<Gpu, D, P>
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
     LocalFrameMemory<Gpu, D, P> frames;
     real wallRadius = 0;        // lists of walls and about walls reach farther than the grid's: fluid slides along them
-    SkinChoice skin;
-    real thinWay = 0, wideWay = 0;      // allowedWay_ with either skin; the same: there is no choice
     StepGraphs graphs;
     int solidShift = 0;         // log2 of the lanes a solid
 };
@@ -124,8 +121,6 @@ private:
     void prime();
     double skinRatio() const;
     void setFrames();
-    static constexpr double thinSkin = 0.13, wideSkin = 0.2;    // GPU: skins below the one, of the support, may become the other
-    static constexpr int mostWide = 8000000;    // of scenes of up to so many particles
     static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
 
     // sphNeighbours.hpp
@@ -186,8 +181,6 @@ private:
     int stepsAhead() const;
     void runCycles(int steps, bool graphs);
     void fitCycle(int taken);
-    void fitSkin(int taken, bool aged);
-    void takeSkin();
     bool finished() const;
     void readClock();
     void writeClock();

@@ -1,7 +1,7 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock, walls, wall fields, fit of the cycle and the skin, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
+    bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
     walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
     (FNV-1a over all words before it).
 
@@ -28,13 +28,11 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
 {
     readClock();
     const int n = activeFluid();
-    std::int32_t skin = 0;
-    if constexpr (Backend::gpu) skin = parts_.skin.word();
     std::vector<std::int32_t> words
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
         stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
-        int(cycleFitted_) + 2*cyclesFull_ + 16*skin, nSolids_
+        int(cycleFitted_) + 2*cyclesFull_, nSolids_
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     detail::appendBytes(words, &stiffening_, sizeof(stiffening_));
@@ -116,15 +114,14 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     shift_ = words[7];
     stepsPerCycle_ = words[8];
     cycleFitted_ = words[12] & 1;
-    cyclesFull_ = words[12]/2 & 7;
+    cyclesFull_ = words[12]/2;
     // memory laid out by the number of particles
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
     if (solids_) allocateAction();
     if constexpr (Backend::gpu)
     {
-        parts_.skin = SkinChoice::of(words[12]/16);
-        takeSkin();
+        parts_.graphs.recorded = false;
         allocateLists();
     }
     writeClock();

@@ -100,12 +100,9 @@ public:
 
     using Position = Vec<Dim, Mixed::position>;
 
-    //- wide: with twice the skin, in the blocks of the thin one (scene/sphSkin.hpp)
-    Follower(const SphConfig& c, const Places& start, bool wide)
-    :
-        config_(c), support_(2*c.smoothingRatio*c.spacing), skin_((wide ? 2 : 1)*c.skin*support_), walls_(start.walls)
+    Follower(const SphConfig& c, const Places& start) : config_(c), support_(2*c.smoothingRatio*c.spacing), skin_(c.skin*support_), walls_(start.walls)
     {
-        const double radius = support_ + c.skin*support_;
+        const double radius = support_ + skin_;
         for (int d = 0; d < Dim; ++d)
         {
             const double margin = c.periodic[d] ? 0 : radius;
@@ -249,11 +246,11 @@ class NeighbourRule : public FlowTest
 protected:
 
     template<int Dim>
-    void follow(const Flow& f, bool wide) const
+    void follow(const Flow& f) const
     {
         SCOPED_TRACE(f.name);
         const auto s = make(f);
-        Follower<Dim> follower(f.c, placesOf(*s), wide);
+        Follower<Dim> follower(f.c, placesOf(*s));
         // few particles: as long as it takes until they meet
         const int steps = f.fluid.size() < 100 ? 250 : (Dim == 3 ? 40 : 80);
         for (int k = 0; k < steps; ++k)
@@ -264,10 +261,10 @@ protected:
         }
         EXPECT_EQ(follower.missed, 0u);
         EXPECT_FALSE(follower.tooFar);
-        if (!wide) { EXPECT_GT(follower.searches, 1) << "neighbours did not grow old: nothing was tested"; }
+        EXPECT_GT(follower.searches, 1) << "neighbours did not grow old: nothing was tested";
         EXPECT_LE(follower.searches, follower.oldSearches + 1) << "ways alone hold at least as long";
         const std::string name = f.name;
-        if (!wide && (name == "sheared" || name == "carried"))
+        if (name == "sheared" || name == "carried")
             { EXPECT_LT(2*follower.searches, follower.oldSearches) << "what moves together does not come nearer"; }
     }
 };
@@ -279,17 +276,7 @@ TEST_P(NeighbourRule, HoldsInFlowsThatBreak)
     for (const Flow& f : allFlows())
     {
         if (f.walls.nBodies) continue;      // moving walls have a rule of their own
-        if (D() == 2) follow<2>(f, false); else follow<3>(f, false);
-    }
-}
-
-TEST_P(NeighbourRule, HoldsWithTwiceTheSkin)
-{
-    for (const Flow& f : allFlows())
-    {
-        // solids are listed for the thin skin alone, and short periods leave no room
-        if (f.walls.nBodies || !f.solids.empty() || f.c.periodic[0] || f.c.periodic[2]) continue;
-        if (D() == 2) follow<2>(f, true); else follow<3>(f, true);
+        if (D() == 2) follow<2>(f); else follow<3>(f);
     }
 }
 
