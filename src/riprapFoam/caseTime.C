@@ -127,7 +127,7 @@ bool Foam::caseTime::writeObject
         return Time::writeObject(fmt, ver, cmp, valid);
     }
 
-    pictures::ofRun().next(*this);
+    pictures::ofRun().next(*this, lastWrite());
     timeWriter::ofRun().begin
     (
         timePath(),
@@ -177,6 +177,39 @@ Foam::fileNameList Foam::caseTime::old()
         lastState_ = name;
     }
     return fileNameList(std::move(paths));
+}
+
+
+bool Foam::caseTime::lastWrite() const
+{
+    scalar interval = 0;
+    if (writeControl_ == wcTimeStep)
+    {
+        interval = writeInterval_*deltaTValue();
+    }
+    else if (writeControl_ == wcRunTime || writeControl_ == wcAdjustableRunTime)
+    {
+        interval = writeInterval_;
+    }
+    const scalar roundOff = 1e-6*max(interval, deltaTValue());
+    return
+        value() + interval > endTime().value() + roundOff
+     || value() > endTime().value() - 0.5*deltaTValue();
+}
+
+
+void Foam::caseTime::finishAtStop()
+{
+    if (writing_.empty()) return;
+
+    timeWriter::ofRun().finish(fileNameList(), pictures::ofRun().now());
+    writing_.clear();
+    const std::string failure(timeWriter::ofRun().settled());
+    if (!failure.empty())
+    {
+        WarningInFunction
+            << "The state at the stop is not whole. " << failure.c_str() << endl;
+    }
 }
 
 

@@ -67,6 +67,7 @@ void Foam::writeLineSeries
 {
     const fileName folder(time.globalPath()/"VTK");
     const fileName file(folder/name/(name + '_' + time.timeName() + ".vtp"));
+    mkDir(file.path());
     timeWriter::ofRun().put
     (
         [folder, name, file, points, lines, fields]()

@@ -18,15 +18,13 @@ Foam::pictures& Foam::pictures::ofRun()
 }
 
 
-void Foam::pictures::next(const Time& time)
+void Foam::pictures::next(const Time& time, bool last)
 {
     const dictionary& control = time.controlDict();
     const label interval = control.getOrDefault<label>("stateInterval", 1);
     fields_ = control.getOrDefault<wordList>("pictureFields", wordList());
 
     // A run that is continued counts from the state that it began with
-    const bool last =
-        time.value() > time.endTime().value() - 0.5*time.deltaTValue();
     now_ = ++sinceState_ < interval && !last && !stateWanted_;
     if (!now_)
     {

@@ -102,7 +102,6 @@ static void writePiece
     const Fields& fields
 )
 {
-    mkDir(file.path());
     std::ofstream os(file);
     autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
     vtk::formatter& format = *formatter;

@@ -245,6 +245,17 @@ void Foam::timeManifest::begin(const fileName& timePath)
         FatalErrorInFunction
             << "Cannot write " << partOf(timePath) << exit(FatalError);
     }
+
+    // What another run has left there would be taken for this one's
+    for (const fileName& file : readDir(folder(timePath), fileName::FILE))
+    {
+        if (folder(timePath)/file != partOf(timePath)) rm(folder(timePath)/file);
+    }
+    for (const word cloud : {"fluid", "solids"})
+    {
+        rmDir(timePath/"lagrangian"/cloud, true);
+        rmDir(timePath/"uniform"/"lagrangian"/cloud, true);
+    }
 }
 
 

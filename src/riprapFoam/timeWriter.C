@@ -6,6 +6,8 @@
 #include "timeWriter.H"
 #include "OSspecific.H"
 #include <chrono>
+#include <fcntl.h>
+#include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -151,9 +153,18 @@ void Foam::timeWriter::finish(const fileNameList& old, bool picture)
         [this, old, picture]()
         {
             timeManifest::finish(timePath_, sums_, picture);
+            if (old.empty()) return;
+
+            // Not before the new time would survive a loss of power
+            const int there = ::open(timePath_.c_str(), O_RDONLY);
+            if (there >= 0)
+            {
+                ::syncfs(there);
+                ::close(there);
+            }
             for (const fileName& path : old)
             {
-                rmDir(path);
+                rmDir(path, true);
             }
         }
     );
@@ -162,14 +173,20 @@ void Foam::timeWriter::finish(const fileNameList& old, bool picture)
 }
 
 
-void Foam::timeWriter::check()
+//- What failed, once
+std::string Foam::timeWriter::fault()
 {
     std::string failure;
-    {
-        const std::lock_guard<std::mutex> locked(lock_);
-        failure.swap(failure_);
-        if (!failure.empty()) jobs_.clear();
-    }
+    const std::lock_guard<std::mutex> locked(lock_);
+    failure.swap(failure_);
+    if (!failure.empty()) jobs_.clear();
+    return failure;
+}
+
+
+void Foam::timeWriter::check()
+{
+    const std::string failure(fault());
     if (!failure.empty())
     {
         FatalErrorInFunction << failure.c_str() << exit(FatalError);
@@ -177,13 +194,24 @@ void Foam::timeWriter::check()
 }
 
 
+void Foam::timeWriter::idle()
+{
+    std::unique_lock<std::mutex> locked(lock_);
+    changed_.wait(locked, [&]() { return jobs_.empty() && !busy_; });
+}
+
+
 void Foam::timeWriter::wait()
 {
-    {
-        std::unique_lock<std::mutex> locked(lock_);
-        changed_.wait(locked, [&]() { return jobs_.empty() && !busy_; });
-    }
+    idle();
     check();
+}
+
+
+std::string Foam::timeWriter::settled()
+{
+    idle();
+    return fault();
 }
 
 
@@ -196,9 +224,12 @@ double Foam::timeWriter::seconds()
 
 Foam::timeWriter::session::~session()
 {
-    timeWriter& writer = ofRun();
-    std::unique_lock<std::mutex> locked(writer.lock_);
-    writer.changed_.wait(locked, [&]() { return writer.jobs_.empty() && !writer.busy_; });
+    // Another error may end the run: this one is told beside it
+    const std::string failure(ofRun().settled());
+    if (!failure.empty())
+    {
+        WarningInFunction << failure.c_str() << endl;
+    }
 }
 
 

@@ -147,3 +147,21 @@ wrong field 'pictureFields (U nonsense);' 'Entry pictureFields names nonsense, w
 wrong interval 'stateInterval 0;' 'stateInterval is 0: it must be .*controlDict'
 wrong noInterval 'stateInterval 1;' 'Entry pictureFields without stateInterval: every written time holds the state.*controlDict'
 wrong switch 'writeAsynchronously maybe;' 'writeAsynchronously.*maybe.*controlDict'
+
+# The state that a guard writes is a time from which the run goes on
+rm -rf both later; mkdir guard; cd guard || exit 1
+makeSphDem; cp constant/sphProperties whole; echo 'guards { speedRatio 0.02; }' >>constant/sphProperties
+riprapFoam >log 2>&1 && fail guardStops 'the guard did not fire' || says guardStops 'Writing the state at the stop.*Guard at'
+stop=$(last); cp whole constant/sphProperties; sed -i 's/endTime 0.006/endTime 0.01/' system/controlDict; riprapFoam >log 2>&1
+says guardContinues "Continuing exactly from time $stop.* End"
+cd ..; rm -rf guard
+
+# A picture where a run that was killed has left a field cut short; the last written time holds a state, also where endTime is none
+mkdir left; cd left || exit 1
+makeSphDem; sed -i 's/endTime 0.006/endTime 0.0065/; s/writeInterval 0.001;/writeInterval 0.002; stateInterval 9; pictureFields (U id);/' system/controlDict
+mkdir -p 0.002/lagrangian/fluid 0.002/uniform/riprap; cp 0/lagrangian/fluid/positions 0.002/lagrangian/fluid/; head -c 300 0/lagrangian/fluid/U >0.002/lagrangian/fluid/rho; echo '# stopped' >0.002/uniform/riprap/manifest.part
+sed -i 's/startFrom latestTime/startFrom startTime/' system/controlDict
+riprapFoam >log 2>&1 && pass leftBehind || fail leftBehind "$(oneLine | tail -c 300)"
+[[ ! -e 0.002/lagrangian/fluid/rho ]] && pass leftIsRemoved || fail leftIsRemoved 'a field of another run stays'
+[[ -s 0.006/uniform/riprap/sphState ]] && pass lastIsAState || fail lastIsAState "the last written time is $(last), and no state"
+cd ..; rm -rf left

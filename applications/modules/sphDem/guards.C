@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "caseTime.H"
 #include "pictures.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -33,6 +34,7 @@ void Foam::solverModules::sphDem::writeAtStop()
         << nl << endl;
     pictures::ofRun().requireState();
     runTime_.writeNow();
+    dynamic_cast<caseTime&>(runTime_).finishAtStop();
 }
 
 

@@ -55,11 +55,11 @@ static void waitForWriting()
 }
 
 
-//- Function objects that may look at the files of the time
+//- Function objects that may look at the files of a time
 static bool filesAreRead(const Time& runTime)
 {
     const dictionary* functions = runTime.controlDict().findDict("functions");
-    if (!functions || !runTime.writeTime())
+    if (!functions)
     {
         return false;
     }
