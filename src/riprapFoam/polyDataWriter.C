@@ -102,6 +102,7 @@ static void writePiece
     const Fields& fields
 )
 {
+    if (!isDir(file.path())) mkDir(file.path());
     std::ofstream os(file);
     autoPtr<vtk::formatter> formatter(vtk::newFormatter(os, vtk::formatType::INLINE_BASE64));
     vtk::formatter& format = *formatter;

@@ -69,16 +69,16 @@ done
 rm -rf fails; mkdir fails; cd fails || exit 1
 makeSphDem
 sed -i 's/writePrecision 6;/writePrecision 6; purgeWrite 1;/' system/controlDict
-mkdir -p 0.003/lagrangian/fluid/U
+mkdir -p 0.003/uniform/riprap/sphState
 for how in yes no
 do
     dictionary system/more <<<"writeAsynchronously $how;"
     echo '#include "more"' >>system/controlDict
-    refused "folderInTheWay.$how" 'lagrangian/fluid/U cannot be written: is the disk full. This time is not whole, earlier ones are' riprapFoam
+    refused "folderInTheWay.$how" 'uniform/riprap/sphState cannot be written: is the disk full. This time is not whole, earlier ones are' riprapFoam
     [[ -e 0.002/uniform/riprap/manifest && -e 0.003/uniform/riprap/manifest.part && ! -e 0.001 && ! -e 0.005 ]] && pass kept.$how || fail kept.$how "there are $(times)"
     rm -rf 0.001 0.002 0.004
 done
-rmdir 0.003/lagrangian/fluid/U
+rmdir 0.003/uniform/riprap/sphState
 riprapFoam >log 2>&1
 says goesOn 'Time 0.003 is passed over.* End'
 cd ..
