@@ -17,24 +17,11 @@ trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
 suite=kills
 . "$root/tests/regression/setParticlesCases"
+. "$root/tests/regression/writtenCases"
 
-control()   # SOLVER ENDTIME INTERVAL [ENTRIES]
-{
-    dictionary system/controlDict <<<"application riprapFoam; solver $1; startFrom latestTime; startTime 0; stopAt endTime; endTime $2;
-deltaT 1e-4; adjustTimeStep yes; maxCo 0.5; sampleInterval $3; writeControl adjustableRunTime; writeInterval $3; writeFormat ascii;
-writePrecision 6; timePrecision 9; ${4:-}"
-}
-solids()
-{
-    dictionary constant/solidProperties <<<"materials { glass { rho 2500; E 1e6; nu 0.25; } }
-pairs { default { restitution 0.5; friction 0.3; stiffness 1e3; } } walls { material glass; }"
-}
-pool='pool { set fluid; source box; box (0 0 -1) (0.1 0.05 1); }'
-grain='grain { set solids; material glass; source cylinder; p1 (0.15 0.06 -1); p2 (0.15 0.06 1); radius 0.021; particleRadius 0.021; }'
-pressure() { dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'; }
 makeSphDem() { tank2; control sphDem 0.03 0.001; regions "$pool"; walls ''; echo 'device cpu;' >>constant/sphProperties; setParticles >log 2>&1; }
-makePicDem() { tank2; control picDem 0.1 0.004; solids; pressure; dictionary constant/picProperties <<<'device cpu;'; regions "$pool $grain"; setParticles >log 2>&1; }
-makeDem() { tank2; control dem 0.1 0.001; solids; echo 'device cpu;' >>constant/solidProperties; dictionary system/setParticlesDict <<<"regions ( $grain );"; setParticles >log 2>&1; }
+makePicDem() { tank2; control picDem 0.1 0.004; solids; pressure; dictionary constant/picProperties <<<'device cpu;'; regions "$pool $ball"; setParticles >log 2>&1; }
+makeDem() { tank2; control dem 0.1 0.001; solids; echo 'device cpu;' >>constant/solidProperties; dictionary system/setParticlesDict <<<"regions ( $ball );"; setParticles >log 2>&1; }
 
 final() { ls -d [0-9]* | sort -g | tail -1; }
 # State and clouds of the last time, but for what counts steps of OpenFOAM

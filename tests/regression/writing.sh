@@ -14,28 +14,16 @@ trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
 suite=writing
 . "$root/tests/regression/setParticlesCases"
+. "$root/tests/regression/writtenCases"
 
-control()   # SOLVER ENDTIME INTERVAL [ENTRIES]
-{
-    dictionary system/controlDict <<<"application riprapFoam; solver $1; startFrom latestTime; startTime 0; stopAt endTime; endTime $2;
-deltaT 1e-4; adjustTimeStep yes; maxCo 0.5; sampleInterval $3; writeControl adjustableRunTime; writeInterval $3; writeFormat ascii;
-writePrecision 6; timePrecision 9; ${4:-}"
-}
-solids()
-{
-    dictionary constant/solidProperties <<<"materials { glass { rho 2500; E 1e6; nu 0.25; } }
-pairs { default { restitution 0.5; friction 0.3; stiffness 1e3; } } walls { material glass; }"
-}
-pool='pool { set fluid; source box; box (0 0 -1) (0.1 0.05 1); }'
 grain='grain { set solids; material glass; source cylinder; p1 (0.15 0.06 -1); p2 (0.15 0.06 1); radius 0.021; particleRadius 0.003; bonds yes; }'
-loose='grain { set solids; material glass; source cylinder; p1 (0.15 0.06 -1); p2 (0.15 0.06 1); radius 0.021; particleRadius 0.021; }'
 makeSphDem() { tank2; control sphDem 0.006 0.001; regions "$pool"; walls ''; echo 'device cpu;' >>constant/sphProperties; setParticles >log 2>&1; }
 makePicDem()
 {
-    tank2; control picDem 0.024 0.004; solids; dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
-    dictionary constant/picProperties <<<'device cpu;'; regions "$pool $loose"; setParticles >log 2>&1
+    tank2; control picDem 0.024 0.004; solids; pressure
+    dictionary constant/picProperties <<<'device cpu;'; regions "$pool $ball"; setParticles >log 2>&1
 }
-makeDem() { tank2; control dem 0.006 0.001; solids; echo 'device cpu;' >>constant/solidProperties; dictionary system/setParticlesDict <<<"regions ( $loose );"; setParticles >log 2>&1; }
+makeDem() { tank2; control dem 0.006 0.001; solids; echo 'device cpu;' >>constant/solidProperties; dictionary system/setParticlesDict <<<"regions ( $ball );"; setParticles >log 2>&1; }
 times() { (cd "${1:-.}" && ls -d 0.* | sort -g | tr '\n' ' '); }
 last() { ls -d 0.* | sort -g | tail -1; }
 sums() { (cd "$1" && find lagrangian uniform/riprap -type f ! -name 'manifest*' | sort | xargs cksum); }
