@@ -46,19 +46,19 @@ struct Team
 
 static constexpr int teamThreads = 1024;
 
-template<class F>
-__global__ void __launch_bounds__(teamThreads) oneBlockKernel(F f)
+template<int threads, class F>
+__global__ void __launch_bounds__(threads) oneBlockKernel(F f)
 {
     Team team;
     team.index = int(threadIdx.x);
-    team.size = teamThreads;
+    team.size = threads;
     f(team);
 }
 
-template<class F>
+template<int threads = teamThreads, class F>
 void oneBlock(Context<Gpu>& context, const F& f)
 {
-    profiled(context, F::name, [&] { oneBlockKernel<<<1, teamThreads, 0, context.stream>>>(f); });
+    profiled(context, F::name, [&] { oneBlockKernel<threads><<<1, threads, 0, context.stream>>>(f); });
 }
 
 static constexpr int nearThreads = 512;

@@ -58,6 +58,9 @@ public:
     virtual int subcycles(double dt) = 0;
     virtual double kickTime(double dt, int subcycles) = 0;
 
+    //- On a GPU: begin to find the speeds that subcycles() will ask for, while the caller waits for something else. Nothing may push the solids in between
+    virtual void measureSpeed() = 0;
+
     //- What external() holds acts over dt at once
     virtual void push(double dt) = 0;
 

@@ -30,12 +30,29 @@ typename P::real* DemSolver<Backend, D, P>::external()
 }
 
 template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::measureSpeed()
+{
+#ifdef __CUDACC__
+    if constexpr (Backend::gpu) if (!still_) parts_.speed.ask(context_, n_, SpeedOfSolids<D, P>{mover()});
+#endif
+}
+
+//- As measured, or now
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::speedAtHand()
+{
+#ifdef __CUDACC__
+    if constexpr (Backend::gpu) if (parts_.speed.asked()) return parts_.speed.take();
+#endif
+    return largestOver(context_, n_, SpeedOfSolids<D, P>{mover()});
+}
+
+template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::subcycles(double dt)
 {
     if (still_) return 1;
     const int contacts = std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
-    const SpeedOfSolids<D, P> speeds{mover()};
-    const double way = 1.25*dt*largestOver(context_, n_, speeds), room = double(halfSkin_) - double(suddenWay_);
+    const double way = 1.25*dt*speedAtHand(), room = double(halfSkin_) - double(suddenWay_);
     if (!(way > 0.1*contacts*room)) return contacts;
     // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists are new where too little is left
     const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;

@@ -12,7 +12,9 @@
 #include "core/cellSort.hpp"
 #include "core/glances.hpp"
 #include "core/graph.hpp"
+#include "core/largest.hpp"
 #include "coupling/solidView.hpp"
+#include "dem/blockSteps.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
 #include "dem/likeWithLike.hpp"
@@ -46,6 +48,7 @@ struct DemParts
     bool moved = false;                             // forces are not yet those of the positions at hand
 
 #ifdef __CUDACC__
+    LargestAhead speed;
     std::map<std::vector<const void*>, Graph> graphs;
 #endif
 };
@@ -128,6 +131,7 @@ public:
     BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), constraints(), box_, nClumps_}; }
     std::vector<std::int32_t> order() override;
     real* external() override;
+    void measureSpeed() override;
     int subcycles(double dt) override;
     bool still() const override { return still_; }
     double kickTime(double dt, int subcycles) override;
@@ -160,6 +164,9 @@ private:
     void prime();
     template<class T, class Values> void uploadField(int field, const Values& values);
     template<class T> void uploadVector(int field, int components, const std::vector<double>& from, bool spin);
+
+    // demCoupling.hpp
+    double speedAtHand();
 
     // demStep.hpp
     SolidFields<D, P> fields();
@@ -194,6 +201,8 @@ private:
     void searchWithin();
     void finishLate();
     int stepsLeft() const;
+    bool fitsBlock() const;
+    template<class Law> BlockSteps<Backend, D, P, Law> blockSteps(int count);
     void steps(int count);
 
     // demFused.hpp

@@ -382,14 +382,56 @@ int DemSolver<Backend, D, P>::stepsLeft() const
     return int(std::max(1.0, std::min(left, double(windowSteps))));
 }
 
+//- On the GPU: is one block enough for a step?
+template<class Backend, int D, class P>
+bool DemSolver<Backend, D, P>::fitsBlock() const
+{
+    if constexpr (!Backend::gpu) return false;
+    else return config_.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !wallMotions_ && n_ <= BlockLimits::particles
+      && nBonds_ <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
+}
+
+template<class Backend, int D, class P>
+template<class Law>
+BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
+{
+    BlockSteps<Backend, D, P, Law> b{};
+    b.tick = DemTick{clock_.data()};
+    b.move = mover();
+    setModel(b.contacts);
+    b.contacts.clock = forceClock(ForceTurn::inStep);
+    b.contacts.fields = fields();
+    b.contacts.largestGap = real(largestGap_);
+    b.n = n_;
+    if (nWalls_ && wallMemory_.entries)
+    {
+        b.walls = wallKernel<Law>(ForceTurn::inStep);
+        if constexpr (Backend::gpu) b.nearWalls = int(parts_.wallList.size());
+    }
+    if (nBonds_)
+    {
+        b.bonds = BondPass<D, P>{bondFields(), box_, fields(), records_.view(), forceClock(ForceTurn::inStep), {}};
+        b.gather = GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(ForceTurn::inStep), sort_.active()};
+        b.bondCount = nBonds_;
+    }
+    setMotion(b.finish);
+    b.steps = count;
+    return b;
+}
+
 //- So many steps; those beyond the next rebuild, window or target switch themselves off. In small scenes the host's launches would take longer than the
-//  steps: they are recorded, eight at a time
+//  steps: they are recorded, eight at a time, and where one block is enough they are one launch
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::steps(int count)
 {
 #ifdef __CUDACC__
     if constexpr (std::is_same<Backend, Gpu>::value)
     {
+        if (fitsBlock() && !context_.profile.timing)
+        {
+            withLaw(config_, [&](auto law) { oneBlock<BlockLimits::threads>(context_, blockSteps<decltype(law)>(count)); });
+            return;
+        }
         const int together = 8;
         // motion tables change from window to window, and the fields of large scenes from sort to sort
         if (!context_.profile.timing && !groupMotions_ && !wallMotions_ && fields_.alternates())

@@ -201,6 +201,7 @@ void SphSolver<Backend, D, P>::step()
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
     if (solids_)
     {
+        if (Backend::gpu && coupling_.force != FluidForceKind::impulse) solids_->measureSpeed();
         readClock();
         if (host_.active) advanceSolids();
         if (!host_.active) return;
