@@ -78,6 +78,13 @@ struct CellGrid
         forEachRange(x, radius, reach, reach, start, f);
     }
 
+    //- The same within a distance of no more than that
+    template<class F>
+    HD void forEachRangeNear(const Vec<D, real>& x, real distance, const int* start, const F& f) const
+    {
+        forEachRange(x, distance, reach, reach, start, f);
+    }
+
     //- The same within another distance: for particles that look for others of another size
     template<class F>
     HD void forEachRangeWithin(const Vec<D, real>& x, real distance, const int* start, const F& f) const

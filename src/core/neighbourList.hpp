@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/gpuPairLoop.hpp"
+#include "core/searchReach.hpp"
 
 namespace riprap
 {
@@ -27,6 +28,7 @@ struct ListBuild
     CellGrid<D, P> grid;
     RecordsView<Gpu, D, P> target, source;
     real radius;                // of the lists; the grid's or more
+    SearchReach<real> reach;    // where it varies: the grid's or less
     const int* start;
     const int* targets;         // device count
     bool sameSet;
@@ -45,7 +47,7 @@ struct ListBuild
         const auto xi = target.loadPosition(i);
         Vec<D, real> relative;
         for (int d = 0; d < D; ++d) relative.c[d] = box.pairRelative(d, xi.c[d]);
-        const real r2max = radius*radius;
+        const real within = reach.radius(radius), r2max = within*within;
         const int lanes = 1 << shift;
         const auto look = [&](int begin, int end)
         {
@@ -58,7 +60,7 @@ struct ListBuild
             }
         };
         if (radius > grid.radius) grid.forEachRangeWithin(relative, radius, start, look);
-        else grid.forEachRange(relative, start, look);
+        else grid.forEachRangeNear(relative, within, start, look);
     }
 };
 
@@ -139,17 +141,17 @@ public:
         poolUsed_.allocate(context, 1);
     }
 
-    //- Lists of all pairs within a radius, not below the grid's; name: of the launch
+    //- Lists of all pairs within a radius, not below the grid's, or within what there is to reach; name: of the launch
     void build
     (
         Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid, typename P::real radius, const RecordsView<Gpu, D, P>& target,
         const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet, int* overflow,
-        const char* name
+        const char* name, const SearchReach<typename P::real>& reach = {}
     )
     {
         const ListBuild<D, P> b
         {
-            box, grid, target, source, radius, start, targets, sameSet, shift_, capacity_, pooled_,
+            box, grid, target, source, radius, reach, start, targets, sameSet, shift_, capacity_, pooled_,
             entries_.data(), base_.data(), count_.data(), poolUsed_.data(), overflow
         };
         if (n_ == 0) return;

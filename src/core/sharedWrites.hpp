@@ -72,6 +72,18 @@ HD int lowerTo(int* at, int value)
 #endif
 }
 
+//- Raises a number above 0 to at least value; who finds it as high leaves it alone
+HD void raiseTo(float* at, float value)
+{
+#ifdef __CUDA_ARCH__
+    if (*static_cast<const volatile float*>(at) < value) atomicMax(reinterpret_cast<int*>(at), __float_as_int(value));
+#else
+    float old;
+    __atomic_load(at, &old, __ATOMIC_RELAXED);
+    while (old < value && !__atomic_compare_exchange(at, &old, &value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+#endif
+}
+
 HD void addShared(std::int64_t* at, std::int64_t value)
 {
 #ifdef __CUDA_ARCH__

@@ -22,11 +22,13 @@ void SphSolver<Backend, D, P>::rebuild()
     keys.indices = fluidSort_.indices();
     keys.id = fluid_.template data<std::int32_t>(idField_);
     keys.active = fluidSort_.active();
+    keys.clock = clock_.data();
     forEach(context_, n_, keys);
     fluidSort_.sort(context_, n_);
     fluid_.permute(context_, fluidSort_.order(), n_);
     if constexpr (Backend::gpu) parts_.frames.clear(context_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
+    if constexpr (!Backend::gpu) fluidReach_ = config_.variableSmoothing ? pairReach(clock_.data()->listedH(float(model_.hMax))) : grid_.radius;
     if (nBodies_) rebuildWalls();
     if (solids_) sortSolids();
     settleFrames();
@@ -93,6 +95,14 @@ void SphSolver<Backend, D, P>::rebuildWalls()
         forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
 }
 
+//- Where h varies lists reach as far as the largest h there is, not as its limit: of two hundredths more, so that they last
+template<class Backend, int D, class P>
+SearchReach<typename P::real> SphSolver<Backend, D, P>::fluidReach() const
+{
+    if (!config_.variableSmoothing) return {};
+    return {&clock_.data()->foundH, ClockData::growthOfH, float(model_.hMax), pairReach(0)};
+}
+
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::buildLists()
 {
@@ -101,7 +111,7 @@ void SphSolver<Backend, D, P>::buildLists()
         const auto fluid = fluidRecords_.view();
         int* overflow = clock_.data()->overflow;
         parts_.fluidFluid.build
-        (context_, box_, grid_, grid_.radius, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid");
+        (context_, box_, grid_, grid_.radius, fluid, fluid, fluidSort_.start(), fluidSort_.active(), true, overflow, "listFluid", fluidReach());
         if (solidsMeet_)
         {
             const auto solid = solidRecords_.view();
@@ -128,7 +138,8 @@ void SphSolver<Backend, D, P>::allocateLists()
         // threads a particle, so that small scenes fill the machine
         const auto shiftOf = [](int n) { return n <= 24000 ? 3 : (n <= 200000 ? 2 : (n <= 500000 ? 1 : 0)); };
         shift_ = shiftOf(n_);
-        const double pi = 3.14159265358979323846, r = grid_.radius;
+        const double pi = 3.14159265358979323846, h = std::min(1.5*double(ClockData::growthOfH)*model_.h0 + model_.h0, double(model_.hMax));
+        const double r = config_.variableSmoothing ? double(pairReach(float(h))) : double(grid_.radius);
         const double sphere = D == 2 ? pi*r*r : 4*pi*r*r*r/3;
         const int lanes = 1 << shift_;
         const int fluidNeighbours = int(1.4*sphere/std::pow(config_.spacing, D)) + 8;
@@ -144,7 +155,7 @@ void SphSolver<Backend, D, P>::allocateLists()
         }
         if (nWalls_)
         {
-            const int wallBlocks = int(0.1*sphere*std::pow(parts_.wallRadius/grid_.radius, D)/std::pow(config_.wallSpacing, D)/lanes) + 1;
+            const int wallBlocks = int(0.1*sphere*std::pow(parts_.wallRadius/r, D)/std::pow(config_.wallSpacing, D)/lanes) + 1;
             const long long warps = ((long long)n_ << shift_)/32 + 1, wallWarps = ((long long)nWalls_ << shift_)/32 + 1;
             parts_.fluidWall.allocate(context_, n_, shift_, true, int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256));
             if (config_.wallModel == WallKind::extrapolated || nBodies_)

@@ -23,9 +23,12 @@ struct FluidKeys
     std::uint32_t* indices;
     const std::int32_t* id;     // negative: it ran wild
     const int* active;          // those behind have left before
+    ClockData* clock;
 
     HD void operator()(int i) const
     {
+        // most have no larger one: those few that have raise it when they are placed
+        if (i == 0) clock->foundH = float(model.h0);
         Vec<D, std::int64_t> p;
         Vec<D, typename P::real> r;
         for (int d = 0; d < D; ++d)
@@ -80,7 +83,8 @@ struct PlaceFluid : Mover<Backend, D, P>
         }
         if (this->tookOut(i, v, this->fluid.deviation[i])) return;
         if constexpr (Backend::gpu) this->frames.include(this->box, p, v);
-        this->record(i, x, v, this->fluid.deviation[i]);
+        const real h = this->record(i, x, v, this->fluid.deviation[i]);
+        if (this->model.variableH) raiseTo(&this->clock->foundH, float(h));
     }
 };
 

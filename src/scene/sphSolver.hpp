@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include "core/cellSort.hpp"
+#include "core/searchReach.hpp"
 #include "core/pairLoop.hpp"
 #ifdef __CUDACC__
     #include "core/graph.hpp"
@@ -121,6 +122,10 @@ private:
     void prime();
     double skinRatio() const;
     void setFrames();
+    //- From a particle to those it must find, whose h and own are at most `h` [m]
+    real pairReach(float h) const { return grid_.radius - real(2*(model_.hMax - h)); }
+    SearchReach<real> fluidReach() const;
+
     static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
 
     // sphNeighbours.hpp
@@ -206,6 +211,7 @@ private:
 
     Box<D, P> box_;
     CellGrid<D, P> grid_;
+    real fluidReach_ = 0;       // CPU: from fluid to fluid, now [m]
     FluidModel<D, P> model_;
     StepLimits limits_;
     TermParameters<D, real> terms_;

@@ -36,7 +36,7 @@ struct ClockData
     int needRebuild = 0;
     int overflow[5] = {0, 0, 0, 0, 0};      // neighbour lists that did not fit: room needed
     int skinViolations = 0;
-    int padding = 0;
+    float foundH = 0;           // where h varies: the largest when neighbours were sought [m]
     Limit limit = Limit::none;
     Halt halt = Halt::none;
     float maxima[maximaCount] = {};         // |a|^2, c + |v|, |deviation|, |v| of the last pass
@@ -50,6 +50,21 @@ struct ClockData
     // What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums do not depend on an order
     std::int64_t faceContacts = 0, faceEnergy = 0, faceImpulse[3] = {0, 0, 0};
     std::int64_t bodyContacts = 0;      // of faceContacts
+
+    //- Lists reach as far as this growth of the largest h; beyond half of it they are made anew
+    static constexpr float growthOfH = 0.02f;
+
+    //- How large h may become before pairs are missed, when its limit is `most` [m]
+    HD float listedH(float most) const { const float h = (1 + growthOfH)*foundH; return h < most ? h : most; }
+
+    //- An h after a step
+    HD void noticeH(float h, float most)
+    {
+        const float listed = listedH(most);
+        if (!(h > (1 + 0.5f*growthOfH)*foundH) || listed == most) return;
+        if (h > listed) skinViolations = 1;
+        needRebuild = 1;
+    }
 
     //- A particle's way: does it still hold, and after the next step? Read before written: the whole way of nearly everyone is too long
     //  for the box at rest, and a million stores to one word take longer than the step

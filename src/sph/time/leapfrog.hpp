@@ -65,13 +65,22 @@ struct Mover
         for (int d = 0; d < D; ++d) if (v.c[d] != before.c[d]) fluid.v[d][i] = v.c[d];
     }
 
-    //- Write what pairs see
-    HD void record(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
+    //- Write what pairs see. \return h
+    HD real record(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
     {
         Vec<D, typename P::position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
         records.storePosition(i, p);
-        records.store(i, pairParticle(model, v, deviation));
+        const PairParticle<D, real> pair = pairParticle(model, v, deviation);
+        records.store(i, pair);
+        return pair.h;
+    }
+
+    //- After a step, whose h lists must hold
+    HD void recordMoved(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
+    {
+        const real h = record(i, x, v, deviation);
+        if (model.variableH) clock->noticeH(float(h), float(model.hMax));
     }
 
     //- A particle that runs wild leaves with the next sort; until then pairs see it at rest, and beyond their reach where the box has an
@@ -160,7 +169,7 @@ struct LeapfrogDrift : Mover<Backend, D, P>
         Vec<D, std::int64_t> x = this->moved(this->position(i), u, c.dt);
         this->keepOut(i, half*a, x, v);
         for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
-        this->record(i, x, v + half*a, deviation + rate*half);
+        this->recordMoved(i, x, v + half*a, deviation + rate*half);
         this->checkSkin(i, x, u);
     }
 };

@@ -40,7 +40,7 @@ struct SymplecticKick : Mover<Backend, D, P>
         if (this->tookOut(i, v, f.deviation[i])) return;
         const Vec<D, std::int64_t> x = this->moved(this->position(i), v + this->drift(i), 0.5*c.dt);
         for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
-        this->record(i, x, v, f.deviation[i]);
+        this->recordMoved(i, x, v, f.deviation[i]);
     }
 };
 
@@ -68,7 +68,7 @@ struct SymplecticDrift : Mover<Backend, D, P>
         Vec<D, std::int64_t> x = this->moved(this->position(i), u, 0.5*c.dt);
         this->keepOut(i, kick, x, v);
         for (int d = 0; d < D; ++d) f.x[d][i] = x.c[d];
-        this->record(i, x, v + kick, f.deviation[i]);
+        this->recordMoved(i, x, v + kick, f.deviation[i]);
         this->checkSkin(i, x, u);
     }
 };
