@@ -30,18 +30,19 @@ struct ApplyForces
     }
 };
 
-//- What the step before this one has left: `after` becomes what particles had beyond the projected velocity, `last` that velocity
+//- What the step before this one has left: `after` becomes the velocity that particles bring, less what they had beyond the projected one, which `last` becomes
 template<class R>
 struct KeepLast
 {
     static constexpr const char* name = "keepLast";
     const R* u;
+    const R* before;
     R* after;
     R* last;
 
     HD void operator()(int i) const
     {
-        after[i] -= u[i];
+        after[i] = before[i] - (after[i] - u[i]);
         last[i] = u[i];
     }
 };
@@ -53,14 +54,13 @@ struct HalfDrift
 {
     static constexpr const char* name = "halfDrift";
     const R* u;                 // projected, without forces
-    const R* before;
-    R* after;
+    R* after;                   // before: what was projected
     R* last;
     R part;                     // half the coming drift over the one before; 0: there was none
 
     HD void operator()(int i) const
     {
-        after[i] = part*(u[i] - before[i] + after[i]);
+        after[i] = part*(u[i] - after[i]);
         last[i] = part*(u[i] - last[i]);
     }
 };
@@ -69,11 +69,11 @@ struct HalfDrift
 struct HalfImpulse
 {
     static constexpr const char* name = "halfImpulse";
-    const double* p;            // that projects the velocity as particles bring it
+    const double* p;            // of the first solution
     double* ahead;
-    double timeStep, part;
+    double time;                // half the coming drift over the one before, of the kick [s]
 
-    HD void operator()(int i) const { ahead[i] = part*(timeStep*p[i] + ahead[i]); }
+    HD void operator()(int i) const { ahead[i] = time*p[i]; }
 };
 
 //- What the water feels in a step: the pressure that is solved for, and by which particles are left ahead

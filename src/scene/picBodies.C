@@ -422,7 +422,7 @@ std::vector<double> PicBodies<D>::memory() const
     {
         if (all_[b].clump < 0 && !there[all_[b].ids[0]]) continue;
         const Memory& m = memory_[b];
-        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) v.insert(v.end(), a->begin(), a->end());
+        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given, &m.ahead}) v.insert(v.end(), a->begin(), a->end());
         v.push_back(m.begun);
     }
     for (const auto* a : {&forces_, &moments_})
@@ -433,7 +433,7 @@ std::vector<double> PicBodies<D>::memory() const
 template<int D>
 bool PicBodies<D>::setMemory(const std::vector<double>& v)
 {
-    constexpr std::size_t each = 5*modes + 1;
+    constexpr std::size_t each = 6*modes + 1;
     std::vector<char> there(largestId_ + 1, 0);
     for (const Body& b : all_) for (const int id : b.ids) there[id] = 1;
     if (v.size() != each*memory_.size() + 6*std::size_t(std::count(there.begin(), there.end(), 1))) return false;
@@ -441,7 +441,7 @@ bool PicBodies<D>::setMemory(const std::vector<double>& v)
     {
         const double* from = &v[b*each];
         Memory& m = memory_[b];
-        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given}) { std::copy(from, from + modes, a->begin()); from += modes; }
+        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given, &m.ahead}) { std::copy(from, from + modes, a->begin()); from += modes; }
         m.begun = *from != 0;
     }
     const double* from = &v[each*memory_.size()];

@@ -50,12 +50,12 @@ public:
     //- Those that are there
     const std::vector<FreeBody<D, Shape>>& bodies() const { return bodies_; }
     std::vector<FreeBody<D, Shape>> withVelocities(bool predicted) const;   // else W of the step before
-    std::vector<double> velocities(bool predicted) const;                   // of all, one after the other
+    std::vector<double> velocities(bool predicted) const;                   // of all, one after the other: W*, or W of the step before less what was foreseen in it
     void fill(std::vector<BodyTerm>&) const;                                // inverse masses and W*
     std::vector<double> roots() const;                                      // L of each, M^-1 = L L^T
     bool anyLighter(const std::vector<double>& volume, double density) const;
 
-    //- What follows is given J^T p of all, one after the other, for some p: W* with an impulse of the pressure that is known already [Pa s]
+    //- What follows is given J^T p of all, one after the other, for some p: W* with an impulse of the pressure that is known already [Pa s]. Empty: there is none
     void foresee(const std::vector<double>& against);
 
     //- W from W* and the pressure of a kick dt that was solved for
@@ -127,7 +127,8 @@ private:
     };
 
     //- Of a body between two steps
-    struct Memory { Modes force{}, old{}, start{}, middle{}, given{}, drag{}; bool begun = false; };      // given: to the solid, last; drag: of force
+    //  given: to the solid, last; drag: of force; ahead: of middle, what foresee() has added
+    struct Memory { Modes force{}, old{}, start{}, middle{}, given{}, drag{}, ahead{}; bool begun = false; };
 
     //- Of those that are there
     struct Now

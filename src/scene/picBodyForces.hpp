@@ -91,7 +91,7 @@ std::vector<double> PicBodies<D>::velocities(bool predicted) const
     {
         const Memory& m = memory_[n.body];
         const Modes& v = predicted ? n.predicted : (m.begun ? m.middle : n.velocity);
-        all.insert(all.end(), v.begin(), v.end());
+        for (int k = 0; k < modes; ++k) all.push_back(v[k] - (predicted ? 0 : m.ahead[k]));
     }
     return all;
 }
@@ -118,8 +118,8 @@ void PicBodies<D>::foresee(const std::vector<double>& against)
     for (std::size_t i = 0; i < now_.size(); ++i)
     {
         Modes given{};
-        for (int k = 0; k < modes; ++k) given[k] = -against[i*modes + k];
-        const Modes change = times(now_[i], given);
+        if (!against.empty()) for (int k = 0; k < modes; ++k) given[k] = -against[i*modes + k];
+        const Modes change = memory_[now_[i].body].ahead = times(now_[i], given);
         for (int k = 0; k < modes; ++k) now_[i].predicted[k] += change[k];
     }
 }

@@ -99,7 +99,7 @@ PressureReport PicSolver<Backend, D, P>::solveWithBodies(const PressureFields<D,
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::projectWithBodies(double dt, bool sameWater)
 {
-    if (config_.reflection > 0 && bodiesYield()) bodies_->foresee(bodyCut_.gather(context_, ahead_.data()));
+    if (config_.reflection > 0) bodies_->foresee(bodiesYield() ? bodyCut_.gather(context_, ahead_.data()) : std::vector<double>());
     useBodyVelocities(true);
     lastPressure_ = solveWithBodies(pressureFields(dt), sameWater);
     bodies_->move(bodyCut_.gather(context_, pressure_.data()), dt);

@@ -19,7 +19,7 @@ namespace riprap
 
 namespace detail
 {
-static constexpr std::int32_t picMagic = 0x72697032, picVersion = 6;
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 7;
 static constexpr int picHeader = 9;
 }
 
@@ -29,7 +29,7 @@ void PicSolver<Backend, D, P>::forEachSaved(const F& f)
 {
     for (int k = 0; k < set_.fields(); ++k) f(set_.bytes(k), std::size_t(n_)*set_.elementBytes(k));
     f(reinterpret_cast<unsigned char*>(phi_.data()), phi_.size()*sizeof(real));
-    for (auto* p : {&pressure_, &reflected_, &ahead_, &whole_}) f(reinterpret_cast<unsigned char*>(p->data()), p->size()*sizeof(double));
+    for (auto* p : {&pressure_, &reflected_, &whole_}) f(reinterpret_cast<unsigned char*>(p->data()), p->size()*sizeof(double));
     for (int d = 0; d < D; ++d) for (auto* a : {&u_[d], &change_[d], &after_[d]}) f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
 }
 

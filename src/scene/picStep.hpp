@@ -181,8 +181,9 @@ void PicSolver<Backend, D, P>::extrapolate(std::initializer_list<Array<Backend, 
 //  Over a drift u.grad u has a part G that is the gradient of a pressure, and a rest S. Particles, which move at the middle of the coming drift, must be
 //  ahead of the projected velocity by dt/2 G: a plain projection (`reflection no`) takes that away and dissipates. The advection-reflection of Zehnder, Narain
 //  & Thomaszewski (2018, ACM Trans. Graph. 37) gives G dt and nothing by turns; here it is half of what the last drift's divergence was, each step.
-//  And the projected velocity lags by dt/2 S where it carries particles. Both come from one more solution: that of the velocity as particles bring it, with bodies
-//  free from the velocity that they had. Were they moved as given there, the half that is added back would hold work which they never did.
+//  And the projected velocity lags by dt/2 S where it carries particles. Both come from one more solution: that of the velocity as particles bring it, less what they
+//  were left ahead by, with bodies free from the velocity that they had, less the same impulse's. What is added is then a gradient about the surface and bodies as they are
+//  now, and momentum balances. Were bodies moved as given there, the half that is added back would hold work which they never did.
 //  The second solution's pressure then lacks what lies in `after`, half of the dynamic pressure: wholePressure() has it.
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::project(double dt, double drift)
@@ -201,21 +202,13 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
         // after a step that was much shorter (it ended at a target) the little that its drift did says nothing of a long one
         constexpr double longest = 2;
         const real part = clock_.steps ? real(0.5*std::min(drift/clock_.lastStep, longest)) : real(0);
-        rows_.eachFace(context_, [&](int d) { return KeepLast<real>{u_[d].data(), after_[d].data(), carrier_[d].data()}; });
+        rows_.eachFace(context_, [&](int d) { return KeepLast<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data()}; });
         if (bodies_) useBodyVelocities(false);
-        force(before_, false);
+        force(after_, false);
         const MultigridControls* own = linearSolver_.onDevice();
         solveWithBodies(pressureFields(dt, true), false, own ? own->reflectionTolerance : 0);
-        if (cuts())
-        {
-            PressureFields<D, real> left = pressureFields(1);
-            left.p = ahead_.data();
-            for (int d = 0; d < D; ++d) left.u[d] = after_[d].data();
-            rows_.eachFace(context_, [&](int d) { return SlitsAhead<D, real>{{left, pressureStep_.wet(), d}}; });
-        }
-        rows_.eachCellOfBoth(context_, HalfImpulse{reflected_.data(), ahead_.data(), dt, double(part)});
-        rows_.eachFace(context_, [&](int d)
-        { return HalfDrift<real>{u_[d].data(), before_[d].data(), after_[d].data(), carrier_[d].data(), part}; });
+        rows_.eachCellOfBoth(context_, HalfImpulse{reflected_.data(), ahead_.data(), dt*double(part)});
+        rows_.eachFace(context_, [&](int d) { return HalfDrift<real>{u_[d].data(), after_[d].data(), carrier_[d].data(), part}; });
     }
     if (config_.viscosity > 0) diffuse(dt);
     force(config_.viscosity > 0 ? u_ : before_, true);

@@ -24,11 +24,12 @@ namespace riprap
 //- Bodies so many times as heavy as water need no deflation: iterations are those of a wall. In 2D water has no way around but between them, and crowds move more of it
 template<int D> inline constexpr double heavyRatio = D == 2 ? 10 : 2;
 
-//- On a GPU so many are enough: iterations without deflation (two or three times as many in a crowd) cost less than a loop on the host
-inline constexpr double heavyRatioOnDevice = 2;
+//- On a GPU so many are enough: three times as many iterations in a crowd of half of water's density, ten times at this one, take less than a loop on the host
+inline constexpr double heavyRatioOnDevice = 0.05;
 
-//- And on a CPU with as few bodies, under a surface: they are no crowd that matters, and what deflation costs an iteration is a third of a step
+//- On a CPU with so few bodies, under a surface, so many: they are no crowd that matters, and what deflation costs an iteration is a third of a step
 inline constexpr int fewBodies = 128;
+inline constexpr double heavyRatioOfFew = 2;
 
 //- Bodies where the grid is, with L of each: M^-1 = L L^T
 template<class Backend, int D>
@@ -112,7 +113,8 @@ public:
     double heavyFrom(std::size_t bodies, bool sameWater) const
     {
         const bool open = sameWater && !pocketCells_;           // closed water has no pressure to begin from, and needs the hats
-        return Backend::gpu || (open && bodies <= std::size_t(fewBodies)) ? heavyRatioOnDevice : heavyRatio<D>;
+        if (Backend::gpu) return heavyRatioOnDevice;
+        return open && bodies <= std::size_t(fewBodies) ? heavyRatioOfFew : heavyRatio<D>;
     }
 
     //- Cells in pockets without a surface, at the last projection

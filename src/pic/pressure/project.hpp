@@ -125,20 +125,4 @@ struct CorrectVelocity
     }
 };
 
-//- What particles were left ahead by at faces that are all but closed: extended from beside them (leastKnown), it is not what the impulse has done there, which bodies and walls have felt
-template<int D, class R>
-struct SlitsAhead
-{
-    static constexpr const char* name = "slitsAhead";
-    CorrectVelocity<D, R> by;   // u: `after`, p: the impulse, in a step of 1
-
-    HD void operator()(int i, const typename UniformGrid<D>::Index& x) const
-    {
-        const R a = by.f.aperture[by.d][i];
-        if (!(a > R(0)) || a > R(leastKnown) || atEnd(by.f.grid, by.d, x.c[by.d])) return;
-        by.f.u[by.d][i] = 0;
-        by(i, x);
-    }
-};
-
 } // namespace riprap

@@ -149,7 +149,7 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-coarse = 'system/tank:nx 48; system/tank:ny 60; system/tank:nz 24; system/tank:spacing 0.005'
+coarse = 'system/tank:nx 48; system/tank:ny 72; system/tank:nz 24; system/tank:spacing 0.005'
 Study(
     scene='picRockDumping',
     variants=[Variant('rocks')] + [Variant(kind, ['-endTime', '0.5', '-set', f'system/shape:shape {kind}']) for kind in ('clumps', 'stones')],
