@@ -288,7 +288,7 @@ TEST(PicInflow, KeepsVolume)
     UniformGrid<2> g{};
     g.h = 0.1;
     g.n[0] = g.n[1] = 4;
-    OpenFace<2> f;
+    OpenFace<2> f{};
     f.direction = 0;
     f.corner.c[1] = 0.2;
     f.wet = 0.6;
