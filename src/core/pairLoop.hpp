@@ -49,12 +49,6 @@ struct Source<Cpu, D, P>
 namespace detail
 {
 
-//- How far a pass looks for particles of its first source: passes that know better say so
-template<class Pass>
-auto reachOf(const Pass& pass, int) -> decltype(pass.nearReach) { return pass.nearReach; }
-template<class Pass>
-auto reachOf(const Pass& pass, long) { return pass.grid.radius; }
-
 //- Adds the neighbours of source S in [begin, end) to the packed sums
 template<int S, class Pass, class Self, class X>
 inline void addRange(const Pass& pass, const Self& self, const X& xi, int begin, int end, Pack<typename Pass::real>* sums)
@@ -88,7 +82,6 @@ void pairLoop(Context<Cpu>& context, const Pass& pass)
     profiled(context, Pass::name, [&]
     {
         const int n = pass.targets();
-        const real reach = detail::reachOf(pass, 0);
         #pragma omp parallel if (n > 64)
         {
             float maxima[maximaCount] = {};
@@ -106,7 +99,7 @@ void pairLoop(Context<Cpu>& context, const Pass& pass)
                 }
                 T sums[Pass::channels];
                 for (int k = 0; k < Pass::channels; ++k) sums[k] = T(real(0));
-                pass.grid.forEachRangeNear(relative, reach, pass.source[0].start, [&](int begin, int end)
+                pass.grid.forEachRange(relative, pass.source[0].start, [&](int begin, int end)
                 { detail::addRange<0>(pass, self, xi, begin, end, sums); });
                 if constexpr (Pass::sources > 1) if (pass.source[1].start)
                     pass.grid.forEachRange(relative, pass.source[1].start, [&](int begin, int end)

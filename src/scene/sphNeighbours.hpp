@@ -28,7 +28,6 @@ void SphSolver<Backend, D, P>::rebuild()
     fluid_.permute(context_, fluidSort_.order(), n_);
     if constexpr (Backend::gpu) parts_.frames.clear(context_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
-    if constexpr (!Backend::gpu) fluidReach_ = config_.variableSmoothing ? pairReach(clock_.data()->listedH(float(model_.hMax))) : grid_.radius;
     if (nBodies_) rebuildWalls();
     if (solids_) sortSolids();
     settleFrames();

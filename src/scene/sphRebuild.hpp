@@ -83,8 +83,8 @@ struct PlaceFluid : Mover<Backend, D, P>
         }
         if (this->tookOut(i, v, this->fluid.deviation[i])) return;
         if constexpr (Backend::gpu) this->frames.include(this->box, p, v);
-        const real h = this->record(i, x, v, this->fluid.deviation[i]);
-        if (this->model.variableH) raiseTo(&this->clock->foundH, float(h));
+        [[maybe_unused]] const real h = this->record(i, x, v, this->fluid.deviation[i]);
+        if (Backend::gpu && this->model.variableH) raiseTo(&this->clock->foundH, float(h));
     }
 };
 

@@ -211,7 +211,6 @@ private:
 
     Box<D, P> box_;
     CellGrid<D, P> grid_;
-    real fluidReach_ = 0;       // CPU: from fluid to fluid, now [m]
     FluidModel<D, P> model_;
     StepLimits limits_;
     TermParameters<D, real> terms_;

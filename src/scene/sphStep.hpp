@@ -178,7 +178,7 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
             <
                 Backend, D, P, Kernel, decltype(variable)::value, part, std::decay_t<decltype(fluidTerms)>,
                 std::decay_t<decltype(wallTerms)>, decltype(shifts)::value
-            > pass{box_, grid_, fluidReach_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
+            > pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
                 terms_.shifting, model_, fluidFields(), {}, fluidSort_.active(), clock_.data(), mode,
                 solidAction()};
             for (int d = 0; d < D; ++d)

@@ -118,7 +118,6 @@ struct FluidPass
 
     Box<Dim, P> box;
     CellGrid<Dim, P> grid;
-    real nearReach;                         // CPU: from fluid to fluid [m]
     Source<Backend, Dim, P> source[2];      // fluid, wall
     FluidTerms fluidTerms;
     WallTerms wallTerms;

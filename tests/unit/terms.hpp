@@ -103,7 +103,7 @@ public:
         using Pass = FluidPass<Backend, D, P, Kernel, VariableH, part, Terms, Terms, false>;
         const Box<D, P> box{};
         Array<Backend, real> u[D];
-        Pass pass{box, CellGrid<D, P>(), real(0), {}, terms, terms,
+        Pass pass{box, CellGrid<D, P>(), {}, terms, terms,
             KernelConstants<D, real>::template make<Kernel>(h0, spacing), {}, model, {}, {}, nullptr, nullptr, Finish::store, {}};
         for (int d = 0; d < D; ++d)
         {

@@ -76,11 +76,11 @@ struct Mover
         return pair.h;
     }
 
-    //- After a step, whose h lists must hold
+    //- After a step, whose h lists must hold; on the CPU, which walks rows of cells, the limit of h costs nothing
     HD void recordMoved(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
     {
-        const real h = record(i, x, v, deviation);
-        if (model.variableH) clock->noticeH(float(h), float(model.hMax));
+        [[maybe_unused]] const real h = record(i, x, v, deviation);
+        if (Backend::gpu && model.variableH) clock->noticeH(float(h), float(model.hMax));
     }
 
     //- A particle that runs wild leaves with the next sort; until then pairs see it at rest, and beyond their reach where the box has an
