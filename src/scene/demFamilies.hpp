@@ -8,6 +8,7 @@
 #include "dem/contact/normal/cellSpring.hpp"
 #include "dem/contact/normal/hertz.hpp"
 #include "dem/contact/normal/incrementalSpring.hpp"
+#include "dem/contact/normal/jkr.hpp"
 #include "dem/contact/normal/linearSpring.hpp"
 #include "dem/contact/rolling/constantTorque.hpp"
 #include "dem/contact/rolling/noRolling.hpp"
@@ -21,7 +22,7 @@
 namespace riprap
 {
 
-using NormalLaws = Models<LinearSpring, IncrementalSpring, CellSpring, Hertz>;
+using NormalLaws = Models<LinearSpring, IncrementalSpring, CellSpring, Hertz, Jkr>;
 using TangentialLaws = Models<Frictionless, HistorySpring, Mindlin, OneStepSpring>;
 using RollingLaws = Models<NoRolling, ConstantTorque, RollingSpring>;
 
