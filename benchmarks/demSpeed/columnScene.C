@@ -60,9 +60,9 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     c.domainMax = Vector3{{1.8, width, 0.6}};
     c.periodic[1] = true;
     c.gravity = Vector3{{0, 0, -9.81}};
-    c.normal = NormalKind::hertz;
-    c.tangential = TangentialKind::history;
-    c.rolling = o.rolling ? RollingKind::spring : RollingKind::none;
+    c.normal = "hertz";
+    c.tangential = "history";
+    c.rolling = o.rolling ? "spring" : "none";
     in.materials.push_back(DemMaterial{"stone", 1e7, 0.25});
     DemPair pair;
     pair.properties.restitution = 0.7;
@@ -142,8 +142,8 @@ void bondedScene(int side, DemConfig& c, DemInput& in)
     const double r = 0.5*diameter, wave = 0.05;
     c.dimensions = 3;
     for (int d = 0; d < 3; ++d) { c.domainMin[d] = -0.1*side*diameter; c.domainMax[d] = 1.1*side*diameter; }
-    c.normal = NormalKind::linear;
-    c.tangential = TangentialKind::none;
+    c.normal = "linear";
+    c.tangential = "none";
     c.stepFraction = 0.1;
     in.materials.push_back(DemMaterial{"cement", 1e7, 0.25});
     DemPair pair;

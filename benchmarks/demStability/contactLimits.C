@@ -111,9 +111,9 @@ void contactLimits(DemResults& results)
     onFloor(results, 0.1);
     LatticeOptions o;
     lattice(results, "chain", o);
-    o.normal = NormalKind::hertz;
+    o.normal = "hertz";
     lattice(results, "chain, Hertz (k at rest)", o);
-    o.normal = NormalKind::linear;
+    o.normal = "linear";
     for (const auto& [word, kind] : {std::pair<const char*, Lattice>{"square", Lattice::square}, {"hexagonal", Lattice::hexagonal},
              {"cubic", Lattice::cubic}, {"close packing", Lattice::closePacked}})
         for (const double ratio : {0.0, 0.5, 1.0})
@@ -137,7 +137,7 @@ void contactLimits(DemResults& results)
             }
     o = LatticeOptions();
     o.lattice = Lattice::closePacked;
-    o.normal = NormalKind::hertz;
+    o.normal = "hertz";
     o.tangential = true;
     o.stiffnessRatio = 0.8;
     lattice(results, "close packing, Hertz and Mindlin, 0.8", o);

@@ -29,7 +29,7 @@ void creep(DemResults& results)
         DemInput in;
         singleScene(c, in);
         addFloor(in);
-        c.tangential = TangentialKind::oneStep;
+        c.tangential = "oneStep";
         c.gravity = Vector3{{gravity*std::sin(slope), 0, -gravity*std::cos(slope)}};
         c.timeStep = step;
         PairProperties& p = in.pairs[0].properties;
@@ -54,7 +54,7 @@ double gapLeft(double v, bool pair, double alpha)
     DemConfig c;
     DemInput in;
     singleScene(c, in);
-    c.normal = NormalKind::cellSpring;
+    c.normal = "cellSpring";
     c.stepFraction = 0.01;
     c.gravity = Vector3{{0, 0, 0}};
     PairProperties& p = in.pairs[0].properties;

@@ -51,8 +51,8 @@ void singleScene(DemConfig& c, DemInput& in)
     c.precision = PrecisionKind::doubled;
     c.domainMin = Vector3{{-200, -50, -50}};
     c.domainMax = Vector3{{200, 50, 50}};
-    c.normal = NormalKind::linear;
-    c.tangential = TangentialKind::none;
+    c.normal = "linear";
+    c.tangential = "none";
     c.allowLargeStep = true;
     in.materials.push_back(DemMaterial{"unit", 1, 0.25});
     DemPair p;
@@ -98,12 +98,12 @@ void latticeScene(const LatticeOptions& o, DemConfig& c, DemInput& in)
         }
     }
     c.normal = o.normal;
-    if (o.tangential) c.tangential = TangentialKind::history;
+    if (o.tangential) c.tangential = "history";
     PairProperties& p = in.pairs[0].properties;
     p.friction = o.tangential ? 1e6 : 0;
     p.stiffnessRatio = o.tangential ? o.stiffnessRatio : -1;
     p.restitution = o.restitution;
-    if (o.normal == NormalKind::hertz)
+    if (o.normal == "hertz")
     {
         // tangent stiffness 1 at rest: 2 E* sqrt(R* overlap), with E* = E/(2 (1 - nu^2)) of two alike, R* = 1/2
         in.materials[0].poisson = 0;

@@ -16,7 +16,7 @@ enum class Lattice {chain, square, hexagonal, cubic, closePacked};
 struct LatticeOptions
 {
     Lattice lattice = Lattice::chain;
-    NormalKind normal = NormalKind::linear;
+    std::string normal = "linear";
     bool tangential = false, bonded = false;
     double stiffnessRatio = 1;          // k_t/k_n of contacts, ks/kn of bonds
     double overlap = 1e-3;              // in the state of rest [radii]

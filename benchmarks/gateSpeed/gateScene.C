@@ -96,8 +96,8 @@ void addGate(GateScene& s, const GateOptions& o, GateKind kind, double size, int
     DemConfig& c = s.solids.config;
     c.domainMin = s.config.domainMin;
     c.domainMax = s.config.domainMax;
-    c.normal = NormalKind::linear;
-    c.tangential = TangentialKind::none;
+    c.normal = "linear";
+    c.tangential = "none";
     c.integrator = o.solids;
     // what is held has contacts alone, whose limit is another; it takes no steps
     c.stepFraction = kind == GateKind::held ? std::min(o.stepFraction, 0.5) : o.stepFraction;

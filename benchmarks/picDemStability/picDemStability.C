@@ -76,8 +76,8 @@ std::unique_ptr<PicScene> make(const Scene& s)
     DemConfig& d = solids->config;
     d.domainMin = c.domainMin;
     d.domainMax = c.domainMax;
-    d.normal = NormalKind::linear;
-    d.tangential = TangentialKind::history;
+    d.normal = "linear";
+    d.tangential = "history";
     d.stepFraction = s.fraction;
     d.allowLargeStep = true;
     DemInput& in = solids->input;
@@ -336,7 +336,7 @@ double startError(double across, double ratio)
             auto solids = std::make_shared<PicSolids>();
             solids->config.domainMin = c.domainMin;
             solids->config.domainMax = c.domainMax;
-            solids->config.normal = NormalKind::linear;
+            solids->config.normal = "linear";
             DemInput& in = solids->input;
             in.materials.resize(1);
             in.pairs.resize(1);

@@ -70,7 +70,7 @@ inline std::unique_ptr<PicScene> floaterScene(const Floater& f, double ratio, do
     auto solids = std::make_shared<PicSolids>();
     solids->config.domainMin = c.domainMin;
     solids->config.domainMax = c.domainMax;
-    solids->config.normal = NormalKind::linear;
+    solids->config.normal = "linear";
     const double half[2] = {f.half[0]*h, f.half[1]*h};
     solids->shapes = {latticeOf(half, f.disk, h)};
     DemInput& in = solids->input;

@@ -43,10 +43,12 @@ struct ContactProbe : PairModel<Backend, D, P, Law>
         const real dt = real(this->clock.dt());
         const auto g = pairGeometry<D, real>(self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
+        const real reach = Law::NormalLaw::template reachOf<real>(this->parameters[this->pairOf(mi, mj)].normal);
         const auto f = Law::template repeat<D, real>(this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
+        if (!Law::NormalLaw::acts(h)) return r;
         r.other = j;
         r.force = f.force;
-        r.overlap = g.overlap;
+        r.overlap = g.overlap - reach;
         r.arm = armA;
         r.n = g.n;
         r.energy = Law::template energy<D, real>(this->parameters[this->pairOf(mi, mj)], g, fn, h);
@@ -105,6 +107,7 @@ struct SumContactEnergy
 template<class Backend, int D, class P, class Law>
 struct DeepestOverlap
 {
+    using real = typename P::real;
     static constexpr const char* name = "deepestOverlap";
     ContactProbe<Backend, D, P, Law> probe;
 
@@ -117,7 +120,9 @@ struct DeepestOverlap
             if (c.other < 0) continue;
             int a, b;
             const double radius = minimum(double(probe.solids.body(i, a).radius), double(probe.solids.body(c.other, b).radius));
-            most = maximum(most, 0.5*(double(c.overlap) - double(probe.gap[probe.pairOf(a, b)]))/radius);
+            const int pair = probe.pairOf(a, b);
+            const double reach = double(Law::NormalLaw::template reachOf<real>(probe.parameters[pair].normal));
+            most = maximum(most, 0.5*(double(c.overlap) - (double(probe.gap[pair]) - reach))/radius);
         }
         return most;
     }

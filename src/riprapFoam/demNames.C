@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    The words of constant/solidProperties: one line a word.
+    The words of constant/solidProperties that no model card has: one line a word.
 \*---------------------------------------------------------------------------*/
 
 #include "demNames.H"
@@ -12,28 +12,6 @@ namespace Foam
 {
 namespace demNames
 {
-
-const Enum<riprap::NormalKind> normal
-({
-    {riprap::NormalKind::linear, "linear"},
-    {riprap::NormalKind::incremental, "incremental"},
-    {riprap::NormalKind::cellSpring, "cellSpring"},
-    {riprap::NormalKind::hertz, "hertz"}
-});
-
-const Enum<riprap::TangentialKind> tangential
-({
-    {riprap::TangentialKind::none, "none"},
-    {riprap::TangentialKind::history, "history"},
-    {riprap::TangentialKind::oneStep, "oneStep"}
-});
-
-const Enum<riprap::RollingKind> rolling
-({
-    {riprap::RollingKind::none, "none"},
-    {riprap::RollingKind::constantTorque, "constantTorque"},
-    {riprap::RollingKind::spring, "spring"}
-});
 
 const Enum<riprap::DemIntegratorKind> timeIntegration
 ({

@@ -18,6 +18,8 @@ Description
 
 #include "readSolidProperties.H"
 #include "listed.H"
+#include "modelReader.H"
+#include "scene/demLaws.hpp"
 #include "labelPair.H"
 #include "vector.H"
 
@@ -46,7 +48,8 @@ static demMaterial readMaterial
     material.elastic.name = name;
     material.density = dict.positive("rho");
 
-    const bool needed = settings.config.normal == riprap::NormalKind::hertz;
+    const bool needed =
+        normalNeeds(lawChoice(settings.config)).elasticConstants;
     material.elastic.young = needed ? dict.positive("E") : dict.positive("E", 0.0);
     if (needed)
     {
@@ -87,45 +90,6 @@ static void readStiffness(checkedDictionary& dict, riprap::PairProperties& p)
 }
 
 
-static void readNormal
-(
-    checkedDictionary& dict,
-    const riprap::DemConfig& config,
-    riprap::PairProperties& p
-)
-{
-    using riprap::NormalKind;
-
-    if (config.normal == NormalKind::cellSpring)
-    {
-        p.theta = dict.positive("theta", p.theta);
-        p.alpha = dict.notNegative("alpha", p.alpha);
-        p.cellSize = dict.positive("cellSize");
-
-        const auto& g = config.gravity;
-        p.gravity = mag(vector(g[0], g[1], g[2]));
-        if (!(p.gravity > 0))
-        {
-            FatalIOErrorInFunction(dict.dict())
-                << "Normal law cellSpring takes its stiffness from gravity,"
-                << " and constant/g is zero" << exit(FatalIOError);
-        }
-    }
-    else
-    {
-        if (config.normal != NormalKind::hertz)
-        {
-            readStiffness(dict, p);
-        }
-        p.restitution = dict.positive("restitution");
-        p.restitution = dict.between("restitution", 1, SMALL, 1);
-    }
-
-    p.attraction = dict.either("attraction", "yes", "no", p.attraction);
-    p.gap = dict.notNegative("gap", p.gap);
-}
-
-
 static riprap::PairProperties readPair
 (
     const dictionary& entries,
@@ -133,50 +97,50 @@ static riprap::PairProperties readPair
     wordHashSet& unused
 )
 {
-    using namespace riprap;
-
     checkedDictionary dict(entries);
-    PairProperties p;
-    readNormal(dict, config, p);
+    riprap::PairProperties p;
+    const riprap::LawChoice laws(riprap::lawChoice(config));
 
-    if (config.tangential != TangentialKind::none)
+    if (riprap::normalNeeds(laws).gravity)
     {
-        dict.number("friction");
-        p.friction = dict.notNegative("friction", p.friction);
-        p.stiffnessRatio = dict.positive("stiffnessRatio", p.stiffnessRatio);
-        dict.require
-        (
-            p.stiffnessRatio <= 10, "stiffnessRatio", p.stiffnessRatio,
-            "at most 10, tangential over normal stiffness"
-        );
-        p.tangentialDamping = dict.either
-        (
-            "tangentialDamping", "yes", "no", p.tangentialDamping
-        );
-    }
-    if (config.rolling != RollingKind::none)
-    {
-        p.rollingFriction = dict.positive("rollingFriction");
-        if (config.rolling == RollingKind::spring)
+        const auto& g = config.gravity;
+        p.gravity = mag(vector(g[0], g[1], g[2]));
+        if (!(p.gravity > 0))
         {
-            p.rollingDamping = dict.notNegative("rollingDamping", 0);
+            FatalIOErrorInFunction(dict.dict())
+                << "Normal law " << config.normal.c_str() << " takes its"
+                << " stiffness from gravity, and constant/g is zero"
+                << exit(FatalIOError);
         }
     }
 
-    for
-    (
-        const word& other : wordList
-        ({
-            "stiffness", "E", "G", "nu", "radiusFactor", "restitution",
-            "theta", "alpha", "cellSize", "friction", "stiffnessRatio",
-            "tangentialDamping", "rollingFriction", "rollingDamping"
-        })
-    )
+    for (const riprap::PairEntry& e : riprap::lawEntries(laws))
+    {
+        if (e.calibrated)
+        {
+            readStiffness(dict, p);
+        }
+        else
+        {
+            readEntry(dict, e, p);
+        }
+    }
+
+    // Of laws that are not chosen, and of calibrations
+    const auto isUnused = [&](const word& other)
     {
         if (!dict.isKnown(other) && dict.found(other))
         {
             unused.insert(other);
         }
+    };
+    for (const riprap::PairEntry& e : riprap::allLawEntries())
+    {
+        isUnused(e.name);
+    }
+    for (const word& other : wordList({"E", "G", "nu", "radiusFactor"}))
+    {
+        isUnused(other);
     }
     dict.end();
     return p;

@@ -8,6 +8,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "readSolidProperties.H"
+#include "modelReader.H"
+#include "scene/demLaws.hpp"
 #include "sphNames.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -15,24 +17,41 @@ Description
 namespace Foam
 {
 
+//- Of laws that are none, or that are some
+static std::string wordsOff(const std::vector<riprap::LawCard>& laws, bool off)
+{
+    std::vector<riprap::LawCard> some;
+    for (const riprap::LawCard& law : laws)
+    {
+        if (law.off == off) some.push_back(law);
+    }
+    return riprap::listOf(riprap::wordsOf(some));
+}
+
+
 static void readContact(checkedDictionary& solids, riprap::DemConfig& config)
 {
     checkedDictionary dict(solids.subDict("contact"));
-    config.normal = dict.choice("normal", demNames::normal, config.normal);
-    config.tangential =
-        dict.choice("tangential", demNames::tangential, config.tangential);
-    config.rolling = dict.choice("rolling", demNames::rolling, config.rolling);
-    if
-    (
-        config.rolling != riprap::RollingKind::none
-     && config.tangential == riprap::TangentialKind::none
-    )
+    const auto choose = [&](const char* entry, const auto& laws, auto& kind)
+    {
+        kind = modelWord(dict, entry, riprap::wordsOf(laws), kind);
+    };
+    choose("normal", riprap::normalLaws(), config.normal);
+    choose("tangential", riprap::tangentialLaws(), config.tangential);
+    choose("rolling", riprap::rollingLaws(), config.rolling);
+    try
+    {
+        riprap::lawChoice(config);
+    }
+    catch (const std::invalid_argument& why)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry rolling is " << demNames::rolling[config.rolling]
-            << ": rolling friction needs friction, with tangential none"
-            << " bodies slide and nothing makes them roll; valid are rolling"
-            << " none, and tangential history or oneStep"
+            << "Entry rolling is " << config.rolling.c_str() << ": "
+            << why.what()
+            << "; valid are rolling "
+            << wordsOff(riprap::rollingLaws(), true).c_str()
+            << ", or tangential "
+            << wordsOff(riprap::tangentialLaws(), false).c_str()
             << exit(FatalIOError);
     }
     config.contactWithinBonds =

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include "core/device.hpp"
 #include "scene/demInstances.hpp"
+#include "scene/demLaws.hpp"
 #include "scene/sphScene.hpp"
 
 namespace riprap
@@ -35,8 +36,7 @@ void checkConfig(const DemConfig& c)
     for (const int a : c.axes) { require(a >= 0 && a < 3, "axes must be 0, 1 and 2"); axes |= 1 << a; }
     require(axes == 7, "axes must be 0, 1 and 2, each once");
     require(c.dimensions == 2 || (c.axes[0] == 0 && c.axes[1] == 1), "axes are 0, 1, 2 in 3D");
-    require(c.rolling == RollingKind::none || c.tangential != TangentialKind::none,
-        "rolling friction needs friction: with tangential none bodies slide, and nothing makes them roll");
+    lawChoice(c);
     require(c.timeStep >= 0 && std::isfinite(c.timeStep) && c.maxTimeStep >= 0, "the time step must not be negative");
     require(c.sleepSpeed >= 0 && std::isfinite(c.sleepSpeed) && c.sleepAfter >= 0 && std::isfinite(c.sleepAfter),
         "the speed below which particles sleep, and the time before they do, must not be negative");
@@ -117,18 +117,25 @@ void checkPair(const DemConfig& c, const DemInput& in, const DemPair& pair)
 {
     const std::string name = "materials " + in.materials[pair.a].name + " and " + in.materials[pair.b].name + ": ";
     const PairProperties& q = pair.properties;
-    if (c.normal == NormalKind::linear || c.normal == NormalKind::incremental)
-        require(q.normalStiffness > 0, name + "the normal stiffness must be positive");
-    if (c.normal == NormalKind::cellSpring)
-        require(q.theta > 0 && q.cellSize > 0 && q.gravity > 0 && q.alpha >= 0,
-            name + "theta, cellSize and gravity must be positive, alpha not negative");
-    else require(q.restitution > 0 && q.restitution <= 1, name + "the restitution coefficient must be in (0, 1]");
-    if (c.normal == NormalKind::hertz)
-        for (const int m : {pair.a, pair.b})
-            require(in.materials[m].young > 0 && in.materials[m].poisson > -1 && in.materials[m].poisson <= 0.5,
-                "material " + in.materials[m].name + ": Hertz contacts need Young's modulus, and Poisson's ratio in (-1, 0.5]");
-    require(q.friction >= 0 && q.rollingFriction >= 0 && q.rollingDamping >= 0 && q.gap >= 0,
-        name + "friction, rolling friction and gap must not be negative");
+    const PairProperties none;
+    const LawChoice laws = lawChoice(c);
+    // what is not given, where there is a default or where another law has it, is as in an empty struct
+    const auto check = [&](const PairEntry& e, bool chosen)
+    {
+        if (e.yesNo || (e.value(q) == e.value(none) && !(chosen && e.required))) return;
+        require(e.allows(e.value(q)), name + "the " + e.what + " must be " + e.rangeText());
+    };
+    for (const PairEntry& e : lawEntries(laws)) check(e, true);
+    for (const PairEntry& e : allLawEntries()) check(e, false);
+    std::set<std::string> names;
+    for (const PairEntry& e : lawEntries(laws)) names.insert(e.name);
+    for (const auto& given : q.more)
+        require(names.count(given.first), name + given.first + " is no number of these contact laws");
+    const NormalNeeds needs = normalNeeds(laws);
+    require(!needs.gravity || q.gravity > 0, name + "normal law " + c.normal + " needs gravity");
+    for (const int m : {pair.a, pair.b})
+        require(!needs.elasticConstants || (in.materials[m].young > 0 && in.materials[m].poisson > -1 && in.materials[m].poisson <= 0.5),
+            "material " + in.materials[m].name + ": normal law " + c.normal + " needs Young's modulus, and Poisson's ratio in (-1, 0.5]");
 }
 
 //- Every pair that can meet must be given

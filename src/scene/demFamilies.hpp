@@ -1,4 +1,4 @@
-/*  From the words of a configuration to a contact law's type, once, outside the loops.
+/*  The contact laws there are, a line each family, and from the words of a configuration to a law's type, once, outside the loops.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -8,6 +8,7 @@
 #include "dem/contact/normal/cellSpring.hpp"
 #include "dem/contact/normal/hertz.hpp"
 #include "dem/contact/normal/incrementalSpring.hpp"
+#include "dem/contact/normal/jkr.hpp"
 #include "dem/contact/normal/linearSpring.hpp"
 #include "dem/contact/rolling/constantTorque.hpp"
 #include "dem/contact/rolling/noRolling.hpp"
@@ -16,44 +17,45 @@
 #include "dem/contact/tangential/historySpring.hpp"
 #include "dem/contact/tangential/mindlin.hpp"
 #include "dem/contact/tangential/oneStepSpring.hpp"
-#include "scene/demScene.hpp"
+#include "scene/demLaws.hpp"
 
 namespace riprap
 {
+
+using NormalLaws = Models<LinearSpring, IncrementalSpring, CellSpring, Hertz, Jkr>;
+using TangentialLaws = Models<Frictionless, HistorySpring, Mindlin, OneStepSpring>;
+using RollingLaws = Models<NoRolling, ConstantTorque, RollingSpring>;
 
 namespace detail
 {
 
 template<class Normal, class Tangential, class F>
-auto withRolling(const DemConfig& c, F f)
+void withRolling(const LawChoice& c, F& f)
 {
-    if (c.rolling == RollingKind::constantTorque) return f(Contact<Normal, Tangential, ConstantTorque>());
-    if (c.rolling == RollingKind::spring) return f(Contact<Normal, Tangential, RollingSpring>());
-    return f(Contact<Normal, Tangential, NoRolling>());
+    RollingLaws::at(c.rolling, [&](auto rolling)
+    {
+        using Rolling = typename decltype(rolling)::type;
+        if constexpr (Rolling::template goesWith<Tangential>) f(Contact<Normal, Tangential, Rolling>());
+    });
 }
 
-template<class Normal, class History, class F>
-auto withTangential(const DemConfig& c, F f)
+template<class Normal, class F>
+void withTangential(const LawChoice& c, F& f)
 {
-    if (c.tangential == TangentialKind::none) return f(Contact<Normal, Frictionless, NoRolling>());
-    if (c.tangential == TangentialKind::oneStep) return withRolling<Normal, OneStepSpring>(c, f);
-    return withRolling<Normal, History>(c, f);
+    TangentialLaws::at(c.tangential, [&](auto tangential)
+    {
+        using Tangential = typename decltype(tangential)::type;
+        if constexpr (Tangential::template goesWith<Normal>) withRolling<Normal, Tangential>(c, f);
+    });
 }
 
 } // namespace detail
 
-//- f(law). Rolling friction goes with any friction: createDemScene refuses it without
+//- f(law), a Contact<...>
 template<class F>
-auto withLaw(const DemConfig& c, F f)
+void withLaw(const LawChoice& c, F f)
 {
-    switch (c.normal)
-    {
-        case NormalKind::linear: return detail::withTangential<LinearSpring, HistorySpring>(c, f);
-        case NormalKind::incremental: return detail::withTangential<IncrementalSpring, HistorySpring>(c, f);
-        case NormalKind::cellSpring: return detail::withTangential<CellSpring, HistorySpring>(c, f);
-        case NormalKind::hertz: break;
-    }
-    return detail::withTangential<Hertz, Mindlin>(c, f);
+    NormalLaws::at(c.normal, [&](auto normal) { detail::withTangential<typename decltype(normal)::type>(c, f); });
 }
 
 } // namespace riprap

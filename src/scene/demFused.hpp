@@ -115,7 +115,7 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::fusedSteps(int count)
 {
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
 #ifdef __CUDACC__
         if constexpr (std::is_same<Backend, Gpu>::value)

@@ -102,7 +102,7 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
         {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(histories_)});
         if (fresh) return;
         forEach(context_, n_, InvertOrder{sort_.order(), inverse_.data()});
-        withLaw(config_, [&](auto law)
+        withLaw(laws_, [&](auto law)
         {
             using Law = decltype(law);
             forEach(context_, n_, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
@@ -244,7 +244,7 @@ void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
     if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(context_, std::size_t(elements) + elements/8 + 1);
     forEach(context_, n_, FindWalls<D, P, true>
     {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data(), nullptr});
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         forEach(context_, n_, HandOverWalls<D, real, decltype(law)::template history<D>>
         {wallMemory(oldWallMemory_), wallMemory(m), newOrder(), sort_.active(), fresh});

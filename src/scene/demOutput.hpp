@@ -136,13 +136,30 @@ DemState DemSolver<Backend, D, P>::particles()
 }
 
 //- Of the first n with others and with walls: as contacts() lists them, without what they are
+//- Slots of walls that carry force
+template<class Backend, int D, class P>
+std::vector<int> DemSolver<Backend, D, P>::wallContacts()
+{
+    std::vector<int> on = wallMemory_.on.download();
+    withLaw(laws_, [&](auto law)
+    {
+        using Law = decltype(law);
+        if constexpr (Law::NormalLaw::reaches)
+        {
+            const auto history = wallMemory_.history.download();
+            for (std::size_t s = 0; s < on.size(); ++s) on[s] = on[s] && Law::NormalLaw::acts(&history[s*Law::template history<D>]);
+        }
+    });
+    return on;
+}
+
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::contactCounts(int n)
 {
     std::vector<std::int32_t> contacts(n, 0);
     Array<Backend, int> others;
     others.allocate(context_, list_.entries() + 1);
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         setModel(probe);
@@ -163,9 +180,9 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::contactCounts(int n)
         }
     if (!nWalls_ || !wallMemory_.entries) return contacts;
     const auto first = wallMemory_.entryFirst.download();
-    const auto on = wallMemory_.on.download();
+    const auto acts = wallContacts();
     for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1]; ++e) if (on[std::size_t(e)*wallTouches]) ++contacts[i];
+        for (int e = first[i]; e < first[i + 1]; ++e) if (acts[std::size_t(e)*wallTouches]) ++contacts[i];
     return contacts;
 }
 
@@ -178,7 +195,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     const auto key = field<std::int32_t>(idField_);
     Array<Backend, ProbedContact<D, real>> probed;
     probed.allocate(context_, list_.entries() + 1);
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         setModel(probe);
@@ -213,7 +230,8 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     if (!nWalls_ || !wallMemory_.entries) return out;
     const auto first = wallMemory_.entryFirst.download();
     const auto entry = wallMemory_.entry.download();
-    const auto on = wallMemory_.on.download();
+    const auto acts = wallContacts();
+    const auto material = field<std::int32_t>(materialField_);
     const auto force = wallMemory_.force.download();
     const auto normal = wallMemory_.normal.download();
     const auto radius = field<real>(radiusField_);
@@ -222,10 +240,11 @@ DemContacts DemSolver<Backend, D, P>::contacts()
         for (int e = first[i]; e < first[i + 1]; ++e)
         {
             const int slot = e*wallTouches;
-            if (!on[slot]) continue;
+            if (!acts[slot]) continue;
             Vec<D, double> local, f;
             for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
-            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]), outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
+            const real reach = reaches_[material[i]*input_.materials.size() + input_.walls[entry[e].wall].material];
+            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach), outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
         }
     return out;
 }
@@ -300,7 +319,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
         if (input_.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
     }
     e.spring = springEnergy();
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
@@ -328,7 +347,7 @@ template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::deepestOverlap()
 {
     double most = 0;
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         DeepestOverlap<Backend, D, P, decltype(law)> deepest;
         setModel(deepest.probe);
@@ -481,7 +500,7 @@ double DemSolver<Backend, D, P>::contactsPerParticle()
     readClock();
     const int n = activeSolids();
     double contacts = 0;
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         SumContacts<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);

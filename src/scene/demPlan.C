@@ -6,12 +6,9 @@
 #include <cmath>
 #include <sstream>
 #include "dem/bond/parallelBond.hpp"
-#include "dem/contact/normal/linearSpring.hpp"
-#include "dem/contact/tangential/historySpring.hpp"
-#include "dem/contact/tangential/oneStepSpring.hpp"
 #include "dem/packingLimit.hpp"
 #include "dem/motion/clumpState.hpp"
-#include "scene/demScene.hpp"
+#include "scene/demFamilies.hpp"
 
 namespace riprap
 {
@@ -130,31 +127,29 @@ std::string words(const std::string& name, double a, const char* unit)
     return s.str();
 }
 
+//- What the normal law must know of a pair
+PairProperties ofMaterials(const DemInput& in, const DemPair& pair)
+{
+    PairProperties q = pair.properties;
+    q.youngA = in.materials[pair.a].young;
+    q.youngB = in.materials[pair.b].young;
+    q.poissonA = in.materials[pair.a].poisson;
+    q.poissonB = in.materials[pair.b].poisson;
+    return q;
+}
+
 //- sqrt(m/k) of the contacts of a pair; of a rigid body sqrt(M/(n k)) with the n members that can touch at once
+template<class Normal>
 void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, const std::vector<Lightest>& all, DemPlan& plan)
 {
-    const PairProperties& q = pair.properties;
+    const PairProperties q = ofMaterials(in, pair);
     const std::string between = in.materials[pair.a].name + "-" + in.materials[pair.b].name;
     for (int end = 0; end < (pair.a == pair.b ? 1 : 2); ++end)
     {
         const Lightest& l = all[end ? pair.b : pair.a];
         if (!l.count) continue;
-        double k = q.normalStiffness;
-        std::string how = "k = ";
-        if (c.normal == NormalKind::cellSpring) k = l.share*q.gravity/(q.theta*q.cellSize);
-        if (c.normal == NormalKind::hertz)
-        {
-            PairProperties e = q;
-            e.youngA = in.materials[pair.a].young;
-            e.youngB = in.materials[pair.b].young;
-            e.poissonA = in.materials[pair.a].poisson;
-            e.poissonB = in.materials[pair.b].poisson;
-            // two equal ones meet at twice the speed: m*/2, R*/2; against a wall the same overlap ensues within 15 %
-            const double speed = std::max({l.speed, fallSpeed(c), 1e-3}), E = e.effectiveYoung();
-            const double overlap = std::pow(15*l.share*speed*speed/(16*E*std::sqrt(l.radius)), 0.4);
-            k = 2*E*std::sqrt(l.radius*overlap);
-            how = words("impact at", speed, "m/s, k = ");
-        }
+        const double speed = std::max({l.speed, fallSpeed(c), 1e-3}), k = Normal::stiffness(q, Impact{l.share, l.radius, speed});
+        const std::string how = Normal::constantStiffness ? "k = " : words("impact at", speed, "m/s, k = ");
         std::string cause = words(how, k, "N/m") + words(", m =", l.share, "kg");
         if (l.together > 1) cause += ", the share of each of " + std::to_string(l.together) + " members of a body that touch at once";
         plan.limits.push_back(StepLimit{"contact " + between, std::sqrt(l.share/k), cause});
@@ -163,38 +158,41 @@ void addContact(const DemConfig& c, const DemInput& in, const DemPair& pair, con
 
 //- What a close packing of a material's particles stands, of sqrt(m/k), with its dashpots or by its springs alone. Where stiffness is
 //  constant: that of Hertz contacts at rest is far below that of the impact which limits the step
+template<class Law>
 PackedContact packedContact(const DemConfig& c, const PairProperties& q, bool dashpots)
 {
+    using Tangential = typename Law::TangentialLaw;
     PackedContact p;
     p.dimensions = c.dimensions;
     p.inertia = c.dimensions == 3 ? 0.4 : 0.5;
-    p.tangentialSpring = c.tangential == TangentialKind::history;
-    if (q.friction > 0 && p.tangentialSpring) p.kappa = HistorySpring::make(q).kappa;
-    if (q.friction > 0 && c.tangential == TangentialKind::oneStep) p.kappa = dashpots ? OneStepSpring::make(q).kappa : 0;
-    if (c.rolling == RollingKind::spring) p.rolling = q.rollingFriction;
+    p.tangentialSpring = Tangential::spring;
+    // a spring of one step's slip is a dashpot
+    if (q.friction > 0 && (Tangential::spring || dashpots)) p.kappa = Tangential::stiffnessRatio(q);
+    if (Law::RollingLaw::spring) p.rolling = q.rollingFriction;
     p.tangentialDamping = q.tangentialDamping;
     if (!dashpots) return p;
     p.rollingDamping = q.rollingDamping;
-    if (c.normal == NormalKind::cellSpring) p.plainDamping = 2*q.alpha;
-    else p.twoZeta = LinearSpring::make(q).twoZeta;
+    const NormalDashpot dashpot = Law::NormalLaw::dashpotOf(q);
+    p.twoZeta = dashpot.twoZeta;
+    p.plainDamping = dashpot.plain;
     return p;
 }
 
 struct PackedLimit { double springs = 1e300, all = 1e300; std::string between; };
 
 //- Of those that are enough of their kind to surround one
+template<class Law>
 PackedLimit packedLimit(const DemConfig& c, const DemInput& in, const std::vector<Lightest>& all)
 {
     PackedLimit least;
-    if (c.normal == NormalKind::hertz) return least;
     for (const DemPair& pair : in.pairs)
     {
         const Lightest& l = all[pair.a];
         if (pair.a != pair.b || l.count <= (c.dimensions == 3 ? 12u : 6u)) continue;
         const PairProperties& q = pair.properties;
-        const double k = c.normal == NormalKind::cellSpring ? l.mass*q.gravity/(q.theta*q.cellSize) : q.normalStiffness;
-        const double unit = std::sqrt(l.mass/k), limit = unit*packingLimit(packedContact(c, q, true));
-        least.springs = std::min(least.springs, unit*packingLimit(packedContact(c, q, false)));
+        const double k = Law::NormalLaw::stiffness(q, Impact{l.mass, l.radius, l.speed});
+        const double unit = std::sqrt(l.mass/k), limit = unit*packingLimit(packedContact<Law>(c, q, true));
+        least.springs = std::min(least.springs, unit*packingLimit(packedContact<Law>(c, q, false)));
         if (limit >= least.all) continue;
         least.all = limit;
         least.between = in.materials[pair.a].name + "-" + in.materials[pair.b].name;
@@ -313,21 +311,14 @@ void addRayleigh(const DemInput& in, const std::vector<Lightest>& all, DemPlan& 
     }
 }
 
-//- Paper 2: an impact at speed v sinks in by v sqrt(theta dx/|g|), and the gap is all there is
-void warnOfGap(const DemConfig& c, const DemInput& in, DemPlan& plan)
+//- What the law itself says where bodies can fall so fast
+template<class Normal>
+void warnOfLaw(const DemConfig& c, const DemInput& in, DemPlan& plan)
 {
-    if (c.normal != NormalKind::cellSpring) return;
     for (const DemPair& pair : in.pairs)
     {
-        const PairProperties& q = pair.properties;
-        const double eats = q.gap/std::sqrt(q.theta*q.cellSize/q.gravity), fall = fallSpeed(c);
-        if (!(q.gap > 0) || fall <= eats) continue;
-        std::ostringstream s;
-        s.precision(4);
-        s << in.materials[pair.a].name << "-" << in.materials[pair.b].name << ": solids that meet at " << eats
-          << " m/s go through the whole gap of " << q.gap << " m, and in this domain they can fall to " << fall
-          << " m/s; theta = " << q.gap*q.gap*q.gravity/(fall*fall*q.cellSize) << " would hold";
-        plan.warnings.push_back(s.str());
+        const std::string said = Normal::warning(ofMaterials(in, pair), fallSpeed(c));
+        if (!said.empty()) plan.warnings.push_back(in.materials[pair.a].name + "-" + in.materials[pair.b].name + ": " + said);
     }
 }
 
@@ -335,7 +326,6 @@ void warnOfGap(const DemConfig& c, const DemInput& in, DemPlan& plan)
 //  through what it hits
 void warnOfSoftness(const DemConfig& c, const DemInput& in, const std::vector<int>& together, DemPlan& plan)
 {
-    if (c.normal != NormalKind::linear && c.normal != NormalKind::incremental) return;
     const DemParticles& p = in.particles;
     for (const DemPair& pair : in.pairs)
     {
@@ -374,10 +364,21 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
     for (const DemWall& w : in.walls) plan.wallElements += w.plane ? 1 : w.elements.size()/c.dimensions;
     plan.together = touchingTogether(c, in);
     const std::vector<Lightest> all = lightest(c, in, plan.together);
-    for (const DemPair& pair : in.pairs) addContact(c, in, pair, all, plan);
+    const LawChoice laws = lawChoice(c);
+    NormalLaws::at(laws.normal, [&](auto law)
+    {
+        for (const DemPair& pair : in.pairs) addContact<typename decltype(law)::type>(c, in, pair, all, plan);
+    });
     addBonds(c, in, plan);
     addSprings(c, in, plan);
-    const PackedLimit packed = packedLimit(c, in, all);
+    PackedLimit packed;
+    std::size_t histories = 0;
+    withLaw(laws, [&](auto law)
+    {
+        using Law = decltype(law);
+        if constexpr (Law::NormalLaw::constantStiffness) packed = packedLimit<Law>(c, in, all);
+        histories = c.dimensions == 2 ? Law::template history<2> : Law::template history<3>;
+    });
     plan.hardStop = packed.springs;
     plan.hardCause = "what the springs of a close packing of " + packed.between + " stand";
     for (const StepLimit& l : plan.limits)
@@ -386,16 +387,19 @@ DemPlan planDemScene(const DemConfig& c, const DemInput& in)
         plan.hardStop = l.hardStop*l.critical;
         plan.hardCause = words("", l.hardStop, "sqrt(m/k)").substr(1) + " of " + l.name + " (" + l.cause + ")";
     }
-    if (c.normal == NormalKind::hertz) addRayleigh(in, all, plan);
-    warnOfGap(c, in, plan);
-    warnOfSoftness(c, in, plan.together, plan);
+    NormalLaws::at(laws.normal, [&](auto law)
+    {
+        using Normal = typename decltype(law)::type;
+        if (Normal::elasticConstants) addRayleigh(in, all, plan);
+        warnOfLaw<Normal>(c, in, plan);
+        if (Normal::constantStiffness && !Normal::stiffnessByMass) warnOfSoftness(c, in, plan.together, plan);
+    });
     setStep(c, packed, plan);
 
     // state twice (for sorting), records, cells; half lists with histories twice (before and after a rebuild). A GPU keeps full lists once,
     // and what touches beside them; about as much
     const std::size_t real = c.precision == PrecisionKind::mixed ? 4 : 8, D = c.dimensions, S = D == 2 ? 1 : 3;
-    const std::size_t histories = (c.normal == NormalKind::incremental) + (c.tangential == TangentialKind::history ? S : 0)
-      + (c.rolling == RollingKind::spring ? S : 0), neighbours = D == 2 ? 7 : 16;
+    const std::size_t neighbours = D == 2 ? 7 : 16;
     const std::size_t state = 2*(16*D + real*(D + 2*S + 3) + 12) + 12*real + 40;
     plan.bytes = plan.particles*(state + 2*neighbours*(4 + real*histories))
       + plan.bonds*(40 + real*(8 + D + 3*S)) + plan.clumps*200 + plan.wallElements*(D*12 + 64);

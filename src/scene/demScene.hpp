@@ -11,15 +11,13 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include "dem/contact/pairProperties.hpp"
 #include "scene/sceneTypes.hpp"
 
 namespace riprap
 {
 
-enum class NormalKind {linear, incremental, cellSpring, hertz};
-enum class TangentialKind {none, history, oneStep};     // history: Mindlin's with hertz, else the history spring
-enum class RollingKind {none, constantTorque, spring};
 enum class DemIntegratorKind {leapfrog, velocityVerlet};
 
 struct DemConfig
@@ -37,10 +35,8 @@ struct DemConfig
 
     Vector3 gravity{{0, 0, 0}};             // [m/s2]
 
-    // Contact laws, the same for all pairs; their numbers are of the pair (DemPair)
-    NormalKind normal = NormalKind::hertz;
-    TangentialKind tangential = TangentialKind::history;
-    RollingKind rolling = RollingKind::none;
+    // Contact laws by their words (scene/demFamilies.hpp), the same for all pairs; their numbers are of the pair (DemPair)
+    std::string normal = "hertz", tangential = "history", rolling = "none";
     bool contactWithinBonds = false;        // do bonded pairs touch as well (paper 1), or only once the bond is broken?
 
     // Time
@@ -65,7 +61,7 @@ struct DemConfig
 struct DemMaterial
 {
     std::string name;
-    double young = 0;                       // E [Pa]; needed by hertz
+    double young = 0;                       // E [Pa]; of laws by elastic constants
     double poisson = 0.25;
 };
 

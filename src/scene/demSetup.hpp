@@ -16,7 +16,7 @@ namespace riprap
 template<class Backend, int D, class P>
 DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& input, const DemPlan& plan)
 :
-    config_(config), plan_(plan), given_(&input)
+    config_(config), laws_(lawChoice(config)), plan_(plan), given_(&input)
 {
     // particles and bonds go to the device: the host keeps no second copy of millions
     input_.materials = input.materials;
@@ -48,30 +48,43 @@ void DemSolver<Backend, D, P>::setPairs()
     const int m = int(input_.materials.size());
     std::vector<real> gaps(std::size_t(m)*m, real(0));
     std::vector<PairProperties> pairs(std::size_t(m)*m);
+    std::vector<char> given(std::size_t(m)*m, 0);
+    const std::vector<double>& radius = given_->particles.radius;
+    const double largestRadius = *std::max_element(radius.begin(), radius.end());
+    reaches_.assign(std::size_t(m)*m, real(0));
     for (DemPair& p : input_.pairs)
         for (const bool turned : {false, true})
         {
             const int a = turned ? p.b : p.a, b = turned ? p.a : p.b;
             PairProperties q = p.properties;
+            q.largestRadius = largestRadius;
             q.youngA = input_.materials[a].young;
             q.youngB = input_.materials[b].young;
             q.poissonA = input_.materials[a].poisson;
             q.poissonB = input_.materials[b].poisson;
-            pairs[std::size_t(a)*m + b] = q;
-            gaps[std::size_t(a)*m + b] = real(q.gap);
-            largestGap_ = std::max(largestGap_, q.gap);
+            const std::size_t k = std::size_t(a)*m + b;
+            pairs[k] = q;
+            given[k] = 1;
+            NormalLaws::at(laws_.normal, [&](auto law)
+            {
+                using Normal = typename decltype(law)::type;
+                // beside a wall R* is the particle's radius
+                const double reach = Normal::reach(q, largestRadius);
+                reaches_[k] = real(reach);
+                gaps[k] = real(q.gap + reach);
+                largestGap_ = std::max(largestGap_, q.gap + reach);
+            });
         }
     gaps_.upload(context_, gaps);
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         using Law = decltype(law);
         using Parameters = typename Law::template Parameters<real>;
         std::vector<real> all;
-        for (const PairProperties& q : pairs)
+        for (std::size_t k = 0; k < pairs.size(); ++k)
         {
             // a pair that cannot meet was not given: its numbers are never used
-            const bool given = q.youngA > 0 || q.normalStiffness > 0 || q.cellSize > 0;
-            const Parameters one = given ? Law::template make<real>(q) : Parameters{};
+            const Parameters one = given[k] ? Law::template make<real>(pairs[k]) : Parameters{};
             const real* from = reinterpret_cast<const real*>(&one);
             all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
         }

@@ -33,7 +33,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
 {
     if constexpr (Backend::gpu)
-        withLaw(config_, [&](auto law)
+        withLaw(laws_, [&](auto law)
         {
             forEach(context_, n_, TakeHistories<Backend, D, P>{s, list_.view(), histories_, decltype(law)::template turnsFrom<D>});
         });

@@ -280,6 +280,7 @@ private:
     // demOutput.hpp
     int activeSolids();
     std::vector<double> positions(int n);
+    std::vector<int> wallContacts();
     std::vector<std::int32_t> contactCounts(int n);
     template<class T> std::vector<T> field(int f) { return fields_.template download<T>(context_, f); }
     template<class T> void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
@@ -292,6 +293,7 @@ private:
     }
 
     DemConfig config_;
+    const LawChoice laws_;
     DemInput input_;            // without particles and bonds
     DemPlan plan_;
     bool still_ = false;        // nothing can move
@@ -323,6 +325,7 @@ private:
 
     Array<Backend, GroupData<D, real>> groups_;
     Array<Backend, real> parameters_, gaps_;
+    std::vector<real> reaches_; // what of the gaps is the law's reach
     std::vector<real> sole_;    // numbers of the first material with itself, its gap behind them
     Array<Backend, real> external_;
     std::vector<double> motionSamples_, poseSamples_;

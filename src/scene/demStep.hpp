@@ -116,7 +116,7 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
     m.clumps = nClumps_ ? clumps_.data() : nullptr;
     m.offset = offset_.data();
     // paper 2's spring goes with the mass of its particles
-    m.sharesMass = nClumps_ && config_.normal != NormalKind::cellSpring;
+    NormalLaws::at(laws_.normal, [&](auto law) { m.sharesMass = nClumps_ && !decltype(law)::type::stiffnessByMass; });
     return m;
 }
 
@@ -233,7 +233,7 @@ void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 {
-    withLaw(config_, [&](auto law)
+    withLaw(laws_, [&](auto law)
     {
         contactPass<decltype(law)>(turn);
         if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>(turn);

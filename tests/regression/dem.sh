@@ -301,6 +301,26 @@ column cyclicStops motion thrownUx -0.001 0.001
 column cyclicGoesOn motion waitingUx 0.499 0.501
 column cyclicWraps motion thrownCentreX 0.02245 0.02247      # 0.02 + v/2 pi sqrt(m/(2 k)): they move on while they touch
 rm -rf 0.* postProcessing
+
+# Adhesion: two disks that meet at 0.02 m/s, below the speed at which they would part (0.033 m/s by 7.09 (w^5 R*^4/E*^2)^(1/3)), go on as
+# one; with a thousandth of it they rebound
+tank2; rm -rf 0.* postProcessing
+printf 'x,y,z,u,v,w,radius,group\n0.08,0.05,0,0.02,0,0,0.005,thrown\n0.0905,0.05,0,0,0,0,0.005,waiting\n' >list.csv
+for w in 50 0.05
+do
+    solids "contact { normal jkr; tangential none; } groups { thrown { gravity no; } waiting { gravity no; } }
+pairs { default { restitution 0.5; workOfAdhesion $w; stiffness 1e4; } }"
+    control "endTime 0.3; $plain"
+    fill 'list { set solids; source csv; file "list.csv"; material glass; }'
+    riprapFoam -dry-run >log 2>&1
+    says "jkrDryRun$w" "glass-glass: E\\* 5.33333e\\+06 Pa, workOfAdhesion $w J/m2, restitution 0.5 .*not used *\\(stiffness\\) of pairs"
+    riprapFoam >log 2>&1 && pass "jkr$w" || fail "jkr$w" "$(grep -m1 -A3 ERROR log)"
+    if [[ $w == 50 ]]
+    then column jkrSticks motion thrownUx 0.0099 0.0101; column jkrBoth motion waitingUx 0.0099 0.0101
+    else column jkrRebounds motion thrownUx 0.0045 0.0055; column jkrBoth motion waitingUx 0.0145 0.0155
+    fi
+    rm -rf 0.* postProcessing
+done
 tank2; solids ''; control ''
 
 # Wrong regions
@@ -383,7 +403,7 @@ properties_ pairTwice 'this pair is there twice' "materials { glass { rho 1; E 1
 pairs { glass-steel { restitution 1; friction 0; } steel-glass { restitution 1; friction 0; } }"
 properties_ friction 'Entry friction is -1' "$m $w pairs { default { restitution 1; friction -1; } }"
 properties_ restitution 'Entry restitution is 2: it must be from' "$m $w pairs { default { restitution 2; friction 0; } }"
-properties_ normal 'normal has the unknown word soft; valid are .*linear incremental cellSpring hertz' "$m $p $w contact { normal soft; }"
+properties_ normal 'normal has the unknown word soft; valid are .*linear incremental cellSpring hertz jkr' "$m $p $w contact { normal soft; }"
 properties_ tangential 'tangential has the unknown word all; valid are .*none history oneStep' "$m $p $w contact { tangential all; }"
 properties_ rolling 'rolling has the unknown word all; valid are .*none constantTorque spring' "$m $p $w contact { rolling all; }"
 properties_ rollingSlides 'rolling friction needs friction' "$m $w contact { tangential none; rolling spring; } pairs { default { restitution 1; rollingFriction 0.1; } }"

@@ -342,12 +342,12 @@ TEST(ContactLaws, OneStepSpring)
     ContactGeometry<2, double> g{};
     g.slip.c[0] = 0.01;
     g.dt = 1e-4;
-    NormalForce<double> fn{1000, 1000, 1e5, 20};
+    NormalForce<double> fn{1000, 1000, 1e5, 20, 1000};
     const double kappa = 1/(2*1.3);
     const double expected = kappa*1e5*0.01*1e-4 + std::sqrt(kappa)*20*0.01;
     for (int k = 0; k < 3; ++k)
         EXPECT_NEAR((OneStepSpring::force<2, double>(q, g, fn, nullptr).c[0]), expected, 1e-14);
-    fn.force = 0.01;
+    fn.force = fn.load = 0.01;
     EXPECT_NEAR((OneStepSpring::force<2, double>(q, g, fn, nullptr).c[0]), 0.5*0.01, 1e-15);
 }
 
@@ -357,7 +357,7 @@ TEST(ContactLaws, HistoryTurnsWithTheContact)
     const auto p = HistorySpring::make([] { PairProperties q; q.friction = 1e9; q.stiffnessRatio = 1; return q; }());
     ContactGeometry<3, double> g{};
     g.dt = g.since = 1e-3;
-    NormalForce<double> fn{1, 1, 1, 0};
+    NormalForce<double> fn{1, 1, 1, 0, 1};
     double h[3] = {0, 0.002, 0};
     for (int k = 0; k <= 100; ++k)
     {
@@ -393,7 +393,8 @@ void storesNoMoreThanIsPutIn(PairProperties q, double stiffness)
             const double speed = std::pow(10.0, 6*random() - 2);
             for (int c = 0; c < spins<D>; ++c) g.slip.c[c] = D == 3 && c == 0 ? 0 : speed*random();
         }
-        const NormalForce<double> fn{1 + random(), 1 + random(), stiffness, 300};
+        const double load = 1 + random();
+        const NormalForce<double> fn{load, 1 + random(), stiffness, 300, load};
         const auto f = Tangential::template force<D, double>(p.tangential, g, fn, h);
         const double now = Tangential::template energy<D, double>(p.tangential, fn, h);
         const double work = g.dt*dot(f, g.slip);
@@ -423,7 +424,7 @@ TEST(ContactLaws, RollingFriction)
     g.reducedMass = 0.02;
     g.roll = Spin<3, double>{{0, -3, 0}};
     g.dt = g.since = 1e-5;
-    const NormalForce<double> fn{5, 5, 1e4, 0};
+    const NormalForce<double> fn{5, 5, 1e4, 0, 5};
     const double limit = 0.2*0.01*5;
     EXPECT_NEAR((ConstantTorque::moment<3, double>(ConstantTorque::make(q), g, fn, nullptr).c[1]), -limit, 1e-15);
     g.roll = Spin<3, double>{{0, -1e-9, 0}};

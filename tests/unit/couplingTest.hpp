@@ -30,8 +30,8 @@ protected:
         s.config.domainMin = c.domainMin;
         s.config.domainMax = c.domainMax;
         for (int d = 0; d < 3; ++d) s.config.periodic[d] = c.periodic[d];
-        s.config.normal = NormalKind::linear;
-        s.config.tangential = TangentialKind::none;
+        s.config.normal = "linear";
+        s.config.tangential = "none";
         s.config.integrator = DemIntegratorKind::velocityVerlet;
         s.config.stepFraction = 0.3;
         DemInput& in = s.input;

@@ -69,7 +69,7 @@ TEST(DemClumpPlan, StepOfAFace)
     {
         DemConfig c;
         c.dimensions = D;
-        c.normal = NormalKind::linear;
+        c.normal = "linear";
         c = openBox(c);
         DemInput in = drop(D, Shape::flat, 0.5).in;
         const double n = D == 3 ? 14*14 : 20;
@@ -131,7 +131,7 @@ TEST_P(DemClumpImpact, Restitution)
 TEST(DemClumpPlan, WarnsOfSoftContacts)
 {
     DemConfig c;
-    c.normal = NormalKind::linear;
+    c.normal = "linear";
     c.dimensions = 2;
     c = openBox(c);
     const Drop ball = drop(2, Shape::ball, 0.4);

@@ -78,12 +78,12 @@ TEST_P(DemEconomy, NoFrictionNoHistory)
         DemInput in = rows(D);
         in.pairs[0].properties.friction = 0.5;
         const std::size_t smooth = lists(counts(c, in));
-        c.tangential = TangentialKind::oneStep;
+        c.tangential = "oneStep";
         EXPECT_EQ(lists(counts(c, in)), smooth);
-        c.tangential = TangentialKind::history;
+        c.tangential = "history";
         const std::size_t spring = lists(counts(c, in));
         EXPECT_GT(spring, smooth);
-        c.rolling = RollingKind::spring;
+        c.rolling = "spring";
         in.pairs[0].properties.rollingFriction = 0.1;
         if (D == 3) { EXPECT_GT(lists(counts(c, in)), spring); }
     }

@@ -37,8 +37,8 @@ DemInput heap(DemConfig& c)
     c.domainMax = Vector3{{0.5, 0.5, 0.5}};
     c.periodic[2] = true;
     c.gravity = Vector3{{0, -9.81, 0}};
-    c.tangential = TangentialKind::history;
-    c.rolling = RollingKind::spring;
+    c.tangential = "history";
+    c.rolling = "spring";
     c.stepFraction = 0.1;
     c.skin = 0.1;
     DemInput in = oneMaterial();

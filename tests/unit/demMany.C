@@ -119,8 +119,8 @@ TEST_P(DemMany, MomentumAndEnergy)
             DemInput in = cloud(200, D, 0.03, 0.03, 5, 0.5);
             if (rough)
             {
-                c.tangential = TangentialKind::history;
-                c.rolling = RollingKind::spring;
+                c.tangential = "history";
+                c.rolling = "spring";
                 in.pairs[0].properties.friction = 0.5;
                 in.pairs[0].properties.restitution = 0.6;
                 in.pairs[0].properties.rollingFriction = 0.1;
@@ -148,9 +148,9 @@ TEST_P(DemMany, MomentumAndEnergy)
 DemInput everything(DemConfig& c, int D)
 {
     c.gravity = Vector3{{0, -9.81, 0}};
-    c.normal = NormalKind::hertz;
-    c.tangential = TangentialKind::history;
-    c.rolling = RollingKind::spring;
+    c.normal = "hertz";
+    c.tangential = "history";
+    c.rolling = "spring";
     c.orientation = true;
     DemInput in = cloud(120, D, 0.02, 0.04, 3, 0.3);
     in.materials[0].young = 1e6;
@@ -293,7 +293,7 @@ DemInput asWritten(DemScene& scene, const DemInput& from)
 TEST_P(DemMany, RestartWithoutThoseThatLeftIsExact)
 {
     DemConfig c = config(3);
-    c.tangential = TangentialKind::history;
+    c.tangential = "history";
     c.stepFraction = 0.1;
     c.orientation = true;
     DemInput in = oneMaterial();
@@ -428,7 +428,7 @@ TEST_P(DemMany, ThreadsDoNotMatter)
 {
     if (GetParam().device == DeviceKind::gpu) GTEST_SKIP() << "threads are the CPU's";
     DemConfig c = config(3);
-    c.tangential = TangentialKind::history;
+    c.tangential = "history";
     for (int d = 0; d < 3; ++d) c.periodic[d] = true;
     DemInput in = cloud(9000, 3, 0.022, 0.022, 9, 0.5);
     in.pairs[0].properties.friction = 0.5;

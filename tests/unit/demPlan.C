@@ -17,7 +17,7 @@ using DemPlanned = DemTest;
 TEST(DemPlan, LimitsOfSprings)
 {
     DemConfig c;
-    c.normal = NormalKind::linear;
+    c.normal = "linear";
     DemInput in = oneMaterial(4e4);
     addParticle(in, {{0.5, 0.5, 0.5}}, {{0, 0, 0}}, 0.01, 0.04);
     addParticle(in, {{0.2, 0.5, 0.5}}, {{0, 0, 0}}, 0.01, 0.01);
@@ -45,7 +45,7 @@ TEST(DemPlan, LimitsOfSprings)
     }
 
     // paper 2: k = m g/(theta dx), Eq. 18 with gamma = 150 as a fraction
-    c.normal = NormalKind::cellSpring;
+    c.normal = "cellSpring";
     PairProperties& q = in.pairs[0].properties;
     q.theta = 0.01;
     q.cellSize = 5e-4;
@@ -76,8 +76,8 @@ TEST(DemPlan, PackedParticles)
     EXPECT_NEAR(packingLimit(packed), 2/std::sqrt(6.0), 1e-9);
 
     DemConfig c;
-    c.normal = NormalKind::linear;
-    c.tangential = TangentialKind::history;
+    c.normal = "linear";
+    c.tangential = "history";
     DemInput in = oneMaterial(4e4);
     PairProperties& q = in.pairs[0].properties;
     q.friction = 0.5;
@@ -115,7 +115,7 @@ TEST(DemPlan, PackedParticles)
 TEST(DemPlan, RayleighTime)
 {
     DemConfig c;
-    c.normal = NormalKind::hertz;
+    c.normal = "hertz";
     DemInput in = oneMaterial();
     addParticle(in, {{0.5, 0.5, 0.5}}, {{0, 0, 0}}, 0.005, 2500*4.0/3*pi*std::pow(0.005, 3));
     const DemPlan p = planDemScene(c, in);
@@ -192,7 +192,7 @@ TEST_P(DemPlanned, AxesOfThePlane)
     DemConfig c = config(2);
     c.axes[1] = 2;
     c.axes[2] = 1;
-    c.tangential = TangentialKind::history;
+    c.tangential = "history";
     c.gravity = Vector3{{0, 0, -9.81}};
     DemInput in = oneMaterial();
     in.pairs[0].properties.friction = 0.5;

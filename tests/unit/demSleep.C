@@ -18,7 +18,7 @@ constexpr double radius = 0.01, gravity = 9.81;
 DemInput pit(DemConfig& c, int side, int layers)
 {
     c.gravity = Vector3{{0, 0, -gravity}};
-    c.tangential = TangentialKind::history;
+    c.tangential = "history";
     c.stepFraction = 0.03;          // so many contacts with strong dashpots: at longer steps spins swing from half step to half step
     c.sleepAfter = 0.01;
     DemInput in = oneMaterial();

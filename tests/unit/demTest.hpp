@@ -39,8 +39,8 @@ protected:
         c.precision = GetParam().precision;
         c.domainMin = Vector3{{-0.5, -0.5, -0.5}};
         c.domainMax = Vector3{{0.5, 0.5, 0.5}};
-        c.normal = NormalKind::linear;
-        c.tangential = TangentialKind::none;
+        c.normal = "linear";
+        c.tangential = "none";
         c.stepFraction = 0.02;
         return c;
     }

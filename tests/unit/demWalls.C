@@ -45,9 +45,9 @@ TEST_P(DemWalls, TrianglesFeelAsAPlane)
             for (const double tilt : {0.1, 0.5})
             {
                 DemConfig c = config(D);
-                c.normal = NormalKind::hertz;
-                c.tangential = TangentialKind::history;
-                c.rolling = RollingKind::spring;
+                c.normal = "hertz";
+                c.tangential = "history";
+                c.rolling = "spring";
                 c.stepFraction = 0.1;
                 c.gravity = Vector3{{9.81*std::sin(tilt), -9.81*std::cos(tilt), D == 3 ? 0.5 : 0}};
                 DemInput in = oneMaterial();
@@ -88,8 +88,8 @@ TEST_P(DemWalls, SurfacesCrossPeriodicSides)
             c.periodic[2] = D == 3;
             c.domainMin = Vector3{{-0.45, -0.5, -0.45}};
             c.domainMax = Vector3{{0.45, 0.5, 0.45}};
-            c.normal = NormalKind::hertz;
-            c.tangential = TangentialKind::history;
+            c.normal = "hertz";
+            c.tangential = "history";
             c.stepFraction = 0.1;
             c.gravity = Vector3{{0, -9.81, 0}};
             DemInput in = oneMaterial();
@@ -178,7 +178,7 @@ TEST_P(DemWalls, MovingWalls)
 {
     DemConfig c = config(3);
     c.gravity = Vector3{{0, -9.81, 0}};
-    c.tangential = TangentialKind::history;
+    c.tangential = "history";
     DemInput in = oneMaterial();
     in.pairs[0].properties.friction = 0.5;
     in.pairs[0].properties.restitution = 0.2;
@@ -429,7 +429,7 @@ TEST_P(DemWalls, ClumpOfOneIsASphere)
     {
         DemConfig c = config(3);
         c.gravity = Vector3{{1, -9.81, 0}};
-        c.tangential = TangentialKind::history;
+        c.tangential = "history";
         c.timeStep = 2e-5;
         DemInput in = oneMaterial();
         in.pairs[0].properties.friction = 0.3;
@@ -466,7 +466,7 @@ TEST_P(DemWalls, ClumpRests)
     {
         DemConfig c = config(D);
         c.gravity = Vector3{{0, -9.81, 0}};
-        c.tangential = TangentialKind::history;
+        c.tangential = "history";
         c.timeStep = 2e-5;
         DemInput in = dumbbell({{1e-5, 2e-5, 2e-5}}, {{0, 0, 0}});
         in.clumps[0].velocity = Vector3{{0, 0, 0}};

@@ -26,13 +26,16 @@ struct Body
 
 struct ImpactResult
 {
-    double duration = 0, maxOverlap = 0, maxForce = 0, highestEnergy = 0;
+    double duration = 0, maxOverlap = 0, maxForce = 0, highestEnergy = 0, stiffest = 0;
 };
 
-//- Until the bodies part. Energy: kinetic, with the spring's at whole steps (leapfrog's velocities averaged)
+//- Until the bodies part, where a law reaches beyond the surfaces no sooner than that. Energy: kinetic, with the spring's at whole steps (leapfrog's velocities averaged)
 template<class Law, int D>
-ImpactResult collide(Body<D>& a, Body<D>& b, const PairProperties& properties, double dt, double longest = 1)
+ImpactResult collide(Body<D>& a, Body<D>& b, PairProperties properties, double dt, double longest = 1)
 {
+    using Normal = typename Law::NormalLaw;
+    properties.largestRadius = std::max(a.radius, b.radius);
+    const double reach = Normal::reach(properties, properties.largestRadius), gap = properties.gap + reach;
     const auto p = Law::template make<double>(properties);
     constexpr int size = Law::template history<D>;
     double h[size + 1] = {};
@@ -43,14 +46,14 @@ ImpactResult collide(Body<D>& a, Body<D>& b, const PairProperties& properties, d
         b.x = b.x + dt*b.v;
         const Vec<D, double> line = b.x - a.x;
         const double d = std::sqrt(squaredNorm(line));
-        if (a.radius + b.radius + properties.gap <= d)
+        if (a.radius + b.radius + gap <= d)
         {
             if (r.duration > 0) return r;
             continue;
         }
         double armA, armB;
         const ContactBody<D, double> ca{a.v, a.w, a.radius, a.mass}, cb{b.v, b.w, b.radius, b.mass};
-        const auto g = pairGeometry<D, double>(ca, cb, (1/d)*line, d, properties.gap, dt, armA, armB);
+        const auto g = pairGeometry<D, double>(ca, cb, (1/d)*line, d, gap, dt, armA, armB);
         NormalForce<double> fn;
         const auto f = Law::template evaluate<D, double>(p, g, armA, armB, h, fn);
         const double before = a.kinetic() + b.kinetic();
@@ -61,9 +64,10 @@ ImpactResult collide(Body<D>& a, Body<D>& b, const PairProperties& properties, d
         const double stored = Law::template energy<D, double>(p, g, fn, h);
         r.highestEnergy = std::max(r.highestEnergy, 0.5*(before + a.kinetic() + b.kinetic()) + stored);
         r.duration += dt;
-        r.maxOverlap = std::max(r.maxOverlap, g.overlap);
+        r.maxOverlap = std::max(r.maxOverlap, g.overlap - reach);
+        r.stiffest = std::max(r.stiffest, fn.stiffness);
         r.maxForce = std::max(r.maxForce, fn.force);
-        if (fn.force <= 0 && g.approach < 0 && !properties.attraction) return r;
+        if (Normal::reaches ? !Normal::acts(h) && g.approach < 0 : fn.force <= 0 && g.approach < 0 && !properties.attraction) return r;
     }
     return r;
 }

@@ -23,8 +23,8 @@ protected:
         s->weak = weak;
         s->config.domainMin = c.domainMin;
         s->config.domainMax = c.domainMax;
-        s->config.normal = NormalKind::linear;
-        s->config.tangential = TangentialKind::history;
+        s->config.normal = "linear";
+        s->config.tangential = "history";
         s->input.materials.resize(1);
         s->input.pairs.resize(1);
         s->input.pairs[0].properties.normalStiffness = 1e6;

@@ -10,7 +10,9 @@ Description
 #include "bodyLog.H"
 #include "listed.H"
 #include "logPrecision.H"
+#include "modelReader.H"
 #include "moduleLog.H"
+#include "scene/demLaws.hpp"
 #include "scene/sphScene.hpp"
 #include "sphNames.H"
 
@@ -22,8 +24,9 @@ Foam::wordList Foam::solverModules::dem::modelsOff() const
     using namespace riprap;
 
     DynamicList<word> off;
-    if (c.tangential == TangentialKind::none) off.append("tangential");
-    if (c.rolling == RollingKind::none) off.append("rolling");
+    const LawChoice laws(lawChoice(c));
+    if (tangentialLaws()[laws.tangential].off) off.append("tangential");
+    if (rollingLaws()[laws.rolling].off) off.append("rolling");
     if (input_.bonds.size() == 0) off.append("bonds");
     if (input_.clumps.empty()) off.append("clumps");
     if (input_.walls.empty()) off.append("walls");
@@ -38,45 +41,39 @@ Foam::wordList Foam::solverModules::dem::modelsOff() const
 void Foam::solverModules::dem::logPairs() const
 {
     const riprap::DemConfig& c = settings_.config;
+    const riprap::LawChoice laws(riprap::lawChoice(c));
     const wordList names(settings_.materialNames());
 
     for (const riprap::DemPair& pair : input_.pairs)
     {
         const riprap::PairProperties& p = pair.properties;
-        logItem("pair") << names[pair.a] << '-' << names[pair.b] << ": ";
-        switch (c.normal)
+        logItem("pair") << names[pair.a] << '-' << names[pair.b] << ':';
+        const char* separator = " ";
+        if (riprap::normalNeeds(laws).elasticConstants)
         {
-            case riprap::NormalKind::cellSpring:
-                Info<< "theta " << p.theta << ", alpha " << p.alpha
-                    << ", cellSize " << p.cellSize << " m";
-                break;
+            Info<< separator << "E* " << p.effectiveYoung() << " Pa";
+            separator = ", ";
+        }
 
-            case riprap::NormalKind::hertz:
-                Info<< "E* " << p.effectiveYoung() << " Pa, restitution "
-                    << p.restitution;
-                break;
-
-            default:
-                Info<< "stiffness " << p.normalStiffness << " N/m"
-                    << (c.dimensions == 2 ? " per metre" : "")
-                    << ", restitution " << p.restitution;
-        }
-        if (c.tangential != riprap::TangentialKind::none)
+        // Numbers first that are always there
+        const auto print = [&](bool always, bool yesNo)
         {
-            Info<< ", friction " << p.friction;
-        }
-        if (c.rolling != riprap::RollingKind::none)
-        {
-            Info<< ", rollingFriction " << p.rollingFriction;
-        }
-        if (p.gap > 0)
-        {
-            Info<< ", gap " << p.gap << " m";
-        }
-        if (p.attraction)
-        {
-            Info<< ", attraction";
-        }
+            for (const riprap::PairEntry& e : riprap::lawEntries(laws))
+            {
+                const bool now =
+                    bool(e.yesNo) == yesNo
+                 && (e.shown == riprap::Shown::always) == always;
+                if (now && isShown(e, p))
+                {
+                    Info<< separator;
+                    printEntry(Info(), e, p, c.dimensions == 2);
+                    separator = ", ";
+                }
+            }
+        };
+        print(true, false);
+        print(false, false);
+        print(false, true);
         Info<< nl;
     }
 }
@@ -195,9 +192,9 @@ void Foam::solverModules::dem::logModels() const
     logItem("device") << scene_->deviceName().c_str() << " ("
         << choice.reason.c_str() << ')' << nl;
     logItem("precision") << sphNames::precision[c.precision] << nl;
-    logItem("contact") << "normal " << demNames::normal[c.normal]
-        << ", tangential " << demNames::tangential[c.tangential]
-        << ", rolling " << demNames::rolling[c.rolling];
+    logItem("contact") << "normal " << c.normal.c_str()
+        << ", tangential " << c.tangential.c_str()
+        << ", rolling " << c.rolling.c_str();
     if (input_.bonds.size())
     {
         Info<< ", within bonds: " << (c.contactWithinBonds ? "yes" : "no");

@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
+#include "scene/demLaws.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -31,15 +32,15 @@ void Foam::solverModules::dem::checkOverlaps()
     }
     overlapTold_ = true;
 
-    // An impact's overlap goes with k^-1/2, or E^-2/5
-    const bool hertz = settings_.config.normal == riprap::NormalKind::hertz;
-    const scalar exactly = pow(deepest/0.01, hertz ? 2.5 : 2);
+    const riprap::NormalNeeds law =
+        riprap::normalNeeds(riprap::lawChoice(settings_.config));
+    const scalar exactly = pow(deepest/0.01, law.stiffening);
     const scalar digit = pow(10.0, floor(log10(exactly)) - 1);
     const scalar stiffer = digit*round(exactly/digit);      // two digits
     Info<< "Warning: at time " << report_.time << " s bodies overlap by "
         << 100*deepest << " % of a diameter, above " << 100*large
         << " %: contacts are soft for these speeds and loads. "
-        << (hertz ? "E" : "A stiffness") << " about " << stiffer
+        << law.stiffenedBy << " about " << stiffer
         << " times as large would keep it to 1 %; with overlaps of half a"
         << " diameter bodies pass each other and walls. Said once" << endl;
 }

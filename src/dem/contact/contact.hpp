@@ -1,6 +1,6 @@
 /*  A contact law is Contact<Normal, Tangential, Rolling>; its history is theirs, one after the other.
 
-    A new law is one header beside its like: Parameters<T> (reals only), make(PairProperties), history, and its force.
+    A new law is one header beside its like: its card (card.hpp), Parameters<T> (reals only), make(PairProperties), history, and its force.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,6 +24,10 @@ struct ContactBody
 template<class Normal, class Tangential, class Rolling>
 struct Contact
 {
+    using NormalLaw = Normal;
+    using TangentialLaw = Tangential;
+    using RollingLaw = Rolling;
+
     template<int D> static constexpr int tangentialAt = Normal::history;
     template<int D> static constexpr int rollingAt = Normal::history + Tangential::template history<D>;
     template<int D> static constexpr int history = rollingAt<D> + Rolling::template history<D>;

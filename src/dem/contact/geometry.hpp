@@ -43,6 +43,7 @@ struct NormalForce
     T elastic;                  // f_n without its dashpot [N]
     T stiffness;                // df_n/d(delta) [N/m]
     T damping;                  // of the dashpot [N s/m]
+    T load;                     // by which friction and rolling are limited: f_n, and what adhesion adds to it [N]
 };
 
 //- Forces and moments of a contact on A (force) and B (-force)

@@ -4,6 +4,9 @@
 */
 #pragma once
 
+#include <map>
+#include <string>
+#include "core/models.hpp"
 #include "dem/contact/restitution.hpp"
 
 namespace riprap
@@ -11,9 +14,10 @@ namespace riprap
 
 struct PairProperties
 {
-    // The two materials
+    // The two materials, and the largest radius of any particle [m]
     double youngA = 0, youngB = 0;          // E [Pa]
     double poissonA = 0.25, poissonB = 0.25;
+    double largestRadius = 0;
 
     // Normal
     double normalStiffness = 0;             // k of the linear springs [N/m] (2D: [N/m2])
@@ -32,9 +36,19 @@ struct PairProperties
     double rollingFriction = 0;             // mu_r
     double rollingDamping = 0;              // fraction of critical, elastic-plastic model
 
+    //- Numbers of laws that need others than these, by the names of their entries
+    std::map<std::string, double> more;
+
     //- E* of Hertz
     double effectiveYoung() const
     { return 1/((1 - poissonA*poissonA)/youngA + (1 - poissonB*poissonB)/youngB); }
+
+    //- k_t/k_n of two spheres of one material pressed together (Mindlin 1949)
+    double ratioByPoisson() const
+    {
+        const double nu = 0.5*(poissonA + poissonB);
+        return (1 - nu)/(1 - 0.5*nu);
+    }
 
     //- G* of Mindlin: 1/G* = (2 - nu_A)/G_A + (2 - nu_B)/G_B, G = E/(2(1 + nu))
     double effectiveShear() const
@@ -43,5 +57,7 @@ struct PairProperties
         return 1/(compliance(youngA, poissonA) + compliance(youngB, poissonB));
     }
 };
+
+using PairEntry = ModelEntry<PairProperties>;
 
 } // namespace riprap

@@ -9,22 +9,49 @@
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
-#include "dem/contact/pairProperties.hpp"
+#include <sstream>
+#include "dem/contact/card.hpp"
 
 namespace riprap
 {
 
-struct CellSpring
+struct CellSpring : SpringNormal
 {
+    static constexpr const char* word = "cellSpring";
+    static constexpr const char* text = "spring in which a body at rest sinks in by theta of a cell";
+    static constexpr PairEntry entries[] =
+    {
+        PairEntry("theta", "", "theta", &PairProperties::theta).byDefault(0.01).like(0.01),
+        PairEntry("alpha", "", "alpha", &PairProperties::alpha).in(Range::zeroOrPositive).byDefault(0).like(0.3).losslessAt(0),
+        PairEntry("cellSize", "m", "cellSize", &PairProperties::cellSize).like(5e-4),
+        pairEntry::attraction, pairEntry::gap
+    };
+    static constexpr bool gravity = true, stiffnessByMass = true;
     static constexpr int history = 0;
+
+    static double stiffnessOf(const PairProperties& p, double mass) { return mass*p.gravity/(p.theta*p.cellSize); }
+    static double stiffness(const PairProperties& p, const Impact& b) { return stiffnessOf(p, b.mass); }
+    static NormalDashpot dashpotOf(const PairProperties& p) { return {0, 2*p.alpha}; }
+
+    //- An impact at speed v sinks in by v sqrt(m/k), and the gap is all there is
+    static std::string warning(const PairProperties& p, double fall)
+    {
+        const double eats = p.gap*std::sqrt(stiffnessOf(p, 1));
+        if (!(p.gap > 0) || fall <= eats) return "";
+        std::ostringstream s;
+        s.precision(4);
+        s << "solids that meet at " << eats << " m/s go through the whole gap of " << p.gap
+          << " m, and in this domain they can fall to " << fall << " m/s; theta = "
+          << p.gap*p.gap*p.gravity/(fall*fall*p.cellSize) << " would hold";
+        return s.str();
+    }
 
     template<class T>
     struct Parameters { T kPerMass, twoAlpha, floor; };
 
     static Parameters<double> make(const PairProperties& p)
     {
-        return {p.gravity/(p.theta*p.cellSize), 2*p.alpha, p.attraction ? -1e30 : 0.0};
+        return {stiffnessOf(p, 1), 2*p.alpha, p.attraction ? -1e30 : 0.0};
     }
 
     template<int D, class T>
@@ -35,6 +62,7 @@ struct CellSpring
         f.damping = p.twoAlpha*squareRoot(g.meanMass*f.stiffness);
         f.elastic = f.stiffness*g.overlap;
         f.force = maximum(f.elastic + f.damping*g.approach, p.floor);
+        f.load = f.force;
         return f;
     }
 

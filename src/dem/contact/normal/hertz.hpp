@@ -9,14 +9,17 @@
 */
 #pragma once
 
+#include "dem/contact/card.hpp"
 #include "dem/contact/normal/dashpot.hpp"
-#include "dem/contact/pairProperties.hpp"
 
 namespace riprap
 {
 
-struct Hertz
+struct Hertz : ElasticNormal
 {
+    static constexpr const char* word = "hertz";
+    static constexpr const char* text = "elastic spheres of Hertz, with a dashpot whose restitution does not depend on the speed";
+    static constexpr PairEntry entries[] = {pairEntry::restitution, pairEntry::attraction, pairEntry::gap};
     static constexpr int history = 0;
 
     template<class T>
@@ -27,14 +30,29 @@ struct Hertz
         return {p.effectiveYoung(), 2*hertzDampingRatio(p.restitution, p.attraction), p.attraction ? -1e30 : 0.0};
     }
 
+    //- df/d(delta) of the spring
+    template<class T>
+    HD static T slope(const T& E, const T& R, const T& overlap) { return T(2.0f)*E*squareRoot(R*overlap); }
+
+    //- Depth of an impact (Johnson 1985, section 11.4)
+    static double impactOverlap(double E, const Impact& b) { return std::pow(15*b.mass*b.speed*b.speed/(16*E*std::sqrt(b.radius)), 0.4); }
+
+    //- Two equal ones meet at twice the speed: m*/2, R*/2; against a wall the same overlap ensues within 15 %
+    static double stiffness(const PairProperties& p, const Impact& b)
+    {
+        const double E = p.effectiveYoung();
+        return slope(E, b.radius, impactOverlap(E, b));
+    }
+
     template<int D, class T>
     HD static NormalForce<T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, T*)
     {
         NormalForce<T> f;
-        f.stiffness = T(2.0f)*p.E*squareRoot(g.reducedRadius*g.overlap);
+        f.stiffness = slope(p.E, g.reducedRadius, g.overlap);
         f.damping = dashpot(p.twoZeta, f.stiffness, g);
         f.elastic = T(2.0/3.0)*f.stiffness*g.overlap;
         f.force = maximum(f.elastic + f.damping*dashpotApproach(g), p.floor);
+        f.load = f.force;
         return f;
     }
 

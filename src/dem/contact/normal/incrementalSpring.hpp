@@ -8,14 +8,21 @@
 */
 #pragma once
 
+#include "dem/contact/card.hpp"
 #include "dem/contact/normal/dashpot.hpp"
-#include "dem/contact/pairProperties.hpp"
 
 namespace riprap
 {
 
-struct IncrementalSpring
+struct IncrementalSpring : SpringNormal
 {
+    static constexpr const char* word = "incremental";
+    static constexpr const char* text = "spring by increments: an overlap that was there before gives no force";
+    static constexpr PairEntry entries[] =
+    {
+        PairEntry("stiffness", "N/m", "normal stiffness", &PairProperties::normalStiffness).perMetre().orCalibration().like(1e5),
+        pairEntry::restitution, pairEntry::attraction, pairEntry::gap
+    };
     static constexpr int history = 1;
 
     template<class T>
@@ -26,6 +33,9 @@ struct IncrementalSpring
         return {p.normalStiffness, 2*linearDampingRatio(p.restitution, p.attraction), p.attraction ? -1e30 : 0.0};
     }
 
+    static double stiffness(const PairProperties& p, const Impact&) { return p.normalStiffness; }
+    static NormalDashpot dashpotOf(const PairProperties& p) { return {make(p).twoZeta, 0}; }
+
     template<int D, class T>
     HD static NormalForce<T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, T* h)
     {
@@ -35,6 +45,7 @@ struct IncrementalSpring
         f.damping = dashpot(p.twoZeta, f.stiffness, g);
         f.elastic = h[0];
         f.force = maximum(f.elastic + f.damping*dashpotApproach(g), p.floor);
+        f.load = f.force;
         return f;
     }
 

@@ -9,14 +9,21 @@
 */
 #pragma once
 
+#include "dem/contact/card.hpp"
 #include "dem/contact/normal/dashpot.hpp"
-#include "dem/contact/pairProperties.hpp"
 
 namespace riprap
 {
 
-struct LinearSpring
+struct LinearSpring : SpringNormal
 {
+    static constexpr const char* word = "linear";
+    static constexpr const char* text = "spring and dashpot by overlap";
+    static constexpr PairEntry entries[] =
+    {
+        PairEntry("stiffness", "N/m", "normal stiffness", &PairProperties::normalStiffness).perMetre().orCalibration().like(1e5),
+        pairEntry::restitution, pairEntry::attraction, pairEntry::gap
+    };
     static constexpr int history = 0;
 
     template<class T>
@@ -27,6 +34,9 @@ struct LinearSpring
         return {p.normalStiffness, 2*linearDampingRatio(p.restitution, p.attraction), p.attraction ? -1e30 : 0.0};
     }
 
+    static double stiffness(const PairProperties& p, const Impact&) { return p.normalStiffness; }
+    static NormalDashpot dashpotOf(const PairProperties& p) { return {make(p).twoZeta, 0}; }
+
     template<int D, class T>
     HD static NormalForce<T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, T*)
     {
@@ -35,6 +45,7 @@ struct LinearSpring
         f.damping = dashpot(p.twoZeta, f.stiffness, g);
         f.elastic = p.k*g.overlap;
         f.force = maximum(f.elastic + f.damping*dashpotApproach(g), p.floor);
+        f.load = f.force;
         return f;
     }
 

@@ -9,14 +9,16 @@
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
-#include "dem/contact/pairProperties.hpp"
+#include "dem/contact/card.hpp"
 
 namespace riprap
 {
 
-struct ConstantTorque
+struct ConstantTorque : RollingCard
 {
+    static constexpr const char* word = "constantTorque";
+    static constexpr const char* text = "torque of constant size against rolling";
+    static constexpr PairEntry entries[] = {pairEntry::rollingFriction};
     template<int D> static constexpr int history = 0;
 
     template<class T> struct Parameters { T mu; };
@@ -27,7 +29,7 @@ struct ConstantTorque
     HD static Spin<D, T> moment(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T*)
     {
         const T speed = squareRoot(maximum(squaredNorm(g.roll), T(1e-36f)));
-        const T torque = p.mu*g.reducedRadius*maximum(fn.force, T(0.0f))/speed;
+        const T torque = p.mu*g.reducedRadius*maximum(fn.load, T(0.0f))/speed;
         const T stop = g.reducedMass*g.reducedRadius*g.reducedRadius/g.dt;
         return minimum(torque, stop)*g.roll;
     }

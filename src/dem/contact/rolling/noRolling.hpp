@@ -4,14 +4,18 @@
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
-#include "dem/contact/pairProperties.hpp"
+#include "dem/contact/card.hpp"
 
 namespace riprap
 {
 
-struct NoRolling
+struct NoRolling : RollingCard
 {
+    static constexpr const char* word = "none";
+    static constexpr const char* text = "no rolling friction";
+    static constexpr NoEntries<PairEntry> entries{};
+    static constexpr bool off = true;
+    template<class Tangential> static constexpr bool goesWith = true;
     template<int D> static constexpr int history = 0;
 
     template<class T> struct Parameters { T unused; };

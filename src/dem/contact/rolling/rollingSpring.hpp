@@ -10,14 +10,22 @@
 */
 #pragma once
 
-#include "dem/contact/geometry.hpp"
-#include "dem/contact/pairProperties.hpp"
+#include "dem/contact/card.hpp"
 
 namespace riprap
 {
 
-struct RollingSpring
+struct RollingSpring : RollingCard
 {
+    static constexpr const char* word = "spring";
+    static constexpr const char* text = "elastic-plastic rolling spring and dashpot";
+    static constexpr PairEntry entries[] =
+    {
+        pairEntry::rollingFriction,
+        PairEntry("rollingDamping", "", "rolling damping", &PairProperties::rollingDamping)
+            .in(Range::zeroOrPositive).byDefault(0).losslessAt(0).show(Shown::never)
+    };
+    static constexpr bool spring = true;
     template<int D> static constexpr int history = spins<D>;
 
     template<class T> struct Parameters { T mu, twoEta; };
@@ -32,7 +40,7 @@ struct RollingSpring
         Spin<D, T> m;
         for (int c = 0; c < spins<D>; ++c) m.c[c] = h[c];
         m = turned(g.n, m) + (k*g.since)*g.roll;
-        const T limit = arm*maximum(fn.force, T(0.0f));
+        const T limit = arm*maximum(fn.load, T(0.0f));
         const T share = minimum(T(1.0f), limit*inverseRoot(maximum(squaredNorm(m), T(1e-36f))));
         m = share*m;
         for (int c = 0; c < spins<D>; ++c) h[c] = m.c[c];

@@ -13,24 +13,30 @@
 */
 #pragma once
 
+#include "dem/contact/card.hpp"
 #include "dem/contact/tangential/coulomb.hpp"
-#include "dem/contact/pairProperties.hpp"
 
 namespace riprap
 {
 
-struct HistorySpring
+struct HistorySpring : TangentialCard
 {
+    static constexpr const char* word = "history";
+    static constexpr const char* text = "spring with memory, beside normal springs of constant stiffness";
+    static constexpr PairEntry entries[] = {pairEntry::friction, pairEntry::stiffnessRatio, pairEntry::tangentialDamping};
+    template<class Normal> static constexpr bool goesWith = Normal::constantStiffness;
     template<int D> static constexpr int history = spins<D>;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
 
     static Parameters<double> make(const PairProperties& p)
     {
-        const double nu = 0.5*(p.poissonA + p.poissonB);
-        const double kappa = p.stiffnessRatio >= 0 ? p.stiffnessRatio : (1 - nu)/(1 - 0.5*nu);
+        const double kappa = p.stiffnessRatio >= 0 ? p.stiffnessRatio : p.ratioByPoisson();
         return {kappa, p.tangentialDamping ? std::sqrt(kappa) : 0, p.friction};
     }
+
+    //- k_t/k_n
+    static double stiffnessRatio(const PairProperties& p) { return make(p).kappa; }
 
     template<int D, class T>
     HD static Tangent<D, T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T* h)
@@ -39,10 +45,10 @@ struct HistorySpring
         for (int c = 0; c < spins<D>; ++c) s.c[c] = h[c];
         const T k = p.kappa*fn.stiffness;
         s = turned(g.n, s) + g.since*g.slip;
-        s = coulombShare(k*k*squaredNorm(s), p.mu, fn.force)*s;
+        s = coulombShare(k*k*squaredNorm(s), p.mu, fn.load)*s;
         for (int c = 0; c < spins<D>; ++c) h[c] = s.c[c];
         const Tangent<D, T> f = k*s + (p.rootKappa*fn.damping)*g.slip;
-        return coulombShare(squaredNorm(f), p.mu, fn.force)*f;
+        return coulombShare(squaredNorm(f), p.mu, fn.load)*f;
     }
 
     template<int D, class T>

@@ -18,23 +18,32 @@
 */
 #pragma once
 
+#include "dem/contact/card.hpp"
 #include "dem/contact/tangential/coulomb.hpp"
-#include "dem/contact/pairProperties.hpp"
 
 namespace riprap
 {
 
-struct Mindlin
+struct Mindlin : TangentialCard
 {
+    static constexpr const char* word = "history";
+    static constexpr const char* text = "Mindlin's spring with memory, beside normal laws whose stiffness varies";
+    static constexpr PairEntry entries[] = {pairEntry::friction, pairEntry::stiffnessRatio, pairEntry::tangentialDamping};
+    template<class Normal> static constexpr bool goesWith = !Normal::constantStiffness;
     template<int D> static constexpr int history = spins<D>;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
 
     static Parameters<double> make(const PairProperties& p)
     {
-        const double kappa = p.stiffnessRatio >= 0 ? p.stiffnessRatio : 4*p.effectiveShear()/p.effectiveYoung();
+        // beside a law without elastic constants: as for spheres of one material
+        const double byMaterials = p.youngA > 0 && p.youngB > 0 ? 4*p.effectiveShear()/p.effectiveYoung() : p.ratioByPoisson();
+        const double kappa = p.stiffnessRatio >= 0 ? p.stiffnessRatio : byMaterials;
         return {kappa, p.tangentialDamping ? std::sqrt(kappa) : 0, p.friction};
     }
+
+    //- k_t/k_n
+    static double stiffnessRatio(const PairProperties& p) { return make(p).kappa; }
 
     template<int D, class T>
     HD static Tangent<D, T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T* h)
@@ -43,10 +52,10 @@ struct Mindlin
         Tangent<D, T> q;
         for (int c = 0; c < spins<D>; ++c) q.c[c] = h[c];
         q = turned(g.n, q) + (root*g.since)*g.slip;
-        q = coulombShare(root*root*squaredNorm(q), p.mu, fn.force)*q;
+        q = coulombShare(root*root*squaredNorm(q), p.mu, fn.load)*q;
         for (int c = 0; c < spins<D>; ++c) h[c] = q.c[c];
         const Tangent<D, T> f = root*q + (p.rootKappa*fn.damping)*g.slip;
-        return coulombShare(squaredNorm(f), p.mu, fn.force)*f;
+        return coulombShare(squaredNorm(f), p.mu, fn.load)*f;
     }
 
     template<int D, class T>

@@ -8,14 +8,18 @@
 */
 #pragma once
 
+#include "dem/contact/card.hpp"
 #include "dem/contact/tangential/coulomb.hpp"
-#include "dem/contact/pairProperties.hpp"
 
 namespace riprap
 {
 
-struct OneStepSpring
+struct OneStepSpring : TangentialCard
 {
+    static constexpr const char* word = "oneStep";
+    static constexpr const char* text = "spring that knows the last step only: it holds no load at rest";
+    static constexpr PairEntry entries[] = {pairEntry::friction, pairEntry::stiffnessRatio, pairEntry::tangentialDamping};
+    static constexpr bool spring = false;
     template<int D> static constexpr int history = 0;
 
     template<class T> struct Parameters { T kappa, rootKappa, mu; };
@@ -27,11 +31,14 @@ struct OneStepSpring
         return {kappa, p.tangentialDamping ? std::sqrt(kappa) : 0, p.friction};
     }
 
+    //- k_t/k_n
+    static double stiffnessRatio(const PairProperties& p) { return make(p).kappa; }
+
     template<int D, class T>
     HD static Tangent<D, T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T*)
     {
         const Tangent<D, T> f = (p.kappa*fn.stiffness*g.dt + p.rootKappa*fn.damping)*g.slip;
-        return coulombShare(squaredNorm(f), p.mu, fn.force)*f;
+        return coulombShare(squaredNorm(f), p.mu, fn.load)*f;
     }
 
     template<int D, class T>
