@@ -108,13 +108,15 @@ def check3D(folder, how, words):
         y, x = np.nonzero(water)
         tell(name + ', water is there', 0.05 < water.mean() < 0.6, f'{water.mean():.3f} of the picture')
         tell(name + ', on the left, where it stands', x.mean() < 0.45*water.shape[1], f'middle at {x.mean()/water.shape[1]:.2f}')
-        # its upper side is seen from above and lies within the tank; under it nothing but the floor's edge
-        low = scene(image)[:, :int(0.3*water.shape[1])]
-        drawn = np.nonzero((low.min(axis=2) < 0.97).any(axis=1))[0]
-        tell(name + ', water stands on the floor', y.max() > drawn.max() - 0.25*np.ptp(drawn), f'{y.max()} of {drawn.max()}')
         grey = (np.ptp(scene(image), axis=2) < 0.08) & (scene(image).mean(axis=2) < 0.72)
         tell(name + ', obstacle', grey[:, int(0.5*water.shape[1]):].mean() > 0.004, f'{grey.mean():.4f} of the picture')
         tell(name + ', colour bar', hasBar(image), 'not found')
+        # beside a time when it stands high, low water is in the lower part of its panel
+        said = render('-case', case, '-times', '0,0.4', '-o', path, '-size', '1200x500', *words)
+        image = picture(path)
+        panel = image[30:, int(0.47*image.shape[1]):int(0.9*image.shape[1])]
+        drawn, water = (np.nonzero(a.any(axis=1))[0] for a in (panel.min(axis=2) < 0.97, blue(panel)))
+        tell(name + ', water lies below', len(water) and water.mean() > 0.5*(drawn.min() + drawn.max()), f'{water.min()} to {water.max()} of {drawn.min()} to {drawn.max()}')
 
 
 def checkFilm(folder):
