@@ -15,11 +15,17 @@ def draw(axis, case, frame, camera, window, colours):
     axis.set(xlim=window[:2], ylim=window[2:], aspect='equal')
     axis.grid(False)
     domain = _rectangle(*window)
+    tank = None
+    if case.box() is not None:
+        low, high = case.box()
+        tank = Path(view(np.array([low, (high[0], low[1]), high, (low[0], high[1]), low])))
     for item in frame.items:
         if item.kind == 'obstacle':
-            _area(axis, [view(line) for line in item.lines], domain if item.hollow else None, facecolor=style.obstacle, edgecolor=style.wall, linewidth=0.8, zorder=2.5)
+            _area(axis, [view(line) for line in item.lines], domain if item.hollow else None, tank, facecolor=style.obstacle, edgecolor=style.wall, linewidth=0.8, zorder=2.5)
             opened = [view(line) for line in item.lines if not _isClosed(line)]
-            axis.add_collection(LineCollection(opened, colors=style.wall, linewidths=2.2, capstyle='round', zorder=3.6))
+            plates = axis.add_collection(LineCollection(opened, colors=style.wall, linewidths=2.2, capstyle='round', zorder=3.6))
+            if tank is not None:
+                plates.set_clip_path(tank, axis.transData)
     _water(axis, frame, view, camera, colours)
     for grid, group in frame.blends:
         contour = _contour(axis, grid, view)
@@ -33,7 +39,7 @@ def draw(axis, case, frame, camera, window, colours):
     for item in frame.items:
         if item.kind == 'body':
             colour = style.body(item.group) if item.value is None else colours.to_rgba(item.value)
-            _area(axis, [view(line) for line in item.lines], None, facecolor=colour, edgecolor=style.ink, linewidth=0.8, zorder=3.2)
+            _area(axis, [view(line) for line in item.lines], None, None, facecolor=colour, edgecolor=style.ink, linewidth=0.8, zorder=3.2)
     if frame.bonds is not None:
         segments, values = frame.bonds
         lines = camera.plane(segments.reshape(-1, 3)).reshape(-1, 2, 2)
@@ -101,14 +107,16 @@ def _compound(lines):
     return Path(np.concatenate(vertices), codes or None)
 
 
-def _area(axis, lines, around, **look):
-    """Fills closed lines; around: with what lies between them and this rectangle instead"""
+def _area(axis, lines, around, within, **look):
+    """Fills closed lines; around: with what lies between them and this rectangle instead; within: a path that cuts it"""
     shut = [line for line in lines if _isClosed(line)]
     if around is not None:
         inner = [line if _area2(line) < 0 else line[::-1] for line in shut]
         shut = [around] + inner
     if shut:
-        axis.add_patch(PathPatch(_compound(shut), **look))
+        patch = axis.add_patch(PathPatch(_compound(shut), **look))
+        if within is not None:
+            patch.set_clip_path(within, axis.transData)
 
 
 def _area2(line):

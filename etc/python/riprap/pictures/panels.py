@@ -56,6 +56,9 @@ def coarser(image, times):
     return image[:h*times, :w*times].reshape(h, times, w, times, 3).mean(axis=(1, 3))
 
 
+slack = 1e-3            # of the scene's size: walls are drawn so much inside of where they are, lest water's sides in the same plane show through
+
+
 def jobOf(case, frames, camera, size, colours, window):
     inside = any(f.balls or f.blends or any(i.kind in ('body', 'obstacle') for i in f.items) for f in frames)
     water = any(f.grid is not None for f in frames)
@@ -65,7 +68,7 @@ def jobOf(case, frames, camera, size, colours, window):
         for end, sign in ((0, 1), (1, -1)):
             point = np.array(window[end], dtype=float)
             # nothing is cut from a tank that is shown whole
-            point[d] -= sign*1e-4*np.linalg.norm(np.subtract(window[1], window[0]))
+            point[d] -= sign*2*slack*np.linalg.norm(np.subtract(window[1], window[0]))
             planes.append((point.tolist(), (sign*axis).tolist()))
     job = {
         'frames': len(frames), 'size': size, 'level': surface.level, 'ink': to_rgb(style.ink), 'plainWater': to_rgb(style.plainWater),
@@ -92,7 +95,10 @@ def contents(case, frame, camera, colours, window):
             colour = {'body': style.body(item.group), 'obstacle': style.obstacle, 'hollow': style.floor, 'wall': style.floor, 'open': style.floor}[kind]
             colour = to_rgb(colour) if item.value is None else tuple(colours.to_rgba(item.value))[:3]
             meshes.append((kind, item.points, item.triangles, colour))
+    middle = 0.5*np.add(*window)
     for k, (kind, points, triangles, colour) in enumerate(meshes):
+        if kind in ('wall', 'open'):
+            points = middle + (1 - slack)*(points - middle)
         data.update({f'meshKind{k}': kind, f'meshPoints{k}': points, f'meshTriangles{k}': triangles, f'meshColour{k}': colour})
     data['meshes'] = len(meshes)
     if frame.grid is not None:

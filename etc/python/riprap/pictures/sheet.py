@@ -74,13 +74,13 @@ class Picture:
 class Layout:
     """Places of panels on a sheet of `size` pixels; what is not given follows the panels' shape"""
 
-    title, edge, bar, ticks = 28, 14, 100, 52
+    title, edge, bar, ticks = 28, 14, 100, 62
 
     def __init__(self, count, shape, size, coloured, planar):
         width, height = size
         left = self.ticks + self.edge if planar else self.edge
         right = (self.bar if coloured else 0) + self.edge
-        foot = self.ticks if planar else self.edge
+        foot = self.ticks - 10 if planar else self.edge
         best = None
         for columns in range(1, count + 1):
             rows = -(-count//columns)
