@@ -25,15 +25,15 @@ def draw(axis, case, frame, camera, window, colours):
     def shade(colour, slope):
         return np.clip(np.asarray(colour)*(0.5 + 0.5*np.clip(slope, 0, 1))[:, None], 0, 1)
 
-    def discs(positions, radii, colour):
+    def discs(positions, radii, colour, corners=sides, nearer=0.0):
         if not len(positions):
             return
         places, depth = camera.project(positions)
-        angle = 2*np.pi*np.arange(sides)/sides
+        angle = 2*np.pi*np.arange(corners)/corners
         rim = np.column_stack([np.cos(angle), np.sin(angle)])
         size = (np.broadcast_to(radii, len(positions))/depth)[:, None, None]/np.array(camera.half)
         polygons.extend(places[:, None] + size*rim)
-        depths.append(depth - np.broadcast_to(radii, len(positions)))
+        depths.append(depth - np.broadcast_to(radii, len(positions)) - nearer)
         faces.append(colour)
 
     for item in frame.items:
@@ -73,13 +73,22 @@ def draw(axis, case, frame, camera, window, colours):
             seen = seen[np.linspace(0, len(seen) - 1, most).astype(int)]
         colour = np.array(to_rgb(style.plainWater))[None] if values is None or colours is None else colours.to_rgba(values[seen])[:, :3]
         discs(positions[seen], 0.62*spacing, shade(np.broadcast_to(colour, (len(seen), 3)), 0.5 + 0.5*slope[seen]))
-    for positions, radii, group, values in frame.balls:
+    for positions, radii, group, values in frame.balls + frame.blended:
         colour = np.broadcast_to(to_rgb(style.body(group)), (len(positions), 3)) if values is None else colours.to_rgba(values)[:, :3]
-        discs(positions, radii, np.asarray(colour))
+        discs(positions, radii, 0.78*np.asarray(colour), 24 if len(positions) < 3000 else sides)
+        if len(positions) < 3000:
+            # rounder by two lighter discs towards the light
+            for size, gain in ((0.72, 0.95), (0.4, 1.1)):
+                at = positions + (1 - size)*0.55*np.broadcast_to(radii, len(positions))[:, None]*toLight
+                discs(at, size*radii, np.clip(gain*np.asarray(colour), 0, 1), 24, (1 - size)*radii)
     if polygons:
         order = np.argsort(-np.concatenate(depths), kind='stable')
         colour = np.concatenate(faces)[order]
         axis.add_collection(PolyCollection([polygons[i] for i in order], facecolors=colour, edgecolors=0.8*colour, linewidths=0.2))
+    if frame.bonds is not None and len(frame.bonds[0]):
+        segments, values = frame.bonds
+        places, _ = camera.project(segments.reshape(-1, 3))
+        axis.add_collection(LineCollection(places.reshape(-1, 2, 2), colors=colours.to_rgba(values), linewidths=1.5))
     corners, _ = camera.project(cameras.corners(*window))
     edges = [(i, j) for i in range(8) for j in range(i) if bin(i ^ j).count('1') == 1]
     axis.add_collection(LineCollection([corners[[i, j]] for i, j in edges], colors=style.wall, linewidths=0.6, alpha=0.6))

@@ -35,6 +35,7 @@ class Frame:
         self.drops = None           # the same of water too thin for the surface
         self.balls = []             # (positions, radii, group, values)
         self.blends = []            # (grid, group): bonded bodies
+        self.blended = []           # their particles, as balls
         self.items = []             # bodies' shapes, obstacles, moving walls
         self.bonds = None           # (segments, values)
         self.shown = []             # values of what is coloured
@@ -352,6 +353,7 @@ class Case:
             apart = self.bondedSpacing(cloud, bonded)
             grid = surface.blend(self.inPlane(cloud['positions'][bonded]), apart, refine=4 if self.flat is not None else 2, smooth=0.5)
             frame.blends.append((grid, int(np.bincount(cloud['group'][bonded]).argmax())))
+            frame.blended.append((cloud['positions'][bonded], radius[bonded], frame.blends[-1][1], None))
             left &= ~bonded
         for group in np.unique(cloud['group'][left]):
             mine = left & (cloud['group'] == group)
