@@ -151,6 +151,14 @@ class Files(unittest.TestCase):
             self.assertEqual(list(counts), [3, 2, 1])
             self.assertEqual([tuple(p) for p in place[:4]], [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0)])
 
+    def test_binary_faces(self):
+        starts, corners = np.array([0, 4, 8, 11], dtype='<i4'), np.arange(11, dtype='<i4')
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, 'faces'), 'wb') as f:
+                f.write(madeCase.header('faceCompactList', 'faces', 'binary').encode() + b'4\n(' + starts.tobytes() + b')\n\n11\n(' + corners.tobytes() + b')\n')
+            faces = foamFiles.boundaryFaces(os.path.join(folder, 'faces'), 1)
+        self.assertEqual([list(f) for f in faces], [[4, 5, 6, 7], [8, 9, 10]])
+
     def test_binary_cloud_and_field(self):
         with tempfile.TemporaryDirectory() as folder:
             x = np.arange(6.0).reshape(2, 3)

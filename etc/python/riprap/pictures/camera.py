@@ -113,9 +113,10 @@ def shown(tank, boxes, up, spare=0.08):
     for d in range(3):
         above, below = (0.5, 0.5) if abs(up[d]) > 0.5 else (2.5, 2.5)
         reach = max(size[d], 0.3*whole)
-        if content[0][d] - low[d] > below*reach or content[0][d] < low[d]:
+        # half a particle stands out of a tank, which is no reason to look beyond it
+        if content[0][d] - low[d] > below*reach or content[0][d] < low[d] - 0.03*whole:
             low[d] = content[0][d] - spare*whole
-        if high[d] - content[1][d] > above*reach or content[1][d] > high[d]:
+        if high[d] - content[1][d] > above*reach or content[1][d] > high[d] + 0.03*whole:
             high[d] = content[1][d] + spare*whole
     return low, high
 

@@ -108,7 +108,7 @@ def boundaryFaces(path, first):
     if header['class'] == 'faceCompactList':
         start, used = clouds.binaryList(body, count, '<i4')
         rest = body[used:]
-        n = int(re.match(rb'\s*(\d+)', rest).group(1))
+        n = int(re.match(rb'\)?\s*(\d+)', rest).group(1))
         corners, _ = clouds.binaryList(rest[rest.index(b'('):], n, '<i4')
         return [corners[a:b] for a, b in zip(start[first:-1], start[first + 1:])]
     numbers = clouds.numbers(body).astype(int)

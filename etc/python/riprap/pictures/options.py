@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import sys
+import traceback
 
 from . import PictureError
 
@@ -195,6 +196,13 @@ def main(words):
         render(options)
     except PictureError as wrong:
         print(f'riprapRender: {wrong}', file=sys.stderr)
+        return 1
+    except (OSError, ValueError, KeyError, IndexError, AttributeError) as wrong:
+        if os.environ.get('RIPRAP_DEBUG'):
+            raise
+        where = traceback.extract_tb(wrong.__traceback__)[-1]
+        print(f'riprapRender: the case cannot be read: {type(wrong).__name__}: {wrong} ({os.path.basename(where.filename)}, line {where.lineno}; '
+              'RIPRAP_DEBUG=1 tells more)', file=sys.stderr)
         return 1
     return 0
 

@@ -475,17 +475,24 @@ class Case:
         # particles of a grid lie as chance has it: two spacings are a cell
         smooth = 1.0 if pic else surface.width
         grid = surface.blend(x, spacing, value, box, refine=4 if flat else 2, smooth=smooth, largest=4e6 if flat else 12e6)
+        # particles alone, or nearly; cells beside bodies have little water and are no drops
+        thin = grid.at(x) < (0.6 if pic else 1.0)*surface.level
         if pic:
             mesh = self._waterOfMesh(frame)
             if mesh is not None:
                 grid = self._merge(grid, mesh)
         frame.grid = grid
         frame.water = positions, value, spacing
-        thin = grid.at(x) < surface.level
         frame.drops = positions[thin], (value[thin] if field else None), spacing
         if value is not None:
             frame.shown.append(value)
+        # a few drops high above need not be on the picture
         low, high = np.quantile(positions, (0.002, 0.998), axis=0)
+        fall = np.argmax(np.abs(self.gravity))
+        if self.gravity[fall] < 0:
+            high[fall] = np.quantile(positions[:, fall], 0.985)
+        elif self.gravity[fall] > 0:
+            low[fall] = np.quantile(positions[:, fall], 0.015)
         frame.hold(np.array([low, high]), 0.5*spacing)
 
     def _solver(self):
@@ -508,7 +515,7 @@ class Case:
         """The particles' grid with f of the mesh where that has any water: level 1/2 of the mesh is the surface"""
         index = np.stack(np.meshgrid(*[grid.low[d] + grid.cell[d]*np.arange(grid.f.shape[d]) for d in range(grid.f.ndim)], indexing='ij'), axis=-1)
         of = mesh.at(index.reshape(-1, grid.f.ndim)).reshape(grid.f.shape)
-        grid.f = of + (surface.level - 0.5)
+        grid.f = np.maximum(of, 0) + (surface.level - 0.5)
         return grid
 
     # Frames ------------------------------------------------------------------------------------------------------------------------------------

@@ -86,7 +86,7 @@ def scene(job, data):
         bonds(renderer, job, data)
     if job['translucent']:
         renderer.UseDepthPeelingOn()
-        renderer.SetMaximumNumberOfPeels(6)
+        renderer.SetMaximumNumberOfPeels(4)
         renderer.SetOcclusionRatio(0.02)
     renderer.ResetCameraClippingRange()
     if job['shade']:
