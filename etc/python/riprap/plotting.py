@@ -20,7 +20,7 @@ colours = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#0
 markers = ['o', 's', '^', 'D', 'v', 'P']
 
 # Of fields in pictures: water by its speed, other numbers, numbers of both signs
-water = LinearSegmentedColormap.from_list('riprapWater', ['#0b3c68', '#14639e', '#2a8fca', '#63bbe3', '#a9def0', '#e6f6f7'])
+water = LinearSegmentedColormap.from_list('riprapWater', ['#0b3c68', '#14639e', '#2a8fca', '#63bbe3', '#9fd9ee', '#d3f0f3'])
 sequential = plt.get_cmap('viridis')
 diverging = plt.get_cmap('RdBu_r')
 

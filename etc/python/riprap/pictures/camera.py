@@ -105,12 +105,18 @@ def _angles(view):
 
 
 def shown(tank, boxes, up, spare=0.08):
-    """(low, high) of what is looked at: the content, and the tank unless that is much larger; of a high sky only a little"""
+    """(low, high) of what is looked at: the content, and the tank unless that is much larger; of a high sky only a little. tank: None where there
+    are no walls"""
+    if tank is None:
+        tank = np.full(3, np.inf), np.full(3, -np.inf)
     content = np.array([np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)]) if boxes else np.array(tank)
     low, high = np.array(tank[0], dtype=float), np.array(tank[1], dtype=float)
     size = np.maximum(content[1] - content[0], 1e-12)
     whole = max(size.max(), 1e-12)
     for d in range(3):
+        if low[d] > high[d]:
+            low[d], high[d] = content[0][d] - spare*whole, content[1][d] + spare*whole
+            continue
         above, below = (0.5, 0.5) if abs(up[d]) > 0.5 else (2.5, 2.5)
         reach = max(size[d], 0.3*whole)
         # half a particle stands out of a tank, which is no reason to look beyond it

@@ -25,15 +25,7 @@ class Picture:
         self.frames = [case.frame(name, field) for name in names]
         boxes = [box for frame in self.frames for box in frame.boxes]
         up = cameras.upOf(case.gravity, case.flat)
-        tank = case.mesh.low, case.mesh.high
-        if case.box() is None:
-            placed = [i.points if i.points is not None else None for f in self.frames for i in f.items if i.kind in ('wall', 'open')]
-            if case.flat is None:
-                tank = np.min([p.min(axis=0) for p in placed], axis=0), np.max([p.max(axis=0) for p in placed], axis=0)
-            else:
-                ends = np.concatenate([line for f in self.frames for i in f.items if i.kind in ('wall', 'open') for line in i.lines])
-                tank = [np.array(t, dtype=float) for t in tank]
-                tank[0][list(case.plane)], tank[1][list(case.plane)] = ends.min(axis=0), ends.max(axis=0)
+        tank = self._tank()
         self.window = cameras.shown(tank, boxes, up)
         self.camera = cameras.choose(case.gravity, case.flat, self.window[1] - self.window[0], view)
         self.paraview = paraview and case.flat is None and panels.program() is not None
@@ -47,6 +39,20 @@ class Picture:
             slack = 1e-6*(high - low)
             beyond = everything.max(initial=low) > high + slack, everything.min(initial=high) < low - slack
             self.extend = {(True, True): 'both', (True, False): 'max', (False, True): 'min'}.get(beyond, 'neither')
+
+    def _tank(self):
+        """Corners of what the walls reach in all frames; None without walls"""
+        mesh = self.case.mesh
+        items = [i for frame in self.frames for i in frame.items if i.kind == 'wall']
+        if not items:
+            return None
+        if self.case.flat is None:
+            points = np.concatenate([i.points for i in items])
+            return points.min(axis=0), points.max(axis=0)
+        ends = np.concatenate([line for i in items for line in i.lines])
+        low, high = mesh.low.astype(float), mesh.high.astype(float)
+        low[list(self.case.plane)], high[list(self.case.plane)] = ends.min(axis=0), ends.max(axis=0)
+        return low, high
 
     def byParaView(self, frames, pixels):
         """Pictures of 3D frames; None where ParaView is there and does not work, as without a display"""
@@ -91,12 +97,15 @@ class Layout:
             high = wide*shape
             total = rows*(high + self.title) + foot + self.edge
             scale = 1.0
-            if height and total > height:
-                scale = max((height - foot - self.edge - rows*self.title)/(rows*high), 0.05)
-            # without a height: a sheet about half as high as wide
-            worth = wide*scale if height else -abs(np.log(total/width/0.5)) - (0.3 if rows*columns > count else 0)
+            # without a height a sheet is about half as high as wide, and not higher than wide
+            most = height or 0.8*width
+            worth = -abs(np.log(total/width/0.5)) - (0.3 if rows*columns > count else 0)
+            if total > most:
+                scale = max((most - foot - self.edge - rows*self.title)/(rows*high), 0.05)
+            if height:
+                worth = wide*scale
             if best is None or worth > best[0]:
-                best = worth, columns, rows, wide*scale, high*scale, total if not height else height
+                best = worth, columns, rows, wide*scale, high*scale, height or min(total, most)
         if best is None:
             raise PictureError(f'-size: {width} pixels are too few for {count} panels side by side')
         _, self.columns, self.rows, self.wide, self.high, total = best
@@ -111,7 +120,7 @@ class Layout:
             y = top + row*(self.high + self.title) + self.title
             self.places.append((x/width, 1 - (y + self.high)/self.size[1], self.wide/width, self.high/self.size[1]))
         bottom = top + self.rows*(self.high + self.title)
-        length = min(bottom - top - self.title, max(160, 0.7*(bottom - top)))
+        length = min(bottom - top - self.title, max(160, min(0.7*(bottom - top), 480)))
         middle = 0.5*(top + self.title + bottom)
         x = spare + left + self.columns*self.wide + gap*(self.columns - 1) + 14
         self.barPlace = (x/width, 1 - (middle + 0.5*length)/self.size[1], 13/width, length/self.size[1])
