@@ -13,7 +13,7 @@ sys.path[:0] = [os.path.join(here, '..', '..', 'etc', 'python'), here]
 import madeCase                                                                                         # noqa: E402
 from riprap import clouds, plotting                                                                     # noqa: E402
 from riprap.dictionaries import readDictionary                                                          # noqa: E402
-from riprap.pictures import PictureError, camera, foamFiles, motions, options, scene, shapes, style, surface     # noqa: E402
+from riprap.pictures import PictureError, camera, foamFiles, motions, options, scene, shapes, sheet, style, surface     # noqa: E402
 
 
 class Surface(unittest.TestCase):
@@ -232,6 +232,22 @@ class Scenes(unittest.TestCase):
         self.assertEqual(style.limits([np.array([0.0, 1, 2])], 'U')[0], 0)
         low, high = style.limits([np.linspace(-1, 3, 100)], 'p')
         self.assertEqual(low, -high)
+
+
+class Sheets(unittest.TestCase):
+    def test_layout(self):
+        for count, shape, size, columns in ((6, 1.1, (1200, None), 3), (4, 0.3, (1400, None), 2), (3, 0.5, (1400, None), 3), (1, 3.0, (1400, None), 1), (2, 1.0, (900, 500), 2)):
+            made = sheet.Layout(count, shape, size, True, True)
+            self.assertEqual(made.columns, columns, (count, shape))
+            self.assertLessEqual(made.size[1], size[1] or 0.8*size[0] + 1)
+            self.assertAlmostEqual(made.high/made.wide, shape, places=6)
+            for x, y, w, h in made.places + [made.barPlace]:
+                self.assertTrue(x >= 0 and y >= 0 and x + w <= 1 and y + h <= 1)
+            boxes = [(x, x + w, y, y + h) for x, y, w, h in made.places]
+            self.assertFalse(any(a[0] < b[1] and b[0] < a[1] and a[2] < b[3] and b[2] < a[3] for i, a in enumerate(boxes) for b in boxes[:i]))
+
+    def test_decimals_of_times(self):
+        self.assertEqual([sheet.timeDigits(t) for t in ([0.1, 0.4], [0.15, 0.3], [0.002, 0.004], [1, 2])], [1, 2, 3, 1])
 
 
 class Charts(unittest.TestCase):

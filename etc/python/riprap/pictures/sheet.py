@@ -99,7 +99,7 @@ class Layout:
             scale = 1.0
             # without a height a sheet is about half as high as wide, and not higher than wide
             most = height or 0.8*width
-            worth = -abs(np.log(total/width/0.5)) - (0.3 if rows*columns > count else 0)
+            worth = -abs(np.log(total/width/0.5)) - 5*(1 - count/(rows*columns))
             if total > most:
                 scale = max((most - foot - self.edge - rows*self.title)/(rows*high), 0.05)
             if height:
