@@ -27,9 +27,10 @@ def draw(axis, case, frame, camera, window, colours):
             if tank is not None:
                 plates.set_clip_path(tank, axis.transData)
     _water(axis, frame, view, camera, colours)
-    for grid, group in frame.blends:
+    for grid, group, value in frame.blends:
         contour = _contour(axis, grid, view)
-        axis.add_patch(PathPatch(contour, facecolor=style.body(group) if frame.bonds is None else style.floor, edgecolor=style.ink, linewidth=0.6, zorder=3))
+        colour = style.floor if frame.bonds is not None else style.body(group) if value is None else colours.to_rgba(value)
+        axis.add_patch(PathPatch(contour, facecolor=colour, edgecolor=style.ink, linewidth=0.6, zorder=3))
     for positions, radii, group, values in frame.balls:
         size = 2*np.broadcast_to(radii, len(positions))
         discs = EllipseCollection(size, size, np.zeros(len(size)), units='xy', offsets=camera.plane(positions), offset_transform=axis.transData, zorder=3,

@@ -118,10 +118,10 @@ def contents(case, frame, camera, colours, window):
         data['ballRadii'] = np.concatenate([np.broadcast_to(b[1], len(b[0])) for b in frame.balls])
         data['ballColours'] = np.concatenate([bytesOf(style.body(b[2]), len(b[0])) if b[3] is None else colours.to_rgba(b[3], bytes=True)[:, :3]
                                               for b in frame.balls])
-    for k, (grid, group) in enumerate(frame.blends):
+    for k, (grid, group, value) in enumerate(frame.blends):
         grid = surface.closed(grid)
         data[f'blend{k}'], data[f'blendPlace{k}'] = grid.f.astype(np.float32), np.concatenate([grid.low, grid.cell])
-        data[f'blendColour{k}'] = to_rgb(style.body(group))
+        data[f'blendColour{k}'] = to_rgb(style.body(group) if value is None else colours.to_rgba(value))
     data['blends'] = len(frame.blends)
     if frame.bonds is not None and len(frame.bonds[0]):
         segments, values = frame.bonds

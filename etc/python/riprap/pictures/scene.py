@@ -17,6 +17,9 @@ labels = {'U': 'speed [m/s]', 'p': 'pressure [Pa]', 'rho': 'density [kg/m³]', '
           'alpha.water': 'fraction of water'}
 
 
+manyParticles = 30      # from so many on a rigid body of particles of one size is drawn as a smooth one
+
+
 class Item:
     """Something of one kind to be drawn: points and triangles in 3D, lines (arrays of points in the plane) in 2D"""
 
@@ -34,7 +37,7 @@ class Frame:
         self.water = None           # (positions, values, spacing) of its particles
         self.drops = None           # the same of water too thin for the surface
         self.balls = []             # (positions, radii, group, values)
-        self.blends = []            # (grid, group): bonded bodies
+        self.blends = []            # (grid, group, value): bodies of many particles
         self.blended = []           # their particles, as balls
         self.items = []             # bodies' shapes, obstacles, moving walls
         self.bonds = None           # (segments, values)
@@ -352,9 +355,11 @@ class Case:
         if value is None and bonded.any() and np.ptp(radius[bonded]) < 0.02*radius[bonded].max():
             apart = self.bondedSpacing(cloud, bonded)
             grid = surface.blend(self.inPlane(cloud['positions'][bonded]), apart, refine=4 if self.flat is not None else 2, smooth=0.5)
-            frame.blends.append((grid, int(np.bincount(cloud['group'][bonded]).argmax())))
+            frame.blends.append((grid, int(np.bincount(cloud['group'][bonded]).argmax()), None))
             frame.blended.append((cloud['positions'][bonded], radius[bonded], frame.blends[-1][1], None))
             left &= ~bonded
+        if 'clump' in cloud:
+            left &= ~self._lists(frame, cloud, value, left)
         for group in np.unique(cloud['group'][left]):
             mine = left & (cloud['group'] == group)
             frame.balls.append((cloud['positions'][mine], radius[mine], int(group), None if value is None else value[mine]))
@@ -362,6 +367,26 @@ class Case:
             frame.shown.append(value)
         reach = radius.max()
         frame.hold(cloud['positions'], reach)
+
+    def _lists(self, frame, cloud, value, left):
+        """Rigid bodies whose surface is not known, of many particles of one size: each smooth. Which particles are theirs"""
+        mine = np.zeros(len(left), dtype=bool)
+        names, counts = np.unique(cloud['clump'][left], return_counts=True)
+        for k in names[(names >= 0) & (counts >= manyParticles)]:
+            members = left & (cloud['clump'] == k)
+            radius = cloud['radius'][members]
+            if np.ptp(radius) > 0.02*radius.max():
+                continue
+            x = self.inPlane(cloud['positions'][members])
+            # as many as fill it: lists differ in how far apart they are
+            apart = np.linalg.norm(x[:, None] - x[None], axis=2) if len(x) <= 2000 else None
+            near = 2*radius.max() if apart is None else float(np.median(np.where(apart > 1e-12, apart, np.inf).min(axis=1)))
+            colour = None if value is None else float(value[members].mean())
+            group = int(cloud['group'][members][0])
+            frame.blends.append((surface.blend(x, near, refine=4 if self.flat is not None else 2, smooth=0.7), group, colour))
+            frame.blended.append((cloud['positions'][members], radius, group, None if value is None else value[members]))
+            mine |= members
+        return mine
 
     def bondedSpacing(self, cloud, bonded):
         """Distance of neighbours at the start: the median of the nearest one's, of some"""
