@@ -73,7 +73,7 @@ def jobOf(case, frames, camera, size, colours, window):
     job = {
         'frames': len(frames), 'size': size, 'level': surface.level, 'ink': to_rgb(style.ink), 'plainWater': to_rgb(style.plainWater),
         'line': max(1.0, size[0]/1100), 'length': float(np.linalg.norm(np.subtract(window[1], window[0]))), 'planes': planes,
-        'opacity': 0.62 if inside and water else 1.0, 'translucent': inside and water, 'shade': True,
+        'opacity': 0.48 if inside and water else 1.0, 'translucent': inside and water, 'shade': True,
         'camera': {'focus': camera.focus.tolist(), 'eye': camera.eye.tolist(), 'up': camera.up.tolist(),
                    'angle': float(np.degrees(2*np.arctan(camera.half[1])))}}
     if colours is not None:
