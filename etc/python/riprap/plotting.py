@@ -174,11 +174,10 @@ def _name(axis, width):
     middles = spread(np.array([f[0][1] for f in found]), heights, -0.06, 1.06)
     for (end, handle, _), middle, text in zip(found, middles, texts):
         colour = handle.get_markeredgecolor() if handle.get_linestyle() in ('None', 'none', '') else handle.get_color()
-        sign = {'None': handle.get_marker(), 'none': handle.get_marker(), '': handle.get_marker()}.get(handle.get_linestyle())
         axis.annotate(text, xy=(end[0], end[1]), xycoords='axes fraction', xytext=(1.05, middle), textcoords='axes fraction', va='center', ha='left',
                       fontsize=_small, color=colour, annotation_clip=False, linespacing=1.05,
                       arrowprops={'arrowstyle': '-', 'color': colour, 'linewidth': 0.6, 'alpha': 0.55, 'shrinkA': 1, 'shrinkB': 2,
-                                  'linestyle': '-' if sign is None else ':'})
+                                  'linestyle': ':'})
 
 
 def spread(wanted, heights, low, high):
