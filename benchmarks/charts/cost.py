@@ -2,15 +2,41 @@
 """Error against cost, one chart a scene, one panel a quantity
 
 Cost is wall time a simulated second: runs of a scene may end at different times. Points of equal settings and different
-spacings are joined; a label names only what differs between the chart's rows. Errors of exactly zero (a bond that held, or broke, as it should)
-stand at the foot of the chart.
+spacings are joined. The grey steps are the Pareto front: what an error costs at best. Settings on it have their names, of which only
+what differs between the chart's rows; the other settings are faint, and counted. Errors of exactly zero (a bond that held, or broke, as it should)
+stand at the foot of the chart, at 0.
 """
+import re
+
 from riprap import plotting
 
 from . import groups, newest, number
 
 
-foot = 1e-16
+# What rows without the column `kind` hold that is no error
+values = {'broken bonds', 'first bond: 0 whole, 1 broken in tension, 2 in shear', 'front two spacings from the far wall [s]', 'arrival at the far wall [s]',
+          'half of the cylinders below the mouth [s]', 'iterations', 'largest acceleration in ten steps / g', 'creep of the base [radii]'}
+
+
+def kindOf(row):
+    """relative, error (in the quantity's unit) or value"""
+    if row.get('kind'):
+        return row['kind']
+    if row['quantity'] in values:
+        return 'value'
+    unit = re.search(r'\[([^\]]+)\]', row['quantity'])
+    return 'relative' if unit and 'rms' not in row['quantity'] and unit.group(1) not in ('radii', 'draughts') else 'error'
+
+
+def claim(quantity, kind):
+    """Title of a panel, label of its axis and factor of its numbers"""
+    unit = re.search(r'\s*\[([^\]]+)\]', quantity)
+    bare = quantity.replace(unit.group(0), '') if unit else quantity
+    if kind == 'relative':
+        return bare, 'relative error [%]', 100.0
+    if kind == 'value':
+        return bare + ': the value, not an error', unit.group(0).strip() if unit else 'value', 1.0
+    return bare, 'error' + (unit.group(0) if unit else ''), 1.0
 
 
 def draw(scene, rows, peers, path):
@@ -35,23 +61,44 @@ def draw(scene, rows, peers, path):
         axis.set_visible(False)
     labels = labelMaker(rows)
     styles = {label: i for i, label in enumerate(groups(rows, labels))}         # the same in all panels
-    handles = {}
     for axis, quantity in zip(axes, quantities):
-        mine = [r for r in rows if r['quantity'] == quantity]
-        for label, points in groups(mine, labels).items():
-            points.sort(key=costOf)
-            i = styles[label]
-            handles[label], = axis.loglog([costOf(p) for p in points], [max(abs(float(p['error'])), foot) for p in points], '-',
-                                          marker=plotting.markers[i % len(plotting.markers)], markersize=5, linewidth=1,
-                                          color=plotting.colours[i % len(plotting.colours)], label=label)
-        for i, (peer, points) in enumerate(groups([p for p in others if p['quantity'] == quantity],
-                                                  lambda p: p['peer']).items()):
-            plotting.measured(axis, [costOf(p) for p in points], [float(p['error']) for p in points], peer, i)
-            handles[peer] = axis.lines[-1]
-        axis.set(xlabel='wall time a simulated second [s]', title=f'{scene}: error of\n{quantity}')
-        axis.title.set_fontsize(9)
-    fig.legend(handles.values(), handles.keys(), fontsize=7, loc='upper center', bbox_to_anchor=(0.5, 0), ncol=min(2, columns), frameon=False)
+        panel(axis, [r for r in rows if r['quantity'] == quantity], [p for p in others if p['quantity'] == quantity], labels, styles)
+    fig.suptitle(scene, x=0.01, ha='left', fontsize=12)
     plotting.save(fig, path)
+
+
+def panel(axis, rows, peers, labels, styles):
+    kind = kindOf(rows[-1])
+    title, label, factor = claim(rows[0]['quantity'], kind)
+    sizes = [factor*abs(float(r['error'])) for r in [*rows, *peers] if float(r['error']) != 0]
+    foot = min(sizes)/4 if sizes else 1e-16
+    height = (lambda r: factor*abs(float(r['error']))) if kind == 'value' else (lambda r: max(factor*abs(float(r['error'])), foot))
+    scale = axis.semilogx if kind == 'value' else axis.loglog
+    points = [(costOf(r), height(r)) for r in rows]
+    front = set() if kind == 'value' else set(plotting.drawPareto(axis, points))
+    names, others = [], 0
+    for name, mine in groups(rows, labels).items():
+        mine.sort(key=costOf)
+        i = styles[name]
+        colour = plotting.colours[i % len(plotting.colours)]
+        on = [(costOf(r), height(r)) for r in mine if (costOf(r), height(r)) in front]
+        chosen = bool(on) or len(styles) < 5
+        others += not chosen
+        scale([costOf(r) for r in mine], [height(r) for r in mine], linestyle='none' if kind == 'value' else '-', marker=plotting.markers[i % len(plotting.markers)], markersize=6 if chosen else 4,
+              linewidth=1.2 if chosen else 0.8, color=colour, alpha=1.0 if chosen else 0.35)
+        if chosen and len(styles) > 1:
+            names.append((*(on[0] if on else (costOf(mine[0]), height(mine[0]))), name, colour))
+    for i, (peer, mine) in enumerate(groups(peers, lambda p: p['peer']).items()):
+        at = [(costOf(p), height(p)) for p in mine]
+        plotting.measured(axis, *zip(*at), '_' + peer, i)
+        names.append((*min(at), peer, '#444444'))
+    plotting.callouts(axis, names)
+    axis.set_title(title + (f'\nfaint: {others} ' + ('setting that costs' if others == 1 else 'settings that cost') + ' more for the same error' if others else ''), fontsize=9)
+    axis.set(xlabel='wall time a simulated second [s]', ylabel=label)
+    axis.margins(0.12)
+    if kind != 'value' and len(sizes) < len(rows) + len(peers):
+        axis.axhline(foot, color='#999999', linewidth=0.8, linestyle=':')
+        axis.annotate('0', (0, foot), xycoords=('axes fraction', 'data'), xytext=(-4, 0), textcoords='offset points', ha='right', va='center', fontsize=8)
 
 
 def peersOfSolids(rows):

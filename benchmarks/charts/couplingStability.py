@@ -21,7 +21,7 @@ def draw(rows, path):
     if theory:
         density.axhline(theory[0], color='k', linestyle=':', linewidth=1, label='half the water that sound reaches')
     density.set_yscale('log')
-    density.legend(fontsize=5)
+    plotting.named(density)
     drawBars(step, [r for r in rows if r['test'] == 'step' and number(r['setting']) < 1], 'largest $c_0 dt/h$', 'Rigid body, density ratio 0.3')
     drawGain(bonds, [r for r in rows if r['quantity'].startswith('energy')])
     drawDamping(damping, [r for r in rows if r['quantity'] == 'least damping ratio'])
@@ -35,7 +35,7 @@ def drawBars(axis, rows, label, title):
         axis.bar(np.arange(len(kinds)) + 0.27*(k - 1), [found.get(c, np.nan) for c in kinds], width=0.25, color=plotting.colours[k], label=force)
     axis.set_xticks(range(len(kinds)), [c.replace('pressure', 'p. ') for c in kinds], fontsize=6)
     axis.set(ylabel=label, title=title)
-    axis.legend(fontsize=5)
+    plotting.named(axis)
 
 
 def drawGain(axis, rows):
@@ -44,7 +44,7 @@ def drawGain(axis, rows):
         axis.loglog([number(r['setting']) for r in points], gain, ('.-' if coupling == 'extrapolated' else 'x--'),
                     color=plotting.colours[forces.index(force)], linewidth=1, label=f'{force}, {coupling}')
     axis.set(xlabel='$E/(\\rho c_0^2)$', ylabel='energy gained / kinetic', title='Undamped bonds, density ratio 1.1')
-    axis.legend(fontsize=5)
+    plotting.named(axis)
 
 
 def drawDamping(axis, rows):
@@ -53,4 +53,4 @@ def drawDamping(axis, rows):
         axis.loglog(x, [number(r['measured']) for r in points], plotting.markers[i], color=plotting.colours[i], markersize=4, label=f'{coupling}, held')
         axis.loglog(x, [number(r['theory']) for r in points], '-', color=plotting.colours[i], linewidth=1, label='0.362 of the share of stiffness')
     axis.set(xlabel='$E/(\\rho c_0^2)$', ylabel='least damping ratio of bonds', title='What holds them (1e-4: none needed)')
-    axis.legend(fontsize=5)
+    plotting.named(axis)

@@ -33,7 +33,7 @@ def drawLimits(axis, rows):
         axis.axvline(x, color=plotting.colours[1], linestyle=style, linewidth=1, label=name)
     axis.set_yticks(y, [r['scene'] for r in rows], fontsize=6)
     axis.set(xlabel='largest $dt/\\sqrt{m/k}$', title='Undamped springs; e: with a dashpot', ylim=(len(rows) - 0.4, -0.6))
-    axis.legend(fontsize=7, loc='lower right')
+    plotting.named(axis)
 
 
 def drawDrift(axis, rows):
@@ -41,7 +41,7 @@ def drawDrift(axis, rows):
         axis.loglog([stepOf(r) for r in points], [number(r['measured']) for r in points], '.-' if integrator == 'leapfrog' else 'x--',
                     color=plotting.colours[0 if 'linear' in scene else 1], linewidth=1, label=f'{scene}, {integrator}')
     axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='largest change of energy', title='Elastic gas, 125 bodies, $t = 20000 \\sqrt{m/k}$')
-    axis.legend(fontsize=7)
+    plotting.named(axis)
 
 
 def drawPile(axis, rows):
@@ -49,14 +49,14 @@ def drawPile(axis, rows):
         axis.semilogy([float(r['code'].split()[-2]) for r in points], [max(float(r['value']), 1e-28) for r in points],
                       plotting.markers[i] + '-', color=plotting.colours[i], markersize=4, linewidth=1, label=code)
     axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='kinetic energy after 4 s / $m g R$', title='Pyramid of 30 spheres at rest, linear springs')
-    axis.legend(fontsize=7)
+    plotting.named(axis)
 
 
 def drawCreep(axis, rows):
     axis.loglog([stepOf(r) for r in rows], [number(r['theory']) for r in rows], 'k-', linewidth=1, label='$m g \\sin/(k_t dt)$')
     axis.loglog([stepOf(r) for r in rows], [number(r['measured']) for r in rows], 'o', color=plotting.colours[0], label='measured')
     axis.set(xlabel='$dt/\\sqrt{m/k}$', ylabel='speed / $(g \\sqrt{m/k})$', title='One-step spring on a slope of 10 degrees')
-    axis.legend(fontsize=7)
+    plotting.named(axis)
 
 
 def drawGap(axis, rows):
@@ -67,7 +67,7 @@ def drawGap(axis, rows):
         axis.plot(v, [number(r['measured']) for r in points], plotting.markers[i], color=plotting.colours[i], markersize=5)
     axis.set(xlabel='$v\\ /\\ (2 dx/\\sqrt{\\theta dx/g})$', ylabel='gap left / $2 dx$', ylim=(0, 1.02), xlim=(0, 1.5),
              title="Paper 2's stiffness $m g/(\\theta dx)$ in an impact")
-    axis.legend(fontsize=7, title='lines: theory', title_fontsize=7)
+    plotting.named(axis)
 
 
 def drawDamping(axis, rows):
@@ -78,4 +78,4 @@ def drawDamping(axis, rows):
         axis.plot([stepOf(r) for r in points], [number(r['measured']) for r in points], plotting.markers[i], color=plotting.colours[i], markersize=5)
     axis.axhline(1, color='0.5', linestyle=':', linewidth=1)
     axis.set(xlabel='local damping $\\alpha$', ylabel='acceleration / $g$', title='Local damping in free flight')
-    axis.legend(fontsize=7, title='lines: theory', title_fontsize=7)
+    plotting.named(axis)

@@ -9,12 +9,13 @@ import re
 from riprap import plotting
 
 from . import newest, number
+from .cost import claim, kindOf
 
 # scene, quantity, runs of sphDem and of picDem (as patterns), walls of interFoam
 panels = [('damBreak', 'front rms [a], Koshizuka & Oka', r'(coarse-)?column(-half)?(-cpu)?', r'n\d+(-apic|-gpu)?', 'noSlip'),
           ('standingWave', 'period [s]', r'n\d+', r'n\d+(-apic)?', 'slip'),
           ('hydrostatic', 'pressure L2', r'tank2D.*', r'n\d+(-apic)?', 'slip')]
-# of a model the same colour and marker in every panel
+# grey steps: the best of one CPU thread (Pareto front); of a model the same colour and marker in every panel
 models = ['sphDem', 'picDem flip', 'picDem apic', 'interFoam', 'interIsoFoam']
 
 
@@ -34,11 +35,14 @@ def draw(read, vof, path):
         for r in newest(rows, ('solver', 'cell')):
             solver = r['solver'] or 'interFoam'
             series.setdefault((f'{solver}, one CPU thread', True), []).append((number(r['cpuTime'])/number(r['simulated']), number(r['error'])))
+        title, unit, factor = claim(quantity, kindOf({'quantity': quantity}))
+        series = {key: [(cost, factor*error) for cost, error in points] for key, points in series.items()}
+        plotting.drawPareto(axis, [p for (_, serial), points in series.items() if serial for p in points])
         for (label, serial), points in series.items():
             x, y = zip(*sorted(points))
             i = models.index(label.split(',')[0])
             axis.loglog(x, y, '-' if serial else '--', marker=plotting.markers[i], markersize=5, linewidth=1, label=label,
                         color=plotting.colours[i], markerfacecolor=None if serial else 'none')
-        axis.set(xlabel='time a simulated second [s]', ylabel=f'error: {quantity}', title=scene)
-        axis.legend(fontsize=6, loc='upper center', bbox_to_anchor=(0.5, -0.16), frameon=False)
+        axis.set(xlabel='time a simulated second [s]', ylabel=unit, title=f'{scene}: {title}')
+        plotting.named(axis)
     plotting.save(fig, path)

@@ -23,12 +23,12 @@ def draw(rows, path):
                     linewidth=1, markersize=4, label=code)
     energy.axhline(0, color='k', linewidth=0.8)
     energy.set(xlabel='angle of incidence [degrees]', ylabel='energy after / before - 1 [%]', title='Elastic impacts without slip')
-    energy.legend(fontsize=7)
+    plotting.named(energy)
     for i, (code, points) in enumerate(groups([r for r in rows if r['case'] == 'collapse'], lambda r: r['code']).items()):
         reach.plot([float(r['value']) for r in points], [r['quantity'].replace('run-out, ', '') for r in points],
                    plotting.markers[i % len(plotting.markers)], color=plotting.colours[i % len(plotting.colours)], markersize=5, label=code)
     reach.invert_yaxis()
     reach.set(xlabel='run-out / initial length', title='Columns of spheres, slices of six grains')
     if reach.lines:
-        reach.legend(fontsize=7)
+        plotting.named(reach)
     plotting.save(fig, path)

@@ -35,5 +35,5 @@ def draw(rows, path):
         axis.set(xlabel=across, ylabel=along, title=title)
         axis.title.set_fontsize(9)
         if len(groups(mine, lambda r: r['kind'])) > 1:
-            axis.legend(fontsize=7)
+            plotting.named(axis)
     plotting.save(fig, path)

@@ -48,5 +48,5 @@ def draw(rows, path):
                     named = {'label': label} if p['quantity'] == first else {'markerfacecolor': 'none'}
                     axis.loglog(costOf(p), 100*float(p['error']), **style, **named)
         axis.set(xlabel='time a simulated second [s]', ylabel='error of the centre [%]', title=title, xlim=(8, 500), ylim=(0.4, 100))
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)

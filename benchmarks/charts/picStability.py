@@ -27,7 +27,7 @@ def drawSteps(axis, rows):
     axis.set_yticks([k + 0.18 for k in range(len(kinds))], kinds, fontsize=6)
     axis.axvline(0.5, color='k', linestyle='--', linewidth=0.8, label='maxCo of the tutorials')
     axis.set(xlabel='largest Courant number (2: none found)', title='Energy grows by less than 5 %')
-    axis.legend(fontsize=6)
+    plotting.named(axis)
 
 
 def drawBlend(axis, rows):
@@ -39,7 +39,7 @@ def drawBlend(axis, rows):
             if r['kind'] == 'apic':
                 axis.axhline(number(r['measured']), color=plotting.colours[i], linestyle=':', linewidth=1)
     axis.set(xlabel='PIC\'s part (1e-3: none); dotted: APIC', title='Vortices without viscosity, 32 cells, t U/L = 4')
-    axis.legend(fontsize=6)
+    plotting.named(axis)
 
 
 def drawParticles(axis, rows, quantity):
@@ -47,7 +47,7 @@ def drawParticles(axis, rows, quantity):
         axis.loglog([number(r['setting']) for r in points], [number(r['measured']) for r in points], marker=plotting.markers[i], markersize=4,
                     linewidth=1, color=plotting.colours[i], label=kind)
     axis.set(xlabel='particles a cell', ylabel=quantity, title='Vortices, t U/L = 2')
-    axis.legend(fontsize=6)
+    plotting.named(axis)
 
 
 def drawTolerance(axis, rows):
@@ -56,7 +56,7 @@ def drawTolerance(axis, rows):
         axis.loglog([number(r['setting']) for r in points], [max(number(r['measured']), 1e-16) for r in points], 'o-', markersize=4,
                     color=plotting.colours[i], label=quantity)
     axis.set(xlabel='tolerance of p', ylabel='relative', title='Sloshing, four periods')
-    axis.legend(fontsize=6)
+    plotting.named(axis)
 
 
 def drawLevels(axis, rows):
@@ -65,4 +65,4 @@ def drawLevels(axis, rows):
                       color=plotting.colours[i], label=f'{kind} anywhere in a cell')
     axis.axhline(1e-6, color='k', linestyle='--', linewidth=0.8, label='bound')
     axis.set(xlabel='place in the cell', ylabel='largest speed [m/s]', title='Pools at rest: theta, apertures')
-    axis.legend(fontsize=6)
+    plotting.named(axis)

@@ -33,7 +33,7 @@ def drawGrowth(axis, rows):
         axis.loglog(*zip(*points), 'o', color=plotting.colours[0], label='measured')
     axis.set(xlabel='$\\omega\\,dt$ of the fastest sound wave', ylabel='growth a step',
              title='Sound wave, leapfrog without damping')
-    axis.legend(fontsize=7)
+    plotting.named(axis)
 
 
 def drawSteps(axis, rows):
@@ -47,7 +47,7 @@ def drawSteps(axis, rows):
     axis.plot(theory, y, 'k|', markersize=7, label='theory')
     axis.set_yticks(y, names, fontsize=5)
     axis.set(xlabel='largest $c_0\\,dt/h$', title='Sound; leapfrog, none: growth of 1e-3 a step', ylim=(len(names) + 1.8, -0.8))
-    axis.legend(fontsize=7, loc='lower right', ncols=2)
+    plotting.named(axis)
 
 
 def drawTension(axis, rows):
@@ -60,7 +60,7 @@ def drawTension(axis, rows):
                     color=colour, markersize=4, label=terms)
     axis.set(xlabel='tension $1 - \\rho/\\rho_0$', ylabel='growth of displacements [$c_0/h$]',
              title='Tensile instability, square lattice; lines: theory')
-    axis.legend(fontsize=7)
+    plotting.named(axis)
 
 
 def drawImpact(axis, rows):
@@ -77,4 +77,4 @@ def drawImpact(axis, rows):
     axis.plot(*zip(*sorted(theory.items())), 'k-', linewidth=1, label='water hammer')
     axis.set(xlabel='speed of the block / $(c_0/10)$', ylabel='largest $\\rho/\\rho_0 - 1$',
              title='Block thrown on a wall; dashed: passes')
-    axis.legend(fontsize=7)
+    plotting.named(axis)

@@ -29,6 +29,9 @@ expect bashrcTwice "sourced again, it changes nothing" twice
 ownFolders() { [[ $(variable RIPRAP_APPBIN) == "$root"/platforms/* && $(variable FOAM_APPBIN) != /usr/bin ]]; }
 expect bashrcOwnFolders "nothing can be linked into /usr/bin" ownFolders
 
+commands() { bash -c '. etc/bashrc; riprapRender -help' | grep -q -- '-film'; }
+expect bashrcCommands "commands of bin are on the path" commands
+
 # In a shell without OpenFOAM, and in one that has it: its own values, the user's or OpenFOAM's
 bare=(env -i "HOME=$HOME" "PATH=/usr/bin:/bin" NVCC=)
 usersFolders()

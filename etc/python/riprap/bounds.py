@@ -25,6 +25,15 @@ class Quantity:
     def checked(self):
         return self.computed if self.error is None else self.error
 
+    @property
+    def kind(self):
+        """What `checked` is: relative, error (in the unit of the name), or value"""
+        if self.error is None:
+            return 'value'
+        if self.computed is None or not self.reference:
+            return 'error'
+        return 'relative' if abs(abs(self.error) - abs(self.computed/self.reference - 1)) < 1e-6 else 'error'
+
 
 class Bounds:
     def __init__(self, scene, level):

@@ -76,8 +76,8 @@ def plot(runs, path, profile, title):
         right.semilogy(tau, error, label=f'{run.name}: L/{1/run.spacing:.0f}')
     right.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound of the stated resolution')
     right.set(xlabel='$\\nu t/L^2$', ylabel='relative L2 error of the velocity')
-    left.legend(fontsize=7)
-    right.legend(fontsize=7)
+    plotting.named(left)
+    plotting.named(right)
     plotting.save(fig, path)
 
 

@@ -103,5 +103,5 @@ def plot(runs, path):
     height.set(xlabel='$T$', ylabel='height at the left wall $h/a$', ylim=(0, 2.1))
     energy.set(xlabel='t [s]', ylabel='energy / energy at the start')
     for axis in (front, height, energy):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)

@@ -2,7 +2,8 @@
 """OpenFOAM dictionaries as nested Python dictionaries of strings.
 
 Reads what foamDictionary writes and what people write by hand: comments, sub-dictionaries, lists
-(kept as one string) and #include of a file beside it; $name is replaced by an entry seen before.
+(kept as one string), #include and #includeIfPresent of a file beside it; $name is replaced by an entry or sub-dictionary
+seen before.
 """
 import os
 import re
@@ -10,9 +11,9 @@ import re
 _token = re.compile(r'"[^"]*"|[{}();]|[^\s{}();"]+')
 
 
-def readDictionary(path):
-    """Nested dictionary of the file at path; values are strings, lists keep their brackets"""
-    return _parse(iter(_token.findall(_text(path))), {})
+def readDictionary(path, text=None):
+    """Nested dictionary of the file at path, or of this text; values are strings, lists keep their brackets"""
+    return _parse(iter(_token.findall(_text(path, text))), {})
 
 
 def numberOf(text, default=None):
@@ -30,13 +31,18 @@ def entry(dictionary, path, default=None):
     return dictionary
 
 
-def _text(path):
-    with open(path) as f:
-        text = f.read()
+def _text(path, text=None):
+    if text is None:
+        with open(path) as f:
+            text = f.read()
     text = re.sub(r'/\*.*?\*/', ' ', text, flags=re.S)
     text = re.sub(r'//[^\n]*', ' ', text)
     folder = os.path.dirname(path)
-    return re.sub(r'#include\s+"([^"]+)"', lambda m: _text(os.path.join(folder, m.group(1))), text)
+
+    def included(match):
+        file = os.path.join(folder, match.group(2))
+        return '' if match.group(1) and not os.path.exists(file) else _text(file)
+    return re.sub(r'#include(IfPresent)?\s+"([^"]+)"', included, text)
 
 
 def _parse(tokens, outer):
@@ -50,7 +56,9 @@ def _parse(tokens, outer):
         elif token == '}':
             return result
         elif token == ';':
-            if words:
+            if len(words) == 1 and isinstance({**outer, **result}.get(words[0][1:]), dict):
+                result.update({**outer, **result}[words[0][1:]])
+            elif words:
                 result[words[0]] = ' '.join(_expand(w, {**outer, **result}) for w in words[1:])
             words = []
         elif token == '(':

@@ -13,11 +13,11 @@ from .bounds import root
 
 columns = ['date', 'scene', 'run', 'model', 'settings', 'spacing', 'particles', 'precision', 'device',
            'quantity', 'error', 'wallTime', 'deviceTime', 'steps', 'particleSteps', 'memory',
-           'energyDrift', 'version', 'machine', 'simulated']
+           'energyDrift', 'version', 'machine', 'simulated', 'kind']
 
 
-def append(scene, run, quantity, error):
-    """run: a study.Run"""
+def append(scene, run, quantity, error, kind=''):
+    """run: a study.Run. kind of the error: relative, error (in the quantity's unit), or value where there is no error"""
     log = run.log
     row = {
         'date': datetime.date.today().isoformat(), 'scene': scene, 'run': run.name,
@@ -28,14 +28,18 @@ def append(scene, run, quantity, error):
         'deviceTime': log['deviceTime'], 'steps': _count(log['steps']),
         'particleSteps': _show(log['particleSteps']), 'memory': _count(log['memory']),
         'energyDrift': _show(run.energyDrift()), 'version': log['version'] or version(),
-        'machine': machine(), 'simulated': run.control.get('endTime', ''),
+        'machine': machine(), 'simulated': run.control.get('endTime', ''), 'kind': kind,
     }
     folder = os.environ.get('RIPRAP_RESULTS') or os.path.join(root(), 'benchmarks', 'results')
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, scene + '.csv')
     new = not os.path.exists(path)
+    known = columns
+    if not new:
+        with open(path, newline='') as f:
+            known = next(csv.reader(f))         # a file of before `kind` keeps its columns
     with open(path, 'a', newline='') as f:
-        writer = csv.DictWriter(f, columns, lineterminator='\n')
+        writer = csv.DictWriter(f, known, lineterminator='\n', extrasaction='ignore')
         if new:
             writer.writeheader()
         writer.writerow(row)

@@ -41,5 +41,5 @@ def plot(runs, path):
     curve.set(xlabel='t [s]', ylabel='front x/a')
     kinetic.set(xlabel='t [s]', ylabel='kinetic energy / total at the start')
     for axis in (curve, kinetic):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)

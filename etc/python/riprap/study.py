@@ -243,7 +243,7 @@ class Study:
             if self.recorded is not None and name not in self.recorded:
                 continue
             q = headline(results[name], self.headline)
-            records.append(self.scene, run, q.name, q.checked)
+            records.append(self.scene, run, q.name, q.checked, q.kind)
         if runs and not (options.quick or options.sets):
             images = os.path.join(root(), 'docs', 'images') if shipped else here
             os.makedirs(images, exist_ok=True)

@@ -56,5 +56,5 @@ def plot(runs, path):
     error.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound of the stated resolution')
     error.set(xlabel='t U/L', ylabel='relative L2 error of the velocity')
     for axis in (error, energy):
-        axis.legend(fontsize=8)
+        plotting.named(axis)
     plotting.save(fig, path)

@@ -93,7 +93,7 @@ def plot(runs, path):
     axes[5].set(title='dissipated / energy at the start')
     for axis in axes:
         axis.set(xlabel='$t\\,\\sqrt{g/H}$')
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     axes[0].set(ylabel='$p/(\\rho g H)$')
     axes[3].set(ylabel='$p/(\\rho g H)$')
     plotting.save(fig, path)

@@ -72,5 +72,5 @@ def plot(runs, path):
     mode.set(xlabel='t/T', ylabel='first mode / V/$\\omega$')
     energy.set(xlabel='t/T', ylabel='kinetic energy / initial', ylim=(1e-3, 1.5))
     for axis in (mode, energy):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)

@@ -34,7 +34,7 @@ def plot(runs, path):
             axes[0].plot(table['Time'], table['broken']*1e2, label=f'{run.name}: broken bonds x 100')
     axes[0].set(xlabel='t [s]', ylabel='[N]')
     if axes[0].lines:
-        axes[0].legend(fontsize=7)
+        plotting.named(axes[0])
     plotting.save(fig, path)
 
 

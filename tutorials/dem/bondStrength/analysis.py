@@ -59,7 +59,7 @@ def plot(runs, path):
             axes[0].semilogy(1e3*table['Time'][1:], np.abs(1 - table[column][1:]/exact), linewidth=1, label=run.name)
     axes[0].axhline(1e-6, color='#444444', linewidth=0.7, linestyle='--')
     axes[0].set(xlabel='t [ms]', ylabel='1 - force / statics', title='first bond, just below its strength')
-    axes[0].legend(fontsize=6)
+    plotting.named(axes[0])
     for k, run in enumerate(runs):
         first, broken = bonds(run)
         colour = ['#bbbbbb', '#D55E00', '#0072B2']

@@ -97,7 +97,7 @@ def plot(runs, path):
     converge.set(xlabel='particles', ylabel='tip deflection / continuum')
     settle.set(xlabel='t [s]', ylabel='tip deflection / closed form')
     for axis in (converge, settle):
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -57,7 +57,7 @@ def plot(runs, path):
     energy.set(xlabel='t [ms]', ylabel='energy / start')
     bonds.set(xlabel='t [ms]', ylabel='broken bonds')
     for axis in (energy, bonds):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -189,7 +189,7 @@ def plot(runs, path):
     axes[3].set(xlim=(-2, 84), ylim=(-6, 8), aspect='equal', xlabel='x [mm]', title=f'{shown.name}, 1 N/m')
     for axis in axes[:3]:
         if axis.get_legend_handles_labels()[0]:
-            axis.legend(fontsize=6)
+            plotting.named(axis)
     plotting.save(fig, path)
 
 

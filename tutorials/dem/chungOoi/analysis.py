@@ -93,7 +93,7 @@ def plot(runs, path):
             draw(run, axes[panel])
     for axis in axes:
         if axis.lines or axis.collections:
-            axis.legend(fontsize=7)
+            plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -131,7 +131,7 @@ def plotChannels(found, path):
     axes[0].set(xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$', title='spheres in channels, rough floor')
     axes[1].set(xlabel='aspect ratio $a$', ylabel='beyond the law [%]', title='farthest grain of the heap; dotted: mean of strips across')
     for axis in axes:
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 
@@ -175,7 +175,7 @@ def plotTerms(found, path):
     axes[0].axvline(0, color='k', linewidth=0.6)
     axes[0].set(yticks=range(len(names)), yticklabels=[n or 'the column of the study' for n in names], ylim=(len(names) - 0.5, -0.5),
                 xlabel='change of the run-out [%]', title='spheres in a channel: one thing changed at a time')
-    axes[0].legend(fontsize=7)
+    plotting.named(axes[0])
     plotting.save(fig, path)
 
 
@@ -207,7 +207,7 @@ def plot(runs, path):
                 axis.plot([aspectRatio(r) for r in chosen], [runOut(r, lastTime(r)) for r in chosen], style, color='#000000',
                           markersize=5, label=label)
         axis.set(title=kind, xlabel='aspect ratio $a$', ylabel='run-out $(L-L_0)/L_0$')
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     for run in runs:
         if run.name.count('-') > 1:
             continue
@@ -215,7 +215,7 @@ def plot(runs, path):
         H = aspectRatio(run)*column(run)['width']
         axes[2].plot((t - opens)/np.sqrt(H/g), [runOut(run, s) for s in t], linewidth=1, label=run.name)
     axes[2].set(xlabel='$t / \\sqrt{H/g}$', ylabel='run-out')
-    axes[2].legend(fontsize=6)
+    plotting.named(axes[2])
     for axis, t in zip(axes[3:], (opens, opens + 0.3, lastTime(shown))):
         drawHeap(axis, shown, t)
     plotting.save(fig, path)

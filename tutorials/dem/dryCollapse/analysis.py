@@ -92,7 +92,7 @@ def plot(runs, path):
                 table = centre(run)
                 axis.plot(table[0], table[k], linewidth=0.5, color='#bbbbbb', zorder=0)
         axis.set(xlabel='t [s]', ylabel=f'${label}$ of the centre of mass $/L$')
-    axes[0].legend(fontsize=6)
+    plotting.named(axes[0])
     for run in wanted:
         energy = run.table('energy', 'solidEnergies.dat')
         axes[2].plot(energy['Time'], energy['total']/energy['total'][0], linewidth=1, label=run.name)

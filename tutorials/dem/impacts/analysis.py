@@ -59,7 +59,7 @@ def plot(runs, path):
     for run in runs:
         axes[0].plot(list(angles), [q.gain for q in pairs(run)], '.-', label=run.name)
     axes[0].set(xlabel='angle of incidence [degrees]', ylabel='energy after / before - 1')
-    axes[0].legend(fontsize=6)
+    plotting.named(axes[0])
     plotting.save(fig, path)
 
 

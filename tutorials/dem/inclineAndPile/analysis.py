@@ -56,7 +56,7 @@ def plot(runs, path):
     slopes.set(xlabel='t [s]', ylabel='moved down the slope [radii]')
     piles.set(xlabel='t [s]', ylabel='base of the pile moved by [radii]')
     for axis in (slopes, piles):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

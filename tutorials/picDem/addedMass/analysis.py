@@ -49,7 +49,7 @@ def plot(runs, path):
     axis.loglog([6, 24], [0.02, 0.02/16], 'k:', label='second order')
     axis.axhline(0.01, color='k', linewidth=0.8, linestyle='--', label='bound at 12 cells')
     axis.set(xlabel='cells a radius', ylabel="error of the water's force")
-    axis.legend(fontsize=7)
+    plotting.named(axis)
     plotting.save(fig, path)
 
 

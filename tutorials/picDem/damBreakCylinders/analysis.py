@@ -153,7 +153,7 @@ def plotArrivals(runs, path):
     left.set_ylim(bottom=0)
     right.set(xlabel='t [s]', ylabel='centre of all cylinders, x/L')
     for axis in (left, right):
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 
@@ -171,7 +171,7 @@ def plotResolution(runs, path):
         for run in group:
             axis.plot(*centre(run), linewidth=1, label=f'{2*radius/kind(run)[1]:.0f} cells a diameter')
         axis.set(xlabel='t [s]', ylabel='centre of all cylinders, x/L', title=f'beta {beta:g}, gap {name}', xlim=(0, 0.35), ylim=(0.1, 0.45))
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     for beta, name, group in rows:
         cells = [2*radius/kind(run)[1] for run in group]
         at = [(c, np.interp(0.2, *centre(run))) for c, run in zip(cells, group) if centre(run)[0][-1] >= 0.2 - 1e-9]
@@ -182,7 +182,7 @@ def plotResolution(runs, path):
     axes[-1].set(ylabel='first cylinder at the far wall [s]', ylim=(0.2, 0.35))
     for axis in axes[-2:]:
         axis.set(xlabel='cells a diameter')
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 
@@ -200,7 +200,7 @@ def plotPlate(runs, path):
             axis.plot(motion['Time'] - held, motion[column]/tank(run, 'tank'), linewidth=1, label=f'lifted at {speed:g} m/s' if speed else 'gone at once')
     for axis, name in zip(axes, ('centre of all cylinders', 'farthest surface of a cylinder')):
         axis.set(xlabel='t [s] since they could move', ylabel=name + ', x/L', xlim=(-0.05, 0.5))
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     run = next((r for r in lifted if lift(r)[0] == 1), lifted[0])
     for axis, moment in zip(axes[2:], (0.07, 0.2)):
         snapshot(axis, run, lift(run)[1] + moment)

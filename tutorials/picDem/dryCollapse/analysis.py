@@ -41,7 +41,7 @@ def plot(runs, path):
         axes[1].plot(t, y, linewidth=1, label=run.name)
     for axis, name in zip(axes, 'xy'):
         axis.set(xlabel='t [s]', ylabel=f'${name}/L$')
-    axes[0].legend(fontsize=7)
+    plotting.named(axes[0])
     plotting.save(fig, path)
 
 

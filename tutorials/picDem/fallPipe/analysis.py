@@ -108,7 +108,7 @@ def curves(axis, m, title):
     axis.plot(m.t, 100*m.outside, label='level outside [cm]')
     axis.plot(m.t, 10*m.flow, label='flow in the mouth [dm/s]')
     axis.plot(m.t, m.above, label='cylinders above the mouth')
-    axis.legend(fontsize=6)
+    plotting.named(axis)
     axis.set(xlabel='t [s]', title=title)
 
 

@@ -79,7 +79,7 @@ def plot(runs, path):
             axis.plot(times, values/values[0], linewidth=1, label=r.name)
         if mine:
             axis.plot(times, theory(mine[0], times), 'k--', linewidth=1, label='potential theory')
-            axis.legend(fontsize=6)
+            plotting.named(axis)
         axis.set(xlabel='t [s]', ylabel=f'{motion} / first')
     plotting.save(fig, path)
 

@@ -104,20 +104,20 @@ def plot(runs, path):
         if points:
             axes[0].loglog(*zip(*points), 'o-', label=label)
     axes[0].set(xlabel='density ratio', ylabel='error of the acceleration')
-    axes[0].legend(fontsize=7)
+    plotting.named(axes[0])
     for prefix, style in (('crowd', 'o-'), ('crowd3d', '^:')):
         for k, n in enumerate(crowds):
             points = sorted((ratio(r), iterations(r)) for r in runs if r.name.startswith(f'{prefix}{n}-') and not r.name.endswith('-host'))
             if points:
                 axes[1].semilogx(*zip(*points), style, color=plotting.colours[k], label=f'{"disks" if prefix == "crowd" else "spheres"}: {n}')
     axes[1].set(xlabel='density ratio', ylabel='iterations to 1e-10', ylim=(0, None))
-    axes[1].legend(fontsize=7)
+    plotting.named(axes[1])
     for r in runs:
         if r.name.startswith(('weak', '2d-0.5')) and not r.name.endswith('Faces'):
             a = np.abs(accelerations(r))/g
             axes[2].semilogy(range(1, len(a) + 1), a, 'o-', label=r.name, markersize=3)
     axes[2].set(xlabel='step', ylabel='|acceleration| / g')
-    axes[2].legend(fontsize=7)
+    plotting.named(axes[2])
     plotting.save(fig, path)
 
 

@@ -40,7 +40,7 @@ def plot(runs, path):
         speeds.semilogy(e['Time'], np.maximum(e['maxSpeed'], 1e-18), label=run.name)
     speeds.axhline(1e-6, color='k', linewidth=0.8, linestyle='--', label='bound')
     speeds.set(xlabel='t [s]', ylabel='largest speed of a particle [m/s]')
-    speeds.legend(fontsize=7)
+    plotting.named(speeds)
     plotting.save(fig, path)
 
 

@@ -41,12 +41,12 @@ def plot(runs, path):
     for name, sign, label in (('gravity', 1, 'weight of the water'), ('walls', -1, 'of walls'), ('solids', -1, 'of solids'), ('water', 1, 'sum: what it gets')):
         left.plot(t, sign*impulse[name][:, 1]/kick, linewidth=0.8, label=label)
     left.set(xlabel='t [s]', ylabel='force on the water, upwards [N]', title=runs[0].name)
-    left.legend(fontsize=7)
+    plotting.named(left)
     for run in runs:
         t, impulse, scale = balance(run)
         right.semilogy(t, np.maximum(np.linalg.norm(impulse['residual'], axis=1)/scale, 1e-18), linewidth=0.8, label=run.name)
     right.set(xlabel='t [s]', ylabel='residual of a step / its impulses')
-    right.legend(fontsize=7)
+    plotting.named(right)
     plotting.save(fig, path)
 
 

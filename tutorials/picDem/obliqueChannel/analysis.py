@@ -58,8 +58,8 @@ def plot(runs, path):
         right.semilogy(*errors(run), label=run.name)
     right.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound at 20 cells')
     right.set(xlabel='$\\nu t/L^2$', ylabel='relative L2 error of the velocity')
-    left.legend(fontsize=7)
-    right.legend(fontsize=7)
+    plotting.named(left)
+    plotting.named(right)
     plotting.save(fig, path)
 
 

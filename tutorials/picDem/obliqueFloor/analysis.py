@@ -40,7 +40,7 @@ def plot(runs, path):
         speeds.semilogy(e['Time'], np.maximum(e['maxSpeed'], 1e-18)/np.sqrt(g*depth), label=run.name)
     speeds.axhline(1e-4, color='k', linewidth=0.8, linestyle='--', label='bound')
     speeds.set(xlabel='t [s]', ylabel='largest speed / sqrt(gH)')
-    speeds.legend(fontsize=7)
+    plotting.named(speeds)
     run = runs[-1]
     x, p, exact = state(run)
     points = water.scatter(x[:, 0], x[:, 1], c=p, s=1)

@@ -72,7 +72,7 @@ def plot(runs, path):
         t, eta = levels(run)
         gauge.plot(t, 1000*eta[:, len(before) + 3], linewidth=0.8, label=run.name)
     gauge.set(xlabel='t [s]', ylabel='level behind the mound [mm]')
-    gauge.legend(fontsize=7)
+    plotting.named(gauge)
     run = runs[0]
     name = clouds.times(run.path)[-1]
     water = clouds.readCloud(run.path, name, ('U',))

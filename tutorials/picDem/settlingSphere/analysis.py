@@ -55,7 +55,7 @@ def plot(runs, path):
         right.plot(*table.T, 'o', color=colour, markersize=3, fillstyle='none')
     left.set(xlabel='t [s]', ylabel='velocity [m/s]', title='o ten Cate et al. (2002)')
     right.set(xlabel='t [s]', ylabel='gap above the floor / diameter')
-    left.legend(fontsize=7)
+    plotting.named(left)
     plotting.save(fig, path)
 
 

@@ -64,7 +64,7 @@ def plot(runs, path):
     volume.set(xlabel='t [s]', ylabel='relative error of the volume')
     energy.set(xlabel='t [s]', ylabel='wave energy / initial')
     for axis in (level, volume, energy):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -39,7 +39,7 @@ def plot(runs, path):
     left.set(xlabel='$\\omega t$', ylabel='angular momentum / initial')
     right.set(xlabel='$\\omega t$', ylabel='kinetic energy / initial')
     for axis in (left, right):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -88,7 +88,7 @@ def plot(runs, path):
     profile.set(xlabel='x [m]', ylabel=f'level at {f.t[-1]:.1f} s / stroke')
     heights.set(xlabel='k h', ylabel='height of the waves / stroke')
     for axis in (gauge, profile, heights):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

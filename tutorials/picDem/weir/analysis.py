@@ -133,7 +133,7 @@ def plot(runs, path):
     profile.set(xlabel='x [m]', ylabel='level, mean of the second half [m]')
     rating.set(xlabel='head over the crest [m]', ylabel='flow [m$^2$/s]')
     for axis in (profile, rating):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

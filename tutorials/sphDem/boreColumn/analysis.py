@@ -80,7 +80,7 @@ def plot(runs, path):
     force.set(xlabel='time from the arrival [s]', ylabel='net force on the column [N]', xlim=(-0.1, 1.5), ylim=(-20, 60))
     velocity.set(xlabel='time from the arrival [s]', ylabel='velocity ahead of the column [m/s]', xlim=(-0.1, 1))
     for axis in (force, velocity):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -97,8 +97,8 @@ def plot(runs, path):
     axes[4].axhline(1e-6*bond(run, 'tensileStrength'), color='k', linewidth=0.8, linestyle='--')
     axes[4].set(xlabel='t [s]', ylabel='stress of the surface [MPa]')
     axes[5].set(xlabel='t [s]', ylabel='change of energy / largest moving')
-    axes[4].legend(fontsize=6)
-    axes[5].legend(fontsize=6)
+    plotting.named(axes[4])
+    plotting.named(axes[5])
     plotting.save(fig, path)
 
 

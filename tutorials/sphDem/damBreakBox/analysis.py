@@ -89,7 +89,7 @@ def plot(runs, path):
             axis.plot(table['Time'], stacked(table, 'level')[:, k], linewidth=1, label=run.name)
     for axis in axes:
         axis.set(xlabel='t [s]')
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

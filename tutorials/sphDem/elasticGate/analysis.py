@@ -165,7 +165,7 @@ def plotModulus(runs, path):
         at = t[(t > 0.07) & (t < 0.37)] if marker else when[when <= t[-1]]
         axis.plot(at, [modulusThen(gates, t, x, w) for w in at], color=colour, marker=marker, linewidth=0.9, markersize=4, fillstyle='none', label=name)
     axis.set(xlabel='t [s]', ylabel='E of the undamped gate there [MPa]', ylim=(3, 19))
-    axis.legend(fontsize=6, ncol=2, loc='upper right')
+    plotting.named(axis)
     plotting.save(fig, path)
 
 
@@ -202,7 +202,7 @@ def plot(runs, path):
             t, x, y = end(run)
             axes[k].plot(t, 1e3*(x if which == 'x' else y), linewidth=0.9, label=run.name)
         axes[k].set(xlabel='t [s]', ylabel=f'{which} of the end [mm]')
-        axes[k].legend(fontsize=5)
+        plotting.named(axes[k])
     for run in runs:
         level = run.table('level', 'waterLevel.dat')
         near, = axes[2].plot(level['Time'], 1e3*level['level0'], linewidth=0.8)

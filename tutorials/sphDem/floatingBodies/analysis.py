@@ -115,7 +115,7 @@ def plotDraughts(axis, runs):
                 axis.plot(*zip(*sorted(points)), marker + '-', color=plotting.colours[k], markersize=4, linewidth=0.8, label=f'{name}, {c}')
     axis.axhspan(0.97, 1.03, color='#dddddd')
     axis.set(xlabel='density over that of water', ylabel='draught / Archimedes')
-    axis.legend(fontsize=5)
+    plotting.named(axis)
 
 
 def plot(runs, path):
@@ -128,7 +128,7 @@ def plot(runs, path):
         t, y = r.theory()
         heave.plot(t, 1e3*(y - zero), color=colour, linewidth=0.9, linestyle=':')
     heave.set(xlabel='t [s]', ylabel='centre over its place at rest [mm]', title='dotted: potential flow')
-    heave.legend(fontsize=5)
+    plotting.named(heave)
     plotDraughts(draughts, runs)
     withClouds = [r for r in runs if clouds.times(r.path)]
     if withClouds:

@@ -59,7 +59,7 @@ def plot(runs, path):
     speeds.axhline(0.005, color='k', linewidth=0.8, linestyle='--', label='bound')
     speeds.set(xlabel='t [s]', ylabel='largest speed / $\\sqrt{gH}$')
     for axis in (pressure, speeds):
-        axis.legend(fontsize=7)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -103,7 +103,7 @@ def plotLeaks(runs, path):
     layer.axhline(0.5, color='k', linewidth=0.7, linestyle='--')
     share.set(xlabel='spacing of the water / of the plate', ylabel='water that leaked [%]')
     layer.set(xlabel='spacing of the water / of the plate', ylabel='first layer over the plate [spacings]')
-    share.legend(fontsize=6)
+    plotting.named(share)
     plotting.save(fig, path)
 
 
@@ -118,7 +118,7 @@ def plot(runs, path):
     for w, style, label in ((thinPlate(), '--', 'thin plate'), (withStretching(), ':', 'with shear and stretching')):
         time.axhline(1e3*w, color='k', linewidth=0.8, linestyle=style, label=label)
     time.set(xlabel='t [s]', ylabel='middle sinks by [mm]', ylim=(0, 2.2))
-    time.legend(fontsize=6)
+    plotting.named(time)
     last = runs[0]
     c = clouds.readCloud(last.path, clouds.times(last.path)[-1], ('radius',), 'solids')
     f = clouds.readCloud(last.path, clouds.times(last.path)[-1], ('p',))

@@ -47,7 +47,7 @@ def plot(runs, path):
     axis.axhline(1e6*analytic, color='k', linewidth=0.8, linestyle='--', label='thin plate')
     axis.axhline(1e6*(analytic + shear()), color='k', linewidth=0.8, linestyle=':', label='with shear')
     axis.set(xlabel='t [s]', ylabel='middle sinks by [um]', xlim=(0, max(middle(r)[0][-1] for r in runs)), ylim=(0, 140))
-    axis.legend(fontsize=6)
+    plotting.named(axis)
     plotting.save(fig, path)
 
 

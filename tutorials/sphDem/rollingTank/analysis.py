@@ -69,7 +69,7 @@ def plot(runs, path):
     axes[1].set(xlim=(1.5, 2.3))
     for axis, title in zip(axes, ('sensor 1, on the side', 'sensor 3, on the roof')):
         axis.set(xlabel='t [s]', ylabel='p [Pa], mean of 5 ms', title=title)
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

@@ -68,7 +68,7 @@ def plot(runs, path):
         speed.plot(b.t[early], a*b.t[early], color=colour, linestyle=':', linewidth=0.9)
     height.set(xlabel='t [s]', ylabel='lower face over the bottom / side')
     speed.set(xlabel='t [s]', ylabel='velocity [m/s]', title='dotted: added mass in unbounded water')
-    height.legend(fontsize=6)
+    plotting.named(height)
     plotting.save(fig, path)
 
 

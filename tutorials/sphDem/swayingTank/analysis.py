@@ -75,7 +75,7 @@ def plot(runs, path):
     axes[0].set(xlabel='t [s]', ylabel='level, half difference [mm]')
     axes[1].set(xlabel='t [s]', ylabel='p on the walls, half difference [Pa]')
     for axis in axes:
-        axis.legend(fontsize=6)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 

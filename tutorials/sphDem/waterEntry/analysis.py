@@ -111,7 +111,7 @@ def plot(runs, path):
     cylinders.set(xlabel='$t\\,\\sqrt{g/D}$', ylabel='penetration / D', xlim=(0, 1.85), title='cylinder of 0.11 m')
     velocity.set(xlabel='depth / depth at the end', ylabel='velocity / velocity at the touch', title='dotted: theory')
     for axis in (wedges, cylinders, velocity):
-        axis.legend(fontsize=5)
+        plotting.named(axis)
     drawWater(fig, picture, runs[0])
     plotting.save(fig, path)
 

@@ -119,7 +119,7 @@ def plot(runs, path):
     profile.set(xlabel='(x - dam)/t [m/s]', ylabel='level [m]')
     compared.set(xlabel='x [m]', ylabel='level [m]')
     for axis in (fronts, profile, compared):
-        axis.legend(fontsize=5)
+        plotting.named(axis)
     plotting.save(fig, path)
 
 
