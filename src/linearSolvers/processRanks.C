@@ -1,22 +1,20 @@
 /*  SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "processRanks.H"
+#include "foamVersions/foamVersions.H"
 #include "IPstream.H"
 #include "OPstream.H"
-#include "PstreamCombineReduceOps.H"
 
 namespace
 {
 
-//- By one rank in a fixed order, who tells the others
 template<class T, class V, class Op>
 void combine(std::vector<V>& values, const Op& op, Foam::label comm)
 {
     using namespace Foam;
     List<T> list(static_cast<label>(values.size()));
     std::copy(values.begin(), values.end(), list.begin());
-    Pstream::listCombineGather(list, op, UPstream::msgType(), comm);
-    Pstream::listCombineScatter(list, UPstream::msgType(), comm);
+    combineLists(list, op, comm);
     std::copy(list.begin(), list.end(), values.begin());
 }
 

@@ -7,6 +7,8 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "pictures.H"
+#include "polyMesh.H"
+#include "sceneCloud.H"
 #include "timeManifest.H"
 #include "timeWriter.H"
 
@@ -58,6 +60,29 @@ static bool startAtWholeTime(const fileName& casePath, dictionary& controlDict)
     return latest.name() != times.last().name();
 }
 
+
+//- Of a time's directory: where the particles are, and the states of scenes
+static fileNameList requiredFiles(const Time& time, bool picture)
+{
+    DynamicList<fileName> files;
+    const HashTable<const polyMesh*> meshes(time.lookupClass<polyMesh>());
+    forAllConstIters(meshes, mesh)
+    {
+        const HashTable<const sceneCloud*> clouds(mesh.val()->lookupClass<sceneCloud>());
+        forAllConstIters(clouds, c)
+        {
+            const sceneCloud& one = *c.val();
+            files.append(cloud::prefix/one.name()/"positions");
+            if (picture) continue;
+            for (const word& file : one.stateFiles())
+            {
+                files.append(fileName("uniform/riprap")/file);
+            }
+        }
+    }
+    return fileNameList(std::move(files));
+}
+
 } // End namespace Foam
 
 
@@ -65,13 +90,13 @@ static bool startAtWholeTime(const fileName& casePath, dictionary& controlDict)
 
 Foam::caseTime::caseTime(const argList& args)
 :
-    Time(Time::controlDictName, args)
+    writesItself<Time>(Time::controlDictName, args)
 {}
 
 
 Foam::caseTime::caseTime(const argList& args, const dictionary& controlDict)
 :
-    Time
+    writesItself<Time>
     (
         controlDict,
         args.rootPath(),
@@ -114,17 +139,11 @@ Foam::autoPtr<Foam::caseTime> Foam::caseTime::New
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::caseTime::writeObject
-(
-    IOstream::streamFormat fmt,
-    IOstream::versionNumber ver,
-    IOstream::compressionType cmp,
-    const bool valid
-) const
+bool Foam::caseTime::writeAs(const IOstreamOption& how, bool valid) const
 {
     if (!writeTime())
     {
-        return Time::writeObject(fmt, ver, cmp, valid);
+        return writeAsBase(how, valid);
     }
 
     pictures::ofRun().next(*this, lastWrite());
@@ -139,8 +158,9 @@ bool Foam::caseTime::writeObject
     label& keep = const_cast<caseTime&>(*this).purgeWrite_;
     const label asked = keep;
     keep = 0;
-    const bool written = Time::writeObject(fmt, ver, cmp, valid);
+    const bool written = writeAsBase(how, valid);
     keep = asked;
+    required_ = requiredFiles(*this, pictures::ofRun().now());
 
     if (!written)
     {
@@ -198,11 +218,22 @@ bool Foam::caseTime::lastWrite() const
 }
 
 
+void Foam::caseTime::requireWritten() const
+{
+    if (!writeTime() || writing_ == timePath()) return;
+
+    FatalErrorInFunction
+        << "Time " << timeName() << " was due to be written, but OpenFOAM v"
+        << foamVersion::api << " has not asked for its files: riprap was built"
+        << " for v" << OPENFOAM << exit(FatalError);
+}
+
+
 void Foam::caseTime::finishAtStop()
 {
     if (writing_.empty()) return;
 
-    timeWriter::ofRun().finish(fileNameList(), pictures::ofRun().now());
+    timeWriter::ofRun().finish(fileNameList(), pictures::ofRun().now(), required_);
     writing_.clear();
     const std::string failure(timeWriter::ofRun().settled());
     if (!failure.empty())
@@ -217,7 +248,7 @@ void Foam::caseTime::finishWrite()
 {
     if (writing_.empty()) return;
 
-    timeWriter::ofRun().finish(old(), pictures::ofRun().now());
+    timeWriter::ofRun().finish(old(), pictures::ofRun().now(), required_);
     writing_.clear();
 }
 

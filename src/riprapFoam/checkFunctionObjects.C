@@ -5,6 +5,9 @@
 
 #include "checkFunctionObjects.H"
 #include "checkedDictionary.H"
+#include "etcFiles.H"
+#include "functionObjectList.H"
+#include "listed.H"
 #include "sceneFunctionObject.H"
 #include "Switch.H"
 
@@ -81,6 +84,20 @@ void Foam::checkFunctionObjects(Time& time)
     {
         if (e.isDict() && e.dict().lookupOrDefault<Switch>("enabled", true)) check(e.keyword(), e.dict(), time);
     }
+}
+
+
+std::string Foam::missingFunction(const std::string& nameAndArguments)
+{
+    const word name(nameAndArguments.substr(0, nameAndArguments.find('(')));
+    if (functionObjectList::findDict(name).size()) return "";
+
+    return
+        "Function object " + name + " has no file: neither system/" + name
+      + " nor one below caseDicts/postProcessing in "
+      + listed(etcDirs()) + ". riprap's own are found after its"
+        " etc/bashrc was sourced, where WM_PROJECT_SITE is not set to a folder"
+        " of yours";
 }
 
 

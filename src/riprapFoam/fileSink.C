@@ -45,7 +45,7 @@ Foam::fileSink::fileSink
     path_(path),
     compression_(compression),
     threads_(max(threads, 1)),
-    file_(path, IOstream::BINARY, IOstream::currentVersion, compression)
+    file_(path, compression)
 {
     requireGood();
     block_.reserve(fileSum::block);

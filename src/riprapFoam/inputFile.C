@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "inputFile.H"
+#include "checkFunctionObjects.H"
 #include "dictionaryText.hpp"
 #include "dictionary.H"
 #include "error.H"
@@ -186,7 +187,12 @@ bool Foam::inputFile::readDirective(const textToken& t, names& known)
         if (name == "#ifeq") text_.next();
         readConditional(t.line);
     }
-    else if (name == "#includeEtc" || name == "#includeFunc" || name == "#sincludeEtc")
+    else if (name == "#includeFunc")
+    {
+        const std::string missing(missingFunction(text_.next().text));
+        if (!missing.empty()) stop(t.line, missing);
+    }
+    else if (name == "#includeEtc" || name == "#sincludeEtc")
     {
         text_.next();
     }

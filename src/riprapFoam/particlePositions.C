@@ -20,7 +20,7 @@ static void readEntry(Istream& is, scalar (&s)[nScalars], label (&l)[nLabels])
         is.readEnd("particle");
         for (label& value : l) is >> value;
     }
-    else if (is.checkLabelSize<>() && is.checkScalarSize<>())
+    else if (is.checkLabelSize<label>() && is.checkScalarSize<scalar>())
     {
         char block[sizeof(s) + sizeof(l)];
         is.read(block, sizeof(block));

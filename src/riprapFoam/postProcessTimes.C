@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "postProcessTimes.H"
+#include "checkFunctionObjects.H"
 #include "listed.H"
 #include "functionObjectList.H"
 #include "timeManifest.H"
@@ -38,6 +39,19 @@ Foam::instantList Foam::selectPostProcessTimes
     const argList& args
 )
 {
+    wordList functions;
+    if (args.found("funcs")) functions.append(args.getList<word>("funcs"));
+    if (args.found("func")) functions.append(args.get<word>("func"));
+    for (const word& function : functions)
+    {
+        const std::string missing(missingFunction(function));
+        if (!missing.empty())
+        {
+            FatalErrorInFunction
+                << "Option -postProcess: " << missing.c_str() << exit(FatalError);
+        }
+    }
+
     DynamicList<instant> times;
     for (const instant& t : timeSelector::select0(runTime, args))
     {

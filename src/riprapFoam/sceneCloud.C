@@ -104,52 +104,7 @@ const Foam::particleCloud& Foam::sceneCloud::fetch() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
-:
-    cloud(mesh, name),
-    mesh_(mesh)
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::wordList Foam::sceneCloud::fieldNames() const
-{
-    const particleCloud& particles = fetch();
-    wordList names(particles.labels.sortedToc());
-    names.append(particles.scalars.sortedToc());
-    names.append(particles.vectors.sortedToc());
-    return names;
-}
-
-
-Foam::label Foam::sceneCloud::nParcels() const
-{
-    return fetch().size();
-}
-
-
-void Foam::sceneCloud::writeObjects(objectRegistry& obr) const
-{
-    const particleCloud& particles = fetch();
-
-    cloud::createIOField<point>("position", particles.size(), obr) =
-        particles.position;
-    addFields(particles.labels, obr);
-    addFields(particles.scalars, obr);
-    addFields(particles.vectors, obr);
-}
-
-
-bool Foam::sceneCloud::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
 {
     // First, since the scene then goes on as one that was given this state
     const bool picture = pictures::ofRun().now();
@@ -184,6 +139,45 @@ bool Foam::sceneCloud::writeObject
     Info<< nl << endl;
 
     return true;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
+:
+    writesItself<cloud>(mesh, name),
+    mesh_(mesh)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::sceneCloud::fieldNames() const
+{
+    const particleCloud& particles = fetch();
+    wordList names(particles.labels.sortedToc());
+    names.append(particles.scalars.sortedToc());
+    names.append(particles.vectors.sortedToc());
+    return names;
+}
+
+
+Foam::label Foam::sceneCloud::nParcels() const
+{
+    return fetch().size();
+}
+
+
+void Foam::sceneCloud::writeObjects(objectRegistry& obr) const
+{
+    const particleCloud& particles = fetch();
+
+    cloud::createIOField<point>("position", particles.size(), obr) =
+        particles.position;
+    addFields(particles.labels, obr);
+    addFields(particles.scalars, obr);
+    addFields(particles.vectors, obr);
 }
 
 

@@ -263,12 +263,23 @@ void Foam::timeManifest::finish
 (
     const fileName& timePath,
     const fileSums& known,
-    bool picture
+    bool picture,
+    const fileNameList& required
 )
 {
     DynamicList<fileName> files;
     listFiles(timePath, "", files);
     sort(files);
+
+    for (const fileName& file : required)
+    {
+        if (files.found(file)) continue;
+        throw std::runtime_error
+        (
+            "Time " + timePath.name() + " has been written without its file "
+          + file + ": no run could go on from it. Earlier times are whole"
+        );
+    }
 
     std::ostringstream lines;
     lines << "# As riprapFoam wrote them (compressed ones: what they hold):"

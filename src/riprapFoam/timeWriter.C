@@ -146,13 +146,18 @@ void Foam::timeWriter::put(job next)
 }
 
 
-void Foam::timeWriter::finish(const fileNameList& old, bool picture)
+void Foam::timeWriter::finish
+(
+    const fileNameList& old,
+    bool picture,
+    const fileNameList& required
+)
 {
     add
     (
-        [this, old, picture]()
+        [this, old, picture, required]()
         {
-            timeManifest::finish(timePath_, sums_, picture);
+            timeManifest::finish(timePath_, sums_, picture, required);
             if (old.empty()) return;
 
             // Not before the new time would survive a loss of power

@@ -8,10 +8,10 @@
 #include <iostream>
 #include "../unitFoam/ballsInWater.hpp"
 #include "../unitFoam/testTime.H"
-#include "parRun.H"
 #include "pic/bodies/deflation.hpp"
 #include "pressureSolver.H"
 #include "processRanks.H"
+#include "foamVersions/foamVersions.H"
 
 namespace
 {
@@ -318,7 +318,7 @@ int main(int argc, char* argv[])
 {
     using namespace Foam;
     ParRunControl ranks;
-    if (argc > 1 && std::string(argv[1]) == "-parallel") ranks.runPar(argc, argv, false);
+    if (argc > 1 && std::string(argv[1]) == "-parallel") beginParallel(ranks, argc, argv);
     messageStream::level = 0;
     const int more = UPstream::nProcs() > 1;
     const std::vector<double> mixed{2.7, 1e-3, 1e3, 0.1, 1};

@@ -49,6 +49,35 @@ expect buildForCpu "NVCC= builds for the CPU alone" forCpu
 architectures() { [[ $(variable RIPRAP_OPTIONS NVCC=nvcc "RIPRAP_CUDA_ARCH=80 90" RIPRAP_CPU_ARCH=) == *Opt-cuda80-90 ]]; }
 expect buildArchitectures "the build's name has the GPUs' architectures, and no -march when it is empty" architectures
 
+# An OpenFOAM that is sourced already, made of folders alone: what it is decides. Built with two versions, nothing mixes
+sourced()   # API VERSION [ABSENT]: of the folders META-INFO, wmake and src
+{
+    local folder said status name; folder=$(mktemp -d); mkdir -p "$folder"/{META-INFO,wmake,src/OpenFOAM}
+    echo "api=$1" >"$folder/META-INFO/api-info"; ln -s /bin/true "$folder/wmake/wmake"
+    for name in ${3:-}; do rm -r "${folder:?}/$name"; done
+    said=$("${bare[@]}" WM_PROJECT_DIR="$folder" WM_PROJECT_VERSION="$2" WM_OPTIONS=linux64GccDPInt32Opt RIPRAP_CPU_ARCH=x86-64-v3 bash -c '. etc/bashrc; echo "status $? $RIPRAP_OPTIONS $RIPRAP_LAST"' 2>&1)
+    [[ $said == *'status 0'* ]] || { "${bare[@]}" WM_PROJECT_DIR="$folder" WM_PROJECT_VERSION="$2" etc/bootstrap >"$folder/boot" 2>&1; said+=" bootstrap $? $(wc -l <"$folder/boot") lines"; }
+    rm -rf "$folder"
+    echo "${said//$folder/FOLDER}"
+}
+twoVersions()
+{
+    local newer older; newer=$(sourced 2512 v2512) older=$(sourced 1912 v1912)
+    [[ $newer == *"status 0 linux64GccDPInt32Opt-v2512-x86-64-v3 $root/platforms/last-v2512" && $older == *"status 0 linux64GccDPInt32Opt-x86-64-v3 $root/platforms/last" ]]
+}
+expect buildVersions "a build's name has OpenFOAM's version, but for v1912, and each version has a last build of its own" twoVersions
+otherFoam()
+{
+    local kind said
+    for kind in '13 META-INFO|OpenFOAM 13 in FOLDER is openfoam.org' 'dev META-INFO|OpenFOAM dev in FOLDER is openfoam.org' 'v1806 META-INFO|OpenFOAM v1806 in FOLDER is too old' \
+        'v2412 wmake|OpenFOAM v2412 in FOLDER has no wmake or no headers' 'v2412 src|OpenFOAM v2412 in FOLDER has no wmake or no headers'
+    do
+        said=$(sourced 2412 ${kind%%|*})
+        [[ $said == "riprap: ${kind#*|}"*'status 1'*'bootstrap 1 1 lines' && $(wc -l <<<"$said") == 2 ]] || { echo "$said"; return 1; }
+    done
+}
+expect foamThatCannotServe "a sourced OpenFOAM of openfoam.org, an old one, and one without wmake or headers get one message each" otherFoam
+
 # Links of all documents: files, and headings by the anchors that GitHub makes of them
 broken=$(etc/checkDocs --links) && echo "PASS documentationLinks" || echo "FAIL documentationLinks ${broken//$'\n'/; }"
 
@@ -81,7 +110,7 @@ for path in files:
     for word in re.findall(r"\bdocs/\w+\b(?![./\w])", text):
         if not pathlib.Path(word).exists() and not pathlib.Path(word + ".md").exists(): missing.add(f"{path}: {word}")
     for word in re.findall(r"(?<![\w./${])(?:[a-z][A-Za-z0-9]*/)*[A-Za-z][A-Za-z0-9]*\.(?:md|hpp|H|cu|C)\b", text):
-        if re.match(r"my[A-Z]|x\.|x[A-Z]|self\.", pathlib.Path(word).name): continue       # examples, members
+        if re.match(r"my[A-Z]|x\.|x[A-Z]|self\.|riprapBuild\.H", pathlib.Path(word).name): continue       # examples, members, what Allwmake writes
         here = (pathlib.Path(path).parent/word).exists() or pathlib.Path(word).exists() or (pathlib.Path("src")/word).exists()
         if not here and not ("/" not in word and word in names): missing.add(f"{path}: {word}")
 print("; ".join(sorted(missing)))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  Files of a time that are written while the run goes on: the same bytes as OpenFOAM's own writing gives, states of any size, and failures that are told. */
 
+#include "foamVersions/foamVersions.H"
 #include "IOField.H"
 #include "labelField.H"
 #include "labelIOList.H"
@@ -185,7 +186,7 @@ TEST(Writing, stateIsTheListItWas)
     file[0] = given.size();
     file[1] = label(Hasher(given.data(), given.size()*sizeof(given[0]), 0));
     std::copy(given.begin(), given.end(), file.begin() + 2);
-    file.regIOobject::writeObject(IOstream::BINARY, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+    writeUncompressed(file, IOstream::BINARY);
     EXPECT_EQ(written, bytes(file.objectPath()));
     EXPECT_EQ(readStateWords(time(), "state"), given);
 }
@@ -256,5 +257,35 @@ TEST(Writing, whatFailsIsTold)
         EXPECT_NE(said.find("/dev/full cannot be written: is the disk full? This time is not whole, earlier ones are"), std::string::npos) << said;
         EXPECT_TRUE(isFile(time().path()/"3/uniform/riprap/manifest.part"));
         EXPECT_FALSE(isFile(time().path()/"3/uniform/riprap/manifest"));
+    }
+}
+
+TEST(Writing, aTimeWithoutARequiredFileFails)
+{
+    for (const bool later : {true, false})
+    {
+        autoPtr<Time> time(timeOf("ascii"));
+        const fileName path(time().path()/(later ? "4" : "5"));
+        time.ref().setTime(later ? 4 : 5, 1);
+        const auto write = [&](const fileNameList& required)
+        {
+            timeWriter& writer = timeWriter::ofRun();
+            writer.begin(path, later);
+            writtenFile file(object(time(), "a"), IOField<scalar>::typeName, time());
+            file.add(listBody(scalarField(100, 0.5)));
+            writer.put(std::move(file));
+            writer.finish(fileNameList(1, scratch.folder/"older"), false, required);
+            writer.wait();
+        };
+        mkDir(scratch.folder/"older");
+        const fileName there(object(time(), "a").objectPath().substr(path.size() + 1));
+        const std::string said = thrown([&]() { write(fileNameList({there, fileName("uniform/riprap/state")})); });
+        EXPECT_NE(said.find("has been written without its file uniform/riprap/state"), std::string::npos) << said;
+        EXPECT_FALSE(isFile(path/"uniform/riprap/manifest"));
+        EXPECT_TRUE(isDir(scratch.folder/"older"));
+
+        EXPECT_EQ(thrown([&]() { write(fileNameList({there})); }), "");
+        EXPECT_TRUE(isFile(path/"uniform/riprap/manifest"));
+        EXPECT_FALSE(isDir(scratch.folder/"older"));
     }
 }

@@ -12,6 +12,7 @@ Description
 #include "picDem.H"
 #include "calculatedFvPatchFields.H"
 #include "emptyPolyPatch.H"
+#include "foamVersions/foamVersions.H"
 #include "timeWriter.H"
 #include "wallPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
@@ -25,27 +26,19 @@ namespace Foam
 template<class Type>
 class gridField
 :
-    public GeometricField<Type, fvPatchField, volMesh>
+    public writesItself<GeometricField<Type, fvPatchField, volMesh>>
 {
-    using base = GeometricField<Type, fvPatchField, volMesh>;
+    using base = writesItself<GeometricField<Type, fvPatchField, volMesh>>;
 
-public:
+protected:
 
-    using base::base;
-
-    virtual bool writeObject
-    (
-        IOstream::streamFormat format,
-        IOstream::versionNumber,
-        IOstream::compressionType compression,
-        const bool
-    ) const
+    virtual bool writeAs(const IOstreamOption& how, bool) const override
     {
         const_cast<gridField&>(*this).instance() = this->time().timeName();
         const Field<Type>& values = this->primitiveField();
         const bool listed = values.size() && !values.uniform();
 
-        writtenFile file(*this, this->type(), format, compression);
+        writtenFile file(*this, this->type(), how.format(), how.compression());
         file.addWritten([&](Ostream& os)
         {
             os.writeEntry("dimensions", this->dimensions());
@@ -73,6 +66,10 @@ public:
         timeWriter::ofRun().put(std::move(file));
         return true;
     }
+
+public:
+
+    using base::base;
 };
 
 

@@ -15,9 +15,12 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "buildInfo.H"
 #include "caseTime.H"
 #include "checkControlDict.H"
 #include "checkFunctionObjects.H"
+#include "documentation.H"
+#include "functionObject.H"
 #include "pictures.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
@@ -165,6 +168,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
         {
             runTime.write();
         }
+        runTime.requireWritten();
 
         runTime.printExecutionTime(Info);
     }
@@ -233,10 +237,20 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::addOption("solver", "name", "Solver module, e.g. sphDem");
     argList::addBoolOption("dry-run", "Check and describe the run only");
+    #include "setRootCaseListOptions.H"
     const bool postProcess = addPostProcessOptions(argc, argv);
 
+    showDocumentation
+    (
+        argc,
+        argv,
+        "docs/guide/running",
+        "applications/solvers/riprapFoam/riprapFoam.C"
+    );
     refuseParallel(argc, argv);
     const argList args(argc, argv);
+    writeBuildInfo(Info);
+    #include "setRootCaseListOutput.H"
     if (!args.checkRootCase())
     {
         FatalError.exit();

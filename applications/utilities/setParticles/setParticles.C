@@ -10,7 +10,9 @@
 */
 
 #include "argList.H"
+#include "buildInfo.H"
 #include "checkControlDict.H"
+#include "documentation.H"
 #include "inputFile.H"
 #include "IOdictionary.H"
 #include "readMesh.H"
@@ -94,7 +96,9 @@ int main(int argc, char* argv[])
     argList::addBoolOption("dry-run", "Report only, write nothing");
     argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
 
+    showDocumentation(argc, argv, "docs/guide/setParticles", "applications/utilities/setParticles/setParticles.C");
     const argList args(argc, argv);
+    writeBuildInfo(Info);
     if (!args.checkRootCase()) FatalError.exit();
 
     runProgram([&]() { setCase(args); });

@@ -57,7 +57,7 @@ void Foam::functionObjects::particlesToMesh::makeField
     {
         field.clear();
     }
-    else if (field.empty())
+    else if (!field.valid())
     {
         if (mesh_.foundObject<regIOobject>(name))
         {

@@ -54,7 +54,7 @@ Foam::OFstream& Foam::functionObjects::sceneFunctionObject::row
 
         fresh->columns = columns;
         fresh->file =
-            begun ? createFile(name, time_.value()) : createFile(name);
+            begun ? openTable(name, time_.value()) : openTable(name);
 
         OFstream& os = *fresh->file;
 
@@ -198,7 +198,7 @@ Foam::functionObjects::sceneFunctionObject::sceneFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(obr_, name),
+    writesTables(obr_, name),
     dict_(dict)
 {}
 

@@ -31,13 +31,13 @@ public:
         }
     }
 
-    virtual boundBox bounds() const { return box_; }
+    virtual boundBox bounds() const override { return box_; }
 
-    virtual boolList inside(const pointField& points) const { return boolList(points.size(), true); }
+    virtual boolList inside(const pointField& points) const override { return boolList(points.size(), true); }
 
-    virtual clumpShape shape(const particlePacking& frame) const { return boxShape(box_, frame); }
+    virtual clumpShape shape(const particlePacking& frame) const override { return boxShape(box_, frame); }
 
-    virtual dictionary surfaceEntries(const particlePacking& frame) const
+    virtual dictionary surfaceEntries(const particlePacking& frame) const override
     {
         dictionary entries;
         if (!frame.planar()) return entries;
@@ -49,7 +49,7 @@ public:
         return entries;
     }
 
-    virtual bool straight() const { return true; }
+    virtual bool straight() const override { return true; }
 };
 
 defineTypeNameAndDebug(boxSource, 0);

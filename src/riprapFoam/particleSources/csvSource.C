@@ -51,18 +51,18 @@ public:
         const boundBox&,
         pointField& position,
         vectorField& velocity
-    ) const
+    ) const override
     {
         position = pointField(position_);
         velocity = vectorField(velocity_);
         for (point& p : position) p = packing.inPlane(p);
     }
 
-    virtual scalarField pressure() const { return scalarField(pressure_); }
+    virtual scalarField pressure() const override { return scalarField(pressure_); }
 
-    virtual scalar estimate(const particlePacking&, const boundBox&) const { return position_.size(); }
+    virtual scalar estimate(const particlePacking&, const boundBox&) const override { return position_.size(); }
 
-    virtual bool regular() const { return false; }
+    virtual bool regular() const override { return false; }
 };
 
 defineTypeNameAndDebug(csvSource, 0);

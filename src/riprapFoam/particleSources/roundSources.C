@@ -40,7 +40,7 @@ public:
     }
 
     // Discs of radius r about a unit axis n reach r sqrt(1 - n_d^2) along d
-    virtual boundBox bounds() const
+    virtual boundBox bounds() const override
     {
         const vector n(normalised(p2_ - p1_));
         vector reach;
@@ -51,7 +51,7 @@ public:
         return boundBox(min(p1_, p2_) - reach, max(p1_, p2_) + reach);
     }
 
-    virtual boolList inside(const pointField& points) const
+    virtual boolList inside(const pointField& points) const override
     {
         const vector axis(p2_ - p1_);
         boolList in(points.size());
@@ -64,10 +64,10 @@ public:
         return in;
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const { return cylinderShape(p1_, p2_, radius_, frame, where_); }
+    virtual clumpShape shape(const particlePacking& frame) const override { return cylinderShape(p1_, p2_, radius_, frame, where_); }
 
     // Of a circle: a polygon of the same area, a part of 1e-4 of the radius off it
-    virtual dictionary surfaceEntries(const particlePacking& frame) const
+    virtual dictionary surfaceEntries(const particlePacking& frame) const override
     {
         using constant::mathematical::twoPi;
 
@@ -110,19 +110,19 @@ public:
         centre_ = dict.dict().get<point>("centre");
     }
 
-    virtual boundBox bounds() const
+    virtual boundBox bounds() const override
     {
         return boundBox(centre_ - radius_*vector::one, centre_ + radius_*vector::one);
     }
 
-    virtual boolList inside(const pointField& points) const
+    virtual boolList inside(const pointField& points) const override
     {
         boolList in(points.size());
         forAll(in, i) in[i] = magSqr(points[i] - centre_) <= sqr(radius_);
         return in;
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const { return sphereShape(centre_, radius_, frame); }
+    virtual clumpShape shape(const particlePacking& frame) const override { return sphereShape(centre_, radius_, frame); }
 };
 
 defineTypeNameAndDebug(sphereSource, 0);

@@ -28,13 +28,13 @@ public:
         entries_ = shapeEntries(dict.dict());
     }
 
-    virtual boundBox bounds() const { return boundBox(surface_->points(), false); }
+    virtual boundBox bounds() const override { return boundBox(surface_->points(), false); }
 
-    virtual boolList inside(const pointField& points) const { return search_->calcInside(points); }
+    virtual boolList inside(const pointField& points) const override { return search_->calcInside(points); }
 
-    virtual clumpShape shape(const particlePacking& frame) const { return closedShape(surface_, frame); }
+    virtual clumpShape shape(const particlePacking& frame) const override { return closedShape(surface_, frame); }
 
-    virtual dictionary surfaceEntries(const particlePacking& frame) const { return frame.planar() ? dictionary() : entries_; }
+    virtual dictionary surfaceEntries(const particlePacking& frame) const override { return frame.planar() ? dictionary() : entries_; }
 };
 
 defineTypeNameAndDebug(surfaceSource, 0);
