@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleModule.H"
-#include "scene/sphScene.hpp"
 #include "timeManifest.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -28,25 +27,6 @@ Foam::particleModule::particleModule
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-void Foam::particleModule::checkDevice
-(
-    riprap::DeviceKind asked,
-    int dimensions,
-    const dictionary& dict
-)
-{
-    try
-    {
-        riprap::chooseDevice(asked, 1, dimensions);
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry device: " << e.what() << exit(FatalIOError);
-    }
-}
-
 
 bool Foam::particleModule::startFromCloud() const
 {

@@ -34,6 +34,7 @@ passes()    # NAME STEPS: as many as a second allows
     files >before; riprapFoam -dry-run >log 2>&1 && pass "$1" || fail "$1" "$(grep -m1 -A4 ERROR log)"; files >after
     says "$1.says" "First steps, with all guards.* ($2) taken: no guard has stopped them"
     says "$1.time" 'Expected run time: '
+    says "$1.device" 'device +.* \(asked for\) +threads +[1-9][0-9]* of the CPU \(.*OMP_NUM_THREADS.*\) +memory +[0-9.]+ [kMG]?B for the case.s arrays; the device has [0-9.]+ [GT]B, [0-9.]+ [MGT]B still free'
     cmp -s before after && pass "$1.writesNothing" || fail "$1.writesNothing" "$(diff before after | head -3 | tr '\n' ' ')"
 }
 

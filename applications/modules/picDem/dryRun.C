@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "deviceChoice.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 
@@ -56,7 +57,7 @@ void Foam::solverModules::picDem::dryRun(scalar sampleInterval)
     const logPrecision digits;
 
     Info<< "Particles" << nl << "    fluid: " << run_.particles << nl << endl;
-    Foam::logMemory(scene_->arrays(), run_.particles);
+    Foam::logMemory(arraysTogether(*scene_), run_.particles);
     logEffort(sampleInterval);
     Info<< "Nothing was written" << nl << endl;
 }

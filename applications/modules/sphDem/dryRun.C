@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "deviceChoice.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 
@@ -70,7 +71,7 @@ void Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
     Info<< "Neighbours: " << scene_->neighboursPerParticle()
         << " a particle" << nl << endl;
 
-    Foam::logMemory(scene_->arrays(), run_.particles + walls_.size());
+    Foam::logMemory(arraysTogether(*scene_), run_.particles + walls_.size());
     logEffort(sampleInterval);
 
     Info<< "Nothing was written" << nl << endl;
