@@ -208,6 +208,7 @@ damaged noU 'no vector field U; there are \(\).*0/lagrangian/fluid' rm lagrangia
 damaged shortU 'lagrangian/fluid/U.*holds 3 values for 800 particles|holds 3 values for 800 particles.*lagrangian/fluid/U' sed -i '/^[0-9][0-9]*{/s/.*/3{(0 0 0)}/' lagrangian/fluid/U
 damaged rhoNegative 'lagrangian/fluid/rho has the value -1 at entry 9: it must be positive' spread rho -1
 damaged rhoWord "expected scalar value.*word 'nan'.*lagrangian/fluid/rho" spread rho nan
+damaged tooMany '3e\+09 particles; a cloud, which counts them in 32 bits, can have 5e\+08.*lagrangian/fluid/positions' sed -i 's/^800$/3000000000/' lagrangian/fluid/positions
 damaged outside '0/lagrangian/fluid.*fluid particle 0 .*outside the domain' sed -i '0,/^(0.0025 0.0025/s//(77 0.0025/' lagrangian/fluid/positions
 damaged cell 'particle 0 is in cell 9999 of a mesh of 200 cells.*lagrangian/fluid/positions' sed -i '0,/^\((0.0025 0.0025 [^)]*)\) .*/s//\1 9999/' lagrangian/fluid/positions
 damaged spacing 'Entry spacing is -1: it must be positive.*cloudProperties' sed -i 's/^spacing .*/spacing -1;/' uniform/lagrangian/fluid/cloudProperties
