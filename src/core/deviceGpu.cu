@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/device.hpp"
+#include "core/gpus.hpp"
 
 namespace riprap
 {
@@ -26,6 +27,34 @@ std::string deviceLabel(Gpu)
     checkCuda(cudaGetDevice(&device), "device");
     checkCuda(cudaGetDeviceProperties(&p, device), "device");
     return std::string(p.name);
+}
+
+std::vector<GpuInfo> gpus(std::string& why)
+{
+    std::vector<GpuInfo> there(gpuCount(why));
+    for (int k = 0; k < int(there.size()); ++k)
+    {
+        cudaDeviceProp p;
+        checkCuda(cudaGetDeviceProperties(&p, k), "device");
+        there[k].number = k;
+        there[k].name = p.name;
+        there[k].memory = double(p.totalGlobalMem);
+    }
+    return there;
+}
+
+void useGpu(int number) { checkCuda(cudaSetDevice(number), "device"); }
+
+GpuInfo gpuInUse()
+{
+    GpuInfo gpu;
+    std::size_t free = 0, memory = 0;
+    checkCuda(cudaGetDevice(&gpu.number), "device");
+    checkCuda(cudaMemGetInfo(&free, &memory), "memory");
+    gpu.name = deviceLabel(Gpu());
+    gpu.memory = double(memory);
+    gpu.free = double(free);
+    return gpu;
 }
 
 } // namespace riprap

@@ -22,13 +22,13 @@ double numberIn(const char* file)
     return in >> value ? value : unknown;       // the word max: no limit
 }
 
-double available()
+double ofSystem(const std::string& wanted)
 {
     std::ifstream in("/proc/meminfo");
     for (std::string name, line; in >> name; std::getline(in, line))
     {
         double kilobytes = 0;
-        if (name == "MemAvailable:" && in >> kilobytes) return 1024*kilobytes;
+        if (name == wanted && in >> kilobytes) return 1024*kilobytes;
     }
     return unknown;
 }
@@ -39,7 +39,9 @@ double freeMemory()
 {
     const double limit = numberIn("/sys/fs/cgroup/memory.max"), used = numberIn("/sys/fs/cgroup/memory.current");
     const double inContainer = limit < unknown && used < unknown ? std::max(limit - used, 0.0) : unknown;
-    return std::min(available(), inContainer);
+    return std::min(ofSystem("MemAvailable:"), inContainer);
 }
+
+double machineMemory() { return std::min(ofSystem("MemTotal:"), numberIn("/sys/fs/cgroup/memory.max")); }
 
 } // namespace riprap

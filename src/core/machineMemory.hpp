@@ -1,4 +1,4 @@
-/*  Memory of this machine that is free: what is asked for is compared with it before it is allocated.
+/*  Memory of this machine, and what of it is free: what is asked for is compared with that before it is allocated.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -9,5 +9,8 @@ namespace riprap
 
 //- Bytes that programs can still take, within a container's limit; infinity where the system does not say
 double freeMemory();
+
+//- Bytes of memory that there are, within a container's limit; infinity where the system does not say
+double machineMemory();
 
 } // namespace riprap

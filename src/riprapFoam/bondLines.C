@@ -8,8 +8,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidCloud.H"
+#include "idIndex.H"
 #include "lineSeries.H"
-#include "Map.H"
 #include "Time.H"
 
 void Foam::writeBondLines
@@ -19,11 +19,7 @@ void Foam::writeBondLines
     const riprap::DemBondState& bonds
 )
 {
-    Map<label> entryOfId(2*label(particles.id.size()));
-    for (std::size_t i = 0; i < particles.id.size(); ++i)
-    {
-        entryOfId.insert(particles.id[i], i);
-    }
+    const idIndex entryOfId(particles.id);
 
     const vectorField position(toVectors(particles.position));
     const vectorField force(toVectors(bonds.force));
@@ -34,8 +30,8 @@ void Foam::writeBondLines
     forAll(force, i)
     {
         // One whose particle has left the scene has no line
-        const label a = entryOfId.lookup(bonds.a[i], -1);
-        const label b = entryOfId.lookup(bonds.b[i], -1);
+        const label a = entryOfId(bonds.a[i]);
+        const label b = entryOfId(bonds.b[i]);
         if (a >= 0 && b >= 0)
         {
             drawn.append(i);

@@ -10,6 +10,7 @@
 #include "listed.H"
 #include "sceneFunctionObject.H"
 #include "Switch.H"
+#include "timeWriter.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -51,14 +52,15 @@ static bool isOfRiprap(const dictionary& dict)
 }
 
 
-static void check(const word& name, const dictionary& dict, Time& time)
+//- Its library is loaded
+static bool check(const dictionary& dict, Time& time)
 {
     checkedDictionary entries(dict);
     for (const char* entry : {"type", "libs", "functionObjectLibs"}) entries.found(entry);
     for (const char* entry : {"libs", "functionObjectLibs"}) time.libs().open(dict, entry);
 
     const word type(dict.get<word>("type"));
-    if (!isOfRiprap(dict)) return;
+    if (!isOfRiprap(dict)) return false;
 
     wordList valid;
     if (functionObject::dictionaryConstructorTablePtr_)
@@ -66,7 +68,7 @@ static void check(const word& name, const dictionary& dict, Time& time)
         valid = functionObject::dictionaryConstructorTablePtr_->sortedToc();
     }
     if (!valid.found(type)) entries.unknownWord("type", type, valid);
-    functionObject::New(name, time, dict);
+    return true;
 }
 
 } // End namespace Foam
@@ -74,15 +76,42 @@ static void check(const word& name, const dictionary& dict, Time& time)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::checkFunctionObjects(Time& time)
+std::vector<Foam::functionDict> Foam::functionDicts(Time& time)
 {
-    const notWriting quiet;
+    std::vector<functionDict> all;
     const dictionary& control = time.controlDict();
-    if (!control.found("functions")) return;
+    if (!control.found("functions")) return all;
 
     for (const entry& e : checkedDictionary(control).subDict("functions"))
     {
-        if (e.isDict() && e.dict().lookupOrDefault<Switch>("enabled", true)) check(e.keyword(), e.dict(), time);
+        if (e.isDict() && e.dict().lookupOrDefault<Switch>("enabled", true))
+        {
+            all.push_back({e.keyword(), e.dict(), check(e.dict(), time)});
+        }
+    }
+    return all;
+}
+
+
+Foam::autoPtr<Foam::functionObject> Foam::makeFunctionObject
+(
+    const functionDict& f,
+    const Time& time
+)
+{
+    const notWriting quiet;
+    const timeWriter::trial nothingIsWritten;
+    dictionary dict(f.dict);
+    dict.set("log", false);
+    return functionObject::New(f.name, time, dict);
+}
+
+
+void Foam::checkFunctionObjects(Time& time)
+{
+    for (const functionDict& f : functionDicts(time))
+    {
+        if (f.ofRiprap) makeFunctionObject(f, time);
     }
 }
 

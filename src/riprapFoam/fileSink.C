@@ -15,14 +15,16 @@ void Foam::fileSink::put(const char* data, std::size_t n)
 {
     sum_.sum = Hasher(data, n, sum_.sum);
     sum_.bytes += n;
-    file_.stdStream().write(data, n);
+    if (!file_) return;
+
+    file_->stdStream().write(data, n);
     requireGood();
 }
 
 
 void Foam::fileSink::requireGood() const
 {
-    if (file_.stdStream().good()) return;
+    if (file_->stdStream().good()) return;
 
     // A disk that is full takes what it can: see what is there
     throw std::runtime_error
@@ -45,12 +47,22 @@ Foam::fileSink::fileSink
     path_(path),
     compression_(compression),
     threads_(max(threads, 1)),
-    file_(path, compression)
+    file_(new bytesFile(path, compression))
 {
     requireGood();
     block_.reserve(fileSum::block);
     sum_.bytes = 0;
     sum_.foam = true;
+}
+
+
+Foam::fileSink::fileSink(int threads)
+:
+    compression_(IOstream::UNCOMPRESSED),
+    threads_(max(threads, 1))
+{
+    block_.reserve(fileSum::block);
+    sum_.bytes = 0;
 }
 
 
@@ -122,7 +134,9 @@ Foam::fileSum Foam::fileSink::close()
         put(block_.data(), block_.size());
         block_.clear();
     }
-    file_.stdStream().flush();
+    if (!file_) return sum_;
+
+    file_->stdStream().flush();
     requireGood();
     if (compression_ == IOstream::COMPRESSED)
     {

@@ -65,6 +65,8 @@ void Foam::writeLineSeries
     const lineFields& fields
 )
 {
+    if (timeWriter::ofRun().onTrial()) return;
+
     const fileName folder(time.globalPath()/"VTK");
     const fileName file(folder/name/(name + '_' + time.timeName() + ".vtp"));
     mkDir(file.path());

@@ -2,11 +2,12 @@
 /*  The cells that particles are in.
 
     From the cell of the particle before, or where it was last, one goes through the face whose plane the point is farthest beyond, until the point is on the inner
-    side of all faces: a few products a particle, where the mesh's octree takes hundreds of tests in flat cells. What this does not settle (a point on a face, cells
-    with warped faces, a boundary on the way) the octree decides.
+    side of all faces: a few products a particle, where the mesh's octree takes hundreds of tests in flat cells. A point on faces is in the first of the cells about
+    it, wherever the search began. What this does not settle (cells with warped faces, a boundary on the way) the octree decides.
 */
 
 #include "particleCloudIO.H"
+#include "DynamicList.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
 
@@ -35,6 +36,50 @@ class cellWalk
         return true;
     }
 
+    //- How far a point is beyond a face of a cell, over that face's distance from the cell's middle
+    scalar beyond(const point& p, const label c, const label f) const
+    {
+        const vector& area = mesh_.faceAreas()[f];
+        const point& on = mesh_.faceCentres()[f];
+        const scalar reach = mag((on - mesh_.cellCentres()[c]) & area);
+        const scalar outward = mesh_.faceOwner()[f] == c ? 1 : -1;
+        return outward*((p - on) & area)/max(reach, VSMALL);
+    }
+
+    //- The cell on the other side, -1: there is none
+    label other(const label c, const label f) const
+    {
+        if (!mesh_.isInternalFace(f)) return -1;
+        return mesh_.faceOwner()[f] == c ? mesh_.faceNeighbour()[f] : mesh_.faceOwner()[f];
+    }
+
+    //- The first of the cells that have the point on their faces, of which c is one; -1: not settled
+    label firstAbout(const point& p, const label c)
+    {
+        about_.clear();
+        about_.append(c);
+        label first = c;
+        for (label k = 0; k < about_.size(); ++k)
+        {
+            const label cell = about_[k];
+            if (!flat(cell)) return -1;
+            first = min(first, cell);
+            for (const label f : mesh_.cells()[cell])
+            {
+                if (beyond(p, cell, f) < -tolerance) continue;
+                const label next = other(cell, f);
+                if (next < 0 || about_.found(next)) continue;
+
+                scalar farthest = -1;
+                for (const label g : mesh_.cells()[next]) farthest = max(farthest, beyond(p, next, g));
+                if (farthest <= tolerance) about_.append(next);
+            }
+        }
+        return first;
+    }
+
+    DynamicList<label> about_;
+
 public:
 
     explicit cellWalk(const polyMesh& mesh)
@@ -48,25 +93,21 @@ public:
     {
         for (label step = 0; step < longest_; ++step)
         {
-            const point& middle = mesh_.cellCentres()[c];
-            scalar farthest = -1;                   // beyond a face, over that face's distance from the cell's middle
+            scalar farthest = -1;
             label through = -1;
             for (const label f : mesh_.cells()[c])
             {
-                const vector& area = mesh_.faceAreas()[f];
-                const point& on = mesh_.faceCentres()[f];
-                const scalar reach = mag((on - middle) & area);
-                const scalar outward = mesh_.faceOwner()[f] == c ? 1 : -1;
-                const scalar beyond = outward*((p - on) & area)/max(reach, VSMALL);
-                if (beyond > farthest)
+                const scalar far = beyond(p, c, f);
+                if (far > farthest)
                 {
-                    farthest = beyond;
+                    farthest = far;
                     through = f;
                 }
             }
             if (farthest < -tolerance) return flat(c) ? c : -1;
-            if (farthest <= tolerance || !mesh_.isInternalFace(through)) return -1;
-            c = mesh_.faceOwner()[through] == c ? mesh_.faceNeighbour()[through] : mesh_.faceOwner()[through];
+            if (farthest <= tolerance) return firstAbout(p, c);
+            c = other(c, through);
+            if (c < 0) return -1;
         }
         return -1;
     }

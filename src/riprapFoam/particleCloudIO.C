@@ -9,6 +9,7 @@
 #include "pictures.H"
 #include "timeWriter.H"
 
+#include <algorithm>
 #include <cstring>
 
 namespace Foam
@@ -203,6 +204,9 @@ Foam::labelList Foam::orderOf(const labelUList& ids)
 
 void Foam::sortByLabel(particleCloud& c, const word& field)
 {
+    const labelField& ids = c.labels[field];
+    if (std::is_sorted(ids.begin(), ids.end())) return;
+
     const labelList order(orderOf(c.labels[field]));
 
     c.position = pointField(c.position, order);

@@ -9,6 +9,7 @@
 #include "listed.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "scene/particleLimit.hpp"
 
 namespace Foam
 {
@@ -151,11 +152,16 @@ Foam::particleCloud Foam::readParticleCloud
         Istream& is = file.stream();
 
         ordered = asPositions && file.note() == inOrderOfIds;
-        const label n = readLabel(is);
-        if (n < 0)
+        // More than a label holds is read as a number
+        const scalar count = readScalar(is);
+        const scalar most = riprap::mostFluidParticles;
+        if (!(count >= 0 && count <= most))
         {
-            FatalIOErrorInFunction(is) << n << " particles" << exit(FatalIOError);
+            FatalIOErrorInFunction(is)
+                << count << " particles; a cloud, which counts them in 32 bits, can have " << most
+                << exit(FatalIOError);
         }
+        const label n = label(count);
         is.readBeginList(cloudName.c_str());
         c.position.setSize(n);
         c.cell.setSize(n);

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleModule.H"
-#include "scene/sphScene.hpp"
+#include "sceneCloud.H"
 #include "timeManifest.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -28,25 +28,6 @@ Foam::particleModule::particleModule
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-void Foam::particleModule::checkDevice
-(
-    riprap::DeviceKind asked,
-    int dimensions,
-    const dictionary& dict
-)
-{
-    try
-    {
-        riprap::chooseDevice(asked, 1, dimensions);
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry device: " << e.what() << exit(FatalIOError);
-    }
-}
-
 
 bool Foam::particleModule::startFromCloud() const
 {
@@ -123,6 +104,8 @@ Foam::scalar Foam::particleModule::firstSteps
     }
 
     dryRun_ = true;
+    take_ = take;
+    end_ = runTime_.endTime().value();
     Info<< "First steps, with all guards" << endl;
 
     // What later steps use is built in the first two
@@ -189,7 +172,7 @@ Foam::scalar Foam::particleModule::lengthAhead
 }
 
 
-void Foam::particleModule::logRunTime
+Foam::runEffort Foam::particleModule::logRunTime
 (
     scalar seconds,
     scalar least,
@@ -207,6 +190,27 @@ void Foam::particleModule::logRunTime
         Info<< " s, without output; measured on this machine now: "
             << 1/seconds << " steps/s, " << particles/seconds
             << " particle-steps/s" << nl;
+    }
+    return {seconds, least};
+}
+
+
+bool Foam::particleModule::trialStep()
+{
+    if (!take_) return false;
+
+    dryRun_ = true;
+    const bool taken = take_(end_, 1) > 0;
+    dryRun_ = false;
+    return taken;
+}
+
+
+void Foam::particleModule::writeTrial()
+{
+    for (const sceneCloud* cloud : mesh_.lookupClass<sceneCloud>())
+    {
+        cloud->write();
     }
 }
 

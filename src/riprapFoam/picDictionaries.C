@@ -5,6 +5,7 @@
 
 #include "picDictionaries.H"
 #include "checkedDictionary.H"
+#include "deviceChoice.H"
 #include "fluidProperties.H"
 #include "IOdictionary.H"
 #include "particleDomain.H"
@@ -135,7 +136,7 @@ static void readPicProperties
 
     config.precision =
         pic.choice("precision", sphNames::precision, config.precision);
-    config.device = pic.choice("device", sphNames::device, config.device);
+    config.device = readDevice(pic, config.device);
 
     readSeeds(pic, config);
 

@@ -23,17 +23,36 @@ namespace
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-Foam::scalar Foam::picGrid::middle(const fvMesh& mesh, label celli, int d) const
+Foam::label Foam::picGrid::place(const point& middle) const
 {
-    const int axis = axes_[d];
-    return (mesh.cellCentres()[celli][axis] - corner_[axis])/size_;
+    int index[3] = {0, 0, 0};
+    bool fits = true;
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const int axis = axes_[d];
+        const scalar x = (middle[axis] - corner_[axis])/size_;
+        index[d] = int(floor(x));
+        fits =
+            fits && mag(x - index[d] - 0.5) < tolerance
+         && index[d] >= 0 && index[d] < cells_[d];
+    }
+    return fits
+      ? index[0] + cells_[0]*(index[1] + cells_[1]*index[2]) : -1;
 }
 
 
 void Foam::picGrid::setSize(const fvMesh& mesh)
 {
-    // Of the first cell; all others must be like it
-    const boundBox first(mesh.points(), mesh.cellPoints()[0], false);
+    // Of the first cell, which owns all its faces; all others must be like it
+    DynamicList<label> corners(24);
+    for (label f = 0; f < mesh.nFaces(); ++f)
+    {
+        if (mesh.faceOwner()[f] == 0)
+        {
+            corners.append(mesh.faces()[f]);
+        }
+    }
+    const boundBox first(mesh.points(), corners, false);
 
     size_ = first.span()[axes_[0]];
     for (int d = 0; d < dimensions_; ++d)
@@ -83,24 +102,18 @@ void Foam::picGrid::numberCells(const fvMesh& mesh)
         dimensions_ == 2 ? mesh.bounds().span()[axes_[2]] : size_;
     const scalar volume = sqr(size_)*thickness;
 
+    const vectorField& middles = mesh.cellCentres();
+    const scalarField& volumes = mesh.cellVolumes();
+    #pragma omp parallel for schedule(static)
+    for (label celli = 0; celli < gridCell_.size(); ++celli)
+    {
+        const bool fits = mag(volumes[celli] - volume) < 10*tolerance*volume;
+        gridCell_[celli] = fits ? place(middles[celli]) : -1;
+    }
+
     forAll(gridCell_, celli)
     {
-        int index[3] = {0, 0, 0};
-        bool fits =
-            mag(mesh.cellVolumes()[celli] - volume) < 10*tolerance*volume;
-
-        for (int d = 0; d < dimensions_; ++d)
-        {
-            const scalar x = middle(mesh, celli, d);
-            index[d] = int(floor(x));
-            fits =
-                fits && mag(x - index[d] - 0.5) < tolerance
-             && index[d] >= 0 && index[d] < cells_[d];
-        }
-
-        const label i = fits
-          ? index[0] + cells_[0]*(index[1] + cells_[1]*index[2]) : -1;
-
+        const label i = gridCell_[celli];
         if (i < 0 || meshCell[i] >= 0)
         {
             FatalErrorInFunction
@@ -111,7 +124,6 @@ void Foam::picGrid::numberCells(const fvMesh& mesh)
                 << exit(FatalError);
         }
         meshCell[i] = celli;
-        gridCell_[celli] = i;
     }
 
     if (mesh.nCells() != meshCell.size())
@@ -144,6 +156,7 @@ void Foam::picGrid::openSides
         last[d] += 1;
         open.assign((last[0] + 1)*(last[1] + 1)*(last[2] + 1), 1.0);
 
+        #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < open.size(); ++i)
         {
             const int layer = grid.faceIndex(d, int(i)).c[d];

@@ -116,6 +116,7 @@ void Foam::postProcessTimes
         try
         {
             module.initialise();
+            module.updateFields();
 
             // After the scene is there: function objects look it up
             if (!functions.valid())

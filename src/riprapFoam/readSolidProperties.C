@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "readSolidProperties.H"
+#include "deviceChoice.H"
 #include "modelReader.H"
 #include "scene/demLaws.hpp"
 #include "sphNames.H"
@@ -163,7 +164,7 @@ void Foam::readSolidProperties(const dictionary& all, demSettings& settings)
 
     config.precision =
         solids.choice("precision", sphNames::precision, config.precision);
-    config.device = solids.choice("device", sphNames::device, config.device);
+    config.device = readDevice(solids, config.device);
 
     readContact(solids, config);
     readSolidMaterials(solids, settings);

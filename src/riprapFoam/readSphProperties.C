@@ -9,6 +9,7 @@ Description
 
 #include "sphDictionaries.H"
 #include "checkedDictionary.H"
+#include "deviceChoice.H"
 
 namespace Foam
 {
@@ -258,7 +259,7 @@ void readSphProperties(checkedDictionary sph, sphSettings& settings)
 
     config.precision =
         sph.choice("precision", sphNames::precision, config.precision);
-    config.device = sph.choice("device", sphNames::device, config.device);
+    config.device = readDevice(sph, config.device);
 
     readKernel(sph, config);
     readEquationOfState(sph, settings);

@@ -6,6 +6,7 @@
 #include "requireMemory.H"
 #include "error.H"
 #include "core/machineMemory.hpp"
+#include "scene/particleLimit.hpp"
 
 #include <cmath>
 
@@ -19,13 +20,14 @@ void Foam::requireMemory
     const std::string& meant
 )
 {
-    // Labels have 32 bits, and some count several of each
-    const scalar most = min(scalar(5e8), scalar(riprap::freeMemory())/bytes);
-    if (count <= most) return;
+    const scalar countable = riprap::mostFluidParticles;
+    const scalar room = scalar(riprap::freeMemory())/bytes;
+    if (count <= min(countable, room)) return;
 
     FatalIOErrorInFunction(dict)
-        << what.c_str() << " about " << count << ' ' << of << ", and this machine has memory for "
-        << std::floor(most) << ": is the " << meant.c_str() << " meant?" << exit(FatalIOError);
+        << what.c_str() << " about " << count << ' ' << of << ", and "
+        << (countable < room ? "a scene, which counts them in 32 bits, can have " : "this machine has memory for ")
+        << std::floor(min(countable, room)) << ": is the " << meant.c_str() << " meant?" << exit(FatalIOError);
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "sceneCloud.H"
 #include "pictures.H"
+#include "timeWriter.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -129,6 +130,7 @@ bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
     written.order = std::make_shared<const labelList>(order);
     addProperties(written.properties);
     writeParticleCloud(mesh_, written);
+    if (timeWriter::ofRun().onTrial()) return true;
 
     Info<< "Written " << time().timeName() << ": " << particles.size()
         << " particles" << (picture ? ", a picture" : "");

@@ -64,6 +64,12 @@ Foam::sceneSolids::sceneSolids
                 << exit(FatalIOError);
         }
     };
+    if (asRead_.dict.found("gpu"))
+    {
+        FatalIOErrorInFunction(asRead_.dict)
+            << "Entry gpu: solids are where their fluid is. Leave it out here,"
+            << " and name the GPU in constant/" << fluid << exit(FatalIOError);
+    }
     differ
     (
         "device",

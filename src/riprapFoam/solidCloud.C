@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidCloud.H"
-#include "HashSet.H"
+#include "idIndex.H"
 #include "quaternion.H"
 #include "sceneState.H"
 #include "solidFiles.H"
@@ -98,18 +98,14 @@ riprap::DemBondState Foam::solidCloud::bonds
     int64_t& lost
 ) const
 {
-    labelHashSet there(2*label(particles.id.size()));
-    for (const std::int32_t id : particles.id)
-    {
-        there.insert(id);
-    }
+    const idIndex there(particles.id);
 
     const riprap::DemBondState all(scene_.bonds());
     riprap::DemBondState bonds;
     lost = 0;
     for (std::size_t k = 0; k < all.a.size(); ++k)
     {
-        if (!there.found(all.a[k]) || !there.found(all.b[k]))
+        if (there(all.a[k]) < 0 || there(all.b[k]) < 0)
         {
             ++lost;
             continue;
@@ -253,7 +249,7 @@ void Foam::solidCloud::writeState(bool picture) const
     demRun run(run_);
     if (input_.bonds.size())
     {
-        const riprap::DemState particles(scene_.particles());
+        const riprap::DemState particles(scene_.motion());
         int64_t lost = 0;
         const riprap::DemBondState now(bonds(particles, lost));
         if (!picture) writeBondFiles(time(), now);

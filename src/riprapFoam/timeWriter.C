@@ -65,6 +65,16 @@ void Foam::timeWriter::work()
 }
 
 
+void Foam::timeWriter::formatOnly(const writtenFile& file)
+{
+    const auto from = std::chrono::steady_clock::now();
+    trialBytes_ += file.formatOnly(freeCores_ ? severalThreads() : 1).bytes;
+    const std::chrono::duration<double> took =
+        std::chrono::steady_clock::now() - from;
+    trialSeconds_ += took.count();
+}
+
+
 void Foam::timeWriter::add(job next)
 {
     if (!asynchronous_)
@@ -125,6 +135,11 @@ void Foam::timeWriter::begin(const fileName& timePath, bool asynchronous)
 
 void Foam::timeWriter::put(writtenFile&& file)
 {
+    if (onTrial())
+    {
+        formatOnly(file);
+        return;
+    }
     const auto kept = std::make_shared<const writtenFile>(std::move(file));
     mkDir(kept->path().path());
     const bool counted = open_, later = asynchronous_;
@@ -142,6 +157,8 @@ void Foam::timeWriter::put(writtenFile&& file)
 
 void Foam::timeWriter::put(job next)
 {
+    if (onTrial()) return;
+
     add(std::move(next));
 }
 
@@ -235,6 +252,35 @@ Foam::timeWriter::session::~session()
     {
         WarningInFunction << failure.c_str() << endl;
     }
+}
+
+
+// * * * * * * * * * * * * * * * * A trial * * * * * * * * * * * * * * * * * //
+
+Foam::timeWriter::trial::trial()
+:
+    secondsBefore_(ofRun().trialSeconds_),
+    bytesBefore_(ofRun().trialBytes_)
+{
+    ++ofRun().trials_;
+}
+
+
+Foam::timeWriter::trial::~trial()
+{
+    --ofRun().trials_;
+}
+
+
+double Foam::timeWriter::trial::seconds() const
+{
+    return ofRun().trialSeconds_ - secondsBefore_;
+}
+
+
+int64_t Foam::timeWriter::trial::bytes() const
+{
+    return ofRun().trialBytes_ - bytesBefore_;
 }
 
 

@@ -8,35 +8,6 @@
 #include "OSspecific.H"
 #include <cstdio>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- name, seconds, share of the whole, times that it was done
-std::string line
-(
-    const std::string& name,
-    double seconds,
-    double whole,
-    int64_t count,
-    int indent
-)
-{
-    char text[256];
-    std::snprintf
-    (
-        text,
-        sizeof(text),
-        "%*s%-*s %10.2f %7.1f %%",
-        indent, "", 32 - indent, name.c_str(), seconds, 100*seconds/whole
-    );
-    return count > 1 ? text + ("  " + std::to_string(count) + " times") : text;
-}
-
-} // End namespace
-
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 double Foam::wallTimes::since(clock::time_point then)
@@ -74,6 +45,27 @@ Foam::wallTimes& Foam::wallTimes::ofRun()
 }
 
 
+std::string Foam::wallTimes::row
+(
+    const std::string& name,
+    double seconds,
+    double whole,
+    int64_t count,
+    int indent
+)
+{
+    char text[256];
+    std::snprintf
+    (
+        text,
+        sizeof(text),
+        "%*s%-*s %10.2f %7.1f %%",
+        indent, "", 32 - indent, name.c_str(), seconds, 100*seconds/whole
+    );
+    return count > 1 ? text + ("  " + std::to_string(count) + " times") : text;
+}
+
+
 void Foam::wallTimes::started()
 {
     // What has a part of its own within the start is of the start
@@ -108,7 +100,7 @@ void Foam::wallTimes::write(const Time& time, double meanwhile) const
     Info<< "Wall time [s]" << nl;
     const auto put = [&](const std::string& name, double s, int64_t n, int indent)
     {
-        Info<< line(name, s, whole, n, indent).c_str() << nl;
+        Info<< row(name, s, whole, n, indent).c_str() << nl;
         file<< name.c_str() << tab << s << tab << label(n) << nl;
     };
     for (const entry& e : parts_)

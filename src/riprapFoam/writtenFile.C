@@ -48,19 +48,32 @@ void Foam::writtenFile::add(std::string text)
 }
 
 
-Foam::fileSum Foam::writtenFile::write(int threads) const
+Foam::fileSum Foam::writtenFile::writeTo(fileSink& sink) const
 {
     static const std::string end =
         "\n\n// ************************************************************"
         "************* //\n";
 
-    fileSink sink(path_, compression_, threads);
     for (const fileBody& body : bodies_)
     {
         body(sink, format_);
     }
     sink.write(end);
     return sink.close();
+}
+
+
+Foam::fileSum Foam::writtenFile::write(int threads) const
+{
+    fileSink sink(path_, compression_, threads);
+    return writeTo(sink);
+}
+
+
+Foam::fileSum Foam::writtenFile::formatOnly(int threads) const
+{
+    fileSink sink(threads);
+    return writeTo(sink);
 }
 
 

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 #include "core/device.hpp"
+#include "scene/particleLimit.hpp"
 #include "scene/demInstances.hpp"
 #include "scene/demLaws.hpp"
 #include "scene/sphScene.hpp"
@@ -63,7 +64,7 @@ void checkParticles(const DemConfig& c, const DemInput& in)
     const DemParticles& p = in.particles;
     const std::size_t n = p.size();
     require(n > 0, "there are no solids");
-    require(n < 1000000000u, "more than 1e9 solids");
+    requireCountable(double(n), mostSolidParticles, "solid particles");
     const auto sized = [&](std::size_t size, std::size_t each, bool mayBeEmpty, const char* what)
     { require(size == each*n || (mayBeEmpty && size == 0), std::string("solids: ") + what + " of another length than positions"); };
     sized(p.velocity.size(), 3, true, "velocity");

@@ -4,6 +4,7 @@
 */
 #include "scene/sphInstances.hpp"
 #include "core/device.hpp"
+#include "scene/particleLimit.hpp"
 
 #include <algorithm>
 #include <cfenv>
@@ -62,7 +63,7 @@ void checkFluid(const SphConfig& c, const FluidInput& f)
 {
     require(f.velocity.size() == f.position.size() && 3*f.density.size() == f.position.size(), "fluid arrays of different lengths");
     require(f.id.empty() || f.id.size() == f.size(), "fluid ids of another length");
-    require(f.size() < 2000000000u, "more than 2e9 particles");
+    requireCountable(double(f.size()), mostFluidParticles, "fluid particles");
     require(f.size() > 0, "there are no fluid particles");
     for (std::size_t i = 0; i < f.size(); ++i)
     {

@@ -34,6 +34,7 @@ passes()    # NAME STEPS: as many as a second allows
     files >before; riprapFoam -dry-run >log 2>&1 && pass "$1" || fail "$1" "$(grep -m1 -A4 ERROR log)"; files >after
     says "$1.says" "First steps, with all guards.* ($2) taken: no guard has stopped them"
     says "$1.time" 'Expected run time: '
+    says "$1.device" 'device +.* \(asked for\) +threads +[1-9][0-9]* of the CPU \(.*OMP_NUM_THREADS.*\) +memory +[0-9.]+ [kMG]?B for the case.s arrays; the device has [0-9.]+ [GT]B, [0-9.]+ [MGT]B still free'
     cmp -s before after && pass "$1.writesNothing" || fail "$1.writesNothing" "$(diff before after | head -3 | tr '\n' ' ')"
 }
 
@@ -42,6 +43,21 @@ sph() { dictionary constant/sphProperties <<<"device cpu; $1"; }
 tank2; control sphDem; sph ''
 regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.08 0.01); }'; fill
 passes sph '[1-9][0-9]*'
+# The table that the log ends with is foretold, and what costs much is named; function objects that write files do not
+functions='functions { front { type frontPosition; libs ("libriprapFoam.so"); } twice { type waterLevel; libs ("libriprapFoam.so"); points ((0.01 0 0.005)); writeControl adjustableRunTime; writeInterval 0.25; }
+late { type energyBalance; libs ("libriprapFoam.so"); timeStart 0.5; writeInterval 5; } mesh { type particlesToMesh; libs ("libriprapFoam.so"); } theirs { type systemCall; libs ("libutilityFunctionObjects.so"); writeCalls ("touch touched"); } }'
+control sphDem "$functions"
+passes forecast '[1-9][0-9]*'
+table='Expected wall time \[s\], as the log will end start +[0-9.]+ +[0-9.]+ % solver +[0-9.]+ +[0-9.]+ % 100 times function objects +[0-9.]+ +[0-9.]+ % 100 times'
+says forecast.table "$table front [0-9.]+ [0-9.]+ % 101 times twice [0-9.]+ [0-9.]+ % 5 times late [0-9.]+ [0-9.]+ % 11 times mesh [0-9.]+ [0-9.]+ % 101 times writing [0-9.]+ [0-9.]+ % 10 times waiting for writing [0-9.]+ [0-9.]+ % 10 times all +[0-9.]+ +100.0 % written meanwhile"
+says forecast.files 'Files: 10 times [0-9.]+ [kM]?B, formatted but not on disk'
+says forecast.others 'Not timed, since they may write: .theirs.'
+quiet forecast.cheap 'Costs much: sampleInterval'
+control sphDem "$functions"; sed -i 's/sampleInterval 0.01/sampleInterval 1e-5/' system/controlDict
+passes costly '[1-9][0-9]*'
+says costly.samples 'Costs much: sampleInterval 1e-05 s of system/controlDict is 0[0-9.]* steps; the solver is fastest where samples are farther apart'
+says costly.object "Costs much: function object mesh takes [0-9.]+ (% of|times) the solver.s time, [0-9.]+ ms a sample, as long as [0-9.]+ steps: sample less often by its writeInterval, or by sampleInterval"
+control sphDem
 sph 'guards { wild stop; densityDeviation 1e-5; }'
 stops density 'Guard at time 0 s, particle step 0: particle [0-9]+ at \(.*\(nearest patch: [a-z]+\) has a density that deviates by .* guards/densityDeviation allows 1e-05'
 sph 'guards { wild stop; speedRatio 1e-4; }'
@@ -59,6 +75,10 @@ dictionary system/setParticlesDict <<<'regions ( two { set solids; material glas
 glass() { dictionary constant/solidProperties <<<"device cpu; materials { glass { rho 2500; E 1e7; nu 0.25; } } contact { normal linear; } pairs { default { restitution 0.9; friction 0; stiffness 1e5; } } walls { material glass; } $1"; }
 glass ''; fill
 passes dem '[1-9][0-9]*'
+control dem 'functions { chains { type contactChains; libs ("libriprapFoam.so"); } heap { type groupMotion; libs ("libriprapFoam.so"); } }'
+passes demForecast '[1-9][0-9]*'
+says demForecast.table 'chains [0-9.]+ [0-9.]+ % 101 times heap [0-9.]+ [0-9.]+ % 101 times writing'
+control dem
 glass 'skin 1e-4;'
 passes thinSkin '[1-9][0-9]*'
 sed -i 's/velocity (1 0 0)/velocity (30 0 0)/' system/setParticlesDict; fill
@@ -74,5 +94,6 @@ dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-8; r
 pic() { dictionary constant/picProperties <<<"device cpu; $1"; }
 pic ''; regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.05 0.01); }'; fill
 passes pic '[0-9]+'
+says pic.table 'solver [0-9.]+ [0-9.]+ % 100 times fields [0-9.]+ [0-9.]+ % 10 times function objects'
 control picDem 'adjustTimeStep no; deltaT 0.5;'
 stops courant 'Guard at time .* s, particle step [0-9]+: particle [0-9]+ at .* would go [0-9.]+ cells in a step; guards/Courant allows 5'

@@ -43,6 +43,10 @@ bad unknownEntry 'kernal wendlandC2;' 'Unknown entry kernal; valid are .*kernel'
 bad kernel 'kernel gauss;' 'kernel has the unknown word gauss; valid are .*wendlandC2 cubicSpline'
 bad precision 'precision half;' 'precision has the unknown word half; valid are .*mixed double'
 bad device 'device tpu;' 'device has the unknown word tpu; valid are .*auto cpu gpu'
+bad gpuOfCpu 'gpu 0;' 'Entry gpu names a GPU, and device is cpu: leave gpu out, or take auto or gpu for device'
+bad gpuFraction 'gpu 1.5;' 'Entry gpu is 1.5: it must be a whole number'
+dictionary constant/sphProperties <<<'gpu 99;'
+wrong gpuNumber 'Entry gpu is 99, and (the GPUs of this machine are 0 \(|riprap was built without CUDA|there is no).*sphProperties'
 bad ratio 'smoothingLength { ratio 0.5; }' 'Entry ratio is 0.5: it must be from 0.8 to 4'
 bad model 'smoothingLength { model adaptive; }' 'model has the unknown word adaptive; valid are .*constant variable|model has the unknown word adaptive; valid are .*variable constant'
 bad maxGrowth 'smoothingLength { maxGrowth 0.9; }' 'Entry maxGrowth is 0.9: it must be from 1 to 4'
@@ -204,6 +208,7 @@ damaged noU 'no vector field U; there are \(\).*0/lagrangian/fluid' rm lagrangia
 damaged shortU 'lagrangian/fluid/U.*holds 3 values for 800 particles|holds 3 values for 800 particles.*lagrangian/fluid/U' sed -i '/^[0-9][0-9]*{/s/.*/3{(0 0 0)}/' lagrangian/fluid/U
 damaged rhoNegative 'lagrangian/fluid/rho has the value -1 at entry 9: it must be positive' spread rho -1
 damaged rhoWord "expected scalar value.*word 'nan'.*lagrangian/fluid/rho" spread rho nan
+damaged tooMany '3e\+09 particles; a cloud, which counts them in 32 bits, can have 5e\+08.*lagrangian/fluid/positions' sed -i 's/^800$/3000000000/' lagrangian/fluid/positions
 damaged outside '0/lagrangian/fluid.*fluid particle 0 .*outside the domain' sed -i '0,/^(0.0025 0.0025/s//(77 0.0025/' lagrangian/fluid/positions
 damaged cell 'particle 0 is in cell 9999 of a mesh of 200 cells.*lagrangian/fluid/positions' sed -i '0,/^\((0.0025 0.0025 [^)]*)\) .*/s//\1 9999/' lagrangian/fluid/positions
 damaged spacing 'Entry spacing is -1: it must be positive.*cloudProperties' sed -i 's/^spacing .*/spacing -1;/' uniform/lagrangian/fluid/cloudProperties

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
+#include "deviceChoice.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -26,7 +27,7 @@ Foam::solverModules::dem::dem(Time& runTime, fvMesh& mesh)
     movingWalls_(runTime, asRead_.walls.motion),
     movingGroups_(runTime, asRead_.groupMotion)
 {
-    checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
+    useDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
 

@@ -14,7 +14,7 @@ Description
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::solverModules::dem::logEffort(scalar sampleInterval)
+Foam::runEffort Foam::solverModules::dem::logEffort(scalar sampleInterval)
 {
     const scalar step = scene_->plan().timeStep;
     const auto take = [this](scalar t, int64_t n)
@@ -32,20 +32,22 @@ void Foam::solverModules::dem::logEffort(scalar sampleInterval)
     const scalar seconds = firstSteps(take, scene_->time(), step, 2000);
 
     const scalar length = lengthAhead(sampleInterval, step);
-    if (length > 0)
+    if (!(length > 0))
     {
-        const scalar steps = length/step;
-        Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-            << std::to_string(int64_t(ceil(steps))).c_str() << nl;
-
-        logRunTime(seconds, steps, steps, run_.particles);
+        return runEffort();
     }
+
+    const scalar steps = length/step;
+    Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
+        << std::to_string(int64_t(ceil(steps))).c_str() << nl;
+
+    return logRunTime(seconds, steps, steps, run_.particles);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solverModules::dem::dryRun(scalar sampleInterval)
+Foam::runEffort Foam::solverModules::dem::dryRun(scalar sampleInterval)
 {
     const logPrecision digits;
     const riprap::DemPlan plan(scene_->plan());
@@ -71,8 +73,7 @@ void Foam::solverModules::dem::dryRun(scalar sampleInterval)
     {
         Info<< "Warning: " << warning.c_str() << nl;
     }
-    logEffort(sampleInterval);
-    Info<< "Nothing was written" << nl << endl;
+    return logEffort(sampleInterval);
 }
 
 

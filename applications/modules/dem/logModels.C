@@ -8,6 +8,7 @@ Description
 
 #include "dem.H"
 #include "bodyLog.H"
+#include "deviceChoice.H"
 #include "listed.H"
 #include "logPrecision.H"
 #include "modelReader.H"
@@ -189,8 +190,10 @@ void Foam::solverModules::dem::logModels() const
     logBodies(settings_.config, input_);
     logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
         << "; periodic: " << axesText(c, true).c_str() << nl;
-    logItem("device") << scene_->deviceName().c_str() << " ("
-        << choice.reason.c_str() << ')' << nl;
+    logDevice
+    (
+        scene_->deviceName(), choice.reason, scene_->device(), scene_->arrays()
+    );
     logItem("precision") << sphNames::precision[c.precision] << nl;
     logItem("contact") << "normal " << c.normal.c_str()
         << ", tangential " << c.tangential.c_str()

@@ -9,12 +9,13 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "deviceChoice.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::solverModules::picDem::logEffort(scalar sampleInterval)
+Foam::runEffort Foam::solverModules::picDem::logEffort(scalar sampleInterval)
 {
     std::string limit;
     const scalar step = scene_->estimateTimeStep(limit);
@@ -37,7 +38,7 @@ void Foam::solverModules::picDem::logEffort(scalar sampleInterval)
     const scalar length = lengthAhead(sampleInterval, step);
     if (!(length > 0))
     {
-        return;
+        return runEffort();
     }
 
     const scalar steps = length/step;
@@ -45,20 +46,28 @@ void Foam::solverModules::picDem::logEffort(scalar sampleInterval)
         << std::to_string(int64_t(ceil(steps))).c_str() << " with this step; more as the water becomes"
         << " faster" << nl;
 
-    logRunTime(seconds, steps, steps, run_.particles);
+    return logRunTime(seconds, steps, steps, run_.particles);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solverModules::picDem::dryRun(scalar sampleInterval)
+Foam::runEffort Foam::solverModules::picDem::dryRun(scalar sampleInterval)
 {
     const logPrecision digits;
 
     Info<< "Particles" << nl << "    fluid: " << run_.particles << nl << endl;
-    Foam::logMemory(scene_->arrays(), run_.particles);
-    logEffort(sampleInterval);
-    Info<< "Nothing was written" << nl << endl;
+    Foam::logMemory(arraysTogether(*scene_), run_.particles);
+    return logEffort(sampleInterval);
+}
+
+
+void Foam::solverModules::picDem::writeTrial()
+{
+    particleModule::writeTrial();
+    p_->write();
+    U_->write();
+    alpha_->write();
 }
 
 

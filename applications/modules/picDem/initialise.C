@@ -113,7 +113,6 @@ void Foam::solverModules::picDem::registerScene()
         )
     );
     makeFields();
-    updateFields();
 }
 
 

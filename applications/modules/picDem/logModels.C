@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "deviceChoice.H"
 #include "listed.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
@@ -50,8 +51,13 @@ void Foam::solverModules::picDem::logModels() const
     Info<< " cells of " << c.cellSize << " m along "
         << axesText(c, false).c_str() << "; periodic: "
         << axesText(c, true).c_str() << nl;
-    logItem("device") << scene_->deviceName().c_str() << " ("
-        << choice.reason.c_str() << ')' << nl;
+    logDevice
+    (
+        scene_->deviceName(),
+        choice.reason,
+        scene_->device(),
+        arraysTogether(*scene_)
+    );
     logItem("precision") << sphNames::precision[c.precision] << nl;
     logItem("spline") << picNames::spline[c.splineOrder] << nl;
     logItem("transfer") << picNames::transfer[c.transfer];

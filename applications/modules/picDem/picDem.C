@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "deviceChoice.H"
 #include "geometryWalls.H"
 #include "wallPoints.H"
 #include "addToRunTimeSelectionTable.H"
@@ -52,7 +53,7 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     {
         solids_.reset(new waterSolids(runTime, mesh, asRead_, boundary_));
     }
-    checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
+    useDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
 

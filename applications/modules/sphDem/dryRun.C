@@ -9,12 +9,13 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "deviceChoice.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
+Foam::runEffort Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
 {
     const riprap::SphConfig& config = settings_.config;
     std::string limit;
@@ -38,7 +39,7 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
     const scalar length = lengthAhead(sampleInterval, step);
     if (!(length > 0))
     {
-        return;
+        return runEffort();
     }
 
     // With speeds up to maxVelocity the acoustic limit is lower
@@ -54,13 +55,13 @@ void Foam::solverModules::sphDem::logEffort(scalar sampleInterval)
         << std::to_string(int64_t(ceil(steps))).c_str() << " with this step, about "
         << std::to_string(int64_t(ceil(most*steps))).c_str() << " at maxVelocity" << nl;
 
-    logRunTime(seconds, steps, most*steps, run_.particles);
+    return logRunTime(seconds, steps, most*steps, run_.particles);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
+Foam::runEffort Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
 {
     const logPrecision digits;
 
@@ -70,10 +71,8 @@ void Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
     Info<< "Neighbours: " << scene_->neighboursPerParticle()
         << " a particle" << nl << endl;
 
-    Foam::logMemory(scene_->arrays(), run_.particles + walls_.size());
-    logEffort(sampleInterval);
-
-    Info<< "Nothing was written" << nl << endl;
+    Foam::logMemory(arraysTogether(*scene_), run_.particles + walls_.size());
+    return logEffort(sampleInterval);
 }
 
 

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "deviceChoice.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 #include "listed.H"
@@ -102,8 +103,13 @@ void Foam::solverModules::sphDem::logModels() const
         << walls_.size() << nl;
     logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
         << "; periodic: " << axesText(c, true).c_str() << nl;
-    logItem("device") << scene_->deviceName().c_str() << " ("
-        << choice.reason.c_str() << ')' << nl;
+    logDevice
+    (
+        scene_->deviceName(),
+        choice.reason,
+        scene_->device(),
+        arraysTogether(*scene_)
+    );
     logItem("precision") << sphNames::precision[c.precision] << nl;
 
     logItem("kernel") << sphNames::kernel[c.kernel] << nl;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "deviceChoice.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -35,7 +36,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
             << "Entry coupling is there, but no solids to couple with:"
             << " constant/solidProperties is missing" << exit(FatalIOError);
     }
-    checkDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
+    useDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }
 
 

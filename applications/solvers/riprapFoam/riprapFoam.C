@@ -24,6 +24,7 @@ Usage
 #include "pictures.H"
 #include "postProcessTimes.H"
 #include "readMesh.H"
+#include "runForecast.H"
 #include "runProgram.H"
 #include "setParticlesRecord.H"
 #include "solverModule.H"
@@ -135,6 +136,12 @@ static void runLoop(caseTime& runTime, solverModule& module)
     const stopSignals signals(module);
     const timeWriter::session writing;
 
+    // Function objects begin with a sample
+    if (fieldsAreRead(runTime))
+    {
+        module.updateFields();
+    }
+
     Info<< "\nStarting time loop\n" << endl;
     wallTimes::ofRun().started();
 
@@ -217,8 +224,15 @@ static void runCase(const argList& args, bool postProcess)
 
     if (args.found("dry-run"))
     {
+        const scalar start = wallTimes::ofRun().sinceBegin();
+        const scalar interval = timePlan(runTime).sampleInterval();
         checkFunctionObjects(runTime);
-        module->dryRun(timePlan(runTime).sampleInterval());
+        const runEffort effort(module->dryRun(interval));
+        foretellRun
+        (
+            runTime, *module, effort, interval, start, fieldsAreRead(runTime)
+        );
+        Info<< "Nothing was written" << nl << endl;
     }
     else
     {

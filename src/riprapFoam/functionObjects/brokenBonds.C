@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "brokenBonds.H"
+#include "idIndex.H"
 #include "addToRunTimeSelectionTable.H"
-#include "Map.H"
 
 namespace Foam
 {
@@ -34,19 +34,15 @@ Foam::functionObjects::brokenBonds::brokenBonds
 bool Foam::functionObjects::brokenBonds::writeSample()
 {
     const riprap::DemBondState bonds(dem().scene().bonds());
-    const riprap::DemState now(dem().scene().particles());
-    Map<label> entryOfId(2*label(now.id.size()));
-    for (std::size_t i = 0; i < now.id.size(); ++i)
-    {
-        entryOfId.insert(now.id[i], i);
-    }
+    const riprap::DemState& now = dem().motion();
+    const idIndex entryOfId(now.id);
 
     label count[4] = {0, 0, 0, 0};
     scalar maxTension = 0, maxShear = 0;
     for (std::size_t i = 0; i < bonds.a.size(); ++i)
     {
         ++count[bonds.broken[i]];
-        const label a = entryOfId.lookup(bonds.a[i], -1), b = entryOfId.lookup(bonds.b[i], -1);
+        const label a = entryOfId(bonds.a[i]), b = entryOfId(bonds.b[i]);
         if (bonds.broken[i] || a < 0 || b < 0) continue;
 
         vector way, force;

@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactChains.H"
+#include "idIndex.H"
 #include "addToRunTimeSelectionTable.H"
 #include "lineSeries.H"
-#include "Map.H"
 #include "sceneCloud.H"
 
 namespace Foam
@@ -35,12 +35,11 @@ Foam::functionObjects::contactChains::contactChains
 
 void Foam::functionObjects::contactChains::writeLines(const riprap::DemContacts& contacts) const
 {
-    const riprap::DemState now(dem().scene().particles());
-    Map<label> entryOfId(2*label(now.id.size()));
-    DynamicList<point> points;
+    const riprap::DemState& now = dem().motion();
+    const idIndex entryOfId(now.id);
+    DynamicList<point> points(2*label(now.id.size()));
     for (std::size_t i = 0; i < now.id.size(); ++i)
     {
-        entryOfId.insert(now.id[i], i);
         points.append(point(now.position[3*i], now.position[3*i + 1], now.position[3*i + 2]));
     }
 
@@ -53,8 +52,8 @@ void Foam::functionObjects::contactChains::writeLines(const riprap::DemContacts&
     forAll(lines, i)
     {
         wall[i] = contacts.b[i] < 0;
-        const label a = entryOfId[contacts.a[i]];
-        const label b = wall[i] ? points.size() : entryOfId[contacts.b[i]];
+        const label a = entryOfId(contacts.a[i]);
+        const label b = wall[i] ? points.size() : entryOfId(contacts.b[i]);
         if (wall[i]) points.append(at[i]);
         lines[i] = edge(a, b);
         const vector way(normalised(vector(points[b] - points[a])));

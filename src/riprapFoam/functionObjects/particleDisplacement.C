@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleDisplacement.H"
+#include "idIndex.H"
 #include "addToRunTimeSelectionTable.H"
 #include <algorithm>
 #include <limits>
@@ -106,17 +107,17 @@ void Foam::functionObjects::particleDisplacement::begin()
     }
 
     const riprap::DemParticles& all = dem().input().particles;
+    const idIndex entryOfId(all.id);
     start_.setSize(ids_.size());
     forAll(ids_, k)
     {
-        bool there = false;
-        for (std::size_t i = 0; i < all.size(); ++i)
+        const label i = entryOfId(ids_[k]);
+        if (i >= 0)
         {
-            if (all.id[i] != ids_[k]) continue;
-            start_[k] = point(all.position[3*i], all.position[3*i + 1], all.position[3*i + 2]);
-            there = true;
+            const double* x = &all.position[3*std::size_t(i)];
+            start_[k] = point(x[0], x[1], x[2]);
         }
-        if (!there)
+        else
         {
             FatalIOErrorInFunction(dict_)
                 << "Entry origIds of function object " << name() << ": there is no particle " << ids_[k]
@@ -134,10 +135,11 @@ bool Foam::functionObjects::particleDisplacement::writeSample()
 
     wordList columns;
     DynamicList<scalar> values;
+    const idIndex entryOfId(now.id);
     forAll(ids_, k)
     {
-        const auto at = std::find(now.id.begin(), now.id.end(), ids_[k]) - now.id.begin();
-        const bool there = std::size_t(at) < now.id.size();
+        const label at = entryOfId(ids_[k]);
+        const bool there = at >= 0;
         for (const char* what : {"X", "D", "U", "W", "F"})
         {
             const std::vector<double>& field =

@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleForces.H"
+#include "idIndex.H"
 #include "addToRunTimeSelectionTable.H"
-#include <unordered_map>
 
 namespace Foam
 {
@@ -103,14 +103,10 @@ void Foam::functionObjects::particleForces::addContactsOnGroups()
     const riprap::DemState& now = parts_->solids()->motion();
     const riprap::DemContacts contacts(scene.contacts());
 
-    std::unordered_map<std::int32_t, std::size_t> at;
-    for (std::size_t i = 0; i < now.id.size(); ++i)
-    {
-        at[now.id[i]] = i;
-    }
+    const idIndex at(now.id);
     const auto wanted = [&](std::int32_t id)
     {
-        return id >= 0 && parts_->groups()[now.group[at[id]]];
+        return id >= 0 && parts_->groups()[now.group[at(id)]];
     };
 
     for (std::size_t k = 0; k < contacts.a.size(); ++k)
@@ -118,7 +114,7 @@ void Foam::functionObjects::particleForces::addContactsOnGroups()
         const bool first = wanted(contacts.a[k]), second = wanted(contacts.b[k]);
         if (first == second) continue;
 
-        const double* centre = &now.position[3*at[contacts.a[k]]];
+        const double* centre = &now.position[3*std::size_t(at(contacts.a[k]))];
         const double* force = &contacts.force[3*k];
         riprap::Vector3 place, across, along;
         vector n;

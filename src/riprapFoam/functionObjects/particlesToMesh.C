@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particlesToMesh.H"
+#include "timeWriter.H"
 #include "zeroGradientFvPatchFields.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -91,6 +92,8 @@ void Foam::functionObjects::particlesToMesh::makeField
 
 void Foam::functionObjects::particlesToMesh::writeFields(const bool onlyMissing)
 {
+    if (timeWriter::ofRun().onTrial()) return;
+
     regIOobject* fields[] = {p_.get(), U_.get(), alpha_.get()};
 
     for (regIOobject* field : fields)

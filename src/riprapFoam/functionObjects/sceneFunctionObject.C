@@ -6,6 +6,7 @@
 #include "sceneFunctionObject.H"
 #include "checkedDictionary.H"
 #include "listed.H"
+#include "timeWriter.H"
 #include "wallTimes.H"
 
 namespace Foam
@@ -41,7 +42,7 @@ Foam::OFstream& Foam::functionObjects::sceneFunctionObject::row
     const UList<string>& comments
 )
 {
-    if (!writeToFile())
+    if (!writeToFile() || timeWriter::ofRun().onTrial())
     {
         return Snull;
     }
