@@ -429,7 +429,7 @@ void DemSolver<Backend, D, P>::steps(int count)
     {
         if (fitsBlock() && !context_.profile.timing)
         {
-            withLaw(config_, [&](auto law) { oneBlock<BlockLimits::threads>(context_, blockSteps<decltype(law)>(count)); });
+            withLaw(laws_, [&](auto law) { oneBlock<BlockLimits::threads>(context_, blockSteps<decltype(law)>(count)); });
             return;
         }
         const int together = 8;

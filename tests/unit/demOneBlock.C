@@ -42,7 +42,7 @@ TEST_P(DemOneBlock, BitsOfALaunchEach)
     {
         DemConfig c = config(D);
         c.integrator = DemIntegratorKind::velocityVerlet;
-        c.tangential = TangentialKind::history;
+        c.tangential = "history";
         c.stepFraction = 0.1;
         c.gravity = {{0, -9.81, 0}};
         const DemInput in = scene(c, D == 2 ? 10 : 4, D == 2 ? 60 : 100);
