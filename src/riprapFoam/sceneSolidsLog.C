@@ -28,9 +28,9 @@ void Foam::sceneSolids::logSolids
         << label(plan.clumps) << ", bonds " << label(plan.bonds)
         << ", wall elements " << label(plan.wallElements) << nl;
     logBodies(c, input_);
-    logItem("contact") << demNames::normal[c.normal] << ", "
-        << demNames::tangential[c.tangential] << ", rolling "
-        << demNames::rolling[c.rolling] << nl;
+    logItem("contact") << c.normal.c_str() << ", "
+        << c.tangential.c_str() << ", rolling "
+        << c.rolling.c_str() << nl;
     for (const demGroup& g : settings_.groups)
     {
         label held = 0;
