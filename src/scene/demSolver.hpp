@@ -14,7 +14,6 @@
 #include "core/graph.hpp"
 #include "core/largest.hpp"
 #include "coupling/solidView.hpp"
-#include "dem/blockSteps.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/fusedStep.hpp"
 #include "dem/likeWithLike.hpp"
@@ -23,6 +22,7 @@
 #include "dem/motion/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
+#include "scene/demBlockSteps.hpp"
 #include "scene/demFamilies.hpp"
 #include "scene/demRebuild.hpp"
 

@@ -88,7 +88,7 @@ told()      # JOBS [VARIABLE=VALUE]...: Allwmake up to where it would compile
         cp -r "$root"/{Allwmake,etc} "$copy/"
         ln -s "$root/.deps" "$copy/.deps"
         # wmake takes the first folder for a failure: nothing is compiled
-        mkdir -p "$copy/src/Make"; printf 'none.C\nLIB = none\n' >"$copy/src/Make/files"; echo '$(error nothing is to be compiled)' >"$copy/src/Make/options"
+        mkdir -p "$copy/src/Make"; printf 'xNone.C\nLIB = none\n' >"$copy/src/Make/files"; echo '$(error nothing is to be compiled)' >"$copy/src/Make/options"
     fi
     (cd "$copy" && env -u NVCC -u RIPRAP_CUDA_ARCH -u RIPRAP_CPU_ARCH RIPRAP_BOOTSTRAP=no "$@" ./Allwmake -j "$jobs" 2>&1)
 }

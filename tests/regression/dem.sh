@@ -313,7 +313,7 @@ pairs { default { restitution 0.5; workOfAdhesion $w; stiffness 1e4; } }"
     control "endTime 0.3; $plain"
     fill 'list { set solids; source csv; file "list.csv"; material glass; }'
     riprapFoam -dry-run >log 2>&1
-    says "jkrDryRun$w" "glass-glass: E\\* 5.33333e\\+06 Pa, workOfAdhesion $w J/m2, restitution 0.5 .*not used *\\(stiffness\\) of pairs"
+    says "jkrDryRun$w" "glass-glass: E\\* 5.33333e\\+06 Pa, workOfAdhesion $w J/m2, restitution 0.5 .*not used *\\(friction stiffness\\) of pairs"
     riprapFoam >log 2>&1 && pass "jkr$w" || fail "jkr$w" "$(grep -m1 -A3 ERROR log)"
     if [[ $w == 50 ]]
     then column jkrSticks motion thrownUx 0.0099 0.0101; column jkrBoth motion waitingUx 0.0099 0.0101

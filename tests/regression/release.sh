@@ -37,13 +37,13 @@ then
     [[ -z $lost && -x $name/Allwmake ]] && pass sourcesWhole || fail sourcesWhole "not the same files: $(head -3 <<<"$lost")"
     [[ $("$name/etc/version") == "$version" ]] && pass sourcesVersion || fail sourcesVersion "$("$name/etc/version") in place of $version"
     says sourcesOfTarball '*from a git checkout only' "$name/etc/release" --source x
-    echo >>clone/README.md
+    echo >>"$PWD"/clone/README.md
     says sourcesChanged '*tracked files are changed*commit first' clone/etc/release --source x
     commit changed; git -C clone tag v9.8.7
     says tagWithoutChanges "*CHANGELOG.md has no heading '## v9.8.7'" clone/etc/release --source x
-    sed -i '0,/^## v.*/s//## v9.8.7 (not released)/' clone/CHANGELOG.md; commit heading; git -C clone tag -f v9.8.7 >/dev/null
+    sed -i '0,/^## v.*/s//## v9.8.7 (not released)/' "$PWD"/clone/CHANGELOG.md; commit heading; git -C clone tag -f v9.8.7 >/dev/null
     says tagUnreleased '*CHANGELOG.md says that v9.8.7 is not released' clone/etc/release --source x
-    sed -i 's/^## v9.8.7.*/## v9.8.7/' clone/CHANGELOG.md; commit released; git -C clone tag -f v9.8.7 >/dev/null
+    sed -i 's/^## v9.8.7.*/## v9.8.7/' "$PWD"/clone/CHANGELOG.md; commit released; git -C clone tag -f v9.8.7 >/dev/null
     says tagCitation '*CITATION.cff has another version than 9.8.7' clone/etc/release --source x
     sed -i 's/^version: .*/version: 9.8.7/' clone/CITATION.cff; commit cited; git -C clone tag -f v9.8.7 >/dev/null
     clone/etc/release --source tagged >log 2>&1 && [[ -s tagged/riprap-9.8.7.tar.gz && $(tar xzOf tagged/riprap-9.8.7.tar.gz riprap-9.8.7/VERSION) == v9.8.7 ]] && pass tag || fail tag "$(<log)"
