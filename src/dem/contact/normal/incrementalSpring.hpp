@@ -8,33 +8,17 @@
 */
 #pragma once
 
-#include "dem/contact/card.hpp"
-#include "dem/contact/normal/dashpot.hpp"
+#include "dem/contact/normal/linearSpring.hpp"
 
 namespace riprap
 {
 
-struct IncrementalSpring : SpringNormal
+//- The numbers of LinearSpring
+struct IncrementalSpring : LinearSpring
 {
     static constexpr const char* word = "incremental";
     static constexpr const char* text = "spring by increments: an overlap that was there before gives no force";
-    static constexpr PairEntry entries[] =
-    {
-        PairEntry("stiffness", "N/m", "normal stiffness", &PairProperties::normalStiffness).perMetre().orCalibration().like(1e5),
-        pairEntry::restitution, pairEntry::attraction, pairEntry::gap
-    };
     static constexpr int history = 1;
-
-    template<class T>
-    struct Parameters { T k, twoZeta, floor; };
-
-    static Parameters<double> make(const PairProperties& p)
-    {
-        return {p.normalStiffness, 2*linearDampingRatio(p.restitution, p.attraction), p.attraction ? -1e30 : 0.0};
-    }
-
-    static double stiffness(const PairProperties& p, const Impact&) { return p.normalStiffness; }
-    static NormalDashpot dashpotOf(const PairProperties& p) { return {make(p).twoZeta, 0}; }
 
     template<int D, class T>
     HD static NormalForce<T> force(const Parameters<T>& p, const ContactGeometry<D, T>& g, T* h)
