@@ -29,6 +29,10 @@ enum class Range {positive, zeroOrPositive, fraction};      // fraction: above 0
 //- In a line of the log: the value, or only where it was set, or not at all
 enum class Shown {always, ifSet, never};
 
+//- Where something is kept in its Owner (by a name of its own, since nvcc puts brackets around a plain pointer to a member and g++ warns)
+template<class Owner, class Value>
+using Member = Value Owner::*;
+
 //- A number of a model, or a yes or no: where it is kept in its Owner, and what it may be. Without a place of its own it is kept by name
 //  (Owner::more), so that a new model changes no struct
 template<class Owner>
@@ -37,8 +41,8 @@ struct ModelEntry
     const char* name;
     const char* unit;
     const char* what;                       // as messages call it
-    double Owner::* number = nullptr;
-    bool Owner::* yesNo = nullptr;
+    Member<Owner, double> number = nullptr;
+    Member<Owner, bool> yesNo = nullptr;
     Range range = Range::positive;
     double highest = 1e300;
     bool required = true;
@@ -48,9 +52,9 @@ struct ModelEntry
     bool calibrated = false;                // may be a calibration by elastic constants
     double typical = 0.5, lossless = -1;    // what tests take; and where nothing is to be lost, if it decides that (>= 0)
 
-    constexpr ModelEntry(const char* n, const char* u, const char* w, double Owner::* to = nullptr)
+    constexpr ModelEntry(const char* n, const char* u, const char* w, Member<Owner, double> to = nullptr)
     : name(n), unit(u), what(w), number(to) {}
-    constexpr ModelEntry(const char* n, const char* w, bool Owner::* to, bool otherwise)
+    constexpr ModelEntry(const char* n, const char* w, Member<Owner, bool> to, bool otherwise)
     : name(n), unit(""), what(w), yesNo(to), required(false), otherwise(otherwise), shown(Shown::ifSet) {}
 
     constexpr ModelEntry in(Range r) const { ModelEntry e = *this; e.range = r; return e; }
