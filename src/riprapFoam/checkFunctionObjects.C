@@ -5,7 +5,6 @@
 
 #include "checkFunctionObjects.H"
 #include "checkedDictionary.H"
-#include "etcFiles.H"
 #include "functionObjectList.H"
 #include "listed.H"
 #include "sceneFunctionObject.H"
@@ -113,20 +112,6 @@ void Foam::checkFunctionObjects(Time& time)
     {
         if (f.ofRiprap) makeFunctionObject(f, time);
     }
-}
-
-
-std::string Foam::missingFunction(const std::string& nameAndArguments)
-{
-    const word name(nameAndArguments.substr(0, nameAndArguments.find('(')));
-    if (functionObjectList::findDict(name).size()) return "";
-
-    return
-        "Function object " + name + " has no file: neither system/" + name
-      + " nor one below caseDicts/postProcessing in "
-      + listed(etcDirs()) + ". riprap's own are found after its"
-        " etc/bashrc was sourced, where WM_PROJECT_SITE is not set to a folder"
-        " of yours";
 }
 
 

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "inputFile.H"
-#include "checkFunctionObjects.H"
+#include "missingFunction.H"
 #include "dictionaryText.hpp"
 #include "dictionary.H"
 #include "error.H"

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "postProcessTimes.H"
-#include "checkFunctionObjects.H"
+#include "missingFunction.H"
 #include "listed.H"
 #include "functionObjectList.H"
 #include "timeManifest.H"
