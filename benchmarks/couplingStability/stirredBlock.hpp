@@ -5,7 +5,7 @@
 */
 #pragma once
 
-#include "scene/sphDemScene.hpp"
+#include "api/sphDemScene.hpp"
 
 namespace riprap
 {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <string>
-#include "scene/demScene.hpp"
+#include "api/demScene.hpp"
 
 namespace riprap
 {

@@ -21,7 +21,7 @@
 #include <stdexcept>
 #include <omp.h>
 #include "columnScene.hpp"
-#include "core/machineLimits.hpp"
+#include "core/backend/machineLimits.hpp"
 
 namespace
 {

@@ -3,7 +3,7 @@
     Bodies rest on each other in a periodic lattice (or are bonded) and get velocities of 1e-9 of an overlap a sqrt(m/k). The kinetic
     energy of a stable scene stays of that size; it is unstable when it has grown 1e6-fold within 3000 steps. Theory: 2/w of the
     lattice's fastest mode (normalModes.hpp). With dashpots, whose forces are taken at the half step: one body on a floor,
-    x^2 + 4 zeta x/(1 + zeta x/2) = 4, x = dt sqrt(k/m); packings, dem/packingLimit.hpp.
+    x^2 + 4 zeta x/(1 + zeta x/2) = 4, x = dt sqrt(k/m); packings, dem/passes/packingLimit.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,7 +11,7 @@
 #include "normalModes.hpp"
 
 #include "dem/contact/normal/linearSpring.hpp"
-#include "dem/packingLimit.hpp"
+#include "dem/passes/packingLimit.hpp"
 
 #include <random>
 

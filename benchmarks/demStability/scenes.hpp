@@ -6,7 +6,7 @@
 */
 #pragma once
 
-#include "scene/demScene.hpp"
+#include "api/demScene.hpp"
 
 namespace riprap
 {

@@ -18,7 +18,7 @@
 #include <memory>
 #include <string>
 #include <vector>
-#include "scene/picScene.hpp"
+#include "api/picScene.hpp"
 #include "../picStability/picRows.hpp"
 #include "../stability/experiments.hpp"
 #include "shapes.hpp"

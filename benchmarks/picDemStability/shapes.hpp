@@ -5,7 +5,7 @@
 #pragma once
 
 #include "pic/shapes/shapes.hpp"
-#include "scene/picScene.hpp"
+#include "api/picScene.hpp"
 
 namespace riprap
 {

@@ -3,4 +3,4 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #define RIPRAP_SMALLEST_SOLID 0.25
-#include "scene/createPicScene.C"
+#include "solvers/pic/createPicScene.C"

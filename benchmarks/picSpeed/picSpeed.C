@@ -18,7 +18,7 @@
 #include <map>
 #include <stdexcept>
 #include <omp.h>
-#include "scene/picScene.hpp"
+#include "api/picScene.hpp"
 
 namespace
 {

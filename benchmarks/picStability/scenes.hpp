@@ -4,7 +4,7 @@
 */
 #pragma once
 
-#include "scene/picScene.hpp"
+#include "api/picScene.hpp"
 
 namespace riprap
 {

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <stdexcept>
 #include "pic/cutCells/apertures.hpp"
-#include "pic/pressureFields.hpp"
+#include "pic/grid/pressureFields.hpp"
 #include "pressureSpeed.hpp"
 
 namespace riprap

@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include "core/device.hpp"
+#include "core/backend/device.hpp"
 #include "pressureSpeed.hpp"
 
 namespace

@@ -6,7 +6,7 @@
 
 #include <string>
 #include <vector>
-#include "core/backend.hpp"
+#include "core/backend/backend.hpp"
 
 namespace riprap
 {

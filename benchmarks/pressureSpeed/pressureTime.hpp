@@ -6,8 +6,8 @@
 
 #include <chrono>
 #include <ctime>
-#include "core/device.hpp"
-#include "pic/pressure/pressureStep.hpp"
+#include "core/backend/device.hpp"
+#include "pic/projection/pressureStep.hpp"
 #include "pressureScene.hpp"
 
 namespace riprap

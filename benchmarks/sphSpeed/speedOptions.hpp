@@ -6,7 +6,7 @@
 
 #include <string>
 #include <vector>
-#include "scene/sphScene.hpp"
+#include "api/sphScene.hpp"
 
 namespace riprap
 {

@@ -37,7 +37,7 @@ std::string plain(std::string s)
     return s;
 }
 
-//- Neighbours in a GPU's list, which holds those in the skin as well (defaults: skinRatio in src/scene/sphSetup.hpp)
+//- Neighbours in a GPU's list, which holds those in the skin as well (defaults: skinRatio in src/solvers/sph/sphSetup.hpp)
 double listed(const SpeedOptions& o, const SpeedRow& r)
 {
     const double skin = o.skin >= 0 ? o.skin : (o.integrator == IntegratorKind::symplectic ? 0.16 : 0.12);

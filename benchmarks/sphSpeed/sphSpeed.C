@@ -10,7 +10,7 @@
 */
 #include "damBreakScene.hpp"
 #include "speedRow.hpp"
-#include "core/machineLimits.hpp"
+#include "core/backend/machineLimits.hpp"
 
 #include <algorithm>
 #include <chrono>

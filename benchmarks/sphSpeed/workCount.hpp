@@ -17,7 +17,7 @@ namespace riprap
 //- Passes over the pairs a step. The two of a symplectic step are half passes: one of the momentum, one of the density terms
 inline int passesPerStep(IntegratorKind integrator) { return integrator == IntegratorKind::symplectic ? 2 : 1; }
 
-//- Operations on one pair in all passes of a step (src/sph/fluidPass.hpp, terms/, sph/kernels/wendlandC2.hpp)
+//- Operations on one pair in all passes of a step (src/sph/passes/fluidPass.hpp, terms/, sph/kernels/wendlandC2.hpp)
 inline double operationsPerPair(const SpeedOptions& o)
 {
     const int D = o.dimensions;

@@ -21,7 +21,7 @@
 
 #include <array>
 #include <complex>
-#include "scene/sphScene.hpp"
+#include "api/sphScene.hpp"
 
 namespace riprap
 {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 #include <vector>
-#include "scene/sphScene.hpp"
+#include "api/sphScene.hpp"
 #include "experiments.hpp"
 
 namespace riprap

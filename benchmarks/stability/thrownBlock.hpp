@@ -4,7 +4,7 @@
 */
 #pragma once
 
-#include "scene/sphScene.hpp"
+#include "api/sphScene.hpp"
 
 namespace riprap
 {

@@ -11,10 +11,10 @@
 #pragma once
 
 #include "coupling/solidView.hpp"
-#include "core/cellGrid.hpp"
-#include "core/localFrames.hpp"
-#include "sph/fluidFields.hpp"
-#include "sph/time/clock.hpp"
+#include "core/neighbours/cellGrid.hpp"
+#include "core/neighbours/localFrames.hpp"
+#include "sph/state/fluidFields.hpp"
+#include "sph/state/clock.hpp"
 
 namespace riprap
 {

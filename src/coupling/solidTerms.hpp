@@ -12,7 +12,7 @@
 */
 #pragma once
 
-#include "sph/fluidPass.hpp"
+#include "sph/passes/fluidPass.hpp"
 #include "sph/terms/antiClump.hpp"
 #include "sph/terms/artificialViscosity.hpp"
 #include "sph/terms/continuity.hpp"

@@ -6,9 +6,9 @@
 #pragma once
 
 #include <vector>
-#include "core/backend.hpp"
+#include "core/backend/backend.hpp"
 #include "dem/motion/clumpConstraint.hpp"
-#include "dem/solidFields.hpp"
+#include "dem/state/solidFields.hpp"
 
 namespace riprap
 {

@@ -104,7 +104,7 @@ do
     else pass "include.$name"
     fi
 done
-tables=$(ls "$site" | sort); types=$(grep -rhoE '^ *TypeName\("[a-zA-Z]+"\)' "$root"/src/riprapFoam/functionObjects/*.H | cut -d'"' -f2 | grep -v FunctionObject | sort)
+tables=$(ls "$site" | sort); types=$(grep -rhoE '^ *TypeName\("[a-zA-Z]+"\)' "$root"/src/riprapFoam/functionObjects/*/*.H | cut -d'"' -f2 | grep -v FunctionObject | sort)
 [[ $tables == "$types" ]] && pass includeAll || fail includeAll "files: ${tables//$'\n'/ }; function objects: ${types//$'\n'/ }"
 functions '#includeFunc noSuchThing'
 refused includeMissing 'Function object noSuchThing has no file: neither system/noSuchThing nor one below caseDicts/postProcessing in' riprapFoam

@@ -14,9 +14,9 @@
 #include <type_traits>
 #include <vector>
 #include <gtest/gtest.h>
-#include "core/device.hpp"
-#include "core/launch.hpp"
-#include "core/precision.hpp"
+#include "core/backend/device.hpp"
+#include "core/backend/launch.hpp"
+#include "core/simd/precision.hpp"
 #ifndef __CUDACC__
     #include <omp.h>
 #endif

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include "scene/fluidScene.hpp"
+#include "api/fluidScene.hpp"
 
 namespace riprap
 {

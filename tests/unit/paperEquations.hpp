@@ -6,7 +6,7 @@
 #pragma once
 
 #include <cmath>
-#include "scene/sphScene.hpp"
+#include "api/sphScene.hpp"
 
 namespace riprap
 {

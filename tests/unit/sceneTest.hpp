@@ -12,8 +12,8 @@
 #include <random>
 #include <string>
 #include <gtest/gtest.h>
-#include "core/device.hpp"
-#include "scene/sphScene.hpp"
+#include "core/backend/device.hpp"
+#include "api/sphScene.hpp"
 
 namespace riprap
 {

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <string>
-#include "../unit/bodyReference.hpp"
-#include "pic/pressure/pressureStep.hpp"
+#include "../unit/pic/bodyReference.hpp"
+#include "pic/projection/pressureStep.hpp"
 #include "pic/shapes/shapes.hpp"
 
 //- Entries of coupledPCG with GAMG

@@ -2,13 +2,13 @@
 /*  The pure parts of the function objects: level crossings, the fluid's front, wall coverage and sight, sensors, means over time,
     rigid motion from particles. */
 
-#include "riprapFoam/functionObjects/fluidFront.hpp"
-#include "riprapFoam/functionObjects/gaugeLine.H"
-#include "riprapFoam/functionObjects/levelCrossing.hpp"
-#include "riprapFoam/functionObjects/rigidFit.hpp"
-#include "riprapFoam/functionObjects/runningMean.hpp"
-#include "riprapFoam/functionObjects/sensorDisc.H"
-#include "riprapFoam/functionObjects/wallCoverage.hpp"
+#include "riprapFoam/functionObjects/fluid/fluidFront.hpp"
+#include "riprapFoam/functionObjects/fluid/gaugeLine.H"
+#include "riprapFoam/functionObjects/fluid/levelCrossing.hpp"
+#include "riprapFoam/functionObjects/solids/rigidFit.hpp"
+#include "riprapFoam/functionObjects/base/runningMean.hpp"
+#include "riprapFoam/functionObjects/probes/sensorDisc.H"
+#include "riprapFoam/functionObjects/fluid/wallCoverage.hpp"
 
 #include <functional>
 #include <gtest/gtest.h>

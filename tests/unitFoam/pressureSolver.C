@@ -4,7 +4,7 @@
 */
 #include <sstream>
 #include <gtest/gtest.h>
-#include "pic/pressure/pressureStep.hpp"
+#include "pic/projection/pressureStep.hpp"
 #include "pressureSolver.H"
 #include "testTime.H"
 

@@ -13,8 +13,8 @@ Description
 #include "logPrecision.H"
 #include "modelReader.H"
 #include "moduleLog.H"
-#include "scene/demLaws.hpp"
-#include "scene/sphScene.hpp"
+#include "solvers/dem/demLaws.hpp"
+#include "api/sphScene.hpp"
 #include "sphNames.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //

@@ -9,7 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
-#include "scene/demLaws.hpp"
+#include "solvers/dem/demLaws.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 

@@ -12,7 +12,7 @@ Description
 #include "logPrecision.H"
 #include "moduleLog.H"
 #include "sphNames.H"
-#include "scene/sphScene.hpp"
+#include "api/sphScene.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 

@@ -7,7 +7,7 @@
 #include "dem/contact/normal/hardeningSpring.hpp"
 #include "dem/contact/rolling/noRolling.hpp"
 #include "dem/contact/tangential/frictionless.hpp"
-#include "impact.hpp"
+#include "dem/impact.hpp"
 
 namespace riprap
 {

@@ -4,11 +4,11 @@
 */
 #pragma once
 
-#include "core/blocks.hpp"
+#include "core/backend/blocks.hpp"
 #include "dem/bond/parallelBond.hpp"
-#include "dem/clock.hpp"
-#include "dem/listBuild.hpp"
-#include "dem/stepState.hpp"
+#include "dem/state/clock.hpp"
+#include "dem/lists/listBuild.hpp"
+#include "dem/lists/stepState.hpp"
 
 namespace riprap
 {

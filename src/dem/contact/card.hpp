@@ -6,7 +6,7 @@
 
 #include <string>
 #include "dem/contact/geometry.hpp"
-#include "dem/contact/pairProperties.hpp"
+#include "api/pairProperties.hpp"
 
 namespace riprap
 {

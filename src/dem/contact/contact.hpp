@@ -7,7 +7,7 @@
 #pragma once
 
 #include "dem/contact/geometry.hpp"
-#include "dem/contact/pairProperties.hpp"
+#include "api/pairProperties.hpp"
 
 namespace riprap
 {

@@ -15,7 +15,7 @@
 */
 #pragma once
 
-#include "dem/frame.hpp"
+#include "dem/state/frame.hpp"
 
 namespace riprap
 {

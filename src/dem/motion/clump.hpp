@@ -12,9 +12,9 @@
 */
 #pragma once
 
-#include "dem/clock.hpp"
+#include "dem/state/clock.hpp"
 #include "dem/motion/clumpConstraint.hpp"
-#include "dem/solidFields.hpp"
+#include "dem/state/solidFields.hpp"
 
 namespace riprap
 {

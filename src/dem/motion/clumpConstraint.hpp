@@ -9,9 +9,9 @@
 */
 #pragma once
 
-#include "core/precision.hpp"
+#include "core/simd/precision.hpp"
 #include "dem/motion/clumpState.hpp"
-#include "dem/solidFields.hpp"
+#include "dem/state/solidFields.hpp"
 
 namespace riprap
 {

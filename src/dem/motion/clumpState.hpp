@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include "dem/frame.hpp"
+#include "dem/state/frame.hpp"
 
 namespace riprap
 {

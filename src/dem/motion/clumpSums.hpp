@@ -10,7 +10,7 @@
 */
 #pragma once
 
-#include "core/blocks.hpp"
+#include "core/backend/blocks.hpp"
 #include "dem/motion/clump.hpp"
 #include "dem/motion/clumpSprings.hpp"
 

@@ -5,7 +5,7 @@
 */
 #pragma once
 
-#include "core/macros.hpp"
+#include "core/simd/macros.hpp"
 
 namespace riprap
 {

@@ -10,10 +10,10 @@
 */
 #pragma once
 
-#include "core/localFrames.hpp"
+#include "core/neighbours/localFrames.hpp"
 #include "dem/motion/clump.hpp"
 #include "dem/motion/motionTable.hpp"
-#include "dem/solidRecords.hpp"
+#include "dem/lists/solidRecords.hpp"
 
 namespace riprap
 {

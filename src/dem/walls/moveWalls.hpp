@@ -6,7 +6,7 @@
 */
 #pragma once
 
-#include "dem/clock.hpp"
+#include "dem/state/clock.hpp"
 #include "dem/motion/motionTable.hpp"
 #include "dem/walls/wallSet.hpp"
 

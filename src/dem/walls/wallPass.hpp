@@ -12,11 +12,11 @@
 */
 #pragma once
 
-#include "core/sharedWrites.hpp"
-#include "dem/clock.hpp"
+#include "core/loops/sharedWrites.hpp"
+#include "dem/state/clock.hpp"
 #include "dem/contact/contact.hpp"
 #include "dem/motion/motionTable.hpp"
-#include "dem/stepState.hpp"
+#include "dem/lists/stepState.hpp"
 #include "dem/walls/wallSearch.hpp"
 
 namespace riprap

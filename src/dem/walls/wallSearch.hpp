@@ -4,8 +4,8 @@
 */
 #pragma once
 
-#include "core/precision.hpp"
-#include "dem/solidFields.hpp"
+#include "core/simd/precision.hpp"
+#include "dem/state/solidFields.hpp"
 #include "dem/walls/wallSet.hpp"
 
 namespace riprap

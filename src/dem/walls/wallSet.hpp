@@ -12,8 +12,8 @@
 #include <cmath>
 #include <map>
 #include <vector>
-#include "core/backend.hpp"
-#include "core/closestPoint.hpp"
+#include "core/backend/backend.hpp"
+#include "core/simd/closestPoint.hpp"
 
 namespace riprap
 {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <vector>
-#include "core/math.hpp"
+#include "core/simd/math.hpp"
 #include "pic/shapes/shapes.hpp"
 
 namespace riprap

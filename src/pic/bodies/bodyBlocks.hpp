@@ -5,7 +5,7 @@
 */
 #pragma once
 
-#include "core/sharedLowest.hpp"
+#include "core/loops/sharedLowest.hpp"
 #include "pic/bodies/bodyShape.hpp"
 #include "pic/cutCells/apertures.hpp"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <map>
-#include "core/sort.hpp"
+#include "core/loops/sort.hpp"
 #include "pic/bodies/bodyRows.hpp"
 #include "pic/bodies/wetShares.hpp"
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <vector>
-#include "core/vec.hpp"
+#include "core/simd/vec.hpp"
 
 namespace riprap
 {

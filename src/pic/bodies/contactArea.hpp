@@ -16,7 +16,7 @@
 #pragma once
 
 #include <cmath>
-#include "pic/particles.hpp"
+#include "pic/grid/particles.hpp"
 #include "pic/transfer/sample.hpp"
 
 namespace riprap

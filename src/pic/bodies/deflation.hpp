@@ -14,7 +14,7 @@
 
 #include "pic/bodies/hats.hpp"
 #include "pic/bodies/skyline.hpp"
-#include "pic/pressure/ranks.hpp"
+#include "api/ranks.hpp"
 
 namespace riprap
 {

@@ -12,7 +12,7 @@
 #include <map>
 #include <numeric>
 #include <vector>
-#include "pic/pressure/linearSolver.hpp"
+#include "api/linearSolver.hpp"
 
 namespace riprap
 {

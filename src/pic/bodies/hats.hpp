@@ -15,7 +15,7 @@
 #include <cmath>
 #include <map>
 #include <vector>
-#include "pic/pressure/linearSolver.hpp"
+#include "api/linearSolver.hpp"
 
 namespace riprap
 {

@@ -11,8 +11,8 @@
 */
 #pragma once
 
-#include "core/math.hpp"
-#include "core/vec.hpp"
+#include "core/simd/math.hpp"
+#include "core/simd/vec.hpp"
 #include "pic/shapes/diskInSquare.hpp"
 #include "pic/shapes/sampledShape.hpp"
 #include "pic/shapes/shapes.hpp"

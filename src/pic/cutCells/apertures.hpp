@@ -7,9 +7,9 @@
 */
 #pragma once
 
-#include "core/math.hpp"
-#include "pic/cutCells/faceCut.hpp"
-#include "pic/uniformGrid.hpp"
+#include "core/simd/math.hpp"
+#include "pic/shapes/faceCut.hpp"
+#include "pic/grid/uniformGrid.hpp"
 
 namespace riprap
 {

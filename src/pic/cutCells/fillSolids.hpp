@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <vector>
-#include "pic/uniformGrid.hpp"
+#include "pic/grid/uniformGrid.hpp"
 
 namespace riprap
 {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <vector>
-#include "core/vec.hpp"
+#include "core/simd/vec.hpp"
 
 namespace riprap
 {

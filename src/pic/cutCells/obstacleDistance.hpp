@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include "core/closestPoint.hpp"
+#include "core/simd/closestPoint.hpp"
 #include "pic/cutCells/apertures.hpp"
 #include "pic/cutCells/obstacle.hpp"
 

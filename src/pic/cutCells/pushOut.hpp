@@ -6,7 +6,7 @@
 #pragma once
 
 #include "pic/cutCells/solidField.hpp"
-#include "pic/positionCorrection.hpp"
+#include "pic/transfer/positionCorrection.hpp"
 #include "pic/transfer/stopAtFaces.hpp"
 
 namespace riprap

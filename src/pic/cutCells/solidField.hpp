@@ -8,8 +8,8 @@
 #pragma once
 
 #include "pic/cutCells/apertures.hpp"
-#include "pic/particles.hpp"
-#include "pic/shapes/bSpline.hpp"
+#include "pic/grid/particles.hpp"
+#include "pic/transfer/bSpline.hpp"
 #include "pic/transfer/sample.hpp"
 
 namespace riprap

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
-#include "pic/uniformGrid.hpp"
+#include "pic/grid/uniformGrid.hpp"
 
 namespace riprap
 {

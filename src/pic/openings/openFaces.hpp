@@ -8,7 +8,7 @@
 */
 #pragma once
 
-#include "core/macros.hpp"
+#include "core/simd/macros.hpp"
 
 namespace riprap
 {

@@ -10,9 +10,9 @@
 */
 #pragma once
 
-#include "core/sharedWrites.hpp"
+#include "core/loops/sharedWrites.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
-#include "pic/pressureFields.hpp"
+#include "pic/grid/pressureFields.hpp"
 
 namespace riprap
 {

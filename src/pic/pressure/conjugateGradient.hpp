@@ -12,7 +12,7 @@
 #pragma once
 
 #include <cmath>
-#include "core/deviceLoop.hpp"
+#include "core/loops/deviceLoop.hpp"
 #include "pic/pressure/level.hpp"
 #include "pic/pressure/rowPasses.hpp"
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <cstdint>
-#include "core/rows.hpp"
+#include "core/loops/rows.hpp"
 
 namespace riprap
 {

@@ -10,8 +10,8 @@
 */
 #pragma once
 
-#include "core/deviceSum.hpp"
-#include "core/sharedWrites.hpp"
+#include "core/loops/deviceSum.hpp"
+#include "core/loops/sharedWrites.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
 
 namespace riprap

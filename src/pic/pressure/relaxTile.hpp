@@ -8,7 +8,7 @@
 */
 #pragma once
 
-#include "core/blocks.hpp"
+#include "core/backend/blocks.hpp"
 #include "pic/pressure/transfer.hpp"
 
 namespace riprap

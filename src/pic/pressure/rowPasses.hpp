@@ -7,7 +7,7 @@
 */
 #pragma once
 
-#include "core/rows.hpp"
+#include "core/loops/rows.hpp"
 #include "pic/pressure/gridShape.hpp"
 
 namespace riprap

@@ -7,7 +7,7 @@
 */
 #pragma once
 
-#include "core/sharedWrites.hpp"
+#include "core/loops/sharedWrites.hpp"
 #include "pic/pressure/level.hpp"
 
 namespace riprap

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <vector>
-#include "core/oneBlock.hpp"
+#include "core/backend/oneBlock.hpp"
 #include "pic/pressure/relaxTile.hpp"
 
 namespace riprap

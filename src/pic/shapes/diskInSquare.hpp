@@ -12,8 +12,8 @@
 #pragma once
 
 #include <cmath>
-#include "core/math.hpp"
-#include "pic/cutCells/faceCut.hpp"
+#include "core/simd/math.hpp"
+#include "pic/shapes/faceCut.hpp"
 
 namespace riprap
 {

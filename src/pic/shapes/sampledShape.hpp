@@ -9,8 +9,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include "core/vec.hpp"
-#include "pic/cutCells/faceCut.hpp"
+#include "core/simd/vec.hpp"
+#include "pic/shapes/faceCut.hpp"
 
 namespace riprap
 {

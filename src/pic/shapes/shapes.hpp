@@ -5,8 +5,8 @@
 #pragma once
 
 #include <cmath>
-#include "core/vec.hpp"
-#include "pic/cutCells/faceCut.hpp"
+#include "core/simd/vec.hpp"
+#include "pic/shapes/faceCut.hpp"
 
 namespace riprap
 {

@@ -11,8 +11,8 @@
 #pragma once
 
 #include "pic/cutCells/extendSurface.hpp"
-#include "pic/particles.hpp"
-#include "pic/transfer/mirror.hpp"
+#include "pic/grid/particles.hpp"
+#include "pic/grid/mirror.hpp"
 
 namespace riprap
 {

@@ -9,7 +9,7 @@
 */
 #pragma once
 
-#include "pic/transfer/mirror.hpp"
+#include "pic/grid/mirror.hpp"
 
 namespace riprap
 {

@@ -10,8 +10,8 @@
 */
 #pragma once
 
-#include "core/math.hpp"
-#include "pic/transfer/mirror.hpp"
+#include "core/simd/math.hpp"
+#include "pic/grid/mirror.hpp"
 
 namespace riprap
 {

@@ -8,10 +8,10 @@
 #pragma once
 
 #include <cstring>
-#include "core/rows.hpp"
+#include "core/loops/rows.hpp"
 #include "pic/transfer/gridToParticle.hpp"
 #include "pic/transfer/moveParticles.hpp"
-#include "pic/transfer/tiles.hpp"
+#include "pic/grid/tiles.hpp"
 
 namespace riprap
 {

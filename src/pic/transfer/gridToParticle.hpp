@@ -17,10 +17,10 @@
 */
 #pragma once
 
-#include "pic/particles.hpp"
+#include "pic/grid/particles.hpp"
 #include "pic/transfer/innerNodes.hpp"
 #include "pic/transfer/sample.hpp"
-#include "pic/wetCells.hpp"
+#include "pic/grid/wetCells.hpp"
 
 namespace riprap
 {

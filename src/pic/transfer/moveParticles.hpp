@@ -14,8 +14,8 @@
 */
 #pragma once
 
-#include "pic/particles.hpp"
-#include "pic/positionCorrection.hpp"
+#include "pic/grid/particles.hpp"
+#include "pic/transfer/positionCorrection.hpp"
 #include "pic/transfer/innerNodes.hpp"
 #include "pic/transfer/localVelocity.hpp"
 #include "pic/transfer/sample.hpp"

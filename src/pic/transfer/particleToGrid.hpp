@@ -15,11 +15,11 @@
 #pragma once
 
 #include <algorithm>
-#include "core/blocks.hpp"
-#include "pic/activeRows.hpp"
-#include "pic/particles.hpp"
-#include "pic/shapes/bSpline.hpp"
-#include "pic/transfer/mirror.hpp"
+#include "core/backend/blocks.hpp"
+#include "pic/grid/activeRows.hpp"
+#include "pic/grid/particles.hpp"
+#include "pic/transfer/bSpline.hpp"
+#include "pic/grid/mirror.hpp"
 
 namespace riprap
 {

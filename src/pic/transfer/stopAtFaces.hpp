@@ -4,8 +4,8 @@
 */
 #pragma once
 
-#include "core/math.hpp"
-#include "pic/uniformGrid.hpp"
+#include "core/simd/math.hpp"
+#include "pic/grid/uniformGrid.hpp"
 
 namespace riprap
 {

@@ -8,9 +8,9 @@
 */
 #pragma once
 
-#include "pic/inCell.hpp"
-#include "pic/shapes/bSpline.hpp"
-#include "pic/transfer/mirror.hpp"
+#include "pic/grid/inCell.hpp"
+#include "pic/transfer/bSpline.hpp"
+#include "pic/grid/mirror.hpp"
 
 namespace riprap
 {

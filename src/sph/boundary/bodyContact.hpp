@@ -7,8 +7,8 @@
 */
 #pragma once
 
-#include "core/cellGrid.hpp"
-#include "core/sharedWrites.hpp"
+#include "core/neighbours/cellGrid.hpp"
+#include "core/loops/sharedWrites.hpp"
 #include "sph/boundary/wallFaces.hpp"
 
 namespace riprap

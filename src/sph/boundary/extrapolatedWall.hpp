@@ -5,7 +5,7 @@
 */
 #pragma once
 
-#include "core/pairLoop.hpp"
+#include "core/neighbours/pairLoop.hpp"
 #include "sph/boundary/extrapolation.hpp"
 #include "sph/boundary/wallFields.hpp"
 

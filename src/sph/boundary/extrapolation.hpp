@@ -9,7 +9,7 @@
 */
 #pragma once
 
-#include "sph/fluidPass.hpp"
+#include "sph/passes/fluidPass.hpp"
 
 namespace riprap
 {

@@ -6,9 +6,9 @@
 */
 #pragma once
 
-#include "core/precision.hpp"
+#include "core/simd/precision.hpp"
 #include "sph/boundary/bodyContact.hpp"
-#include "sph/time/clock.hpp"
+#include "sph/state/clock.hpp"
 
 namespace riprap
 {

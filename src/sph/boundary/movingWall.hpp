@@ -6,7 +6,7 @@
 #pragma once
 
 #include "sph/boundary/wallFields.hpp"
-#include "sph/time/clock.hpp"
+#include "sph/state/clock.hpp"
 
 namespace riprap
 {

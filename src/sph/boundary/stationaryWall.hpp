@@ -6,7 +6,7 @@
 #pragma once
 
 #include "sph/boundary/wallFields.hpp"
-#include "sph/fluidFields.hpp"
+#include "sph/state/fluidFields.hpp"
 
 namespace riprap
 {

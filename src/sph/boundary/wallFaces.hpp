@@ -14,8 +14,8 @@
 */
 #pragma once
 
-#include "core/closestPoint.hpp"
-#include "core/macros.hpp"
+#include "core/simd/closestPoint.hpp"
+#include "core/simd/macros.hpp"
 
 namespace riprap
 {

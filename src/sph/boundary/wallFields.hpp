@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include "core/records.hpp"
+#include "core/containers/records.hpp"
 
 namespace riprap
 {

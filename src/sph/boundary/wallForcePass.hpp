@@ -11,9 +11,9 @@
 */
 #pragma once
 
-#include "core/pairLoop.hpp"
-#include "sph/fluidPass.hpp"
-#include "sph/time/clock.hpp"
+#include "core/neighbours/pairLoop.hpp"
+#include "sph/passes/fluidPass.hpp"
+#include "sph/state/clock.hpp"
 
 namespace riprap
 {

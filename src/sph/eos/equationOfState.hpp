@@ -8,7 +8,7 @@
 */
 #pragma once
 
-#include "core/math.hpp"
+#include "core/simd/math.hpp"
 
 namespace riprap
 {

@@ -7,7 +7,7 @@
 */
 #pragma once
 
-#include "core/math.hpp"
+#include "core/simd/math.hpp"
 
 namespace riprap
 {

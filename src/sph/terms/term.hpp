@@ -12,7 +12,7 @@
 */
 #pragma once
 
-#include "core/records.hpp"
+#include "core/containers/records.hpp"
 
 namespace riprap
 {

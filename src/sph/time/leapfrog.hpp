@@ -9,10 +9,10 @@
 */
 #pragma once
 
-#include "core/localFrames.hpp"
+#include "core/neighbours/localFrames.hpp"
 #include "sph/boundary/faceContact.hpp"
-#include "sph/fluidFields.hpp"
-#include "sph/time/clock.hpp"
+#include "sph/state/fluidFields.hpp"
+#include "sph/state/clock.hpp"
 
 namespace riprap
 {

@@ -103,7 +103,7 @@ def massProperties(points, triangles):
 
 
 def principalAxes(J):
-    """Columns: the axes, by the turns that src/riprapFoam/particleSources/principalAxes.H makes, so that they are the same ones"""
+    """Columns: the axes, by the turns that src/riprapFoam/shapes/principalAxes.H makes, so that they are the same ones"""
     axes = np.eye(3)
     J = np.array(J, dtype=float)
     for _ in range(50):

@@ -26,6 +26,7 @@
 
 #include "dem/contact/card.hpp"
 #include "dem/contact/normal/dashpot.hpp"
+#include "dem/contact/restitution.hpp"
 
 namespace riprap
 {

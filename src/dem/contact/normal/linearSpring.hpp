@@ -11,6 +11,7 @@
 
 #include "dem/contact/card.hpp"
 #include "dem/contact/normal/dashpot.hpp"
+#include "dem/contact/restitution.hpp"
 
 namespace riprap
 {

@@ -1,0 +1,247 @@
+/*  PIC scene: the plain C++ facade between riprap's particle-in-cell solver and whoever sets a scene up.
+
+    SI, double, host memory; vectors with three components in 2D as well: the empty one of the fluid is ignored, and comes back as the middle of the
+    domain. A scene owns everything that lives on its device, but not the solver of the pressure equation.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <functional>
+#include <memory>
+#include "api/linearSolver.hpp"
+#include "api/demScene.hpp"
+#include "api/fluidScene.hpp"
+
+namespace riprap
+{
+
+enum class TransferKind {flip, pic, flipPic, apic};
+enum class ViscousKind {automatic, explicitly, implicitly};     // automatic: explicit where the step is small enough
+
+//- Water in it loses velocity at a rate that grows from `from`, where it is 0, to `to`, as the square of the distance: pic/terms/absorb.hpp
+struct PicAbsorber
+{
+    std::string name;
+    Vector3 from{{0, 0, 0}}, to{{0, 0, 0}};     // [m]
+    double rate = 0;                        // at `to` and beyond [1/s]
+};
+
+enum class OpeningKind {velocity, flowRate, level};
+
+//- Particles that have come in and gone out through an opening since the very start
+struct PicPassage
+{
+    std::int64_t in = 0, out = 0;
+    double volume = 0;                      // of the water that came in, less what went out [m3] (2D: m2)
+    double pending = 0;                     // of that, what is not yet particles that have come or gone
+};
+
+//- A part of the sides through which water comes and goes (pic/openings): its velocity is given, or what flows in, over the part of it that is under water, or
+//  the height of the water that stands beyond. As functions of time [s]
+struct PicOpening
+{
+    std::string name;
+    OpeningKind kind = OpeningKind::level;
+    std::function<Vector3(double)> velocity;        // [m/s]
+    std::function<double(double)> flowRate;         // into the domain [m3/s] (2D: m2/s)
+    std::function<double(double)> level;            // against gravity, from the world's origin [m]; of velocity and flowRate: up to which there is a flow, null: as the water stands
+    PicPassage before;                      // of a run that continues without its exact state: what had passed
+};
+
+struct PicConfig : FluidConfig
+{
+    // How
+    DeviceKind device = DeviceKind::automatic;
+    PrecisionKind precision = PrecisionKind::mixed;
+
+    // The grid: cells of edge cellSize that fill the domain
+    Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
+    bool periodic[3] = {false, false, false};
+    int cells[3] = {1, 1, 1};               // along x, y, z
+    double cellSize = 0;                    // [m]
+
+    // Particles of a new run: as given, or seeded in the cells that those given fill
+    int seedsPerDirection = 2;              // of a cell; 0: as given
+    double jitter = 0;                      // of seeds, 0 .. 1 of their own part of the cell
+
+    // Transfer and motion
+    int splineOrder = 2;                    // 1 .. 3
+    TransferKind transfer = TransferKind::flip;
+    double picPart = 0.05;                  // of flipPic
+    bool affine = true;                     // particles bring a gradient to the grid (always with apic)
+    int advectionOrder = 3;                 // 2, 3
+    double reflection = 1;                  // 0 .. 1: of the advection's divergence, see picStep.hpp
+    double positionCorrection = 0.05;       // coefficient, 0: off
+
+    double pressureTolerance = 1e-10;       // without a solver of the caller's
+    double reflectionTolerance = 0;         // of the first of a step's two solutions; 0: the same
+
+    ViscousKind viscousScheme = ViscousKind::automatic;
+
+    // Walls
+    bool noSlip = false;
+    Vector3 slide[3][2] = {};               // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
+
+    std::vector<PicAbsorber> absorbers;
+    std::vector<PicOpening> openings;
+
+    // Time
+    double startTime = 0;                   // [s]
+    bool adjustTimeStep = true;
+    double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
+    double maxTimeStep = 1e30;              // [s]
+    double maxCourant = 0.5;
+    double maxFlyingCourant = 4;            // of particles that no water carries; at least maxCourant
+
+    // Guards
+    double maxCourantEver = 5;              // a particle that went this many cells in a step stops the run
+};
+
+//- Sides of the domain, and what the faces of the grid are where they are not open water: cells' faces normal to each solved
+//  direction, in the order of UniformGrid; empty: all inner faces open, the sides of the domain closed and at rest
+struct PicWalls
+{
+    std::vector<double> aperture[3];        // 0 closed .. 1 open
+    std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
+    std::vector<int> opening[3];            // on the sides: number of the opening a face belongs to, -1: none; empty: there are none
+    std::vector<int> part[3];               // on the sides: FluidForce::part of the wall, -1: none; empty: there are none
+};
+
+//- A surface inside the domain, oriented or not
+struct PicObstacle
+{
+    std::string name;
+    std::vector<double> vertices;           // 3 each [m], as at the identity pose
+    std::vector<int> elements;              // 2D: two vertices each, in the plane; 3D: three
+    bool closed = true;                     // else a sheet: it parts, but has no inside
+    bool solidOutside = false;              // the water is inside, as in a basin
+    int body = -1;                          // index of its motion, -1: it rests
+    int part = 0;                           // FluidForce::part
+};
+
+//- The shape of rigid bodies by signed distances at the points of a lattice about their principal axes (2D: of the plane as given), the first
+//  axis fastest (pic/shapes/sampledShape.hpp)
+struct PicShape
+{
+    std::string name;
+    Vector3 lower{{0, 0, 0}};               // of the first point, from the centre of mass [m]
+    double step = 0;                        // [m]
+    std::array<int, 3> n{{1, 1, 1}};        // points; 2D: one along the empty axis
+    std::vector<double> distance;           // [m]
+    double volume = 0;                      // that distances are held to (pic/shapes/latticeVolume.hpp) [m3] (2D: m2); 0: as they have it
+};
+
+//- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and gravity
+struct PicSolids
+{
+    DemConfig config;
+    DemInput input;
+    std::vector<PicShape> shapes;           // of clumps that have one (DemClump::shape)
+    bool weak = false;                      // their motion from the last step's pressure, not solved with it
+    double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
+    double contactVelocityTime = 0;         // [s] or in this time, whatever the step; 0: a step
+};
+
+//- What is inside the domain; motion: of obstacles that move
+struct PicInside
+{
+    std::vector<PicObstacle> obstacles;
+    WallMotion motion;
+    std::shared_ptr<const PicSolids> solids;        // null: there are none
+    std::unique_ptr<DemScene> scene;                // theirs; made by createPicScene
+
+    bool empty() const { return obstacles.empty() && !scene; }
+};
+
+//- What one call of advance did
+struct PicReport
+{
+    double time = 0;                        // [s] reached
+    double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
+    std::int64_t steps = 0, totalSteps = 0;
+    std::string limit;                      // what set the last step: Courant | waves | viscous | fixed | target | maximum
+    double maxSpeed = 0;                    // of particles [m/s]
+    double maxCourant = 0;
+    double volume = 0;                      // of water at the end [m3] (2D: m2), flying particles included
+    double volumeError = 0;                 // relative to what the particles stand for, at the end
+    double volumeDrift = 0;                 // sum of what the steps lost (-) or gained before it was put right, relative
+    std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
+    std::vector<Vector3> escaped;           // last positions of those that left in this call
+    std::vector<std::int32_t> escapedId;
+    std::vector<PicPassage> passed;         // an opening each
+    std::int64_t pressureIterations = 0;
+    double largestResidual = 0;             // of the pressure equation at the end of a solution
+    bool pressureConverged = true, viscosityConverged = true;
+    StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
+    std::int32_t stopId = -1;
+    Vector3 stopPosition{{0, 0, 0}};
+    double stopValue = 0;
+    std::string stopMessage;                // of solids: which limit
+};
+
+//- The grid's fields, cells x fastest over the three directions of the domain
+struct PicGridState
+{
+    std::vector<double> pressure;           // [Pa]
+    std::vector<double> velocity;           // 3 a cell [m/s]; 0 away from the water
+    std::vector<double> water;              // part of the cell, 0 .. 1
+    std::vector<double> distance;           // to the surface [m], negative in water
+};
+
+//- What the kick of the last step did to momentum [N s] (2D: per metre): water = gravity + other - walls - solids
+struct PicMomentum
+{
+    Vector3 water{{0, 0, 0}};               // of what the pressure moves, on the grid
+    Vector3 gravity{{0, 0, 0}};             // its weight
+    Vector3 walls{{0, 0, 0}}, solids{{0, 0, 0}};    // by the pressure, on walls and obstacles; on solids that move with the water, shear included
+    Vector3 other{{0, 0, 0}};               // viscosity, zones that absorb waves, water beyond openings
+    Vector3 particles{{0, 0, 0}};           // what of it came to the particles; gravity on flying ones included
+};
+
+//- fluid(): smoothingLength is the edge of the cells. energy(): elastic 0. sample(): of the grid; volumeFraction 1/2 on the surface
+class PicScene : public FluidScene
+{
+public:
+
+    //- Advance to time t [s] or by maxSteps (0: no limit), whichever comes first. The last step is
+    //  shortened to end at t to round-off. Stops early when a guard fires (see PicReport::stop).
+    virtual PicReport advance(double t, std::int64_t maxSteps = 0) = 0;
+
+    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none is running, the next
+    //  returns after one step
+    virtual void interrupt() = 0;
+
+    virtual PicGridState grid() = 0;
+
+    //- The solids, null: there are none; to be read, not to be advanced
+    virtual DemScene* solids() { return nullptr; }
+
+    //- The water's force on all of them in the last step [N], and their steps in it
+    struct Coupling { Vector3 force{{0, 0, 0}}; int subcycles = 0; };
+    virtual Coupling coupling() { return Coupling(); }
+
+    //- Momentum of the steps from now on, and of the last one; costs copies to the host
+    virtual void watchMomentum(bool) {}
+    virtual PicMomentum momentum() { return PicMomentum(); }
+
+    //- Edge of the square or cube that a particle stands for [m]
+    virtual double particleSpacing() const = 0;
+
+    //- The exact state: see SphScene
+    virtual std::vector<std::int32_t> saveState() = 0;
+    virtual void loadState(const std::vector<std::int32_t>&) = 0;
+
+    virtual double estimateTimeStep(std::string& limit) = 0;
+    virtual std::vector<ArrayInfo> arrays() const = 0;
+    virtual std::vector<KernelInfo> kernels() const = 0;
+    virtual void timeKernels(bool on) = 0;
+    virtual std::string deviceName() const = 0;
+    virtual DeviceKind device() const = 0;
+};
+
+//- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our multigrid, to pressureTolerance
+//  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
+std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr, PicInside inside = PicInside());
+
+} // namespace riprap

@@ -1,0 +1,44 @@
+/*  What the passes over contacts share: positions, records, and the parameters of each pair of materials.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "dem/state/clock.hpp"
+#include "dem/lists/contactList.hpp"
+#include "dem/state/solidFields.hpp"
+#include "dem/lists/solidRecords.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P, class Law>
+struct PairModel
+{
+    using real = typename P::real;
+    using Parameters = typename Law::template Parameters<real>;
+    static constexpr int histories = Law::template history<D>;
+
+    Box<D, P> box;
+    SolidRecords<D, P> solids;
+    ContactListView<Backend, real> list;
+    const Parameters* parameters;       // of materials a, b: [a*materials + b]
+    const real* gap;                    // likewise
+    int materials;
+    Parameters sole;                    // of the first material with itself: a kernel's own arguments cost no loads
+    real soleGap;
+    ForceClock clock;
+    const int* active;
+
+    HD int pairOf(int a, int b) const { return a*materials + b; }
+
+    //- From i to j, nearest image
+    HD Vec<D, real> line(const Vec<D, typename P::position>& xi, const SolidA<D, P>& j) const
+    {
+        Vec<D, real> dx;
+        for (int d = 0; d < D; ++d) dx.c[d] = -box.template separation<real>(d, xi.c[d], j.x[d]);
+        return dx;
+    }
+};
+
+} // namespace riprap

@@ -1,0 +1,253 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "picGrid.H"
+#include "emptyPolyPatch.H"
+#include "wallPoints.H"
+#include "pic/grid/uniformGrid.hpp"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    // In cells: how far a mesh's points may be from those of the grid
+    constexpr Foam::scalar tolerance = 1e-3;
+
+    constexpr const char* rule =
+        "PIC needs a mesh that is one block of equal squares (2D) or cubes"
+        " (3D) along the axes, without grading";
+}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::label Foam::picGrid::place(const point& middle) const
+{
+    int index[3] = {0, 0, 0};
+    bool fits = true;
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const int axis = axes_[d];
+        const scalar x = (middle[axis] - corner_[axis])/size_;
+        index[d] = int(floor(x));
+        fits =
+            fits && mag(x - index[d] - 0.5) < tolerance
+         && index[d] >= 0 && index[d] < cells_[d];
+    }
+    return fits
+      ? index[0] + cells_[0]*(index[1] + cells_[1]*index[2]) : -1;
+}
+
+
+void Foam::picGrid::setSize(const fvMesh& mesh)
+{
+    // Of the first cell, which owns all its faces; all others must be like it
+    DynamicList<label> corners(24);
+    for (label f = 0; f < mesh.nFaces(); ++f)
+    {
+        if (mesh.faceOwner()[f] == 0)
+        {
+            corners.append(mesh.faces()[f]);
+        }
+    }
+    const boundBox first(mesh.points(), corners, false);
+
+    size_ = first.span()[axes_[0]];
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const scalar edge = first.span()[axes_[d]];
+        if (mag(edge - size_) > tolerance*size_)
+        {
+            FatalErrorInFunction
+                << "Cell 0 at " << mesh.cellCentres()[0] << " is " << size_
+                << " m long along " << vector::componentNames[axes_[0]]
+                << " and " << edge << " m along "
+                << vector::componentNames[axes_[d]] << ": " << rule
+                << exit(FatalError);
+        }
+    }
+
+    // The mean over the mesh has fewer rounding errors than one cell
+    const scalar span = mesh.bounds().span()[axes_[0]];
+    size_ = span/round(span/size_);
+
+    for (int d = 0; d < 3; ++d)
+    {
+        cells_[d] = 1;
+    }
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const scalar length = mesh.bounds().span()[axes_[d]];
+        cells_[d] = int(round(length/size_));
+        if (mag(length - cells_[d]*size_) > tolerance*size_)
+        {
+            FatalErrorInFunction
+                << "The mesh is " << length << " m long along "
+                << vector::componentNames[axes_[d]] << ", which is "
+                << length/size_ << " cells of " << size_ << " m: " << rule
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::picGrid::numberCells(const fvMesh& mesh)
+{
+    gridCell_.resize(mesh.nCells());
+    labelList meshCell(cells_[0]*cells_[1]*cells_[2], -1);
+
+    const scalar thickness =
+        dimensions_ == 2 ? mesh.bounds().span()[axes_[2]] : size_;
+    const scalar volume = sqr(size_)*thickness;
+
+    const vectorField& middles = mesh.cellCentres();
+    const scalarField& volumes = mesh.cellVolumes();
+    #pragma omp parallel for schedule(static)
+    for (label celli = 0; celli < gridCell_.size(); ++celli)
+    {
+        const bool fits = mag(volumes[celli] - volume) < 10*tolerance*volume;
+        gridCell_[celli] = fits ? place(middles[celli]) : -1;
+    }
+
+    forAll(gridCell_, celli)
+    {
+        const label i = gridCell_[celli];
+        if (i < 0 || meshCell[i] >= 0)
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+                << ", volume " << mesh.cellVolumes()[celli] << " m3, is not one"
+                << " of " << cells_[0] << " x " << cells_[1] << " x "
+                << cells_[2] << " equal ones of " << volume << " m3: " << rule
+                << exit(FatalError);
+        }
+        meshCell[i] = celli;
+    }
+
+    if (mesh.nCells() != meshCell.size())
+    {
+        FatalErrorInFunction
+            << "The mesh has " << mesh.nCells() << " cells, and the box around"
+            << " it " << meshCell.size() << ": " << rule << exit(FatalError);
+    }
+}
+
+
+//- Everything inside is open, and so are faces of patches of type patch; walls
+//  are numbered in the order of wallPatches
+void Foam::picGrid::openSides
+(
+    const fvMesh& mesh,
+    const riprap::PicConfig& config
+)
+{
+    riprap::UniformGrid<3> grid;
+    for (int d = 0; d < 3; ++d)
+    {
+        grid.n[d] = cells_[d];
+    }
+
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        std::vector<double>& open = walls_.aperture[d];
+        int last[3] = {cells_[0] - 1, cells_[1] - 1, cells_[2] - 1};
+        last[d] += 1;
+        open.assign((last[0] + 1)*(last[1] + 1)*(last[2] + 1), 1.0);
+
+        #pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < open.size(); ++i)
+        {
+            const int layer = grid.faceIndex(d, int(i)).c[d];
+            if (layer == 0 || layer == cells_[d])
+            {
+                open[i] = 0;
+            }
+        }
+        if (!config.openings.empty())
+        {
+            walls_.opening[d].assign(open.size(), -1);
+        }
+        walls_.part[d].assign(open.size(), -1);
+    }
+
+    const labelList walls(wallPatches(mesh));
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(patch))
+        {
+            continue;
+        }
+
+        const int wall = walls.find(patch.index());
+        int number = -1;
+        for (std::size_t k = 0; k < config.openings.size(); ++k)
+        {
+            if (config.openings[k].name == patch.name())
+            {
+                number = int(k);
+            }
+        }
+
+        forAll(patch, facei)
+        {
+            const vector& area = patch.faceAreas()[facei];
+            for (int d = 0; d < dimensions_; ++d)
+            {
+                const scalar along = area[axes_[d]];
+                if (mag(along) < 0.5*mag(area))
+                {
+                    continue;
+                }
+                riprap::UniformGrid<3>::Index f =
+                    grid.cellIndex(gridCell_[patch.faceCells()[facei]]);
+                f.c[d] += along > 0;
+                const int face = grid.face(d, f);
+                if (wall >= 0)
+                {
+                    walls_.part[d][face] = wall;
+                    continue;
+                }
+                walls_.aperture[d][face] = 1;
+                if (number >= 0)
+                {
+                    walls_.opening[d][face] = number;
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::picGrid::picGrid(const fvMesh& mesh, const riprap::PicConfig& config)
+:
+    dimensions_(config.dimensions),
+    corner_(mesh.bounds().min())
+{
+    for (int d = 0; d < 3; ++d)
+    {
+        axes_[d] = config.axes[d];
+    }
+
+    setSize(mesh);
+    numberCells(mesh);
+    openSides(mesh, config);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::picGrid::set(riprap::PicConfig& config) const
+{
+    config.cellSize = size_;
+    for (int d = 0; d < 3; ++d)
+    {
+        config.cells[axes_[d]] = cells_[d];
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/picAll.hpp"
-
-std::unique_ptr<riprap::PicScene> riprap::picCpu2Mixed(const PicConfig& c, const FluidInput& f, const PicWalls& w, LinearSolver* s, PicInside&& i)
-{
-    return std::make_unique<PicSolver<Cpu, 2, Mixed>>(c, f, w, s, std::move(i));
-}

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-#include "scene/sphAll.hpp"
-
-std::unique_ptr<riprap::SphScene> riprap::sphCpu2Double
-(const SphConfig& c, const FluidInput& f, const WallInput& w, WallMotion m, SolidPart s)
-{
-    return std::make_unique<SphSolver<Cpu, 2, Double>>(c, f, w, std::move(m), std::move(s));
-}

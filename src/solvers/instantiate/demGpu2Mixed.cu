@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "solvers/dem/demAll.hpp"
+
+std::unique_ptr<riprap::DemScene> riprap::demGpu2Mixed(const DemConfig& c, const DemInput& in, const DemPlan& p)
+{
+    return std::make_unique<DemSolver<Gpu, 2, Mixed>>(c, in, p);
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "solvers/sph/sphAll.hpp"
+
+std::unique_ptr<riprap::SphScene> riprap::sphGpu3Double
+(const SphConfig& c, const FluidInput& f, const WallInput& w, WallMotion m, SolidPart s)
+{
+    return std::make_unique<SphSolver<Gpu, 3, Double>>(c, f, w, std::move(m), std::move(s));
+}

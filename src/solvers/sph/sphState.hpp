@@ -1,0 +1,147 @@
+/*  SphSolver: the exact state as words, so that a run continues bit for bit.
+
+    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
+    bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
+    walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
+    (FNV-1a over all words before it).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "solvers/sph/sphSolver.hpp"
+#include "solvers/stateWords.hpp"
+
+namespace riprap
+{
+
+namespace detail
+{
+
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 7;
+static constexpr int stateHeader = 14;
+
+} // namespace detail
+
+template<class Backend, int D, class P>
+std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
+{
+    readClock();
+    const int n = activeFluid();
+    std::vector<std::int32_t> words
+    {
+        detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
+        stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
+        int(cycleFitted_) + 2*cyclesFull_, nSolids_
+    };
+    detail::appendBytes(words, &host_, sizeof(ClockData));
+    detail::appendBytes(words, &stiffening_, sizeof(stiffening_));
+    std::size_t expected = words.size() + 1;
+    for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    words.reserve(expected);
+    const auto append = [&](FieldSet<Backend>& set, int count)
+    {
+        for (int f = 0; f < set.fields(); ++f)
+        {
+            const std::size_t at = words.size(), bytes = std::size_t(count)*set.elementBytes(f);
+            words.resize(at + (bytes + 3)/4, 0);
+            if (count) context_.toHost(&words[at], set.bytes(f), bytes);
+        }
+    };
+    append(fluid_, n);
+    if (nBodies_) append(wall_, nWalls_);
+    if (solids_)
+    {
+        for (const auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
+        {
+            if (!a->size()) continue;
+            const std::vector<real> values = a->download();
+            detail::appendBytes(words, values.data(), values.size()*sizeof(real));
+        }
+        const std::vector<std::int32_t> own = solidScene_->saveState();
+        words.push_back(std::int32_t(std::uint32_t(own.size())));
+        words.insert(words.end(), own.begin(), own.end());
+    }
+    words.push_back(detail::checksum(words, words.size()));
+    return words;
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+{
+    const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
+    const std::size_t clockWords = (sizeof(ClockData) + 3)/4, energyWords = sizeof(stiffening_)/4;
+    if (words.size() < detail::stateHeader + clockWords + energyWords + 1) fail("too short");
+    if (words[0] != detail::stateMagic) fail("not a riprap state");
+    if (words[1] != detail::stateVersion) fail("version " + std::to_string(words[1]) + " is not supported");
+    if (detail::checksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
+    if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
+    if (words[3] != int(sizeof(real))) fail("it was written with another precision");
+    if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
+    if (words[6] != fluid_.fields()) fail("it has other fields (models were switched on or off)");
+    if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
+    if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0)) fail("it has other moving walls");
+    if (words[13] != nSolids_) fail("it is of " + std::to_string(words[13]) + " solid particles, the case of " + std::to_string(nSolids_));
+    const int n = words[5];
+    if (n < 0 || n > n_) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(n_));
+    std::size_t at = detail::stateHeader + clockWords + energyWords, expected = at + 1;
+    for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < words[11]; ++f) expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
+    const std::size_t solidsAt = expected - 1, solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
+    if (solids_)
+    {
+        expected += (solidForceBefore_.size() ? 4 : 3)*solidWords + 1;
+        if (expected > words.size()) fail("wrong length");
+        expected += std::uint32_t(words[expected - 2]);
+    }
+    if (expected != words.size()) fail("wrong length");
+    if (solids_) loadSolids(words, solidsAt);
+
+    std::memcpy(static_cast<void*>(&host_), &words[detail::stateHeader], sizeof(ClockData));
+    std::memcpy(&stiffening_, &words[detail::stateHeader + clockWords], sizeof(stiffening_));
+    const auto take = [&](FieldSet<Backend>& set, int count)
+    {
+        for (int f = 0; f < set.fields(); ++f)
+        {
+            const std::size_t bytes = std::size_t(count)*set.elementBytes(f);
+            if (count) context_.toDevice(set.bytes(f), &words[at], bytes);
+            at += (bytes + 3)/4;
+        }
+    };
+    take(fluid_, n);
+    if (nBodies_) take(wall_, nWalls_);
+    n_ = reported_ = n;
+    shift_ = words[7];
+    stepsPerCycle_ = words[8];
+    cycleFitted_ = words[12] & 1;
+    cyclesFull_ = words[12]/2;
+    // memory laid out by the number of particles
+    fluidReference_.allocate(context_, std::size_t(n_)*D);
+    fluidSort_.allocate(context_, n_, grid_.cells);
+    if (solids_) allocateAction();
+    if constexpr (Backend::gpu)
+    {
+        parts_.graphs.recorded = false;
+        allocateLists();
+    }
+    writeClock();
+    rebuild();
+    context_.synchronise();
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words, std::size_t at)
+{
+    const std::size_t bytes = std::size_t(nSolids_)*D*sizeof(real);
+    for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
+    {
+        if (!a->size()) continue;
+        context_.toDevice(a->data(), &words[at], bytes);
+        at += (bytes + 3)/4;
+    }
+    const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + std::uint32_t(words[at]));
+    solidScene_->loadState(own);
+    showForces();
+}
+
+} // namespace riprap
