@@ -83,12 +83,10 @@ std::vector<riprap::PicShape> Foam::picShapes
     std::vector<riprap::PicShape> all;
     for (const entry& e : shapes)
     {
-        checkedDictionary dict(e.dict());
         const clumpShape shape
         (
-            readShape(dict, time, config.dimensions, config.axes)
+            keptShape(e.dict(), time, config.dimensions, config.axes)
         );
-        dict.end();
         all.push_back(sampled(e.keyword(), shape, config, cellSize));
     }
     return all;

@@ -267,10 +267,10 @@ riprap::WallFaceInput Foam::bodyFaces
     label shape = 0;
     for (const entry& e : properties.subOrEmptyDict("shapes"))
     {
-        checkedDictionary dict(e.dict());
-        const clumpShape own(readShape(dict, time, config.dimensions, config.axes));
+        const clumpShape own(keptShape(e.dict(), time, config.dimensions, config.axes));
         closedFaces faces{config, {}, {}};
         if (faces.planar()) faces.polygon(e.dict().get<pointField>("outline"));
+        else if (e.dict().found("source")) read(e.dict(), time, faces);
         else
         {
             checkedDictionary again(e.dict());

@@ -2,6 +2,7 @@
 
 #include "clumpShape.H"
 #include "closedSurface.H"
+#include "exactShapes.H"
 #include "momentOfInertia.H"
 #include "principalAxes.H"
 #include "triSurfaceSearch.H"
@@ -40,10 +41,21 @@ Foam::clumpShape Foam::readShape(checkedDictionary& dict, const Time& time, labe
 }
 
 
-Foam::dictionary Foam::shapeEntries(const dictionary& region)
+Foam::clumpShape Foam::keptShape(const dictionary& entries, const Time& time, label dimensions, const int axes[3])
+{
+    checkedDictionary dict(entries);
+    clumpShape shape(dict.found("source") ? exactShape(dict) : readShape(dict, time, dimensions, axes));
+    if (dict.found("centreOfMass")) shape.middle = entries.get<point>("centreOfMass");
+    if (dict.found("axes")) shape.axes = entries.get<tensor>("axes");
+    dict.end();
+    return shape;
+}
+
+
+Foam::dictionary Foam::shapeEntries(const dictionary& region, const wordList& which)
 {
     dictionary shape;
-    for (const word& entry : wordList({"file", "scale", "outline"}))
+    for (const word& entry : which)
     {
         if (region.found(entry)) shape.add(region.lookupEntry(entry, keyType::REGEX));
     }

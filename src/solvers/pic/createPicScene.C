@@ -118,7 +118,7 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
     for (std::size_t i = 0; i < r.size(); ++i)
         require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0) || 2*r[i] >= smallestSolid*c.cellSize, "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
           + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of " + std::to_string(c.cellSize) + " m across; a rigid body "
-            "needs no such particles if it is a closed surface, or in 2D a box or a cylinder along the empty direction");
+            "needs no such particles if it is a box, a cylinder, a sphere or a closed surface, or a list with the entry surface");
     inside.scene = createDemScene(onDeviceOf(c, device, s.config), s.input);
 }
 

@@ -12,12 +12,15 @@ class boxSource
     public volumeSource
 {
     boundBox box_;
+    dictionary where_;
 
 public:
 
     TypeName("box");
 
     boxSource(checkedDictionary& dict, const Time&)
+    :
+        where_(dict.dict())
     {
         dict.found("box");
         ITstream& is = dict.dict().lookup("box");
@@ -39,12 +42,12 @@ public:
 
     virtual dictionary surfaceEntries(const particlePacking& frame) const override
     {
-        dictionary entries;
-        if (!frame.planar()) return entries;
+        if (!frame.planar()) return shapeEntries(where_, {"source", "box"});
         const direction x = frame.axis(0), y = frame.axis(1);
         pointField corners(4, box_.min());
         corners[1][x] = corners[2][x] = box_.max()[x];
         corners[2][y] = corners[3][y] = box_.max()[y];
+        dictionary entries;
         entries.add("outline", corners);
         return entries;
     }

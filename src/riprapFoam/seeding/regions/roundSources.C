@@ -10,6 +10,25 @@
 namespace Foam
 {
 
+// A polygon of the same area as the circle about a point of the mid-plane, a part of 1e-4 of the radius off it
+static dictionary circleOutline(const point& centre, scalar radius, const particlePacking& frame)
+{
+    using constant::mathematical::twoPi;
+
+    const label sides = 256;
+    const scalar reach = radius*Foam::sqrt(twoPi/sides/Foam::sin(twoPi/sides));
+    pointField corners(sides, frame.inPlane(centre));
+    forAll(corners, i)
+    {
+        corners[i][frame.axis(0)] += reach*Foam::cos(twoPi*i/sides);
+        corners[i][frame.axis(1)] += reach*Foam::sin(twoPi*i/sides);
+    }
+    dictionary entries;
+    entries.add("outline", corners);
+    return entries;
+}
+
+
 class cylinderSource
 :
     public volumeSource
@@ -66,23 +85,19 @@ public:
 
     virtual clumpShape shape(const particlePacking& frame) const override { return cylinderShape(p1_, p2_, radius_, frame, where_); }
 
-    // Of a circle: a polygon of the same area, a part of 1e-4 of the radius off it
+    // In 2D a circle, or a rectangle
     virtual dictionary surfaceEntries(const particlePacking& frame) const override
     {
-        using constant::mathematical::twoPi;
-
-        dictionary entries;
+        if (!frame.planar()) return shapeEntries(where_, {"source", "p1", "p2", "radius"});
         const vector n(normalised(p2_ - p1_));
-        if (!frame.planar() || mag(n[frame.axis(2)]) < 1 - 1e-9) return entries;
-        const label sides = 256;
-        const scalar reach = radius_*Foam::sqrt(twoPi/sides/Foam::sin(twoPi/sides));
-        pointField corners(sides, frame.inPlane(0.5*(p1_ + p2_)));
-        forAll(corners, i)
-        {
-            corners[i][frame.axis(0)] += reach*Foam::cos(twoPi*i/sides);
-            corners[i][frame.axis(1)] += reach*Foam::sin(twoPi*i/sides);
-        }
-        entries.add("outline", corners);
+        vector empty(Zero);
+        empty[frame.axis(2)] = 1;
+        if (mag(n & empty) > 1 - 1e-9) return circleOutline(0.5*(p1_ + p2_), radius_, frame);
+        const vector across(empty ^ n);
+        const scalar off = mag(frame.inPlane(p1_) - p1_), half = Foam::sqrt(max(sqr(radius_) - sqr(off), scalar(0)));
+        const point a(frame.inPlane(p1_)), b(frame.inPlane(p2_));
+        dictionary entries;
+        if (half > 0) entries.add("outline", pointField(List<point>{a - half*across, b - half*across, b + half*across, a + half*across}));
         return entries;
     }
 };
@@ -97,6 +112,7 @@ class sphereSource
 {
     point centre_;
     scalar radius_;
+    dictionary where_;
 
 public:
 
@@ -108,6 +124,7 @@ public:
     {
         dict.found("centre");
         centre_ = dict.dict().get<point>("centre");
+        where_ = dict.dict();
     }
 
     virtual boundBox bounds() const override
@@ -123,6 +140,13 @@ public:
     }
 
     virtual clumpShape shape(const particlePacking& frame) const override { return sphereShape(centre_, radius_, frame); }
+
+    virtual dictionary surfaceEntries(const particlePacking& frame) const override
+    {
+        if (!frame.planar()) return shapeEntries(where_, {"source", "centre", "radius"});
+        const scalar off = mag(frame.inPlane(centre_) - centre_);
+        return off < radius_ ? circleOutline(centre_, Foam::sqrt(sqr(radius_) - sqr(off)), frame) : dictionary();
+    }
 };
 
 defineTypeNameAndDebug(sphereSource, 0);

@@ -124,8 +124,13 @@ void Foam::makeRigid
         region.exact ? ofShape(*region.exact, space.settings.materials[region.material[0]].density) : ofParticles(space, region)
     );
     change(given, planar, config.axes[2], body);
-    if (!body.uniform) region.shape.clear();
     riprap::DemClump clump(clumpOf(body, planar, velocity, spin));
+    if (!body.uniform && region.shape.size())
+    {
+        const auto& q = clump.orientation;
+        region.shape.add("centreOfMass", body.centre);
+        if (!planar) region.shape.add("axes", quaternion(q[0], vector(q[1], q[2], q[3])).R());
+    }
     clump.group = group;
     region.mass *= body.mass/sum(region.mass);
     region.clumps.append(clump);
