@@ -163,6 +163,7 @@ private:
     void setSolids(SolidPart);
     void allocateAction();
     void loadSolids(const std::vector<std::int32_t>& words, std::size_t at);
+    std::vector<std::int32_t> solidIds(std::vector<int>& there);
     SolidPoints<D, P> solidPoints();
     SolidAction<D, real> solidAction();
     ForceShares forceShares(double fraction) const;

@@ -2,13 +2,14 @@
 
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
     bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
-    walls; of solids velocity, acceleration and force (interpolated: that of the step before, too) by key, and the state of their own scene, its length before it; a checksum
-    (FNV-1a over all words before it).
+    walls; of the solids that have not left ids, velocity, acceleration and force (interpolated: that of the step before, too), and the state of their own scene, its length
+    before it; a checksum (FNV-1a over all words before it).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include <map>
 #include "solvers/sph/sphSolver.hpp"
 #include "solvers/stateWords.hpp"
 
@@ -18,21 +19,35 @@ namespace riprap
 namespace detail
 {
 
-static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 7;
+static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 8;
 static constexpr int stateHeader = 14;
 
 } // namespace detail
+
+//- By key, -1 of those that have left; and the keys of the others, ascending
+template<class Backend, int D, class P>
+std::vector<std::int32_t> SphSolver<Backend, D, P>::solidIds(std::vector<int>& there)
+{
+    std::vector<std::int32_t> ids(nSolids_, -1);
+    if (!solids_) return ids;
+    const std::vector<std::int32_t> keys = solids_->order(), id = solidScene_->motion().id;
+    for (std::size_t i = 0; i < keys.size(); ++i) ids[keys[i]] = id[i];
+    for (int key = 0; key < nSolids_; ++key) if (ids[key] >= 0) there.push_back(key);
+    return ids;
+}
 
 template<class Backend, int D, class P>
 std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
 {
     readClock();
     const int n = activeFluid();
+    std::vector<int> there;
+    const std::vector<std::int32_t> ids = solidIds(there);
     std::vector<std::int32_t> words
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
         stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
-        int(cycleFitted_) + 2*cyclesFull_, nSolids_
+        int(cycleFitted_) + 2*cyclesFull_, int(there.size())
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     detail::appendBytes(words, &stiffening_, sizeof(stiffening_));
@@ -52,10 +67,13 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     if (nBodies_) append(wall_, nWalls_);
     if (solids_)
     {
+        for (const int key : there) words.push_back(ids[key]);
         for (const auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
         {
             if (!a->size()) continue;
-            const std::vector<real> values = a->download();
+            const std::vector<real> all = a->download();
+            std::vector<real> values;
+            for (const int key : there) values.insert(values.end(), &all[std::size_t(key)*D], &all[std::size_t(key)*D] + D);
             detail::appendBytes(words, values.data(), values.size()*sizeof(real));
         }
         const std::vector<std::int32_t> own = solidScene_->saveState();
@@ -90,7 +108,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     const std::size_t solidsAt = expected - 1, solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
     if (solids_)
     {
-        expected += (solidForceBefore_.size() ? 4 : 3)*solidWords + 1;
+        expected += nSolids_ + (solidForceBefore_.size() ? 4 : 3)*solidWords + 1;
         if (expected > words.size()) fail("wrong length");
         expected += std::uint32_t(words[expected - 2]);
     }
@@ -132,12 +150,27 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words, std::size_t at)
 {
-    const std::size_t bytes = std::size_t(nSolids_)*D*sizeof(real);
+    std::vector<int> there;
+    const std::vector<std::int32_t> ids = solidIds(there);
+    std::map<std::int32_t, int> keyOf;
+    for (const int key : there) keyOf[ids[key]] = key;
+    std::vector<int> keys(nSolids_);
+    for (int i = 0; i < nSolids_; ++i)
+    {
+        const auto found = keyOf.find(words[at + i]);
+        if (found == keyOf.end()) throw std::invalid_argument("saved state: it is of other solid particles");
+        keys[i] = found->second;
+        keyOf.erase(found);
+    }
+    at += nSolids_;
     for (auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
     {
         if (!a->size()) continue;
-        context_.toDevice(a->data(), &words[at], bytes);
-        at += (bytes + 3)/4;
+        std::vector<real> values(std::size_t(nSolids_)*D), all(values.size());
+        std::memcpy(values.data(), &words[at], values.size()*sizeof(real));
+        for (int i = 0; i < nSolids_; ++i) std::copy_n(&values[std::size_t(i)*D], D, &all[std::size_t(keys[i])*D]);
+        context_.toDevice(a->data(), all.data(), all.size()*sizeof(real));
+        at += (all.size()*sizeof(real) + 3)/4;
     }
     const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + std::uint32_t(words[at]));
     solidScene_->loadState(own);

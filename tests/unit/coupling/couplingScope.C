@@ -2,6 +2,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <algorithm>
 #include <set>
 #include "couplingTest.hpp"
 
@@ -71,6 +72,69 @@ TEST_P(CouplingScope, SolidsThatComeNearMeetTheFluid)
     EXPECT_EQ(largest(), 0);
     s->advance(0.09);
     EXPECT_GT(largest(), 0);
+}
+
+//- A particle has left: a scene of those that stayed goes on from the state, to the bit
+TEST_P(CouplingScope, WhatStayedContinuesToTheBit)
+{
+    for (const FluidForceKind force : {FluidForceKind::impulse, FluidForceKind::interpolated})
+    {
+        SphConfig c = config();
+        c.wallSpacing = c.spacing;
+        c.domainMax[1] = 2;
+        SolidInput solids = block(c, 2, c.spacing, {{0.4, 0.66, D() == 3 ? 0.3 : 0.0}});
+        DemInput& in = solids.input;
+        in.bonds = DemBonds();
+        in.bondTypes.clear();
+        DemParticles& p = in.particles;
+        p.velocity.assign(p.position.size(), 0.0);
+        for (std::size_t i = 0; i < p.size(); ++i)
+        {
+            p.velocity[3*i + 1] = -2;
+            p.id.push_back(7 + int(i));
+        }
+        p.position[3*1 + 1] = 1.95;                     // not the last one: keys after it move up
+        p.velocity[3*1 + 1] = 2;
+        solids.coupling.force = force;
+        FluidInput f = lattice(c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
+        const auto first = createSphDemScene(c, f, {}, solids);
+        first->advance(0.05);
+        const DemState there = first->solids()->motion();
+        ASSERT_EQ(there.id.size(), p.size() - 1);
+        EXPECT_EQ(std::count(there.id.begin(), there.id.end(), 8), 0);
+        double largest = 0;
+        for (const double v : first->coupling().force) largest = std::max(largest, std::abs(v));
+        EXPECT_GT(largest, 0) << "they should have met the water";
+
+        SolidInput stayed = solids;
+        DemParticles& q = stayed.input.particles;
+        q = DemParticles();
+        stayed.volume.clear();
+        for (std::size_t i = 0; i < p.size(); ++i)
+        {
+            if (p.id[i] == 8) continue;
+            const std::size_t at = std::find(there.id.begin(), there.id.end(), p.id[i]) - there.id.begin();
+            for (int d = 0; d < 3; ++d)
+            {
+                q.position.push_back(there.position[3*at + d]);
+                q.velocity.push_back(there.velocity[3*at + d]);
+            }
+            q.radius.push_back(p.radius[i]);
+            q.mass.push_back(p.mass[i]);
+            q.id.push_back(p.id[i]);
+            stayed.volume.push_back(solids.volume[i]);
+        }
+        const auto saved = first->saveState();
+        const auto second = createSphDemScene(c, f, {}, stayed);
+        second->loadState(saved);
+        first->advance(0.08);
+        second->advance(0.08);
+        EXPECT_EQ(first->saveState(), second->saveState());
+
+        // of others than the state is of
+        stayed.input.particles.id.back() = 99;
+        EXPECT_THROW(createSphDemScene(c, f, {}, stayed)->loadState(saved), std::invalid_argument);
+    }
 }
 
 //- Soft solids, whose contacts ask for a step a step of the fluid, and fast ones: as many steps as their way takes. Alone or in a rigid body
