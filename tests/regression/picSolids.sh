@@ -136,4 +136,43 @@ do
 done
 fill "$pond stones { set solids; material stone; radius 0.01; source csv; file \"stones.csv\"; }"
 refused small 'solid particle 0 of radius 0.01.* m is smaller than 4 cells' riprapFoam
+
+# Boxes, cylinders and spheres of their own entries, with particles that are finer than the grid: held in water they bear what they displace,
+# whatever their centre of mass. A box with ballast floats, and its run continues to the bit
+lift()          # FILE: the last force along y
+{
+    awk '!/^#/ {gsub(/[()]/, " "); y = $3} END {print y}' "$1"
+}
+within()        # NAME FOUND WANTED TOLERANCE
+{
+    awk -v a="$2" -v b="$3" -v t="$4" 'BEGIN {d = a/b - 1; exit !(d < t && d > -t)}' && pass "$1" || fail "$1" "$2 instead of $3"
+}
+forceOf='functions { lift { type particleForces; libs ("libriprapFoam.so"); groups (held); CofR (0 0 0); } }'
+held='groups { held { fixed all; } }'
+pond='water { set fluid; source box; box (0 0 0) (0.2 0.1 0.2); clip yes; pressure zero; }'
+block 0.2 0.2 0.2 '20 20 20' "$sides $lower $open back { type wall; faces ((0 3 2 1)); } front { type wall; faces ((4 5 6 7)); }"
+rm -f constant/geometry; water ''; pressure 'solver cudaPCG; tolerance 1e-9;'; control picDem 0.02 "$forceOf"
+stones ''; echo "$held" >>constant/solidProperties
+float='set solids; material stone; group held; rigid yes; spacing 0.012;'
+ballast='density 500; centreOfMass (0.1 0.08 0.1); inertia (3e-4 2e-5 0 4e-4 0 3e-4);'     # turned principal axes
+while read -r name volume entries
+do
+    fill "$pond $name { $float $entries }"
+    riprapFoam >log 2>&1 || fail "$name" "$(grep -m1 -A3 ERROR log)"
+    says "${name}Shape" "shapes +\\($name\\)"
+    within "$name" "$(lift postProcessing/lift/0/force.dat)" "$(awk -v v="$volume" 'BEGIN {print 9810*v}')" 0.02
+    rm -rf 0.[0-9]* postProcessing
+done <<EOF
+box        1.92e-4      source box; box (0.06 0.06 0.07) (0.14 0.14 0.13); density 500;
+ballasted  1.92e-4      source box; box (0.06 0.06 0.07) (0.14 0.14 0.13); $ballast
+drum       1.413717e-4  source cylinder; p1 (0.1 0.05 0.1); p2 (0.1 0.15 0.1); radius 0.03; packing fitted; density 500;
+ball       1.130973e-4  source sphere; centre (0.1 0.1 0.1); radius 0.0378; packing fitted; density 500;
+EOF
+
+fill "$pond float { ${float/held/free} source box; box (0.06 0.06 0.07) (0.14 0.14 0.13); $ballast }"
+control picDem 0.04 ''
+riprapFoam >log 2>&1 && pass float || fail float "$(grep -m1 -A3 ERROR log)"
+cp 0.04/lagrangian/solids/U whole; rm -rf 0.04; riprapFoam >log 2>&1
+says floatContinues 'Continuing exactly from time 0.02'
+cmp -s whole 0.04/lagrangian/solids/U && pass floatRestart || fail floatRestart 'the continued run ends elsewhere'
 exit 0
