@@ -27,8 +27,8 @@ SphConfig water(const StirredBlock& b)
     c.density = b.density;
     c.integrator = IntegratorKind::symplectic;
     c.acousticCourant = b.courant;
-    c.viscosityModel = ViscosityKind::none;
-    c.diffusion = DiffusionKind::none;
+    c.viscosityModel = "none";
+    c.diffusion = "none";
     return c;
 }
 

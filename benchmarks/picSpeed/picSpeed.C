@@ -55,9 +55,8 @@ Options read(int argc, char** argv)
         const auto value = [&] { if (++k >= argc) throw std::invalid_argument(a + " needs a value"); return std::string(argv[k]); };
         if (a == "--device") o.config.device = oneOf<DeviceKind>(a, value(), {{"cpu", DeviceKind::cpu}, {"gpu", DeviceKind::gpu}, {"auto", DeviceKind::automatic}});
         else if (a == "--precision") o.config.precision = oneOf<PrecisionKind>(a, value(), {{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}});
-        else if (a == "--transfer")
-            o.config.transfer = oneOf<TransferKind>(a, value(), {{"flip", TransferKind::flip}, {"pic", TransferKind::pic}, {"flipPic", TransferKind::flipPic}, {"apic", TransferKind::apic}});
-        else if (a == "--affine") o.config.affine = oneOf<bool>(a, value(), {{"yes", true}, {"no", false}});
+        else if (a == "--transfer") o.config.transfer = value();
+        else if (a == "--affine") o.config.transferNumbers.affine = oneOf<bool>(a, value(), {{"yes", true}, {"no", false}});
         else if (a == "--dim") o.dimensions = oneOf<int>(a, value(), {{"2", 2}, {"3", 3}});
         else if (a == "--across") o.across = std::stoi(value());
         else if (a == "--box") o.box = std::stod(value());

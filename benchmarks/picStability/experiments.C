@@ -10,15 +10,14 @@ namespace riprap
 namespace
 {
 
-struct Transfer { const char* name; TransferKind kind; bool affine; };
-constexpr Transfer transfers[] = {{"flip", TransferKind::flip, true}, {"flip, no gradients", TransferKind::flip, false},
-    {"flipPic", TransferKind::flipPic, true}, {"pic", TransferKind::pic, true}, {"apic", TransferKind::apic, true}};
+struct Transfer { const char* name; const char* word; bool affine; };
+constexpr Transfer kinds[] = {{"flip", "flip", true}, {"flip, no gradients", "flip", false}, {"flipPic", "flipPic", true}, {"pic", "pic", true}, {"apic", "apic", true}};
 
 PicConfig of(const Transfer& t, int n)
 {
     PicConfig c = picSettings(n);
-    c.transfer = t.kind;
-    c.affine = t.affine;
+    c.transfer = t.word;
+    c.transferNumbers.affine = t.affine;
     return c;
 }
 
@@ -26,7 +25,7 @@ PicConfig of(const Transfer& t, int n)
 
 void step(PicRows& rows)
 {
-    for (const Transfer& t : transfers)
+    for (const Transfer& t : kinds)
         for (const int order : {2, 3})
         {
             const auto good = [&](double courant)
@@ -47,14 +46,14 @@ void blend(PicRows& rows)
     for (const double part : {0.0, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0})
     {
         PicConfig c = picSettings(32);
-        c.transfer = TransferKind::flipPic;
-        c.picPart = part;
+        c.transfer = "flipPic";
+        c.transferNumbers.picPart = part;
         const PicOutcome o = vortices(c, 4);
         rows.add("blend", "flipPic", part, "noise", o.noise);
         rows.add("blend", "flipPic", part, "energy kept", o.kept);
         rows.add("blend", "flipPic", part, "velocity L2", o.error);
     }
-    const PicOutcome o = vortices(of(transfers[4], 32), 4);
+    const PicOutcome o = vortices(of(kinds[4], 32), 4);
     rows.add("blend", "apic", 1, "noise", o.noise);
     rows.add("blend", "apic", 1, "energy kept", o.kept);
     rows.add("blend", "apic", 1, "velocity L2", o.error);
@@ -62,7 +61,7 @@ void blend(PicRows& rows)
 
 void particles(PicRows& rows)
 {
-    for (const Transfer& t : transfers)
+    for (const Transfer& t : kinds)
         for (const int seeds : {1, 2, 3, 4, 5})
         {
             PicConfig c = of(t, 32);

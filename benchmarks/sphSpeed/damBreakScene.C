@@ -28,8 +28,8 @@ void setModel(SphConfig& c, const SpeedOptions& o)
     if (o.terms == TermSet::paper) { c.antiClump = 0.01; c.xsph = 0.5; }
     if (o.terms == TermSet::delta)
     {
-        c.viscosityModel = ViscosityKind::artificial;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.viscosityModel = "artificial";
+        c.diffusion = "fourtakas";
     }
     c.skin = o.skin;
 }

@@ -84,7 +84,7 @@ void limits(ResultTable& table, const LatticeModel& l, IntegratorKind integrator
     else measured = bisect(0.1, 3, tolerance, [&](double z) { return staysQuiet(l, integrator, z*unit, steps, seen); });
     Result r;
     r.test = "acoustic";
-    r.kernel = wordOf(l.kernel);
+    r.kernel = l.kernel;
     r.ratio = l.ratio;
     r.integrator = wordOf(integrator);
     r.terms = l.diffusion > 0 ? "densityDiffusion" : (l.artificial > 0 ? "artificial 0.02" : "none");
@@ -108,7 +108,7 @@ void growths(ResultTable& table, const LatticeModel& l, bool quick)
         if (quick && z != 0.4) continue;
         Result r;
         r.test = "acoustic";
-        r.kernel = wordOf(l.kernel);
+        r.kernel = l.kernel;
         r.ratio = l.ratio;
         r.integrator = "leapfrog";
         r.terms = "none";
@@ -132,10 +132,10 @@ void acoustic(ResultTable& table, bool quick)
     l.spacing = 0.01;
     l.soundSpeed = 10;
     l.density = 1000;
-    for (const KernelKind kernel : {KernelKind::wendlandC2, KernelKind::cubicSpline})
+    for (const std::string& kernel : kernelWords())
         for (const double ratio : {1.25, 1.5})
         {
-            if (quick && (ratio != 1.25 || kernel != KernelKind::wendlandC2)) continue;
+            if (quick && (ratio != 1.25 || kernel != "wendlandC2")) continue;
             l.kernel = kernel;
             l.ratio = ratio;
             for (const int damping : {0, 1, 2})

@@ -65,7 +65,7 @@ void report(ResultTable& table, const ThrownBlock& b, bool quick)
     l.ratio = b.ratio;
     Result r;
     r.test = "force";
-    r.kernel = wordOf(b.kernel);
+    r.kernel = b.kernel;
     r.ratio = b.ratio;
     r.integrator = wordOf(b.integrator);
     r.terms = b.artificial > 0 ? "artificial 0.1" : "none";

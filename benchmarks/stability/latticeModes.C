@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include "sph/kernels/cubicSpline.hpp"
-#include "sph/kernels/wendlandC2.hpp"
 
 namespace riprap
 {
@@ -22,10 +20,8 @@ struct KernelValues { double w, f; };
 
 KernelValues kernelAt(const LatticeModel& l, double r)
 {
-    const double h = l.h(), q = r/h;
-    if (l.kernel == KernelKind::wendlandC2)
-        return {WendlandC2::alpha(2)/(h*h)*WendlandC2::value(q), WendlandC2::alpha(2)/std::pow(h, 4)*WendlandC2::slope(q)};
-    return {CubicSpline::alpha(2)/(h*h)*CubicSpline::value(q), CubicSpline::alpha(2)/std::pow(h, 4)*CubicSpline::slope(q)};
+    const KernelModel& kernel = kernelOf(l.kernel);
+    return {kernel.weight(2, r, l.h()), kernel.gradient(2, r, l.h())};
 }
 
 //- F of the anti-clump term: F (W/W(dp))^4

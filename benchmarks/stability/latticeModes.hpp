@@ -21,14 +21,14 @@
 
 #include <array>
 #include <complex>
-#include "api/sphScene.hpp"
+#include "solvers/sph/sphModels.hpp"
 
 namespace riprap
 {
 
 struct LatticeModel
 {
-    KernelKind kernel = KernelKind::wendlandC2;
+    std::string kernel = "wendlandC2";
     double spacing = 1;         // dp, of which h and W(dp) are made
     double stretch = 1;         // distance of the sites over dp
     double ratio = 1.25;        // h/dp

@@ -68,7 +68,7 @@ void report(ResultTable& table, ThrownBlock b, bool shortSteps, bool quick)
     const double limit = bisect(-0.5, std::log10(most), quick ? 0.1 : 0.02, stays);
     Result r;
     r.test = "passage";
-    r.kernel = wordOf(b.kernel);
+    r.kernel = b.kernel;
     r.ratio = b.ratio;
     r.integrator = wordOf(b.integrator);
     r.terms = b.defaults ? "defaults" : shortSteps ? "short steps" : "adaptive steps";

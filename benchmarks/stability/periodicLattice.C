@@ -30,11 +30,11 @@ PeriodicLattice makeLattice(const LatticeModel& l, int sites, IntegratorKind int
     c.soundSpeed = l.soundSpeed;
     c.maxVelocity = 0.1*l.soundSpeed;
     c.viscosity = l.viscosity*l.density;
-    c.viscosityModel = l.viscosity > 0 ? ViscosityKind::laminar : ViscosityKind::none;
-    if (l.artificial > 0) { c.viscosityModel = ViscosityKind::artificial; c.artificialAlpha = l.artificial; }
+    c.viscosityModel = l.viscosity > 0 ? "laminar" : "none";
+    if (l.artificial > 0) { c.viscosityModel = "artificial"; c.artificialAlpha = l.artificial; }
     c.antiClump = l.antiClump;
     c.xsph = l.xsph;
-    if (l.diffusion > 0) { c.diffusion = DiffusionKind::molteni; c.diffusionDelta = l.diffusion; }
+    if (l.diffusion > 0) { c.diffusion = "molteni"; c.diffusionDelta = l.diffusion; }
     c.integrator = integrator;
     c.adjustTimeStep = false;
     c.fixedTimeStep = timeStep;

@@ -9,7 +9,6 @@
 namespace riprap
 {
 
-const char* wordOf(KernelKind k) { return k == KernelKind::wendlandC2 ? "wendlandC2" : "cubicSpline"; }
 const char* wordOf(IntegratorKind k) { return k == IntegratorKind::leapfrog ? "leapfrog" : "symplectic"; }
 const char* wordOf(WallKind k) { return k == WallKind::stationary ? "stationary" : "extrapolated"; }
 

@@ -36,7 +36,6 @@ private:
     std::vector<Result> rows_;
 };
 
-const char* wordOf(KernelKind);
 const char* wordOf(IntegratorKind);
 const char* wordOf(WallKind);
 

@@ -112,7 +112,7 @@ void rates(ResultTable& table, LatticeModel l, const TermSet& terms, bool quick)
         setDeviation(l, deviation);
         Result r;
         r.test = "tensile";
-        r.kernel = wordOf(l.kernel);
+        r.kernel = l.kernel;
         r.ratio = l.ratio;
         r.integrator = "symplectic";
         r.terms = terms.name;
@@ -130,7 +130,7 @@ void tension(ResultTable& table, LatticeModel l, const TermSet& terms, bool quic
     const double least = -4, most = std::log10(0.3);
     Result r;
     r.test = "tensile";
-    r.kernel = wordOf(l.kernel);
+    r.kernel = l.kernel;
     r.ratio = l.ratio;
     r.integrator = "symplectic";
     r.terms = terms.name;
@@ -153,11 +153,11 @@ void tensile(ResultTable& table, bool quick)
     l.spacing = 0.01;
     l.soundSpeed = 10;
     l.density = 1000;
-    for (const KernelKind kernel : {KernelKind::wendlandC2, KernelKind::cubicSpline})
+    for (const std::string& kernel : kernelWords())
         for (const double ratio : {1.25, 1.5})
             for (const TermSet& terms : all)
             {
-                const bool first = ratio == 1.25 && kernel == KernelKind::wendlandC2;
+                const bool first = ratio == 1.25 && kernel == "wendlandC2";
                 if (quick && (!first || &terms > &all[1])) continue;
                 if (!first && terms.diffusion + terms.xsph > 0 && terms.antiClump == 0) continue;
                 l.kernel = kernel;

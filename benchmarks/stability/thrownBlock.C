@@ -15,11 +15,11 @@ double ThrownBlock::duration() const { return (2*h() + 1.2*side*spacing + 4*spac
 void setDefaults(SphConfig& c, double alpha)
 {
     c.viscosity = 1e-3;
-    c.viscosityModel = ViscosityKind::laminarAndArtificial;
+    c.viscosityModel = "laminarAndArtificial";
     c.artificialAlpha = alpha;
     c.artificialAtWalls = false;
     c.antiClump = 0.01;
-    c.diffusion = DiffusionKind::fourtakas;
+    c.diffusion = "fourtakas";
     c.integrator = IntegratorKind::symplectic;
     c.adjustTimeStep = true;
     c.acousticCourant = 0.5;
@@ -44,7 +44,7 @@ std::unique_ptr<SphScene> throwBlock(const ThrownBlock& b)
     c.density = b.density;
     c.soundSpeed = b.soundSpeed;
     c.maxVelocity = 0.1*b.soundSpeed;
-    c.viscosityModel = b.artificial > 0 ? ViscosityKind::artificial : ViscosityKind::none;
+    c.viscosityModel = b.artificial > 0 ? "artificial" : "none";
     c.artificialAlpha = b.artificial;
     c.wallModel = b.walls;
     c.integrator = b.integrator;

@@ -11,7 +11,7 @@ namespace riprap
 
 struct ThrownBlock
 {
-    KernelKind kernel = KernelKind::wendlandC2;
+    std::string kernel = "wendlandC2";
     double ratio = 1.25;        // h/dp
     WallKind walls = WallKind::extrapolated;
     double wallRatio = 1;       // the wall's spacing over dp

@@ -37,18 +37,18 @@ void viscous(ResultTable& table, bool quick)
     l.spacing = 0.01;
     l.soundSpeed = 1;
     l.density = 1000;
-    for (const KernelKind kernel : {KernelKind::wendlandC2, KernelKind::cubicSpline})
+    for (const std::string& kernel : kernelWords())
         for (const double ratio : {1.25, 1.5})
             for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
             {
-                if (quick && (ratio != 1.25 || kernel != KernelKind::wendlandC2)) continue;
+                if (quick && (ratio != 1.25 || kernel != "wendlandC2")) continue;
                 l.kernel = kernel;
                 l.ratio = ratio;
                 l.viscosity = 100*l.soundSpeed*l.h();
                 const double unit = l.h()*l.h()/l.viscosity;
                 Result r;
                 r.test = "viscous";
-                r.kernel = wordOf(kernel);
+                r.kernel = kernel;
                 r.ratio = ratio;
                 r.integrator = wordOf(integrator);
                 r.terms = "laminar";

@@ -78,7 +78,7 @@ SphConfig lone(double speed, double timeStep, double courant)
     c.spacing = c.wallSpacing = dp;
     c.soundSpeed = c0;
     c.maxVelocity = std::max(speed, 0.1*c0);
-    c.viscosityModel = ViscosityKind::none;
+    c.viscosityModel = "none";
     c.integrator = IntegratorKind::symplectic;
     c.adjustTimeStep = timeStep <= 0;
     c.fixedTimeStep = timeStep;

@@ -10,13 +10,13 @@
 #include <functional>
 #include <memory>
 #include "api/linearSolver.hpp"
+#include "api/transferProperties.hpp"
 #include "api/demScene.hpp"
 #include "api/fluidScene.hpp"
 
 namespace riprap
 {
 
-enum class TransferKind {flip, pic, flipPic, apic};
 enum class ViscousKind {automatic, explicitly, implicitly};     // automatic: explicit where the step is small enough
 
 //- Water in it loses velocity at a rate that grows from `from`, where it is 0, to `to`, as the square of the distance: pic/terms/absorb.hpp
@@ -66,10 +66,9 @@ struct PicConfig : FluidConfig
     double jitter = 0;                      // of seeds, 0 .. 1 of their own part of the cell
 
     // Transfer and motion
-    int splineOrder = 2;                    // 1 .. 3
-    TransferKind transfer = TransferKind::flip;
-    double picPart = 0.05;                  // of flipPic
-    bool affine = true;                     // particles bring a gradient to the grid (always with apic)
+    int splineOrder = 2;                    // picSplines.hpp
+    std::string transfer = "flip";          // word of a scheme (picTransfers.hpp)
+    TransferProperties transferNumbers;
     int advectionOrder = 3;                 // 2, 3
     double reflection = 1;                  // 0 .. 1: of the advection's divergence, see picStep.hpp
     double positionCorrection = 0.05;       // coefficient, 0: off

@@ -11,21 +11,20 @@
 #include <array>
 #include <memory>
 #include "api/fluidScene.hpp"
+#include "api/termProperties.hpp"
 
 namespace riprap
 {
 
-enum class KernelKind {wendlandC2, cubicSpline};
 enum class EosKind {Tait, linear};
-enum class ViscosityKind {none, laminar, artificial, laminarAndArtificial};
-enum class DiffusionKind {none, molteni, fourtakas};
 enum class ShiftingKind {none, fickian};
 enum class WallKind {stationary, extrapolated};
 enum class IntegratorKind {leapfrog, symplectic};
 
 //- Everything that the equations need, checked by the reader of dictionaries (ranges) and once more
-//  by createSphScene (consistency, std::invalid_argument).
-struct SphConfig : FluidConfig
+//  by createSphScene (consistency, std::invalid_argument). Kernel and terms by the words of their
+//  cards (solvers/sph/sphModels.hpp).
+struct SphConfig : FluidConfig, TermProperties
 {
     // How
     DeviceKind device = DeviceKind::automatic;
@@ -44,20 +43,11 @@ struct SphConfig : FluidConfig
     double soundSpeed = 10;                 // c0 [m/s], normally 10 vmax (Eq. 35)
 
     // Kernel
-    KernelKind kernel = KernelKind::wendlandC2;
+    std::string kernel = "wendlandC2";
     double smoothingRatio = 1.25;           // h0/dp
     bool variableSmoothing = false;         // Eq. 37
     double maxSmoothingGrowth = 1.2;        // h is limited to [h0/f, f h0]
 
-    // Terms
-    ViscosityKind viscosityModel = ViscosityKind::laminar;
-    double viscositySoftening = 0.01;       // eta of Eq. 36: r^2 + eta h^2
-    double artificialAlpha = 0.02;
-    bool artificialAtWalls = true;          // artificial viscosity also acts between fluid and walls or solids
-    double antiClump = 0;                   // coefficient of Eq. 38 (0.01), 0: off
-    double xsph = 0;                        // epsilon of Eq. 39, 0: off
-    DiffusionKind diffusion = DiffusionKind::none;
-    double diffusionDelta = 0.1;
     ShiftingKind shifting = ShiftingKind::none;
     double shiftingCoefficient = 2;         // A of Skillen et al. 2013
     double shiftingSurfaceThreshold = -1;   // div(r) below which no shifting acts, under D; < 0: 1.5 (2D), 2.75 (3D)

@@ -29,7 +29,7 @@ struct ClearAction
 };
 
 //- Sums that FluidPass adds to its own: acceleration, density rate, drift of XSPH
-template<class Backend, int Dim, class P, class Kernel, bool VariableH, Part part>
+template<class Backend, int Dim, class P, class Kernel, bool VariableH, Part part, class SolidTerms>
 struct SolidToFluidPass
 {
     using precision = P;
@@ -44,7 +44,7 @@ struct SolidToFluidPass
     CellGrid<Dim, P> grid;
     Source<Backend, Dim, P> source[1];      // solid points
     RecordsView<Backend, Dim, P> fluid;
-    SolidTerms<real> terms;
+    SolidTerms terms;
     KernelConstants<Dim, real> kernel;
     FluidModel<Dim, P> model;
     SolidAction<Dim, real> action;
@@ -94,7 +94,7 @@ struct SolidToFluidPass
 };
 
 //- Force of the fluid on each solid particle, at its centre [N]
-template<class Backend, int Dim, class P, class Kernel, bool VariableH>
+template<class Backend, int Dim, class P, class Kernel, bool VariableH, class SolidTerms>
 struct FluidToSolidPass
 {
     using precision = P;
@@ -109,7 +109,7 @@ struct FluidToSolidPass
     CellGrid<Dim, P> grid;
     Source<Backend, Dim, P> source[1];      // fluid
     RecordsView<Backend, Dim, P> solid;
-    SolidTerms<real> terms;
+    SolidTerms terms;
     KernelConstants<Dim, real> kernel;
     FluidModel<Dim, P> model;
     SolidPoints<Dim, P> points;

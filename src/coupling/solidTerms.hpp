@@ -14,9 +14,7 @@
 
 #include "sph/passes/fluidPass.hpp"
 #include "sph/terms/antiClump.hpp"
-#include "sph/terms/artificialViscosity.hpp"
 #include "sph/terms/continuity.hpp"
-#include "sph/terms/laminarViscosity.hpp"
 
 namespace riprap
 {
@@ -35,13 +33,12 @@ struct SolidPressure : TermTraits
     }
 };
 
-template<class R>
+template<class Viscous, class R>
 struct SolidTerms
 {
     SolidPressure pressure;
     Continuity continuity;
-    Switchable<LaminarViscosity<R>> laminar;
-    Switchable<ArtificialViscosity<R>> artificial;
+    Viscous viscous;            // Terms<...>
     Switchable<AntiClump<R>> antiClump;
     R smoothing;                // 2 epsilon of XSPH, 0: off
 
@@ -52,8 +49,7 @@ struct SolidTerms
         if constexpr (part != Part::density)
         {
             pressure(fluid, solid, g, c);
-            laminar(fluid, solid, g, c);
-            artificial(fluid, solid, g, c);
+            viscous(fluid, solid, g, c);
             antiClump(fluid, solid, g, c);
         }
         if constexpr (part != Part::momentum)

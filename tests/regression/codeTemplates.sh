@@ -1,6 +1,6 @@
 #!/bin/bash
-# The templates of etc/codeTemplates, put where docs/development.md says: header, table line and test. The tests of all laws then try
-# the new one too.
+# The templates of etc/codeTemplates, put where docs/development.md says: header, table line and test. The tests of all laws, kernels and
+# terms then try the new ones too, and a case runs with the kernel and the term.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 root=$(cd "${BASH_SOURCE[0]%/*}/../.." && pwd)
@@ -26,3 +26,120 @@ if env -u RIPRAP_DIR "$work/laws" >"$work/log" 2>&1
 then pass contactLawRuns
 else fail contactLawRuns "$(grep -m1 -A4 Failure "$work/log" | tr '\n' ' ')"
 fi
+
+# A kernel and a pair term, in copies of their folders and of the table
+mkdir -p "$work/sph/kernels" "$work/sph/terms"
+cp "$root"/etc/codeTemplates/kernel/gaussian.hpp "$work/sph/kernels"
+cp "$root"/etc/codeTemplates/pairTerm/radialViscosity.hpp "$work/sph/terms"
+sed 's|^using Kernels = Models<|&Gaussian, |; s|^#include "sph/kernels/wendlandC2.hpp"|#include "sph/kernels/gaussian.hpp"\n&|
+    s|using PairTerms = Models<|&RadialViscosity<R>, |; s|^#include "sph/terms/xsph.hpp"|#include "sph/terms/radialViscosity.hpp"\n&|' \
+    "$root/src/sph/models.hpp" >"$work/sph/models.hpp"
+grep -q '^using Kernels = Models<Gaussian, ' "$work/sph/models.hpp" || fail kernelTable 'the table has no such line'
+grep -q 'using PairTerms = Models<RadialViscosity<R>, ' "$work/sph/models.hpp" || fail pairTermTable 'the table has no such line'
+if g++ "${flags[@]/-O1/-O0}" "$root"/etc/codeTemplates/{kernel/gaussianTest.C,pairTerm/radialViscosityTest.C} "$root"/tests/unit/sph/{sphCards,kernels,terms}.C \
+    "$root"/src/solvers/sph/sphModels.C -L"$RIPRAP_LIBBIN" -Wl,-rpath,"$RIPRAP_LIBBIN" -lriprap \
+    -o "$work/models" -lgtest -lgtest_main -lpthread >"$work/log" 2>&1
+then pass sphBuilds
+else fail sphBuilds "$(grep -m1 error "$work/log")"
+fi
+if env -u RIPRAP_DIR "$work/models" >"$work/log" 2>&1
+then pass sphRuns
+else fail sphRuns "$(grep -m1 -A4 Failure "$work/log" | tr '\n' ' ')"
+fi
+
+# Programs take the models from here: what a rebuilt libriprap would have, for the CPU, 2D and mixed precision
+g++ "${flags[@]/-O1/-O0}" -fPIC -shared "$root"/src/solvers/{instantiate/sphCpu2Mixed,sph/sphModels}.C -o "$work/models.so" >"$work/log" 2>&1 \
+    || { fail sphLibrary "$(grep -m1 error "$work/log")"; exit; }
+models=(env LD_PRELOAD="$work/models.so")
+mkdir "$work/case" && cd "$work/case" || exit 1
+suite=codeTemplates
+. "$root/tests/regression/setParticlesCases"
+sph() { dictionary constant/sphProperties <<<"device cpu; walls { } $1"; }
+wrong() { sph "$2"; refused "$1" "$3.*sphProperties" "${models[@]}" riprapFoam -dry-run; }
+tank2
+dictionary system/controlDict <<<'application riprapFoam; solver sphDem; startFrom startTime; startTime 0; stopAt endTime; endTime 0.005; deltaT 1e-3;
+adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.005; writeFormat ascii; timePrecision 9;'
+regions 'tank { set fluid; source box; box (0 0 0) (0.2 0.1 0.01); }'
+sph 'kernel gaussian; viscosity radial; radialViscosity { eta 0.02; }'
+# 4 layers, where the other kernels have 3: the support is 3h
+"${models[@]}" setParticles -checkWalls >log 2>&1
+says layers '^Walls: 352 points'
+says wallSum 'least (0\.99999|1)[0-9.]* .*most 1(\.00000[0-9]*)? '
+"${models[@]}" riprapFoam -dry-run >log 2>&1
+says dryKernel '^ *kernel +gaussian'
+says dryTerm '^ *viscosity +radial, mu 0.001 Pa s, .*, eta 0.02$'
+says dryOff '^ *off .*laminarViscosity artificialViscosity'
+quiet dryOn '^ *(off|not used) .*radialViscosity'
+"${models[@]}" riprapFoam >log 2>&1
+says runs '^End'
+[[ -s 0.005/lagrangian/fluid/positions ]] && pass written || fail written "$(tail -n 3 log | tr '\n' ' ')"
+sph 'viscosity laminar; radialViscosity { eta 0.02; }'
+"${models[@]}" riprapFoam -dry-run >log 2>&1
+says notChosen '^ *not used +\(radialViscosity\)'
+wrong kernel 'kernel box;' 'kernel has the unknown word box; valid are .*gaussian'
+wrong viscosity 'viscosity round;' 'viscosity has the unknown word round; valid are \(none radial laminar artificial laminarAndArtificial\)'
+wrong entry 'radialViscosity { beta 1; }' 'Unknown entry beta; valid are \(eta\)'
+wrong range 'viscosity radial; radialViscosity { eta -1; }' 'Entry eta is -1: it must be positive'
+
+# A transfer, in a copy of the table. Two units of the library know what the table names: made anew for 2D, they stand before the library's own, in tests and in runs
+mkdir -p "$work/pic/transfer/schemes" "$work/solvers/pic/transfer"
+cp "$root"/etc/codeTemplates/transfer/filteredFlip.hpp "$work/pic/transfer/schemes"
+sed 's|^using Transfers = Models<|&FilteredFlip, |; s|^#include "pic/transfer/schemes/flip.hpp"|#include "pic/transfer/schemes/filteredFlip.hpp"\n&|' \
+    "$root/src/solvers/pic/transfer/picFamilies.hpp" >"$work/solvers/pic/transfer/picFamilies.hpp"
+grep -q '^using Transfers = Models<FilteredFlip, ' "$work/solvers/pic/transfer/picFamilies.hpp" || fail transferTable 'the table has no such line'
+if g++ "${flags[@]}" -fPIC -shared "$root"/src/solvers/pic/transfer/{picTransfers,gridToParticlesCpu2}.C -o "$work/libtransfers.so" >"$work/log" 2>&1
+then pass transferLibrary
+else fail transferLibrary "$(grep -m1 error "$work/log")"
+fi
+if g++ "${flags[@]}" "$root"/etc/codeTemplates/transfer/filteredFlipTest.C "$root"/tests/unit/{pic/transfer/transferCards,pic/picRows,pic/transfer/picSchemes,solvers/pic/picSchemeScenes}.C -o "$work/transfers" \
+    "$work/libtransfers.so" -L"$RIPRAP_LIBBIN" -lriprap -lgtest -lgtest_main -lpthread >"$work/log" 2>&1
+then pass transferBuilds
+else fail transferBuilds "$(grep -m1 error "$work/log")"
+fi
+if env -u RIPRAP_DIR LD_LIBRARY_PATH="$work:$LD_LIBRARY_PATH" "$work/transfers" --gtest_filter='-*3Mixed*:*3Double*' >"$work/log" 2>&1 && grep -q PASSED "$work/log"
+then pass transferRuns
+else fail transferRuns "$(grep -m1 -A4 Failure "$work/log" | tr '\n' ' ')"
+fi
+
+# Cases with it
+mkdir "$work/picCase"; cd "$work/picCase" || exit 1
+suite=codeTemplates.transfer
+. "$root/tests/regression/setParticlesCases"
+run=(env LD_PRELOAD="$work/libtransfers.so" riprapFoam)
+control()       # ENTRIES, the last of which count
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver picDem; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.1;
+deltaT 1e-3; adjustTimeStep yes; maxCo 0.5; writeControl adjustableRunTime; writeInterval 0.05; writeFormat ascii; writePrecision 12; $1"
+}
+pic() { dictionary constant/picProperties <<<"device cpu; $1"; }
+tank2; control ''; pic ''
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
+dictionary system/setParticlesDict <<<'spacing 0.005; regions ( pool { set fluid; source box; box (0 0 -1) (0.1 0.08 1); velocity (0 0 0); pressure hydrostatic; } );'
+setParticles >log 2>&1
+pic 'transfer filteredFlip; filterTime 0.002;'
+"${run[@]}" >log 2>&1; says run '^End'
+says log 'transfer[ :]+filteredFlip, filterTime 0.002 s, affine'
+mkdir whole; cp -r 0.1 whole; rm -rf 0.05 0.1
+control 'endTime 0.05;'; "${run[@]}" >log 2>&1
+control ''; "${run[@]}" >log 2>&1
+for file in p U lagrangian/fluid/positions lagrangian/fluid/U uniform/riprap/picState
+do
+    cmp -s "0.1/$file" "whole/0.1/$file" && pass "restart.$file" || fail "restart.$file" "0.1/$file is not what one run writes"
+done
+rm -rf 0.05 0.1
+kilobytes() { sed -n 's/^ *fluid: \([0-9.]*\) kB$/\1/p' log; }
+pic 'transfer flip;'; "${run[@]}" -dry-run >log 2>&1; without=$(kilobytes)
+pic 'transfer filteredFlip; filterTime 0.002;'; "${run[@]}" -dry-run >log 2>&1
+says dryRun 'transfer[ :]+filteredFlip, filterTime 0.002 s, affine'
+says dryRunStep 'Time step of the particles: 0.002 s, limit: transfer'
+# two reals and their spares, of each particle
+awk -v a="${without:-0}" -v b="$(kilobytes)" -v n="$(sed -n 's/^ *fluid: \([0-9]*\)$/\1/p' log)" 'BEGIN { each = n ? 1000*(b - a)/n : 0; exit !(a > 0 && each > 15 && each < 17) }' &&
+    pass dryRunMemory || fail dryRunMemory "kB of the fluid: $without with flip, $(kilobytes)"
+pic 'transfer flip; filterTime 0.002; picPart 0.1;'; "${run[@]}" -dry-run >log 2>&1; says unused 'not used[ :]+\(picPart filterTime\)|not used[ :]+\(filterTime picPart\)'
+pic 'transfer apicFlip;'; refused word 'transfer has the unknown word apicFlip; valid are .*filteredFlip.*flip.*apic' "${run[@]}"
+pic 'transfer filteredFlip;'; refused missing 'filterTime' "${run[@]}"
+pic 'transfer filteredFlip; filterTime 0;'; refused zero 'Entry filterTime is 0: it must be positive' "${run[@]}"
+pic 'transfer flip; filterTime -1;'; refused unusedRange 'Entry filterTime is -1: it must be positive' "${run[@]}"
+pic 'transfer filteredFlip; filterTime 0.1; spline linear;'; refused spline 'filteredFlip does not go with splines linear; valid are .quadratic cubic.' "${run[@]}"
+pic 'transfer filteredFlip; filterTime 0.002;'; control 'adjustTimeStep no; deltaT 0.01;'
+refused fixedStep 'Entry deltaT is 0.01: transfer filteredFlip bears steps of at most 0.002 s' "${run[@]}"

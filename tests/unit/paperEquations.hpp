@@ -6,7 +6,7 @@
 #pragma once
 
 #include <cmath>
-#include "api/sphScene.hpp"
+#include "solvers/sph/sphModels.hpp"
 
 namespace riprap
 {
@@ -17,29 +17,29 @@ inline Vector3 operator-(const Vector3& a, const Vector3& b) { return {{a[0] - b
 inline double dot(const Vector3& a, const Vector3& b) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
 inline void add(Vector3& a, double s, const Vector3& b) { for (int d = 0; d < 3; ++d) a[d] += s*b[d]; }
 
-//- Eq. 28 and its 3D form; Monaghan & Lattanzio's cubic spline
-inline double W(KernelKind kernel, int D, double r, double h)
+//- Eq. 28 and its 3D form; Monaghan & Lattanzio's cubic spline. Others by their headers, which kernels.hpp tests
+inline double W(const std::string& kernel, int D, double r, double h)
 {
     const double pi = std::acos(-1.0), q = r/h;
-    if (q >= 2) return 0;
-    if (kernel == KernelKind::wendlandC2)
-        return (D == 2 ? 7/(4*pi*h*h) : 21/(16*pi*h*h*h))*std::pow(1 - q/2, 4)*(2*q + 1);
+    if (kernel == "wendlandC2")
+        return q >= 2 ? 0 : (D == 2 ? 7/(4*pi*h*h) : 21/(16*pi*h*h*h))*std::pow(1 - q/2, 4)*(2*q + 1);
+    if (kernel != "cubicSpline") return kernelOf(kernel).weight(D, r, h);
     const double alpha = D == 2 ? 10/(7*pi*h*h) : 1/(pi*h*h*h);
-    return alpha*(q < 1 ? 1 - 1.5*q*q + 0.75*q*q*q : 0.25*std::pow(2 - q, 3));
+    return q >= 2 ? 0 : alpha*(q < 1 ? 1 - 1.5*q*q + 0.75*q*q*q : 0.25*std::pow(2 - q, 3));
 }
 
-inline double dWdr(KernelKind kernel, int D, double r, double h)
+inline double dWdr(const std::string& kernel, int D, double r, double h)
 {
     const double pi = std::acos(-1.0), q = r/h;
-    if (q >= 2) return 0;
-    if (kernel == KernelKind::wendlandC2)
-        return (D == 2 ? 7/(4*pi*h*h) : 21/(16*pi*h*h*h))/h*(-5*q)*std::pow(1 - q/2, 3);
+    if (kernel == "wendlandC2")
+        return q >= 2 ? 0 : (D == 2 ? 7/(4*pi*h*h) : 21/(16*pi*h*h*h))/h*(-5*q)*std::pow(1 - q/2, 3);
+    if (kernel != "cubicSpline") return r*kernelOf(kernel).gradient(D, r, h);
     const double alpha = D == 2 ? 10/(7*pi*h*h) : 1/(pi*h*h*h);
-    return alpha/h*(q < 1 ? -3*q + 2.25*q*q : -0.75*std::pow(2 - q, 2));
+    return q >= 2 ? 0 : alpha/h*(q < 1 ? -3*q + 2.25*q*q : -0.75*std::pow(2 - q, 2));
 }
 
 //- x = x_i - x_j
-inline Vector3 gradW(KernelKind kernel, int D, const Vector3& x, double h)
+inline Vector3 gradW(const std::string& kernel, int D, const Vector3& x, double h)
 {
     const double r = std::sqrt(dot(x, x));
     Vector3 g{{0, 0, 0}};
@@ -61,14 +61,14 @@ struct Pair
     Vector3 x, v;               // i - j
     double h, r2, w;
     Vector3 grad;
-    KernelKind kernel;
+    std::string kernel;
     int D;
 
     Vector3 a{{0, 0, 0}}, drift{{0, 0, 0}};     // dv/dt, added to dx/dt
     double rate = 0;                            // drho/dt
 
     //- separation: x_i - x_j, nearest image
-    Pair(KernelKind k, int dimensions, const Particle& pi, const Particle& pj, const Vector3& separation)
+    Pair(const std::string& k, int dimensions, const Particle& pi, const Particle& pj, const Vector3& separation)
     :
         i(pi), j(pj), x(separation), v(pi.v - pj.v), h(0.5*(pi.h + pj.h)), r2(dot(x, x)), w(W(k, dimensions, std::sqrt(r2), h)),
         grad(gradW(k, dimensions, x, h)), kernel(k), D(dimensions)

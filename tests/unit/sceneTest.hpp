@@ -79,8 +79,8 @@ protected:
         c.soundSpeed = 20;
         c.maxVelocity = 2;
         c.integrator = IntegratorKind::leapfrog;
-        c.viscosityModel = ViscosityKind::none;
-        c.diffusion = DiffusionKind::none;
+        c.viscosityModel = "none";
+        c.diffusion = "none";
         return c;
     }
 

@@ -165,7 +165,7 @@ namespace
         return x;
     }
 
-    SphConfig coverageConfig(KernelKind kernel, int D)
+    SphConfig coverageConfig(const std::string& kernel, int D)
     {
         SphConfig config;
         config.dimensions = D;
@@ -194,7 +194,7 @@ namespace
 
     WallPointSet pointSet(const SphConfig& config, const std::vector<double>& x, const Vector3& normal = {{0, 1, 0}})
     {
-        WallPointSet set(2*config.smoothingRatio*config.spacing + config.wallSpacing);
+        WallPointSet set(supportOf(config) + config.wallSpacing);
         for (std::size_t i = 0; i < x.size(); i += 3) set.insert({{x[i], x[i + 1], x[i + 2]}}, normal);
         return set;
     }
@@ -202,7 +202,7 @@ namespace
 
 TEST(WallCoverage, halfOnAPlaneQuarterInACornerNothingFarAway)
 {
-    for (const KernelKind kernel : {KernelKind::wendlandC2, KernelKind::cubicSpline})
+    for (const std::string& kernel : kernelWords())
     {
         for (const int D : {2, 3})
         {
@@ -223,7 +223,7 @@ TEST(WallCoverage, halfOnAPlaneQuarterInACornerNothingFarAway)
 TEST(WallCoverage, centroidOfTheHalfSupport)
 {
     // Wendland C2 in 2D: 2 int r^2 W dr/(1/2) = 8 alpha h (4 B(4,5) + B(3,5)) 2 = 0.42441 h
-    const SphConfig config(coverageConfig(KernelKind::wendlandC2, 2));
+    const SphConfig config(coverageConfig("wendlandC2", 2));
     const double h = config.smoothingRatio*config.spacing;
     const Coverage c(seen(config, pointSet(config, lattice(config.wallSpacing, 8, false, 2)), {{0, 0, 0}}).coverage);
     EXPECT_NEAR(c.offset[1], 0.42441*h, 0.013*h);   // midpoint rule at h/2.5: 3 %
@@ -235,7 +235,7 @@ TEST(WallCoverage, centroidOfTheHalfSupport)
     EXPECT_NEAR(hidden.offset[1], 0.42441*h, 1e-4*h);
 
     // 3D: pi int r^3 W dr/(1/2) = 42 (4 B(5,5) + B(4,5)) h = 5/12 h
-    const SphConfig solid(coverageConfig(KernelKind::wendlandC2, 3));
+    const SphConfig solid(coverageConfig("wendlandC2", 3));
     const Coverage half(WallCoverage(solid).of({}, {{{{0, 0, 1}}, 0}}));
     EXPECT_NEAR(half.share, 0.5, 1e-3);
     EXPECT_NEAR(half.offset[2], 5*h/12, 1e-3*h);
@@ -243,14 +243,14 @@ TEST(WallCoverage, centroidOfTheHalfSupport)
 
 TEST(WallCoverage, ofAGroupThatHasMovedAsIfItsPointsHad)
 {
-    const SphConfig config(coverageConfig(KernelKind::wendlandC2, 2));
+    const SphConfig config(coverageConfig("wendlandC2", 2));
     const WallPointSet rest(pointSet(config, lattice(config.wallSpacing, 8, true, 2)));
     const double angle = 0.7;
     WallPose pose;
     pose.rotation = {{std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1}};
     pose.translation = {{0.3, -0.2, 0}};
 
-    WallPointSet moved(2*config.smoothingRatio*config.spacing + config.wallSpacing);
+    WallPointSet moved(supportOf(config) + config.wallSpacing);
     const std::vector<double> x(lattice(config.wallSpacing, 8, true, 2));
     for (std::size_t i = 0; i < x.size(); i += 3)
         moved.insert(placed(pose, {{x[i], x[i + 1], 0}}), turned(pose, {{0, 1, 0}}));
@@ -268,7 +268,7 @@ TEST(WallCoverage, ofAGroupThatHasMovedAsIfItsPointsHad)
 
 TEST(WallSight, aFloorAndAWallButNoThinPlatesOtherSide)
 {
-    const SphConfig config(coverageConfig(KernelKind::wendlandC2, 2));
+    const SphConfig config(coverageConfig("wendlandC2", 2));
     const double dp = config.wallSpacing;
 
     // Floor y < 0 and wall x < 0, a gauge on the wall a spacing above the floor

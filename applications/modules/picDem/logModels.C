@@ -10,9 +10,38 @@ Description
 #include "deviceChoice.H"
 #include "listed.H"
 #include "logPrecision.H"
+#include "modelReader.H"
 #include "moduleLog.H"
 #include "sphNames.H"
+#include "solvers/pic/transfer/picTransfers.hpp"
 #include "api/sphScene.hpp"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static void logTransfer(const riprap::PicConfig& c)
+{
+    for (const riprap::SplineCard& card : riprap::splines())
+    {
+        if (card.order == c.splineOrder) logItem("spline") << card.word << nl;
+    }
+    const riprap::TransferCard card(riprap::transferOf(c));
+    const auto& numbers = c.transferNumbers;
+    logItem("transfer") << card.word;
+    for (const riprap::TransferEntry& e : card.entries)
+    {
+        if (isShown(e, numbers))
+        {
+            printEntry(Info<< ", ", e, numbers, c.dimensions == 2);
+        }
+    }
+    Info<< (keepsGradient(card, numbers) ? ", affine" : "") << nl;
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -59,13 +88,7 @@ void Foam::solverModules::picDem::logModels() const
         arraysTogether(*scene_)
     );
     logItem("precision") << sphNames::precision[c.precision] << nl;
-    logItem("spline") << picNames::spline[c.splineOrder] << nl;
-    logItem("transfer") << picNames::transfer[c.transfer];
-    if (c.transfer == riprap::TransferKind::flipPic)
-    {
-        Info<< ", picPart " << c.picPart;
-    }
-    Info<< (c.affine ? ", affine" : "") << nl;
+    logTransfer(c);
     logItem("advection") << picNames::advection[c.advectionOrder]
         << (c.reflection > 0 ? ", reflection" : "") << nl;
     if (c.positionCorrection > 0)
@@ -110,6 +133,11 @@ void Foam::solverModules::picDem::logModels() const
     logItem("guards") << "Courant " << c.maxCourantEver << ", escape "
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
+    if (settings_.unused.size())
+    {
+        logItem("not used") << listed(settings_.unused).c_str()
+            << ": other transfers'" << nl;
+    }
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
 
     if (solids_)

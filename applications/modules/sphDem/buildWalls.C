@@ -11,6 +11,7 @@ Description
 #include "UIndirectList.H"
 #include "packedFields.H"
 #include "sweptDomain.H"
+#include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -101,7 +102,7 @@ void Foam::solverModules::sphDem::dropBeyondDomain
 )
 {
     const riprap::SphConfig& config = settings_.config;
-    const scalar margin = 2*config.smoothingRatio*config.spacing;
+    const scalar margin = riprap::supportOf(config);
 
     const auto beyond = [&](const point& x)
     {

@@ -6,6 +6,7 @@
 #include "coupledSolids.H"
 #include "bodyFaces.H"
 #include "particleCloudIO.H"
+#include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -117,7 +118,7 @@ void Foam::coupledSolids::requireFine
     const std::vector<double>& volume
 ) const
 {
-    const scalar support = 2*config.smoothingRatio*config.spacing;
+    const scalar support = riprap::supportOf(config);
     label larger = 0, unseen = 0;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < volume.size(); ++i)

@@ -10,7 +10,9 @@ Description
 #include "deviceChoice.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
+#include "modelReader.H"
 #include "listed.H"
+#include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -19,20 +21,12 @@ Foam::wordList Foam::solverModules::sphDem::modelsOff() const
     const riprap::SphConfig& c = settings_.config;
     using namespace riprap;
 
-    const bool laminar =
-        c.viscosityModel == ViscosityKind::laminar
-     || c.viscosityModel == ViscosityKind::laminarAndArtificial;
-    const bool artificial =
-        c.viscosityModel == ViscosityKind::artificial
-     || c.viscosityModel == ViscosityKind::laminarAndArtificial;
-
     DynamicList<word> off;
     if (!c.variableSmoothing) off.append("variableSmoothingLength");
-    if (!laminar) off.append("laminarViscosity");
-    if (!artificial) off.append("artificialViscosity");
-    if (c.antiClump == 0) off.append("antiClump");
-    if (c.xsph == 0) off.append("XSPH");
-    if (c.diffusion == DiffusionKind::none) off.append("densityDiffusion");
+    for (const TermModel& term : pairTerms())
+    {
+        if (!term.chosen(c)) off.append(term.word);
+    }
     if (c.shifting == ShiftingKind::none) off.append("shifting");
     if (walls_.size() == 0) off.append("walls");
     if (bodies_.size() == 0) off.append("movingWalls");
@@ -43,42 +37,90 @@ Foam::wordList Foam::solverModules::sphDem::modelsOff() const
 }
 
 
+namespace Foam
+{
+
+//- Numbers of a term, from the one at `first` on
+static void logNumbers
+(
+    const riprap::TermModel& term,
+    std::size_t first,
+    const riprap::TermProperties& terms
+)
+{
+    for (std::size_t i = first; i < term.entries.size(); ++i)
+    {
+        if (isShown(term.entries[i], terms))
+        {
+            Info<< ", ";
+            printEntry(Info(), term.entries[i], terms, false);
+        }
+    }
+}
+
+
+//- A term that its first number chooses
+static void logNumber
+(
+    const riprap::TermModel& term,
+    const riprap::TermProperties& terms
+)
+{
+    logItem(term.word) << term.entries[0].value(terms);
+    logNumbers(term, 1, terms);
+    Info<< nl;
+}
+
+
+//- The word of an entry, and the terms that it chooses
+static void logChoice
+(
+    const riprap::TermSwitch& s,
+    const riprap::SphConfig& c
+)
+{
+    const std::string chosen(s.word(c));
+    const bool viscosity = word(s.entry) == "viscosity";
+    if (chosen == "none" && !viscosity)
+    {
+        return;
+    }
+    logItem(s.entry) << chosen.c_str();
+    if (viscosity)
+    {
+        Info<< ", mu " << c.viscosity << " Pa s, nu " << c.viscosity/c.density
+            << " m2/s";
+    }
+    for (const riprap::TermModel& term : riprap::pairTerms())
+    {
+        if (word(term.chosenBy.entry) == s.entry && term.chosen(c))
+        {
+            logNumbers(term, 0, c);
+        }
+    }
+    Info<< nl;
+}
+
+} // End namespace Foam
+
+
 void Foam::solverModules::sphDem::logTerms() const
 {
     const riprap::SphConfig& c = settings_.config;
     using namespace riprap;
 
-    logItem("viscosity")
-        << sphNames::viscosity[c.viscosityModel]
-        << ", mu " << c.viscosity << " Pa s, nu " << c.viscosity/c.density
-        << " m2/s";
-    if
-    (
-        c.viscosityModel == ViscosityKind::laminar
-     || c.viscosityModel == ViscosityKind::laminarAndArtificial
-    )
+    // Where the first of the terms stands that an entry's words choose from
+    wordHashSet logged;
+    for (const TermModel& term : pairTerms())
     {
-        Info<< ", softening " << c.viscositySoftening;
-    }
-    if (c.viscosityModel >= ViscosityKind::artificial)
-    {
-        Info<< ", alpha " << c.artificialAlpha;
-    }
-    Info<< nl;
-
-    if (c.antiClump > 0)
-    {
-        logItem("antiClump") << c.antiClump << nl;
-    }
-    if (c.xsph > 0)
-    {
-        logItem("XSPH") << c.xsph << nl;
-    }
-    if (c.diffusion != DiffusionKind::none)
-    {
-        logItem("densityDiffusion")
-            << sphNames::densityDiffusion[c.diffusion]
-            << ", delta " << c.diffusionDelta << nl;
+        if (term.words.empty())
+        {
+            if (term.chosen(c)) logNumber(term, c);
+        }
+        else if (logged.insert(term.chosenBy.entry))
+        {
+            logChoice(term.chosenBy, c);
+        }
     }
     if (c.shifting != ShiftingKind::none)
     {
@@ -112,7 +154,7 @@ void Foam::solverModules::sphDem::logModels() const
     );
     logItem("precision") << sphNames::precision[c.precision] << nl;
 
-    logItem("kernel") << sphNames::kernel[c.kernel] << nl;
+    logItem("kernel") << c.kernel.c_str() << nl;
     logItem("smoothingLength") << (c.variableSmoothing ? "variable" : "constant")
         << ", h0 " << c.smoothingRatio*c.spacing << " m = "
         << c.smoothingRatio << " x spacing " << c.spacing << " m";
@@ -169,6 +211,11 @@ void Foam::solverModules::sphDem::logModels() const
         << settings_.maxWild << " 1/s, escape "
         << (settings_.guards.stopAtEscape ? "stop" : "warn")
         << ", maxEscaped " << settings_.guards.maxEscaped << nl;
+    if (settings_.unused.size())
+    {
+        logItem("not used") << listed(settings_.unused).c_str()
+            << ": of terms that are not chosen" << nl;
+    }
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
 
     if (solids_)

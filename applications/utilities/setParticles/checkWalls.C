@@ -7,8 +7,7 @@
 #include "treeDataCell.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
-#include "sph/kernels/cubicSpline.hpp"
-#include "sph/kernels/wendlandC2.hpp"
+#include "solvers/sph/sphModels.hpp"
 
 namespace Foam
 {
@@ -139,14 +138,9 @@ Foam::shepardRange Foam::checkWalls
     const label D = mesh.nGeometricD();
     const scalar spacing = config.spacing;
     const scalar h = config.smoothingRatio*spacing;
-    const scalar support = 2*h;
-    const auto weight = [&](scalar r)
-    {
-        const bool wendland = config.kernel == riprap::KernelKind::wendlandC2;
-        return
-            (wendland ? riprap::WendlandC2::alpha(D) : riprap::CubicSpline::alpha(D))
-           *(wendland ? riprap::WendlandC2::value(r/h) : riprap::CubicSpline::value(r/h))/std::pow(h, D);
-    };
+    const riprap::KernelModel& kernel = riprap::kernelOf(config.kernel);
+    const scalar support = kernel.support*h;
+    const auto weight = [&](scalar r) { return kernel.weight(D, r, h); };
     const scalar fluidVolume = std::pow(spacing, D), wallVolume = std::pow(walls.spacing, D);
 
     const pointGrid fluidGrid(support, fluid), wallGrid(support, walls.position);

@@ -12,15 +12,16 @@ namespace riprap
 template<class R>
 struct SearchReach
 {
-    const float* found = nullptr;       // half the reach of the largest when the search began [m]; null: reach does not vary
+    const float* found = nullptr;       // largest h when the search began [m]; null: h is constant
     float growth = 0, most = 0;         // so much of it more, but not beyond this [m]
     R skin = 0;                         // [m]
+    R support = 2;                      // reach of a smoothing length, of it
 
     HD R radius(R fixed) const
     {
         if (!found) return fixed;
         const float h = (1 + growth)**found;
-        return R(2)*R(h < most ? h : most) + skin;
+        return support*R(h < most ? h : most) + skin;
     }
 };
 

@@ -1,4 +1,5 @@
-/*  Views of the particles of PIC: positions above the block's lower corner [m], velocities, and for APIC the affine part.
+/*  Views of the particles of PIC: positions above the block's lower corner [m], velocities, the affine part where they keep it, and what a transfer
+    remembers.
 
     Particles stand in the order of the cells that they are in; `start` tells where each cell begins.
 
@@ -12,13 +13,17 @@
 namespace riprap
 {
 
+//- Reals that a transfer's formula may remember of a component
+static constexpr int mostMemory = 2;
+
 template<int D, class R>
 struct PicParticles
 {
     int count;
     double* x[D];
     R* v[D];
-    R* affine[D*D];             // row d: gradient of component d [1/s]; nullptr unless APIC
+    R* affine[D*D];             // row d: gradient of component d [1/s]; nullptr: particles keep none
+    R* memory[D*mostMemory];    // of the transfer's formula, the same number for each component; nullptr from the first that there is not
     std::int32_t* id;
     const PlaceInCell<R>* place;
     const int* start;           // cells + 1 entries; particles from start[cells] on are outside
@@ -107,6 +112,7 @@ private:
             UNROLL
             for (int k = 0; k < D*D; ++k) to.affine[k][i] = affine[k];
         }
+        for (int k = 0; k < D*mostMemory && from.memory[k]; ++k) to.memory[k][i] = from.memory[k][j];
         to.id[i] = id;
     }
 };

@@ -16,7 +16,7 @@
 namespace riprap
 {
 
-template<class R, bool Around, bool Pic = false> struct GridToCells;
+template<class R, bool Around, class Formula> struct GridToCells;
 template<class R, bool Around> struct MoveCells;
 
 #ifndef __CUDACC__
@@ -115,12 +115,12 @@ void eachCellOf(const UniformGrid<2>& grid, const CellTiles<2>& tiles, int tile,
         }
 }
 
-template<class R, bool Around, bool Pic>
+template<class R, bool Around, class Formula>
 struct GridToCells
 {
     static constexpr const char* name = "gridToParticle";
     using Lanes = Pack<R>;
-    GridToParticle<2, 2, R, Around, Pic> one;
+    GridToParticle<2, 2, R, Around, Formula> one;
     CellTiles<2> tiles;
     const int* list;            // of tiles that have particles
 
@@ -129,7 +129,7 @@ struct GridToCells
         eachCellOf(one.grid, tiles, list[t], one.particles.start, [&](int cell, const UniformGrid<2>::Index& c, int from, int to)
         {
             if (!one.nearWater[cell] || !inner(one.grid, c, 1)) { for (int p = from; p < to; ++p) one(p); return; }
-            const bool bounds = one.nearWater[cell] == someWater && one.picPart < 1;
+            const bool bounds = one.nearWater[cell] == someWater && one.formula.keepsOwn();
             for (int p = from; p < to; p += Lanes::width) take(c, p, to - p, bounds);
         });
     }
@@ -180,9 +180,11 @@ private:
             ParticleLanes<R>::store(x*inverse, one.particles.affine[2*d] + p, count);
             ParticleLanes<R>::store(y*inverse, one.particles.affine[2*d + 1] + p, count);
         }
-        now = Lanes(R(0));
-        if (one.picPart < 1) now += Lanes(1 - one.picPart)*(before + change);
-        if (one.picPart > 0) now += Lanes(one.picPart)*value;
+        constexpr int memory = Formula::memory;
+        Lanes kept[memory + 1];
+        for (int k = 0; k < memory; ++k) kept[k] = Lanes::load(one.particles.memory[d*memory + k] + p);
+        now = one.formula.velocity(before, change, value, kept);
+        for (int k = 0; k < memory; ++k) ParticleLanes<R>::store(kept[k], one.particles.memory[d*memory + k] + p, count);
     }
 
     //- GridToParticle::bound
@@ -206,6 +208,10 @@ private:
         for (int d = 0; d < 2; ++d) now[d] = Lanes(faster ? (grid[d] + part*off[d]).v : now[d].v);
     }
 };
+
+template<class R, bool Around, class Formula>
+GridToCells<R, Around, Formula> cellsOf(const GridToParticle<2, 2, R, Around, Formula>& one, const CellTiles<2>& tiles, const int* list)
+{ return {one, tiles, list}; }
 
 template<class R, bool Around>
 struct MoveCells

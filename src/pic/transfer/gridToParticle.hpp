@@ -1,11 +1,8 @@
-/*  Grid to particles: what the step has made of the grid's velocity.
+/*  Grid to particles: what the step has made of the grid's velocity u, a change by du. A scheme's formula (schemes/) says what of it a particle takes:
 
-        flip        v_p += sum_f W du_f                                 (Brackbill & Ruppel 1986)
-        pic         v_p  = sum_f W u_f                                  (Harlow 1964)
-        flipPic     v_p  = (1 - b) flip + b pic
-        apic        v_p  = sum_f W u_f, C_p its affine part             (Jiang et al. 2015)
+        v_p = formula(v_p, sum_f W du_f, sum_f W u_f),      C_p the affine part of u where particles keep it
 
-    du is the change of the grid's velocity over the step. Particles with no water about them fall: v_p += g dt.
+    Particles with no water about them fall: v_p += g dt.
 
     Beside the surface du is that of the water continued to faces that no pressure has projected. A particle that moves with that water is given what it is given. One
     that does not, spray at a wall or between solids, would gain energy from nowhere, at each step again: there v_p is taken towards the grid's velocity u by
@@ -25,8 +22,8 @@
 namespace riprap
 {
 
-//- Around: also where the block ends in itself, or is narrower than the spline. Pic: the share of the grid's velocity is 1 (pic, apic), so that its change is not read
-template<int Order, int D, class R, bool Around = true, bool Pic = false>
+//- Around: also where the block ends in itself, or is narrower than the spline. Formula: a scheme's
+template<int Order, int D, class R, bool Around, class Formula>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
@@ -37,7 +34,7 @@ struct GridToParticle
     const R* u[D];
     const R* du[D];
     const unsigned char* nearWater;     // cells: are some or all of the cells about it wet? (wetCells.hpp)
-    R picPart;                  // b: 0 flip .. 1 pic
+    Formula formula;
     bool affine;
     R fall[D];                  // g dt [m/s]
 
@@ -50,9 +47,10 @@ struct GridToParticle
         {
             for (int d = 0; d < D; ++d) particles.v[d][i] += fall[d];
             if (affine) for (int k = 0; k < D*D; ++k) particles.affine[k][i] = 0;
+            for (int k = 0; k < D*Formula::memory; ++k) particles.memory[k][i] = 0;
             return;
         }
-        const bool bounds = !Pic && water == someWater && picPart < 1;
+        const bool bounds = Formula::own && water == someWater && formula.keepsOwn();
         R ofGrid[D], fallen2 = 0;
         if (affine) takeAll<true>(x, at, i, bounds, ofGrid, fallen2);
         else takeAll<false>(x, at, i, bounds, ofGrid, fallen2);
@@ -68,7 +66,7 @@ private:
         using Inner = InnerNodes<Order, D, R, Affine>;
         const auto fallen = [&]([[maybe_unused]] int d)
         {
-            if constexpr (!Pic)
+            if constexpr (Formula::own)
             {
                 const R v = particles.v[d][i] + fall[d];
                 fallen2 += v*v;
@@ -96,9 +94,9 @@ private:
                 else if constexpr (Around)
                 {
                     Vec<D, R> gradient;
-                    const R pic = sampleAffineAround<Order>(grid, u[d], d, x, gradient);
-                    const R change = Pic ? R(0) : sampleAround<Order>(grid, du[d], d, x);
-                    ofGrid[d] = give<Affine>(d, i, pic, change, gradient.c);
+                    const R velocity = sampleAffineAround<Order>(grid, u[d], d, x, gradient);
+                    const R change = Formula::own ? sampleAround<Order>(grid, du[d], d, x) : R(0);
+                    ofGrid[d] = give<Affine>(d, i, velocity, change, gradient.c);
                 }
             }
         }
@@ -108,29 +106,27 @@ private:
     template<bool Affine>
     HD R takeBlock(int d, const Window<Order, D, R, Affine>& block, int i, bool asked) const
     {
-        R pic = 0, change = 0, gradient[D];
+        R velocity = 0, change = 0, gradient[D];
         if constexpr (Affine)
         {
-            pic = block.sum(u[d], gradient);
+            velocity = block.sum(u[d], gradient);
             for (int a = 0; a < D; ++a) gradient[a] *= R(inverse);
         }
-        else if (Pic || picPart > 0 || asked) pic = block.sum(u[d]);
-        if (!Pic && picPart < 1) change = block.sum(du[d]);
-        return give<Affine>(d, i, pic, change, gradient);
+        else if (formula.readsGrid() || asked) velocity = block.sum(u[d]);
+        if (Formula::own && formula.keepsOwn()) change = block.sum(du[d]);
+        return give<Affine>(d, i, velocity, change, gradient);
     }
 
     template<bool Affine>
-    HD R give(int d, int i, R pic, R change, [[maybe_unused]] const R* gradient) const
+    HD R give(int d, int i, R velocity, R change, [[maybe_unused]] const R* gradient) const
     {
+        constexpr int memory = Formula::memory;
         if constexpr (Affine) for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
-        R v = Pic ? pic : R(0);
-        if constexpr (!Pic)
-        {
-            if (picPart < 1) v += (1 - picPart)*(particles.v[d][i] + change);
-            if (picPart > 0) v += picPart*pic;
-        }
-        particles.v[d][i] = v;
-        return pic;
+        R kept[memory + 1] = {};
+        for (int k = 0; k < memory; ++k) kept[k] = particles.memory[d*memory + k][i];
+        particles.v[d][i] = formula.velocity(Formula::own ? particles.v[d][i] : R(0), change, velocity, kept);
+        for (int k = 0; k < memory; ++k) particles.memory[d*memory + k][i] = kept[k];
+        return velocity;
     }
 
     //- u + s (v - u) with the largest s up to 1 that is no faster than the faster of u and the particle that has but fallen

@@ -8,11 +8,13 @@
 #include "deviceChoice.H"
 #include "fluidProperties.H"
 #include "IOdictionary.H"
+#include "modelReader.H"
 #include "particleDomain.H"
 #include "picOpenings.H"
 #include "slidingWalls.H"
 #include "sphNames.H"
 #include "Time.H"
+#include "solvers/pic/transfer/picTransfers.hpp"
 
 namespace Foam
 {
@@ -52,6 +54,75 @@ static void readWalls
     settings.motion = readWallMotion(dict.subDict("motion"));
     readSlidingWalls(dict.subDict("velocity"), mesh, config);
     dict.end();
+}
+
+
+//- Numbers of schemes that are not chosen may stand there, so that a case can
+//  be run with several; they are named in the log
+static void readTransfer(checkedDictionary& pic, picSettings& settings)
+{
+    riprap::PicConfig& config = settings.config;
+
+    std::string spline;
+    for (const riprap::SplineCard& card : riprap::splines())
+    {
+        if (card.order == config.splineOrder) spline = card.word;
+    }
+    spline = modelWord(pic, "spline", wordsOf(riprap::splines()), spline);
+    for (const riprap::SplineCard& card : riprap::splines())
+    {
+        if (card.word == spline) config.splineOrder = card.order;
+    }
+
+    const auto all = riprap::transfers();
+    config.transfer = modelWord(pic, "transfer", wordsOf(all), config.transfer);
+    int choice = -1;
+    try
+    {
+        choice = riprap::transferChoice(config);
+    }
+    catch (const std::invalid_argument& why)
+    {
+        FatalIOErrorInFunction(pic.dict())
+            << "Entry spline is " << spline << ": " << why.what()
+            << exit(FatalIOError);
+    }
+
+    const riprap::TransferCard& card = all[choice];
+    for (const riprap::TransferEntry& e : card.entries)
+    {
+        readEntry(pic, e, config.transferNumbers);
+    }
+    riprap::TransferProperties others;
+    DynamicList<word> unused;
+    for (const riprap::TransferEntry& e : riprap::allTransferEntries())
+    {
+        if (!card.has(e.name) && pic.found(e.name))
+        {
+            readEntry(pic, e, others);
+            unused.append(e.name);
+        }
+    }
+    settings.unused = unused;
+}
+
+
+//- A fixed step may be longer than the scheme bears
+static void checkTransferStep
+(
+    const dictionary& control,
+    const riprap::PicConfig& config
+)
+{
+    const auto card = riprap::transfers()[riprap::transferChoice(config)];
+    const scalar longest = card.timeStep(config.transferNumbers);
+    if (!config.adjustTimeStep && config.fixedTimeStep > longest)
+    {
+        FatalIOErrorInFunction(control)
+            << "Entry deltaT is " << config.fixedTimeStep << ": transfer "
+            << card.word << " bears steps of at most " << longest << " s"
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -140,14 +211,7 @@ static void readPicProperties
 
     readSeeds(pic, config);
 
-    config.splineOrder =
-        pic.choice("spline", picNames::spline, config.splineOrder);
-    config.transfer =
-        pic.choice("transfer", picNames::transfer, config.transfer);
-    config.picPart = pic.between("picPart", config.picPart, 0, 1);
-    config.affine =
-        pic.either("affine", "yes", "no", config.affine)
-     || config.transfer == riprap::TransferKind::apic;
+    readTransfer(pic, settings);
     config.advectionOrder =
         pic.choice("advection", picNames::advection, config.advectionOrder);
     config.reflection =
@@ -189,6 +253,7 @@ picSettings readPicSettings(const polyMesh& mesh)
     readPicProperties(checkedDictionary(settings.dict), mesh, settings);
 
     readTimeStep(time.controlDict(), config);
+    checkTransferStep(time.controlDict(), config);
     // Velocities are extended by five cells; up to two a step have been tried
     // (benchmarks/picStability)
     checkedDictionary control(time.controlDict());

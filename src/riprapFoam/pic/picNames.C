@@ -10,14 +10,6 @@ namespace Foam
 namespace picNames
 {
 
-const Enum<riprap::TransferKind> transfer
-({
-    {riprap::TransferKind::flip, "flip"},
-    {riprap::TransferKind::pic, "pic"},
-    {riprap::TransferKind::flipPic, "flipPic"},
-    {riprap::TransferKind::apic, "apic"}
-});
-
 const Enum<riprap::ViscousKind> viscosity
 ({
     {riprap::ViscousKind::automatic, "automatic"},
@@ -30,13 +22,6 @@ const Enum<riprap::OpeningKind> opening
     {riprap::OpeningKind::velocity, "velocity"},
     {riprap::OpeningKind::flowRate, "flowRate"},
     {riprap::OpeningKind::level, "level"}
-});
-
-const Enum<int> spline
-({
-    {1, "linear"},
-    {2, "quadratic"},
-    {3, "cubic"}
 });
 
 const Enum<int> advection

@@ -10,6 +10,8 @@ Description
 #include "sphDictionaries.H"
 #include "checkedDictionary.H"
 #include "deviceChoice.H"
+#include "modelReader.H"
+#include "solvers/sph/sphModels.hpp"
 
 namespace Foam
 {
@@ -18,7 +20,8 @@ namespace Foam
 
 static void readKernel(checkedDictionary& sph, riprap::SphConfig& config)
 {
-    config.kernel = sph.choice("kernel", sphNames::kernel, config.kernel);
+    config.kernel =
+        modelWord(sph, "kernel", riprap::kernelWords(), config.kernel);
 
     checkedDictionary h(sph.subDict("smoothingLength"));
     // Below 0.8 a particle loses its neighbours, above 4 it has over 200
@@ -66,46 +69,80 @@ static scalar upTo
 }
 
 
-static void readTerms(checkedDictionary& sph, riprap::SphConfig& config)
+//- The numbers of a pair term
+static void readTerm
+(
+    checkedDictionary& dict,
+    const riprap::TermModel& term,
+    riprap::TermProperties& terms
+)
 {
-    config.viscosityModel =
-        sph.choice
-        (
-            "viscosity",
-            sphNames::viscosity,
-            riprap::ViscosityKind::laminarAndArtificial
-        );
+    for (const riprap::TermEntry& e : term.entries)
     {
-        checkedDictionary coeffs(sph.subDict("laminarViscosity"));
-        config.viscositySoftening =
-            coeffs.positive("softening", config.viscositySoftening);
-        coeffs.end();
+        if (e.required && !term.chosen(terms) && !dict.found(e.name))
+        {
+            continue;
+        }
+        e.set(terms, e.otherwise);
+        if (term.words.empty() && &e == &term.entries[0])
+        {
+            e.set(terms, dict.notNegativeOrNone(e.name, e.otherwise));
+            continue;
+        }
+        readEntry(dict, e, terms);
     }
-    {
-        checkedDictionary coeffs(sph.subDict("artificialViscosity"));
-        config.artificialAlpha =
-            upTo(coeffs, "alpha", config.artificialAlpha, 100);
-        config.artificialAtWalls =
-            coeffs.either("walls", "yes", "no", false);
-        coeffs.end();
-    }
+}
 
-    config.antiClump = sph.notNegativeOrNone("antiClump", 0.01);
-    config.xsph = sph.notNegativeOrNone("XSPH", 0);
 
-    config.diffusion = sph.choice
-    (
-        "densityDiffusion",
-        sphNames::densityDiffusion,
-        riprap::DiffusionKind::fourtakas
-    );
+static void readPairTerms(checkedDictionary& sph, sphSettings& settings)
+{
+    riprap::TermProperties& terms = settings.config;
+
+    for (const riprap::TermSwitch& s : riprap::termSwitches())
     {
-        checkedDictionary coeffs(sph.subDict("densityDiffusionCoeffs"));
-        config.diffusionDelta =
-            upTo(coeffs, "delta", config.diffusionDelta, 10);
-        coeffs.end();
+        s.set(terms, modelWord(sph, s.entry, wordsOf(s), s.otherwise));
     }
 
+    DynamicList<word> coeffs;
+    for (const riprap::TermModel& term : riprap::pairTerms())
+    {
+        const word name(term.coeffs);
+        if (name.empty())
+        {
+            readTerm(sph, term, terms);
+        }
+        else if (!coeffs.found(name))
+        {
+            coeffs.append(name);
+        }
+    }
+
+    // Terms may share a dictionary
+    DynamicList<word> unused;
+    for (const word& name : coeffs)
+    {
+        checkedDictionary dict(sph.subDict(name));
+        bool used = false;
+        for (const riprap::TermModel& term : riprap::pairTerms())
+        {
+            if (name == term.coeffs)
+            {
+                readTerm(dict, term, terms);
+                used = used || term.chosen(terms);
+            }
+        }
+        dict.end();
+        if (!used && dict.dict().size())
+        {
+            unused.append(name);
+        }
+    }
+    settings.unused = unused;
+}
+
+
+static void readShifting(checkedDictionary& sph, riprap::SphConfig& config)
+{
     config.shifting =
         sph.choice("shifting", sphNames::shifting, config.shifting);
     {
@@ -263,7 +300,8 @@ void readSphProperties(checkedDictionary sph, sphSettings& settings)
 
     readKernel(sph, config);
     readEquationOfState(sph, settings);
-    readTerms(sph, config);
+    readPairTerms(sph, settings);
+    readShifting(sph, config);
     readWalls(sph, settings);
     readCoupling(sph, settings);
     readTimeIntegration(sph, config);

@@ -26,31 +26,10 @@ const Enum<riprap::PrecisionKind> precision
     {riprap::PrecisionKind::doubled, "double"}
 });
 
-const Enum<riprap::KernelKind> kernel
-({
-    {riprap::KernelKind::wendlandC2, "wendlandC2"},
-    {riprap::KernelKind::cubicSpline, "cubicSpline"}
-});
-
 const Enum<riprap::EosKind> equationOfState
 ({
     {riprap::EosKind::Tait, "Tait"},
     {riprap::EosKind::linear, "linear"}
-});
-
-const Enum<riprap::ViscosityKind> viscosity
-({
-    {riprap::ViscosityKind::none, "none"},
-    {riprap::ViscosityKind::laminar, "laminar"},
-    {riprap::ViscosityKind::artificial, "artificial"},
-    {riprap::ViscosityKind::laminarAndArtificial, "laminarAndArtificial"}
-});
-
-const Enum<riprap::DiffusionKind> densityDiffusion
-({
-    {riprap::DiffusionKind::none, "none"},
-    {riprap::DiffusionKind::molteni, "molteni"},
-    {riprap::DiffusionKind::fourtakas, "fourtakas"}
 });
 
 const Enum<riprap::ShiftingKind> shifting

@@ -11,6 +11,7 @@ Description
 #include "checkedDictionary.H"
 #include "particleCloudIO.H"
 #include "wallPoints.H"
+#include "solvers/sph/sphModels.hpp"
 #include "sph/eos/equationOfState.hpp"
 #include "IOdictionary.H"
 #include "Time.H"
@@ -186,7 +187,7 @@ label wallLayers(const sphSettings& settings)
         return settings.walls.layers;
     }
 
-    scalar support = 2*config.smoothingRatio*config.spacing;
+    scalar support = riprap::supportOf(config);
     if (config.variableSmoothing)
     {
         support *= config.maxSmoothingGrowth;

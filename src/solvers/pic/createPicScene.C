@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "solvers/pic/picInstances.hpp"
+#include "solvers/pic/transfer/picTransfers.hpp"
 #include "api/sphScene.hpp"
 
 #include <cfenv>
@@ -40,9 +41,7 @@ void checkNumbers(const PicConfig& c)
     for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
     require(c.seedsPerDirection >= 0 && c.seedsPerDirection <= 8, "the seeds a direction must lie in 0 .. 8");
     require(c.jitter >= 0 && c.jitter <= 1, "the jitter must lie in 0 .. 1");
-    require(c.splineOrder >= 1 && c.splineOrder <= 3, "the splines' order must be 1, 2 or 3");
-    require(c.picPart >= 0 && c.picPart <= 1, "the part of PIC must lie in 0 .. 1");
-    require(c.affine || c.transfer != TransferKind::apic, "apic needs the affine part");
+    transferOf(c);
     require(c.advectionOrder == 2 || c.advectionOrder == 3, "the advection's order must be 2 or 3");
     require(c.positionCorrection >= 0, "the position correction must not be negative");
     require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");

@@ -32,6 +32,7 @@ double PicSolver<Backend, D, P>::timeStep(double speed, std::string& limit)
     }
     const double viscous = viscousStep(grid_.h, config_.viscosity/config_.density, D);
     if (viscous < dt && config_.viscousScheme == ViscousKind::explicitly) { dt = viscous; limit = "viscous"; }
+    if (fromFaces_.longestStep() < dt) { dt = fromFaces_.longestStep(); limit = "transfer"; }
     if (config_.maxTimeStep < dt) { dt = config_.maxTimeStep; limit = "maximum"; }
     return dt;
 }

@@ -285,21 +285,10 @@ void PicSolver<Backend, D, P>::append(const std::vector<Vec<D, double>>& places,
     for (int i = 0; i < more; ++i) { id[i] = std::int32_t(clock_.nextId++); v[i] = 0; }
     put(idField_, id);
     for (int k = 0; affineField_ >= 0 && k < D*D; ++k) put(affineField_ + k, v);
+    for (int k = 0; k < fromFaces_.memory(); ++k) put(memoryField_ + k, v);
     if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) context_.zero(shift_[d].data() + first, more*sizeof(real));
     n_ += more;
-    withWindows([&](auto order, auto around)
-    {
-        using Take = GridToParticle<decltype(order)::value, D, real, decltype(around)::value>;
-        Take f{};
-        f.grid = grid_;
-        f.inverse = 1/grid_.h;
-        f.particles = particles();
-        for (int d = 0; d < D; ++d) { f.u[d] = f.du[d] = (config_.reflection > 0 ? after_ : u_)[d].data(); }
-        f.nearWater = near_.data();
-        f.picPart = 1;
-        f.affine = affineField_ >= 0;
-        forEach(context_, more, FromParticle<Take>{f, first});
-    });
+    fromFaces_.enter(context_, gridVelocities(0), first, more);
 }
 
 //- Room for so many particles; those that there are stay

@@ -45,7 +45,7 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::velocitiesNow(int d, Array<Backend, real>& now)
 {
     now.allocate(context_, n_);
-    withOrder([&](auto order)
+    withSpline(config_.splineOrder, [&](auto order)
     {
         forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
             real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});

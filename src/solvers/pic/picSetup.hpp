@@ -18,6 +18,7 @@ template<class Backend, int D, class P>
 PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside&& inside)
 :
     config_(config),
+    fromFaces_(config),
     inside_(std::move(inside)),
     linearSolver_(solver ? *solver : ownSolver_)
 {
@@ -209,7 +210,7 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     else
     {
         std::vector<double> gradient;
-        if (config_.affine) velocitiesAt(x, x, v, gradient);
+        if (fromFaces_.gradient()) velocitiesAt(x, x, v, gradient);
         setParticles(x, v, gradient, fluid.id);
     }
     if (n_ == 0) throw std::invalid_argument("the fluid fills no cell");
@@ -245,12 +246,14 @@ void PicSolver<Backend, D, P>::setParticles
     for (int d = 1; d < D; ++d) set_.template add<double>("x");
     vField_ = set_.template add<real>("v");
     for (int d = 1; d < D; ++d) set_.template add<real>("v");
-    if (config_.affine)
+    if (fromFaces_.gradient())
     {
         affineField_ = set_.template add<real>("affine");
         for (int k = 1; k < D*D; ++k) set_.template add<real>("affine");
     }
     idField_ = set_.template add<std::int32_t>("id");
+    memoryField_ = set_.fields();
+    for (int k = 0; k < fromFaces_.memory(); ++k) set_.template add<real>("transfer");
     set_.allocate(context_, n_, true);
     sort_.allocate(context_, n_, grid_.cells());
     place_.allocate(context_, n_);
@@ -277,6 +280,7 @@ void PicSolver<Backend, D, P>::setParticles
         for (int i = 0; i < n_; ++i) velocity[i] = real(gradient[i*D*D + k]);
         set_.upload(context_, affineField_ + k, velocity);
     }
+    for (int k = 0; k < fromFaces_.memory(); ++k) set_.upload(context_, memoryField_ + k, std::vector<real>(n_, real(0)));
 }
 
 //- Velocities of given particles at seeds, and their gradients: the weighted least-squares plane through those within a cell or two spacings

@@ -26,14 +26,15 @@
 #include "pic/surface/redistance.hpp"
 #include "pic/surface/waterVolume.hpp"
 #include "pic/transfer/cellLanes.hpp"
-#include "pic/transfer/gridToParticle.hpp"
 #include "pic/transfer/moveParticles.hpp"
 #include "pic/transfer/particleToGrid.hpp"
 #include "pic/grid/wetCells.hpp"
 #include "coupling/solidView.hpp"
+#include "solvers/pic/transfer/gridToParticles.hpp"
 #include "solvers/pic/picBodies.hpp"
 #include "solvers/pic/picObstacles.hpp"
 #include "api/picScene.hpp"
+#include "solvers/pic/transfer/picSplines.hpp"
 
 namespace riprap
 {
@@ -165,7 +166,6 @@ private:
     bool advanceSolids(double dt, double before);
 
     // picStep.hpp
-    template<class F> void withOrder(const F&);
     template<class F> void withWindows(const F&);
     template<int N, class F> std::array<double, N> sumOverWater(const F&);
     PicParticles<D, real> particles(bool spare = false);
@@ -177,6 +177,7 @@ private:
     void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
     Array<Backend, double>& wholePressure() { return config_.reflection > 0 ? whole_ : pressure_; }
     Array<Backend, real>* carrier() { return config_.reflection > 0 ? carrier_ : u_; }
+    GridVelocities<D, real> gridVelocities(double dt);
     void toParticles(double dt);
     void moveParticles(double dt);
     void moveSurface(double dt, PicReport&);
@@ -231,9 +232,10 @@ private:
 
     int n_ = 0;                                 // particles in the scene
     FieldSet<Backend> set_;
-    int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0;
+    int xField_ = 0, vField_ = 0, affineField_ = -1, idField_ = 0, memoryField_ = 0;
     CellSort<Backend> sort_;
     ParticleToGrid<Backend, D, real> toFaces_;
+    GridToParticles<Backend, D, real> fromFaces_;
     ActiveRows<Backend, D> rows_;               // of the step
     Array<Backend, PlaceInCell<real>> place_;   // of particles, from one sort to the next
     Array<Backend, real> shift_[D];             // of position correction

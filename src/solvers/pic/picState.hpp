@@ -2,7 +2,7 @@
 
     Without solids it is the same on the CPU and the GPU: a run goes on from it on the other, where only rounding is different.
 
-    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, cells, bytes of the clock; the clock; each field of the
+    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields (and whose memory of a transfer is among them), cells, bytes of the clock; the clock; each field of the
     particles in the device's order; phi, p, and the velocities of the faces, their last changes and what particles took; what openings
     remember; of solids, each after its length, what bodies
     remember and the state of their own scene; a checksum (FNV-1a over all words before it).
@@ -38,7 +38,7 @@ std::vector<std::int32_t> PicSolver<Backend, D, P>::saveState()
 {
     std::vector<std::int32_t> words
     {
-        detail::picMagic, detail::picVersion, D, int(sizeof(real)), int(Backend::gpu), n_, set_.fields(), grid_.cells(), int(sizeof(PicClock))
+        detail::picMagic, detail::picVersion, D, int(sizeof(real)), int(Backend::gpu), n_, set_.fields() + 256*fromFaces_.mark(), grid_.cells(), int(sizeof(PicClock))
     };
     detail::appendBytes(words, &clock_, sizeof(PicClock));
     std::size_t expected = words.size() + 1;
@@ -80,7 +80,7 @@ void PicSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
     if (bodies_ && words[4] != int(Backend::gpu)) fail("it was written on another kind of device, which keeps the contacts of solids in another order");
-    if (words[6] != set_.fields()) fail("it has other fields (the transfer was changed)");
+    if (words[6] != set_.fields() + 256*fromFaces_.mark()) fail("it has other fields (the transfer was changed)");
     if (words[7] != grid_.cells()) fail("it has " + std::to_string(words[7]) + " cells, the mesh " + std::to_string(grid_.cells()));
     if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");
     const int n = words[5];

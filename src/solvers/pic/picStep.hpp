@@ -9,22 +9,12 @@
 namespace riprap
 {
 
-//- f(std::integral_constant<int, order of the splines>)
-template<class Backend, int D, class P>
-template<class F>
-void PicSolver<Backend, D, P>::withOrder(const F& f)
-{
-    if (config_.splineOrder == 1) f(std::integral_constant<int, 1>());
-    else if (config_.splineOrder == 2) f(std::integral_constant<int, 2>());
-    else f(std::integral_constant<int, 3>());
-}
-
-//- Also whether there are places around which the nodes are no block
+//- f(std::integral_constant<int, order of the splines>, are there places around which the nodes are no block?)
 template<class Backend, int D, class P>
 template<class F>
 void PicSolver<Backend, D, P>::withWindows(const F& f)
 {
-    withOrder([&](auto order)
+    withSpline(config_.splineOrder, [&](auto order)
     {
         if (needsAround(grid_, config_.splineOrder)) f(order, std::true_type());
         else f(order, std::false_type());
@@ -44,6 +34,7 @@ PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particles(bool spare
         p.v[d] = field(real(), vField_ + d);
     }
     for (int k = 0; k < D*D; ++k) p.affine[k] = affineField_ >= 0 ? field(real(), affineField_ + k) : nullptr;
+    for (int k = 0; k < fromFaces_.memory(); ++k) p.memory[k] = field(real(), memoryField_ + k);
     p.id = field(std::int32_t(), idField_);
     p.place = place_.data();
     p.start = sort_.start();
@@ -140,7 +131,7 @@ void PicSolver<Backend, D, P>::toGrid()
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
-        withOrder([&](auto order)
+        withSpline(config_.splineOrder, [&](auto order)
         {
             toFaces_.template map<decltype(order)::value>
             (
@@ -231,34 +222,23 @@ void PicSolver<Backend, D, P>::project(double dt, double drift)
 }
 
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::toParticles(double dt)
+GridVelocities<D, typename P::real> PicSolver<Backend, D, P>::gridVelocities(double dt)
 {
-    const auto take = [&](auto order, auto around, auto pic)
+    GridVelocities<D, real> v{};
+    v.grid = grid_;
+    v.particles = particles();
+    for (int d = 0; d < D; ++d)
     {
-        GridToParticle<decltype(order)::value, D, real, decltype(around)::value, decltype(pic)::value> f{};
-        f.grid = grid_;
-        f.inverse = 1/grid_.h;
-        f.particles = particles();
-        for (int d = 0; d < D; ++d)
-        {
-            f.u[d] = (config_.reflection > 0 ? after_ : u_)[d].data();
-            f.du[d] = change_[d].data();
-            f.fall[d] = real(gravity_[d]*dt);
-        }
-        f.nearWater = near_.data();
-        f.picPart = real(pic ? 1 : (config_.transfer == TransferKind::flipPic ? config_.picPart : 0));
-        f.affine = affineField_ >= 0;
-        if constexpr (!Backend::gpu && D == 2 && decltype(order)::value == 2)
-            forEachRow(context_, toFaces_.occupied().count(),
-                GridToCells<real, decltype(around)::value, decltype(pic)::value>{f, toFaces_.occupied().tiles(), toFaces_.occupied().list()});
-        else forEach(context_, n_, f);
-    };
-    withWindows([&](auto order, auto around)
-    {
-        if (config_.transfer == TransferKind::pic || config_.transfer == TransferKind::apic) take(order, around, std::true_type());
-        else take(order, around, std::false_type());
-    });
+        v.u[d] = (config_.reflection > 0 ? after_ : u_)[d].data();
+        v.du[d] = change_[d].data();
+        v.fall[d] = real(gravity_[d]*dt);
+    }
+    v.nearWater = near_.data();
+    return v;
 }
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::toParticles(double dt) { fromFaces_.take(context_, gridVelocities(dt), toFaces_.occupied(), dt); }
 
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::moveParticles(double dt)

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "solvers/sph/sphInstances.hpp"
+#include "solvers/sph/sphModels.hpp"
 #include "core/backend/device.hpp"
 #include "api/particleLimit.hpp"
 
@@ -42,8 +43,8 @@ void checkNumbers(const SphConfig& c)
     require(c.gamma > 0, "gamma must be positive");
     require(c.smoothingRatio >= 0.8 && c.smoothingRatio <= 4, "the ratio of smoothing length to spacing must lie in 0.8 .. 4");
     require(c.maxSmoothingGrowth >= 1, "the smoothing length's growth limit must be at least 1");
-    for (const double k : {c.artificialAlpha, c.antiClump, c.xsph, c.diffusionDelta, c.shiftingCoefficient})
-        require(k >= 0, "a coefficient must not be negative");
+    checkModels(c);
+    require(c.shiftingCoefficient >= 0, "a coefficient must not be negative");
     require(c.shiftingSurfaceThreshold != 0 && c.shiftingSurfaceThreshold < c.dimensions,
         "the surface threshold of shifting must lie between 0 and the number of dimensions");
     for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
@@ -86,7 +87,7 @@ void checkWalls(const SphConfig& c, const WallInput& w, const WallMotion& motion
     require(w.body.empty() || w.body.size() == w.size(), "wall body indices of another length");
     require(w.nBodies == 0 || bool(motion), "moving walls without a motion");
     // a little beyond does no harm: the fluid stays away from the edge of the domain by the support of the kernel
-    const double margin = 2*c.smoothingRatio*c.spacing;
+    const double margin = supportOf(c);
     for (std::size_t i = 0; i < w.size(); ++i)
     {
         const std::int32_t body = w.body.empty() ? -1 : w.body[i];

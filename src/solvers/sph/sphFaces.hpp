@@ -72,7 +72,8 @@ void SphSolver<Backend, D, P>::setBodies(const SolidPart& solids)
     faces_.groupOfKey.upload(context_, group);
     faces_.blow.upload(context_, std::vector<FaceBlow>(solids.clumps, FaceBlow{{0, 0, 0}, {0, 0, 0}}));
     // on or behind a face there is a member within its radius and a spacing; either may have moved by a skin since members were sorted
-    const double support = 2*config_.smoothingRatio*config_.spacing*(config_.variableSmoothing ? config_.maxSmoothingGrowth : 1);
+    const double growth = config_.variableSmoothing ? config_.maxSmoothingGrowth : 1;
+    const double support = supportOf(config_)*growth;
     faces_.reach = solids.largestRadius + config_.spacing + double(grid_.radius) - support;
 }
 

@@ -1,148 +1,203 @@
-/*  From the words of a case to compiled passes: kernel, smoothing and terms become types here, once, outside the loops.
+/*  From the words of a case to compiled passes: kernel, smoothing and terms become types here,
+    once, outside the loops.
 
-    The combinations that scenes usually take are compiled exactly; all others run a general one in which each term is
-    switched by a flag that is the same for all pairs. Adding a term: its header, a line in `general`.
+    The combinations that cases usually take (sph/models.hpp) are compiled exactly; all others run a
+    general one in which each term is switched by a flag that is the same for all pairs. Rare terms
+    (TermCard::frequent) are in a general one of their own: cases without them do not carry their
+    flags.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "api/sphScene.hpp"
+#include <tuple>
+#include "solvers/sph/sphModels.hpp"
 #include "sph/boundary/extrapolatedWall.hpp"
 #include "sph/boundary/wallForcePass.hpp"
 #include "sph/passes/fluidPass.hpp"
-#include "sph/kernels/cubicSpline.hpp"
-#include "sph/kernels/wendlandC2.hpp"
+#include "sph/models.hpp"
 #include "sph/passes/samplePass.hpp"
-#include "sph/terms/antiClump.hpp"
-#include "sph/terms/artificialViscosity.hpp"
-#include "sph/terms/continuity.hpp"
-#include "sph/terms/densityDiffusion.hpp"
-#include "sph/terms/laminarViscosity.hpp"
-#include "sph/terms/pressure.hpp"
-#include "sph/terms/xsph.hpp"
 
 namespace riprap
 {
 
-//- Which terms a case uses
-struct TermChoice
+//- The parameters of every term of a table, in the precision R, and which of them a case uses
+template<int D, class R, class Table = PairTerms<D, R>> class TermParameters;
+
+template<int D, class R, class... M>
+class TermParameters<D, R, Models<M...>>
 {
-    bool laminar, artificial, antiClump, xsph, diffusion, shifting;
+    static_assert(((!M::atWalls || (M::part == Part::momentum && !M::needsW)) && ...),
+        "at walls there is neither density rate nor drift nor W");
+    static_assert(((M::part != Part::all) && ...), "a term adds to one half of a symplectic step");
 
-    explicit TermChoice(const SphConfig& c)
-    :
-        laminar(c.viscosityModel == ViscosityKind::laminar || c.viscosityModel == ViscosityKind::laminarAndArtificial),
-        artificial(c.viscosityModel == ViscosityKind::artificial || c.viscosityModel == ViscosityKind::laminarAndArtificial),
-        antiClump(c.antiClump > 0), xsph(c.xsph > 0), diffusion(c.diffusion != DiffusionKind::none),
-        shifting(c.shifting != ShiftingKind::none)
-    {}
+    std::tuple<M...> terms_;
+    bool on_[sizeof...(M)], walls_[sizeof...(M)];
+    bool noSlip_;
 
-    bool exactly(bool l, bool a, bool ac, bool x, bool d) const
+    template<class Term>
+    static constexpr int place()
     {
-        return laminar == l && artificial == a && antiClump == ac && xsph == x && diffusion == d && !shifting;
+        int k = 0, found = -1;
+        ((found = std::is_same<Term, M>::value ? k : found, ++k), ...);
+        return found;
     }
-};
 
-//- The parameters of every term of a case, in the precision R
-template<int D, class R>
-struct TermParameters
-{
-    LaminarViscosity<R> laminar;
-    ArtificialViscosity<R> artificial;
-    AntiClump<R> antiClump;
-    Xsph<R> xsph;
-    DensityDiffusion<D, R> diffusion;
+    template<class Term>
+    static constexpr bool acts(Part part) { return part == Part::all || Term::part == part; }
+    static constexpr bool hasRare(Part part) { return ((acts<M>(part) && !M::frequent) || ...); }
+    static constexpr bool hasSmoothing(Part part) { return ((acts<M>(part) && M::smooths) || ...); }
+    static constexpr bool hasRareAtWalls() { return ((M::atWalls && !M::frequent) || ...); }
+
+    bool usesRare(Part part) const { return ((acts<M>(part) && !M::frequent && on<M>()) || ...); }
+    bool usesRareAtWalls() const { return ((M::atWalls && !M::frequent && on<M>()) || ...); }
+    bool smooths() const { return ((M::smooths && on<M>()) || ...); }
+
+    template<class Term, class... T>
+    static constexpr bool isOneOf() { return (std::is_same<Term, T>::value || ...); }
+
+    //- Are the terms of the case exactly these?
+    template<Part part, class... T>
+    bool exactly(Model<Terms<T...>>) const
+    { return ((!acts<M>(part) || on<M>() == isOneOf<M, T...>()) && ...); }
+
+    //- Pressure and Continuity have no parameters
+    template<class Term>
+    Term parameters() const
+    {
+        if constexpr (place<Term>() < 0) return Term{};
+        else return get<Term>();
+    }
+
+    template<class... T>
+    Terms<T...> make(Model<Terms<T...>>) const { return Terms<T...>{parameters<T>()...}; }
+
+    //- A term in a general combination, or nothing
+    template<class Term, bool there>
+    auto slot([[maybe_unused]] bool isOn) const
+    {
+        using Slot = std::tuple<Switchable<Term>>;
+        if constexpr (there) return Slot(Switchable<Term>(get<Term>(), isOn));
+        else return std::tuple<>();
+    }
+
+    template<class... T>
+    static Terms<T...> together(const std::tuple<T...>& t)
+    { return Terms<T...>{std::get<T>(t)...}; }
+
+    template<class Term, bool rare> static constexpr bool isIn = rare || Term::frequent;
+
+    template<Part part>
+    static auto always()
+    {
+        if constexpr (part == Part::all) return std::tuple<Pressure, Continuity>();
+        else if constexpr (part == Part::momentum) return std::tuple<Pressure>();
+        else return std::tuple<Continuity>();
+    }
+
+    template<Part part, bool smoothing, bool rare>
+    auto general() const
+    {
+        return together(std::tuple_cat(always<part>(),
+            slot<M, acts<M>(part) && (smoothing || !M::smooths) && isIn<M, rare>>(on<M>())...));
+    }
+
+    template<Part part, bool rare>
+    auto wallTerms(bool viscous) const
+    {
+        if constexpr (part == Part::density) return Terms<Continuity>{};
+        else return together(std::tuple_cat(std::tuple<Pressure, Continuity>(),
+            slot<M, M::atWalls && isIn<M, rare>>(viscous && noSlip_ && meetsWalls<M>())...));
+    }
+
+    template<bool rare>
+    auto solidTerms(bool on) const
+    {
+        return together(std::tuple_cat(
+            slot<M, M::atWalls && isIn<M, rare>>(on && meetsWalls<M>())...));
+    }
+
+    template<Part part, bool rare, class F>
+    void withGeneralTerms(const F& f) const
+    {
+        const auto walls = wallTerms<part, rare>(true);
+        if constexpr (part != Part::momentum)
+        {
+            if (shifts) return f(general<part, true, rare>(), walls, std::true_type());
+        }
+        if constexpr (hasSmoothing(part))
+        {
+            if (smooths()) return f(general<part, true, rare>(), walls, std::false_type());
+        }
+        f(general<part, false, rare>(), walls, std::false_type());
+    }
+
+public:
+
+    bool shifts;
     ShiftingModel<R> shifting;
-    TermChoice on;
-    bool wallViscosity, wallArtificial, solidArtificial;
 
     explicit TermParameters(const SphConfig& c)
-      : on(c), wallViscosity(c.noSlip), wallArtificial(c.noSlip && c.artificialAtWalls), solidArtificial(c.artificialAtWalls)
+    :
+        terms_(M::make(c, termFluid(c))...), on_{isChosen<M>(c)...},
+        walls_{M::actsAtWalls(c)...}, noSlip_(c.noSlip), shifts(c.shifting != ShiftingKind::none)
     {
-        laminar.mu = R(c.viscosity);
-        laminar.softening = R(c.viscositySoftening);
-        artificial.alphaC0 = R(c.artificialAlpha*c.soundSpeed);
-        antiClump.epsilon = R(c.antiClump);
-        xsph.epsilon = R(c.xsph);
-        diffusion.factor = R(2*c.diffusionDelta*c.soundSpeed);
-        for (int d = 0; d < D; ++d)
-            diffusion.hydrostatic.c[d] = c.diffusion == DiffusionKind::fourtakas
-              ? R(c.density*c.gravity[c.axes[d]]/(c.soundSpeed*c.soundSpeed)) : R(0);
-        const double surface = c.shiftingSurfaceThreshold >= 0 ? c.shiftingSurfaceThreshold : (D == 2 ? 1.5 : 2.75);
+        const double usual = D == 2 ? 1.5 : 2.75;
+        const double surface = c.shiftingSurfaceThreshold >= 0 ? c.shiftingSurfaceThreshold : usual;
         shifting = ShiftingModel<R>{R(c.shiftingCoefficient), R(surface), R(D)};
     }
 
-    //- viscous: else the pressure alone
-    template<Part part>
-    auto wallTerms(bool viscous = true) const
-    {
-        if constexpr (part == Part::density) return Terms{Continuity{}};
-        else return Terms{Pressure{}, Continuity{}, Switchable<LaminarViscosity<R>>(laminar, viscous && on.laminar && wallViscosity),
-            Switchable<ArtificialViscosity<R>>(artificial, viscous && on.artificial && wallArtificial)};
-    }
+    template<class Term> Term get() const { return std::get<Term>(terms_); }
+    template<class Term> bool on() const { return on_[place<Term>()]; }
+    template<class Term> bool meetsWalls() const { return on<Term>() && walls_[place<Term>()]; }
 
-    //- Call f(fluid terms, shifts?) with the types that fit the case: all terms in one pass
-    template<bool Specialised, class F>
-    void withAllTerms(const F& f) const
-    {
-        const Pressure p{};
-        const Continuity c{};
-        if constexpr (Specialised)
-        {
-            if (on.exactly(true, false, false, false, false)) return f(Terms{p, c, laminar}, std::false_type());
-            if (on.exactly(true, false, true, true, false)) return f(Terms{p, c, laminar, antiClump, xsph}, std::false_type());
-            if (on.exactly(false, true, false, false, true)) return f(Terms{p, c, artificial, diffusion}, std::false_type());
-        }
-        const Switchable<LaminarViscosity<R>> l(laminar, on.laminar);
-        const Switchable<ArtificialViscosity<R>> a(artificial, on.artificial);
-        const Switchable<AntiClump<R>> ac(antiClump, on.antiClump);
-        const Switchable<DensityDiffusion<D, R>> d(diffusion, on.diffusion);
-        const Switchable<Xsph<R>> x(xsph, on.xsph);
-        if (on.shifting) f(Terms{p, c, l, a, ac, d, x}, std::true_type());
-        else if (on.xsph) f(Terms{p, c, l, a, ac, d, x}, std::false_type());
-        else f(Terms{p, c, l, a, ac, d}, std::false_type());
-    }
+    //- Do particles move otherwise than by their velocity?
+    bool drifts() const { return shifts || smooths(); }
 
-    //- The terms of the momentum equation
-    template<bool Specialised, class F>
-    void withMomentumTerms(const F& f) const
-    {
-        const Pressure p{};
-        if constexpr (Specialised)
-        {
-            if (on.laminar && !on.artificial && !on.antiClump) return f(Terms{p, laminar}, std::false_type());
-            if (on.laminar && !on.artificial && on.antiClump) return f(Terms{p, laminar, antiClump}, std::false_type());
-            if (!on.laminar && on.artificial && !on.antiClump) return f(Terms{p, artificial}, std::false_type());
-        }
-        f(Terms{p, Switchable<LaminarViscosity<R>>(laminar, on.laminar),
-            Switchable<ArtificialViscosity<R>>(artificial, on.artificial),
-            Switchable<AntiClump<R>>(antiClump, on.antiClump)}, std::false_type());
-    }
+    //- The kinematic viscosity that all terms together act as [m2/s]
+    static double viscosity(const SphConfig& c)
+    { return (0.0 + ... + (isChosen<M>(c) ? M::viscosity(c, termFluid(c)) : 0.0)); }
 
-    //- The terms that change density and positions
-    template<bool Specialised, class F>
-    void withDensityTerms(const F& f) const
-    {
-        const Continuity c{};
-        if constexpr (Specialised)
-        {
-            if (!on.diffusion && !on.xsph && !on.shifting) return f(Terms{c}, std::false_type());
-            if (on.diffusion && !on.xsph && !on.shifting) return f(Terms{c, diffusion}, std::false_type());
-        }
-        const Switchable<DensityDiffusion<D, R>> d(diffusion, on.diffusion);
-        const Switchable<Xsph<R>> x(xsph, on.xsph);
-        if (on.shifting) f(Terms{c, d, x}, std::true_type());
-        else if (on.xsph) f(Terms{c, d, xsph}, std::false_type());
-        else f(Terms{c, d}, std::false_type());
-    }
-
+    //- Call f(fluid terms, wall terms, shifts?) with the types that fit the case
     template<Part part, bool Specialised, class F>
     void withFluidTerms(const F& f) const
     {
-        if constexpr (part == Part::all) withAllTerms<Specialised>(f);
-        else if constexpr (part == Part::momentum) withMomentumTerms<Specialised>(f);
-        else withDensityTerms<Specialised>(f);
+        bool done = false;
+        if constexpr (Specialised)
+        {
+            const bool mayBe = part == Part::momentum || !shifts;
+            FrequentTerms<part, D, R>::type::each([&](auto exact)
+            {
+                if (done || !mayBe || !exactly<part>(exact)) return;
+                done = true;
+                f(make(exact), wallTerms<part, false>(true), std::false_type());
+            });
+        }
+        if (done) return;
+        if constexpr (hasRare(part))
+        {
+            if (usesRare(part)) return withGeneralTerms<part, true>(f);
+        }
+        withGeneralTerms<part, false>(f);
+    }
+
+    //- f(terms of the force on walls); viscous: else the pressure alone
+    template<class F>
+    void withWallTerms(bool viscous, const F& f) const
+    {
+        if constexpr (hasRareAtWalls())
+        {
+            if (usesRareAtWalls()) return f(wallTerms<Part::momentum, true>(viscous));
+        }
+        f(wallTerms<Part::momentum, false>(viscous));
+    }
+
+    //- f(viscous terms between fluid and solids), which may be switched off
+    template<class F>
+    void withSolidTerms(bool on, const F& f) const
+    {
+        if constexpr (hasRareAtWalls()) { if (usesRareAtWalls()) return f(solidTerms<true>(on)); }
+        f(solidTerms<false>(on));
     }
 };
 
@@ -150,14 +205,12 @@ struct TermParameters
 template<class F>
 void withKernel(const SphConfig& c, const F& f)
 {
-    if (c.kernel == KernelKind::wendlandC2)
+    Kernels::at(kernelChoice(c.kernel), [&](auto kernel)
     {
-        if (c.variableSmoothing) f(WendlandC2(), std::true_type()); else f(WendlandC2(), std::false_type());
-    }
-    else
-    {
-        if (c.variableSmoothing) f(CubicSpline(), std::true_type()); else f(CubicSpline(), std::false_type());
-    }
+        using Kernel = typename decltype(kernel)::type;
+        if (c.variableSmoothing) f(Kernel(), std::true_type());
+        else f(Kernel(), std::false_type());
+    });
 }
 
 } // namespace riprap

@@ -99,7 +99,8 @@ template<class Backend, int D, class P>
 SearchReach<typename P::real> SphSolver<Backend, D, P>::fluidReach() const
 {
     if (!config_.variableSmoothing) return {};
-    return {&clock_.data()->foundH, ClockData::growthOfH, float(model_.hMax), pairReach(0)};
+    return {&clock_.data()->foundH, ClockData::growthOfH, float(model_.hMax), pairReach(0),
+        reachOfH()};
 }
 
 template<class Backend, int D, class P>

@@ -219,7 +219,7 @@ NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
     NeighbourCounts r;
     r.particles = activeFluid();
     refreshRecords();
-    const double support = 2*config_.smoothingRatio*config_.spacing;
+    const double support = supportOf(config_);
     const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, bool solids)
     {
         if (!n || !source.start) return std::int64_t(0);

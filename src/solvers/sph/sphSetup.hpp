@@ -56,11 +56,9 @@ void SphSolver<Backend, D, P>::setModel()
     model_.wallMass = real(c.density*std::pow(c.wallSpacing, D));
     model_.spacing = real(c.spacing);
     model_.variableH = c.variableSmoothing;
-    model_.drifts = terms_.on.xsph || terms_.on.shifting;
+    model_.drifts = terms_.drifts();
 
-    double nu = terms_.on.laminar ? c.viscosity/c.density : 0;
-    // Monaghan 2005: the artificial viscosity acts as nu = alpha c0 h/(2 (D + 2))
-    if (terms_.on.artificial) nu += c.artificialAlpha*c.soundSpeed*h0/(2*(D + 2));
+    const double nu = terms_.viscosity(c);
     limits_.adjust = c.adjustTimeStep;
     limits_.fixedDt = c.fixedTimeStep;
     limits_.maxDt = c.maxTimeStep;
@@ -84,7 +82,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setBox()
 {
     const SphConfig& c = config_;
-    const double support = 2*c.smoothingRatio*c.spacing*(c.variableSmoothing ? c.maxSmoothingGrowth : 1);
+    const double support = supportOf(c)*(c.variableSmoothing ? c.maxSmoothingGrowth : 1);
     // each row of cells must be its own neighbour at most once: a short period leaves room for a thinner skin only
     double skin = skinRatio()*support;
     for (int d = 0; d < D; ++d)

@@ -81,18 +81,22 @@ SolidAction<D, typename P::real> SphSolver<Backend, D, P>::solidAction()
 }
 
 template<class Backend, int D, class P>
-SolidTerms<typename P::real> SphSolver<Backend, D, P>::solidTerms(bool viscous) const
+template<class F>
+void SphSolver<Backend, D, P>::withSolidTerms(bool viscous, const F& f) const
 {
     SolidPressure pressure{};
     pressure.gradient = coupling_.kind == CouplingKind::pressureGradient;
-    return SolidTerms<real>
+    const auto antiClump = terms_.template get<AntiClump<real>>();
+    const auto xsph = terms_.template get<Xsph<real>>();
+    terms_.withSolidTerms(viscous && coupling_.viscosity, [&](const auto& viscousTerms)
     {
-        pressure, Continuity{},
-        Switchable<LaminarViscosity<real>>(terms_.laminar, viscous && terms_.on.laminar && coupling_.viscosity),
-        Switchable<ArtificialViscosity<real>>(terms_.artificial, viscous && terms_.on.artificial && terms_.solidArtificial && coupling_.viscosity),
-        Switchable<AntiClump<real>>(terms_.antiClump, coupling_.antiClump),
-        coupling_.xsph ? real(2)*terms_.xsph.epsilon : real(0)
-    };
+        f(SolidTerms<std::decay_t<decltype(viscousTerms)>, real>
+        {
+            pressure, Continuity{}, viscousTerms,
+            Switchable<AntiClump<real>>(antiClump, coupling_.antiClump),
+            coupling_.xsph ? real(2)*xsph.epsilon : real(0)
+        });
+    });
 }
 
 template<class Backend, int D, class P>
@@ -240,13 +244,19 @@ void SphSolver<Backend, D, P>::solidPass()
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        SolidToFluidPass<Backend, D, P, Kernel, decltype(variable)::value, part> pass
+        withSolidTerms(true, [&](const auto& terms)
         {
-            box_, grid_, {solidSource()}, fluidRecords_.view(), solidTerms(), kernelConstants<Kernel>(), model_, solidAction(),
-            solidMass_.data(), {}, fluidSort_.active(), clock_.data()
-        };
-        for (int d = 0; d < D; ++d) pass.own[d] = solidOwn_[d].data();
-        run(pass, n_);
+            using SolidTerms = std::decay_t<decltype(terms)>;
+            constexpr bool variableH = decltype(variable)::value;
+            SolidToFluidPass<Backend, D, P, Kernel, variableH, part, SolidTerms> pass
+            {
+                box_, grid_, {solidSource()}, fluidRecords_.view(), terms,
+                kernelConstants<Kernel>(), model_, solidAction(), solidMass_.data(), {},
+                fluidSort_.active(), clock_.data()
+            };
+            for (int d = 0; d < D; ++d) pass.own[d] = solidOwn_[d].data();
+            run(pass, n_);
+        });
     });
 }
 
@@ -260,10 +270,15 @@ void SphSolver<Backend, D, P>::solidForcePass(real* pressureForce)
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        runOverSolids(FluidToSolidPass<Backend, D, P, Kernel, decltype(variable)::value>
+        withSolidTerms(!pressureForce, [&](const auto& terms)
         {
-            box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), solidTerms(!pressureForce), kernelConstants<Kernel>(), model_,
-            points, pressureForce ? nullptr : clock_.data()
+            using SolidTerms = std::decay_t<decltype(terms)>;
+            constexpr bool variableH = decltype(variable)::value;
+            runOverSolids(FluidToSolidPass<Backend, D, P, Kernel, variableH, SolidTerms>
+            {
+                box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), terms,
+                kernelConstants<Kernel>(), model_, points, pressureForce ? nullptr : clock_.data()
+            });
         });
     });
 }

@@ -123,7 +123,8 @@ private:
     double skinRatio() const;
     void setFrames();
     //- From a particle to those it must find, whose h and own are at most `h` [m]
-    real pairReach(float h) const { return grid_.radius - real(2*(model_.hMax - h)); }
+    real pairReach(float h) const { return grid_.radius - reachOfH()*(model_.hMax - h); }
+    real reachOfH() const { return real(kernelOf(config_.kernel).support); }
     SearchReach<real> fluidReach() const;
 
     static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
@@ -169,7 +170,7 @@ private:
     ForceShares forceShares(double fraction) const;
     void meetFluid();
     void pushSolids();
-    SolidTerms<real> solidTerms(bool viscous = true) const;
+    template<class F> void withSolidTerms(bool viscous, const F&) const;
     Source<Backend, D, P> solidSource();
     Source<Backend, D, P> fluidAboutSolids();
     void sortSolids();

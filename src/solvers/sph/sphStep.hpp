@@ -147,18 +147,22 @@ void SphSolver<Backend, D, P>::wallForcePass(real* force, bool viscous)
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        const auto terms = terms_.template wallTerms<Part::momentum>(viscous);
-        WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, std::decay_t<decltype(terms)>> pass
+        terms_.withWallTerms(viscous, [&](const auto& terms)
         {
-            box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms, kernelConstants<Kernel>(), model_, nWalls_,
-            force, nullptr, {}, nullptr, nullptr
-        };
-        if (nBodies_) for (int d = 0; d < D; ++d) pass.wallVelocity[d] = wall_.template data<real>(wallVField_ + d);
-        if (force) return directPairLoop(context_, pass, nWalls_);
-        pass.clock = clock_.data();
-        pass.work = wall_.template data<double>(wallWorkField_);
-        pass.pressureWork = wall_.template data<double>(wallPressureWorkField_);
-        run(pass, nWalls_);
+            using WallTerms = std::decay_t<decltype(terms)>;
+            WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, WallTerms> pass
+            {
+                box_, grid_, {fluidSource(true)}, wallRecords_.view(), terms,
+                kernelConstants<Kernel>(), model_, nWalls_, force, nullptr, {}, nullptr, nullptr
+            };
+            for (int d = 0; nBodies_ && d < D; ++d)
+                pass.wallVelocity[d] = wall_.template data<real>(wallVField_ + d);
+            if (force) return directPairLoop(context_, pass, nWalls_);
+            pass.clock = clock_.data();
+            pass.work = wall_.template data<double>(wallWorkField_);
+            pass.pressureWork = wall_.template data<double>(wallPressureWorkField_);
+            run(pass, nWalls_);
+        });
     });
 }
 
@@ -169,11 +173,11 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        // exact combinations where speed is sought: single precision and the usual kernel
-        constexpr bool specialised = std::is_same<Kernel, WendlandC2>::value && sizeof(real) == 4;
-        terms_.template withFluidTerms<part, specialised>([&](const auto& fluidTerms, auto shifts)
+        // exact combinations where speed is sought
+        constexpr bool specialised = Kernel::frequent && sizeof(real) == 4;
+        terms_.template withFluidTerms<part, specialised>(
+            [&](const auto& fluidTerms, const auto& wallTerms, auto shifts)
         {
-            const auto wallTerms = terms_.template wallTerms<part>();
             FluidPass
             <
                 Backend, D, P, Kernel, decltype(variable)::value, part, std::decay_t<decltype(fluidTerms)>,

@@ -7,15 +7,15 @@
 */
 #pragma once
 
-#include "core/simd/math.hpp"
+#include "sph/kernels/card.hpp"
 
 namespace riprap
 {
 
-struct CubicSpline
+struct CubicSpline : KernelCard
 {
-    static constexpr const char* name = "cubicSpline";
-    static constexpr double support = 2;
+    static constexpr const char* word = "cubicSpline";
+    static constexpr const char* text = "cubic spline M4 (Monaghan & Lattanzio 1985)";
 
     static double alpha(int D)
     {

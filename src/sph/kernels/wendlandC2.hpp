@@ -7,15 +7,16 @@
 */
 #pragma once
 
-#include "core/simd/math.hpp"
+#include "sph/kernels/card.hpp"
 
 namespace riprap
 {
 
-struct WendlandC2
+struct WendlandC2 : KernelCard
 {
-    static constexpr const char* name = "wendlandC2";
-    static constexpr double support = 2;
+    static constexpr const char* word = "wendlandC2";
+    static constexpr const char* text = "Wendland 1995, of C2 smoothness";
+    static constexpr bool frequent = true;
 
     static double alpha(int D)
     {

@@ -90,9 +90,6 @@ struct SolidAction
     R* drift[D];                // of XSPH [m/s]; null: off
 };
 
-//- What is summed: everything (leapfrog), or the half that a symplectic step needs
-enum class Part : int {all, momentum, density};
-
 //- store: keep the sums only. close: also finish the step (half kick; the whole density step in Part::density)
 enum class Finish : int {store, close};
 

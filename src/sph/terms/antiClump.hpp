@@ -6,16 +6,31 @@
 */
 #pragma once
 
-#include "sph/terms/term.hpp"
+#include "sph/terms/card.hpp"
 
 namespace riprap
 {
 
 template<class R>
-struct AntiClump : TermTraits
+struct AntiClump : TermCard
 {
-    static constexpr bool needsW = true;
+    static constexpr const char* word = "antiClump";
+    static constexpr const char* text = "term against tensile instability (Monaghan 2000)";
+    static constexpr TermEntry entries[] =
+    {
+        TermEntry("antiClump", "", "antiClump", &TermProperties::antiClump)
+            .in(Range::zeroOrPositive).byDefault(0.01)
+    };
+    static constexpr bool needsW = true, frequent = true;
+
     R epsilon;
+
+    static AntiClump make(const TermProperties& p, const TermFluid&)
+    {
+        AntiClump t;
+        t.epsilon = R(p.antiClump);
+        return t;
+    }
 
     template<class Q, class G, class T>
     HD void operator()(const Q& i, const Q& j, const G& g, Channels<T>& c) const

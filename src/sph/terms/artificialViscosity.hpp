@@ -5,15 +5,42 @@
 */
 #pragma once
 
-#include "sph/terms/term.hpp"
+#include "sph/terms/card.hpp"
 
 namespace riprap
 {
 
 template<class R>
-struct ArtificialViscosity : TermTraits
+struct ArtificialViscosity : TermCard
 {
+    static constexpr const char* word = "artificialViscosity";
+    static constexpr const char* text = "artificial viscosity (Monaghan 1992)";
+    static constexpr TermSwitch chosenBy = termSwitch::viscosity;
+    static constexpr std::array words{"artificial", "laminarAndArtificial"};
+    static constexpr const char* coeffs = "artificialViscosity";
+    static constexpr TermEntry entries[] =
+    {
+        TermEntry("alpha", "", "alpha", &TermProperties::artificialAlpha)
+            .in(Range::zeroOrPositive).atMost(100).byDefault(0.02),
+        TermEntry("walls", "also at walls", &TermProperties::artificialAtWalls, false)
+            .show(Shown::never)
+    };
+    static constexpr bool atWalls = true, frequent = true;
+
     R alphaC0;                  // alpha c0 [m/s]
+
+    static ArtificialViscosity make(const TermProperties& p, const TermFluid& f)
+    {
+        ArtificialViscosity t;
+        t.alphaC0 = R(p.artificialAlpha*f.soundSpeed);
+        return t;
+    }
+
+    static bool actsAtWalls(const TermProperties& p) { return p.artificialAtWalls; }
+
+    //- Monaghan 2005: nu = alpha c0 h/(2 (D + 2))
+    static double viscosity(const TermProperties& p, const TermFluid& f)
+    { return p.artificialAlpha*f.soundSpeed*f.h/(2*(f.dimensions + 2)); }
 
     template<class Q, class G, class T>
     HD void operator()(const Q& i, const Q& j, const G& g, Channels<T>& c) const

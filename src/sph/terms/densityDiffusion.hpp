@@ -9,16 +9,39 @@
 */
 #pragma once
 
-#include "sph/terms/term.hpp"
+#include "sph/terms/card.hpp"
 
 namespace riprap
 {
 
 template<int D, class R>
-struct DensityDiffusion : TermTraits
+struct DensityDiffusion : TermCard
 {
+    static constexpr const char* word = "densityDiffusion";
+    static constexpr const char* text = "Molteni & Colagrossi 2009, Fourtakas et al. 2019";
+    static constexpr TermSwitch chosenBy = termSwitch::densityDiffusion;
+    static constexpr std::array words{"molteni", "fourtakas"};
+    static constexpr const char* coeffs = "densityDiffusionCoeffs";
+    static constexpr TermEntry entries[] =
+    {
+        TermEntry("delta", "", "delta", &TermProperties::diffusionDelta)
+            .in(Range::zeroOrPositive).atMost(10).byDefault(0.1)
+    };
+    static constexpr Part part = Part::density;
+    static constexpr bool frequent = true;
+
     R factor;                   // 2 delta c0 [m/s]
     Vec<D, R> hydrostatic;      // rho0 g/c0^2 [kg/m4]; zero for molteni
+
+    static DensityDiffusion make(const TermProperties& p, const TermFluid& f)
+    {
+        DensityDiffusion t;
+        t.factor = R(2*p.diffusionDelta*f.soundSpeed);
+        const double c02 = f.soundSpeed*f.soundSpeed;
+        for (int d = 0; d < D; ++d)
+            t.hydrostatic.c[d] = p.diffusion == words[1] ? R(f.density*f.gravity[d]/c02) : R(0);
+        return t;
+    }
 
     template<class Q, class G, class T>
     HD void operator()(const Q& i, const Q& j, const G& g, Channels<T>& c) const

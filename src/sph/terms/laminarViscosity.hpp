@@ -6,16 +6,38 @@
 */
 #pragma once
 
-#include "sph/terms/term.hpp"
+#include "sph/terms/card.hpp"
 
 namespace riprap
 {
 
 template<class R>
-struct LaminarViscosity : TermTraits
+struct LaminarViscosity : TermCard
 {
+    static constexpr const char* word = "laminarViscosity";
+    static constexpr const char* text = "laminar viscosity (Morris et al. 1997)";
+    static constexpr TermSwitch chosenBy = termSwitch::viscosity;
+    static constexpr std::array words{"laminar", "laminarAndArtificial"};
+    static constexpr const char* coeffs = "laminarViscosity";
+    static constexpr TermEntry entries[] =
+    {
+        TermEntry("softening", "", "softening", &TermProperties::viscositySoftening).byDefault(0.01)
+    };
+    static constexpr bool atWalls = true, frequent = true;
+
     R mu;
     R softening = R(0.01);
+
+    static LaminarViscosity make(const TermProperties& p, const TermFluid& f)
+    {
+        LaminarViscosity t;
+        t.mu = R(f.viscosity);
+        t.softening = R(p.viscositySoftening);
+        return t;
+    }
+
+    static double viscosity(const TermProperties&, const TermFluid& f)
+    { return f.viscosity/f.density; }
 
     template<class Q, class G, class T>
     HD void operator()(const Q& i, const Q& j, const G& g, Channels<T>& c) const

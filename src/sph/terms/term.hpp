@@ -52,6 +52,9 @@ struct Terms : Ts...
 
 template<class... Ts> Terms(Ts...) -> Terms<Ts...>;
 
+//- What is summed: everything (leapfrog), or the half that a symplectic step needs
+enum class Part : int {all, momentum, density};
+
 //- What most terms are
 struct TermTraits
 {

@@ -4,17 +4,31 @@
 */
 #pragma once
 
-#include "sph/terms/term.hpp"
+#include "sph/terms/card.hpp"
 
 namespace riprap
 {
 
 template<class R>
-struct Xsph : TermTraits
+struct Xsph : TermCard
 {
-    static constexpr bool needsW = true;
-    static constexpr bool smooths = true;
+    static constexpr const char* word = "XSPH";
+    static constexpr const char* text = "drift with the neighbours (Monaghan 1989)";
+    static constexpr TermEntry entries[] =
+    {
+        TermEntry("XSPH", "", "XSPH", &TermProperties::xsph).in(Range::zeroOrPositive).byDefault(0)
+    };
+    static constexpr Part part = Part::density;
+    static constexpr bool needsW = true, smooths = true, frequent = true;
+
     R epsilon;
+
+    static Xsph make(const TermProperties& p, const TermFluid&)
+    {
+        Xsph t;
+        t.epsilon = R(p.xsph);
+        return t;
+    }
 
     template<class Q, class G, class T>
     HD void operator()(const Q& i, const Q& j, const G&, Channels<T>& c) const

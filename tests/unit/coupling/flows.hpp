@@ -40,8 +40,8 @@ protected:
         c.spacing = c.wallSpacing = D() == 3 ? 0.1 : 0.05;
         c.domainMax = size;
         for (int d = 0; d < 3; ++d) c.periodic[d] = periodic;
-        c.viscosityModel = ViscosityKind::artificial;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.viscosityModel = "artificial";
+        c.diffusion = "fourtakas";
         c.maxDensityDeviation = 0.5;
         c.skin = 0.1;
         return c;
@@ -198,7 +198,7 @@ protected:
     {
         SphConfig c = flowConfig({{3, 1, 0.9}}, false);
         c.periodic[0] = c.periodic[2] = true;
-        c.viscosityModel = ViscosityKind::none;
+        c.viscosityModel = "none";
         const double level = 3*c.spacing;
         Flow s{"sliding", c, lattice(c, {{0, level, 0}}, {{3, level + 0.2, deep(0.9)}}), floorOf(c, 1, level, 3), {}, {}};
         set(s.fluid, [](const Vector3&) { return Vector3{{1.9, 0, 0}}; });

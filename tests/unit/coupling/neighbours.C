@@ -63,7 +63,7 @@ TEST_P(Neighbours, FastOnesAreFound)
     const double spacing = D() == 3 ? 0.1 : 0.05, support = 2*1.25*spacing, line = 1.1*support;
     const int lines = 60;
     Flow f{"fast", flowConfig({{3, lines*line, 0.9}}, false), {}, {}, {}, {}};
-    f.c.viscosityModel = ViscosityKind::none;
+    f.c.viscosityModel = "none";
     ASSERT_DOUBLE_EQ(2*f.c.smoothingRatio*f.c.spacing, support);
     std::mt19937 engine(7);
     for (int k = 0; k < lines; ++k)

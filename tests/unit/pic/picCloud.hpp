@@ -9,6 +9,8 @@
 #include "pic/transfer/gridToParticle.hpp"
 #include "pic/transfer/moveParticles.hpp"
 #include "pic/transfer/particleToGrid.hpp"
+#include "pic/transfer/schemes/flip.hpp"
+#include "pic/transfer/schemes/pic.hpp"
 
 namespace riprap
 {
@@ -68,6 +70,7 @@ struct Cloud
         for (int d = 0; d < D; ++d) set.template add<R>("v");
         for (int d = 0; d < D*D; ++d) set.template add<R>("c");
         set.template add<std::int32_t>("id");
+        for (int k = 0; k < D*mostMemory; ++k) set.template add<R>("m");
         set.allocate(context, n, true);
         sort.allocate(context, n, grid.cells());
         std::vector<std::int32_t> id(n);
@@ -75,6 +78,7 @@ struct Cloud
         for (int d = 0; d < D; ++d) { set.upload(context, d, x[d]); set.upload(context, D + d, v[d]); }
         for (int k = 0; k < D*D; ++k) set.upload(context, 2*D + k, std::vector<R>(n, R(0)));
         set.upload(context, 2*D + D*D, id);
+        for (int k = 0; k < D*mostMemory; ++k) set.upload(context, 2*D + D*D + 1 + k, std::vector<R>(n, R(0)));
         order();
         for (int d = 0; d < D; ++d)
         {
@@ -91,6 +95,7 @@ struct Cloud
         for (int d = 0; d < D; ++d) { p.x[d] = field(double(), d); p.v[d] = field(R(), D + d); }
         for (int k = 0; k < D*D; ++k) p.affine[k] = field(R(), 2*D + k);
         p.id = field(std::int32_t(), 2*D + D*D);
+        for (int k = 0; k < D*mostMemory; ++k) p.memory[k] = field(R(), 2*D + D*D + 1 + k);
         p.place = place.data();
         p.start = sort.start();
         return p;
@@ -128,13 +133,12 @@ struct Cloud
     {
         Array<Backend, unsigned char> near;
         near.upload(context, std::vector<unsigned char>(grid.cells(), 1));
-        GridToParticle<Order, D, R> f{};
+        GridToParticle<Order, D, R, true, TakeGrid> f{};
         f.grid = grid;
         f.inverse = 1/grid.h;
         f.particles = view();
         for (int d = 0; d < D; ++d) f.u[d] = f.du[d] = u[d].data();
         f.nearWater = near.data();
-        f.picPart = 1;
         f.affine = true;
         forEach(context, n, f);
         context.synchronise();

@@ -8,6 +8,7 @@
 #include "pic/surface/redistance.hpp"
 #include "pic/transfer/cellLanes.hpp"
 #include "pic/grid/wetCells.hpp"
+#include "solvers/pic/transfer/picFamilies.hpp"
 
 namespace riprap
 {
@@ -46,15 +47,16 @@ struct Splash
         cloud.map.prepare(cloud.context, g, cloud.sort);
     }
 
-    GridToParticle<2, D, R, false> taking(double picPart, bool affine)
+    template<class Formula>
+    GridToParticle<2, D, R, false, Formula> taking(const Formula& formula, bool affine)
     {
-        GridToParticle<2, D, R, false> f{};
+        GridToParticle<2, D, R, false, Formula> f{};
         f.grid = cloud.grid;
         f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();
         for (int d = 0; d < D; ++d) { f.u[d] = u[d].data(); f.du[d] = du[d].data(); f.fall[d] = R(-0.1*d); }
         f.nearWater = near.data();
-        f.picPart = R(picPart);
+        f.formula = formula;
         f.affine = affine;
         return f;
     }
@@ -89,6 +91,7 @@ struct Splash
             for (const R s : shift[d]) all.push_back(s);
         }
         for (int k = 0; k < D*D; ++k) for (const R c : cloud.set.template download<R>(cloud.context, 2*D + k)) all.push_back(c);
+        for (int k = 0; k < D*mostMemory; ++k) for (const R m : cloud.set.template download<R>(cloud.context, 2*D + D*D + 1 + k)) all.push_back(m);
         return all;
     }
 
@@ -111,17 +114,33 @@ TYPED_TEST(PicRows, ParticlesTakeInLanesWhatTheyTakeOneByOne)
 {
     using C = TypeParam;
     if constexpr (C::D == 2)
-        for (const double part : {0.0, 0.3, 1.0})
+    {
+        // once more, where there is something to remember
+        const auto agree = [](const auto& formula, const std::string& name)
+        {
             for (const bool affine : {false, true})
             {
                 Splash<C> one(1), lanes(1);
                 const auto before = one.state();
-                forEach(one.cloud.context, one.cloud.n, one.taking(part, affine));
                 const auto& tiles = lanes.cloud.map.occupied();
-                forEachRow(lanes.cloud.context, tiles.count(), GridToCells<typename C::real, false>{lanes.taking(part, affine), tiles.tiles(), tiles.list()});
+                for (int k = 0; k < 2; ++k)
+                {
+                    forEach(one.cloud.context, one.cloud.n, one.taking(formula, affine));
+                    forEachRow(lanes.cloud.context, tiles.count(), cellsOf(lanes.taking(formula, affine), tiles.tiles(), tiles.list()));
+                }
                 EXPECT_GT(apart(before, one.state()), 0.01);
-                EXPECT_LT(apart(one.state(), lanes.state()), 100*C::epsilon) << part << affine;
+                EXPECT_LT(apart(one.state(), lanes.state()), 100*C::epsilon) << name << affine;
             }
+        };
+        Transfers::each([&](auto scheme)
+        {
+            using Scheme = typename decltype(scheme)::type;
+            TransferProperties numbers;
+            for (const TransferEntry& e : Scheme::entries) if (!e.yesNo) e.set(numbers, e.typical);
+            agree(Scheme::template make<typename C::real>(numbers, 0.5*std::min(Scheme::timeStep(numbers), 1.0)), Scheme::word);
+        });
+        agree(FlipPic::of(typename C::real(1)), "a share of 1");
+    }
     else GTEST_SKIP() << "in 2D alone";
 }
 

@@ -145,7 +145,7 @@ PIC_TEST(SprayGainsNoEnergy)
         Array<Backend, R> du[D];
         Array<Backend, unsigned char> near;
         near.upload(cloud.context, std::vector<unsigned char>(cloud.grid.cells(), water));
-        GridToParticle<2, D, R> f{};
+        GridToParticle<2, D, R, true, Flip::Formula<R>> f{};
         f.grid = cloud.grid;
         f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();

@@ -1,10 +1,12 @@
-/*  Each pair term through FluidPass::pair on the device, for random single pairs, against the paper's equation in double.
+/*  Pair terms through FluidPass::pair on the device, for random single pairs: against the paper's
+    equation in double, and each of the table against itself in double on the host.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "backendTest.hpp"
 #include "paperEquations.hpp"
 #include "solvers/sph/sphFamilies.hpp"
+#include "termTables.hpp"
 
 namespace riprap
 {
@@ -37,9 +39,6 @@ struct OnePair
         for (int c = 0; c < Pass::channels; ++c) sums[Pass::channels*k + c] = s[c];
     }
 };
-
-template<class Kernel> constexpr KernelKind kindOf()
-{ return std::is_same<Kernel, WendlandC2>::value ? KernelKind::wendlandC2 : KernelKind::cubicSpline; }
 
 template<class C>
 class TermTest : public BackendTest
@@ -126,7 +125,7 @@ public:
             for (int d = 0; d < D; ++d) separation[d] = dx[k].c[d];
             auto other = particle(j[k], S == 0 ? mass : wallMass);
             if (movingWall) for (int d = 0; d < D; ++d) other.u[d] = wallVelocity[d][k];      // else 0
-            paper::Pair p(kindOf<Kernel>(), D, particle(i[k], mass), other, separation);
+            paper::Pair p(Kernel::word, D, particle(i[k], mass), other, separation);
             reference(p);
             for (int d = 0; d < D; ++d)
             {
@@ -154,14 +153,18 @@ public:
         }
     }
 
-    //- Both kernels, constant and variable h
+    //- All kernels, constant and variable h
     template<Part part, int S, class Terms, class Reference>
     void compare(const Terms& terms, const Reference& reference, bool movingWall = false)
     {
-        { SCOPED_TRACE("wendlandC2"); compareKernel<WendlandC2, false, part, S>(terms, reference, movingWall); }
-        { SCOPED_TRACE("wendlandC2, variable h"); compareKernel<WendlandC2, true, part, S>(terms, reference, movingWall); }
-        { SCOPED_TRACE("cubicSpline"); compareKernel<CubicSpline, false, part, S>(terms, reference, movingWall); }
-        { SCOPED_TRACE("cubicSpline, variable h"); compareKernel<CubicSpline, true, part, S>(terms, reference, movingWall); }
+        Kernels::each([&](auto kernel)
+        {
+            using Kernel = typename decltype(kernel)::type;
+            SCOPED_TRACE(Kernel::word);
+            compareKernel<Kernel, false, part, S>(terms, reference, movingWall);
+            SCOPED_TRACE("variable h");
+            compareKernel<Kernel, true, part, S>(terms, reference, movingWall);
+        });
     }
 };
 
@@ -248,12 +251,69 @@ TYPED_TEST(PairTerm, TogetherTheyAdd)
     antiClump.epsilon = real(0.01);
     Xsph<real> xsph;
     xsph.epsilon = real(0.5);
-    const Switchable<ArtificialViscosity<real>> off({{}, real(1e9)}, false);
+    ArtificialViscosity<real> artificial;
+    artificial.alphaC0 = real(1e9);
+    const Switchable<ArtificialViscosity<real>> off(artificial, false);
     this->template compare<Part::all, 0>
     (
         Terms{Pressure{}, Continuity{}, laminar, antiClump, xsph, off},
         [](auto& p) { p.pressure(); p.continuity(); p.laminar(0.7); p.antiClump(0.01, spacing); p.xsph(0.5); }
     );
+}
+
+//- What a term adds in double; at walls with the wall's own velocity, as in FluidPass
+template<int D, class Term>
+void addTerm(const Term& term, paper::Pair& p, bool wall)
+{
+    using paper::operator-;
+    PairGeometry<D, double> g{};
+    PairParticle<D, double> i{}, j{};
+    for (int d = 0; d < D; ++d)
+    {
+        g.dx.c[d] = p.x[d];
+        g.dv.c[d] = p.v[d];
+        i.velocity.c[d] = p.i.v[d];
+        j.velocity.c[d] = p.j.v[d];
+    }
+    g.r2 = p.r2;
+    g.h = p.h;
+    g.approach = paper::dot(wall ? p.i.v - p.j.u : p.v, p.x);
+    g.f = paper::dot(p.x, p.grad)/p.r2;
+    g.w = p.w;
+    g.wRatio = p.w/paper::W(p.kernel, D, spacing, p.h);
+    i.density = p.i.rho;
+    j.density = p.j.rho;
+    i.pressureTerm = p.i.p/(p.i.rho*p.i.rho);
+    j.pressureTerm = p.j.p/(p.j.rho*p.j.rho);
+    Channels<double> c{0, 0, 0, 0};
+    term(i, j, g, c);
+    paper::add(p.a, p.j.m*g.f*c.radial, p.x);
+    paper::add(p.a, p.j.m*g.f*c.cross, p.v);
+    p.rate += p.j.m*g.f*c.rate;
+    paper::add(p.drift, -p.j.m*p.w*c.smooth, p.v);
+}
+
+TYPED_TEST(PairTerm, EachOfTheTableAsInDouble)
+{
+    constexpr int D = TypeParam::D;
+    TermFluid f = triedFluid(D, spacing, h0);
+    f.density = rho0;
+    f.soundSpeed = c0;
+    eachTerm<D, typename TypeParam::real>([&](auto rounded, auto exact)
+    {
+        using Term = typename decltype(rounded)::type;
+        using Exact = typename decltype(exact)::type;
+        for (const TermProperties& p : typicalTerms<Term>())
+        {
+            SCOPED_TRACE(std::string(Term::word) + " " + Term::chosenBy.word(p));
+            const Exact expected = Exact::make(p, f);
+            this->template compareKernel<WendlandC2, true, Part::all, 0>
+                (Terms<Term>{Term::make(p, f)}, [&](auto& pair) { addTerm<D>(expected, pair, false); }, false);
+            if constexpr (Term::atWalls)
+                this->template compareKernel<WendlandC2, true, Part::all, 1>
+                    (Terms<Term>{Term::make(p, f)}, [&](auto& pair) { addTerm<D>(expected, pair, true); }, true);
+        }
+    });
 }
 
 } // namespace

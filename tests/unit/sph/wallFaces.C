@@ -448,7 +448,7 @@ TEST_P(WallFaces, HoldACrowd)
     SphConfig c = config();
     c.maxVelocity = 20;
     c.soundSpeed = 40;
-    c.viscosityModel = ViscosityKind::artificial;
+    c.viscosityModel = "artificial";
     c.artificialAlpha = 0.2;
     c.gravity[D() - 1] = -10;
     WallInput w = tank();

@@ -9,6 +9,7 @@
 #include "particleCloudIO.H"
 #include "sphDictionaries.H"
 #include "sphRun.H"
+#include "solvers/sph/sphModels.hpp"
 #include "OSspecific.H"
 #include "addToRunTimeSelectionTable.H"
 #include <map>
@@ -89,7 +90,7 @@ bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
         rule_.support =
             onGrid()
           ? usualSupport*spacing_
-          : 2*sph().config().smoothingRatio*spacing_;
+          : riprap::supportOf(sph().config());
     }
     else
     {

@@ -14,16 +14,15 @@
     Where planes (wallSight.hpp) hide more than wall points fill, at thin walls and rims, what they hide is
     integrated. What is seen is star-shaped about the point, with R(u) its extent along the direction u:
 
-        hidden = <A(R)>,  A(R) = S int_R^2h W r^(D-1) dr,   moment = <u B(R)>,  B(R) = S int_R^2h W r^D dr
+        hidden = <A(R)>,      A(R) = S int_R^s W r^(D-1) dr
+        moment = <u B(R)>,    B(R) = S int_R^s W r^D dr
 
-    <> the mean over directions, S the surface of the unit ball.
+    <> the mean over directions, S the surface of the unit ball, s the support.
 */
 #ifndef wallCoverage_hpp
 #define wallCoverage_hpp
 
-#include "api/sphScene.hpp"
-#include "sph/kernels/cubicSpline.hpp"
-#include "sph/kernels/wendlandC2.hpp"
+#include "solvers/sph/sphModels.hpp"
 #include "wallSight.hpp"
 
 #include <array>
@@ -45,11 +44,11 @@ class WallCoverage
     // Part of the support by which wall points may miss what planes hide: 30 times a lattice's error
     static constexpr double missing = 0.03;
 
-    static constexpr int rings = 64;                // from 0 to 2h
+    static constexpr int rings = 64;                // from 0 to the support
 
     int dimensions_;
     int axes_[3];
-    KernelKind kernel_;
+    const KernelModel& kernel_;
     double h_, volume_;                             // [m], V_w
     std::array<double, rings + 1> beyond_{}, momentBeyond_{};       // A, B
     std::vector<Vector3> directions_;
@@ -57,11 +56,7 @@ class WallCoverage
     //- W [1/m^D]
     double weight(double r) const
     {
-        const double q = r/h_;
-        const bool wendland = kernel_ == KernelKind::wendlandC2;
-        return
-            (wendland ? WendlandC2::alpha(dimensions_) : CubicSpline::alpha(dimensions_))
-           *(wendland ? WendlandC2::value(q) : CubicSpline::value(q))/std::pow(h_, dimensions_);
+        return kernel_.weight(dimensions_, r, h_);
     }
 
     void integrateRings()
@@ -130,7 +125,7 @@ public:
     :
         dimensions_(config.dimensions),
         axes_{config.axes[0], config.axes[1], config.axes[2]},
-        kernel_(config.kernel),
+        kernel_(kernelOf(config.kernel)),
         h_(config.smoothingRatio*config.spacing),
         volume_(std::pow(config.wallSpacing, config.dimensions))
     {
@@ -140,7 +135,7 @@ public:
 
     double support() const
     {
-        return 2*h_;
+        return kernel_.support*h_;
     }
 
     //- Of wall points near a point, and of planes that hide fluid from it

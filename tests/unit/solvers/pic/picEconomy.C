@@ -91,7 +91,7 @@ TEST_P(PicEconomy, EachFieldHasItsUse)
     EXPECT_EQ(all.arrays.at("v"), D());
     EXPECT_EQ(all.arrays.at("affine"), D()*D());
 
-    c.affine = false;
+    c.transferNumbers.affine = false;
     EXPECT_EQ(cost(c).arrays.count("affine"), 0u);
     c.positionCorrection = 0;
     none(cost(c), {"correctPositions"});

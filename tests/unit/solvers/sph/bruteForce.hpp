@@ -17,12 +17,13 @@ public:
     std::vector<Vector3> acceleration, drift;
     std::vector<double> rate;               // drho/dt
     std::vector<double> wallPressure;
-    double neighbours = 0;                  // a particle, within 2 h0, walls included
+    double neighbours = 0;                  // a particle, within the support at rest density, walls included
 
     BruteForce(const SphConfig& config, const FluidInput& f, const WallInput& w = {}, const Vector3& wallSpeed = {{0, 0, 0}})
     : c(config)
     {
         h0 = c.smoothingRatio*c.spacing;
+        support = supportOf(c);
         for (std::size_t i = 0; i < f.size(); ++i) fluid.push_back(fluidParticle(f, i));
         for (std::size_t i = 0; i < w.size(); ++i) walls.push_back(wallPoint(w, i, wallSpeed));
         for (const auto& p : walls) wallPressure.push_back(p.p);
@@ -33,7 +34,7 @@ public:
 private:
 
     SphConfig c;
-    double h0;
+    double h0, support;
     std::vector<paper::Particle> fluid, walls;
 
     double pressure(double rho) const
@@ -121,8 +122,8 @@ private:
     {
         Vector3 a = solved(c.gravity), u{{0, 0, 0}}, gradC{{0, 0, 0}};
         double r = 0, divergence = 0;
-        const bool laminar = c.viscosityModel == ViscosityKind::laminar || c.viscosityModel == ViscosityKind::laminarAndArtificial;
-        const bool artificial = c.viscosityModel == ViscosityKind::artificial || c.viscosityModel == ViscosityKind::laminarAndArtificial;
+        const bool laminar = c.viscosityModel == "laminar" || c.viscosityModel == "laminarAndArtificial";
+        const bool artificial = c.viscosityModel == "artificial" || c.viscosityModel == "laminarAndArtificial";
         const auto take = [&](paper::Pair& p)
         {
             paper::add(a, 1, p.a);
@@ -130,7 +131,7 @@ private:
             r += p.rate;
             paper::add(gradC, p.j.m/p.j.rho, p.grad);
             divergence -= p.j.m/p.j.rho*paper::dot(p.x, p.grad);
-            if (p.r2 > 0 && p.r2 < 4*h0*h0) ++neighbours;
+            if (p.r2 > 0 && p.r2 < support*support) ++neighbours;
         };
         for (std::size_t j = 0; j < fluid.size(); ++j)
         {
@@ -142,8 +143,8 @@ private:
             if (artificial) p.artificial(c.artificialAlpha, c.soundSpeed);
             if (c.antiClump > 0) p.antiClump(c.antiClump, c.spacing);
             if (c.xsph > 0) p.xsph(c.xsph);
-            if (c.diffusion == DiffusionKind::molteni) p.diffusion(c.diffusionDelta, c.soundSpeed, c.density, {{0, 0, 0}});
-            if (c.diffusion == DiffusionKind::fourtakas)
+            if (c.diffusion == "molteni") p.diffusion(c.diffusionDelta, c.soundSpeed, c.density, {{0, 0, 0}});
+            if (c.diffusion == "fourtakas")
                 p.diffusion(c.diffusionDelta, c.soundSpeed, c.density, solved(c.gravity));
             take(p);
         }

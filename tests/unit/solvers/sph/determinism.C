@@ -18,11 +18,11 @@ protected:
     SphConfig full() const
     {
         SphConfig c = tank();
-        c.viscosityModel = ViscosityKind::laminarAndArtificial;
+        c.viscosityModel = "laminarAndArtificial";
         c.viscosity = 0.1;
         c.antiClump = 0.01;
         c.xsph = 0.3;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.diffusion = "fourtakas";
         c.shifting = ShiftingKind::fickian;
         c.variableSmoothing = true;
         return c;

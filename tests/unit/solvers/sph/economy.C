@@ -29,7 +29,7 @@ protected:
         c.wallSpacing = c.spacing;
         c.gravity = {{0, -9.81, 0}};
         c.soundSpeed = 30;
-        c.viscosityModel = ViscosityKind::laminar;
+        c.viscosityModel = "laminar";
         c.viscosity = 1e-3;
         return c;
     }
@@ -177,11 +177,11 @@ TEST_P(Economy, KernelsWithoutWalls)
     other.variableSmoothing = true;
     expectKernels("variable h", other, false, false, always());
     other = c;
-    other.viscosityModel = ViscosityKind::none;
+    other.viscosityModel = "none";
     expectKernels("no viscosity", other, false, false, always());
     other.xsph = 0.5;
     other.antiClump = 0.01;
-    other.diffusion = DiffusionKind::fourtakas;
+    other.diffusion = "fourtakas";
     other.shifting = ShiftingKind::fickian;
     expectKernels("all terms in one pass", other, false, false, always());
     other = c;
@@ -216,10 +216,10 @@ TEST_P(Economy, ArraysWithoutWalls)
     const SphConfig c = base();
     expectArrays("constant h", c, false, false, fluidArrays());
     SphConfig other = c;
-    other.viscosityModel = ViscosityKind::none;
+    other.viscosityModel = "none";
     expectArrays("no viscosity", other, false, false, fluidArrays());
     other.antiClump = 0.01;
-    other.diffusion = DiffusionKind::fourtakas;
+    other.diffusion = "fourtakas";
     expectArrays("anti-clump term and diffusion", other, false, false, fluidArrays());
     other = c;
     other.integrator = IntegratorKind::symplectic;

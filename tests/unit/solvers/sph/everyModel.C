@@ -30,12 +30,12 @@ protected:
         c.wallModel = m.walls;
         c.variableSmoothing = m.variableSmoothing;
         c.viscosity = 0.1;
-        c.viscosityModel = m.everyTerm ? ViscosityKind::laminarAndArtificial : ViscosityKind::laminar;
+        c.viscosityModel = m.everyTerm ? "laminarAndArtificial" : "laminar";
         if (m.everyTerm)
         {
             c.antiClump = 0.01;
             c.xsph = 0.3;
-            c.diffusion = DiffusionKind::fourtakas;
+            c.diffusion = "fourtakas";
             c.shifting = ShiftingKind::fickian;
         }
         // The same times in every precision, and neighbours sought anew every few steps

@@ -26,9 +26,9 @@ protected:
         c.gravity = {{0, -g, 0}};
         c.maxVelocity = std::sqrt(2*g*height);
         c.soundSpeed = 10*c.maxVelocity;
-        c.viscosityModel = ViscosityKind::artificial;
+        c.viscosityModel = "artificial";
         c.artificialAlpha = 0.1;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.diffusion = "fourtakas";
         return c;
     }
 

@@ -16,12 +16,12 @@ protected:
     //- All terms that pairs have
     static void everyTerm(SphConfig& c)
     {
-        c.viscosityModel = ViscosityKind::laminarAndArtificial;
+        c.viscosityModel = "laminarAndArtificial";
         c.viscosity = 5;
         c.artificialAlpha = 0.1;
         c.antiClump = 0.01;
         c.xsph = 0.5;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.diffusion = "fourtakas";
         c.shifting = ShiftingKind::fickian;
     }
 
@@ -66,7 +66,7 @@ TEST_P(Motion, FreeFall)
         {
             SphConfig c = config();
             everyTerm(c);
-            c.diffusion = DiffusionKind::molteni;       // fourtakas expects the pressure of a fluid that rests,
+            c.diffusion = "molteni";       // fourtakas expects the pressure of a fluid that rests,
             c.shifting = ShiftingKind::none;            // and shifting moves what is fast
             c.integrator = integrator;
             c.gravity = {{1, -9.81, 2}};

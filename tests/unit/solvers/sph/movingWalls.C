@@ -135,7 +135,7 @@ TEST_P(MovingWalls, AccelerationEntersTheirPressure)
 {
     // Adami et al. 2012, Eq. 27: what accelerates with a_w feels g - a_w. The fluid at rest in both frames
     SphConfig c = tank();
-    c.viscosityModel = ViscosityKind::none;
+    c.viscosityModel = "none";
     WallInput w = walls(c);
     w.nBodies = 1;
     w.body.assign(w.size(), 0);
@@ -155,8 +155,8 @@ TEST_P(MovingWalls, PistonPushesTheFluid)
     {
         SphConfig c = tank();
         c.integrator = integrator;
-        c.viscosityModel = ViscosityKind::none;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.viscosityModel = "none";
+        c.diffusion = "fourtakas";
         WallInput w = walls(c);
         makePiston(w);
         const FluidInput f = full(c);
@@ -192,7 +192,7 @@ TEST_P(MovingWalls, PressureWorkIsThatOfThePairs)
 {
     SphConfig c = tank();
     c.integrator = IntegratorKind::symplectic;
-    c.viscosityModel = ViscosityKind::none;
+    c.viscosityModel = "none";
     c.adjustTimeStep = false;
     c.fixedTimeStep = 1e-6;
     WallInput w = walls(c);
@@ -233,7 +233,7 @@ TEST_P(MovingWalls, ForcesBelongToTheState)
 {
     SphConfig c = tank();
     c.integrator = IntegratorKind::symplectic;      // its last forces are those of the state it leaves
-    c.viscosityModel = ViscosityKind::none;
+    c.viscosityModel = "none";
     WallInput w = walls(c);
     makePiston(w);
     const FluidInput f = full(c);

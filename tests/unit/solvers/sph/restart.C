@@ -122,7 +122,7 @@ TEST_P(Restart, VariableSmoothingAndDrifts)
         c.xsph = 0.5;
         c.antiClump = 0.01;
         c.shifting = ShiftingKind::fickian;
-        c.diffusion = DiffusionKind::molteni;
+        c.diffusion = "molteni";
         continueFrom(c, false);
     }
 }

@@ -92,7 +92,7 @@ TEST_P(Stiffness, EnergyIsAccountedFor)
 TEST_P(Stiffness, NothingIsGained)
 {
     SphConfig c = tank();
-    c.diffusion = DiffusionKind::fourtakas;
+    c.diffusion = "fourtakas";
     c.integrator = IntegratorKind::symplectic;
     const auto s = scene(c, column(c), walls(c));
     double least = 1e300;
@@ -159,7 +159,7 @@ TEST_P(Stiffness, RestartIsExact)
         FluidInput f;
         SphConfig c = moving(f);
         c.integrator = integrator;
-        c.diffusion = DiffusionKind::fourtakas;
+        c.diffusion = "fourtakas";
         const WallInput w = walls(c);
         const auto first = scene(c, f, w);
         first->advance(0.02);

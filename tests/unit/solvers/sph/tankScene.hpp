@@ -26,7 +26,7 @@ protected:
         c.gravity = {{0, -9.81, 0}};
         c.maxVelocity = 2.8;            // sqrt(2 g 0.4)
         c.soundSpeed = 28;
-        c.viscosityModel = ViscosityKind::artificial;
+        c.viscosityModel = "artificial";
         return c;
     }
 
