@@ -18,6 +18,8 @@
 namespace riprap
 {
 
+class Transport;
+
 enum class DemIntegratorKind {leapfrog, velocityVerlet};
 
 struct DemConfig
@@ -56,6 +58,10 @@ struct DemConfig
     double sleepAfter = 0;                  // [s]
 
     bool orientation = false;               // follow how particles have turned (output)
+
+    // Several processes: each is given the whole scene, and keeps its part (docs/parallel.md). Null, or of one rank: there are no others
+    Transport* ranks = nullptr;             // lives longer than the scene
+    double imbalance = 0.1;                 // the largest part may be so much above the mean before space is divided anew
 };
 
 struct DemMaterial
@@ -226,6 +232,15 @@ DemPlan planDemScene(const DemConfig&, const DemInput&);
 
 enum class DemStop {none, notANumber, tooFast};
 
+//- What one of several processes has and has sent, all in all
+struct DemRankReport
+{
+    std::size_t owned = 0, ghosts = 0;      // particles now
+    std::int64_t arrivals = 0;              // that came from others
+    std::int64_t divisions = 0;             // of space over ranks
+    std::int64_t bytesInSteps = 0, bytesAtRebuilds = 0;
+};
+
 struct DemReport
 {
     double time = 0, lastTimeStep = 0;
@@ -244,6 +259,7 @@ struct DemReport
     Vector3 stopPosition{{0, 0, 0}};
     double stopValue = 0;
     std::string stopMessage;                // of particle stopId; of none where that is -1
+    DemRankReport rank;                     // of several processes. `escaped` and `passed` are of this one, the rest is of all
 };
 
 //- Particles on the host, in the device's order

@@ -8,6 +8,7 @@
 #include <iostream>
 #include "../unitFoam/ballsInWater.hpp"
 #include "../unitFoam/testTime.H"
+#include "particlesOnRanks.H"
 #include "pic/bodies/deflation.hpp"
 #include "pressureSolver.H"
 #include "processRanks.H"
@@ -335,5 +336,6 @@ int main(int argc, char* argv[])
         compare<3>("blocks3D." + preconditioner, [] { return spheres(true); }, mixed, preconditioner, blocks(7));
         compare<2>("layers." + preconditioner, [] { return disks(false); }, mixed, preconditioner, layers(52), {false, more});
     }
+    failures += particlesOnRanks();
     return failures ? 1 : 0;
 }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The pressure with free bodies solved by one to four processes together (tests/ranks).
+# What one to four processes do together (tests/ranks): the pressure with free bodies, particles that change their process, scenes of spheres.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

@@ -118,6 +118,19 @@ public:
         count_.allocate(context, std::size_t(blocks_)*width);
     }
 
+    //- Lists of n particles from now on, of which those behind the present ones are empty (CPU)
+    void resize(Context<Backend>& context, int n)
+    {
+        std::vector<int> base = base_.download(), count = count_.download();
+        base.resize(std::size_t(n) + 1, base.empty() ? 0 : base.back());
+        count.resize(n, 0);
+        base_ = Array<Backend, int>();
+        count_ = Array<Backend, int>();
+        base_.upload(context, base);
+        count_.upload(context, count);
+        blocks_ = n;
+    }
+
     //- Room for so many entries
     void reserve(Context<Backend>& context, std::size_t entries, int histories, bool rests)
     {

@@ -260,7 +260,7 @@ struct SumEnergies : SolidMotion<D, P>
     HD void add(int i, double* sums) const
     {
         const SolidFields<D, P>& s = this->fields;
-        if (i >= *this->active || (s.clump && s.clump[i] >= 0)) return;
+        if (i >= *this->active || (s.clump && s.clump[i] >= 0) || s.ghost(i)) return;
         const GroupData<D, real>& group = this->groups[s.group[i]];
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);

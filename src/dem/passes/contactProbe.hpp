@@ -94,10 +94,11 @@ struct SumContactEnergy
 {
     static constexpr const char* name = "contactEnergy";
     ContactProbe<Backend, D, P, Law> probe;
+    const std::int32_t* calm = nullptr;     // of a scene on several ranks: a pair is with the rank of its owner
 
     HD void add(int i, double* sums) const
     {
-        if (i >= *probe.active) return;
+        if (i >= *probe.active || (calm && calm[i] == ghostMark)) return;
         for (int k = 0; k < probe.list.count[i]; ++k)
             sums[0] += double(probe.probe(i, k).energy)*(Backend::gpu ? 0.5 : 1.0);
     }

@@ -37,7 +37,9 @@ struct DeferredForces
     std::vector<Range> range;
     std::vector<int> firstRange;        // of each block
 
-    int begin(int block) const { return int((long long)n*block/blocks); }
+    std::vector<int> cuts;              // of blocks given from outside; empty: they are of one size
+
+    int begin(int block) const { return cuts.empty() ? int((long long)n*block/blocks) : cuts[block]; }
 
     //- After a rebuild, and when someone fell asleep or woke: leave out entries between those that sleep
     template<class List, class Asleep>
@@ -75,12 +77,15 @@ struct DeferredForces
         }
     }
 
-    //- After a rebuild
+    static int blocksOf(std::int64_t particles) { return int(std::max<std::int64_t>(1, particles/particlesPerBlock)); }
+
+    //- After a rebuild. given: the first particle of each block, and the end
     template<class List>
-    void set(int particles, const List& list)
+    void set(int particles, const List& list, const std::vector<int>& given = {})
     {
         n = particles;
-        blocks = std::max(1, n/particlesPerBlock);
+        cuts = given;
+        blocks = cuts.empty() ? blocksOf(n) : int(cuts.size()) - 1;
         firstSlot.assign(blocks + 1, 0);
         firstOf.assign(n + 1, 0);
         if (blocks == 1) return;

@@ -14,6 +14,9 @@ namespace riprap
 //- From this count of calm checks on a particle sleeps
 static constexpr std::int32_t asleepFrom = 1 << 20;
 
+//- Instead of it, of another rank's particle
+static constexpr std::int32_t ghostMark = 1 << 29;
+
 template<int D, class P>
 struct SolidFields
 {
@@ -35,6 +38,7 @@ struct SolidFields
     std::int32_t* id;
     std::int32_t* calm;         // checks at rest in a row; null: nobody sleeps
 
+    HD bool ghost(int i) const { return calm && calm[i] == ghostMark; }
     HD bool asleep(int i) const { return calm && calm[i] >= asleepFrom; }
 
     HD Vec<D, std::int64_t> position(int i) const

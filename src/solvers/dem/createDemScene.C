@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 #include "core/backend/device.hpp"
+#include "core/ranks/transport.hpp"
 #include "api/particleLimit.hpp"
 #include "solvers/dem/demInstances.hpp"
 #include "solvers/dem/demLaws.hpp"
@@ -47,6 +48,17 @@ void checkConfig(const DemConfig& c)
         require(c.domainMax[c.axes[d]] > c.domainMin[c.axes[d]], "the domain is empty");
         require(std::isfinite(c.gravity[c.axes[d]]), "gravity must be a number");
     }
+}
+
+//- What scenes on several processes cannot have yet
+void checkRanks(const DemConfig& c, const DemInput& in)
+{
+    if (!c.ranks || c.ranks->size() < 2) return;
+    require(c.device != DeviceKind::gpu, "several processes run on CPUs alone");
+    require(in.clumps.empty(), "rigid bodies of several particles run on one process");
+    require(in.bonds.size() == 0, "bonds run on one process");
+    require(c.sleepSpeed <= 0, "particles sleep on one process alone");
+    require(c.imbalance > 0, "the imbalance that bricks may have must be positive");
 }
 
 void checkIds(const DemParticles& p)
@@ -306,6 +318,7 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     checkClumps(config, input);
     checkBodies(config, input);
     checkWalls(config, input);
+    checkRanks(config, input);
     const DemPlan plan = planDemScene(config, input);
     require(plan.timeStep < 1e20, "nothing limits the time step: it must be given");
     if (plan.timeStep > plan.hardStop*(1 + 1e-9) && !config.allowLargeStep)
@@ -317,7 +330,8 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     }
     // idle lanes of packs may divide by zero, and a state that blows up is the guards' business
     fedisableexcept(FE_ALL_EXCEPT);
-    const DeviceChoice choice = chooseDevice(config.device, input.particles.size(), config.dimensions);
+    const bool several = config.ranks && config.ranks->size() > 1;
+    const DeviceChoice choice = chooseDevice(several ? DeviceKind::cpu : config.device, input.particles.size(), config.dimensions);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
     if (choice.device == DeviceKind::gpu)

@@ -15,7 +15,7 @@ namespace riprap
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::finished() const
 {
-    return host_.halt != DemHalt::none || host_.time >= host_.target || host_.step >= host_.lastStep || interrupted_;
+    return host_.halt != DemHalt::none || host_.time >= host_.target || host_.step >= host_.lastStep || stopped();
 }
 
 template<class Backend, int D, class P>
@@ -46,7 +46,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
                     checkSleep(false);
                 }
             }
-            while (clock_.data()->active && !interrupted_);
+            while (clock_.data()->active && !stopped());
         }
         else
         {
@@ -70,7 +70,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 template<class Backend, int D, class P>
 DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
-    interrupted_ = false;
+    interrupted_ = stopAgreed_ = false;
     DemReport report;
     readClock();
     const std::int64_t before = host_.step;
@@ -116,7 +116,7 @@ double DemSolver<Backend, D, P>::largestSpeed()
     forEach(context_, Kernel::shares, Kernel{fields(), sort_.active(), largest.data()});
     float most = 0;
     for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
-    return std::sqrt(double(most));
+    return largestOfRanks(std::sqrt(double(most)));
 }
 
 template<class Backend, int D, class P>
@@ -131,6 +131,18 @@ std::size_t DemSolver<Backend, D, P>::brokenBonds()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
 {
+    if (others_)
+    {
+        report.particles = std::size_t(others_->total());
+        report.escaped.swap(escaped_);
+        report.escapedId.swap(escapedId_);
+        const ParticleExchange::Counts& c = others_->counts();
+        report.rank = DemRankReport
+        {
+            std::size_t(others_->ownedHere()), std::size_t(others_->ghostsHere()), c.arrivals, c.divisions, c.bytesShared, c.bytesMigrating
+        };
+        return;
+    }
     const int active = activeSolids();
     report.particles = active;
     if (active >= reported_) return;
@@ -154,9 +166,11 @@ void DemSolver<Backend, D, P>::collectPassed(DemReport& report)
 {
     if (!surfaces_) return;
     const WallPassings passed = passed_.download()[0];
-    if (!passed.count) return;
-    report.passedWalls = std::size_t(passed.count);
-    report.passedId = ids_[passed.key];
+    const std::int64_t count = passed.count + passedBefore_;
+    if (!count) return;
+    report.passedWalls = std::size_t(count);
+    report.passedId = passedBefore_ ? passedIdBefore_ : ids_[passed.key];
+    passedBefore_ = 0;
     clearPassed();
 }
 
@@ -179,37 +193,50 @@ std::vector<double> DemSolver<Backend, D, P>::offences(int n)
     return value;
 }
 
+static constexpr const char* passingCure =
+    ": it passes through what it meets; take a shorter step, and contacts that are stiff enough for this speed";
+
 //- Which particle made a guard fire, and why: "particle 7 at .. " goes before it
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::findOffender(DemReport& report)
 {
-    std::ostringstream s;
-    s.precision(6);
-    const std::string cure = ": it passes through what it meets; take a shorter step, and contacts that are stiff enough for this speed";
     if (host_.halt == DemHalt::wallTooFar)
     {
         report.stop = DemStop::tooFast;
-        s << "a wall goes farther in a step of " << host_.dt << " s than the radius of the smallest particle, " << radii_.smallest << " m" << cure;
+        std::ostringstream s;
+        s.precision(6);
+        s << "a wall goes farther in a step of " << host_.dt << " s than the radius of the smallest particle, " << radii_.smallest << " m" << passingCure;
         report.stopMessage = s.str();
         return;
     }
+    if (others_) return findOffenderOfRanks(report);
     const int n = activeSolids();
-    const std::vector<double> offence = offences(n), x = positions(n);
+    const std::vector<double> offence = offences(n);
     if (n == 0) return;
     const int worst = int(std::max_element(offence.begin(), offence.end()) - offence.begin());
+    describeOffender(report, worst, offence[worst]);
+}
+
+//- offence: as offences() has it
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::describeOffender(DemReport& report, int worst, double offence)
+{
+    std::ostringstream s;
+    s.precision(6);
+    const std::vector<double> x = positions(worst + 1);
     double speed2 = 0;
     for (int d = 0; d < D; ++d) { const double v = field<double>(vField_ + d)[worst]; speed2 += v*v; }
     report.stopId = ids_[field<std::int32_t>(idField_)[worst]];
     report.stopPosition = Vector3{{x[3*worst], x[3*worst + 1], x[3*worst + 2]}};
-    report.stopValue = std::isfinite(offence[worst]) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
-    report.stop = !std::isfinite(offence[worst]) ? DemStop::notANumber : DemStop::tooFast;
+    report.stopValue = std::isfinite(offence) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
+    report.stop = !std::isfinite(offence) ? DemStop::notANumber : DemStop::tooFast;
     if (report.stop == DemStop::notANumber) s << "has a velocity that is not a number";
     else
     {
         const double radius = double(field<real>(radiusField_)[worst]);
-        s << "goes " << offence[worst]*radius << " m in a step of " << host_.dt << " s, at " << report.stopValue << " m/s, and ";
+        s << "goes " << offence*radius << " m in a step of " << host_.dt << " s, at " << report.stopValue << " m/s, and ";
         if (driven_) s << "lists of neighbours reach " << double(halfSkin_) << " m: the fluid's blow on it is too hard for this time step";
-        else s << "its radius is " << radius << " m" << cure;
+        else s << "its radius is " << radius << " m" << passingCure;
     }
     report.stopMessage = s.str();
 }

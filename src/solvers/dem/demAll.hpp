@@ -12,6 +12,7 @@
 #include "solvers/dem/demAdvance.hpp"
 #include "solvers/dem/demCoupling.hpp"
 #include "solvers/dem/demOutput.hpp"
+#include "solvers/dem/demRanks.hpp"
 #include "solvers/dem/demSleep.hpp"
 #include "solvers/dem/demState.hpp"
 #include "solvers/dem/demInstances.hpp"

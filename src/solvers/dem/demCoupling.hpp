@@ -23,6 +23,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
 template<class Backend, int D, class P>
 typename P::real* DemSolver<Backend, D, P>::external()
 {
+    requireAlone("solids in a fluid");
     if (!external_.size()) external_.upload(context_, std::vector<real>(std::size_t(n_)*(D + S), real(0)));
     driven_ = true;
     suddenWay_ = real(0.1)*halfSkin_;       // the fluid's blow of a step may be harder than any of the bodies' own

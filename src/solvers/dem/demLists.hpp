@@ -16,6 +16,7 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
     if (nClumps_) forEach(context_, n_, MarkLeavers<D, P>{mover(), clumps_.data()});
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
     forEach(context_, n_, keys);
+    if (others_) regroup();
     sort_.sort(context_, n_);
     bool forcesHold = true;
     if constexpr (Backend::gpu)
@@ -25,6 +26,7 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
         parts_.frames.clear(context_);
     }
     if (!inPlace) fields_.permute(context_, newOrder(), n_, fField_, forcesHold ? fField_ : mField_ + S);
+    if (others_) settleRanks();
     forEach(context_, n_, PlaceSolids<D, P>{mover(), slotOf_.data()});
     settleFrames();
     if (nBonds_) forEach(context_, nBonds_, LoseBonds<D, P>{bondFields()});
@@ -78,7 +80,8 @@ ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
     const SolidFields<D, P> f = fields();
     return ContactSearch<Backend, D, P>
     {
-        box_, classes_, records_.view(), sort_.start(), place, f.clump, f.id, bondTable(), real(reach_),
+        // ghosts are as one body: what they do to each other is others' business
+        box_, classes_, records_.view(), sort_.start(), place, others_ ? f.calm : f.clump, f.id, bondTable(), real(reach_),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
         real(largestGap_ + 0.5*double(halfSkin_))
     };
@@ -108,6 +111,7 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
             forEach(context_, n_, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
             {oldList_.view(), list_.view(), sort_.order(), inverse_.data(), sort_.active()});
         });
+        if (others_) takeContacts();
     }
 }
 
@@ -249,6 +253,7 @@ void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
         forEach(context_, n_, HandOverWalls<D, real, decltype(law)::template history<D>>
         {wallMemory(oldWallMemory_), wallMemory(m), newOrder(), sort_.active(), fresh});
     });
+    if (others_ && !fresh) takeWallContacts();
 }
 
 template<class Backend, int D, class P>
@@ -270,7 +275,7 @@ void DemSolver<Backend, D, P>::blockContacts()
     {
         parts_.sums.allocate(context_, std::size_t(n_)*DeferredForces<D, real>::width);
         // of those in the scene: a scene that is continued without those that left must cut alike
-        parts_.deferred.set(activeSolids(), list_.view());
+        parts_.deferred.set(activeSolids(), list_.view(), others_ ? blockCuts() : std::vector<int>());
         setRanges();
     }
 #endif

@@ -115,6 +115,10 @@ DemState DemSolver<Backend, D, P>::motion()
             }
         }
     }
+    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment}) dropGhosts(*v, 3);
+    for (auto* v : {&s.radius, &s.mass}) dropGhosts(*v, 1);
+    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) dropGhosts(*v, 1);
+    dropGhosts(s.orientation, 4);
     return s;
 }
 
@@ -122,8 +126,9 @@ template<class Backend, int D, class P>
 DemState DemSolver<Backend, D, P>::particles()
 {
     DemState s(motion());
-    const int n = int(s.id.size());
+    const int n = activeSolids();
     s.contacts = contactCounts(n);
+    dropGhosts(s.contacts, 1);
     s.brokenBonds.assign(n, 0);
     if (nBonds_)
     {
@@ -221,7 +226,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     };
     constexpr int width = ContactList<Backend, real>::width;
     for (int i = 0; i < n; ++i)
-        for (int k = 0; k < count[i]; ++k)
+        for (int k = 0; k < count[i] && !ghost(i); ++k)
         {
             const auto& c = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
             if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
@@ -240,7 +245,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
         for (int e = first[i]; e < first[i + 1]; ++e)
         {
             const int slot = e*wallTouches;
-            if (!acts[slot]) continue;
+            if (!acts[slot] || ghost(i)) continue;
             Vec<D, double> local, f;
             for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
             const real reach = reaches_[material[i]*input_.materials.size() + input_.walls[entry[e].wall].material];
@@ -323,10 +328,14 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
+        if (others_) sum.calm = fields().calm;
         e.contact = sumOver<1>(context_, activeSolids(), sum)[0];
     });
     const auto wall = wallMemory_.entries ? wallMemory_.force.download() : std::vector<real>();
-    for (int k = 0; k < wallMemory_.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
+    if (!others_) for (int k = 0; k < wallMemory_.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
+    for (int i = 0; others_ && wallMemory_.entries && i < activeSolids(); ++i)
+        for (int k = wallMemory_.entryFirst.data()[i]; !ghost(i) && k < wallMemory_.entryFirst.data()[i + 1]; ++k)
+            e.contact += double(wall[k*wallWords<D> + D + S]);
     if (!nBonds_) return e;
     const DemBondState b = bonds();
     const auto radius = field<real>(radiusField_);
@@ -362,7 +371,7 @@ double DemSolver<Backend, D, P>::deepestOverlap()
     const auto gaps = gaps_.download();
     const int n = activeSolids(), m = int(input_.materials.size());
     for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1]; ++e)
+        for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
         {
             const double gap = double(gaps[material[i]*m + input_.walls[entry[e].wall].material]);
             most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
@@ -406,7 +415,7 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
         return sum;
     };
     for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1]; ++e)
+        for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
         {
             Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
             for (int d = 0; d < D; ++d) f.c[config_.axes[d]] = -double(force[e*wallWords<D> + d]);
@@ -429,6 +438,7 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& force, const std::vector<double>& moment)
 {
+    requireAlone("forces from outside");
     std::vector<real> all(std::size_t(n_)*(D + S), real(0));
     for (int i = 0; i < n_; ++i)
     {

@@ -89,7 +89,7 @@ struct PlaceSolids
     }
 };
 
-//- Largest of a strided share of particles: |v|^2
+//- Largest of a strided share of own particles: |v|^2
 template<int D, class P>
 struct LargestSpeed
 {
@@ -105,6 +105,7 @@ struct LargestSpeed
         float most = 0;
         for (int i = k; i < *active; i += shares)
         {
+            if (fields.ghost(i)) continue;
             float v2 = 0;
             for (int d = 0; d < D; ++d) v2 += float(fields.v[d][i])*float(fields.v[d][i]);
             most = v2 > most ? v2 : most;

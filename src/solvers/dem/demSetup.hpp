@@ -32,6 +32,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     n_ = reported_ = int(input.particles.size());
     setPairs();
     setBox();
+    if (config.ranks && config.ranks->size() > 1) setRanks();
     setFields();
     setGroups();
     setBonds();
@@ -40,6 +41,12 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     given_ = nullptr;
     setFrames();
     prime();
+    if (others_)
+    {
+        // from now on there is memory for what is here
+        setCapacity(others_->residents() + others_->residents()/4 + 256);
+        rebuild();
+    }
 }
 
 template<class Backend, int D, class P>
@@ -143,6 +150,7 @@ void DemSolver<Backend, D, P>::setDomain()
         domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis] + above);
     }
     classes_.set(box_, radii_, reach_, Backend::gpu);
+    if (others_) setPieces();
 }
 
 //- A field from values(i)
@@ -199,7 +207,7 @@ void DemSolver<Backend, D, P>::setFields()
         turnField_ = fields_.fields();
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k) fields_.template add<real>("orientation." + std::to_string(k));
     }
-    if (sleeps()) calmField_ = fields_.template add<std::int32_t>("calm");
+    if (sleeps() || others_) calmField_ = fields_.template add<std::int32_t>("calm");
     idField_ = fields_.template add<std::int32_t>("key");
     fields_.allocate(context_, n_);
     records_.allocate(context_, n_);

@@ -1,5 +1,5 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction), demBodies.hpp (rigid bodies),
-    demStep.hpp (steps), demSkin.hpp (how far neighbours are sought), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
+    demStep.hpp (steps), demRanks.hpp (several processes), demSkin.hpp (how far neighbours are sought), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
     read back)
     and demState.hpp (save and load).
 
@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include "core/neighbours/cellSort.hpp"
+#include "core/ranks/particleExchange.hpp"
 #include "core/backend/glances.hpp"
 #include "core/backend/graph.hpp"
 #include "core/loops/largest.hpp"
@@ -249,6 +250,28 @@ private:
     void wakeChanged(const std::vector<real>& before, const std::vector<real>& after);
     std::size_t asleepNow();
 
+    // demRanks.hpp
+    void setRanks();
+    void setPieces();
+    void setCapacity(int n);
+    void takeKey(int slot, std::int32_t id);
+    void packParticle(int slot, bool whole, RankBytes& to);
+    void unpackParticle(int slot, bool whole, const unsigned char*& from);
+    void packContacts(int slot, RankBytes& to);
+    void packWalls(int slot, RankBytes& to);
+    void regroup();
+    void takeContacts();
+    void takeWallContacts();
+    std::vector<int> blockCuts();
+    void settleRanks();
+    void shareStep();
+    bool ghost(int i) { return others_ && others_->kind(i) == ParticleExchange::ghost; }
+    bool stopped() const { return others_ ? stopAgreed_ : bool(interrupted_); }
+    double largestOfRanks(double) const;
+    void findOffenderOfRanks(DemReport&);
+    template<class T> void dropGhosts(std::vector<T>& v, int each);
+    void requireAlone(const char* what) const;
+
     // demState.hpp
     std::vector<int> keptBonds();
     template<class F> void forEachMemory(F f);
@@ -272,6 +295,7 @@ private:
     void collectEscaped(DemReport&);
     void collectPassed(DemReport&);
     void findOffender(DemReport&);
+    void describeOffender(DemReport&, int worst, double offence);
     std::vector<double> offences(int n);
     double largestSpeed();
     std::size_t brokenBonds();
@@ -375,6 +399,21 @@ private:
     static constexpr double wallSkins = 5;          // skins within which walls are listed where steps are fused
     Array<Backend, std::int32_t> wakes_, waits_;
     std::atomic<bool> interrupted_{false};
+
+    // Of a scene on several ranks; null: there is one
+    std::unique_ptr<ParticleExchange> others_;
+    std::vector<std::vector<std::size_t>> touchingOf_;  // entries of each slot, where they are asked for
+    struct RankContact { std::int64_t a, b; };          // owner and other: numbers of the order before, then slots of then
+    std::vector<RankContact> arrivedContacts_;
+    std::vector<real> arrivedHistories_;
+    struct RankWall { int particle, wall, on[wallTouches]; };
+    std::vector<RankWall> arrivedWalls_;
+    std::vector<real> arrivedWallNumbers_;              // of each: normals, histories, force
+    std::vector<Vector3> escaped_;
+    std::vector<std::int32_t> escapedId_;
+    std::int64_t passedBefore_ = 0;
+    std::int32_t passedIdBefore_ = -1;
+    bool stopAgreed_ = false;
 };
 
 } // namespace riprap

@@ -148,6 +148,7 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 {
+    requireAlone("saved states");
     rebuild();
     readClock();
     searchedAt_ = host_.step;
@@ -208,6 +209,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 {
+    requireAlone("saved states");
     const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
     constexpr std::size_t header = 13;
     if (words.size() < header + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1) fail("too short");

@@ -334,6 +334,7 @@ void DemSolver<Backend, D, P>::step()
     const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
     if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), clumpKick(), verlet, clock_.data()});
     moveParticles();
+    if (others_) shareStep();
     if constexpr (!Backend::gpu) if (clock_.data()->lost() && clock_.data()->halt == DemHalt::none) searchWithin();
     finishStep();
 }

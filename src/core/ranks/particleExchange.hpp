@@ -1,0 +1,185 @@
+/*  Which particles of a shared scene are on this rank, and what goes to and fro.
+
+    A rank owns the particles of its brick and has copies of those of others that its own may touch: ghosts, which act and are not
+    acted on. Particles are in slots 0 .. residents()-1, ghosts among them, in the order that one process would have: by cell, then by the order
+    before. A particle's place in that order (of all particles of all ranks) is its number until the next migration.
+
+    A migration: cells of particles are known anew. Those that came into another's brick go there, and ghosts are chosen; arrivals take the slots behind
+    the residents, or the slot where the particle is already. The caller sorts all slots by sequence() and their cells, and settles the new order.
+    Numbers of particles are compared then: one that was lost, or is there twice, is an exception.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include "core/ranks/bricks.hpp"
+#include "core/ranks/rowPieces.hpp"
+#include "core/ranks/transport.hpp"
+
+namespace riprap
+{
+
+class ParticleExchange
+{
+public:
+
+    enum Kind : char {absent, owned, ghost};
+
+    //- imbalance: the largest rank may have so much more than the mean before bricks are cut anew
+    explicit ParticleExchange(Transport& transport, double imbalance = 0.1) : transport_(transport), imbalance_(imbalance) {}
+
+    Transport& transport() { return transport_; }
+
+    //- Cells that particles are sorted into. Numbers of particles hold; owners and ghosts change with the next migration
+    void setPieces(const std::vector<PieceGrid>&, double reach);
+
+    //- All particles are on all ranks, in slots 0 .. n-1, and of nobody
+    void begin(int n);
+
+    //- cell: of each resident; at or beyond cells() it has left the domain. pack(slot, whole, bytes) appends what another rank needs of a particle that
+    //  becomes its own (whole) or its ghost; unpack(slot, whole, from) reads it in the end
+    template<class Pack, class Unpack>
+    void migrate(const std::uint32_t* cell, const Pack& pack, const Unpack& unpack);
+
+    //- After a migration: slots of those that are here now, in the order before
+    const std::vector<int>& sequence() const { return sequence_; }
+    int residents() const { return int(number_.size()); }
+    Kind kind(int slot) const { return Kind(kind_[slot]); }
+    std::uint32_t cell(int slot) const { return cell_[slot]; }
+    std::int64_t number(int slot) const { return number_[slot]; }
+    int slotOf(std::int64_t number) const;                  // -1: it is not here
+    const std::vector<int>& left() const { return left_; }  // slots of own particles that are out of the domain
+
+    //- order[i]: where the i-th was, of `active`
+    void settle(const std::uint32_t* order, int active);
+
+    //- Of each step: put(slot, to) writes `each` bytes of an own particle; take(slot, from) reads those of a ghost
+    template<class Put, class Take>
+    void share(std::size_t each, const Put& put, const Take& take);
+
+    std::int64_t total() const { return total_; }           // of all ranks
+    int ownedHere() const { return ownedHere_; }
+    int ghostsHere() const { return residents() - ownedHere_; }
+
+    //- So far: of this rank
+    struct Counts { std::int64_t migrations = 0, divisions = 0, arrivals = 0, bytesMigrating = 0, shares = 0, bytesShared = 0; };
+    const Counts& counts() const { return counts_; }
+
+private:
+
+    struct Header { std::int64_t number; std::uint32_t cell; std::int32_t whole; };
+
+    void countAll(const std::uint32_t* cell);
+    void divide();
+    std::int64_t mostOf(const std::vector<int>& owner) const;
+    std::vector<int> owners(const Bricks&) const;
+    const std::vector<int>& needs(int piece);
+    int arrive(const Header&);
+    void makeSequence(int before);
+    void makeLists();
+
+    Transport& transport_;
+    double imbalance_;
+    RowPieces pieces_;
+    Bricks bricks_;
+    std::vector<int> owner_;                // of each piece
+    std::vector<std::vector<int>> needs_;   // ranks besides the owner that need its particles, where that is known
+    std::vector<char> known_;
+    std::vector<std::int64_t> inPiece_;     // particles of all ranks
+    std::int64_t total_ = 0;
+    double unevenBefore_ = 0;               // most of a rank over the mean when bricks were looked for
+    int since_ = 0;                         // migrations since then
+
+    std::vector<std::int64_t> number_;      // of slots
+    std::vector<char> kind_;
+    std::vector<std::uint32_t> cell_;
+    std::vector<int> sequence_, left_;
+    bool everywhere_ = false;
+    int ownedHere_ = 0;
+
+    std::vector<std::pair<int, std::vector<int>>> sendTo_, receiveFrom_;    // ranks, slots
+    std::vector<RankMessage> out_, in_;
+    Counts counts_;
+};
+
+template<class Pack, class Unpack>
+void ParticleExchange::migrate(const std::uint32_t* cell, const Pack& pack, const Unpack& unpack)
+{
+    const int me = transport_.rank(), before = residents();
+    countAll(cell);
+    divide();
+    left_.clear();
+    std::vector<RankBytes> out(transport_.size()), in;
+    const auto send = [&](int rank, int slot, bool whole)
+    {
+        if (everywhere_) return;
+        const Header h{number_[slot], cell[slot], whole};
+        putValues(out[rank], &h);
+        pack(slot, whole, out[rank]);
+    };
+    for (int slot = 0; slot < before; ++slot)
+    {
+        const bool mine = kind_[slot] == owned;
+        kind_[slot] = absent;
+        if (!mine) continue;
+        if (cell[slot] >= std::uint32_t(pieces_.cells())) { left_.push_back(slot); continue; }
+        cell_[slot] = cell[slot];
+        const int piece = pieces_.of(int(cell[slot])), owner = owner_[piece];
+        if (owner == me) kind_[slot] = owned;
+        else send(owner, slot, true);
+        for (const int rank : needs(piece))
+        {
+            if (rank == me) kind_[slot] = ghost;
+            else send(rank, slot, false);
+        }
+    }
+    if (!everywhere_) transport_.exchange(out, in);
+    for (int rank = 0; rank < int(in.size()); ++rank)
+    {
+        if (rank == me) continue;
+        counts_.bytesMigrating += std::int64_t(out[rank].size());
+        const unsigned char* at = in[rank].data();
+        const unsigned char* const end = at + in[rank].size();
+        while (at < end)
+        {
+            Header h;
+            takeValues(at, &h);
+            unpack(arrive(h), h.whole != 0, at);
+            counts_.arrivals += h.whole;
+        }
+    }
+    everywhere_ = false;
+    makeSequence(before);
+    ++counts_.migrations;
+}
+
+template<class Put, class Take>
+void ParticleExchange::share(std::size_t each, const Put& put, const Take& take)
+{
+    out_.resize(sendTo_.size());
+    in_.resize(receiveFrom_.size());
+    for (std::size_t k = 0; k < sendTo_.size(); ++k)
+    {
+        out_[k].rank = sendTo_[k].first;
+        out_[k].bytes.resize(sendTo_[k].second.size()*each);
+        unsigned char* to = out_[k].bytes.data();
+        for (const int slot : sendTo_[k].second) { put(slot, to); to += each; }
+        counts_.bytesShared += std::int64_t(out_[k].bytes.size());
+    }
+    for (std::size_t k = 0; k < receiveFrom_.size(); ++k)
+    {
+        in_[k].rank = receiveFrom_[k].first;
+        in_[k].bytes.resize(receiveFrom_[k].second.size()*each);
+    }
+    transport_.swap(out_, in_);
+    for (std::size_t k = 0; k < receiveFrom_.size(); ++k)
+    {
+        const unsigned char* from = in_[k].bytes.data();
+        for (const int slot : receiveFrom_[k].second) { take(slot, from); from += each; }
+    }
+    ++counts_.shares;
+}
+
+} // namespace riprap
