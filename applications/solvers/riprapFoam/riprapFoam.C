@@ -12,6 +12,7 @@ Description
 
 Usage
     riprapFoam [-case DIR] [-solver NAME] [-dry-run | -postProcess]
+    riprapFoam [-case DIR] -advise 2%
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -32,6 +33,8 @@ Usage
 #include "timePlan.H"
 #include "timeWriter.H"
 #include "wallTimes.H"
+
+#include <unistd.h>
 
 using namespace Foam;
 
@@ -184,6 +187,32 @@ static void runLoop(caseTime& runTime, solverModule& module)
 }
 
 
+//- Becomes the program riprapAdvise, which calls -dry-run
+static void advise(const argList& args)
+{
+    const std::string error(args["advise"]), path(args.path());
+    const char* excluded[] = {"dry-run", "postProcess", "solver"};
+    for (const char* option : excluded)
+    {
+        if (args.found(option))
+        {
+            FatalErrorInFunction
+                << "Options -advise and -" << option << " exclude each other"
+                << exit(FatalError);
+        }
+    }
+    Info<< flush;
+    execlp
+    (
+        "riprapAdvise", "riprapAdvise", error.c_str(), "-case", path.c_str(),
+        static_cast<char*>(nullptr)
+    );
+    FatalErrorInFunction
+        << "Option -advise needs the program riprapAdvise, which is not in PATH:"
+        << " . etc/bashrc of riprap" << exit(FatalError);
+}
+
+
 static void runCase(const argList& args, bool postProcess)
 {
     checkControlDict(args.path()/"system"/Time::controlDictName);
@@ -251,6 +280,12 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::addOption("solver", "name", "Solver module, e.g. sphDem");
     argList::addBoolOption("dry-run", "Check and describe the run only");
+    argList::addOption
+    (
+        "advise",
+        "error",
+        "Propose solver, spacing and device for this error, e.g. 2%"
+    );
     #include "setRootCaseListOptions.H"
     const bool postProcess = addPostProcessOptions(argc, argv);
 
@@ -268,6 +303,11 @@ int main(int argc, char* argv[])
     if (!args.checkRootCase())
     {
         FatalError.exit();
+    }
+
+    if (args.found("advise"))
+    {
+        advise(args);
     }
 
     if (postProcess && args.found("list"))

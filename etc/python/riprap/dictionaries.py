@@ -37,6 +37,7 @@ def _text(path, text=None):
             text = f.read()
     text = re.sub(r'/\*.*?\*/', ' ', text, flags=re.S)
     text = re.sub(r'//[^\n]*', ' ', text)
+    text = re.sub(r'#inputMode\s+\w+', ' ', text)
     folder = os.path.dirname(path)
 
     def included(match):

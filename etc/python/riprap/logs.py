@@ -4,7 +4,7 @@ import re
 
 _number = r'([-+]?\d*\.?\d+(?:[eE][-+]?\d+)?)'
 _items = {
-    'version': r'^\s*riprap(?: version)?\s*:\s*(\S+)',
+    'version': r'^\s*riprap(?: version)?\s*:\s*([^\s,]+)',
     'device': r'^\s*device[\s:]\s*(\S.*?)(?: \(|$)',
     'precision': r'^\s*precision[\s:]\s*(\w+)',
     'fluidParticles': rf'^\s*particles\s+(?:fluid |solids )?{_number}',

@@ -4,8 +4,10 @@
 */
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
+#include "solvers/sph/sphModels.hpp"
 #include "sph/models.hpp"
 
 namespace riprap
@@ -31,7 +33,9 @@ template<class Term>
 std::vector<TermProperties> typicalTerms()
 {
     TermProperties p;
-    for (const TermEntry& e : Term::entries) e.set(p, e.typical);
+    // by the cards without types: nvcc does not know how many entries a term of a precision has
+    for (const TermModel& card : pairTerms())
+        if (std::string(card.word) == Term::word) for (const TermEntry& e : card.entries) e.set(p, e.typical);
     if constexpr (Term::words.size() == 0) return {p};
     std::vector<TermProperties> all;
     for (const char* word : Term::words)

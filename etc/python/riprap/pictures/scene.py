@@ -249,14 +249,23 @@ class Case:
                     self._shapes.append(('surface', int(numberOf(entries['body'])), *made))
             for number, entries in enumerate(v for v in properties.get('shapes', {}).values() if isinstance(v, dict)):
                 if 'outline' in entries:
-                    outline = np.array(clouds.numbers(entries['outline'].encode())).reshape(-1, 3)
-                    if self.flat is not None:
-                        outline[:, self.flat] = 0
-                        self._shapes.append(('shape', number, shapes.outlineMiddle(outline, self.plane), np.eye(3), outline, None))
+                    points, triangles = np.array(clouds.numbers(entries['outline'].encode())).reshape(-1, 3), None
+                    if self.flat is None:
+                        continue
+                    points[:, self.flat] = 0
+                    middle, axes = shapes.outlineMiddle(points, self.plane), np.eye(3)
                 else:
-                    points, triangles = self.surfaceFile(entries)
+                    points, triangles = self._bodySurface(entries) if 'source' in entries else self.surfaceFile(entries)
                     _, middle, J = shapes.massProperties(points, triangles)
-                    self._shapes.append(('shape', number, middle, shapes.principalAxes(J), points, triangles))
+                    axes = shapes.principalAxes(J)
+                # a body's own frame, if it is not that of its uniform shape
+                if 'centreOfMass' in entries:
+                    middle = vectorOf(entries['centreOfMass'])
+                    if self.flat is not None:
+                        middle[self.flat] = 0
+                if 'axes' in entries:
+                    axes = np.array(clouds.numbers(entries['axes'].encode())).reshape(3, 3)
+                self._shapes.append(('shape', number, middle, axes, points, triangles))
         return self._shapes
 
     def _bodySurface(self, e):
