@@ -36,7 +36,7 @@ sed 's|^using Kernels = Models<|&Gaussian, |; s|^#include "sph/kernels/wendlandC
     "$root/src/sph/models.hpp" >"$work/sph/models.hpp"
 grep -q '^using Kernels = Models<Gaussian, ' "$work/sph/models.hpp" || fail kernelTable 'the table has no such line'
 grep -q 'using PairTerms = Models<RadialViscosity<R>, ' "$work/sph/models.hpp" || fail pairTermTable 'the table has no such line'
-if g++ "${flags[@]/-O1/-O0}" "$root"/etc/codeTemplates/{kernel/gaussianTest.C,pairTerm/radialViscosityTest.C} "$root"/tests/unit/sph/{sphCards,kernels,terms}.C \
+if g++ "${flags[@]/-O1/-O0}" "$root"/etc/codeTemplates/kernel/gaussianTest.C "$root"/etc/codeTemplates/pairTerm/radialViscosityTest.C "$root"/tests/unit/sph/{sphCards,kernels,terms}.C \
     "$root"/src/solvers/sph/sphModels.C -L"$RIPRAP_LIBBIN" -Wl,-rpath,"$RIPRAP_LIBBIN" -lriprap \
     -o "$work/models" -lgtest -lgtest_main -lpthread >"$work/log" 2>&1
 then pass sphBuilds
