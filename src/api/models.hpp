@@ -16,6 +16,7 @@
 */
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -139,6 +140,16 @@ struct Models
     }
     static int find(const std::string& word) { return find(word, [](auto) { return true; }); }
 };
+
+//- Of cards: each word once
+template<class Card>
+std::vector<std::string> wordsOf(const std::vector<Card>& cards)
+{
+    std::vector<std::string> words;
+    for (const Card& c : cards)
+        if (std::find(words.begin(), words.end(), c.word) == words.end()) words.push_back(c.word);
+    return words;
+}
 
 //- (a b c)
 inline std::string listOf(const std::vector<std::string>& words)

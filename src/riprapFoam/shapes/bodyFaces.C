@@ -3,6 +3,7 @@
 #include "bodyFaces.H"
 #include "clumpShape.H"
 #include "closedSurface.H"
+#include "exactShapes.H"
 #include "mathematicalConstants.H"
 #include "quaternion.H"
 
@@ -206,9 +207,9 @@ static bool read(const dictionary& entries, const Time& time, closedFaces& faces
     const word source(entries.get<word>("source"));
     if (source == "box")
     {
-        ITstream& is = entries.lookup("box");
-        const point a(is), b(is);
-        faces.box(min(a, b), max(a, b));
+        checkedDictionary dict(entries);
+        const boundBox box(boxOf(dict));
+        faces.box(box.min(), box.max());
     }
     else if (source == "cylinder") faces.cylinder(entries.get<point>("p1"), entries.get<point>("p2"), entries.get<scalar>("radius"));
     else if (source == "sphere") faces.sphere(entries.get<point>("centre"), entries.get<scalar>("radius"));
@@ -235,12 +236,7 @@ static tensor axesOf(const std::array<double, 4>& q)
 
 Foam::dictionary Foam::bodySurface(const dictionary& region)
 {
-    dictionary surface;
-    for (const word& entry : wordList({"source", "box", "p1", "p2", "centre", "radius", "file", "scale"}))
-    {
-        if (region.found(entry)) surface.add(region.lookupEntry(entry, keyType::REGEX));
-    }
-    return surface;
+    return shapeEntries(region, {"source", "box", "p1", "p2", "centre", "radius", "file", "scale"});
 }
 
 

@@ -101,17 +101,20 @@ Foam::clumpShape Foam::cylinderShape(const point& p1, const point& p2, scalar ra
 }
 
 
+Foam::boundBox Foam::boxOf(checkedDictionary& dict)
+{
+    dict.found("box");
+    ITstream& is = dict.dict().lookup("box");
+    const point a(is), b(is);
+    dict.dict().checkITstream(is, "box");
+    return boundBox(min(a, b), max(a, b));
+}
+
+
 Foam::clumpShape Foam::exactShape(checkedDictionary& dict)
 {
     const word source(dict.dict().get<word>("source"));
-    if (source == "box")
-    {
-        dict.found("box");
-        ITstream& is = dict.dict().lookup("box");
-        const point a(is), b(is);
-        dict.dict().checkITstream(is, "box");
-        return boxShape(boundBox(min(a, b), max(a, b)));
-    }
+    if (source == "box") return boxShape(boxOf(dict));
     const auto at = [&dict](const char* entry)
     {
         dict.found(entry);

@@ -33,14 +33,6 @@ std::vector<LawCard> normalLaws() { return cardsOf<NormalLaws>(); }
 std::vector<LawCard> tangentialLaws() { return cardsOf<TangentialLaws>(); }
 std::vector<LawCard> rollingLaws() { return cardsOf<RollingLaws>(); }
 
-std::vector<std::string> wordsOf(const std::vector<LawCard>& laws)
-{
-    std::vector<std::string> all;
-    for (const LawCard& law : laws)
-        if (std::find(all.begin(), all.end(), law.word) == all.end()) all.push_back(law.word);
-    return all;
-}
-
 LawChoice lawChoice(const DemConfig& c)
 {
     const auto known = [](int found, const char* kind, const std::string& word, const std::vector<std::string>& words)

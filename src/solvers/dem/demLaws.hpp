@@ -22,9 +22,6 @@ std::vector<LawCard> normalLaws();
 std::vector<LawCard> tangentialLaws();
 std::vector<LawCard> rollingLaws();
 
-//- Each word once
-std::vector<std::string> wordsOf(const std::vector<LawCard>&);
-
 //- Places in the tables
 struct LawChoice { int normal, tangential, rolling; };
 

@@ -66,12 +66,7 @@ const std::vector<KernelModel>& kernels()
     return all;
 }
 
-std::vector<std::string> kernelWords()
-{
-    std::vector<std::string> words;
-    for (const KernelModel& k : kernels()) words.push_back(k.word);
-    return words;
-}
+std::vector<std::string> kernelWords() { return wordsOf(kernels()); }
 
 int kernelChoice(const std::string& word)
 {

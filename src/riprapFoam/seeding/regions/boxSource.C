@@ -2,6 +2,7 @@
 /*  source box;  box (0 0 -1) (0.146 0.292 1);      // two opposite corners */
 
 #include "addToRunTimeSelectionTable.H"
+#include "exactShapes.H"
 #include "particleSource.H"
 
 namespace Foam
@@ -20,17 +21,13 @@ public:
 
     boxSource(checkedDictionary& dict, const Time&)
     :
+        box_(boxOf(dict)),
         where_(dict.dict())
     {
-        dict.found("box");
-        ITstream& is = dict.dict().lookup("box");
-        const point a(is), b(is);
-        dict.dict().checkITstream(is, "box");
-        box_ = boundBox(min(a, b), max(a, b));
         if (cmptMin(box_.span()) <= 0)
         {
             FatalIOErrorInFunction(dict.dict())
-                << "Entry box has no volume: its corners are " << a << " and " << b << exit(FatalIOError);
+                << "Entry box has no volume: its corners are " << box_.min() << " and " << box_.max() << exit(FatalIOError);
         }
     }
 

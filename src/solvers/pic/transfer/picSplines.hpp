@@ -10,11 +10,11 @@
 namespace riprap
 {
 
-struct LinearSpline { static constexpr const char* word = "linear"; static constexpr int order = 1; };
-struct QuadraticSpline { static constexpr const char* word = "quadratic"; static constexpr int order = 2; };
-struct CubicSpline { static constexpr const char* word = "cubic"; static constexpr int order = 3; };
+struct LinearBSpline { static constexpr const char* word = "linear"; static constexpr int order = 1; };
+struct QuadraticBSpline { static constexpr const char* word = "quadratic"; static constexpr int order = 2; };
+struct CubicBSpline { static constexpr const char* word = "cubic"; static constexpr int order = 3; };
 
-using Splines = Models<LinearSpline, QuadraticSpline, CubicSpline>;
+using Splines = Models<LinearBSpline, QuadraticBSpline, CubicBSpline>;
 
 //- f(std::integral_constant<int, order>)
 template<class F>

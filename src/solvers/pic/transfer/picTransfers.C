@@ -42,20 +42,6 @@ std::vector<SplineCard> splines()
     return all;
 }
 
-std::vector<std::string> wordsOf(const std::vector<TransferCard>& cards)
-{
-    std::vector<std::string> all;
-    for (const TransferCard& c : cards) all.push_back(c.word);
-    return all;
-}
-
-std::vector<std::string> wordsOf(const std::vector<SplineCard>& cards)
-{
-    std::vector<std::string> all;
-    for (const SplineCard& c : cards) all.push_back(c.word);
-    return all;
-}
-
 int transferChoice(const PicConfig& c)
 {
     const int choice = Transfers::find(c.transfer);

@@ -33,9 +33,6 @@ struct SplineCard
 std::vector<TransferCard> transfers();
 std::vector<SplineCard> splines();
 
-std::vector<std::string> wordsOf(const std::vector<TransferCard>&);
-std::vector<std::string> wordsOf(const std::vector<SplineCard>&);
-
 //- Place in the table; std::invalid_argument if there is no such scheme, or if it does not go with the splines
 int transferChoice(const PicConfig&);
 
