@@ -16,6 +16,7 @@ Description
 #include "solvers/dem/demLaws.hpp"
 #include "api/sphScene.hpp"
 #include "sphNames.H"
+#include "touchingStart.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -244,6 +245,7 @@ void Foam::solverModules::dem::logModels() const
             << " of pairs: they are other laws'" << nl;
     }
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
+    if (!run_.steps) warnOfTouchingStart(*scene_, c, input_);
 }
 
 

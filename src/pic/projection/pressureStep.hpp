@@ -171,6 +171,26 @@ private:
     int pocketCells_ = 0;
 };
 
+//- Where a cell of the grid is kept
+template<int D>
+int storedAt(const UniformGrid<D>& grid, const GridShape<D>& shape, int cell)
+{
+    const auto index = grid.cellIndex(cell);
+    int c = 0;
+    for (int d = 0; d < D; ++d) c += index.c[d]*shape.stride[d];
+    return c;
+}
+
+//- Cells whose water and free bodies push each other. A sliver on top of a light body weighs as much as the body: solved for apart, with the body's velocity as given, it would throw it back and forth
+template<int D>
+std::vector<char> besideBodies(const UniformGrid<D>& grid, const GridShape<D>& shape, const std::vector<BodyTerm>& bodies)
+{
+    std::vector<char> beside(shape.cells, 0);
+    for (const BodyTerm& b : bodies)
+        if (b.modes) for (const int cell : b.cell) beside[storedAt(grid, shape, cell)] = 1;
+    return beside;
+}
+
 //- Rows in the order of the grid: owners ascend, and so do the neighbours of each
 template<class Backend, int D, class R>
 PressureReport PressureStep<Backend, D, R>::solveOnHost
@@ -192,6 +212,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
     r.dimensions = D;
     for (int d = 0; d < 3; ++d) { r.n[d] = grid.n[d]; r.periodic[d] = grid.periodic[d]; }
     std::vector<int> row(shape.cells, -1), stored;
+    const std::vector<char> moved = besideBodies(grid, shape, bodies);
     int lone = 0;
     r.closed = true;
     for (int i = 0; i < grid.cells(); ++i)
@@ -204,7 +225,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         for (int d = 0; d < D; ++d) joined += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
         const double tied = s[p.c + shape.margin];
         double& value = x[p.c + shape.margin];
-        if (!(joined > 0))              // a drop of one cell: solved here, since GAMG could not join it to any other
+        if (!(joined > 0) && !(tied > 0 && moved[p.c]))     // a drop of one cell that no body pushes: solved here, since GAMG could not join it to any other
         {
             if (tied > 0) { value = rhs[p.c + shape.margin]/tied; ++lone; }
             continue;
@@ -257,9 +278,7 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         rows.light = b.modes && b.lighterThan(heavyRatio<D>*f.density);
         for (std::size_t i = 0; i < b.cell.size(); ++i)
         {
-            const auto index = grid.cellIndex(b.cell[i]);
-            int c = 0;
-            for (int d = 0; d < D; ++d) c += index.c[d]*shape.stride[d];
+            const int c = storedAt(grid, shape, b.cell[i]);
             if (row[c] < 0) continue;
             rows.row.push_back(row[c]);
             for (int m = 0; m < b.modes; ++m)

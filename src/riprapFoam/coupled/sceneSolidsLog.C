@@ -11,6 +11,7 @@ Description
 #include "demNames.H"
 #include "listed.H"
 #include "moduleLog.H"
+#include "touchingStart.H"
 #include "solvers/dem/demStill.hpp"
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
@@ -61,6 +62,7 @@ void Foam::sceneSolids::logSolids
         logItem("not used") << listed(settings_.unused).c_str() << nl;
     }
     Info<< endl;
+    if (!run_.steps) warnOfTouchingStart(*solids_, c, input_);
 }
 
 

@@ -86,7 +86,10 @@ DemConfig onDeviceOf(const PicConfig& fluid, DeviceKind device, DemConfig solids
     return solids;
 }
 
-//- A shape is as thick as the largest ball in it
+//- Lengths of a case are rounded decimals: 0.16 m are 4 cells of 0.04 m
+double smallest(const PicConfig& c) { return smallestSolid*c.cellSize*(1 - 1e-6); }
+
+//- A shape is as thick as the largest ball in it, whose centre lies between points of the lattice: up to a step of it more than is found
 void checkShapes(const PicConfig& c, const PicSolids& s)
 {
     for (const DemClump& k : s.input.clumps)
@@ -96,7 +99,7 @@ void checkShapes(const PicConfig& c, const PicSolids& s)
         require(!shape.distance.empty() && shape.distance.size() == std::size_t(shape.n[0])*shape.n[1]*shape.n[2] && shape.step > 0, "shape " + shape.name + " is not a lattice");
         for (int d = 0; d < c.dimensions; ++d) require(shape.n[c.axes[d]] > 1, "shape " + shape.name + " is a lattice of one point");
         const double thickness = -2*(*std::min_element(shape.distance.begin(), shape.distance.end()));
-        require(thickness >= smallestSolid*c.cellSize, "solids of shape " + shape.name + ", " + std::to_string(thickness) + " m thick, are thinner than 4 cells of "
+        require(thickness + shape.step >= smallest(c), "solids of shape " + shape.name + ", about " + std::to_string(thickness) + " m thick, are thinner than 4 cells of "
           + std::to_string(c.cellSize) + " m");
     }
 }
@@ -115,7 +118,7 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
     const std::vector<double>& r = s.input.particles.radius;
     const std::vector<std::int32_t>& clump = s.input.particles.clump;
     for (std::size_t i = 0; i < r.size(); ++i)
-        require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0) || 2*r[i] >= smallestSolid*c.cellSize, "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
+        require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0) || 2*r[i] >= smallest(c), "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
           + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of " + std::to_string(c.cellSize) + " m across; a rigid body "
             "needs no such particles if it is a box, a cylinder, a sphere or a closed surface, or a list with the entry surface");
     inside.scene = createDemScene(onDeviceOf(c, device, s.config), s.input);

@@ -202,7 +202,7 @@ TEST_P(PicShapeScene, RefusesWhatIsNoShape)
     };
     refused([](PicSolids& s) { s.input.clumps[0].shape = 1; });
     refused([](PicSolids& s) { s.shapes[0].distance.pop_back(); });
-    refused([&](PicSolids& s) { s.shapes[0] = ballShape(2, 1.9*c.cellSize, 0.5*c.cellSize); });
+    refused([&](PicSolids& s) { s.shapes[0] = ballShape(2, 1.7*c.cellSize, 0.5*c.cellSize); });
 }
 
 } // namespace
