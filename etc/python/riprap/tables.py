@@ -48,9 +48,11 @@ def _find(folder, file):
 
 
 def _readOne(path):
+    """Vectors in brackets, as OpenFOAM writes forces, are columns of their own"""
     header, rows = None, []
     with open(path) as f:
         for line in f:
+            line = line.replace('(', ' ').replace(')', ' ')
             if line.startswith('#'):
                 header = line
             elif line.strip():

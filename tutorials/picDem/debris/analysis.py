@@ -79,7 +79,7 @@ def plot(runs, path):
 
 def cells(size):
     """The tank in cells of this size"""
-    counts = '; '.join(f'system/tank:{n} {round(length/size)}' for n, length in (('nx', 4), ('ny', 1), ('nz', 1.6)))
+    counts = '; '.join(f'system/tank:{n} {round(length/size)}' for n, length in (('nx', 4), ('ny', 1), ('nz', 2)))
     return f'{counts}; system/tank:spacing {size/2:.10g}'
 
 
