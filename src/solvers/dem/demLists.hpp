@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "api/particleLimit.hpp"
 #include "solvers/dem/demSolver.hpp"
 
 namespace riprap
@@ -100,7 +101,7 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
         exclusiveScan(context_, scan_, list_.base(), blocks + 1);
         int entries = 0;
         context_.toHost(&entries, list_.base() + blocks, sizeof(int));
-        list_.reserve(context_, entries, histories_, nBonds_ > 0);
+        list_.reserve(context_, requireListed(entries, "solid particles"), histories_, nBonds_ > 0);
         forEach(context_, n_, WriteContacts<Backend, D, P>
         {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(histories_)});
         if (fresh) return;
@@ -164,7 +165,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
             });
         }
         list_.swapShape(oldList_);
-        list_.reserve(context_, total[1], histories_, nBonds_ > 0);
+        list_.reserve(context_, requireListed(total[1], "solid particles"), histories_, nBonds_ > 0);
         forEach(context_, n_, WriteFullLists<Backend, D, P>
         {
             search(g.place.data()), sort_.active(), list_.view(), histories_, g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),

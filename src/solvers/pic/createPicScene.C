@@ -4,6 +4,7 @@
 */
 #include "solvers/pic/picInstances.hpp"
 #include "solvers/pic/transfer/picTransfers.hpp"
+#include "api/particleLimit.hpp"
 #include "api/sphScene.hpp"
 
 #include <cfenv>
@@ -48,13 +49,16 @@ void checkNumbers(const PicConfig& c)
     require(c.maxTimeStep > 0, "the largest time step must be positive");
     require(c.maxCourant > 0 && c.maxCourant <= 2, "the Courant number must lie in 0 .. 2");
     require(c.maxFlyingCourant >= c.maxCourant, "the Courant number of flying particles must not be below that of the others");
+    double cells = 1;
     for (int d = 0; d < c.dimensions; ++d)
     {
         const int axis = c.axes[d];
+        cells *= c.cells[axis];
         const double length = c.domainMax[axis] - c.domainMin[axis];
         require(c.cells[axis] >= 4, "there must be four cells or more along each direction");
         require(std::abs(length - c.cells[axis]*c.cellSize) < 1e-6*length, "the cells do not fill the domain");
     }
+    requireCountable(cells, mostCells, "cells");
 }
 
 void checkFluid(const PicConfig& c, const FluidInput& f, bool solids)
@@ -62,6 +66,7 @@ void checkFluid(const PicConfig& c, const FluidInput& f, bool solids)
     require(f.velocity.size() == f.position.size(), "fluid arrays of different lengths");
     require(f.id.empty() || f.id.size() == f.size(), "fluid ids of another length");
     require(f.size() > 0 || solids, "there are no fluid particles");
+    requireCountable(double(f.size()), mostFluidParticles, "fluid particles");
     for (std::size_t i = 0; i < f.size(); ++i)
         for (int d = 0; d < c.dimensions; ++d)
         {

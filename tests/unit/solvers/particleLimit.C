@@ -2,8 +2,10 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <cstdint>
 #include <gtest/gtest.h>
 #include "api/particleLimit.hpp"
+#include "api/picScene.hpp"
 
 namespace riprap
 {
@@ -29,6 +31,34 @@ TEST(ParticleLimit, IsWithin32Bits)
 {
     EXPECT_LT(3*mostFluidParticles, 2147483648.0);
     EXPECT_LT(8*mostSolidParticles, 2147483648.0);
+    EXPECT_LT(3*mostCells, 2147483648.0);
+}
+
+TEST(ParticleLimit, SumsOfListsThatWrapAreRefused)
+{
+    EXPECT_EQ(requireListed(2147483647, "solid particles"), 2147483647u);
+    EXPECT_THROW(requireListed(int(std::uint32_t(3e9)), "solid particles"), std::runtime_error);
+}
+
+//- Before anything is made of the grid
+TEST(ParticleLimit, CellsAreCountedFirst)
+{
+    PicConfig c;
+    c.device = DeviceKind::cpu;
+    c.dimensions = 3;
+    c.cellSize = 1e-3;
+    c.spacing = 5e-4;
+    for (int& n : c.cells) n = 1000;
+    FluidInput one;
+    one.position = {0.5, 0.5, 0.5};
+    one.velocity = {0, 0, 0};
+    try
+    {
+        createPicScene(c, one, {});
+        FAIL() << "a thousand million cells";
+    }
+    catch (const std::invalid_argument& e)
+    { EXPECT_STREQ(e.what(), "there are 1000000000 cells, and a scene, which counts them in 32 bits, can have 500000000"); }
 }
 
 } // namespace
