@@ -33,8 +33,6 @@ setParticles >log 2>&1 || { fail case "setParticles failed"; tail -5 log; exit 1
 # Options
 riprapFoam -help >log 2>&1
 says help 'riprapFoam \[OPTIONS\].*-dry-run.*-solver'
-quiet helpParallel 'parallel|hostRoots'
-wrong parallel 'Option -parallel: riprapFoam cannot run in parallel yet; it uses all cores of one process' -parallel
 wrong solver 'Unknown solver nonsense .*available are \(.*sphDem.*controlDict' -solver nonsense
 
 # Entries of sphProperties

@@ -9,8 +9,29 @@ Description
 #include "dem.H"
 #include "demMotion.H"
 #include "sphNames.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::dem::makeScene(const riprap::DemConfig& config)
+{
+    scene_.reset();
+    part_.reset();
+    try
+    {
+        scene_ = riprap::createDemScene(config, input_);
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(settings_.dict) << e.what() << exit(FatalIOError);
+    }
+    if (ranks_.valid())
+    {
+        part_ = std::move(scene_);
+        scene_ = riprap::wholeDemScene(*part_, *ranks_);
+    }
+}
+
 
 void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
 {
@@ -32,26 +53,21 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
         // That of the start, not an estimate from where the solids are now
         config.timeStep = run_.timeStep;
     }
+    const polyMesh& boundary = wholeBoundary(mesh_);
     input_ = demInputWithMotion
     (
-        mesh_, settings_, solids, movingWalls_, movingGroups_, moving_, typeOfBondType_
+        boundary, settings_, solids, movingWalls_, movingGroups_, moving_, typeOfBondType_
     );
-    coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
-    markWalledSides(mesh_, input_.walls, config);
+    coverSolids(boundary, movingWalls_, movingGroups_, input_, config);
+    markWalledSides(boundary, input_.walls, config);
     if (continued)
     {
         // Else the state says whether its own fits
         run_.keepDomain(config);
     }
 
-    try
-    {
-        scene_ = riprap::createDemScene(config, input_);
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(settings_.dict) << e.what() << exit(FatalIOError);
-    }
+    config.ranks = ranks_.get();
+    makeScene(config);
 
     if (!continued)
     {
@@ -79,7 +95,11 @@ void Foam::solverModules::dem::registerScene()
 
     cloud_.reset
     (
-        new solidCloud(mesh_, *scene_, settings_, input_, typeOfBondType_, run_)
+        new solidCloud
+        (
+            mesh_, part_ ? *part_ : *scene_, *scene_, settings_, input_,
+            typeOfBondType_, run_
+        )
     );
     sceneObject_.reset
     (
@@ -95,8 +115,10 @@ void Foam::solverModules::dem::initialise()
     cloud_.clear();
     sceneObject_.clear();
     scene_.reset();
+    part_.reset();
 
     const solidSet solids(readSolids(mesh_, asRead_));
+    requireDivisible(solids);
 
     const bool continued = canContinue(solids);
     buildScene(solids, continued);

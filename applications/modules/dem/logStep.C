@@ -31,6 +31,7 @@ void Foam::solverModules::dem::report()
     }
     Info<< endl;
 
+    logRanks();
     logEscaped(report_.escaped.size(), run_);
     logPassedWalls();
     checkOverlaps();

@@ -31,7 +31,13 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
 {
     try
     {
-        scene_->loadState(readStateWords(runTime_, demRun::stateFile));
+        // Of several processes the first tells the others
+        std::vector<std::int32_t> words;
+        if (Pstream::master())
+        {
+            words = readStateWords(runTime_, demRun::stateFile);
+        }
+        scene_->loadState(words);
     }
     catch (const std::invalid_argument& e)
     {
@@ -43,7 +49,8 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
        !asWritten_
     && !sameSolids
         (
-            solids.particles, *scene_, settings_.config, mesh_.bounds().mag()
+            solids.particles, *scene_, settings_.config, mesh_.bounds().mag(),
+            rewritten_ ? run_.digits : 0
         )
     )
     {

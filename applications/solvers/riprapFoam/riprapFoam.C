@@ -12,15 +12,18 @@ Description
 
 Usage
     riprapFoam [-case DIR] [-solver NAME] [-dry-run | -postProcess]
+    mpirun -np N riprapFoam [-case DIR] [-solver NAME] -parallel
     riprapFoam [-case DIR] -advise 2%
 \*---------------------------------------------------------------------------*/
 
+#include "allRanks.H"
 #include "argList.H"
 #include "buildInfo.H"
 #include "caseTime.H"
 #include "checkControlDict.H"
 #include "checkFunctionObjects.H"
 #include "documentation.H"
+#include "fileOperation.H"
 #include "functionObject.H"
 #include "pictures.H"
 #include "postProcessTimes.H"
@@ -38,18 +41,29 @@ Usage
 
 using namespace Foam;
 
-//- Before argList, which would call it an invalid option without saying why
-static void refuseParallel(int argc, char* argv[])
+//- What several processes cannot do
+static void checkParallel(const argList& args)
 {
-    for (int i = 1; i < argc; ++i)
+    if (!Pstream::parRun())
     {
-        if (std::string(argv[i]) == "-parallel")
+        return;
+    }
+    for (const char* option : {"advise", "postProcess", "dry-run"})
+    {
+        if (args.found(option))
         {
             FatalErrorInFunction
-                << "Option -parallel: riprapFoam cannot run in parallel yet;"
-                << " it uses all cores of one process (OMP_NUM_THREADS), or"
-                << " one GPU" << exit(FatalError);
+                << "Options -parallel and -" << option << " exclude each other:"
+                << " it runs on one process, with the case that is not divided"
+                << exit(FatalError);
         }
+    }
+    if (fileHandler().type() != "uncollated")
+    {
+        FatalErrorInFunction
+            << "File handler " << fileHandler().type() << ": with -parallel"
+            << " riprapFoam writes a file for each process; valid is"
+            << " uncollated" << exit(FatalError);
     }
 }
 
@@ -215,7 +229,7 @@ static void advise(const argList& args)
 
 static void runCase(const argList& args, bool postProcess)
 {
-    checkControlDict(args.path()/"system"/Time::controlDictName);
+    checkControlDict(args.globalPath()/"system"/Time::controlDictName);
     autoPtr<caseTime> time(caseTime::New(args, postProcess));
     caseTime& runTime = time.ref();
 
@@ -277,7 +291,6 @@ int main(int argc, char* argv[])
     wallTimes::ofRun();
 
     argList::addNote("Particle solvers in an OpenFOAM case");
-    argList::noParallel();
     argList::addOption("solver", "name", "Solver module, e.g. sphDem");
     argList::addBoolOption("dry-run", "Check and describe the run only");
     argList::addOption
@@ -296,7 +309,6 @@ int main(int argc, char* argv[])
         "docs/guide/running",
         "applications/solvers/riprapFoam/riprapFoam.C"
     );
-    refuseParallel(argc, argv);
     const argList args(argc, argv);
     writeBuildInfo(Info);
     #include "setRootCaseListOutput.H"
@@ -304,6 +316,9 @@ int main(int argc, char* argv[])
     {
         FatalError.exit();
     }
+
+    checkParallel(args);
+    shareThreads();
 
     if (args.found("advise"))
     {

@@ -9,9 +9,21 @@ namespace riprap
 void ParticleExchange::setPieces(const std::vector<PieceGrid>& grids, double reach)
 {
     pieces_.set(grids, reach);
-    if (bricks_.ranks()) owner_ = owners(bricks_);
+    setOwners();
     needs_.assign(pieces_.count(), {});
+}
+
+void ParticleExchange::setOwners()
+{
+    if (sole_ >= 0) owner_.assign(pieces_.count(), sole_);
+    else if (bricks_.ranks()) owner_ = owners(bricks_);
     known_.assign(pieces_.count(), 0);
+}
+
+void ParticleExchange::gatherOn(int rank)
+{
+    sole_ = rank;
+    setOwners();
 }
 
 void ParticleExchange::begin(int n)
@@ -53,6 +65,7 @@ std::int64_t ParticleExchange::mostOf(const std::vector<int>& owner) const
 //  for some time: particles may lie so that they can be shared out better
 void ParticleExchange::divide()
 {
+    if (sole_ >= 0) return;
     constexpr int often = 16;               // migrations
     const double mean = std::max(1.0, double(total_))/transport_.size();
     const double uneven = bricks_.ranks() ? double(mostOf(owner_))/mean : 0;

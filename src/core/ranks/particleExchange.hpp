@@ -52,6 +52,9 @@ public:
     int slotOf(std::int64_t number) const;                  // -1: it is not here
     const std::vector<int>& left() const { return left_; }  // slots of own particles that are out of the domain
 
+    //- From the next migration on this rank has all particles; -1: each has those of its brick again
+    void gatherOn(int rank);
+
     //- order[i]: where the i-th was, of `active`
     void settle(const std::uint32_t* order, int active);
 
@@ -75,6 +78,7 @@ private:
     void divide();
     std::int64_t mostOf(const std::vector<int>& owner) const;
     std::vector<int> owners(const Bricks&) const;
+    void setOwners();
     const std::vector<int>& needs(int piece);
     int arrive(const Header&);
     void makeSequence(int before);
@@ -91,6 +95,7 @@ private:
     std::int64_t total_ = 0;
     double unevenBefore_ = 0;               // most of a rank over the mean when bricks were looked for
     int since_ = 0;                         // migrations since then
+    int sole_ = -1;                         // the rank that has all
 
     std::vector<std::int64_t> number_;      // of slots
     std::vector<char> kind_;

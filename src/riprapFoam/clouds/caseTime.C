@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseTime.H"
+#include "allRanks.H"
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "pictures.H"
@@ -11,17 +12,43 @@
 #include "sceneCloud.H"
 #include "timeManifest.H"
 #include "timeWriter.H"
+#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
+//- Of several processes: those that the first has
+static instantList timesOfMaster(const fileName& casePath)
+{
+    if (!Pstream::parRun()) return Time::findTimes(casePath, "constant");
+
+    std::string names;
+    if (Pstream::master())
+    {
+        for (const instant& t : Time::findTimes(casePath, "constant"))
+        {
+            names += t.name() + '\n';
+        }
+    }
+    DynamicList<instant> times;
+    std::istringstream all(textOfMaster(names));
+    for (std::string name; std::getline(all, name);)
+    {
+        scalar value = 0;
+        readScalar(name, value);
+        times.append(instant(value, word(name, false)));
+    }
+    return instantList(std::move(times));
+}
+
+
 //- Make controlDict start at a whole time. \return true if that is another
 //  one than Time would take
 static bool startAtWholeTime(const fileName& casePath, dictionary& controlDict)
 {
-    instantList times(Time::findTimes(casePath, "constant"));
+    instantList times(timesOfMaster(casePath));
     if (times.size() && times[0].name() == "constant")
     {
         times = instantList(SubList<instant>(times, times.size() - 1, 1));
@@ -57,7 +84,9 @@ static bool startAtWholeTime(const fileName& casePath, dictionary& controlDict)
 
     controlDict.set("startFrom", "startTime");
     controlDict.set("startTime", latest.value());
-    return latest.name() != times.last().name();
+
+    // A processor without particles may not have the time
+    return Pstream::parRun() || latest.name() != times.last().name();
 }
 
 
@@ -122,7 +151,7 @@ Foam::autoPtr<Foam::caseTime> Foam::caseTime::New
     bool anyTime
 )
 {
-    const fileName file(args.path()/"system"/Time::controlDictName);
+    const fileName file(args.globalPath()/"system"/Time::controlDictName);
     if (!anyTime && isFile(file))
     {
         IFstream is(file);
@@ -150,7 +179,8 @@ bool Foam::caseTime::writeAs(const IOstreamOption& how, bool valid) const
     timeWriter::ofRun().begin
     (
         timePath(),
-        controlDict().getOrDefault<bool>("writeAsynchronously", true)
+        !Pstream::parRun()
+     && controlDict().getOrDefault<bool>("writeAsynchronously", true)
     );
     writing_ = timePath();
 
@@ -235,7 +265,7 @@ void Foam::caseTime::finishAtStop()
 
     timeWriter::ofRun().finish(fileNameList(), pictures::ofRun().now(), required_);
     writing_.clear();
-    const std::string failure(timeWriter::ofRun().settled());
+    const std::string failure(firstTextOfRanks(timeWriter::ofRun().settled()));
     if (!failure.empty())
     {
         WarningInFunction
@@ -248,8 +278,19 @@ void Foam::caseTime::finishWrite()
 {
     if (writing_.empty()) return;
 
-    timeWriter::ofRun().finish(old(), pictures::ofRun().now(), required_);
+    const fileNameList older(old());
+    timeWriter& writer = timeWriter::ofRun();
     writing_.clear();
+    if (!Pstream::parRun())
+    {
+        writer.finish(older, pictures::ofRun().now(), required_);
+        return;
+    }
+
+    // Older times go when that of all processes is whole
+    writer.finish(fileNameList(), pictures::ofRun().now(), required_);
+    stopIfAny(writer.settled());
+    for (const fileName& path : older) rmDir(path, true);
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "lineSeries.H"
+#include "Pstream.H"
 #include "OSspecific.H"
 #include "SortableList.H"
 #include "timeWriter.H"
@@ -65,7 +66,8 @@ void Foam::writeLineSeries
     const lineFields& fields
 )
 {
-    if (timeWriter::ofRun().onTrial()) return;
+    // Each process has them all
+    if (!Pstream::master() || timeWriter::ofRun().onTrial()) return;
 
     const fileName folder(time.globalPath()/"VTK");
     const fileName file(folder/name/(name + '_' + time.timeName() + ".vtp"));

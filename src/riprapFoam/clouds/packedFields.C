@@ -67,7 +67,12 @@ void requireCloud(const polyMesh& mesh, const word& cloud)
         FatalErrorInFunction
             << "There are no particles at time " << time.timeName() << ": "
             << time.timePath()/"lagrangian"/cloud
-            << " has no positions. Has setParticles been run?"
+            << " has no positions. "
+            << (
+                   Pstream::parRun()
+                 ? "Have setParticles and then decomposePar been run?"
+                 : "Has setParticles been run?"
+               )
             << exit(FatalError);
     }
 }

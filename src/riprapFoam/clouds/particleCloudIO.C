@@ -2,11 +2,14 @@
 /*  Writing of clouds, and what reading and writing share. Reading: particleCloudRead.C, particlePositions.C. */
 
 #include "particleCloudIO.H"
+#include "allRanks.H"
 #include "cloud.H"
 #include "IOdictionary.H"
 #include "IOField.H"
+#include "localIOdictionary.H"
 #include "OSspecific.H"
 #include "pictures.H"
+#include "sceneState.H"
 #include "timeWriter.H"
 
 #include <algorithm>
@@ -255,19 +258,19 @@ void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
 Foam::dictionary Foam::readCloudProperties(const Time& time, const word& cloudName)
 {
     IOobject io(propertiesFile(time, cloudName, IOobject::MUST_READ));
-    if (!isFile(io.objectPath())) return dictionary();
+    if (!onAnyRank(Pstream::master() && isFile(io.objectPath()))) return dictionary();
 
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    if (Pstream::master() && !io.typeHeaderOk<localIOdictionary>(true))
     {
         FatalIOErrorInFunction(io.objectPath())
             << "The file is empty or cut short: it has no header of OpenFOAM's" << exit(FatalIOError);
     }
-    const IOdictionary properties(io);
+    const dictionary properties(stateDictionary(io));
     const bool written = properties.found("geometry");
     if (!written)
     {
         FatalIOErrorInFunction(properties)
             << "Entry geometry is missing: has the file been cut short?" << exit(FatalIOError);
     }
-    return dictionary(properties);
+    return properties;
 }

@@ -94,6 +94,21 @@ static void readFields
 }
 
 
+// More than a label holds is read as a number
+static label readCount(Istream& is)
+{
+    const scalar count = readScalar(is);
+    const scalar most = riprap::mostFluidParticles;
+    if (!(count >= 0 && count <= most))
+    {
+        FatalIOErrorInFunction(is)
+            << count << " particles; a cloud, which counts them in 32 bits, can have " << most
+            << exit(FatalIOError);
+    }
+    return label(count);
+}
+
+
 // Positions are in the order of ids: so must be what belongs to them
 static void putFieldsInOrder(particleCloud& c)
 {
@@ -131,6 +146,56 @@ bool Foam::hasParticleCloud
 }
 
 
+bool Foam::isRounded(const polyMesh& mesh, const word& cloudName)
+{
+    IOobject io(cloudFile(mesh, cloudName, "positions", fileName()));
+    return !positionsReader(io).headerOk() && hasParticleCloud(mesh, cloudName);
+}
+
+
+bool Foam::readUndivided
+(
+    const Time& time,
+    const word& cloudName,
+    pointField& positions,
+    labelField& ids
+)
+{
+    const fileName folder(time.globalPath()/time.timeName()/cloud::prefix/cloudName);
+    const auto object = [&](const word& file)
+    { return IOobject(file, folder, time, IOobject::MUST_READ, IOobject::NO_WRITE, false); };
+    const IOobject io(object("positions"));
+    if (!positionsReader(io).headerOk()) return false;
+
+    particleCloud c(cloudName);
+    bool ordered = false;
+    {
+        positionsReader file(io);
+        Istream& is = file.stream();
+        ordered = file.note() == inOrderOfIds;
+        const label n = readCount(is);
+        is.readBeginList(cloudName.c_str());
+        c.position.setSize(n);
+        c.cell.setSize(n);
+        readPositions(nullptr, is, c);
+        is.readEndList(cloudName.c_str());
+        is.fatalCheck(FUNCTION_NAME);
+        file.close();
+    }
+    for (const word field : {"id", "origId"})
+    {
+        IOobject values(object(field));
+        if (values.typeHeaderOk<IOField<label>>(true)) c.labels.set(field, IOField<label>(values));
+    }
+    const labelField* found = idsOf(c);
+    if (!found || found->size() != c.size()) return false;
+    if (ordered) putFieldsInOrder(c);
+    positions = c.position;
+    ids = *idsOf(c);
+    return true;
+}
+
+
 Foam::particleCloud Foam::readParticleCloud
 (
     const polyMesh& mesh,
@@ -152,22 +217,13 @@ Foam::particleCloud Foam::readParticleCloud
         Istream& is = file.stream();
 
         ordered = asPositions && file.note() == inOrderOfIds;
-        // More than a label holds is read as a number
-        const scalar count = readScalar(is);
-        const scalar most = riprap::mostFluidParticles;
-        if (!(count >= 0 && count <= most))
-        {
-            FatalIOErrorInFunction(is)
-                << count << " particles; a cloud, which counts them in 32 bits, can have " << most
-                << exit(FatalIOError);
-        }
-        const label n = label(count);
+        const label n = readCount(is);
         is.readBeginList(cloudName.c_str());
         c.position.setSize(n);
         c.cell.setSize(n);
         if (asPositions)
         {
-            readPositions(mesh, is, c);
+            readPositions(&mesh, is, c);
         }
         else
         {

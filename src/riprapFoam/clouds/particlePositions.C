@@ -49,14 +49,14 @@ static void checkCell(const polyMesh& mesh, const Istream& is, label i, label ce
 }
 
 
-void readPositions(const polyMesh& mesh, Istream& is, particleCloud& c)
+void readPositions(const polyMesh* mesh, Istream& is, particleCloud& c)
 {
     forAll(c.position, i)
     {
         scalar x[3];
         label celli[1];
         readEntry(is, x, celli);
-        checkCell(mesh, is, i, celli[0]);
+        if (mesh) checkCell(*mesh, is, i, celli[0]);
         c.position[i] = point(x[0], x[1], x[2]);
         c.cell[i] = celli[0];
     }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneCloud.H"
+#include "dividedCloud.H"
 #include "pictures.H"
 #include "timeWriter.H"
 #include "Time.H"
@@ -99,6 +100,7 @@ const Foam::particleCloud& Foam::sceneCloud::fetch() const
     {
         auto particles = std::make_shared<particleCloud>(name());
         fill(*particles);
+        if (Pstream::parRun()) outside_ = sendToCells(mesh_, *particles);
         particles_ = particles;
     }
     return *particles_;
@@ -115,11 +117,13 @@ bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
     const particleCloud& particles = fetch();
     const labelField& id = particles.labels[idField()];
     const labelList order(orderOf(id));
-    label nOutside = 0;
+    label nOutside = outside_;
     writtenCloud written;
     written.cell = std::make_shared<const labelList>
     (
-        locate
+        Pstream::parRun()
+      ? labelList(labelField(particles.cell, order))
+      : locate
         (
             pointField(particles.position, order),
             labelList(id, order),
@@ -132,8 +136,8 @@ bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
     writeParticleCloud(mesh_, written);
     if (timeWriter::ofRun().onTrial()) return true;
 
-    Info<< "Written " << time().timeName() << ": " << particles.size()
-        << " particles" << (picture ? ", a picture" : "");
+    Info<< "Written " << time().timeName() << ": "
+        << returnReduce(particles.size(), sumOp<label>()) << " particles" << (picture ? ", a picture" : "");
     if (nOutside)
     {
         Info<< ", " << nOutside << " of them outside the mesh";

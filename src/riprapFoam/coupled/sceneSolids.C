@@ -184,7 +184,8 @@ void Foam::sceneSolids::registerSolids(riprap::DemScene& solids)
     (
         new solidCloud
         (
-            mesh_, solids, settings_, input_, typeOfBondType_, run_, false
+            mesh_, solids, solids, settings_, input_, typeOfBondType_, run_,
+            false
         )
     );
     sceneObject_.reset

@@ -11,7 +11,7 @@
 
 riprap::DemInput Foam::demInputWithMotion
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const demSettings& settings,
     const solidSet& solids,
     const wallBodies& walls,
@@ -55,7 +55,7 @@ riprap::DemInput Foam::demInputWithMotion
 
 void Foam::coverSolids
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const wallBodies& walls,
     const wallBodies& groups,
     const riprap::DemInput& input,

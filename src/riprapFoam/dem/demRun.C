@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demRun.H"
+#include "allRanks.H"
 #include "sceneState.H"
 #include "OSspecific.H"
 
@@ -17,11 +18,16 @@ namespace Foam
 
 bool hasDemRun(const Time& time, bool withState)
 {
-    if (!withState)
+    // The state of all processes is with the first
+    bool has = false;
+    if (Pstream::master())
     {
-        return isFile(stateObject(time, demRun::file).objectPath());
+        has =
+            withState
+          ? hasState(time, demRun::file, demRun::stateFile)
+          : isFile(stateObject(time, demRun::file).objectPath());
     }
-    return hasState(time, demRun::file, demRun::stateFile);
+    return onAnyRank(has);
 }
 
 
@@ -32,8 +38,9 @@ demRun readDemRun(const Time& time)
     demRun run;
     orDamaged(io, [&]()
     {
-        const IOdictionary dict(io);
+        const dictionary dict(stateDictionary(io));
         run.read(dict);
+        run.digits = dict.getOrDefault<label>("digits", 6);
         run.brokenBefore = count(dict, "brokenBefore");
         run.timeStep = dict.get<scalar>("timeStep");
         run.stepFraction = dict.get<scalar>("stepFraction");
@@ -43,11 +50,20 @@ demRun readDemRun(const Time& time)
 }
 
 
+label writtenDigits(const Time& time)
+{
+    return
+        time.writeFormat() == IOstream::BINARY
+      ? 17 : label(IOstream::defaultPrecision());
+}
+
+
 void writeDemRun(const Time& time, const demRun& run)
 {
     IOdictionary dict(stateObject(time, demRun::file));
 
     run.write(dict);
+    dict.add("digits", writtenDigits(time));
     dict.add("brokenBefore", exact(run.brokenBefore));
     dict.add("timeStep", exact(run.timeStep));
     dict.add("stepFraction", exact(run.stepFraction));

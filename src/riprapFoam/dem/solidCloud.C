@@ -41,6 +41,7 @@ static vectorField rotationVectors(const std::vector<double>& wxyz)
 Foam::solidCloud::solidCloud
 (
     const polyMesh& mesh,
+    riprap::DemScene& part,
     riprap::DemScene& scene,
     const demSettings& settings,
     const riprap::DemInput& input,
@@ -50,6 +51,7 @@ Foam::solidCloud::solidCloud
 )
 :
     sceneCloud(mesh, "solids"),
+    part_(part),
     scene_(scene),
     settings_(settings),
     input_(input),
@@ -195,7 +197,7 @@ const Foam::word& Foam::solidCloud::idField() const
 
 void Foam::solidCloud::fill(particleCloud& particles) const
 {
-    const riprap::DemState now(scene_.particles());
+    const riprap::DemState now(part_.particles());
 
     particles.position = toVectors(now.position);
     particles.vectors.set("U", toVectors(now.velocity));
@@ -239,7 +241,11 @@ void Foam::solidCloud::writeState(bool picture) const
 {
     if (writesState_ && !picture)
     {
-        writeStateWords(time(), demRun::stateFile, scene_.saveState());
+        std::vector<std::int32_t> words(scene_.saveState());
+        if (Pstream::master())
+        {
+            writeStateWords(time(), demRun::stateFile, std::move(words));
+        }
     }
     if (input_.clumps.size() && !picture)
     {
@@ -256,7 +262,7 @@ void Foam::solidCloud::writeState(bool picture) const
         writeBondLines(time(), particles, now);
         run.brokenBefore += lost;
     }
-    if (!picture) writeDemRun(time(), run);
+    if (!picture && Pstream::master()) writeDemRun(time(), run);
 }
 
 

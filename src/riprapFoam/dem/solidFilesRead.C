@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidFileFields.H"
+#include "dividedCloud.H"
 #include "HashSet.H"
 #include "listed.H"
 #include "mathematicalConstants.H"
@@ -136,8 +137,7 @@ Foam::solidSet Foam::readSolids
 )
 {
     const word name("solids");
-    requireCloud(mesh, name);
-    particleCloud cloud(readParticleCloud(mesh, name));
+    particleCloud cloud(readWholeCloud(mesh, name));
     if (!cloud.labels.found("origId"))
     {
         cloud.labels.set("origId", labelField(identity(cloud.size())));

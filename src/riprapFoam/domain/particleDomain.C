@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleDomain.H"
+#include "allRanks.H"
 #include "cyclicPolyPatch.H"
 #include "inputFile.H"
 #include "SubField.H"
@@ -113,19 +114,17 @@ static void checkPatch(const polyPatch& patch)
 
 static void readGravity(const polyMesh& mesh, particleDomain& config)
 {
-    checkInputFile(mesh.time().constantPath()/"g", largestNumber);
-    const uniformDimensionedVectorField g
+    const IOobject io
     (
-        IOobject
-        (
-            "g",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        "g",
+        constantOfCase(mesh.time()),
+        mesh.time(),
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
     );
+    checkInputFile(io.objectPath(), largestNumber);
+    const uniformDimensionedVectorField g(io);
 
     if (g.dimensions() != dimAcceleration)
     {
@@ -196,7 +195,7 @@ IOdictionary readConstant(const word& file, const Time& time)
     const IOobject io
     (
         file,
-        time.constant(),
+        constantOfCase(time),
         time,
         IOobject::MUST_READ,
         IOobject::NO_WRITE,

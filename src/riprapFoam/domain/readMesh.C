@@ -10,7 +10,7 @@
 
 Foam::autoPtr<Foam::fvMesh> Foam::readMesh(const Time& time)
 {
-    const fileName system(time.path()/time.system());
+    const fileName system(time.globalPath()/time.system());
     const bool schemes =
         isFile(system/"fvSchemes") && isFile(system/"fvSolution");
 

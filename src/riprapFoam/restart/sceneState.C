@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneState.H"
+#include "allRanks.H"
+#include "IStringStream.H"
+#include "localIOdictionary.H"
 #include "labelIOList.H"
 #include "Hasher.H"
 #include "OSspecific.H"
@@ -243,7 +246,7 @@ bool hasState
     orDamaged(state, [&]()
     {
         headers =
-            run.typeHeaderOk<IOdictionary>(false)
+            run.typeHeaderOk<localIOdictionary>(false)
          && state.typeHeaderOk<labelIOList>(false);
     });
     if (!headers)
@@ -251,6 +254,25 @@ bool hasState
         damaged(state, "one of its two files is missing or empty");
     }
     return true;
+}
+
+
+dictionary stateDictionary(const IOobject& io)
+{
+    std::string text;
+    if (Pstream::master())
+    {
+        const localIOdictionary dict(io);
+        if (!Pstream::parRun()) return dictionary(dict);
+        OStringStream os;
+        os.precision(17);
+        dict.dictionary::write(os, false);
+        text = os.str();
+    }
+    IStringStream is(textOfMaster(text));
+    dictionary dict(is);
+    dict.name() = io.objectPath();
+    return dict;
 }
 
 

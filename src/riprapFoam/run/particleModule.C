@@ -6,6 +6,7 @@
 #include "particleModule.H"
 #include "sceneCloud.H"
 #include "timeManifest.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -22,7 +23,7 @@ Foam::particleModule::particleModule
     interrupted_(false),
     runTime_(runTime),
     mesh_(mesh),
-    boundary_(mesh),
+    boundary_(wholeBoundary(mesh)),
     escaped_(boundary_)
 {}
 
@@ -62,7 +63,8 @@ bool Foam::particleModule::mayContinue(const runRecord& run, int64_t cloudSize)
     }
 
     const timeManifest& manifest(timeManifest::of(runTime_.timePath()));
-    asWritten_ = manifest.is == timeManifest::kind::whole;
+    rewritten_ = manifest.redistributed;
+    asWritten_ = manifest.is == timeManifest::kind::whole && !rewritten_;
     const std::string changed(manifest.changedSince(cloudName_));
     if (!changed.empty())
     {

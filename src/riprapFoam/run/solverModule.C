@@ -7,7 +7,7 @@
 #include "Time.H"
 #include "OSspecific.H"
 #include "listed.H"
-#include "HashSet.H"
+#include "Pstream.H"
 
 namespace Foam
 {
@@ -64,6 +64,14 @@ static wordList availableModules()
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
+Foam::wordHashSet& Foam::solverModule::divided()
+{
+    static wordHashSet names;
+    return names;
+}
+
+
+
 Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
 (
     const word& name,
@@ -82,6 +90,15 @@ Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
         const auto constructor = fvMeshConstructorTablePtr_->cfind(name);
         if (constructor.found())
         {
+            if (Pstream::parRun() && !divided().found(name))
+            {
+                FatalIOErrorInFunction(runTime.controlDict())
+                    << "Entry solver is " << name << ", which runs on one"
+                    << " process, and there are " << Pstream::nProcs()
+                    << ": without -parallel it uses all cores"
+                    << " (OMP_NUM_THREADS) or one GPU; on several processes"
+                    << " runs solver dem" << exit(FatalIOError);
+            }
             return constructor()(runTime, mesh);
         }
     }

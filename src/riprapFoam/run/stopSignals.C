@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stopSignals.H"
+#include "PstreamReduceOps.H"
 
 namespace
 {
@@ -59,7 +60,10 @@ Foam::stopSignals::~stopSignals()
 
 const char* Foam::stopSignals::received() const
 {
-    switch (receivedSignal)
+    // Of several processes: what any of them has got
+    int received = receivedSignal;
+    reduce(received, maxOp<int>());
+    switch (received)
     {
         case SIGINT: return "SIGINT";
         case SIGTERM: return "SIGTERM";

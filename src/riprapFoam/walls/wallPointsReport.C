@@ -2,6 +2,7 @@
 /*  Choice of wall patches and geometry, report and output of wall points */
 
 #include "wallPoints.H"
+#include "allRanks.H"
 #include "pointGrid.H"
 #include "coupledPolyPatch.H"
 #include "emptyPolyPatch.H"
@@ -69,7 +70,7 @@ Foam::labelList Foam::wallPatches
 
 Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
 {
-    IOobject io("geometry", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    IOobject io("geometry", constantOfCase(time), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!isFile(io.objectPath())) return nullptr;
     checkInputFile(io.objectPath(), largestNumber);
 

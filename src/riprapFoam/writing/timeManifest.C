@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timeManifest.H"
+#include "allRanks.H"
 #include "Hasher.H"
 #include "HashSet.H"
 #include "IFstream.H"
@@ -102,6 +103,42 @@ static bool isState(const fileName& file)
 }
 
 
+//- In the manifest of one of several processes
+static const std::string processLine = "# Of processes: ";
+
+
+//- Of clouds
+static bool isCloud(const fileName& file)
+{
+    return
+        file.starts_with("lagrangian/")
+     || file.starts_with("uniform/lagrangian/");
+}
+
+
+//- Have OpenFOAM's tools divided this time, or put it together, since it was
+//  written by so many processes?
+static bool isRedistributed
+(
+    const fileName& timePath,
+    label processes,
+    const DynamicList<fileName>& listed
+)
+{
+    if (processes != Pstream::nProcs()) return true;
+
+    // decomposePar leaves coordinates, or nothing where no particle is
+    for (const fileName& file : listed)
+    {
+        const bool gone =
+            Pstream::parRun() && file.name() == "positions" && isCloud(file)
+         && !isFile(timePath/file);
+        if (gone) return true;
+    }
+    return false;
+}
+
+
 //- One line of a manifest against the file that is there now
 static void compare
 (
@@ -171,6 +208,9 @@ static timeManifest readManifest(const fileName& timePath)
     manifest.is = timeManifest::kind::whole;
     std::ifstream in(manifestOf(timePath));
     std::string line;
+    label processes = 1;
+    DynamicList<fileSum> sums;
+    DynamicList<fileName> names;
     while (std::getline(in, line))
     {
         if (line + '\n' == pictureLine)
@@ -178,6 +218,10 @@ static timeManifest readManifest(const fileName& timePath)
             manifest.is = timeManifest::kind::picture;
             manifest.why = "it is a picture, without the state to start from";
             return manifest;
+        }
+        if (line.compare(0, processLine.size(), processLine) == 0)
+        {
+            std::istringstream(line.substr(processLine.size())) >> processes;
         }
         if (line.empty() || line[0] == '#') continue;
 
@@ -193,7 +237,15 @@ static timeManifest readManifest(const fileName& timePath)
             break;
         }
         then.foam = kind == "foam";
-        compare(timePath, then, fileName(name), manifest);
+        sums.append(then);
+        names.append(fileName(name));
+    }
+
+    manifest.redistributed = isRedistributed(timePath, processes, names);
+    forAll(names, i)
+    {
+        if (manifest.redistributed && isCloud(names[i])) continue;
+        compare(timePath, sums[i], names[i], manifest);
     }
     return manifest;
 }
@@ -202,6 +254,44 @@ static timeManifest readManifest(const fileName& timePath)
 //- The last time that was compared
 static fileName comparedPath;
 static timeManifest compared;
+
+
+//- What the processes have, each in its own directory, as one
+static timeManifest ofAllRanks(timeManifest own)
+{
+    typedef timeManifest::kind kind;
+    const auto any = [&](kind k) { return onAnyRank(own.is == k); };
+
+    own.redistributed = onAnyRank(own.redistributed);
+    const bool some = any(kind::whole) || any(kind::picture);
+    if (some && own.is == kind::none && !own.redistributed)
+    {
+        own.is = kind::damaged;
+        own.why = "it has no manifest";
+    }
+    const std::string where = "processor" + std::to_string(Pstream::myProcNo());
+    own.why = firstTextOfRanks(own.why.empty() ? own.why : where + ": " + own.why);
+    std::string changed;
+    for (const fileName& file : own.changed) changed += file + '\n';
+    own.changed.clear();
+    for (const std::string& text : textsOfRanks(changed))
+    {
+        std::istringstream files(text);
+        for (std::string file; std::getline(files, file);)
+        {
+            if (!own.changed.found(file)) own.changed.append(fileName(file));
+        }
+    }
+    for (const kind k : {kind::damaged, kind::unfinished, kind::picture, kind::whole})
+    {
+        if (any(k))
+        {
+            own.is = k;
+            break;
+        }
+    }
+    return own;
+}
 
 
 static std::string reasonOf(const timeManifest& manifest)
@@ -227,6 +317,7 @@ const Foam::timeManifest& Foam::timeManifest::of(const fileName& timePath)
     if (comparedPath != timePath)
     {
         compared = readManifest(timePath);
+        if (Pstream::parRun()) compared = ofAllRanks(compared);
         comparedPath = timePath;
     }
     return compared;
@@ -236,6 +327,9 @@ const Foam::timeManifest& Foam::timeManifest::of(const fileName& timePath)
 void Foam::timeManifest::begin(const fileName& timePath)
 {
     comparedPath.clear();
+    // decomposePar leaves a link to the case's own
+    const fileName uniform(timePath/"uniform");
+    if (uniform.type(false) == fileName::LINK) rm(uniform);
     mkDir(folder(timePath));
     std::ofstream part(partOf(timePath));
     part << "# riprapFoam is writing this time, or was stopped while it did\n"
@@ -285,6 +379,11 @@ void Foam::timeManifest::finish
     lines << "# As riprapFoam wrote them (compressed ones: what they hold):"
         << " bytes, check sum, foam or other, name\n"
         << (picture ? pictureLine : "");
+    if (Pstream::parRun())
+    {
+        lines << processLine << Pstream::nProcs() << ", this is "
+            << Pstream::myProcNo() << '\n';
+    }
     for (const fileName& file : files)
     {
         const auto written = known.find(timePath/file);
@@ -345,14 +444,15 @@ std::string Foam::timeManifest::changedSince(const word& cloud) const
 
 bool Foam::hasParticles(const fileName& timePath)
 {
+    bool has = false;
     for (const char* cloud : {"fluid", "solids"})
     {
         for (const char* file : {"positions", "coordinates"})
         {
-            if (isFile(timePath/"lagrangian"/cloud/file)) return true;
+            has = has || isFile(timePath/"lagrangian"/cloud/file);
         }
     }
-    return false;
+    return onAnyRank(has);
 }
 
 

@@ -137,6 +137,7 @@ DemState DemSolver<Backend, D, P>::particles()
         for (int k = 0; k < nBonds_; ++k)
             if (broken[k]) for (const int key : {a[k], b[k]}) if (slotOf[key] >= 0) ++s.brokenBonds[slotOf[key]];
     }
+    dropGhosts(s.brokenBonds, 1);
     return s;
 }
 

@@ -273,6 +273,12 @@ private:
     void requireAlone(const char* what) const;
 
     // demState.hpp
+    bool isSaved(int field) const;
+    int savedFields() const;
+    std::vector<std::int32_t> stateWords();
+    void takeState(const std::vector<std::int32_t>& words);
+    std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>& words) const;
+    void collectAll();
     std::vector<int> keptBonds();
     template<class F> void forEachMemory(F f);
     template<class F> void forEachBondMemory(const std::vector<int>& kept, F f);

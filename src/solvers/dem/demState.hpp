@@ -2,7 +2,8 @@
 
     Neighbours are sought anew before saving, so that the saving scene and the loading one go on with the same lists. A scene that
     particles have left is loaded by one that was made of those that stayed: particles are known by their ids, and cells are those
-    of the saving scene, whose skin may come from a particle that is no more. Layout (32-bit words): magic, version, dimensions,
+    of the saving scene, whose skin may come from a particle that is no more. Of several ranks the first has all particles while the
+    state is saved or loaded: the words are those of one process, so any number of ranks goes on with them. Layout (32-bit words): magic, version, dimensions,
     bytes of real, backend, histories, particles, fields, bonds, clumps, walls, entries of contact lists, of walls; the clock; the
     search; ids; then arrays; a checksum (FNV-1a over all words before it).
 
@@ -145,11 +146,39 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
     }
 }
 
+//- Marks of ghosts are not part of a state
+template<class Backend, int D, class P>
+bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != calmField_ || sleeps(); }
+
+template<class Backend, int D, class P>
+int DemSolver<Backend, D, P>::savedFields() const
+{
+    int n = 0;
+    for (int f = 0; f < fields_.fields(); ++f) n += isSaved(f);
+    return n;
+}
+
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 {
-    requireAlone("saved states");
+    if (!others_)
+    {
+        rebuild();
+        return stateWords();
+    }
+    others_->gatherOn(0);
     rebuild();
+    std::vector<std::int32_t> words = stateWords();
+    if (config_.ranks->rank() != 0) words.clear();
+    others_->gatherOn(-1);
+    rebuild();
+    return words;
+}
+
+//- Of all particles here, which have just been sorted
+template<class Backend, int D, class P>
+std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
+{
     readClock();
     searchedAt_ = host_.step;
     host_.windowEnd = -1e300;               // motions are sampled anew, by both
@@ -158,12 +187,12 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     const std::vector<int> kept = keptBonds();
     std::vector<std::int32_t> words
     {
-        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), histories_, n, fields_.fields(),
+        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), histories_, n, savedFields(),
         int(kept.size()), nClumps_, nWalls_, int(list_.entries()), wallMemory_.entries
     };
     // Room for most of it, without which it would be copied again and again
     std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
-    for (int f = 0; f < fields_.fields(); ++f) expected += (std::size_t(n)*fields_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < fields_.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*fields_.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
     if (nClumps_) expected += (nClumps_*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     words.reserve(expected);
@@ -186,7 +215,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     {
         // keys count particles of this scene alone
         if (f == idField_) words.resize(words.size() + n, 0);
-        else write(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+        else if (isSaved(f)) write(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
     }
     forEachBondMemory(kept, [&](auto& array, int numbers)
     {
@@ -209,7 +238,82 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 {
-    requireAlone("saved states");
+    if (!others_) return takeState(words);
+    const std::vector<std::int32_t> all = wordsOfFirst(words);
+    collectAll();
+    // as one process that has everything, then in parts again
+    std::unique_ptr<ParticleExchange> others(std::move(others_));
+    takeState(all);
+    others_ = std::move(others);
+    setPieces();
+    others_->begin(n_);
+    rebuild();
+    setCapacity(others_->residents() + others_->residents()/4 + 256);
+    rebuild();
+}
+
+//- The first rank's
+template<class Backend, int D, class P>
+std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
+{
+    Transport& ranks = *config_.ranks;
+    std::vector<RankBytes> out(ranks.size()), in;
+    if (ranks.rank() == 0)
+    {
+        RankBytes bytes;
+        putValues(bytes, words.data(), words.size());
+        out.assign(ranks.size(), bytes);
+    }
+    ranks.exchange(out, in);
+    std::vector<std::int32_t> all(in[0].size()/sizeof(std::int32_t));
+    const unsigned char* from = in[0].data();
+    takeValues(from, all.data(), all.size());
+    return all;
+}
+
+//- Memory for all particles on each rank, and who they are, in the order of ids
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::collectAll()
+{
+    Transport& ranks = *config_.ranks;
+    const auto key = field<std::int32_t>(idField_);
+    std::vector<RankBytes> out(ranks.size()), in;
+    RankBytes own;
+    for (int i = 0; i < others_->residents(); ++i)
+    {
+        if (ghost(i)) continue;
+        const double empty = D == 2 ? emptyCoordinate_[key[i]] : 0;
+        putValues(own, &ids_[key[i]]);
+        putValues(own, &empty);
+    }
+    out.assign(ranks.size(), own);
+    ranks.exchange(out, in);
+    std::map<std::int32_t, double> all;
+    for (const RankBytes& bytes : in)
+        for (const unsigned char* from = bytes.data(); from < bytes.data() + bytes.size();)
+        {
+            std::int32_t id;
+            double empty;
+            takeValues(from, &id);
+            takeValues(from, &empty);
+            all[id] = empty;
+        }
+    setCapacity(int(all.size()));
+    ids_.clear();
+    emptyCoordinate_.clear();
+    for (const auto& one : all)
+    {
+        ids_.push_back(one.first);
+        if (D == 2) emptyCoordinate_.push_back(one.second);
+    }
+    // nobody is a ghost
+    fields_.upload(context_, calmField_, std::vector<std::int32_t>(n_, -1));
+}
+
+//- As one process that has all particles
+template<class Backend, int D, class P>
+void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
+{
     const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
     constexpr std::size_t header = 13;
     if (words.size() < header + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1) fail("too short");
@@ -219,7 +323,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
-    if (words[5] != histories_ || words[7] != fields_.fields()) fail("it has other fields (models were switched on or off)");
+    if (words[5] != histories_ || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
     if (n != n_) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(n_));
     if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
@@ -237,7 +341,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     restoreSearch(search);
     std::vector<std::int32_t> ids(n);
     take(ids.data(), ids.size()*sizeof(std::int32_t));
-    for (int f = 0; f < fields_.fields(); ++f) read(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+    for (int f = 0; f < fields_.fields(); ++f) if (isSaved(f)) read(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
     restoreIds(ids);
     std::vector<int> all(nBonds_);
     for (int k = 0; k < nBonds_; ++k) all[k] = k;

@@ -42,7 +42,7 @@ Foam::OFstream& Foam::functionObjects::sceneFunctionObject::row
     const UList<string>& comments
 )
 {
-    if (!writeToFile() || timeWriter::ofRun().onTrial())
+    if (!Pstream::master() || !writeToFile() || timeWriter::ofRun().onTrial())
     {
         return Snull;
     }

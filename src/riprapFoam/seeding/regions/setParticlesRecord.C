@@ -6,6 +6,7 @@
 #include "setParticlesRecord.H"
 #include "particleRegions.H"
 #include "IOdictionary.H"
+#include "localIOdictionary.H"
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
@@ -176,15 +177,15 @@ void Foam::recordSetParticles(const Time& time, const dictionary& dict)
 void Foam::requireSetParticles(const Time& time)
 {
     const IOobject io(recordObject(time));
-    if (!isFile(io.objectPath())) return;
+    if (!Pstream::master() || !isFile(io.objectPath())) return;
 
-    IOdictionary then(io);
+    localIOdictionary then(io);
     const fileName given(then.get<fileName>(fileEntry));
     then.remove(fileEntry);
-    const fileName file(given.isAbsolute() ? given : time.path()/given);
+    const fileName file(given.isAbsolute() ? given : time.globalPath()/given);
     if (!isFile(file)) return;
 
-    const IOdictionary all
+    const localIOdictionary all
     (
         IOobject(file, time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
     );

@@ -93,6 +93,8 @@ void Foam::wallTimes::write(const Time& time, double meanwhile) const
         time.globalPath()/"postProcessing"/"wallTimes"
        /Time::timeName(time.startTime().value())
     );
+    // Those of the main process
+    if (!Pstream::master()) return;
     mkDir(folder);
     OFstream file(folder/"wallTimes.dat");
     file<< "# part\tseconds\ttimes" << nl;

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Are the solids of two cases the same particles, number for number?
+
+    sameClouds.py CASE TIME OTHER OTHERTIME [--whole] [--close]
+
+CASE is read from its processors' folders, with --whole from its own time; OTHER from its own time. Files are binary. Particles are
+compared by origId: their fields to the bit, with --close positions to 1e-9 m. Prints what differs and exits with 1, else how
+many particles there are.
+"""
+import glob
+import os
+import re
+import struct
+import sys
+
+components = {'labelField': ('i', 1), 'scalarField': ('d', 1), 'vectorField': ('d', 3)}
+
+
+def readList(path):
+    """Rows of a cloud's file, as tuples"""
+    with open(path, 'rb') as f:
+        data = f.read()
+    head = re.search(rb'FoamFile\s*\{(.*?)\}', data, re.S)
+    entries = dict(re.findall(rb'(\w+)\s+([^;\n]+);', head.group(1)))
+    kind, form = entries[b'class'].decode().strip('"'), entries[b'format']
+    found = re.compile(rb'(?:\s*//[^\n]*\n)*\s*(\d+)\s*([({]?)').match(data, head.end())
+    count, start = int(found.group(1)), found.end()
+    if count == 0:
+        return []
+    if form != b'binary':
+        raise ValueError(f'{path} is not binary')
+    if kind.startswith('Cloud'):
+        row = struct.Struct('<ddd')
+        size = 3*8 + 4 + 3                  # in brackets, with the cell behind them, a line each
+        start += data[start:start + 1] == b'\n'
+        return [row.unpack_from(data, start + 1 + i*size) for i in range(count)]
+    letter, width = components[kind]
+    if found.group(2) == b'{':
+        return [tuple(float(x) for x in data[start:data.index(b'}', start)].split())]*count
+    row = struct.Struct('<' + letter*width)
+    return [row.unpack_from(data, start + i*row.size) for i in range(count)]
+
+
+def read(folders):
+    """Of each particle its fields, by name"""
+    particles = {}
+    for folder in folders:
+        names = sorted(set(os.listdir(folder)) - {'coordinates'})
+        fields = {name: readList(os.path.join(folder, name)) for name in names}
+        for i, (number,) in enumerate(fields['origId']):
+            if number in particles:
+                raise ValueError(f'particle {number} is there twice')
+            particles[number] = {name: rows[i] for name, rows in fields.items()}
+    return particles
+
+
+def main(arguments):
+    whole, close = '--whole' in arguments, '--close' in arguments
+    case, time, other, otherTime = [a for a in arguments if not a.startswith('--')]
+    parts = [case] if whole else sorted(glob.glob(os.path.join(case, 'processor*')))
+    a = read([os.path.join(part, time, 'lagrangian', 'solids') for part in parts])
+    b = read([os.path.join(other, otherTime, 'lagrangian', 'solids')])
+    if set(a) != set(b) or not a:
+        print(f'{len(a)} particles, and {len(b)}, or others')
+        return 1
+    wrong = {}
+    for number, fields in a.items():
+        for name, value in fields.items():
+            there = b[number].get(name, ())
+            near = close and name == 'positions' and all(abs(x - y) <= 1e-9 for x, y in zip(value, there))
+            if value != there and not near:
+                wrong.setdefault(name, []).append(number)
+    print('; '.join(f'{name} of {len(numbers)}, {numbers[0]} the first' for name, numbers in wrong.items()) or f'{len(a)} particles')
+    return bool(wrong)
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))

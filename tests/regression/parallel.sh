@@ -1,0 +1,180 @@
+#!/bin/bash
+# riprapFoam -parallel with solver dem: clouds of 2 and 3 processes are those of one, to the bit, written, put together, divided and
+# continued; what several processes cannot do, and processes that fail
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/etc/bashrc" || { echo "FAIL parallel no environment"; exit 1; }
+for program in blockMesh setParticles riprapFoam decomposePar reconstructPar
+do
+    command -v $program >/dev/null || { echo "FAIL parallel no $program"; exit 1; }
+done
+command -v mpirun >/dev/null || { echo "SKIP parallel no mpirun"; exit 0; }
+python=${RIPRAP_PYTHON:-python3}
+case=$(mktemp -d)
+trap 'rm -rf "$case"' EXIT
+cd "$case" || exit 1
+suite=parallel
+. "$root/tests/regression/setParticlesCases"
+export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+onRanks()   # N [OPTIONS]
+{
+    local n=$1
+    shift
+    mpirun -np "$n" --oversubscribe --mca mpi_yield_when_idle 1 riprapFoam -parallel "$@"
+}
+divide()    # N [OPTIONS]
+{
+    local n=$1
+    shift
+    rm -rf processor*
+    dictionary system/decomposeParDict <<<"numberOfSubdomains $n; method simple; simpleCoeffs { n ($n 1 1); delta 0.001; }"
+    decomposePar "$@" >log.divide 2>&1 || tail -5 log.divide
+}
+control()   # ENDTIME INTERVAL [ENTRIES]
+{
+    dictionary system/controlDict <<<"application riprapFoam; solver dem; startFrom latestTime; startTime 0; stopAt endTime; endTime $1;
+deltaT 1e-4; adjustTimeStep yes; sampleInterval $2; writeControl adjustableRunTime; writeInterval $2; writeFormat binary; writePrecision 10;
+timePrecision 9; functions { $functions } ${3:-}"
+}
+functions='energy { type solidEnergies; libs ("libriprapFoam.so"); } walls { type solidWallForce; libs ("libriprapFoam.so"); }
+grains { type groupMotion; libs ("libriprapFoam.so"); } chains { type contactChains; libs ("libriprapFoam.so"); writeControl writeTime; }'
+same()      # NAME CASE TIME OTHER OTHERTIME [OPTIONS]
+{
+    local name=$1 said
+    shift
+    said=$("$python" "$root/tests/python/sameClouds.py" "$@" 2>&1) && pass "$name" || fail "$name" "$(tail -1 <<<"$said")"
+}
+# Numbers of all tables to round-off
+sameTables()    # NAME CASE OTHER
+{
+    local said
+    said=$("$python" - "$2" "$3" 2>&1 <<'END'
+import glob, os, sys
+wrong, tables = [], 0
+for path in sorted(glob.glob(os.path.join(sys.argv[2], 'postProcessing/*/*/*.dat'))):
+    if 'wallTimes' in path:
+        continue
+    tables += 1
+    a, b = ([[float(x) for x in line.split()] for line in open(p) if line[0] != '#']
+            for p in (os.path.join(sys.argv[1], os.path.relpath(path, sys.argv[2])), path))
+    bound = 1e-9*max(abs(x) for row in b for x in row)
+    same = [len(r) for r in a] == [len(r) for r in b] and all(abs(x - y) <= bound for r, q in zip(a, b) for x, y in zip(r, q))
+    if not same:
+        wrong.append(os.path.basename(path))
+print(' '.join(wrong), tables, 'tables')
+sys.exit(bool(wrong) or tables < 4)
+END
+    ) && pass "$1" || fail "$1" "other numbers: $said"
+}
+
+# Disks: the column of the tutorial, whose gate goes at once
+mkdir disks && cd disks || exit 1
+cp -r "$root"/tutorials/dem/columnCollapse/{constant,system} .
+control 0.02 0.01
+printf '(\n(-1 ((0 0 0) (0 0 0)))\n(0 ((0 0 0) (0 0 0)))\n(0.001 ((0.01 0 0) (0 0 0)))\n(0.01 ((0.1 0 0) (0 0 0)))\n(0.05 ((0.5 0 0) (0 0 0)))\n(100 ((0.5 0 0) (0 0 0)))\n)\n' >constant/gate
+{ blockMesh && setParticles; } >log 2>&1 || fail disks.made "$(tail -1 log)"
+divide 2 -cellDist
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+onRanks 2 >log 2>&1
+says disks.log 'Processes = 2, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+for t in 0.01 0.02; do same "disks.$t" . $t ../one $t; done
+sameTables disks.tables . ../one
+reconstructPar >log 2>&1
+same disks.reconstructed . 0.02 ../one 0.02 --whole --close
+cd ..; rm -rf one
+
+# Spheres that roll over a cylinder among walls: 3 processes, which go on; then one, then two
+grains='grains { set solids; material glass; source box; box (0.005 0.005 0.004) (0.04 0.055 0.036); packing random; radius 0.002; largestRadius 0.003; solidFraction 0.4; seed 1; velocity (0.8 0 0); }'
+glass='contact { normal linear; tangential history; rolling spring; } materials { glass { rho 2500; } } pairs { default { stiffness 2e4; restitution 0.5; friction 0.4; stiffnessRatio 0.3; rollingFriction 0.05; } } walls { material glass; }'
+mkdir spheres && cd spheres || exit 1
+tank3
+geometry 'pier { type searchableCylinder; point1 (0.06 0 -0.01); point2 (0.06 0 0.05); radius 0.012; }'
+dictionary constant/solidProperties <<<"$glass"
+dictionary system/setParticlesDict <<<"regions ( $grains );"
+setParticles >log 2>&1 || fail spheres.made "$(oneLine | tail -c 300)"
+control 0.03 0.01
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 3
+control 0.01 0.01
+onRanks 3 >log 2>&1
+says spheres.starts 'Positions of lagrangian/solids are those of the case'
+same spheres.0.01 . 0.01 ../one 0.01
+cp -r . ../again
+control 0.02 0.01
+onRanks 3 >log 2>&1
+says spheres.continues 'Continuing exactly from time 0.01'
+same spheres.0.02 . 0.02 ../one 0.02
+reconstructPar >log 2>&1
+rm -rf 0.01
+control 0.03 0.01
+riprapFoam >log 2>&1
+says spheres.oneGoesOn 'Continuing exactly from time 0.02'
+same spheres.one . 0.03 ../one 0.03 --whole
+cd ../again || exit 1
+reconstructPar >log 2>&1
+divide 2
+control 0.02 0.01
+onRanks 2 >log 2>&1
+says spheres.othersGoOn 'Continuing exactly from time 0.01'
+same spheres.two . 0.02 ../one 0.02
+
+# What several processes cannot do; processes that fail
+refusedOn()     # N NAME MESSAGE [OPTIONS]
+{
+    local n=$1 name=bad.$2 message=$3 status said start=$SECONDS
+    shift 3
+    timeout 60 mpirun -np "$n" --oversubscribe --mca mpi_yield_when_idle 1 riprapFoam -parallel "$@" >log 2>&1; status=$?
+    said=$(oneLine | sed 's/\[[0-9]*\] //g')
+    if ((status == 0)); then fail "$name" "was accepted"
+    elif ((SECONDS - start > 20)); then fail "$name" "took $((SECONDS - start)) s"
+    elif [[ $(grep -c 'FOAM FATAL' log) != 1 ]]; then fail "$name" "not one message: ${said:${#said}<400?0:-400}"
+    elif ! grep -qE -- "$message" <<<"$said"; then fail "$name" "the message is not '$message': ${said:${#said}<400?0:-400}"
+    else pass "$name"
+    fi
+}
+rm -rf 0.0* postProcessing
+for word in sleep gpu
+do
+    cp constant/solidProperties kept
+    case $word in
+        sleep) echo 'sleep { speed 1e-3; after 0.01; }' >>constant/solidProperties; refusedOn 2 sleep 'solidProperties.sleep.*Entry speed is 0.001: solids sleep on one process';;
+        gpu) echo 'device gpu;' >>constant/solidProperties; refusedOn 2 gpu 'solidProperties.*Entry device is gpu: several processes run on CPUs';;
+    esac
+    mv kept constant/solidProperties
+done
+refusedOn 2 solver 'Entry solver is sphDem, which runs on one process' -solver sphDem
+refusedOn 3 count 'number of processor directories = 2 is not equal to the number of processors = 3'
+refusedOn 2 dryRun 'Options -parallel and -dry-run exclude each other' -dry-run
+
+# A damaged file of one process; a disk that takes nothing more from one process
+control 0.03 0.01
+cp -r processor1 whole1
+head -c 700 whole1/0.01/lagrangian/solids/U >processor1/0.01/lagrangian/solids/U 2>/dev/null
+refusedOn 2 damaged 'lagrangian/solids'
+rm -rf processor1; mv whole1 processor1
+rm -rf processor*/0.0[23]*
+: >processor1/0.03
+refusedOn 2 full 'processor1/0.03'
+rm processor1/0.03
+onRanks 2 >log 2>&1
+says full.passedOver 'Time 0.03 is passed over: processor0: the run that wrote it was stopped|Time 0.03 is passed over: it holds no particles|Continuing exactly from time 0.02'
+same full.goesOn . 0.03 ../one 0.03
+
+# One process is killed: the other ends, and the next run goes on from the last time
+rm -rf processor*/0.0[23]*
+control 0.5 0.01
+onRanks 2 >log 2>&1 &
+run=$!
+for i in $(seq 100); do [[ -e processor1/0.02/uniform/riprap/manifest ]] && break; sleep 0.2; done
+start=$SECONDS
+kill -9 "$(pgrep -P "$run" riprapFoam | tail -1)"
+wait $run && fail killed.status 'mpirun says that all went well' || pass killed.status
+((SECONDS - start < 15)) && pass killed.soon || fail killed.soon "$((SECONDS - start)) s"
+control 0.03 0.01
+rm -rf processor*/0.0[3-9]* processor*/0.[1-9]*
+onRanks 2 >log 2>&1
+says killed.goesOn 'Continuing exactly from time 0.02'
+same killed.same . 0.03 ../one 0.03
