@@ -317,23 +317,20 @@ int main(int argc, char* argv[])
         FatalError.exit();
     }
 
-    checkParallel(args);
-    shareThreads();
-
-    if (args.found("advise"))
-    {
-        advise(args);
-    }
-
-    if (postProcess && args.found("list"))
-    {
-        functionObjectList::list();
-        return 0;
-    }
-
     runProgram
     ([&]()
     {
+        checkParallel(args);
+        shareThreads();
+        if (args.found("advise"))
+        {
+            advise(args);
+        }
+        if (postProcess && args.found("list"))
+        {
+            functionObjectList::list();
+            return;
+        }
         runCase(args, postProcess);
         Info<< "End\n" << endl;
     });
