@@ -164,12 +164,11 @@ static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
     labelList merged(identity(points.size()));
     if (merge)
     {
-        pointField different;
-        mergePoints
-        (
-            points, 1e-8*mesh.bounds().mag(), false, merged, different
-        );
-        points = different;
+        // What it returns depends on the version
+        mergePoints(points, 1e-8*mesh.bounds().mag(), false, merged);
+        pointField unique(max(merged) + 1);
+        forAll(points, i) unique[merged[i]] = points[i];
+        points.transfer(unique);
     }
 
     faceList shapes(label(faces.size()));
