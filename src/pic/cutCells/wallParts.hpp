@@ -113,6 +113,19 @@ double turnedInto(const Obstacle<D>& o)
     return (volume > 0) == o.solidOutside ? 1 : -1;
 }
 
+//- Beyond the sides of the domain, where no water is: a piece lies on one side of each
+template<int D>
+bool isBeyond(const UniformGrid<D>& grid, const Vec<D, double>& x)
+{
+    constexpr double hair = 1e-6;               // cells
+    for (int d = 0; d < D; ++d)
+    {
+        const double at = (x[d] - grid.origin[d])/grid.h;
+        if (at < -hair || at > grid.n[d] + hair) return true;
+    }
+    return false;
+}
+
 template<int D>
 void addObstacle(const UniformGrid<D>& grid, const Obstacle<D>& o, int part, WallParts<D>& parts)
 {
@@ -125,7 +138,7 @@ void addObstacle(const UniformGrid<D>& grid, const Obstacle<D>& o, int part, Wal
         {
             WallPiece<D> piece{part, int(parts.part.size()) - 1, thin, {}, {}};
             measurePiece(points, piece.area, piece.middle);
-            if (!(squaredNorm(piece.area) > 0)) return;
+            if (!(squaredNorm(piece.area) > 0) || isBeyond(grid, piece.middle)) return;
             piece.area = sense*piece.area;
             parts.pieces.push_back(piece);
             if (o.closed) return;

@@ -154,6 +154,20 @@ TEST(WallParts, ABoxOnTheFloorIsPressedDown)
     EXPECT_NEAR(s[10].force[0], 0, 1e-9*load);
 }
 
+//- What of a slope lies below the floor is dry, although water is less than a cell before it
+TEST(WallParts, ASlopeEndsAtTheFloor)
+{
+    for (int k = 0; k < 5; ++k)
+    {
+        const double foot = 0.2 + 0.011*k, length = 1 - foot;
+        const auto s = Tank(20, {polygon({Vec2{{foot - 1, -0.5}}, Vec2{{foot + 2, -0.5}}, Vec2{{foot + 2, 1}}})}).forces();
+        const double load = rhoG*(length*surface - 0.25*length*length);
+        EXPECT_NEAR(s[10].force[1], -load, 1e-3*load) << k;
+        EXPECT_NEAR(s[10].force[0], 0.5*load, 1e-3*load) << k;
+        EXPECT_NEAR(s[0].force[0] + s[1].force[0] + s[10].force[0], 0, 1e-3*load) << k;
+    }
+}
+
 //- A thin plate across the tank is pressed from both sides, by what stands there
 TEST(WallParts, AThinPlateIsPressedFromBothSides)
 {
