@@ -38,6 +38,11 @@ do
     [[ -s 0.1/$field ]] && pass "wrote.$field" || fail "wrote.$field" "no 0.1/$field"
 done
 
+# No scheme is needed: fvSolution is read without fvSchemes beside it
+mv system/fvSchemes schemes
+riprapFoam -dry-run >log 2>&1; says withoutSchemes '^End'
+mv schemes system/fvSchemes
+
 # The same in two runs, to the bit
 mkdir whole; cp -r 0.1 whole
 rm -rf 0.05 0.1
