@@ -192,6 +192,10 @@ class Files(unittest.TestCase):
 
 
 class Scenes(unittest.TestCase):
+    def test_length_before_a_list_is_no_point(self):
+        for text in ('((0 1 2) (3 4 5))', '2((0 1 2) (3 4 5))', '2 ( ( 0 1 2 ) ( 3 4 5 ) )'):
+            np.testing.assert_array_equal(scene.pointsOf(text), np.arange(6.0).reshape(2, 3))
+
     def test_shape_of_a_body_is_where_its_pose_says(self):
         with tempfile.TemporaryDirectory() as folder:
             madeCase.mesh(folder, (0, 0, 0), (2, 2, 2))

@@ -249,7 +249,7 @@ class Case:
                     self._shapes.append(('surface', int(numberOf(entries['body'])), *made))
             for number, entries in enumerate(v for v in properties.get('shapes', {}).values() if isinstance(v, dict)):
                 if 'outline' in entries:
-                    points, triangles = np.array(clouds.numbers(entries['outline'].encode())).reshape(-1, 3), None
+                    points, triangles = pointsOf(entries['outline']), None
                     if self.flat is None:
                         continue
                     points[:, self.flat] = 0
@@ -569,6 +569,11 @@ class Case:
             self.bondLines(frame, what)
         frame.items += self.walls(frame.time)
         return frame
+
+
+def pointsOf(text):
+    """Of a list of OpenFOAM, ((x y z) ..), whose length may stand before it"""
+    return clouds.numbers(text[text.find('('):].encode()).reshape(-1, 3)
 
 
 def sizes(values):
