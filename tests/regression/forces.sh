@@ -73,7 +73,7 @@ geometry 'block { type searchableBox; min (0.15 0.06 -1); max (0.25 0.12 1); }'
 dictionary constant/sphProperties <<<"device cpu; maxVelocity 2; walls { $motion }"
 control sphDem 0.02 "$parts wall { type wallForce; libs (\"libriprapFoam.so\"); }"
 setParticles >log 2>&1
-run sph
+run sph; quiet logDefault 'Sum of force'
 head -4 postProcessing/right/0/force.dat >header
 grep -q '^# Force' header && grep -qE '^# CofR +: \(0.4 0 0.005\)' header && grep -qE $'^# Time +\t\(total_x total_y total_z\)\t\(pressure_x pressure_y pressure_z\)\t\(viscous_x viscous_y viscous_z\) *$' header \
     && pass header || fail header "$(cat header)"

@@ -222,6 +222,7 @@ Foam::functionObjects::particleForces::particleForces
 bool Foam::functionObjects::particleForces::read(const dictionary& dict)
 {
     sceneFunctionObject::read(dict);
+    log = dict_.lookupOrDefault("log", false);
     origin_ = dict_.lookupOrDefault<point>("CofR", Zero);
     parts_.reset(new forceParts(mesh_, dict_, name()));
     return true;
