@@ -50,7 +50,6 @@ Foam::wordList Foam::solverModules::picDem::modelsOff() const
     const riprap::PicConfig& c = settings_.config;
 
     DynamicList<word> off;
-    off.append("surfaceTension");
     if (c.reflection == 0) off.append("reflection");
     if (c.absorbers.empty()) off.append("absorb");
     if (c.openings.empty()) off.append("openings");

@@ -11,7 +11,7 @@
 
 Foam::OSstream& Foam::logItem(std::string what)
 {
-    what.resize(16, ' ');
+    if (what.size() < 16) what.resize(16, ' ');
     OSstream& os = Info();
     os  << "    " << what.c_str() << ' ';
     return os;

@@ -125,7 +125,7 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
     for (std::size_t i = 0; i < r.size(); ++i)
         require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0) || 2*r[i] >= smallest(c), "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
           + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of " + std::to_string(c.cellSize) + " m across; a rigid body "
-            "needs no such particles if it is a box, a cylinder, a sphere or a closed surface, or a list with the entry surface");
+            "needs no such particles if it is a box, a cylinder or a sphere, in 3D a closed surface, in 2D an outline (clumpsFromOutline), or a list with the entry surface");
     inside.scene = createDemScene(onDeviceOf(c, device, s.config), s.input);
 }
 
