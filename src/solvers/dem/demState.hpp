@@ -380,7 +380,8 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
         if (config_.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
         else fits = fits && lo > s.lower[d] && hi < s.lower[d] + s.length[d];
     }
-    if (!fits) throw std::invalid_argument("saved state: it is of another domain");
+    if (!fits)
+        throw std::invalid_argument("saved state: it is of another domain: moving walls reach farther, as with a later endTime, or the mesh has changed");
     const double cell = wallCell();
     radii_ = s.radii;
     for (int d = 0; d < D; ++d) box_.set(d, s.lower[d], s.length[d], config_.periodic[config_.axes[d]]);
