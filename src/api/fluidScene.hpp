@@ -31,7 +31,7 @@ struct FluidInput
     std::size_t size() const { return position.size()/3; }
 };
 
-enum class StopReason {none, notANumber, density, speed, listOverflow, solids};
+enum class StopReason {none, notANumber, density, speed, listOverflow, solids, tooFast};
 
 struct FluidEnergy                            // [J] (2D: per metre of depth)
 {

@@ -95,6 +95,8 @@ struct PicConfig : FluidConfig
 
     // Guards
     double maxCourantEver = 5;              // a particle that went this many cells in a step stops the run
+    double maxSpeed = 0;                    // [m/s], a faster particle stops the run; 0: fallSpeeds times that of a fall through the domain, or of the first step; without gravity and motion none
+    static constexpr double fallSpeeds = 50;
 };
 
 //- Sides of the domain, and what the faces of the grid are where they are not open water: cells' faces normal to each solved

@@ -31,6 +31,9 @@ good()          # after a mesh: everything else as it should be, and half the ta
 
 # A run and its fields
 tank2; good
+pic 'guards { maxSpeed 0.1; }'
+refused tooFast 'Guard at time .* goes at [0-9.]+ m/s; guards/maxSpeed allows 0.1' riprapFoam
+pic ''
 riprapFoam >log 2>&1; says run '^End'
 says volumeEachStep 'Volume = [0-9.e-]+, error = -?[0-9.e-]+, put right so far'
 for field in p U alpha.water lagrangian/fluid/positions

@@ -41,6 +41,10 @@ void Foam::solverModules::picDem::checkStop() const
             << run_.steps << ": " << report_.stopMessage.c_str() << nl
             << advice() << exit(FatalError);
     }
+    else if (report_.stop == StopReason::tooFast)
+    {
+        what<< report_.stopMessage.c_str();
+    }
     else
     {
         what<< "would go " << report_.stopValue << " cells in a step;"

@@ -191,6 +191,10 @@ static void readGuards(checkedDictionary& pic, picSettings& settings)
     checkedDictionary dict(pic.subDict("guards"));
     settings.config.maxCourantEver =
         dict.positive("Courant", settings.config.maxCourantEver);
+    if (dict.found("maxSpeed"))
+    {
+        settings.config.maxSpeed = dict.positive("maxSpeed", 1);
+    }
     settings.guards.read(dict);
     dict.end();
 }

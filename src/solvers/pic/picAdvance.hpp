@@ -84,6 +84,7 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         report.maxSpeed = std::max(report.maxSpeed, speed);
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
         else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
+        else if (!(speed <= speedLimit(speed))) stopTooFast(report, speed);
         else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h)) stopAtSolids(report, "would go "
             + std::to_string(bodies_->fastest()*dt/grid_.h) + " cells in a step; guards/Courant allows " + std::to_string(config_.maxCourantEver));
         else if (bodies_ && bodies_->acrossPeriodic(grid_)) stopAtSolids(report, "reaches across a periodic side, where it cannot be followed");
@@ -131,6 +132,28 @@ void PicSolver<Backend, D, P>::stopAtSolids(PicReport& report, const std::string
 {
     report.stop = StopReason::solids;
     report.stopMessage = "a solid " + why;
+}
+
+//- Steps that follow the Courant number shrink as fast as speeds grow: no other guard would end a run that blows up. 0 at the first step: not known yet
+template<class Backend, int D, class P>
+double PicSolver<Backend, D, P>::speedLimit(double now)
+{
+    if (config_.maxSpeed > 0) return config_.maxSpeed;
+    if (speedLimit_ == 0)
+    {
+        double fall = 0;
+        for (int d = 0; d < 3; ++d) fall += 2*std::abs(config_.gravity[d])*(config_.domainMax[d] - config_.domainMin[d]);
+        const double known = std::max(std::sqrt(fall), now);
+        speedLimit_ = known > 0 ? PicConfig::fallSpeeds*known : 1e30;
+    }
+    return speedLimit_;
+}
+
+template<class Backend, int D, class P>
+void PicSolver<Backend, D, P>::stopTooFast(PicReport& report, double speed)
+{
+    report.stop = StopReason::tooFast;
+    report.stopMessage = "goes at " + std::to_string(speed) + " m/s; guards/maxSpeed allows " + std::to_string(speedLimit(speed)) + " m/s";
 }
 
 //- Which particle made a guard fire

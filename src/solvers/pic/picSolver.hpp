@@ -223,6 +223,8 @@ private:
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void findOffender(PicReport&, double courant);
     void stopAtSolids(PicReport&, const std::string& why);
+    double speedLimit(double now);
+    void stopTooFast(PicReport&, double speed);
 
     PicConfig config_;
     Context<Backend> context_;
@@ -243,6 +245,7 @@ private:
     Array<Backend, real> phi_, carried_, spare_;
     Array<Backend, unsigned char> wet_, near_;
     Array<Backend, real> u_[D], before_[D], change_[D], mass_[D], aperture_[D], wallVelocity_[D];
+    double speedLimit_ = 0;                         // [m/s] above it a guard fires
     Array<Backend, real> after_[D], carrier_[D];    // with reflection: of particles after the step, and what carries them
     Array<Backend, real> absorb_[D];                // rates of zones that absorb waves; empty: there are none
     Array<Backend, unsigned char> layer_[D];
