@@ -50,6 +50,7 @@ Foam::wordList Foam::solverModules::picDem::modelsOff() const
     const riprap::PicConfig& c = settings_.config;
 
     DynamicList<word> off;
+    if (c.viscosity == 0) off.append("viscosity");
     if (c.reflection == 0) off.append("reflection");
     if (c.absorbers.empty()) off.append("absorb");
     if (c.openings.empty()) off.append("openings");
@@ -98,7 +99,7 @@ void Foam::solverModules::picDem::logModels() const
         << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;
     if (c.viscosity > 0)
     {
-        logItem("viscosity") << picNames::viscosity[c.viscousScheme] << nl;
+        logItem("viscosity") << picNames::viscosity[int(c.viscousScheme)] << nl;
     }
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
     for (const riprap::PicAbsorber& zone : c.absorbers)

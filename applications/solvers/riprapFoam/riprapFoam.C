@@ -30,6 +30,7 @@ Usage
 #include "readMesh.H"
 #include "runForecast.H"
 #include "runProgram.H"
+#include "sceneNeeds.H"
 #include "setParticlesRecord.H"
 #include "solverModule.H"
 #include "stopSignals.H"
@@ -275,6 +276,9 @@ static void runCase(const argList& args, bool postProcess)
         (
             runTime, *module, effort, interval, start, fieldsAreRead(runTime)
         );
+        sceneNeeds needs;
+        module->needs(needs);
+        needs.log(Info());
         Info<< "Nothing was written" << nl << endl;
     }
     else

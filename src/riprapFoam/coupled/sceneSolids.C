@@ -8,6 +8,7 @@
 #include "demMotion.H"
 #include "moduleLog.H"
 #include "OSspecific.H"
+#include "solidNeeds.H"
 #include "sphNames.H"
 #include "timeManifest.H"
 
@@ -204,6 +205,20 @@ bool Foam::sceneSolids::sameAsCloud() const
         settings_.config,
         mesh_.bounds().mag()
     );
+}
+
+
+void Foam::sceneSolids::needs(sceneNeeds& needs)
+{
+    // Not tried: the fluid owns the scene. The plan says how much they hold
+    const auto planned = [this](const riprap::DemConfig& config)
+    {
+        modelCost cost;
+        cost.bytes = riprap::planDemScene(settings_.config, input_).bytes;
+        cost.bytesWithout = riprap::planDemScene(config, input_).bytes;
+        return cost;
+    };
+    solidNeeds(needs, settings_, input_, typeOfBondType_, planned);
 }
 
 

@@ -133,7 +133,30 @@ static riprap::Vector3 pointOf(const dictionary& dict, const word& entry)
 }
 
 
-//- Zones that absorb waves
+//- Does the zone begin where the mesh has ended? Its rate grows along a line:
+//  the largest is at a corner
+static bool beyondMesh
+(
+    const riprap::PicAbsorber& zone,
+    const riprap::PicConfig& config
+)
+{
+    scalar most = 0;
+    for (int d = 0; d < config.dimensions; ++d)
+    {
+        const int axis = config.axes[d];
+        const scalar way = zone.to[axis] - zone.from[axis];
+        most += max
+        (
+            way*(config.domainMin[axis] - zone.from[axis]),
+            way*(config.domainMax[axis] - zone.from[axis])
+        );
+    }
+    return most <= 0;
+}
+
+
+//- Zones that absorb waves; those that absorb nothing are not kept
 static void readAbsorbers(checkedDictionary& pic, riprap::PicConfig& config)
 {
     const dictionary& zones = pic.subDict("absorb");
@@ -178,7 +201,7 @@ static void readAbsorbers(checkedDictionary& pic, riprap::PicConfig& config)
                 << " place: from and to must differ along a solved direction"
                 << exit(FatalIOError);
         }
-        if (zone.rate > 0)
+        if (zone.rate > 0 && !beyondMesh(zone, config))
         {
             config.absorbers.push_back(zone);
         }
@@ -223,8 +246,20 @@ static void readPicProperties
     config.positionCorrection =
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
 
-    config.viscousScheme =
-        pic.choice("viscosity", picNames::viscosity, config.viscousScheme);
+    const int scheme = pic.choice
+    (
+        "viscosity",
+        picNames::viscosity,
+        int(config.viscousScheme)
+    );
+    if (scheme == picNames::noViscosity)
+    {
+        config.viscosity = 0;
+    }
+    else
+    {
+        config.viscousScheme = riprap::ViscousKind(scheme);
+    }
 
     readWalls(pic, mesh, settings);
     readAbsorbers(pic, config);

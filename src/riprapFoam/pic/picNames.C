@@ -10,11 +10,12 @@ namespace Foam
 namespace picNames
 {
 
-const Enum<riprap::ViscousKind> viscosity
+const Enum<int> viscosity
 ({
-    {riprap::ViscousKind::automatic, "automatic"},
-    {riprap::ViscousKind::explicitly, "explicit"},
-    {riprap::ViscousKind::implicitly, "implicit"}
+    {int(riprap::ViscousKind::automatic), "automatic"},
+    {int(riprap::ViscousKind::explicitly), "explicit"},
+    {int(riprap::ViscousKind::implicitly), "implicit"},
+    {noViscosity, "none"}
 });
 
 const Enum<riprap::OpeningKind> opening

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleModule.H"
+#include "sceneNeeds.H"
 #include "sceneCloud.H"
 #include "timeManifest.H"
 #include "wholeBoundary.H"
@@ -150,6 +151,30 @@ void Foam::particleModule::logProgress()
         runTime_.startTime().value(),
         runTime_.endTime().value()
     );
+}
+
+
+void Foam::particleModule::controlNeeds
+(
+    sceneNeeds& needs,
+    bool adjusts,
+    bool cells
+) const
+{
+    const dictionary& control = runTime_.controlDict();
+    if (!adjusts)
+    {
+        needs.idle(control, "maxDeltaT", "adjustTimeStep is no");
+    }
+    if (!adjusts || !cells)
+    {
+        needs.idle
+        (
+            control,
+            wordList({"maxCo", "maxFlyingCo"}),
+            cells ? "adjustTimeStep is no" : "of picDem alone"
+        );
+    }
 }
 
 

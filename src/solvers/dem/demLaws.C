@@ -27,6 +27,41 @@ std::vector<LawCard> cardsOf()
 
 void add(std::vector<PairEntry>& to, const LawCard& card) { to.insert(to.end(), card.entries.begin(), card.entries.end()); }
 
+//- A contact that slips and rolls, in steps
+constexpr int D = 3, steps = 4;
+
+ContactGeometry<D, double> contact(int step)
+{
+    ContactGeometry<D, double> g{};
+    g.n.c[1] = 1;
+    g.overlap = 1e-4*(1 + step);
+    g.approach = 0.1 - 0.05*step;
+    g.slip.c[0] = 0.2;
+    g.slip.c[2] = -0.1;
+    g.roll.c[0] = 3;
+    g.roll.c[2] = 1 - step;
+    g.reducedMass = g.meanMass = 0.01;
+    g.reducedRadius = 0.005;
+    g.dt = g.since = 1e-4;
+    return g;
+}
+
+//- f(contact, force, history) of each step: is all that comes back and stays 0?
+template<int H, class F>
+bool addsNothing(const F& f)
+{
+    const NormalForce<double> load{1, 1, 1e4, 2, 1};
+    double h[H + 1] = {};
+    bool nothing = true;
+    for (int k = 0; k < steps; ++k)
+    {
+        const auto added = f(contact(k), load, h);
+        for (const double a : added.c) nothing = nothing && a == 0;
+        for (const double past : h) nothing = nothing && past == 0;
+    }
+    return nothing;
+}
+
 } // namespace
 
 std::vector<LawCard> normalLaws() { return cardsOf<NormalLaws>(); }
@@ -87,6 +122,27 @@ NormalNeeds normalNeeds(const LawChoice& c)
         n = NormalNeeds{L::elasticConstants, L::gravity, L::stiffenedBy, L::stiffening};
     });
     return n;
+}
+
+LawEffects lawEffects(const LawChoice& laws, const PairProperties& p)
+{
+    LawEffects e;
+    NormalLaws::at(laws.normal, [&](auto law) { e.normalReaches = decltype(law)::type::reaches; });
+    TangentialLaws::at(laws.tangential, [&](auto law)
+    {
+        using Law = typename decltype(law)::type;
+        const auto numbers = Law::make(p);
+        e.slides = addsNothing<Law::template history<D>>
+            ([&](const auto& g, const auto& load, double* h) { return Law::template force<D, double>(numbers, g, load, h); });
+    });
+    RollingLaws::at(laws.rolling, [&](auto law)
+    {
+        using Law = typename decltype(law)::type;
+        const auto numbers = Law::make(p);
+        e.rolls = addsNothing<Law::template history<D>>
+            ([&](const auto& g, const auto& load, double* h) { return Law::template moment<D, double>(numbers, g, load, h); });
+    });
+    return e;
 }
 
 } // namespace riprap

@@ -41,4 +41,13 @@ struct NormalNeeds
 };
 NormalNeeds normalNeeds(const LawChoice&);
 
+//- What laws do with the numbers of a pair, found by their own formulas
+struct LawEffects
+{
+    bool normalReaches = false;     // contacts act beyond the surfaces, as far as the pair's numbers say
+    bool slides = false;            // the tangential law adds nothing and remembers nothing, to the bit
+    bool rolls = false;             // nor does the rolling law
+};
+LawEffects lawEffects(const LawChoice&, const PairProperties&);
+
 } // namespace riprap

@@ -282,5 +282,27 @@ TEST(LawCards, PacksAreScalars)
     });
 }
 
+//- Without its own coefficient a law adds and remembers nothing; with it it does, unless it is none
+TEST(LawEffects, AreThoseOfTheFormulas)
+{
+    const auto normals = normalLaws(), tangentials = tangentialLaws(), rollings = rollingLaws();
+    for (int n = 0; n < int(normals.size()); ++n)
+        for (int t = 0; t < int(tangentials.size()); ++t)
+            for (int r = 0; r < int(rollings.size()); ++r)
+            {
+                PairProperties p;
+                p.youngA = p.youngB = 1e7;
+                for (const LawCard& card : {normals[n], tangentials[t], rollings[r]})
+                    for (const PairEntry& e : card.entries) if (!e.yesNo && e.required) e.set(p, e.typical);
+                const LawChoice laws{n, t, r};
+                EXPECT_EQ(lawEffects(laws, p).slides, tangentials[t].off) << tangentials[t].word;
+                EXPECT_EQ(lawEffects(laws, p).rolls, rollings[r].off) << rollings[r].word;
+                p.friction = p.rollingFriction = 0;
+                EXPECT_TRUE(lawEffects(laws, p).slides) << tangentials[t].word;
+                EXPECT_TRUE(lawEffects(laws, p).rolls) << rollings[r].word;
+                EXPECT_EQ(lawEffects(laws, p).normalReaches, std::string(normals[n].word) == Jkr::word);
+            }
+}
+
 } // namespace
 } // namespace riprap

@@ -14,6 +14,7 @@
 #include <typeinfo>
 #include <gtest/gtest.h>
 #include "solvers/sph/sphFamilies.hpp"
+#include "solvers/sph/termEffects.hpp"
 #include "termTables.hpp"
 
 namespace riprap
@@ -571,6 +572,33 @@ TEST(SphCards, RareTermsCostNothingUnlessChosen)
         EXPECT_EQ(pair.of(wallTerms).cross, 1);
     });
     Rare(c).withSolidTerms(true, [&](const auto& t) { EXPECT_EQ(pair.of(t).cross, 1); });
+}
+
+//- A term whose first number is not 0 does something; with 0, where that is allowed, nothing. The viscosity is one term's alone
+TEST(TermEffects, AreThoseOfTheFormulas)
+{
+    SphConfig c;
+    c.spacing = 0.01;
+    c.viscosity = 1e-3;
+    const std::vector<TermModel>& terms = pairTerms();
+    for (std::size_t i = 0; i < terms.size(); ++i)
+    {
+        const TermModel& t = terms[i];
+        SphConfig some(c), none(c);
+        for (const TermEntry& e : t.entries) if (!e.yesNo) { e.set(some, e.typical); e.set(none, 0); }
+        EXPECT_FALSE(termEffects(some)[i].idle) << t.word;
+        const bool mayBeNothing = !t.entries.empty() && t.entries[0].allows(0);
+        if (mayBeNothing) { EXPECT_TRUE(termEffects(none)[i].idle) << t.word; }
+        none = some;
+        none.viscosity = 0;
+        const bool laminar = std::string(t.word) == LaminarViscosity<double>::word;
+        EXPECT_EQ(termEffects(none)[i].idle, laminar) << t.word;
+        EXPECT_EQ(termEffects(some)[i].seesViscosity, laminar) << t.word;
+    }
+    c.artificialAtWalls = false;
+    const auto walls = termEffects(c);
+    EXPECT_TRUE(walls[0].atWalls);
+    EXPECT_FALSE(walls[1].atWalls);
 }
 
 } // namespace

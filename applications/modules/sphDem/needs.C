@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    riprap: particles inside OpenFOAM
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    riprapFoam -dry-run: entries and models that this scene does not need.
+\*---------------------------------------------------------------------------*/
+
+#include "sphDem.H"
+#include "particleDomain.H"
+#include "modelTrial.H"
+#include "solvers/sph/termEffects.hpp"
+#include "core/backend/gpus.hpp"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The word of a switch that leaves out the terms which do nothing, if some do
+//  and there is one
+static word wordWithoutIdle
+(
+    const riprap::TermSwitch& s,
+    const riprap::SphConfig& c
+)
+{
+    const std::vector<riprap::TermModel>& terms = riprap::pairTerms();
+    const std::vector<riprap::TermEffect> effects(riprap::termEffects(c));
+    std::vector<bool> wanted;
+    bool any = false;
+    for (std::size_t i = 0; i < terms.size(); ++i)
+    {
+        const bool chosen = terms[i].chosen(c);
+        const bool idle =
+            chosen
+         && effects[i].idle
+         && word(terms[i].chosenBy.entry) == s.entry;
+        wanted.push_back(chosen && !idle);
+        any = any || idle;
+    }
+    for (const std::string& other : riprap::wordsOf(s))
+    {
+        riprap::SphConfig changed(c);
+        s.set(changed, other);
+        bool same = any;
+        for (std::size_t i = 0; i < terms.size(); ++i)
+        {
+            same = same && terms[i].chosen(changed) == wanted[i];
+        }
+        if (same) return other;
+    }
+    return word();
+}
+
+
+//- Of a chosen term
+static bool anyTerm
+(
+    const riprap::SphConfig& c,
+    bool riprap::TermEffect::*does
+)
+{
+    const std::vector<riprap::TermModel>& terms = riprap::pairTerms();
+    const std::vector<riprap::TermEffect> effects(riprap::termEffects(c));
+    for (std::size_t i = 0; i < terms.size(); ++i)
+    {
+        if (terms[i].chosen(c) && effects[i].*does) return true;
+    }
+    return false;
+}
+
+
+static void termNeeds
+(
+    sceneNeeds& needs,
+    const sphSettings& settings,
+    const std::function<modelCost(const riprap::SphConfig&)>& trial
+)
+{
+    const riprap::SphConfig& c = settings.config;
+    const dictionary& dict = settings.dict;
+
+    for (const riprap::TermSwitch& s : riprap::termSwitches())
+    {
+        const word instead(wordWithoutIdle(s, c));
+        if (instead.empty()) continue;
+        riprap::SphConfig changed(c);
+        s.set(changed, instead);
+        needs.on(dict, s.entry, "a factor of its terms is 0", instead, trial(changed));
+    }
+    if (c.shifting != riprap::ShiftingKind::none && c.shiftingCoefficient == 0)
+    {
+        riprap::SphConfig changed(c);
+        changed.shifting = riprap::ShiftingKind::none;
+        needs.on(dict, "shifting", "A is 0", "none", trial(changed));
+    }
+
+    needs.idle(dict, settings.unused, "of terms that are not chosen");
+    if (c.shifting == riprap::ShiftingKind::none)
+    {
+        needs.idle(dict, "shiftingCoeffs", "shifting is none");
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::needs(sceneNeeds& needs)
+{
+    const riprap::SphConfig& c = settings_.config;
+    const dictionary& dict = settings_.dict;
+
+    // Both scenes anew: the run's own has gone on
+    riprap::FluidInput fluid;
+    riprap::WallInput walls;
+    const riprap::WallMotion motion
+    (
+        bodies_.size()
+      ? [this](int body, double t) { return bodies_.pose(body, t); }
+      : riprap::WallMotion()
+    );
+    const scalar room = scene_->device() == riprap::DeviceKind::gpu
+      ? scalar(riprap::gpuInUse().free) : GREAT;
+    const auto trial = [&](const riprap::SphConfig& changed)
+    {
+        if (solids_ || !roomForTrial(*scene_, room)) return modelCost();
+        if (fluid.size() == 0)
+        {
+            otherSpeeds others;
+            walls = buildWalls(others);
+            fluid = fluidInput(readFluid());
+        }
+        const auto with = riprap::createSphScene(c, fluid, walls, motion);
+        const auto without = riprap::createSphScene(changed, fluid, walls, motion);
+        return tryWithout
+        (
+            *with,
+            *without,
+            runTime_.endTime().value(),
+            [](riprap::SphScene& scene)
+            {
+                const riprap::FluidState s(scene.fluid());
+                return std::make_tuple(s.id, s.position, s.velocity, s.density);
+            }
+        );
+    };
+    termNeeds(needs, settings_, trial);
+
+    if (!c.variableSmoothing)
+    {
+        needs.idle
+        (
+            subDictOf(dict, "smoothingLength"),
+            "maxGrowth",
+            "h is constant"
+        );
+    }
+    if (c.eos == riprap::EosKind::linear)
+    {
+        needs.idle(dict, "gamma", "equationOfState is linear");
+    }
+    if (!anyTerm(c, &riprap::TermEffect::seesViscosity))
+    {
+        const std::string why
+        (
+            "no term that is chosen looks at it; the file must have it"
+        );
+        needs.idle
+        (
+            readConstant("fluidProperties", runTime_),
+            wordList({"mu", "nu"}),
+            why
+        );
+    }
+
+    const dictionary& ofWalls = subDictOf(dict, "walls");
+    if (walls_.size() == 0)
+    {
+        needs.idle(ofWalls, wordList({"model", "slip"}), "there are no wall points");
+        if (!solids_)
+        {
+            needs.idle(ofWalls, "impermeable", "there are no walls");
+        }
+    }
+    else if (!anyTerm(c, &riprap::TermEffect::atWalls))
+    {
+        needs.idle(ofWalls, "slip", "no term that is chosen acts at walls");
+    }
+
+    if (!c.adjustTimeStep)
+    {
+        needs.idle
+        (
+            dict,
+            wordList({"acousticCourant", "forceCourant", "viscousCourant"}),
+            "adjustTimeStep is no"
+        );
+    }
+    const dictionary& guards = subDictOf(dict, "guards");
+    if (!c.removeWild)
+    {
+        needs.idle(guards, "maxWild", "guards/wild is stop");
+    }
+    if (settings_.guards.stopAtEscape)
+    {
+        needs.idle(guards, "maxEscaped", "guards/escape is stop");
+    }
+
+    controlNeeds(needs, c.adjustTimeStep, false);
+    if (solids_)
+    {
+        solids_->needs(needs);
+    }
+}
+
+
+// ************************************************************************* //
