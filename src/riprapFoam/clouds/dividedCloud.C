@@ -337,7 +337,7 @@ Foam::label Foam::sendToCells(const polyMesh& mesh, particleCloud& c)
 {
     // Cells' trees need it of all processes
     mesh.tetBasePtIs();
-    const label n = c.size();
+    const label n = max(c.size(), label(0));     // what g++ 12 cannot know
     labelList rankOf(n, -1), cellOf(n, -1);
     boolList wanted(n, true);
     askForCells(mesh, c.position, wanted, false, rankOf, cellOf);
