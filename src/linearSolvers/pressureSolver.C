@@ -26,11 +26,30 @@ Foam::pressureSolver::pressureSolver(const Time& time, const word& field, const 
 }
 
 
-void Foam::pressureSolver::read(const dictionary& controls)
+bool Foam::pressureSolver::read(const dictionary& controls)
 {
+    const SHA1Digest now(controls.digest());
+    if (now == given_) return false;
+    given_ = now;
     controls_ = controls;
     onDevice_ = controls_.get<word>("solver") == deviceSolver;
     if (onDevice_) readDevice(); else checkHost();
+    return true;
+}
+
+
+void Foam::pressureSolver::print(const solverPerformance& solution, label comm)
+{
+    solution.print(Info.masterStream(comm));
+    if (solutions_.size() < 2) solutions_.append(solution); else solutions_.last() = solution;
+}
+
+
+Foam::List<Foam::solverPerformance> Foam::pressureSolver::takeSolutions()
+{
+    List<solverPerformance> taken;
+    taken.transfer(solutions_);
+    return taken;
 }
 
 
@@ -136,7 +155,7 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
     }
     const solverPerformance performance =
         lduMatrix::solver::New(field_, matrix, mesh.borderCoeffs(), mesh.borderCoeffs(), mesh.borderFields(), controls)->solve(x, rhs);
-    performance.print(Info.masterStream(mesh.comm()));
+    print(performance, mesh.comm());
     std::copy(x.begin(), x.end(), system.x.begin());
 
     report.initialResidual = performance.initialResidual();
@@ -150,5 +169,5 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
 void Foam::pressureSolver::report(const riprap::PressureReport& r)
 {
     if (!onDevice_) return;     // OpenFOAM's solvers have printed theirs
-    solverPerformance(deviceSolver, field_, r.initialResidual, r.finalResidual, r.iterations, r.converged).print(Info.masterStream(UPstream::worldComm));
+    print(solverPerformance(deviceSolver, field_, r.initialResidual, r.finalResidual, r.iterations, r.converged), UPstream::worldComm);
 }

@@ -100,8 +100,13 @@ good; rm -rf 0.05 0.1 postProcessing
 column='spacing 0.005; regions ( column { set fluid; source box; box (0 0 -1) (0.1 0.08 1); velocity (0 0 0); pressure hydrostatic; } );'
 short='endTime 0.04; sampleInterval 0.01; writeInterval 0.04;'
 dictionary system/setParticlesDict <<<"$column"
-control "$short functions { points { type probes; libs (\"libsampling.so\"); fields (p); probeLocations ((0.05 0.01 0.005)); } }"
+control "$short functions { points { type probes; libs (\"libsampling.so\"); fields (p); probeLocations ((0.05 0.01 0.005)); }
+residuals { type solverInfo; libs (\"libutilityFunctionObjects.so\"); fields (p); } }"
 setParticles >log 2>&1; riprapFoam >log 2>&1
+# solverInfo: solver, initial and final residual, iterations of the first solution of each sample; several were found
+first=$(awk '/Solving for p/ && !seen { seen = 1; gsub(",", ""); first = sprintf("%s %.4e %.4e %d", $1, $8, $12, $15) } /^Time = / { if (seen) print first; seen = 0 }' log)
+rows=$(awk '!/^#/ { printf "%s: %.4e %.4e %d\n", $2, $3, $4, $5 }' postProcessing/residuals/0/solverInfo.dat)
+[[ -n $first && $rows == "$first" && $(grep -c 'Solving for p' log) -gt $(wc -l <<<"$first") ]] && pass residuals || fail residuals "the log has ${first//$'\n'/; }, solverInfo ${rows//$'\n'/; }"
 [[ $(awk '!/^#/ { print $2 }' postProcessing/points/0/p | sort -u | wc -l) -ge 4 ]] && pass fields.eachSample || fail fields.eachSample 'a probe sees the same p at several samples'
 cp -r 0.04 read; rm -rf 0.04 postProcessing
 control "$short"; riprapFoam >log 2>&1

@@ -9,12 +9,18 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "foamVersions/foamVersions.H"
 #include "logPrecision.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solverModules::picDem::report()
 {
+    for (const solverPerformance& solution : pressure_.takeSolutions())
+    {
+        recordSolution(mesh_, solution);
+    }
+
     const logPrecision digits;
 
     const scalar h = settings_.config.cellSize;

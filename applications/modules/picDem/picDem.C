@@ -19,21 +19,19 @@ namespace solverModules
 }
 
 
-namespace
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+const Foam::dictionary& Foam::solverModules::picDem::solverOfPressure() const
 {
-    // The linear solver of the pressure, in system/fvSolution
-    const Foam::dictionary& solverOfPressure(const Foam::fvMesh& mesh)
+    const dictionary& all = mesh_.solutionDict();
+    if (!all.isDict("solvers") || !all.subDict("solvers").isDict("p"))
     {
-        const Foam::dictionary& all = mesh.solutionDict();
-        if (!all.isDict("solvers") || !all.subDict("solvers").isDict("p"))
-        {
-            FatalIOErrorInFunction(all)
-                << "There is no dictionary p in solvers: the pressure needs"
-                << " its linear solver, as  solvers { p { solver cudaPCG;"
-                << " tolerance 1e-8; relTol 0; } }" << exit(Foam::FatalIOError);
-        }
-        return mesh.solverDict("p");
+        FatalIOErrorInFunction(all)
+            << "There is no dictionary p in solvers: the pressure needs"
+            << " its linear solver, as  solvers { p { solver cudaPCG;"
+            << " tolerance 1e-8; relTol 0; } }" << exit(FatalIOError);
     }
+    return mesh_.solverDict("p");
 }
 
 
@@ -47,7 +45,7 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     grid_(mesh, asRead_.config),
     obstacles_(wallGeometry(runTime)),
     bodies_(runTime, asRead_.motion),
-    pressure_(runTime, "p", solverOfPressure(mesh))
+    pressure_(runTime, "p", solverOfPressure())
 {
     if (waterSolids::there(runTime))
     {
