@@ -138,6 +138,22 @@ wait $run; status=$?
 ((status == 0)) && says editStop '^End' || fail editStop "status $status: $(oneLine | tail -c 300)"
 cd .. || exit 1
 
+# fvSolution is read again as well; of what is read once the run says that it goes on with what it was
+cd grid || exit 1
+rm -rf 0.* postProcessing; functions ''
+sed -i 's/endTime 0.008/endTime 1000/; s/writeInterval 0.004/runTimeModifiable yes; purgeWrite 2; &/' system/controlDict
+timeout 120 riprapFoam -opt-switch fileModificationSkew=0 >log 2>&1 & run=$!
+await '^Time = 0.008' || fail editSolverBegun "$(oneLine | tail -c 300)"
+sleep 1.1; sed -i 's/solver cudaPCG/solver coupledPCG; preconditioner DIC/' system/fvSolution
+echo '// edited' >>constant/solidProperties; sed -i 's/maxCo 0.5/maxCo 0.6/' system/controlDict
+await 'DICcoupledPCG:  Solving for p' && says editSolver 'The pressure is solved by the edited entries of system/fvSolution' || fail editSolver "no other solver solves for p"
+await 'Of \(maxCo\) the run goes on' && pass editEntryReadOnce || fail editEntryReadOnce "the run does not say that maxCo is read once"
+await 'constant/solidProperties has been edited. It is read once' && pass editFileReadOnce || fail editFileReadOnce "the run does not say that the file is read once"
+sleep 1.1; sed -i 's/preconditioner DIC/preconditioner ditto/' system/fvSolution
+wait $run; status=$?
+((status == 1)) && says editWrong 'ditto' || fail editWrong "status $status: $(oneLine | tail -c 300)"
+cd .. || exit 1
+
 # A time that is not written to its end, for whatever reason, ends the run. Here functions that write are replaced by others that do nothing
 rm -rf 0.*; functions ''
 none=$(before none 'extern "C" void _ZNK4Foam10fluidCloud10writeStateEb(const void*, bool) {}')

@@ -35,6 +35,12 @@ void Foam::solverModules::picDem::takeSteps(scalar t, int64_t maxSteps)
 
 Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
 {
+    // OpenFOAM reads fvSolution again when it is edited
+    if (runTime_.runTimeModifiable() && pressure_.read(solverOfPressure()))
+    {
+        Info<< "The pressure is solved by the edited entries of"
+            << " system/fvSolution" << nl << endl;
+    }
     takeSteps(t, singleStep ? 1 : 0);
 
     return report_.time;

@@ -23,6 +23,7 @@ Usage
 #include "checkControlDict.H"
 #include "checkFunctionObjects.H"
 #include "documentation.H"
+#include "editedFiles.H"
 #include "fileOperation.H"
 #include "functionObject.H"
 #include "pictures.H"
@@ -151,6 +152,7 @@ static bool fieldsAreRead(const Time& runTime)
 static void runLoop(caseTime& runTime, solverModule& module)
 {
     timePlan plan(runTime);
+    editedFiles edited(runTime);
     const stopSignals signals(module);
     const timeWriter::session writing;
 
@@ -172,6 +174,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
         module.report();
+        edited.warn();
 
         const char* signal = signals.received();
         if (signal || runTime.writeTime() || fieldsAreRead(runTime))

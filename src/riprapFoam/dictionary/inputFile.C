@@ -192,7 +192,7 @@ bool Foam::inputFile::readDirective(const textToken& t, names& known)
         const std::string missing(missingFunction(text_.next().text));
         if (!missing.empty()) stop(t.line, missing);
     }
-    else if (name == "#includeEtc" || name == "#sincludeEtc")
+    else if (name == "#includeEtc" || name == "#sincludeEtc" || name == "#message")
     {
         text_.next();
     }

@@ -26,9 +26,9 @@ namespace
     const Foam::wordList common
     ({
         "type", "libs", "functionObjectLibs", "enabled", "log", "region", "subRegion", "timeStart", "timeEnd",
-        "triggerStart", "triggerEnd", "deltaTCoeff", "executeControl", "executeInterval", "writeControl",
-        "writeInterval", "writeFrequency", "outputControl", "outputInterval", "writePrecision", "writeToFile",
-        "useUserTime"
+        "triggerStart", "triggerEnd", "deltaTCoeff", "nStepsToStartTimeChange", "executeControl", "executeInterval",
+        "writeControl", "writeInterval", "writeFrequency", "outputControl", "outputInterval", "writePrecision",
+        "writeToFile", "useUserTime"
     });
 }
 
@@ -210,6 +210,7 @@ bool Foam::functionObjects::sceneFunctionObject::read(const dictionary& dict)
 {
     checkedDictionary known(dict);
     for (const word& entry : common) known.found(entry);
+    for (const char* entry : laterFunctionEntries()) known.found(entry);
     for (const word& entry : entries()) known.found(entry);
     known.end();
 
