@@ -10,7 +10,7 @@
 */
 #pragma once
 
-#include "coupling/solidTurn.hpp"
+#include "coupling/solidView.hpp"
 #include "core/neighbours/cellGrid.hpp"
 #include "core/neighbours/localFrames.hpp"
 #include "sph/state/fluidFields.hpp"
@@ -245,6 +245,44 @@ private:
         a += real(share*((double(u) - before)/clock->dt - a));
         before = u;
         points.last[d][i] = x;
+    }
+};
+
+//- What of the force at the step's beginning, and of the force one step before, solids get
+struct ForceShares { double now, before; };
+
+template<class R>
+struct KeepForces
+{
+    static constexpr const char* name = "keepForces";
+
+    const R* force;
+    R* before;
+
+    HD void operator()(int i) const { before[i] = force[i]; }
+};
+
+//- The force that solids are given over a step, by those of its beginning and of the beginning of the step before. The fluid gets that of each
+//  instant half in the step before it and half in the one after it: the shares make the solids' impulse the same
+template<int D, class P>
+struct HoldForces
+{
+    using real = typename P::real;
+    static constexpr const char* name = "holdForces";
+
+    const real* force;
+    const real* before;         // null: not needed
+    real* external;
+    double share, shareBefore;
+
+    HD void operator()(int key) const
+    {
+        constexpr int width = D + spins<D>;
+        for (int d = 0; d < D; ++d)
+        {
+            const std::size_t at = std::size_t(key)*D + d;
+            external[std::size_t(key)*width + d] = real(share*force[at] + (before ? shareBefore*before[at] : 0));
+        }
     }
 };
 

@@ -32,9 +32,6 @@ struct BodyView
     int count;
 };
 
-template<int D, class P> struct TurnLaunch;
-struct SolidTurn;
-
 //- A scene of solids as the fluid drives it. Pointers hold until the next advanceTo
 template<int D, class P>
 class SolidSide
@@ -69,24 +66,6 @@ public:
 
     //- To time t, dt from now. \return false when a guard of the solids has fired
     virtual bool advanceTo(double t, double dt, int subcycles) = 0;
-
-    //- coupling/solidTurn.hpp: can steps of the fluid follow one another on the device, with those of the solids in them?
-    virtual bool takesTurns() const = 0;
-
-    //- Launch the solids' part of a step of the fluid; and of the blow at its end
-    virtual void launchTurn(const TurnLaunch<D, P>&) = 0;
-    virtual void launchPush(const TurnLaunch<D, P>&) = 0;
-
-    //- What launches hold on to besides what stays as it is: recorded ones are good for as long as this is the same
-    virtual std::vector<const void*> turnKey(const TurnLaunch<D, P>&) = 0;
-
-    //- The rest of a turn that waits. \return false when a guard of the solids has fired
-    virtual bool finishTurn(const SolidTurn&) = 0;
-
-    //- Turns are over, for now: the host has the solids' clock. Those that cannot move have taken so many steps, the last one to time t
-    virtual void endTurns(double t, double dt, double previousDt, std::int64_t steps) = 0;
-
-    virtual Profile& launches() = 0;
 
     //- An interval begins that is reported as one; it ends
     virtual void beginReport() = 0;

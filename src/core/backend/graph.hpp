@@ -20,25 +20,18 @@ public:
 
     bool recorded() const { return executable_ != nullptr; }
 
-    //- Record what `work` launches. No allocation and no copy to the host may happen in it. other: who launches in this context's order, too
+    //- Record what `work` launches. No allocation and no copy to the host may happen in it.
     template<class Work>
-    void record(Context<Gpu>& context, Work work, Profile* other = nullptr)
+    void record(Context<Gpu>& context, Work work)
     {
         clear();
         context.profile.capturing = true;
-        if (other) other->capturing = true;
         cudaGraph_t graph = nullptr;
         checkCuda(cudaStreamBeginCapture(context.stream, cudaStreamCaptureModeThreadLocal), "capture");
         work();
         checkCuda(cudaStreamEndCapture(context.stream, &graph), "capture");
         context.profile.capturing = false;
         kernels_ = context.profile.takeCaptured();
-        other_ = other;
-        if (other)
-        {
-            other->capturing = false;
-            otherKernels_ = other->takeCaptured();
-        }
         checkCuda(cudaGraphInstantiate(&executable_, graph, 0), "graph");
         checkCuda(cudaGraphDestroy(graph), "graph");
     }
@@ -47,7 +40,6 @@ public:
     {
         checkCuda(cudaGraphLaunch(executable_, context.stream), "graph launch");
         context.profile.countReplay(kernels_);
-        if (other_) other_->countReplay(otherKernels_);
     }
 
     void clear()
@@ -58,8 +50,7 @@ public:
 
 private:
     cudaGraphExec_t executable_ = nullptr;
-    std::vector<std::size_t> kernels_, otherKernels_;
-    Profile* other_ = nullptr;
+    std::vector<std::size_t> kernels_;
 };
 
 } // namespace riprap

@@ -122,11 +122,7 @@ struct GatherBonds
 
     HD void operator()(int i) const
     {
-        if (clock.active() && i < *active) gather(i);
-    }
-
-    HD void gather(int i) const
-    {
+        if (!clock.active() || i >= *active) return;
         Vec<D, real> f = filled<D>(real(0));
         Spin<D, real> m = filled<spins<D>>(real(0));
         if (sum(table, force, fields.id[i], f, m)) fields.addForce(i, f, m);

@@ -57,12 +57,11 @@ struct MoveClumps
     bool verlet;
     const DemClockData* clock;
 
-    HD void operator()(int k) const { if (clock->active) move(k, *clock); }
-
-    HD void move(int k, const DemClockData& t) const
+    HD void operator()(int k) const
     {
+        const DemClockData& t = *clock;
         ClumpData& c = clumps[k];
-        if (c.left) return;
+        if (!t.active || c.left) return;
         kick(c, verlet ? 0.5*t.dt : 0.5*(t.previousDt + t.dt));
         if (kick.constraints && kick.constraints[c.group].hinge) return swing(c, kick.constraints[c.group], kick.box, t.dt);
         for (int d = 0; d < D; ++d) c.x[d] += std::int64_t(rint(c.v[d]*t.dt*kick.box.unitsPerMetre[d]));
@@ -83,8 +82,7 @@ struct FinishClumps
     ClumpKick<D, P> kick;
     const DemClockData* clock;
 
-    HD void operator()(int k) const { if (clock->forcesDue()) finish(k, clock->dt); }
-    HD void finish(int k, double dt) const { if (!clumps[k].left) kick(clumps[k], 0.5*dt); }
+    HD void operator()(int k) const { if (clock->forcesDue() && !clumps[k].left) kick(clumps[k], 0.5*clock->dt); }
 };
 
 } // namespace riprap

@@ -72,15 +72,33 @@ struct GatherClumps
     ClumpMembers<D, P> members;
     ClumpSprings<D, P> springs;
     const DemClockData* clock;  // null: now
-    const int* on;              // unless this is 0; may be null
 
-    HD bool active() const { return (!on || *on) && (!clock || clock->forcesDue()); }
+    HD bool active() const { return !clock || clock->forcesDue(); }
 
     HD void use(ClumpData& c, double* sums) const
     {
         springs.add(c, int(&c - members.clumps), members.box, sums);
         for (int d = 0; d < 3; ++d) { c.f[d] = sums[d]; c.m[d] = sums[3 + d]; }
         c.touching = int(sums[6]);
+    }
+};
+
+template<int D, class P>
+struct PushClumps
+{
+    static constexpr const char* name = "pushClumps";
+    static constexpr bool contacts = false;
+
+    ClumpMembers<D, P> members;
+    const GroupData<D, typename P::real>* groups;
+    const ClumpConstraint* constraints;
+    double dt;
+
+    HD bool active() const { return true; }
+
+    HD void use(ClumpData& c, const double* sums) const
+    {
+        accelerate(c, groups[c.group], constraints, members.box, vectorOf(sums), vectorOf(sums + 3), dt);
     }
 };
 
@@ -102,33 +120,13 @@ struct EachClump
     }
 };
 
-//- What a block of threads sums in
-struct ClumpShares
-{
-    static constexpr int threads = 256;
-    double sums[7][threads];
-
-    //- Those of all threads, for the first one. The team may be of several such blocks, all of which come here
-    HD void add(const Team& team, int at, double* own, int size = threads)
-    {
-        for (int s = 0; s < 7; ++s) sums[s][at] = own[s];
-        team.wait();
-        for (int half = size/2; half > 0; half /= 2)
-        {
-            if (at < half) for (int s = 0; s < 7; ++s) sums[s][at] += sums[s][at + half];
-            team.wait();
-        }
-        if (at == 0) for (int s = 0; s < 7; ++s) own[s] = sums[s][0];
-    }
-};
-
 //- A block a clump
 template<class Sum>
 struct BlockEachClump
 {
     static constexpr const char* name = Sum::name;
-    static constexpr int threads = ClumpShares::threads;
-    using Shared = ClumpShares;
+    static constexpr int threads = 256;
+    struct Shared { double sums[7][threads]; };
 
     Sum sum;
 
@@ -139,33 +137,21 @@ struct BlockEachClump
         double sums[7] = {};
         for (int e = sum.members.first[k] + team.index; e < sum.members.first[k + 1]; e += team.size)
             sum.members.template add<Sum::contacts>(c, e, sums);
-        shared.add(team, team.index, sums, team.size);
-        if (team.index == 0) sum.use(c, sums);
+        for (int s = 0; s < 7; ++s) shared.sums[s][team.index] = sums[s];
+        team.wait();
+        for (int half = team.size/2; half > 0; half /= 2)
+        {
+            if (team.index < half) for (int s = 0; s < 7; ++s) shared.sums[s][team.index] += shared.sums[s][team.index + half];
+            team.wait();
+        }
+        if (team.index > 0) return;
+        for (int s = 0; s < 7; ++s) sums[s] = shared.sums[s][0];
+        sum.use(c, sums);
     }
 };
 
 //- Members from which on a block is quicker than a thread
 static constexpr int membersOfABlock = 64;
-
-//- The same by one team, of as many threads as several of those blocks: in the order, and so with the bits, of either
-template<int teams, class Sum>
-HD void sumInTeam(const Team& team, ClumpShares* shared, int clumps, int largest, const Sum& sum)
-{
-    const bool together = largest > membersOfABlock && team.size >= ClumpShares::threads;
-    const int each = together ? ClumpShares::threads : 1, at = team.index % each, own = team.index/each, step = together ? teams : team.size;
-    for (int first = 0; first < clumps; first += step)
-    {
-        const int k = first + own;
-        const bool there = k < clumps;
-        double sums[7] = {};
-        if (there)
-            for (int e = sum.members.first[k] + at; e < sum.members.first[k + 1]; e += each)
-                sum.members.template add<Sum::contacts>(sum.members.clumps[k], e, sums);
-        if (together) shared[own].add(team, at, sums);
-        if (there && at == 0) sum.use(sum.members.clumps[k], sums);
-        team.wait();
-    }
-}
 
 template<class Backend, class Sum>
 void sumClumps(Context<Backend>& context, int clumps, [[maybe_unused]] int largest, const Sum& sum)

@@ -101,11 +101,9 @@ struct MoveSolids : SolidMotion<D, P>
         if (this->clock->active && i < *this->active && !s.asleep(i)) move(i, s.force(i), s.momentOn(i));
     }
 
-    HD void move(int i, const Vec<D, real>& force, const Spin<D, real>& moment) const { move(i, force, moment, *this->clock); }
-
-    //- t: the clock of the step, where the one that flags go to does not yet have it
-    HD void move(int i, const Vec<D, real>& force, const Spin<D, real>& moment, const DemClockData& t) const
+    HD void move(int i, const Vec<D, real>& force, const Spin<D, real>& moment) const
     {
+        const DemClockData& t = *this->clock;
         const SolidFields<D, P>& s = this->fields;
         Vec<D, std::int64_t> x = s.position(i);
         Vec<D, double> v = s.velocity(i);
@@ -238,16 +236,12 @@ struct FinishVerlet : SolidMotion<D, P>
 
     HD void operator()(int i) const
     {
-        if (this->clock->forcesDue() && i < *this->active) finish(i, this->clock->dt);
-    }
-
-    HD void finish(int i, double dt) const
-    {
+        if (!this->clock->forcesDue() || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
         if (s.asleep(i) || (clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
-        this->kick(i, v, w, real(0.5*dt));
+        this->kick(i, v, w, real(0.5*this->clock->dt));
         for (int d = 0; d < D; ++d) s.v[d][i] = v.c[d];
         for (int c = 0; c < spins<D>; ++c) s.w[c][i] = w.c[c];
     }

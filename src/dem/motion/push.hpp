@@ -14,17 +14,6 @@
 namespace riprap
 {
 
-//- Over what time: given, or half of a step that the device alone knows and may have switched off
-struct BlowTime
-{
-    double given;
-    const double* step = nullptr;
-    const int* on = nullptr;
-
-    HD bool any() const { return !on || *on; }
-    HD double operator()() const { return step ? 0.5**step : given; }
-};
-
 template<int D, class P>
 struct PushSolids
 {
@@ -36,36 +25,16 @@ struct PushSolids
     const real* external;       // by key: D + spins numbers
     bool clumps;
     const int* active;
-    BlowTime time;
+    double dt;
 
     HD void operator()(int i) const
     {
-        if (!time.any() || i >= *active || (clumps && fields.clump[i] >= 0)) return;
+        if (i >= *active || (clumps && fields.clump[i] >= 0)) return;
         const GroupData<D, real>& g = groups[fields.group[i]];
         if (g.motion >= 0) return;
         const real* f = external + (long long)fields.id[i]*(D + spins<D>);
-        const double dt = time();
         for (int d = 0; d < D; ++d) fields.v[d][i] += double(g.free[d])*dt*double(f[d])/double(fields.mass[i]);
         for (int c = 0; c < spins<D>; ++c) fields.w[c][i] += g.freeSpin*real(dt)*fields.inverseInertia[i]*f[D + c];
-    }
-};
-
-template<int D, class P>
-struct PushClumps
-{
-    static constexpr const char* name = "pushClumps";
-    static constexpr bool contacts = false;
-
-    ClumpMembers<D, P> members;
-    const GroupData<D, typename P::real>* groups;
-    const ClumpConstraint* constraints;
-    BlowTime time;
-
-    HD bool active() const { return time.any(); }
-
-    HD void use(ClumpData& c, const double* sums) const
-    {
-        accelerate(c, groups[c.group], constraints, members.box, vectorOf(sums), vectorOf(sums + 3), time());
     }
 };
 

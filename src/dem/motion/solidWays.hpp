@@ -22,42 +22,36 @@ HD Vec<D, double> velocityNow(const MoveSolids<D, P>& m, int i, Vec<D, std::int6
     return v;
 }
 
-//- The speed of particle i, and whether neighbours hold for its next step
-template<int D, class P>
-HD double speedNow(const MoveSolids<D, P>& m, int i)
-{
-    if (i >= *m.active) return 0;
-    Vec<D, std::int64_t> x;
-    return sqrt(squaredNorm(velocityNow(m, i, x)));
-}
-
-template<int D, class P>
-HD void checkWay(const MoveSolids<D, P>& m, int i)
-{
-    if (i >= *m.active || m.fields.asleep(i)) return;
-    Vec<D, std::int64_t> x;
-    const Vec<D, double> v = velocityNow(m, i, x);
-    Vec<D, typename P::position> p;
-    for (int d = 0; d < D; ++d) p.c[d] = m.box.pairPosition(d, x.c[d]);
-    m.checkSkin(i, p, x, convert<typename P::real>(v), *m.clock, m.clock);
-}
-
 template<int D, class P>
 struct SpeedOfSolids
 {
     static constexpr const char* name = "speedOfSolids";
     MoveSolids<D, P> move;
 
-    HD double value(int i) const { return speedNow(move, i); }
+    HD double value(int i) const
+    {
+        if (i >= *move.active) return 0;
+        Vec<D, std::int64_t> x;
+        return sqrt(squaredNorm(velocityNow(move, i, x)));
+    }
 };
 
 template<int D, class P>
 struct CheckWays
 {
+    using real = typename P::real;
     static constexpr const char* name = "checkWays";
     MoveSolids<D, P> move;
 
-    HD void operator()(int i) const { checkWay(move, i); }
+    HD void operator()(int i) const
+    {
+        if (i >= *move.active || move.fields.asleep(i)) return;
+        Vec<D, std::int64_t> x;
+        const Vec<D, double> v = velocityNow(move, i, x);
+        Vec<D, typename P::position> p;
+        for (int d = 0; d < D; ++d) p.c[d] = move.box.pairPosition(d, x.c[d]);
+        move.checkSkin(i, p, x, convert<real>(v), *move.clock, move.clock);
+    }
 };
 
 } // namespace riprap

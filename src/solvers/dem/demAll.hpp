@@ -11,7 +11,6 @@
 #include "solvers/dem/demLists.hpp"
 #include "solvers/dem/demAdvance.hpp"
 #include "solvers/dem/demCoupling.hpp"
-#include "solvers/dem/demTurn.hpp"
 #include "solvers/dem/demOutput.hpp"
 #include "solvers/dem/demRanks.hpp"
 #include "solvers/dem/demSleep.hpp"

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "core/loops/largest.hpp"
-#include "coupling/solidTurn.hpp"
 #include "dem/motion/push.hpp"
 #include "dem/motion/solidWays.hpp"
 #include "solvers/dem/demSolver.hpp"
@@ -53,14 +52,17 @@ template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::subcycles(double dt)
 {
     if (still_) return 1;
-    const Subcycles s = subcyclesOf(dt, plan_.timeStep, speedAtHand(), double(halfSkin_) - double(suddenWay_));
-    if (!s.check) return s.steps;
-    host_.fullDt = dt/s.steps;
+    const int contacts = std::max(1, int(std::ceil(dt/plan_.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
+    const double way = 1.25*dt*speedAtHand(), room = double(halfSkin_) - double(suddenWay_);
+    if (!(way > 0.1*contacts*room)) return contacts;
+    // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists are new where too little is left
+    const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;
+    host_.fullDt = dt/steps;
     writeClock();
     forEach(context_, n_, CheckWays<D, P>{mover()});
     readClock();
     host_.settleAge();
-    return s.steps;
+    return steps;
 }
 
 //- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a step before
@@ -72,18 +74,10 @@ double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
 }
 
 template<class Backend, int D, class P>
-PushSolids<D, P> DemSolver<Backend, D, P>::pushSolids(const BlowTime& time)
-{ return PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), time}; }
-
-template<class Backend, int D, class P>
-PushClumps<D, P> DemSolver<Backend, D, P>::pushClumps(const BlowTime& time)
-{ return PushClumps<D, P>{clumpMembers(), groups_.data(), constraints(), time}; }
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::push(const BlowTime& time)
+void DemSolver<Backend, D, P>::push(double dt)
 {
-    forEach(context_, n_, pushSolids(time));
-    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, pushClumps(time));
+    forEach(context_, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), constraints(), dt});
 }
 
 template<class Backend, int D, class P>

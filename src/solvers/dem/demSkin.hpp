@@ -19,7 +19,6 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setSkin(double skin)
 {
     setReach(skin);
-    ++shapes_;
 #ifdef __CUDACC__
     parts_.graphs.clear();                  // they hold on to the cells' and walls' numbers
 #endif

@@ -1,5 +1,5 @@
 /*  The DEM scene on one backend, in one dimension and precision. Declarations; the parts are in demSetup.hpp (construction), demBodies.hpp (rigid bodies),
-    demStep.hpp (steps), demRanks.hpp (several processes), demSkin.hpp (how far neighbours are sought), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp and demTurn.hpp (driven by a fluid), demOutput.hpp (what is
+    demStep.hpp (steps), demRanks.hpp (several processes), demSkin.hpp (how far neighbours are sought), demLists.hpp (rebuilds), demAdvance.hpp (the loop over steps), demWindow.hpp (prescribed motions), demSleep.hpp (who sleeps), demCoupling.hpp (driven by a fluid), demOutput.hpp (what is
     read back)
     and demState.hpp (save and load).
 
@@ -14,12 +14,12 @@
 #include "core/backend/glances.hpp"
 #include "core/backend/graph.hpp"
 #include "core/loops/largest.hpp"
-#include "coupling/solidTurn.hpp"
+#include "coupling/solidView.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/passes/fusedStep.hpp"
 #include "dem/lists/likeWithLike.hpp"
 #include "dem/passes/collectPass.hpp"
-#include "dem/motion/push.hpp"
+#include "dem/motion/clumpSums.hpp"
 #include "dem/passes/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
@@ -136,19 +136,10 @@ public:
     int subcycles(double dt) override;
     bool still() const override { return still_; }
     double kickTime(double dt, int subcycles) override;
-    void push(double dt) override { push(BlowTime{dt}); }
+    void push(double dt) override;
     bool advanceTo(double t, double dt, int subcycles) override;
     void beginReport() override;
     void endReport() override;
-
-    // demTurn.hpp: the same where the fluid's steps follow one another on the device
-    bool takesTurns() const override;
-    void launchTurn(const TurnLaunch<D, P>&) override;
-    void launchPush(const TurnLaunch<D, P>&) override;
-    std::vector<const void*> turnKey(const TurnLaunch<D, P>&) override;
-    bool finishTurn(const SolidTurn&) override;
-    void endTurns(double t, double dt, double previousDt, std::int64_t steps) override;
-    Profile& launches() override { return context_.profile; }
 
 private:
 
@@ -177,16 +168,6 @@ private:
 
     // demCoupling.hpp
     double speedAtHand();
-    PushSolids<D, P> pushSolids(const BlowTime&);
-    PushClumps<D, P> pushClumps(const BlowTime&);
-    void push(const BlowTime&);
-
-    // demTurn.hpp
-    HoldInTurn<D, P> holdInTurn(const TurnLaunch<D, P>&, const double* share);
-    void beginTurn(const TurnLaunch<D, P>&);
-    BeginTurn turnBegin(const TurnLaunch<D, P>&);
-    bool turnsInBlock() const;
-    void turnInBlock(const TurnLaunch<D, P>&);
 
     // demStep.hpp
     SolidFields<D, P> fields();
@@ -204,8 +185,7 @@ private:
     template<class Law> WallPass<D, P, Law> wallKernel(ForceTurn);
     template<class Law> void wallPass(ForceTurn);
     void bondPass(ForceTurn);
-    void gatherClumps(const DemClockData* clock, const int* on = nullptr);
-    GatherClumps<D, P> clumpGather(const DemClockData* clock, const int* on);
+    void gatherClumps(const DemClockData* clock);
     ClumpMembers<D, P> clumpMembers();
     ClumpKick<D, P> clumpKick() const;
     const ClumpConstraint* constraints() const { return constraints_.size() ? constraints_.data() : nullptr; }
@@ -378,8 +358,6 @@ private:
     std::vector<real> reaches_; // what of the gaps is the law's reach
     std::vector<real> sole_;    // numbers of the first material with itself, its gap behind them
     Array<Backend, real> external_;
-    Array<Backend, double> speedShares_;
-    int shapes_ = 0;            // cells and skins there have been: recorded launches have the numbers of one
     std::vector<double> motionSamples_, poseSamples_;
     Array<Backend, double> motions_, poses_;
     double windowBegin_ = 0, windowStep_ = 1;

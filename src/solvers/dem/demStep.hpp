@@ -256,14 +256,10 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 
 //- Forces of their members on clumps; in a step of the clock's, or now
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock, const int* on)
+void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
 {
-    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, clumpGather(clock, on));
+    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), {springs_.data(), springFirst_.data()}, clock});
 }
-
-template<class Backend, int D, class P>
-GatherClumps<D, P> DemSolver<Backend, D, P>::clumpGather(const DemClockData* clock, const int* on)
-{ return GatherClumps<D, P>{clumpMembers(), {springs_.data(), springFirst_.data()}, clock, on}; }
 
 template<class Backend, int D, class P>
 ClumpMembers<D, P> DemSolver<Backend, D, P>::clumpMembers()
@@ -392,8 +388,8 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
-    else return config_.integrator == DemIntegratorKind::velocityVerlet && nClumps_ <= BlockLimits::bodies && !wallMotions_
-      && n_ <= BlockLimits::particles && nBonds_ <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
+    else return config_.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !wallMotions_ && n_ <= BlockLimits::particles
+      && nBonds_ <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
 }
 
 template<class Backend, int D, class P>
@@ -401,7 +397,7 @@ template<class Law>
 BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
 {
     BlockSteps<Backend, D, P, Law> b{};
-    b.clocks = clock_.data();
+    b.tick = DemTick{clock_.data()};
     b.move = mover();
     setModel(b.contacts);
     b.contacts.clock = forceClock(ForceTurn::inStep);
@@ -410,27 +406,16 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
     b.n = n_;
     if (nWalls_ && wallMemory_.entries)
     {
-        b.nearWalls = true;
         b.walls = wallKernel<Law>(ForceTurn::inStep);
-        b.walls.listed = nullptr;           // each particle looks for itself
+        if constexpr (Backend::gpu) b.nearWalls = int(parts_.wallList.size());
     }
     if (nBonds_)
     {
         b.bonds = BondPass<D, P>{bondFields(), box_, fields(), records_.view(), forceClock(ForceTurn::inStep), {}};
-        b.bonds.clock.raised = clock_.data() + 1;
         b.gather = GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(ForceTurn::inStep), sort_.active()};
         b.bondCount = nBonds_;
     }
     setMotion(b.finish);
-    b.finish.clumps = nClumps_;
-    if (nClumps_)
-    {
-        b.bodies = nClumps_;
-        b.largestBody = largestClump_;
-        b.gatherBodies = clumpGather(nullptr, nullptr);
-        b.moveBodies = MoveClumps<D, P>{clumps_.data(), clumpKick(), true, clock_.data()};
-        b.finishBodies = FinishClumps<D, P>{clumps_.data(), clumpKick(), clock_.data()};
-    }
     b.steps = count;
     return b;
 }
@@ -445,7 +430,7 @@ void DemSolver<Backend, D, P>::steps(int count)
     {
         if (fitsBlock() && !context_.profile.timing)
         {
-            withLaw(laws_, [&](auto law) { forEachBlock(context_, 1, blockSteps<decltype(law)>(count)); });
+            withLaw(laws_, [&](auto law) { oneBlock<BlockLimits::threads>(context_, blockSteps<decltype(law)>(count)); });
             return;
         }
         const int together = 8;

@@ -64,8 +64,7 @@ void SphSolver<Backend, D, P>::setPoses(double begin, double end)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
-    if (turns_) return runTurns(rebuilds);
-    // others' solids are advanced by the host between the steps of the fluid: those follow one another one by one
+    // solids are advanced by the host between the steps of the fluid: those follow one another one by one
     if (!Backend::gpu || solids_)
     {
         while (!finished())
@@ -162,7 +161,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     if (nBodies_)
     {
         setPoses(host_.time, std::max(t, host_.time));
-        forgetGraphs();     // poses are part of the recorded launches
+        if constexpr (Backend::gpu) parts_.graphs.recorded = false;     // poses are part of the recorded launches
     }
     if (interrupted_) maxSteps = 1;
     const std::int64_t before = host_.step;

@@ -11,7 +11,6 @@
 #include "solvers/sph/sphFaces.hpp"
 #include "solvers/sph/sphForces.hpp"
 #include "solvers/sph/sphSolids.hpp"
-#include "solvers/sph/sphTurns.hpp"
 #include "solvers/sph/sphAdvance.hpp"
 #include "solvers/sph/sphStiffness.hpp"
 #include "solvers/sph/sphOutput.hpp"

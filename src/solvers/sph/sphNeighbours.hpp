@@ -176,7 +176,7 @@ void SphSolver<Backend, D, P>::growLists()
         if (host_.overflow[2]) parts_.wallFluid.allocate(context_, nWalls_, shift_, true, grown(host_.overflow[2]));
         if (host_.overflow[3]) parts_.fluidSolid.allocate(context_, n_, shift_, true, grown(host_.overflow[3]));
         if (host_.overflow[4]) parts_.solidFluid.allocate(context_, nSolids_, parts_.solidShift, true, grown(host_.overflow[4]));
-        forgetGraphs();
+        parts_.graphs.recorded = false;
         for (int& o : host_.overflow) o = 0;
         writeClock();
     }

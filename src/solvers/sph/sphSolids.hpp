@@ -35,7 +35,6 @@ void SphSolver<Backend, D, P>::setSolids(SolidPart part)
     solidMassOfKey_.upload(context_, mass);
     solidAddedOfKey_.upload(context_, std::vector<real>(part.added.begin(), part.added.end()));
     allocateAction();
-    setTurns();
     forEach(context_, nSolids_, FirstVelocities<D, P>{solids_->view(), solidPoints()});
 }
 
@@ -145,8 +144,7 @@ void SphSolver<Backend, D, P>::pushSolids()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::meetFluid()
 {
-    if (meets_.size() == 0) meets_.allocate(context_, 1);
-    context_.zero(meets_.data(), sizeof(int));
+    meets_.upload(context_, std::vector<int>(1, 0));
     forEach(context_, nSolids_, MeetFluid<D, P>
         {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data(),
          Backend::gpu ? grid_.radius : grid_.radius + allowedWay_});

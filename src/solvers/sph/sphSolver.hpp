@@ -1,6 +1,6 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp and sphTurns.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
+    (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
     sphOutput.hpp (everything read back) and sphState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -8,12 +8,10 @@
 #pragma once
 
 #include <atomic>
-#include <map>
 #include "core/neighbours/cellSort.hpp"
 #include "core/neighbours/searchReach.hpp"
 #include "core/neighbours/pairLoop.hpp"
 #ifdef __CUDACC__
-    #include "core/backend/glances.hpp"
     #include "core/backend/graph.hpp"
     #include "core/neighbours/neighbourList.hpp"
 #endif
@@ -62,13 +60,6 @@ struct StepGraphs
     bool recorded = false;      // and as things are now
 };
 
-//- Of steps with solids in them
-struct TurnGraphs
-{
-    static constexpr int together = 4;
-    Graph one, several;
-};
-
 template<int D, class P>
 struct BackendParts<Gpu, D, P>
 {
@@ -76,9 +67,6 @@ struct BackendParts<Gpu, D, P>
 
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
     LocalFrameMemory<Gpu, D, P> frames;
-    Glances<Gpu, ClockData> clocks;
-    Glances<Gpu, SolidTurn> turns;
-    std::map<std::vector<const void*>, TurnGraphs> turnGraphs;
     real wallRadius = 0;        // lists of walls and about walls reach farther than the grid's: fluid slides along them
     StepGraphs graphs;
     int solidShift = 0;         // log2 of the lanes a solid
@@ -163,7 +151,6 @@ private:
     void wallForcePass(real* force, bool viscous = true);
     template<Part part> void fluidPass(Finish);
     void step();
-    void moveFluid();
     Tick tick() const;
 
     // sphFaces.hpp
@@ -194,18 +181,6 @@ private:
     template<Part part> void solidPass();
     void solidForcePass(real* pressureForce = nullptr);
     template<class Pass> void runOverSolids(const Pass&);
-
-    // sphTurns.hpp
-    void setTurns();
-    TurnLaunch<D, P> turnLaunch();
-    std::vector<const void*> stepKey();
-    void launchSteps(int count);
-    template<class Graphs> void replaySteps(Graphs&, int& count);
-    void readTurn();
-    void finishTurn();
-    int stepsOfBatch(std::int64_t taken) const;
-    void runTurns(std::int64_t& rebuilds);
-    void forgetGraphs();
 
     // sphAdvance.hpp
     void setPoses(double begin, double end);
@@ -275,11 +250,6 @@ private:
     Array<Backend, int> meets_;
     CouplingConfig coupling_;
     int nSolids_ = 0, subcycles_ = 0;
-    bool turns_ = false;                        // do steps follow one another without the host?
-    Array<Backend, SolidTurn> turn_;
-    SolidTurn hostTurn_;
-    int subcyclesExpected_ = 1, subcyclesSeen_ = 0, looksSince_ = 0;
-    std::int64_t stepsOfLists_ = 8;             // between the last two rebuilds
     Records<Backend, D, P> solidRecords_;
     CellSort<Backend> solidSort_;
     Array<Backend, position> solidReference_;

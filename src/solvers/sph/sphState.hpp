@@ -139,7 +139,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (solids_) allocateAction();
     if constexpr (Backend::gpu)
     {
-        forgetGraphs();
+        parts_.graphs.recorded = false;
         allocateLists();
     }
     writeClock();

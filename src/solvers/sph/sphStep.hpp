@@ -195,7 +195,7 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
 template<class Backend, int D, class P>
 Tick SphSolver<Backend, D, P>::tick() const
 {
-    return Tick{const_cast<ClockData*>(clock_.data()), limits_, turns_ ? &turn_.data()->waiting : nullptr};
+    return Tick{const_cast<ClockData*>(clock_.data()), limits_};
 }
 
 template<class Backend, int D, class P>
@@ -203,21 +203,13 @@ void SphSolver<Backend, D, P>::step()
 {
     forEach(context_, 1, tick());
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
-    if (turns_) solids_->launchTurn(turnLaunch());
-    else if (solids_)
+    if (solids_)
     {
         if (Backend::gpu && coupling_.force != FluidForceKind::impulse) solids_->measureSpeed();
         readClock();
         if (host_.active) advanceSolids();
         if (!host_.active) return;
     }
-    moveFluid();
-}
-
-//- The rest of a step, whose solids have come to its end
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::moveFluid()
-{
     moveFaces();
     if (config_.integrator == IntegratorKind::leapfrog)
     {
@@ -249,9 +241,7 @@ void SphSolver<Backend, D, P>::moveFluid()
         wallForcePass(nullptr);
     }
     solidForcePass();
-    if (!solids_ || coupling_.force != FluidForceKind::impulse) return;
-    if (turns_) solids_->launchPush(turnLaunch());
-    else pushSolids();
+    if (solids_ && coupling_.force == FluidForceKind::impulse) pushSolids();
 }
 
 } // namespace riprap

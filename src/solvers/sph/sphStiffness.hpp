@@ -102,7 +102,7 @@ void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSp
     host_.maxima[2] = float(largestOver(context_, n, AbsoluteDeviation<real>{deviation}));
     writeClock();
     refreshRecords();
-    forgetGraphs();
+    if constexpr (Backend::gpu) parts_.graphs.recorded = false;
 }
 
 } // namespace riprap

@@ -129,7 +129,6 @@ struct Tick
 
     ClockData* clock;
     StepLimits limits;
-    const int* waits;           // does the step at hand wait for the host? Null: none ever does
 
     //- A bound of the smallest smoothing length [m]
     HD double smallestH(double deviation) const
@@ -162,7 +161,6 @@ struct Tick
     {
         ClockData& c = *clock;
         c.active = 0;
-        if (waits && *waits) return;
         c.settleAge();
         if (c.halt != Halt::none || c.needRebuild) return;
         if (c.overflows()) return;
