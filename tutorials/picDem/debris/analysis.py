@@ -85,7 +85,7 @@ def cells(size):
 
 Study(
     scene='picDebris',
-    variants=[Variant('debris'), Variant('fine', ['-set', cells(1/70)], large=True)],
+    variants=[Variant('debris')],
     quick=[Variant('debris-quick', ['-endTime', '0.1', '-set', cells(0.04)])],
     analyse=analyse,
     plot=plot,
