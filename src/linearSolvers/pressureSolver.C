@@ -108,13 +108,20 @@ void Foam::pressureSolver::checkHost()
         valid.append(deviceSolver);
         FatalIOErrorInFunction(controls_) << "unknown solver '" << name << "' for " << field_ << ". Valid: " << valid << exit(FatalIOError);
     }
+    // Else it would pass while few cells are wet, which DIC serves
+    const auto& known = *lduMatrix::preconditioner::symMatrixConstructorTablePtr_;
+    const word preconditioner = !controls_.found("preconditioner") ? word::null
+        : controls_.isDict("preconditioner") ? controls_.subDict("preconditioner").get<word>("preconditioner") : controls_.get<word>("preconditioner");
+    if (preconditioner.size() && !known.found(preconditioner))
+    {
+        FatalIOErrorInFunction(controls_) << "unknown preconditioner '" << preconditioner << "' for " << field_ << ". Valid: " << known.sortedToc() << exit(FatalIOError);
+    }
     if (name == "GAMG") checkAgglomerator(controls_);
     if (controls_.isDict("preconditioner"))
     {
-        dictionary& preconditioner = controls_.subDict("preconditioner");
-        if (preconditioner.get<word>("preconditioner") == "GAMG") checkAgglomerator(preconditioner);
+        if (preconditioner == "GAMG") checkAgglomerator(controls_.subDict("preconditioner"));
     }
-    else if (controls_.lookupOrDefault<word>("preconditioner", word::null) == "GAMG")
+    else if (preconditioner == "GAMG")
     {
         FatalIOErrorInFunction(controls_) << "preconditioner GAMG of " << field_ << " needs entries of its own (smoother ...): write it as a dictionary,"
             << " preconditioner { preconditioner GAMG; smoother symGaussSeidel; ... }" << exit(FatalIOError);
