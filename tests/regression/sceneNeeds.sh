@@ -131,7 +131,7 @@ pic 'reflection no; viscosity none; seeds { perDirection 0; jitter 0.5; } absorb
 contactVelocity 0.5; contactVelocityTime 0.1; coupling weak; guards { escape stop; maxEscaped 0.1; }'
 fill
 claims pic.idle 'constant/picProperties, entry '{seeds/jitter,absorb/beach,absorb/calm,contactVelocity,contactVelocityTime,coupling,guards/maxEscaped} 'system/fvSolution, entry solvers/p/reflectionTolerance'
-says pic.none 'off +\(surfaceTension viscosity reflection '
+says pic.none 'off +\(viscosity reflection '
 bits with
 dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }'
 pic 'reflection no; viscosity none; seeds { perDirection 0; } guards { escape stop; }'; bits without; same pic.idle.bits with without
