@@ -37,7 +37,7 @@ sed 's|^using Kernels = Models<|&Gaussian, |; s|^#include "sph/kernels/wendlandC
 grep -q '^using Kernels = Models<Gaussian, ' "$work/sph/models.hpp" || fail kernelTable 'the table has no such line'
 grep -q 'using PairTerms = Models<RadialViscosity<R>, ' "$work/sph/models.hpp" || fail pairTermTable 'the table has no such line'
 if g++ "${flags[@]/-O1/-O0}" "$root"/etc/codeTemplates/kernel/gaussianTest.C "$root"/etc/codeTemplates/pairTerm/radialViscosityTest.C "$root"/tests/unit/sph/{sphCards,kernels,terms}.C \
-    "$root"/src/solvers/sph/sphModels.C -L"$RIPRAP_LIBBIN" -Wl,-rpath,"$RIPRAP_LIBBIN" -lriprap \
+    "$root"/src/solvers/sph/{sphModels,termEffects}.C -L"$RIPRAP_LIBBIN" -Wl,-rpath,"$RIPRAP_LIBBIN" -lriprap \
     -o "$work/models" -lgtest -lgtest_main -lpthread >"$work/log" 2>&1
 then pass sphBuilds
 else fail sphBuilds "$(grep -m1 error "$work/log")"
@@ -48,7 +48,7 @@ else fail sphRuns "$(grep -m1 -A4 Failure "$work/log" | tr '\n' ' ')"
 fi
 
 # Programs take the models from here: what a rebuilt libriprap would have, for the CPU, 2D and mixed precision
-g++ "${flags[@]/-O1/-O0}" -fPIC -shared "$root"/src/solvers/{instantiate/sphCpu2Mixed,sph/sphModels}.C -o "$work/models.so" >"$work/log" 2>&1 \
+g++ "${flags[@]/-O1/-O0}" -fPIC -shared "$root"/src/solvers/{instantiate/sphCpu2Mixed,sph/sphModels,sph/termEffects}.C -o "$work/models.so" >"$work/log" 2>&1 \
     || { fail sphLibrary "$(grep -m1 error "$work/log")"; exit; }
 models=(env LD_PRELOAD="$work/models.so")
 mkdir "$work/case" && cd "$work/case" || exit 1

@@ -574,7 +574,7 @@ TEST(SphCards, RareTermsCostNothingUnlessChosen)
     Rare(c).withSolidTerms(true, [&](const auto& t) { EXPECT_EQ(pair.of(t).cross, 1); });
 }
 
-//- A term whose first number is not 0 does something; with 0, where that is allowed, nothing. One that does not see the viscosity does the same without it
+//- A term whose first number is not 0 does something; with 0, where that is allowed, it may do nothing, as artificial viscosity. One that does not see the viscosity does the same without it
 TEST(TermEffects, AreThoseOfTheFormulas)
 {
     SphConfig c;
@@ -588,7 +588,8 @@ TEST(TermEffects, AreThoseOfTheFormulas)
         for (const TermEntry& e : t.entries) if (!e.yesNo) { e.set(some, e.typical); e.set(none, 0); }
         EXPECT_FALSE(termEffects(some)[i].idle) << t.word;
         const bool mayBeNothing = !t.entries.empty() && t.entries[0].allows(0);
-        if (mayBeNothing) { EXPECT_TRUE(termEffects(none)[i].idle) << t.word; }
+        if (!mayBeNothing) { EXPECT_FALSE(termEffects(none)[i].idle) << t.word; }
+        if (std::string(t.word) == ArtificialViscosity<double>::word) { EXPECT_TRUE(termEffects(none)[i].idle); }
         none = some;
         none.viscosity = 0;
         const bool sees = termEffects(some)[i].seesViscosity;
