@@ -438,6 +438,7 @@ properties2()   # NAME MESSAGE PROPERTIES [CONTROL]
 two='materials { glass { rho 2500; E 1e7; nu 0.25; } steel { rho 7800; E 1e8; nu 0.3; } }'
 properties2 missingPair 'Entry pairs: missing are \(glass-steel\), which can meet' "$two pairs { glass-glass { restitution 1; friction 0; } } walls { material steel; }"
 properties2 wallMaterial 'wall tank has no material|wall [a-z]+ has no material' "$two pairs { default { restitution 1; friction 0; } }"
+properties2 gapWide 'gap of glass-glass is 1000 m, more than 100 times the largest particle' "${two} pairs { default { restitution 1; friction 0; gap 1000; } } walls { material steel; }"
 properties2 wallWood 'Unknown material wood' "$two pairs { default { restitution 1; friction 0; } } walls { material wood; }"
 properties2 wallName 'nowhere selects no wall; valid are' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; materials { nowhere glass; } }"
 good="$two pairs { default { restitution 1; friction 0; } }"

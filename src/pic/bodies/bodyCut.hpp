@@ -179,19 +179,19 @@ void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& g
     place(context, grid, bodies);
     measure(context);
     cutToWater_ = false;
+    forEach(context, lanes*rowCount_, LowerDistances<D, lanes>{blocks(), f.band, f.distance});
     forEach(context, shareCount_, closeByBodies(f));
     LeaveSidesAlone<D, R> leave{blocks(), shareFirst_.data(), shareX_.data(), {}, share_.data()};
     for (int d = 0; d < D; ++d) leave.base[d] = f.baseAperture[d];
     forEach(context, D*rowCount_, leave);
     fillRows(context, up);
-    forEach(context, lanes*rowCount_, LowerDistances<D, lanes>{blocks(), f.band, f.distance});
 }
 
 template<class Backend, int D>
 template<class R>
 CloseByBodies<D, R> BodyCut<Backend, D>::closeByBodies(const CutFields<D, R>& f)
 {
-    CloseByBodies<D, R> close{sorted(), {}, {}, share_.data(), arm_.data(), blocks(), bodyOfShare_.data()};
+    CloseByBodies<D, R> close{sorted(), {}, {}, share_.data(), arm_.data(), blocks(), bodyOfShare_.data(), f.distance};
     for (int d = 0; d < D; ++d)
     {
         close.base[d] = f.baseAperture[d];

@@ -4,8 +4,10 @@
     bodies) each face sums its own. Where bodies and walls leave less than smallestAperture of a face it is closed, and shares that sum to more than the face are scaled down to it. A face
     that is a wall inside the grid keeps the bodies' shares, so that a body that the wall clips still has a closed surface; one of a side's wall has none, for the same reason: with a share there
     the body would leave or enter through the wall, for which water that fills a closed tank could not make up: its pressure, known but for a constant, would stop the body at once and throw it
-    back. Of a face that several bodies close contactLeak stays open: where they touch at
-    their true surfaces, without a gap, water would else be trapped between three disks, and its incompressibility and the stiffness of the contacts would fight for the same motion. Water passes touching rocks. Faces at periodic ends, which exist twice, have none: no body reaches across.
+    back. Of a face that several bodies close contactLeak stays open: where they touch at their true surfaces, without a gap, water would else be trapped between three disks, and its
+    incompressibility and the stiffness of the contacts would fight for the same motion. Water passes touching rocks. A slit that one body leaves of a face of a cell which solids fill together
+    is closed: no water is in such a cell, and what moves its walls would be pressed through the slit, at a speed and a pressure without bounds as it narrows. Faces at periodic ends, which
+    exist twice, have none: no body reaches across.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -206,6 +208,7 @@ struct CloseByBodies
     Vec<D, double>* arm;
     BodyBlocks<D> blocks;
     const int* body;                // of shares
+    const double* distance;         // nodes, with the bodies
 
     HD void operator()(int q) const
     {
@@ -218,7 +221,10 @@ struct CloseByBodies
         double sum = 0;
         for (int s = q; s < end; ++s) sum += share[sorted.number[s]];
         const double before = base[d][face], most = end - q > 1 ? before*(1 - contactLeak) : before;
-        const bool leaks = most < before && sum > most, opens = leaks || before - sum >= smallestAperture;
+        const double left = before - sum;
+        const bool leaks = most < before && sum > most;
+        const bool slit = end - q == 1 && left < contactLeak;
+        const bool opens = leaks || (left >= smallestAperture && !(slit && besideFullCell(d, face, shapeOf(q))));
         const double scale = leaks ? most/sum : before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
         if (leaks) sum = most;
         if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
@@ -227,6 +233,30 @@ struct CloseByBodies
     }
 
     HD ShapeView<D> shapeOf(int q) const { return blocks.shape(body[sorted.number[q]]); }
+
+    //- Have solids all corners of a cell beside it, and this one not all of them?
+    HD bool besideFullCell(int d, int face, const ShapeView<D>& shape) const
+    {
+        const UniformGrid<D>& g = blocks.grid;
+        const NodeGrid<D> nodes{g};
+        const typename UniformGrid<D>::Index f = g.faceIndex(d, face);
+        for (int side = 0; side < 2; ++side)
+        {
+            const int cell = g.cellOf(d, f, side);
+            if (cell < 0) continue;
+            const int first = nodes.node(g.cellIndex(cell));
+            bool full = true, alone = true;
+            for (int corner = 0; corner < (1 << D); ++corner)
+            {
+                int node = first;
+                for (int e = 0; e < D; ++e) node += (corner >> e & 1)*nodes.stride(e);
+                full = full && distance[node] < 0;
+                alone = alone && full && shape.distance(nodes.position(node)) < 0;
+            }
+            if (full && !alone) return true;
+        }
+        return false;
+    }
 
     //- The share of a body that has the face to itself is the face, its middle the face's: else the body's spin would push something into cells that it fills, which have no equation, and over those that have one it
     //  would not sum to zero

@@ -70,6 +70,34 @@ static void requirePairs
 }
 
 
+//- Contacts that begin farther away than this are a wrong unit
+static void requireNarrowGaps
+(
+    const demSettings& settings,
+    const std::vector<double>& radius
+)
+{
+    scalar largest = 0;
+    for (const scalar r : radius)
+    {
+        largest = max(largest, 2*r);
+    }
+    const wordList names(settings.materialNames());
+    for (const riprap::DemPair& pair : settings.pairs)
+    {
+        const scalar gap = pair.properties.gap;
+        if (largest > 0 && gap > 100*largest)
+        {
+            FatalIOErrorInFunction(settings.dict)
+                << "Entry pairs: gap of " << names[pair.a] << '-'
+                << names[pair.b] << " is " << gap << " m, more than 100 times"
+                << " the largest particle, " << largest << " m across"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 static std::vector<riprap::DemGroup> groupsOf
 (
     const demSettings& settings,
@@ -202,6 +230,7 @@ riprap::DemInput Foam::demInput
     input.groups = groupsOf(settings, input.particles, input.clumps);
 
     requirePairs(settings, materialsOf(input.particles.material), walls);
+    requireNarrowGaps(settings, input.particles.radius);
     setBonds(settings, input, typeOfBondType);
 
     return input;

@@ -41,6 +41,27 @@ static void requirePatch
 }
 
 
+//- Numbers among a series' coefficients: OpenFOAM ignores what follows one
+static void requireSingle(const dictionary& coeffs, const word& opening)
+{
+    for (const entry& e : coeffs)
+    {
+        if (e.isDict())
+        {
+            requireSingle(e.dict(), opening);
+            continue;
+        }
+        const ITstream& value = e.stream();
+        if (value.size() > 1 && value[0].isNumber())
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "Opening " << opening << ": entry " << e.keyword()
+                << " holds more than its value" << exit(FatalIOError);
+        }
+    }
+}
+
+
 template<class Type>
 static std::shared_ptr<Function1<Type>> series
 (
@@ -56,7 +77,7 @@ static std::shared_ptr<Function1<Type>> series
             << "Opening " << opening << " needs " << entry << ", " << what
             << exit(FatalIOError);
     }
-    dict.subDict(entry + "Coeffs");
+    requireSingle(dict.subDict(entry + "Coeffs"), opening);
     // A constant without its word: what follows it would be ignored
     const ITstream& value = dict.dict().lookup(entry);
     const bool vectors = pTraits<Type>::nComponents > 1;
@@ -97,6 +118,21 @@ static std::function<scalar(scalar)> heights
 }
 
 
+//- Largest size of what a series gives, from now to the end of the run
+template<class Value>
+static scalar largest(const Time& time, const Value& value)
+{
+    const label samples = 1000;
+    scalar most = 0;
+    for (label i = 0; i <= samples; ++i)
+    {
+        const scalar past = (time.endTime().value() - time.value())*i/samples;
+        most = max(most, mag(value(time.value() + max(past, scalar(0)))));
+    }
+    return most;
+}
+
+
 //- Water that is faster than sound in it is not incompressible: a wrong unit
 static void requireSlow
 (
@@ -125,7 +161,7 @@ static void requireNear
     const scalar most = 100*mesh.bounds().mag() + mag(mesh.bounds().midpoint());
     if (mag(level) <= most) return;
     FatalIOErrorInFunction(entries)
-        << "Opening " << opening << ": entry level is " << level
+        << "Opening " << opening << ": entry level reaches " << level
         << " m, more than 100 times the size of the mesh away from it, "
         << mesh.bounds().min() << " to " << mesh.bounds().max()
         << exit(FatalIOError);
@@ -157,7 +193,13 @@ static riprap::PicOpening readOpening
     {
         const auto u =
             series<vector>(dict, name, "velocity", "a vector [m/s]");
-        requireSlow(entries, name, "velocity", mag(u->value(mesh.time().value())));
+        requireSlow
+        (
+            entries,
+            name,
+            "velocity",
+            largest(mesh.time(), [&](scalar t) { return u->value(t); })
+        );
         opening.velocity = [u](scalar t)
         {
             const vector v(u->value(t));
@@ -174,7 +216,8 @@ static riprap::PicOpening readOpening
             entries,
             name,
             "flowRate",
-            mag(rate->value(mesh.time().value()))/max(sum(mag(patch.faceAreas())), VSMALL)
+            largest(mesh.time(), [&](scalar t) { return rate->value(t); })
+           /max(sum(mag(patch.faceAreas())), VSMALL)
         );
         const scalar thickness =
             config.dimensions == 2 ? mesh.bounds().span()[config.axes[2]] : 1;
@@ -187,7 +230,7 @@ static riprap::PicOpening readOpening
     if (opening.kind == OpeningKind::level || dict.found("level"))
     {
         opening.level = heights(dict, name, config);
-        requireNear(entries, name, opening.level(mesh.time().value()), mesh);
+        requireNear(entries, name, largest(mesh.time(), opening.level), mesh);
     }
     dict.end();
     return opening;

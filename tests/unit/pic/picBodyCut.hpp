@@ -261,6 +261,48 @@ BODY_TEST(PushesNothingIntoItself)
     EXPECT_GT(scaled, 0);
 }
 
+//- What a ball and an obstacle leave of a face by a slit is closed where they fill a cell beside it together; not where the cell has an open corner, nor for wider openings
+BODY_TEST(ClosesSlitsOfCellsThatSolidsFill)
+{
+    constexpr int D = TypeParam::D;
+    using R = typename TypeParam::real;
+    const auto leftOpen = [](double gap, bool full)
+    {
+        CutBox<TypeParam> box;
+        const UniformGrid<D>& grid = box.grid;
+        const NodeGrid<D> nodes{grid};
+        box.bodies.clear();
+        box.add({{{{1.3, 1.2, 1.1}}, 0.55}});
+        box.cutNow();
+        const std::vector<R> a = box.aperture[0].download();
+        int face = -1;
+        for (int f = 0; f < grid.faces(0) && face < 0; ++f) if (a[f] > R(0.3) && a[f] < R(0.7) && box.walls[0][f] == 1) face = f;
+        const double base = 1 - double(a[face]) + gap;
+        box.cut.restore(box.context, box.fields());
+        // the obstacle has what the ball leaves of the cell above the face, but for a corner
+        const auto cell = grid.cellIndex(grid.cellOf(0, grid.faceIndex(0, face), 1));
+        bool left = !full;
+        for (int corner = 0; corner < (1 << D); ++corner)
+        {
+            int node = nodes.node(cell);
+            for (int d = 0; d < D; ++d) node += (corner >> d & 1)*nodes.stride(d);
+            const bool free = box.bodies[0].shape.distance(nodes.position(node)) > 0;
+            if (free && !left) box.baseDistance[node] = -0.01;
+            left = left && !free;
+        }
+        for (auto* x : {&box.distance, &box.of}) x->upload(box.context, box.baseDistance);
+        box.walls[0][face] = base;
+        for (auto* x : {&box.base[0], &box.aperture[0]}) x->upload(box.context, std::vector<R>(box.walls[0].begin(), box.walls[0].end()));
+        box.cut.cut(box.context, grid, box.bodies, 1, box.fields());
+        const double share = box.cut.shareOfFaces(0)[face], open = box.aperture[0].download()[face];
+        EXPECT_NEAR(share + open, base, 1e-6);
+        return open;
+    };
+    EXPECT_EQ(leftOpen(0.03, true), 0);
+    EXPECT_NEAR(leftOpen(0.03, false), 0.03, 1e-6);
+    EXPECT_NEAR(leftOpen(0.1, true), 0.1, 1e-6);
+}
+
 //- Heavy bodies that fall in a pool: their equation solved where the grid is, and on the host
 BODY_TEST(MovesThemAsTheHostDoes)
 {
