@@ -10,6 +10,14 @@ namespace Foam
 // OpenFOAM's message about a file that is no surface does not name it
 static autoPtr<triSurface> readSurface(const dictionary& dict, const fileName& file, scalar scale)
 {
+    const word type(file.hasExt("gz") ? file.lessExt().ext() : file.ext());
+    if (!triSurface::canReadType(type))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry file: " << file << " cannot be read as a surface: unknown file extension " << type
+            << ", valid are " << listed(triSurface::readTypes().sortedToc()).c_str() << exit(FatalIOError);
+    }
+
     autoPtr<triSurface> surface;
     string why;
     const bool before = FatalError.throwExceptions();
