@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The rigid motion that brings points nearest to where they are now, in the least-squares sense. 3D: the rotation is the
-    eigenvector of the largest eigenvalue of Horn's matrix (Horn 1987, J. Opt. Soc. Am. A 4, 629, Section 4), found by
-    Jacobi's rotations; 2D: the angle of the summed cross and dot products.
+    eigenvector of the largest eigenvalue of Horn's matrix (Horn 1987, J. Opt. Soc. Am. A 4, 629, Section 4); 2D: the angle
+    of the summed cross and dot products.
 */
 #ifndef rigidFit_hpp
 #define rigidFit_hpp
 
 #include "api/sceneTypes.hpp"
 
+#include <eigen3/Eigen/Eigenvalues>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -45,42 +46,6 @@ inline std::array<double, 9> transposeOf(const std::array<double, 9>& a)
     return {{a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]}};
 }
 
-namespace detail
-{
-
-inline Quaternion largestEigenvector(double N[4][4])
-{
-    double V[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-    for (int sweep = 0; sweep < 30; ++sweep)
-        for (int p = 0; p < 3; ++p)
-            for (int q = p + 1; q < 4; ++q)
-            {
-                if (N[p][q] == 0) continue;
-                const double angle = 0.5*std::atan2(2*N[p][q], N[q][q] - N[p][p]);
-                const double c = std::cos(angle), s = std::sin(angle);
-                for (int k = 0; k < 4; ++k)
-                {
-                    const double a = N[k][p], b = N[k][q];
-                    N[k][p] = c*a - s*b;
-                    N[k][q] = s*a + c*b;
-                }
-                for (int k = 0; k < 4; ++k)
-                {
-                    const double a = N[p][k], b = N[q][k];
-                    N[p][k] = c*a - s*b;
-                    N[q][k] = s*a + c*b;
-                    const double v = V[k][p], w = V[k][q];
-                    V[k][p] = c*v - s*w;
-                    V[k][q] = s*v + c*w;
-                }
-            }
-    int best = 0;
-    for (int k = 1; k < 4; ++k) if (N[k][k] > N[best][best]) best = k;
-    return {{V[0][best], V[1][best], V[2][best], V[3][best]}};
-}
-
-} // namespace detail
-
 //- @param from, to  as many points; @param emptyAxis  of a 2D case, in which points stay in their plane, or -1
 inline WallPose rigidFit(const std::vector<Vector3>& from, const std::vector<Vector3>& to, int emptyAxis = -1)
 {
@@ -108,14 +73,15 @@ inline WallPose rigidFit(const std::vector<Vector3>& from, const std::vector<Vec
     }
     else
     {
-        double N[4][4] =
-        {
-            {S[0][0] + S[1][1] + S[2][2], S[1][2] - S[2][1], S[2][0] - S[0][2], S[0][1] - S[1][0]},
-            {S[1][2] - S[2][1], S[0][0] - S[1][1] - S[2][2], S[0][1] + S[1][0], S[2][0] + S[0][2]},
-            {S[2][0] - S[0][2], S[0][1] + S[1][0], S[1][1] - S[0][0] - S[2][2], S[1][2] + S[2][1]},
-            {S[0][1] - S[1][0], S[2][0] + S[0][2], S[1][2] + S[2][1], S[2][2] - S[0][0] - S[1][1]}
-        };
-        q = detail::largestEigenvector(N);
+        Eigen::Matrix4d N;
+        N <<
+            S[0][0] + S[1][1] + S[2][2], S[1][2] - S[2][1], S[2][0] - S[0][2], S[0][1] - S[1][0],
+            S[1][2] - S[2][1], S[0][0] - S[1][1] - S[2][2], S[0][1] + S[1][0], S[2][0] + S[0][2],
+            S[2][0] - S[0][2], S[0][1] + S[1][0], S[1][1] - S[0][0] - S[2][2], S[1][2] + S[2][1],
+            S[0][1] - S[1][0], S[2][0] + S[0][2], S[1][2] + S[2][1], S[2][2] - S[0][0] - S[1][1];
+        // eigenvalues ascend
+        const Eigen::Vector4d largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(N).eigenvectors().col(3);
+        q = {{largest[0], largest[1], largest[2], largest[3]}};
     }
 
     pose.rotation = rotationOf(q);

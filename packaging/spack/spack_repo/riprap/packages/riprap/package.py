@@ -26,6 +26,7 @@ class Riprap(Package, CudaPackage):
     depends_on("c", type="build")
     depends_on("cxx", type="build")
     depends_on("gmake", type="build")
+    depends_on("eigen@3:", type="build")
 
     # v1912, and v2406 to v2512 of openfoam.com, with the sources' headers and wmake
     depends_on("openfoam@1912:1912_999999,2406:2512 +source precision=dp")
