@@ -150,7 +150,7 @@ static void materialNeeds
         {
             needs.idle
             (
-                subDictOf(all, names[i]),
+                subDictOf(all, names[i].c_str()),
                 "E",
                 "contacts of normal law " + settings.config.normal
               + " take their stiffness from pairs"
@@ -261,7 +261,7 @@ static void groupNeeds
         {
             if (weightless)
             {
-                needs.idle(subDictOf(all, name), "gravity", "constant/g is zero");
+                needs.idle(subDictOf(all, name.c_str()), "gravity", "constant/g is zero");
             }
         }
         // A motion decides how large the domain is, whoever moves with it

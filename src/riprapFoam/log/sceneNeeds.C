@@ -160,7 +160,7 @@ std::string Foam::threeDigits(scalar value)
 }
 
 
-const Foam::dictionary& Foam::subDictOf(const dictionary& dict, const word& name)
+const Foam::dictionary& Foam::subDictOf(const dictionary& dict, const char* name)
 {
     const dictionary* sub = dict.findDict(name, keyType::LITERAL);
     return sub ? *sub : dictionary::null;
