@@ -97,6 +97,84 @@ static pointField beyond(const particleRegion& region, const particlePacking& pa
 }
 
 
+// Points in groups of those that are mirror images of each other across the planes through their centre, along the two axes that are not upright. Of four the opposite ones follow
+// each other
+static List<labelList> mirrorImages(const labelList& points, const pointField& x, const particlePacking& packing)
+{
+    const scalar same = 1e-6*packing.spacing();
+    const label sides = packing.planar() ? 1 : 2;
+    const direction up = packing.axis(sides);
+    const point centre(average(pointField(x, points)));
+    const auto away = [&](label i, label d) { return mag(x[i][packing.axis(d)] - centre[packing.axis(d)]); };
+    const auto isPositive = [&](label i, label d) { return x[i][packing.axis(d)] > centre[packing.axis(d)]; };
+    const auto apart = [&](label i, label j)
+    {
+        for (label d = 0; d < sides; ++d) if (mag(away(i, d) - away(j, d)) > same) return away(i, d) - away(j, d);
+        return mag(x[i][up] - x[j][up]) > same ? x[i][up] - x[j][up] : scalar(0);
+    };
+    labelList order(points);
+    std::sort(order.begin(), order.end(), [&](label i, label j)
+    {
+        const scalar difference = apart(i, j);
+        if (difference != 0) return difference < 0;
+        const bool alikeI = isPositive(i, 0) == isPositive(i, sides - 1), alikeJ = isPositive(j, 0) == isPositive(j, sides - 1);
+        if (alikeI != alikeJ) return alikeI;
+        return isPositive(i, 0) != isPositive(j, 0) ? isPositive(j, 0) : i < j;
+    });
+    DynamicList<labelList> groups;
+    forAll(order, k)
+    {
+        if (k == 0 || apart(order[k - 1], order[k]) != 0) groups.append(labelList());
+        groups.last().append(order[k]);
+    }
+    return List<labelList>(std::move(groups));
+}
+
+
+// Those that stay when the `gone` nearest leave. Of equally near ones, of which some leave, mirror images leave together, evenly among the others: all from one side, as their order in
+// memory has it, would let a float heel
+static boolList withoutNearest(const scalarField& distance, const pointField& x, label gone, const particlePacking& packing)
+{
+    const scalar same = 1e-6*packing.spacing();
+    labelList order;
+    sortedOrder(distance, order);
+    label first = gone, end = gone;
+    if (gone > 0 && gone < order.size())
+    {
+        const scalar last = distance[order[gone - 1]];
+        while (first > 0 && last - distance[order[first - 1]] < same) --first;
+        while (end < order.size() && distance[order[end]] - last < same) ++end;
+    }
+
+    boolList stays(distance.size(), true);
+    for (label i = 0; i < first; ++i) stays[order[i]] = false;
+    label some = gone - first;
+    if (some == 0) return stays;
+
+    const List<labelList> images(mirrorImages(SubList<label>(order, end - first, first), x, packing));
+    const label n = images.size(), groups = label(std::int64_t(some)*n/(end - first));
+    for (label k = 0; k < groups; ++k)
+    {
+        const labelList& group = images[label((2*std::int64_t(k) + 1)*n/(2*groups))];
+        if (group.size() > some) continue;
+        for (const label i : group) stays[i] = false;
+        some -= group.size();
+    }
+    for (const labelList& group : images)
+    {
+        for (const label i : group)
+        {
+            if (some > 0 && stays[i])
+            {
+                stays[i] = false;
+                --some;
+            }
+        }
+    }
+    return stays;
+}
+
+
 static void clipAtShapes(particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
 {
     const clumpShape bodies(together(solids));
@@ -107,11 +185,7 @@ static void clipAtShapes(particleRegion& region, const particlePacking& packing,
 
     const scalar spacing = packing.spacing(), reach = (movedLayers + 2.5)*spacing;
     const pointField ghosts(beyond(region, packing, bodies, reach));
-    labelList order;
-    sortedOrder(distance, order);
-    boolList stays(region.size(), true);
-    for (label i = 0; i < gone; ++i) stays[order[i]] = false;
-    region.keep(stays);
+    region.keep(withoutNearest(distance, region.position, gone, packing));
 
     const scalarField left(bodies.distance(region.position));
     DynamicList<label> moved;
