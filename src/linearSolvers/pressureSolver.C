@@ -3,6 +3,7 @@
 #include "pressureSolver.H"
 #include <algorithm>
 #include "lduMatrix.H"
+#include "solverEntries.H"
 #include "wetMesh.H"
 
 const Foam::word Foam::pressureSolver::deviceSolver(riprap::ownSolver);
@@ -29,7 +30,8 @@ Foam::pressureSolver::pressureSolver(const Time& time, const word& field, const 
 bool Foam::pressureSolver::read(const dictionary& controls)
 {
     const SHA1Digest now(controls.digest());
-    if (now == given_) return false;
+    // The digest of no entries is that of none given
+    if (now == given_ && !controls.empty()) return false;
     given_ = now;
     controls_ = controls;
     onDevice_ = controls_.get<word>("solver") == deviceSolver;
@@ -108,6 +110,7 @@ void Foam::pressureSolver::checkHost()
         valid.append(deviceSolver);
         FatalIOErrorInFunction(controls_) << "unknown solver '" << name << "' for " << field_ << ". Valid: " << valid << exit(FatalIOError);
     }
+    checkSolverEntries(controls_, field_);
     // Else it would pass while few cells are wet, which DIC serves
     const auto& known = *lduMatrix::preconditioner::symMatrixConstructorTablePtr_;
     const word preconditioner = !controls_.found("preconditioner") ? word::null

@@ -9,7 +9,7 @@ import sys
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), '..', '..'))
 NAME = 'mutate'                 # of the runs
-OTHER = {'blockMeshDict', 'fvSchemes'}      # not riprap's, or not used
+OTHER = {'blockMeshDict', 'decomposeParDict', 'fvSchemes'}      # not riprap's, or not used by what runs here
 READ = {'g', 'geometry', 'fluidProperties', 'sphProperties', 'picProperties', 'solidProperties', 'controlDict', 'fvSolution', 'fvSchemes', 'setParticlesDict'}
 
 QUICK = '''

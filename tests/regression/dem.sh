@@ -452,6 +452,7 @@ groups { free { motion { solidBodyMotionFunction rotatingMotion; rotatingMotionC
 properties2 wallMotionName 'Entry patches \(nowhere\) selects no wall; valid are' "$good walls { material steel; motion { m { patches (nowhere); $linear (1 0 0); } } } }"
 properties2 wallPatch 'no patch nowhere that can be a wall; valid ones are' "$good walls { material steel; patches (nowhere); }"
 properties2 planeNormal 'needs a length' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; planes { a { point (0 0 0); normal (0 0 0); } } }"
+properties2 planeBehind 'Plane a: particle 0 is .* m behind its point.*normal must point to the particles' "$good walls { material steel; planes { a { point (0 100 0); normal (0 1 0); } } }"
 properties2 largeStep '0\.5 sqrt\(m/k\)|allowLargeStep' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; }" 'adjustTimeStep no; deltaT 0.01;'
 solids ''
 object() { control "functions { f { $2 libs (\"libriprapFoam.so\"); } }"; refused "object.$1" "$3.*functions.f" riprapFoam; }
@@ -461,6 +462,7 @@ object noIds 'type particleDisplacement; origIds ();' 'Entry origIds of .* is em
 object noPoints 'type particleDisplacement; points ();' 'Entry points of .* is empty'
 object ids 'type particleDisplacement; origIds (99999);' 'Entry origIds .*there is no particle 99999'
 object idsWord 'type particleDisplacement; origIds some;' "word 'some'"
+object idsSurplus 'type particleDisplacement; origIds all 17;' "'origIds' has 1 excess tokens"
 object both 'type particleDisplacement; origIds (1); points ((0 0 0));' 'needs one of the entries origIds and points'
 object none 'type particleDisplacement;' 'needs one of the entries origIds and points'
 object entry 'type solidEnergies; groups (free);' 'Unknown entry groups; valid are .*writeInterval'

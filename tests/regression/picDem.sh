@@ -169,6 +169,20 @@ dictionary constant/fluidProperties <<<'rho -1000; mu 1e-3;'; refused rhoNegativ
 dictionary constant/fluidProperties <<<'rho 1000; mu 1e-3;'
 dictionary system/fvSolution </dev/null; refused noSolver 'There is no dictionary p in solvers.*system/fvSolution' riprapFoam
 dictionary system/fvSolution <<<'solvers { }'; refused noPressure 'There is no dictionary p in solvers.*system/fvSolution' riprapFoam
+wrongSolver()       # NAME MESSAGE ENTRIES
+{
+    dictionary system/fvSolution <<<"solvers { p { $3 } }"
+    refused "$1" "$2" riprapFoam
+    ! grep -q 'Solving for p' log || fail "$1" "told after the first solution"
+}
+gamg='solver coupledPCG; tolerance 1e-9; preconditioner { preconditioner GAMG; smoother'
+wrongSolver solverEmpty "'solver' not found.*fvSolution" ''
+wrongSolver solverList "fvSolution.solvers.p.relTol" 'solver PCG; preconditioner DIC; relTol (1 2);'
+wrongSolver solverEntry "unknown entry 'tolerence' of the solver of p. Valid: .*tolerance.*fvSolution" 'solver PCG; preconditioner DIC; tolerence 1e-9;'
+wrongSolver solverRelTol 'Entry relTol of the solver of p must be less than 1' 'solver PCG; preconditioner DIC; relTol 2;'
+wrongSolver solverSweeps "unknown entry 'nFinestSweesp' of the solver of p.*fvSolution.solvers.p.preconditioner" "$gamg symGaussSeidel; nFinestSweesp 1; }"
+wrongSolver solverCycles 'fvSolution.solvers.p.preconditioner.nVcycles' "$gamg symGaussSeidel; nVcycles 1e18; }"
+wrongSolver solverSmoother "unknown smoother 'sandpaper' for p. Valid: .*GaussSeidel" "$gamg sandpaper; }"
 dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
 
 # No water

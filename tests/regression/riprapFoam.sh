@@ -108,6 +108,11 @@ bad motionPatch "walls { motion { p { patches (lefft); $linear (1 0 0); } } } }"
 bad motionTwice "walls { motion { p { patches (left); $linear (1 0 0); } } q { patches (\".*\"); $linear (1 0 0); } } } }" 'Wall left moves with p already'
 bad motionPlane "walls { motion { p { patches (left); $linear (1 0 1); } } } }" 'Motion p leaves the plane of this 2D case: z'
 bad motionUnknown "walls { motion { p { patches (left); patch (left); $linear (1 0 0); } } } }" 'Unknown entry patch; valid are \(patches solidBodyMotionFunction linearMotionCoeffs\)'
+bad motionSurplus "walls { motion { p { patches (left); $linear (1 0 0) 2; } } } }" 'Motion p: entry velocity holds more than its value'
+bad motionOther "walls { motion { p { patches (left); $linear (1 0 0); } rotatingMotionCoeffs { origin (0 0 0); axis (0 0 banana); omega 1; } } } }" "expected scalar value.*word 'banana'"
+bad motionFar "walls { motion { p { patches (left); $linear (1e12 0 0); } } } }" 'Motion p takes its walls .* m away, more than 10000 times the size of the mesh.*is there a wrong unit among \(velocity\)'
+bad XSPH 'XSPH 1e12;' 'Entry XSPH is 1e.12: it must be from 0 to 2'
+bad maxVelocitySmall 'maxVelocity 1e-12;' 'Entries maxVelocity, 1e-12 m/s, and soundSpeedRatio give the fluid a speed of sound of 1e-11 m/s'
 bad motionCoeffs 'walls { motion { p { patches (left); solidBodyMotionFunction linearMotion; linearMotionCoeffs { v (1 0 0); } } } }' "'velocity' not found.*linearMotionCoeffs"
 bad guardDensity 'guards { densityDeviation 0; }' 'Entry densityDeviation is 0: it must be positive'
 bad guardSpeed 'guards { speedRatio 0; }' 'Entry speedRatio is 0: it must be positive'
@@ -126,6 +131,7 @@ fluid muAndNu 'rho 1000; mu 1e-3; nu 1e-6;' 'One of the entries mu .* must be th
 fluid noMu 'rho 1000;' 'One of the entries mu .* must be there'
 fluid mu 'rho 1000; mu 0;' 'Entry mu is 0: it must be positive'
 fluid nu 'rho 1000; nu -1e-6;' 'Entry nu is -1e-06: it must be positive'
+fluid nuLarge 'rho 1000; nu 1e12;' 'The viscosity, mu or nu, is 1e.12 m2/s: it spreads over a spacing in .* steps'
 fluid nuWord 'rho 1000; nu water;' 'nu has the unknown word water; valid are \(<number>'
 fluid rhoDict 'rho { } nu 1e-6;' 'Entry rho must be a value, not a dictionary'
 fluid muDimensions 'rho 1000; mu [0 2 -1 0 0 0 0] 1e-6;' 'Entry mu has the dimensions'
@@ -154,6 +160,8 @@ controlled writeControl 'writeControl sometimes;' 'sometimes is not in enumerati
 controlled endTime 'endTime -1;' 'Entry endTime is -1, before time 0 at which the run starts'
 controlled stopAt 'stopAt never;' 'never is not in enumeration.*endTime.*writeNow'
 controlled startFrom 'startFrom middle;' "expected startTime, firstTime or latestTime found 'middle'"
+controlled runTimeModifiable 'runTimeModifiable 17;' "runTimeModifiable"
+controlled functionValue 'functions { f 17; }' 'Entry f of functions must be a dictionary: f . type'
 controlled functionInterval 'functions { f { type wallForce; libs ("libriprapFoam.so"); writeControl adjustableRunTime; writeInterval 0; } }' 'Entry writeInterval is 0: it must be positive'
 control startTime 0.005; sed -i 's/solver sphDem;//' system/controlDict; wrong control.noSolver "'solver' not found.*controlDict"
 control startTime 0.005; sed -i 's/^deltaT 1e-3;//' system/controlDict; wrong control.noDeltaT "'deltaT' not found.*controlDict"

@@ -5,6 +5,7 @@
 
 #include "checkedDictionary.H"
 #include "listed.H"
+#include "macroUse.H"
 #include <cctype>
 #include <cstring>
 #include <fstream>
@@ -273,6 +274,15 @@ void Foam::checkedDictionary::endButMacros(const wordList& elsewhere) const
             << " (foamDictionary replaces $name by its value); entries of"
             << " this dictionary are " << listed(known_).c_str() << nl << endl;
     }
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+bool Foam::heldForNothing(const fileName& file, const word& entry)
+{
+    const wordUse use(useOf(entry, textOf(file)));
+    return use.plain && !use.macro;
 }
 
 

@@ -8,6 +8,7 @@
 #include "Function1.H"
 #include "listed.H"
 #include "picNames.H"
+#include "singleValues.H"
 #include "SubField.H"
 #include "Time.H"
 
@@ -41,27 +42,6 @@ static void requirePatch
 }
 
 
-//- Numbers among a series' coefficients: OpenFOAM ignores what follows one
-static void requireSingle(const dictionary& coeffs, const word& opening)
-{
-    for (const entry& e : coeffs)
-    {
-        if (e.isDict())
-        {
-            requireSingle(e.dict(), opening);
-            continue;
-        }
-        const ITstream& value = e.stream();
-        if (value.size() > 1 && value[0].isNumber())
-        {
-            FatalIOErrorInFunction(coeffs)
-                << "Opening " << opening << ": entry " << e.keyword()
-                << " holds more than its value" << exit(FatalIOError);
-        }
-    }
-}
-
-
 template<class Type>
 static std::shared_ptr<Function1<Type>> series
 (
@@ -77,11 +57,8 @@ static std::shared_ptr<Function1<Type>> series
             << "Opening " << opening << " needs " << entry << ", " << what
             << exit(FatalIOError);
     }
-    requireSingle(dict.subDict(entry + "Coeffs"), opening);
-    // A constant without its word: what follows it would be ignored
-    const ITstream& value = dict.dict().lookup(entry);
-    const bool vectors = pTraits<Type>::nComponents > 1;
-    if (value.size() && !value[0].isWord() && (vectors ? value.last() != token::END_LIST : value.size() > 1))
+    requireSingleValues(dict.subDict(entry + "Coeffs"), "Opening " + opening);
+    if (!isSingleValue(dict.dict().lookup(entry)))
     {
         FatalIOErrorInFunction(dict.dict())
             << "Opening " << opening << ": entry " << entry << " holds more"

@@ -72,6 +72,16 @@ static void checkWord(checkedDictionary& control, const word& entry, const wordL
 }
 
 
+//- 0 and 1 are switches for OpenFOAM, as any number is
+static void checkSwitch(checkedDictionary& control, const word& entry, const wordList& valid)
+{
+    if (!control.found(entry)) return;
+    const token typed(control.dict().lookup(entry));
+    if (typed.isLabel() && (typed.labelToken() == 0 || typed.labelToken() == 1)) control.dict().get<label>(entry);
+    else checkWord(control, entry, valid);
+}
+
+
 //- Times that are rounded to 12 digits
 static void checkInterval(checkedDictionary& control, const word& entry, bool zero)
 {
@@ -108,6 +118,7 @@ void Foam::checkControlDict(const fileName& file)
     checkWord(control, "writeFormat", {"ascii", "binary"});
     checkWord(control, "writeCompression", compression);
     checkWord(control, "writeAsynchronously", onOff);
+    checkSwitch(control, "runTimeModifiable", {"on", "off", "yes", "no", "true", "false", "y", "n", "t", "f", "none"});
     checkWord(control, "timeFormat", {"general", "fixed", "scientific"});
 
     control.whole("stateInterval", 1, 1, labelMax);

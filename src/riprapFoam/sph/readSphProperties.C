@@ -69,6 +69,14 @@ static scalar upTo
 }
 
 
+//- Shares of the neighbours' velocity and pressure: beyond 2 nothing is smoothed
+static scalar highestOf(const riprap::TermEntry& e)
+{
+    const word name(e.name);
+    return name == "XSPH" || name == "antiClump" ? min(e.highest, scalar(2)) : e.highest;
+}
+
+
 //- The numbers of a pair term
 static void readTerm
 (
@@ -86,7 +94,9 @@ static void readTerm
         e.set(terms, e.otherwise);
         if (term.words.empty() && &e == &term.entries[0])
         {
-            e.set(terms, dict.notNegativeOrNone(e.name, e.otherwise));
+            const scalar value = dict.notNegativeOrNone(e.name, e.otherwise);
+            if (value > highestOf(e)) dict.between(e.name, e.otherwise, 0, highestOf(e));
+            e.set(terms, value);
             continue;
         }
         readEntry(dict, e, terms);

@@ -10,6 +10,7 @@ Description
 #include "sphRun.H"
 #include "checkedDictionary.H"
 #include "particleCloudIO.H"
+#include "particleDomain.H"
 #include "wallPoints.H"
 #include "solvers/sph/sphModels.hpp"
 #include "sph/eos/equationOfState.hpp"
@@ -135,6 +136,47 @@ static scalar largestEnergy
 }
 
 
+//- Water that starts faster than sound, or that one layer's weight presses
+//  together: a wrong unit
+static void requireSound
+(
+    const sphSettings& settings,
+    const vectorField& U
+)
+{
+    const riprap::SphConfig& config = settings.config;
+    scalar fastest = 0;
+    for (const vector& u : U)
+    {
+        fastest = max(fastest, mag(u));
+    }
+    const scalar falls = sqrt(mag(toVector(config.gravity))*config.spacing);
+    if (max(fastest, falls) <= config.soundSpeed) return;
+
+    FatalIOErrorInFunction(settings.dict)
+        << "Entries maxVelocity, " << config.maxVelocity << " m/s, and"
+        << " soundSpeedRatio give the fluid a speed of sound of "
+        << config.soundSpeed << " m/s, and "
+        << (fastest > falls ? "it starts with " : "gravity moves it over a spacing with ")
+        << max(fastest, falls) << " m/s" << exit(FatalIOError);
+}
+
+
+//- A step that no run could end with: a wrong unit
+static void requireSteps(const sphSettings& settings, const Time& time)
+{
+    const riprap::SphConfig& config = settings.config;
+    const scalar length = min(time.endTime().value() - time.value(), scalar(1));
+    const scalar nu = config.viscosity/config.density;
+    const scalar steps = length*nu/sqr(config.spacing);
+    if (!(steps > 1e12)) return;
+    FatalIOErrorInFunction(readConstant("fluidProperties", time))
+        << "The viscosity, mu or nu, is " << nu << " m2/s: it spreads over a"
+        << " spacing in " << sqr(config.spacing)/nu << " s, and " << length
+        << " s would take about " << steps << " steps" << exit(FatalIOError);
+}
+
+
 void setMaxVelocity
 (
     sphSettings& settings,
@@ -175,6 +217,11 @@ void setMaxVelocity
     }
 
     config.soundSpeed = settings.soundSpeedRatio*config.maxVelocity;
+    if (!hasSphRun(mesh.time()))
+    {
+        requireSound(settings, U);
+        requireSteps(settings, mesh.time());
+    }
 }
 
 

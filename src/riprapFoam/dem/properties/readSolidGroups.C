@@ -102,8 +102,9 @@ static demGroup readGroup
     settings.sharedForce = vector(shared[0], shared[1], shared[2]);
     group.localDamping = dict.between("localDamping", 0, 0, 1);
     dict.require(group.localDamping < 1, "localDamping", group.localDamping, "less than 1");
-    group.viscousDamping = dict.notNegative("viscousDamping", 0);
-    group.viscousSpinDamping = dict.notNegative("viscousSpinDamping", 0);
+    // [1/s]: no step follows what dies away within a nanosecond
+    group.viscousDamping = dict.between("viscousDamping", 0, 0, 1e9);
+    group.viscousSpinDamping = dict.between("viscousSpinDamping", 0, 0, 1e9);
 
     readConstraint(dict, config, group.constraint);
     readSprings(dict, group.springs);

@@ -7,6 +7,7 @@
 #include "checkedDictionary.H"
 #include "functionObjectList.H"
 #include "listed.H"
+#include "macroUse.H"
 #include "sceneFunctionObject.H"
 #include "Switch.H"
 #include "timeWriter.H"
@@ -70,6 +71,17 @@ static bool check(const dictionary& dict, Time& time)
     return true;
 }
 
+//- Values among the functions: OpenFOAM passes over them with a warning
+static void requireDictionary(const entry& e, const dictionary& functions, const Time& time)
+{
+    const wordList known({"libs", "errors", "useNamePrefix"});
+    if (known.found(e.keyword()) || !heldForNothing(time.globalPath()/"system"/Time::controlDictName, e.keyword())) return;
+    FatalIOErrorInFunction(functions)
+        << "Entry " << e.keyword() << " of functions must be a dictionary: "
+        << e.keyword() << " { type ..; }. A value may stand there where the"
+        << " file uses it as $" << e.keyword() << exit(FatalIOError);
+}
+
 } // End namespace Foam
 
 
@@ -81,8 +93,10 @@ std::vector<Foam::functionDict> Foam::functionDicts(Time& time)
     const dictionary& control = time.controlDict();
     if (!control.found("functions")) return all;
 
-    for (const entry& e : checkedDictionary(control).subDict("functions"))
+    const dictionary& functions = checkedDictionary(control).subDict("functions");
+    for (const entry& e : functions)
     {
+        if (!e.isDict()) requireDictionary(e, functions, time);
         if (e.isDict() && e.dict().lookupOrDefault<Switch>("enabled", true))
         {
             all.push_back({e.keyword(), e.dict(), check(e.dict(), time)});

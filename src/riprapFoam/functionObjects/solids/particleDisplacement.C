@@ -69,6 +69,7 @@ bool Foam::functionObjects::particleDisplacement::read(const dictionary& dict)
         const token first(dict.lookup("origIds"));
         if (first.isWord() && first.wordToken() == "all")
         {
+            dict.get<word>("origIds");      // nothing may follow it
             const auto& all = dem().input().particles.id;
             ids_.setSize(label(all.size()));
             std::copy(all.begin(), all.end(), ids_.begin());

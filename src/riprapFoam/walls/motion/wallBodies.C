@@ -7,6 +7,7 @@
 #include <cmath>
 #include "checkedDictionary.H"
 #include "listed.H"
+#include "singleValues.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -48,6 +49,31 @@ static void stop(const wallMotion& motion, const error& e)
     FatalIOErrorInFunction(motion.dict)
         << "Motion " << motion.name << ": " << e.message().c_str()
         << exit(FatalIOError);
+}
+
+
+static autoPtr<solidBodyMotionFunction> functionOf(const wallMotion& motion, const dictionary& dict, const Time& time)
+{
+    try
+    {
+        return solidBodyMotionFunction::New(dict, time);
+    }
+    catch (const IOerror&)
+    {
+        throw;
+    }
+    catch (const error& e)
+    {
+        stop(motion, e);
+    }
+    return nullptr;
+}
+
+
+//- Names of the entries that the function of a motion reads
+static wordList coefficients(const dictionary& motion)
+{
+    return motion.optionalSubDict(motion.get<word>("solidBodyMotionFunction") + "Coeffs").toc();
 }
 
 
@@ -115,6 +141,7 @@ wallMotion readMotion(const word& name, const dictionary& entries, bool ofWalls)
         }
         dict.end();
     }
+    requireSingleValues(motion.dict, "Motion " + name);
     return motion;
 }
 
@@ -156,17 +183,14 @@ Foam::wallBodies::wallBodies
 {
     forAll(groups_, i)
     {
-        try
+        functions_.set(i, functionOf(groups_[i], groups_[i].dict, time_));
+        // Coefficients of others: one word makes them this motion's
+        for (const word& other : solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
         {
-            functions_.set(i, solidBodyMotionFunction::New(groups_[i].dict, time_));
-        }
-        catch (const IOerror&)
-        {
-            throw;
-        }
-        catch (const error& e)
-        {
-            stop(groups_[i], e);
+            if (other == functions_[i].type() || !groups_[i].dict.found(other + "Coeffs", keyType::LITERAL)) continue;
+            dictionary dict(groups_[i].dict);
+            dict.set("solidBodyMotionFunction", other);
+            functionOf(groups_[i], dict, time_);
         }
     }
 }
@@ -243,6 +267,23 @@ Foam::labelList Foam::wallBodies::bodyOf(const wordList& surfaces) const
     }
 
     return body;
+}
+
+
+void Foam::wallBodies::requireNear
+(
+    label body,
+    const boundBox& swept,
+    const boundBox& mesh
+) const
+{
+    const scalar away = max(mag(swept.min() - mesh.min()), mag(swept.max() - mesh.max()));
+    if (away <= 1e4*mesh.mag()) return;
+    FatalIOErrorInFunction(groups_[body].dict)
+        << "Motion " << name(body) << " takes its walls " << away << " m away,"
+        << " more than 10000 times the size of the mesh, " << mesh.mag()
+        << " m, until endTime: is there a wrong unit among " << listed(coefficients(groups_[body].dict)).c_str()
+        << '?' << exit(FatalIOError);
 }
 
 
