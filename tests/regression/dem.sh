@@ -452,7 +452,7 @@ groups { free { motion { solidBodyMotionFunction rotatingMotion; rotatingMotionC
 properties2 wallMotionName 'Entry patches \(nowhere\) selects no wall; valid are' "$good walls { material steel; motion { m { patches (nowhere); $linear (1 0 0); } } } }"
 properties2 wallPatch 'no patch nowhere that can be a wall; valid ones are' "$good walls { material steel; patches (nowhere); }"
 properties2 planeNormal 'needs a length' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; planes { a { point (0 0 0); normal (0 0 0); } } }"
-properties2 planeBehind 'Plane a: particle 0 is .* m behind its point.*normal must point to the particles' "$good walls { material steel; planes { a { point (0 100 0); normal (0 1 0); } } }"
+properties2 planeBehind 'Entry planes of walls: of a, particle 0 is .* m behind the entry point.*normal must point to the particles' "$good walls { material steel; planes { a { point (0 100 0); normal (0 1 0); } } }"
 properties2 largeStep '0\.5 sqrt\(m/k\)|allowLargeStep' "$two pairs { default { restitution 1; friction 0; } } walls { material steel; }" 'adjustTimeStep no; deltaT 0.01;'
 solids ''
 object() { control "functions { f { $2 libs (\"libriprapFoam.so\"); } }"; refused "object.$1" "$3.*functions.f" riprapFoam; }

@@ -164,6 +164,7 @@ wrongControl maxCoLarge 'Entry maxCo is 2.5: it must be from 1e-06 to 2' 'maxCo 
 wrongControl maxCoNegative 'Entry maxCo is -0.5: it must be from' 'maxCo -0.5;'
 wrongControl maxFlyingCo 'Entry maxFlyingCo is 0.3: it must be from 0.5 to 4' 'maxFlyingCo 0.3;'
 wrongControl deltaT 'deltaT' 'adjustTimeStep no; deltaT -1;'
+wrongControl meshFields 'expected word.*label 17|17.*functions.f' 'functions { f { type particlesToMesh; libs ("libriprapFoam.so"); fields (17 U); } }'
 dictionary constant/fluidProperties <<<'mu 1e-3;'; refused noRho "rho.* not found|'rho'" riprapFoam
 dictionary constant/fluidProperties <<<'rho -1000; mu 1e-3;'; refused rhoNegative 'Entry rho is -1000: it must be positive' riprapFoam
 dictionary constant/fluidProperties <<<'rho 1000; mu 1e-3;'

@@ -117,8 +117,8 @@ static void requireBefore
         }
         if (before > -particles.radius[i]) continue;
         FatalIOErrorInFunction(settings.dict)
-            << "Plane " << wall.name << ": particle " << label(i) << " is "
-            << -before << " m behind its point, and its radius is "
+            << "Entry planes of walls: of " << wall.name << ", particle " << label(i) << " is "
+            << -before << " m behind the entry point, and its radius is "
             << particles.radius[i] << " m: the plane's normal must point to"
             << " the particles" << exit(FatalIOError);
     }

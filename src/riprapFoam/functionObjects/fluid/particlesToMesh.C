@@ -120,6 +120,11 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 {
     sphFunctionObject::read(dict);
 
+    minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.01);
+    ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
+
+    const wordList asked(fieldNames(dict, validFields, validFields));
+
     if (onGrid())
     {
         Info<< type() << ' ' << name() << ": the fields are the solver's own,"
@@ -127,11 +132,6 @@ bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
         return true;
     }
     sph();
-
-    minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.01);
-    ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
-
-    const wordList asked(fieldNames(dict, validFields, validFields));
 
     walls_.reset(false);
 
