@@ -117,7 +117,7 @@ static void requireBefore
         }
         if (before > -particles.radius[i]) continue;
         FatalIOErrorInFunction(settings.dict)
-            << "Entry planes of walls: of " << wall.name << ", particle " << label(i) << " is "
+            << "Entry planes of walls: of " << wall.name.c_str() << ", particle " << label(i) << " is "
             << -before << " m behind the entry point, and its radius is "
             << particles.radius[i] << " m: the plane's normal must point to"
             << " the particles" << exit(FatalIOError);
