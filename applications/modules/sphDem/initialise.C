@@ -56,6 +56,7 @@ void Foam::solverModules::sphDem::buildScene
     const riprap::FluidInput fluid(fluidInput(cloud));
     if (!continued)
     {
+        requireSpeeds(settings_, runTime_, cloud.vectors["U"]);
         warnOfOtherProperties();
     }
 

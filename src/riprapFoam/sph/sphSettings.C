@@ -136,6 +136,49 @@ static scalar largestEnergy
 }
 
 
+void setMaxVelocity
+(
+    sphSettings& settings,
+    const polyMesh& mesh,
+    const pointField& position,
+    const vectorField& U,
+    const otherSpeeds& others
+)
+{
+    riprap::SphConfig& config = settings.config;
+
+    if (settings.autoMaxVelocity)
+    {
+        const vector g(toVector(config.gravity));
+        const scalar energy = max
+        (
+            largestEnergy
+            (
+                g,
+                config.spacing,
+                lowestPlace(mesh, g) + others.deeper,
+                position,
+                U
+            ),
+            sqr(others.solids)
+        );
+
+        config.maxVelocity = sqrt(energy + sqr(others.walls));
+
+        if (!(config.maxVelocity > 0))
+        {
+            FatalIOErrorInFunction(settings.dict)
+                << "Entry maxVelocity is auto, but there is neither gravity"
+                << " nor an initial velocity to estimate it from, nor anything"
+                << " that moves: give the largest speed that is expected [m/s]"
+                << exit(FatalIOError);
+        }
+    }
+
+    config.soundSpeed = settings.soundSpeedRatio*config.maxVelocity;
+}
+
+
 //- Water that starts faster than sound, or that one layer's weight presses
 //  together: a wrong unit
 static void requireSound
@@ -177,51 +220,15 @@ static void requireSteps(const sphSettings& settings, const Time& time)
 }
 
 
-void setMaxVelocity
+void requireSpeeds
 (
-    sphSettings& settings,
-    const polyMesh& mesh,
-    const pointField& position,
-    const vectorField& U,
-    const otherSpeeds& others
+    const sphSettings& settings,
+    const Time& time,
+    const vectorField& U
 )
 {
-    riprap::SphConfig& config = settings.config;
-
-    if (settings.autoMaxVelocity)
-    {
-        const vector g(toVector(config.gravity));
-        const scalar energy = max
-        (
-            largestEnergy
-            (
-                g,
-                config.spacing,
-                lowestPlace(mesh, g) + others.deeper,
-                position,
-                U
-            ),
-            sqr(others.solids)
-        );
-
-        config.maxVelocity = sqrt(energy + sqr(others.walls));
-
-        if (!(config.maxVelocity > 0))
-        {
-            FatalIOErrorInFunction(settings.dict)
-                << "Entry maxVelocity is auto, but there is neither gravity"
-                << " nor an initial velocity to estimate it from, nor anything"
-                << " that moves: give the largest speed that is expected [m/s]"
-                << exit(FatalIOError);
-        }
-    }
-
-    config.soundSpeed = settings.soundSpeedRatio*config.maxVelocity;
-    if (!hasSphRun(mesh.time()))
-    {
-        requireSound(settings, U);
-        requireSteps(settings, mesh.time());
-    }
+    requireSound(settings, U);
+    requireSteps(settings, time);
 }
 
 
