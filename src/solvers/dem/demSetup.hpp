@@ -49,6 +49,15 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     }
 }
 
+//- Of all particles; -1: they are of several
+template<class Backend, int D, class P>
+int DemSolver<Backend, D, P>::loneMaterial() const
+{
+    const std::vector<std::int32_t>& of = given_->particles.material;
+    if (of.empty()) return 0;
+    return std::all_of(of.begin(), of.end(), [&](std::int32_t m) { return m == of[0]; }) ? of[0] : -1;
+}
+
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setPairs()
 {
@@ -96,8 +105,13 @@ void DemSolver<Backend, D, P>::setPairs()
             all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
         }
         parameters_.upload(context_, all);
-        sole_.assign(all.begin(), all.begin() + sizeof(Parameters)/sizeof(real));
-        sole_.push_back(gaps[0]);
+        constexpr int numbers = sizeof(Parameters)/sizeof(real);
+        alone_ = loneMaterial()*(m + 1);
+        // what touches is what is nearer than the largest gap there is
+        if (alone_ < 0 || gaps[alone_] != real(largestGap_)) alone_ = -1;
+        const int first = std::max(alone_, 0);
+        sole_.assign(all.begin() + first*numbers, all.begin() + (first + 1)*numbers);
+        sole_.push_back(gaps[first]);
         histories_ = Law::template history<D>;
     });
 }

@@ -151,6 +151,7 @@ private:
     void setDomain();
     void setFields();
     void setGroups();
+    int loneMaterial() const;
     void setPairs();
     void setBonds();
     int leastSharing(int together) const;
@@ -356,7 +357,8 @@ private:
     Array<Backend, GroupData<D, real>> groups_;
     Array<Backend, real> parameters_, gaps_;
     std::vector<real> reaches_; // what of the gaps is the law's reach
-    std::vector<real> sole_;    // numbers of the first material with itself, its gap behind them
+    int alone_ = -1;            // the pair of the one material that all particles are of; -1: there are several
+    std::vector<real> sole_;    // its numbers (else of the first pair), its gap behind them
     Array<Backend, real> external_;
     std::vector<double> motionSamples_, poseSamples_;
     Array<Backend, double> motions_, poses_;

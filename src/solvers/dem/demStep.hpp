@@ -130,6 +130,7 @@ void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
     m.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
     m.gap = gaps_.data();
     m.materials = int(input_.materials.size());
+    m.alone = alone_;
     std::memcpy(&m.sole, sole_.data(), sizeof(m.sole));
     m.soleGap = sole_.back();
     m.clock = forceClock(ForceTurn::always);
