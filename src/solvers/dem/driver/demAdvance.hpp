@@ -6,8 +6,8 @@
 
 #include <limits>
 #include <sstream>
-#include "solvers/dem/demFused.hpp"
-#include "solvers/dem/demWindow.hpp"
+#include "solvers/dem/driver/demFused.hpp"
+#include "solvers/dem/driver/demWindow.hpp"
 
 namespace riprap
 {

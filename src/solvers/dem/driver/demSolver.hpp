@@ -23,9 +23,9 @@
 #include "dem/passes/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
-#include "solvers/dem/demBlockSteps.hpp"
+#include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/demFamilies.hpp"
-#include "solvers/dem/demRebuild.hpp"
+#include "solvers/dem/parts/demRebuild.hpp"
 
 namespace riprap
 {

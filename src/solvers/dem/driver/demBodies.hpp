@@ -5,7 +5,7 @@
 #pragma once
 
 #include "dem/contact/restitution.hpp"
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {

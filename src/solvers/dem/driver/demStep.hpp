@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstring>
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {

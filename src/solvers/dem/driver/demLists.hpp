@@ -5,7 +5,7 @@
 #pragma once
 
 #include "api/particleLimit.hpp"
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {

@@ -6,7 +6,7 @@
 
 #include "core/loops/largest.hpp"
 #include "dem/passes/contactProbe.hpp"
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {

@@ -9,7 +9,7 @@
 */
 #pragma once
 
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {

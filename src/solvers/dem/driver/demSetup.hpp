@@ -6,8 +6,8 @@
 
 #include <limits>
 #include "dem/walls/repeatSurface.hpp"
-#include "solvers/dem/demSolver.hpp"
-#include "solvers/dem/demBodies.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
+#include "solvers/dem/driver/demBodies.hpp"
 #include "solvers/dem/demStill.hpp"
 
 namespace riprap

@@ -7,7 +7,7 @@
 #include "core/loops/largest.hpp"
 #include "dem/motion/push.hpp"
 #include "dem/motion/solidWays.hpp"
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {

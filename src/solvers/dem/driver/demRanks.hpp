@@ -12,7 +12,7 @@
 #pragma once
 
 #include <limits>
-#include "solvers/dem/demSolver.hpp"
+#include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
 {
