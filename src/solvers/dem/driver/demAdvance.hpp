@@ -7,7 +7,6 @@
 #include <limits>
 #include <sstream>
 #include "solvers/dem/driver/demFused.hpp"
-#include "solvers/dem/driver/demWindow.hpp"
 
 namespace riprap
 {
@@ -15,7 +14,7 @@ namespace riprap
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::finished() const
 {
-    return host_.halt != DemHalt::none || host_.time >= host_.target || host_.step >= host_.lastStep || stopped();
+    return clock_.now.halt != DemHalt::none || clock_.now.time >= clock_.now.target || clock_.now.step >= clock_.now.lastStep || stopped();
 }
 
 template<class Backend, int D, class P>
@@ -25,16 +24,16 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
     const std::int64_t within = searchesWithin_;
     while (!finished())
     {
-        if (host_.needRebuild)
+        if (clock_.now.needRebuild)
         {
             adaptSkin();
             rebuild();
             ++rebuilds;
-            readClock();
+            clock_.read();
             if (sleeps()) checkSleep(false);
         }
-        if (host_.needWindow || host_.time >= host_.windowEnd) { setWindow(); writeClock(); }
-        const std::int64_t before = host_.step;
+        if (clock_.now.needWindow || clock_.now.time >= clock_.now.windowEnd) { motion_.sample(clock_.now); clock_.write(); }
+        const std::int64_t before = clock_.now.step;
         if constexpr (!Backend::gpu)
         {
             do
@@ -50,17 +49,17 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
         }
         else
         {
-            steps(std::min(sleeps() ? stepsPerCheck - int(host_.step % stepsPerCheck) : stepsPerBatch_, stepsLeft()));
+            steps(std::min(sleeps() ? stepsPerCheck - int(clock_.now.step % stepsPerCheck) : stepsPerBatch_, stepsLeft()));
         }
-        readClock();
-        if (Backend::gpu && host_.lost() && host_.halt == DemHalt::none) finishLate();
-        if (Backend::gpu && sleeps() && host_.step > before && host_.step % stepsPerCheck == 0) checkSleep(false);
+        clock_.read();
+        if (Backend::gpu && clock_.now.lost() && clock_.now.halt == DemHalt::none) finishLate();
+        if (Backend::gpu && sleeps() && clock_.now.step > before && clock_.now.step % stepsPerCheck == 0) checkSleep(false);
         if constexpr (Backend::gpu)
         {
             // as many steps as the last neighbours lasted: those beyond switch themselves off
-            const int taken = int(host_.step - before);
-            if (taken == stepsPerBatch_ && !host_.needRebuild) stepsPerBatch_ = std::min(windowSteps, 2*stepsPerBatch_);
-            else if (host_.needRebuild) stepsPerBatch_ = std::max(2, std::min(windowSteps, taken + 1));
+            const int taken = int(clock_.now.step - before);
+            if (taken == stepsPerBatch_ && !clock_.now.needRebuild) stepsPerBatch_ = std::min(motion_.windowSteps, 2*stepsPerBatch_);
+            else if (clock_.now.needRebuild) stepsPerBatch_ = std::max(2, std::min(motion_.windowSteps, taken + 1));
         }
     }
     collectForces();
@@ -72,11 +71,11 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
     interrupted_ = stopAgreed_ = false;
     DemReport report;
-    readClock();
-    const std::int64_t before = host_.step;
-    host_.target = t;
-    host_.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
-    writeClock();
+    clock_.read();
+    const std::int64_t before = clock_.now.step;
+    clock_.now.target = t;
+    clock_.now.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
+    clock_.write();
     runToTarget(report.rebuilds);
     finishReport(report, before);
     lastReport_ = report;
@@ -87,24 +86,24 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t before)
 {
-    if (host_.needRebuild && host_.halt == DemHalt::none)
+    if (clock_.now.needRebuild && clock_.now.halt == DemHalt::none)
     {
         adaptSkin();
         rebuild();
         ++report.rebuilds;
-        readClock();
+        clock_.read();
         if (sleeps()) checkSleep(false);
     }
-    report.time = host_.time;
-    report.lastTimeStep = host_.dt;
-    report.steps = host_.step - before;
-    report.totalSteps = host_.step;
+    report.time = clock_.now.time;
+    report.lastTimeStep = clock_.now.dt;
+    report.steps = clock_.now.step - before;
+    report.totalSteps = clock_.now.step;
     report.maxSpeed = largestSpeed();
     report.brokenBonds = brokenBonds();
     report.asleep = sleeps() ? asleepNow() : 0;
     collectEscaped(report);
     collectPassed(report);
-    if (host_.halt != DemHalt::none) findOffender(report);
+    if (clock_.now.halt != DemHalt::none) findOffender(report);
 }
 
 template<class Backend, int D, class P>
@@ -112,8 +111,8 @@ double DemSolver<Backend, D, P>::largestSpeed()
 {
     using Kernel = LargestSpeed<D, P>;
     Array<Backend, float> largest;
-    largest.allocate(context_, Kernel::shares);
-    forEach(context_, Kernel::shares, Kernel{fields(), sort_.active(), largest.data()});
+    largest.allocate(set_.context, Kernel::shares);
+    forEach(set_.context, Kernel::shares, Kernel{fields(), sort_.active(), largest.data()});
     float most = 0;
     for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
     return largestOfRanks(std::sqrt(double(most)));
@@ -158,7 +157,7 @@ void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::clearPassed()
-{ if (surfaces_) passed_.upload(context_, std::vector<WallPassings>(1, WallPassings{0, n_, 0})); }
+{ if (surfaces_) passed_.upload(set_.context, std::vector<WallPassings>(1, WallPassings{0, n_, 0})); }
 
 //- Particles that have gone through walls since the last report
 template<class Backend, int D, class P>
@@ -185,7 +184,7 @@ std::vector<double> DemSolver<Backend, D, P>::offences(int n)
         const auto v = field<double>(vField_ + d);
         for (int i = 0; i < n; ++i)
         {
-            const double way = v[i]*host_.dt/double(radius[i]);
+            const double way = v[i]*clock_.now.dt/double(radius[i]);
             value[i] += std::isfinite(v[i]) ? way*way : std::numeric_limits<double>::infinity();
         }
     }
@@ -200,12 +199,12 @@ static constexpr const char* passingCure =
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::findOffender(DemReport& report)
 {
-    if (host_.halt == DemHalt::wallTooFar)
+    if (clock_.now.halt == DemHalt::wallTooFar)
     {
         report.stop = DemStop::tooFast;
         std::ostringstream s;
         s.precision(6);
-        s << "a wall goes farther in a step of " << host_.dt << " s than the radius of the smallest particle, " << radii_.smallest << " m" << passingCure;
+        s << "a wall goes farther in a step of " << clock_.now.dt << " s than the radius of the smallest particle, " << radii_.smallest << " m" << passingCure;
         report.stopMessage = s.str();
         return;
     }
@@ -234,7 +233,7 @@ void DemSolver<Backend, D, P>::describeOffender(DemReport& report, int worst, do
     else
     {
         const double radius = double(field<real>(radiusField_)[worst]);
-        s << "goes " << offence*radius << " m in a step of " << host_.dt << " s, at " << report.stopValue << " m/s, and ";
+        s << "goes " << offence*radius << " m in a step of " << clock_.now.dt << " s, at " << report.stopValue << " m/s, and ";
         if (driven_) s << "lists of neighbours reach " << double(halfSkin_) << " m: the fluid's blow on it is too hard for this time step";
         else s << "its radius is " << radius << " m" << passingCure;
     }

@@ -16,14 +16,14 @@ template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::leastSharing(int together) const
 {
     double zeta = 0;
-    for (const DemPair& p : input_.pairs) zeta = std::max(zeta, linearDampingRatio(p.properties.restitution, p.properties.attraction));
+    for (const DemPair& p : set_.input.pairs) zeta = std::max(zeta, linearDampingRatio(p.properties.restitution, p.properties.attraction));
     return std::max(1, int(std::ceil(together*std::min(1.0, zeta*zeta))));
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setClumps()
 {
-    nClumps_ = int(input_.clumps.size());
+    nClumps_ = int(set_.input.clumps.size());
     if (!nClumps_) return;
     std::vector<int> first(nClumps_ + 1, 0), member;
     const auto& of = given_->particles.clump;
@@ -36,23 +36,23 @@ void DemSolver<Backend, D, P>::setClumps()
     std::vector<ClumpData> clumps(nClumps_);
     for (int k = 0; k < nClumps_; ++k)
     {
-        const DemClump& in = input_.clumps[k];
+        const DemClump& in = set_.input.clumps[k];
         ClumpData& c = clumps[k];
         c = ClumpData{};
         c.q[0] = in.orientation[0];
-        for (int d = 0; d < 3; ++d) c.q[1 + d] = (D == 2 ? spinSign() : 1)*in.orientation[1 + config_.axes[d]];
+        for (int d = 0; d < 3; ++d) c.q[1 + d] = (D == 2 ? set_.spinSign() : 1)*in.orientation[1 + set_.config.axes[d]];
         for (int d = 0; d < D; ++d)
         {
-            c.x[d] = box_.toFixed(d, in.position[config_.axes[d]]);
-            c.v[d] = in.velocity[config_.axes[d]];
+            c.x[d] = set_.box.toFixed(d, in.position[set_.config.axes[d]]);
+            c.v[d] = in.velocity[set_.config.axes[d]];
         }
         c.mass = in.mass;
         for (int d = 0; d < 3; ++d) c.inertia[d] = in.inertia[d];
         c.group = in.group;
-        c.together = plan_.together[k];
+        c.together = set_.plan.together[k];
         c.least = leastSharing(c.together);
         c.left = first[k + 1] == first[k];
-        if (D == 2) c.L[2] = in.inertia[2]*spinSign()*in.spin[config_.axes[2]];
+        if (D == 2) c.L[2] = in.inertia[2]*set_.spinSign()*in.spin[set_.config.axes[2]];
         else
         {
             Vec<3, double> w = rotated(c.q, Vec<3, double>{{in.spin[0], in.spin[1], in.spin[2]}}, true);
@@ -71,18 +71,18 @@ void DemSolver<Backend, D, P>::setClumps()
         Vec<3, double> arm{{0, 0, 0}};
         for (int d = 0; d < D; ++d)
         {
-            const std::int64_t x = box_.toFixed(d, given_->particles.position[3*std::size_t(i) + config_.axes[d]]);
-            arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))*box_.unit[d];
+            const std::int64_t x = set_.box.toFixed(d, given_->particles.position[3*std::size_t(i) + set_.config.axes[d]]);
+            arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))*set_.box.unit[d];
         }
         arm = rotated(clumps[of[i]].q, arm, true);
         for (int d = 0; d < 3; ++d) offset[3*std::size_t(i) + d] = arm.c[d];
     }
     setConstraints(clumps);
-    clumps_.upload(context_, clumps);
+    clumps_.upload(set_.context, clumps);
     setSprings(clumps);
-    offset_.upload(context_, offset);
-    memberFirst_.upload(context_, first);
-    member_.upload(context_, member);
+    offset_.upload(set_.context, offset);
+    memberFirst_.upload(set_.context, first);
+    member_.upload(set_.context, member);
 }
 
 //- In the solver's axes
@@ -97,7 +97,7 @@ ClumpConstraint DemSolver<Backend, D, P>::constraintOf(const DemGroup& g) const
     double n[3] = {}, length = 0, turn = 0;
     for (int d = 0; d < D; ++d)
     {
-        const int axis = config_.axes[d];
+        const int axis = set_.config.axes[d];
         s.point[d] = in.point[axis];
         n[d] = in.direction[axis];
         length += n[d]*n[d];
@@ -120,13 +120,13 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setConstraints(std::vector<ClumpData>& clumps)
 {
     bool any = false;
-    for (const DemGroup& g : input_.groups)
+    for (const DemGroup& g : set_.input.groups)
     {
         constraintOfGroup_.push_back(constraintOf(g));
         any = any || g.constraint.any();
     }
-    for (ClumpData& c : clumps) if (constraintOfGroup_[c.group].any) restrain(c, constraintOfGroup_[c.group], box_);
-    if (any) constraints_.upload(context_, constraintOfGroup_);
+    for (ClumpData& c : clumps) if (constraintOfGroup_[c.group].any) restrain(c, constraintOfGroup_[c.group], set_.box);
+    if (any) constraints_.upload(set_.context, constraintOfGroup_);
 }
 
 //- Points on bodies are given for where these stood at first
@@ -134,22 +134,22 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
 {
     bool any = false;
-    for (const DemGroup& g : input_.groups) any = any || !g.springs.empty();
+    for (const DemGroup& g : set_.input.groups) any = any || !g.springs.empty();
     if (!any) return;
     std::vector<int> first(1, 0);
     for (int k = 0; k < nClumps_; ++k)
     {
-        const DemClump& body = input_.clumps[k];
+        const DemClump& body = set_.input.clumps[k];
         const DemPose start = body.moved ? body.start : DemPose{body.position, body.orientation};
         double q[4] = {start.orientation[0], 0, 0, 0};
-        for (int d = 0; d < 3; ++d) q[1 + d] = (D == 2 ? spinSign() : 1)*start.orientation[1 + config_.axes[d]];
-        for (const DemSpring& in : input_.groups[body.group].springs)
+        for (int d = 0; d < 3; ++d) q[1 + d] = (D == 2 ? set_.spinSign() : 1)*start.orientation[1 + set_.config.axes[d]];
+        for (const DemSpring& in : set_.input.groups[body.group].springs)
         {
             SpringData s{};
             Vec<3, double> arm{{0, 0, 0}};
             for (int d = 0; d < D; ++d)
             {
-                const int axis = config_.axes[d];
+                const int axis = set_.config.axes[d];
                 s.anchor[d] = in.anchor[axis];
                 arm.c[d] = in.point[axis] - start.position[axis];
             }
@@ -163,18 +163,18 @@ void DemSolver<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
         }
         first.push_back(int(allSprings_.size()));
     }
-    for (int g = 0; g < int(input_.groups.size()); ++g)
-        for (int e = 0; e < int(input_.groups[g].springs.size()); ++e)
+    for (int g = 0; g < int(set_.input.groups.size()); ++g)
+        for (int e = 0; e < int(set_.input.groups[g].springs.size()); ++e)
             for (int k = 0; k < nClumps_; ++k) if (clumps[k].group == g) springOfGroups_.push_back({k, first[k] + e});
-    springs_.upload(context_, allSprings_);
-    springFirst_.upload(context_, first);
+    springs_.upload(set_.context, allSprings_);
+    springFirst_.upload(set_.context, first);
 }
 
 //- A constrained clump half a step later: from numbers that the host has
 template<class Backend, int D, class P>
 ClumpData DemSolver<Backend, D, P>::kicked(ClumpData c, double dt) const
 {
-    const GroupData<D, real> g = groupData(input_.groups[c.group]);
+    const GroupData<D, real> g = groupData(set_.input.groups[c.group]);
     const int group = c.group;
     c.group = 0;
     ClumpKick<D, P> kick = clumpKick();
@@ -188,30 +188,30 @@ ClumpData DemSolver<Backend, D, P>::kicked(ClumpData c, double dt) const
 template<class Backend, int D, class P>
 DemClumpState DemSolver<Backend, D, P>::clumps()
 {
-    readClock();
+    clock_.read();
     DemClumpState s;
-    const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
+    const double half = set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0;
     std::vector<ClumpData> all;
     if (nClumps_) all = clumps_.download();
     for (ClumpData& c : all)
     {
-        const DemGroup& g = input_.groups[c.group];
+        const DemGroup& g = set_.input.groups[c.group];
         const bool constrained = g.constraint.any();
         const ClumpData later = kicked(c, half);
         const Vec<3, double> w = spinOf(later, c.q);
         double v[3] = {}, x[3] = {}, f[3] = {}, m[3] = {}, q[4] = {c.q[0], 0, 0, 0}, spin[3] = {};
-        if (D == 2) x[config_.axes[2]] = input_.clumps[&c - all.data()].position[config_.axes[2]];
+        if (D == 2) x[set_.config.axes[2]] = set_.input.clumps[&c - all.data()].position[set_.config.axes[2]];
         for (int d = 0; d < 3; ++d)
         {
-            const int axis = config_.axes[d];
+            const int axis = set_.config.axes[d];
             if (d < D)
             {
-                x[axis] = box_.toMetres(d, c.x[d]);
-                f[axis] = c.f[d] + (g.gravity ? c.mass*config_.gravity[axis] : 0) + g.force[axis];
+                x[axis] = set_.box.toMetres(d, c.x[d]);
+                f[axis] = c.f[d] + (g.gravity ? c.mass*set_.config.gravity[axis] : 0) + g.force[axis];
                 const double damped = locallyDamped(f[axis], c.v[d], g.localDamping) - g.viscousDamping*c.mass*c.v[d];
                 v[axis] = constrained ? later.v[d] : c.v[d] + (g.held[axis] ? 0 : half*damped/c.mass);
             }
-            const double sign = D == 2 ? spinSign() : 1;
+            const double sign = D == 2 ? set_.spinSign() : 1;
             m[axis] = sign*c.m[d] + g.moment[axis];
             spin[axis] = sign*w.c[d];
             q[1 + axis] = sign*c.q[1 + d];
@@ -236,19 +236,19 @@ std::vector<DemSpringState> DemSolver<Backend, D, P>::springs()
     std::vector<DemSpringState> all;
     if (allSprings_.empty()) return all;
     const std::vector<ClumpData> clumps = clumps_.download();
-    for (const DemGroup& g : input_.groups) for (const DemSpring& s : g.springs) all.push_back(DemSpringState{g.name + "." + s.name});
+    for (const DemGroup& g : set_.input.groups) for (const DemSpring& s : g.springs) all.push_back(DemSpringState{g.name + "." + s.name});
     for (std::size_t i = 0; i < all.size(); ++i)
     {
         const ClumpData& c = clumps[springOfGroups_[i].first];
         all[i].left = c.left != 0;
         if (all[i].left) continue;
-        const SpringPull pull = pullOf(allSprings_[springOfGroups_[i].second], c, box_);
+        const SpringPull pull = pullOf(allSprings_[springOfGroups_[i].second], c, set_.box);
         all[i].length = pull.length;
         all[i].tension = pull.tension;
         for (int d = 0; d < D; ++d)
         {
-            const int axis = config_.axes[d];
-            all[i].point[axis] = box_.toMetres(d, c.x[d]) + pull.arm.c[d];
+            const int axis = set_.config.axes[d];
+            all[i].point[axis] = set_.box.toMetres(d, c.x[d]) + pull.arm.c[d];
             all[i].force[axis] = pull.force.c[d];
         }
     }

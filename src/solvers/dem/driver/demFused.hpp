@@ -16,7 +16,7 @@ namespace riprap
 //- Clumps gather their members' forces first, and Verlet kicks twice
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fuses() const
-{ return Backend::gpu && !nClumps_ && config_.integrator == DemIntegratorKind::leapfrog; }
+{ return Backend::gpu && !nClumps_ && set_.config.integrator == DemIntegratorKind::leapfrog; }
 
 template<class Backend, int D, class P>
 StepState<D, P> DemSolver<Backend, D, P>::stepState()
@@ -41,12 +41,12 @@ void DemSolver<Backend, D, P>::openSteps()
         parts_.current = 0;
         if (parts_.own.size() == 0)
         {
-            parts_.records.allocate(context_, n_);
-            parts_.low.allocate(context_, std::size_t(n_)*D);
-            parts_.own.allocate(context_, n_);
+            parts_.records.allocate(set_.context, n_);
+            parts_.low.allocate(set_.context, std::size_t(n_)*D);
+            parts_.own.allocate(set_.context, n_);
         }
         const bool walls = nWalls_ && wallMemory_.entries;
-        forEach(context_, n_, OpenSteps<D, P>
+        forEach(set_.context, n_, OpenSteps<D, P>
         {stepState(), fields(), nBonds_ ? bondFirst_.data() : nullptr, walls ? wallMemory_.entryFirst.data() : nullptr, sort_.active()});
     }
 }
@@ -57,7 +57,7 @@ void DemSolver<Backend, D, P>::closeSteps()
 {
     if constexpr (Backend::gpu)
     {
-        forEach(context_, n_, CloseSteps<D, P>{stepState(), fields(), sort_.active()});
+        forEach(set_.context, n_, CloseSteps<D, P>{stepState(), fields(), sort_.active()});
         if (parts_.current) parts_.records.swap(records_);
         parts_.current = 0;
     }
@@ -84,8 +84,8 @@ void DemSolver<Backend, D, P>::fusedStep()
         step.bonds = bondTable();
         step.bondForce = bondForce_.data();
         step.sleeping = sleeps();
-        forEach(context_, n_, step);
-        if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data() + 1 - parts_.current));
+        forEach(set_.context, n_, step);
+        if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data() + 1 - parts_.current));
         parts_.current = 1 - parts_.current;
     }
 }
@@ -115,21 +115,21 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::fusedSteps(int count)
 {
-    withLaw(laws_, [&](auto law)
+    withLaw(set_.laws, [&](auto law)
     {
 #ifdef __CUDACC__
         if constexpr (std::is_same<Backend, Gpu>::value)
         {
             // what is recorded must not change from batch to batch: motion tables do, and fields that are sorted
             const int together = stepsTogether;
-            if (!context_.profile.timing && !groupMotions_ && !wallMotions_ && turnField_ < 0)
+            if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && turnField_ < 0)
                 for (; count >= together; count -= together)
                 {
                     if (parts_.graphs.size() > 16) parts_.graphs.clear();
                     Graph& graph = parts_.graphs[graphKey(together)];
                     if (!graph.recorded())
-                        graph.record(context_, [&] { for (int k = 0; k < together; ++k) fusedStep<decltype(law)>(); });
-                    graph.replay(context_);
+                        graph.record(set_.context, [&] { for (int k = 0; k < together; ++k) fusedStep<decltype(law)>(); });
+                    graph.replay(set_.context);
                 }
         }
 #endif
@@ -154,15 +154,15 @@ void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
             {
                 const int batch = int(std::min<std::int64_t>(stepsTogether, count - launched));
                 fusedSteps(batch);
-                glances.ask(context_, clock_.data() + parts_.current);
+                glances.ask(set_.context, clock_.data() + parts_.current);
                 launched += batch;
             }
-            host_ = glances.take(context_);
-            host_.settleAge();
-            over = !host_.active || host_.needRebuild || finished() || (launched == count && !glances.waiting());
+            clock_.now = glances.take(set_.context);
+            clock_.now.settleAge();
+            over = !clock_.now.active || clock_.now.needRebuild || finished() || (launched == count && !glances.waiting());
         }
-        while (glances.waiting()) host_ = glances.take(context_);
-        host_.settleAge();
+        while (glances.waiting()) clock_.now = glances.take(set_.context);
+        clock_.now.settleAge();
     }
 }
 
@@ -186,20 +186,20 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
     if constexpr (Backend::gpu)
     {
         if (finished()) return;
-        if (host_.needRebuild) { adaptSkin(); rebuild(); ++rebuilds; forgetSearch(); }
-        setWindow();
-        host_.needRebuild = 0;
-        writeClock();
-        forEach(context_, 1, DemTick{clock_.data()});
-        if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data()));
-        forEach(context_, n_, mover());
-        readClock();
-        host_.settleAge();
+        if (clock_.now.needRebuild) { adaptSkin(); rebuild(); ++rebuilds; forgetSearch(); }
+        motion_.sample(clock_.now);
+        clock_.now.needRebuild = 0;
+        clock_.write();
+        forEach(set_.context, 1, DemTick{clock_.data()});
+        if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data()));
+        forEach(set_.context, n_, mover());
+        clock_.read();
+        clock_.now.settleAge();
         openSteps();
         if (sleeps()) checkSleep(true);
         while (!finished())
         {
-            if (host_.needRebuild)
+            if (clock_.now.needRebuild)
             {
                 stepsExpected_ = stepsSince_;
                 closeSteps();
@@ -208,24 +208,24 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
                 openSteps();
                 if (sleeps()) checkSleep(true);
             }
-            if (host_.needWindow || host_.time >= host_.windowEnd) setWindow();
-            host_.needRebuild = 0;
-            const std::int64_t before = host_.step;
+            if (clock_.now.needWindow || clock_.now.time >= clock_.now.windowEnd) motion_.sample(clock_.now);
+            clock_.now.needRebuild = 0;
+            const std::int64_t before = clock_.now.step;
             const int begin = parts_.current;
-            const double left = std::min(double(host_.lastStep - host_.step), std::ceil((host_.target - host_.time)/host_.fullDt) + 1);
-            const double most = sleeps() ? stepsPerCheck - host_.step % stepsPerCheck : left;
-            writeClock();
+            const double left = std::min(double(clock_.now.lastStep - clock_.now.step), std::ceil((clock_.now.target - clock_.now.time)/clock_.now.fullDt) + 1);
+            const double most = sleeps() ? stepsPerCheck - clock_.now.step % stepsPerCheck : left;
+            clock_.write();
             runAhead(std::int64_t(std::min(most, left)));
-            const int taken = int(host_.step - before);
+            const int taken = int(clock_.now.step - before);
             parts_.current = int((begin + taken) % 2);
             stepsSince_ += taken;
-            if (sleeps() && taken && host_.step % stepsPerCheck == 0) checkSleep(true);
+            if (sleeps() && taken && clock_.now.step % stepsPerCheck == 0) checkSleep(true);
         }
         closeSteps();
-        if (host_.lost() && host_.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
-        writeClock();
+        if (clock_.now.lost() && clock_.now.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
+        clock_.write();
         forces(ForceTurn::always);
-        readClock();
+        clock_.read();
     }
 }
 

@@ -15,7 +15,7 @@ template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::activeSolids()
 {
     int active = 0;
-    context_.toHost(&active, sort_.active(), sizeof(int));
+    set_.context.toHost(&active, sort_.active(), sizeof(int));
     return active;
 }
 
@@ -25,12 +25,12 @@ std::vector<double> DemSolver<Backend, D, P>::positions(int n)
 {
     std::vector<double> out(3*std::size_t(n), 0.0);
     const auto key = field<std::int32_t>(idField_);
-    if (D == 2) for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[2]] = emptyCoordinate_[key[i]];
+    if (D == 2) for (int i = 0; i < n; ++i) out[3*std::size_t(i) + set_.config.axes[2]] = emptyCoordinate_[key[i]];
     for (int d = 0; d < D; ++d)
     {
         const auto x = field<std::int64_t>(xField_ + d);
         #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[d]] = box_.toMetres(d, x[i]);
+        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + set_.config.axes[d]] = set_.box.toMetres(d, x[i]);
     }
     return out;
 }
@@ -45,14 +45,14 @@ void DemSolver<Backend, D, P>::putVector(int n, int field, int components, bool 
         const auto v = this->field<T>(field + d);
         const bool one = spin && D == 2;
         #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + config_.axes[one ? 2 : d]] = (one ? spinSign() : 1)*double(v[i]);
+        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + set_.config.axes[one ? 2 : d]] = (one ? set_.spinSign() : 1)*double(v[i]);
     }
 }
 
 template<class Backend, int D, class P>
 DemState DemSolver<Backend, D, P>::motion()
 {
-    readClock();
+    clock_.read();
     const int n = activeSolids();
     DemState s;
     s.position = positions(n);
@@ -69,7 +69,7 @@ DemState DemSolver<Backend, D, P>::motion()
     const std::vector<real> external = external_.download();
     const auto calm = calmField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(calmField_);
     // leapfrog keeps velocities of half a step ago: forces are of now
-    const double half = config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0;
+    const double half = set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0;
     for (auto* v : {&s.radius, &s.mass}) v->resize(n);
     s.id.resize(n);
     #pragma omp parallel for schedule(static) if (n > 10000)
@@ -78,25 +78,25 @@ DemState DemSolver<Backend, D, P>::motion()
         s.id[i] = ids_[key[i]];
         s.radius[i] = double(radius[i]);
         s.mass[i] = double(mass[i]);
-        const DemGroup& g = input_.groups[s.group[i]];
+        const DemGroup& g = set_.input.groups[s.group[i]];
         const bool asleep = !calm.empty() && calm[i] >= asleepFrom, kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
         const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
         for (int d = 0; d < D; ++d)
         {
-            const std::size_t at = 3*std::size_t(i) + config_.axes[d];
+            const std::size_t at = 3*std::size_t(i) + set_.config.axes[d];
             double& f = s.force[at];
             double& v = s.velocity[at];
-            f += (g.gravity ? s.mass[i]*config_.gravity[config_.axes[d]] : 0) + g.force[config_.axes[d]] + (more ? double(more[d]) : 0);
+            f += (g.gravity ? s.mass[i]*set_.config.gravity[set_.config.axes[d]] : 0) + g.force[set_.config.axes[d]] + (more ? double(more[d]) : 0);
             const double damped = locallyDamped(f, v, g.localDamping) - g.viscousDamping*s.mass[i]*v;
-            if (kicked && !g.held[config_.axes[d]]) v += half*damped/s.mass[i];
+            if (kicked && !g.held[set_.config.axes[d]]) v += half*damped/s.mass[i];
         }
         for (int c = 0; c < S; ++c)
         {
-            const int axis = D == 2 ? config_.axes[2] : c;
+            const int axis = D == 2 ? set_.config.axes[2] : c;
             const std::size_t at = 3*std::size_t(i) + axis;
             double& m = s.moment[at];
             double& w = s.spin[at];
-            m += g.moment[axis] + (more ? (D == 2 ? spinSign() : 1)*double(more[D + c]) : 0);
+            m += g.moment[axis] + (more ? (D == 2 ? set_.spinSign() : 1)*double(more[D + c]) : 0);
             const double rate = locallyDamped(m, w, g.localDamping)*double(inverse[i]) - g.viscousSpinDamping*w;
             if (kicked && !g.heldSpin) w += half*rate;
         }
@@ -111,7 +111,7 @@ DemState DemSolver<Backend, D, P>::motion()
             {
                 if (D == 3) { s.orientation[4*std::size_t(i) + k] = double(q[i]); continue; }
                 s.orientation[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
-                s.orientation[4*std::size_t(i) + 1 + config_.axes[2]] = spinSign()*std::sin(0.5*double(q[i]));
+                s.orientation[4*std::size_t(i) + 1 + set_.config.axes[2]] = set_.spinSign()*std::sin(0.5*double(q[i]));
             }
         }
     }
@@ -147,7 +147,7 @@ template<class Backend, int D, class P>
 std::vector<int> DemSolver<Backend, D, P>::wallContacts()
 {
     std::vector<int> on = wallMemory_.on.download();
-    withLaw(laws_, [&](auto law)
+    withLaw(set_.laws, [&](auto law)
     {
         using Law = decltype(law);
         if constexpr (Law::NormalLaw::reaches)
@@ -164,17 +164,17 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::contactCounts(int n)
 {
     std::vector<std::int32_t> contacts(n, 0);
     Array<Backend, int> others;
-    others.allocate(context_, list_.entries() + 1);
-    withLaw(laws_, [&](auto law)
+    others.allocate(set_.context, list_.entries() + 1);
+    withLaw(set_.laws, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         setModel(probe);
-        forEach(context_, n_, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
+        forEach(set_.context, n_, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
     });
     const auto all = others.download();
     std::vector<int> base(list_.blocks() + 1), count(std::size_t(list_.blocks())*list_.width);
-    context_.toHost(base.data(), list_.base(), base.size()*sizeof(int));
-    context_.toHost(count.data(), list_.count(), count.size()*sizeof(int));
+    set_.context.toHost(base.data(), list_.base(), base.size()*sizeof(int));
+    set_.context.toHost(count.data(), list_.count(), count.size()*sizeof(int));
     constexpr int width = ContactList<Backend, real>::width;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < count[i]; ++k)
@@ -200,17 +200,17 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     const std::vector<double> x = positions(n);
     const auto key = field<std::int32_t>(idField_);
     Array<Backend, ProbedContact<D, real>> probed;
-    probed.allocate(context_, list_.entries() + 1);
-    withLaw(laws_, [&](auto law)
+    probed.allocate(set_.context, list_.entries() + 1);
+    withLaw(set_.laws, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         setModel(probe);
-        forEach(context_, n_, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
+        forEach(set_.context, n_, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
     });
     const auto all = probed.download();
     std::vector<int> base(list_.blocks() + 1), count(std::size_t(list_.blocks())*list_.width);
-    context_.toHost(base.data(), list_.base(), base.size()*sizeof(int));
-    context_.toHost(count.data(), list_.count(), count.size()*sizeof(int));
+    set_.context.toHost(base.data(), list_.base(), base.size()*sizeof(int));
+    set_.context.toHost(count.data(), list_.count(), count.size()*sizeof(int));
     const auto put = [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
     {
         out.a.push_back(ids_[key[i]]);
@@ -221,8 +221,8 @@ DemContacts DemSolver<Backend, D, P>::contacts()
         out.point.insert(out.point.end(), x.begin() + 3*i, x.begin() + 3*i + 3);
         for (int d = 0; d < D; ++d)
         {
-            out.force[at + config_.axes[d]] = double(force[d]);
-            out.point[at + config_.axes[d]] += double(n[d])*arm;
+            out.force[at + set_.config.axes[d]] = double(force[d]);
+            out.point[at + set_.config.axes[d]] += double(n[d])*arm;
         }
     };
     constexpr int width = ContactList<Backend, real>::width;
@@ -249,7 +249,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
             if (!acts[slot] || ghost(i)) continue;
             Vec<D, double> local, f;
             for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
-            const real reach = reaches_[material[i]*input_.materials.size() + input_.walls[entry[e].wall].material];
+            const real reach = reaches_[material[i]*set_.input.materials.size() + set_.input.walls[entry[e].wall].material];
             put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach), outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
         }
     return out;
@@ -279,13 +279,13 @@ DemBondState DemSolver<Backend, D, P>::bonds()
         const int i = slotOf[a[k]], j = slotOf[b[k]];
         for (int d = 0; d < D; ++d)
         {
-            s.force[3*std::size_t(k) + config_.axes[d]] = double(force[k].force.c[d]);
+            s.force[3*std::size_t(k) + set_.config.axes[d]] = double(force[k].force.c[d]);
             if (i < 0 || j < 0) continue;
-            const double r = double(std::int64_t(std::uint64_t(x[d][j]) - std::uint64_t(x[d][i])))*box_.unit[d];
+            const double r = double(std::int64_t(std::uint64_t(x[d][j]) - std::uint64_t(x[d][i])))*set_.box.unit[d];
             d2 += r*r;
         }
         for (int c = 0; c < S; ++c)
-            s.moment[3*std::size_t(k) + (D == 2 ? config_.axes[2] : c)] = (D == 2 ? spinSign() : 1)*double(force[k].bending.c[c]);
+            s.moment[3*std::size_t(k) + (D == 2 ? set_.config.axes[2] : c)] = (D == 2 ? set_.spinSign() : 1)*double(force[k].bending.c[c]);
         s.gap.push_back(i < 0 || j < 0 ? 0 : std::sqrt(d2) - double(radius[i]) - double(radius[j]));
     }
     return s;
@@ -299,21 +299,21 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     const auto potential = [&](double m, const double* x)
     {
         double sum = 0;
-        for (int d = 0; d < D; ++d) sum -= m*config_.gravity[config_.axes[d]]*x[config_.axes[d]];
+        for (int d = 0; d < D; ++d) sum -= m*set_.config.gravity[set_.config.axes[d]]*x[set_.config.axes[d]];
         return sum;
     };
     SumEnergies<D, P> free{};
     setMotion(free);
-    free.box = box_;
-    free.half = real(config_.integrator == DemIntegratorKind::leapfrog ? 0.5*host_.dt : 0);
-    const auto sums = sumOver<3>(context_, activeSolids(), free);
+    free.box = set_.box;
+    free.half = real(set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0);
+    const auto sums = sumOver<3>(set_.context, activeSolids(), free);
     e.translation = sums[0];
     e.rotation = sums[1];
     e.potential = sums[2];
     for (int k = 0; k < nClumps_; ++k)
     {
         if (c.left[k]) continue;
-        const DemClump& in = input_.clumps[k];
+        const DemClump& in = set_.input.clumps[k];
         for (int d = 0; d < 3; ++d) e.translation += 0.5*in.mass*c.velocity[3*k + d]*c.velocity[3*k + d];
         Vec<3, double> w{{c.spin[3*k], c.spin[3*k + 1], c.spin[3*k + 2]}};
         if (D == 2) e.rotation += 0.5*in.inertia[2]*squaredNorm(w);
@@ -322,15 +322,15 @@ DemEnergy DemSolver<Backend, D, P>::energy()
             w = rotated(&c.orientation[4*k], w, true);
             for (int d = 0; d < 3; ++d) e.rotation += 0.5*in.inertia[d]*w.c[d]*w.c[d];
         }
-        if (input_.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
+        if (set_.input.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
     }
     e.spring = springEnergy();
-    withLaw(laws_, [&](auto law)
+    withLaw(set_.laws, [&](auto law)
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
         if (others_) sum.calm = fields().calm;
-        e.contact = sumOver<1>(context_, activeSolids(), sum)[0];
+        e.contact = sumOver<1>(set_.context, activeSolids(), sum)[0];
     });
     const auto wall = wallMemory_.entries ? wallMemory_.force.download() : std::vector<real>();
     if (!others_) for (int k = 0; k < wallMemory_.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
@@ -357,11 +357,11 @@ template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::deepestOverlap()
 {
     double most = 0;
-    withLaw(laws_, [&](auto law)
+    withLaw(set_.laws, [&](auto law)
     {
         DeepestOverlap<Backend, D, P, decltype(law)> deepest;
         setModel(deepest.probe);
-        most = largestOver(context_, activeSolids(), deepest);
+        most = largestOver(set_.context, activeSolids(), deepest);
     });
     if (!nWalls_ || !wallMemory_.entries) return most;
     const auto first = wallMemory_.entryFirst.download();
@@ -370,11 +370,11 @@ double DemSolver<Backend, D, P>::deepestOverlap()
     const auto radius = field<real>(radiusField_);
     const auto material = field<std::int32_t>(materialField_);
     const auto gaps = gaps_.download();
-    const int n = activeSolids(), m = int(input_.materials.size());
+    const int n = activeSolids(), m = int(set_.input.materials.size());
     for (int i = 0; i < n; ++i)
         for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
         {
-            const double gap = double(gaps[material[i]*m + input_.walls[entry[e].wall].material]);
+            const double gap = double(gaps[material[i]*m + set_.input.walls[entry[e].wall].material]);
             most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
         }
     return most;
@@ -405,7 +405,7 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
             for (int d = 0; d < D; ++d) local.c[d] = double(normal[slot*D + d]);
             local = outOfFrame<D>(walls[entry[e].wall].frame.R, local);
             Vec<3, double> b{{0, 0, 0}};
-            for (int d = 0; d < D; ++d) b.c[config_.axes[d]] = local.c[d];
+            for (int d = 0; d < D; ++d) b.c[set_.config.axes[d]] = local.c[d];
             for (int k = 0; k < known; ++k) b = b - dot(b, basis[k])*basis[k];
             const double size = std::sqrt(squaredNorm(b));
             if (!(size > 1e-3)) continue;           // as others
@@ -419,9 +419,9 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
         for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
         {
             Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
-            for (int d = 0; d < D; ++d) f.c[config_.axes[d]] = -double(force[e*wallWords<D> + d]);
+            for (int d = 0; d < D; ++d) f.c[set_.config.axes[d]] = -double(force[e*wallWords<D> + d]);
             for (int c = 0; c < S; ++c)
-                m.c[D == 2 ? config_.axes[2] : c] = -(D == 2 ? spinSign() : 1)*double(force[e*wallWords<D> + D + c]);
+                m.c[D == 2 ? set_.config.axes[2] : c] = -(D == 2 ? set_.spinSign() : 1)*double(force[e*wallWords<D> + D + c]);
             const Vec<3, double> centre{{x[3*i], x[3*i + 1], x[3*i + 2]}}, pressed = alongNormals(e, f), turned = cross(centre, pressed);
             m = m + cross(centre, f);
             DemWallForce& w = out[entry[e].wall];
@@ -447,12 +447,12 @@ void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& forc
         if (!force.empty() && at + 3 > force.size()) throw std::invalid_argument("external forces: too few for the ids");
         if (!moment.empty() && at + 3 > moment.size()) throw std::invalid_argument("external moments: too few for the ids");
         real* to = &all[std::size_t(i)*(D + S)];
-        if (!force.empty()) for (int d = 0; d < D; ++d) to[d] = real(force[at + config_.axes[d]]);
+        if (!force.empty()) for (int d = 0; d < D; ++d) to[d] = real(force[at + set_.config.axes[d]]);
         if (!moment.empty())
-            for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? spinSign()*moment[at + config_.axes[2]] : moment[at + c]);
+            for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? set_.spinSign()*moment[at + set_.config.axes[2]] : moment[at + c]);
     }
     if (sleeps()) wakeChanged(external_.download(), all);
-    external_.upload(context_, all);
+    external_.upload(set_.context, all);
     gatherClumps(nullptr);
 }
 
@@ -490,7 +490,7 @@ template<class Backend, int D, class P>
 std::vector<KernelInfo> DemSolver<Backend, D, P>::kernels() const
 {
     std::vector<KernelInfo> r;
-    for (const auto& e : context_.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    for (const auto& e : set_.context.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
     return r;
 }
 
@@ -498,7 +498,7 @@ template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::neighboursPerParticle()
 {
     std::vector<int> count(std::size_t(list_.blocks())*list_.width);
-    context_.toHost(count.data(), list_.count(), count.size()*sizeof(int));
+    set_.context.toHost(count.data(), list_.count(), count.size()*sizeof(int));
     double sum = 0;
     const int n = activeSolids();
     for (int i = 0; i < n; ++i) sum += count[i];
@@ -508,14 +508,14 @@ double DemSolver<Backend, D, P>::neighboursPerParticle()
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::contactsPerParticle()
 {
-    readClock();
+    clock_.read();
     const int n = activeSolids();
     double contacts = 0;
-    withLaw(laws_, [&](auto law)
+    withLaw(set_.laws, [&](auto law)
     {
         SumContacts<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
-        contacts = sumOver<1>(context_, n, sum)[0];
+        contacts = sumOver<1>(set_.context, n, sum)[0];
     });
     return n ? 2*contacts/n : 0;
 }

@@ -22,7 +22,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setRanks()
 {
     if (Backend::gpu) throw std::invalid_argument("several processes run on CPUs alone");
-    others_ = std::make_unique<ParticleExchange>(*config_.ranks, config_.imbalance);
+    others_ = std::make_unique<ParticleExchange>(*set_.config.ranks, set_.config.imbalance);
     setPieces();
     others_->begin(n_);
 }
@@ -38,8 +38,8 @@ void DemSolver<Backend, D, P>::setPieces()
         for (int d = 0; d < 3; ++d) { g.n[d] = from.n[d]; g.stride[d] = from.stride[d]; }
         for (int d = 0; d < D; ++d)
         {
-            g.lower[d] = box_.lower[d];
-            g.size[d] = box_.length[d]/from.n[d];
+            g.lower[d] = set_.box.lower[d];
+            g.size[d] = set_.box.length[d]/from.n[d];
             g.periodic[d] = from.periodic[d];
         }
         g.radius = double(classes_.largest[k]);
@@ -74,9 +74,9 @@ void DemSolver<Backend, D, P>::setCapacity(int n)
         if (old.elementBytes(f) == 8) fields_.template add<std::int64_t>(info[f].name);
         else fields_.template add<std::int32_t>(info[f].name);
     }
-    fields_.allocate(context_, n);
+    fields_.allocate(set_.context, n);
     for (int f = 0; f < fields_.fields(); ++f) std::memcpy(fields_.bytes(f), old.bytes(f), std::size_t(residents)*old.elementBytes(f));
-    fields_.upload(context_, idField_, keys);
+    fields_.upload(set_.context, idField_, keys);
 
     // lists of before are about the slots of before: those behind have none
     const auto longer = [&](Array<Backend, int>& a, std::size_t size, int rest)
@@ -84,10 +84,10 @@ void DemSolver<Backend, D, P>::setCapacity(int n)
         std::vector<int> all = a.download();
         all.resize(size, all.empty() ? 0 : (rest < 0 ? all.back() : rest));
         Array<Backend, int> fresh;
-        fresh.upload(context_, all);
+        fresh.upload(set_.context, all);
         a.swap(fresh);
     };
-    list_.resize(context_, n);
+    list_.resize(set_.context, n);
     if (nWalls_)
         for (WallMemoryArrays<Backend, real>* w : {&wallMemory_, &oldWallMemory_})
         {
@@ -95,16 +95,16 @@ void DemSolver<Backend, D, P>::setCapacity(int n)
             longer(w->elementFirst, std::size_t(n) + 1, -1);
         }
     records_ = SolidRecordMemory<Backend, D, P>();
-    records_.allocate(context_, n);
+    records_.allocate(set_.context, n);
     reference_ = Array<Backend, position>();
-    reference_.allocate(context_, std::size_t(n)*D);
+    reference_.allocate(set_.context, std::size_t(n)*D);
     inverse_ = Array<Backend, int>();
-    inverse_.allocate(context_, n);
+    inverse_.allocate(set_.context, n);
     slotOf_ = Array<Backend, int>();
-    slotOf_.allocate(context_, n);
+    slotOf_.allocate(set_.context, n);
     sort_ = CellSort<Backend>();
-    sort_.allocate(context_, n, classes_.cells());
-    context_.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
+    sort_.allocate(set_.context, n, classes_.cells());
+    set_.context.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
     n_ = n;
 }
 
@@ -251,8 +251,8 @@ void DemSolver<Backend, D, P>::regroup()
         for (const int slot : others_->left())
         {
             Vector3 x{{0, 0, 0}};
-            if (D == 2) x[config_.axes[2]] = emptyCoordinate_[f.id[slot]];
-            for (int d = 0; d < D; ++d) x[config_.axes[d]] = box_.toMetres(d, f.x[d][slot]);
+            if (D == 2) x[set_.config.axes[2]] = emptyCoordinate_[f.id[slot]];
+            for (int d = 0; d < D; ++d) x[set_.config.axes[d]] = set_.box.toMetres(d, f.x[d][slot]);
             escaped_.push_back(x);
             escapedId_.push_back(ids_[f.id[slot]]);
         }
@@ -286,7 +286,7 @@ void DemSolver<Backend, D, P>::takeContacts()
     if constexpr (!Backend::gpu)
     {
         int turns = 0;
-        withLaw(laws_, [&](auto law) { turns = decltype(law)::template turnsFrom<D>; });
+        withLaw(set_.laws, [&](auto law) { turns = decltype(law)::template turnsFrom<D>; });
         const ContactListView<Backend, real> list = list_.view();
         const int words = list.historyWords(histories_), active = activeSolids();
         for (std::size_t c = 0; c < arrivedContacts_.size(); ++c)
@@ -379,7 +379,7 @@ void DemSolver<Backend, D, P>::shareStep()
             }
             for (int c = 0; c < S; ++c) std::memcpy(f.w[c] + i, from + 16*D + c*sizeof(real), sizeof(real));
             Vec<D, position> p;
-            for (int d = 0; d < D; ++d) p.c[d] = box_.pairPosition(d, f.x[d][i]);
+            for (int d = 0; d < D; ++d) p.c[d] = set_.box.pairPosition(d, f.x[d][i]);
             solids.store(i, p, ContactBody<D, real>{convert<real>(f.velocity(i)), f.spin(i), f.radius[i], f.mass[i]}, f.material[i]);
         });
         DemClockData& c = *clock_.data();
@@ -387,7 +387,7 @@ void DemSolver<Backend, D, P>::shareStep()
         {
             double(c.needRebuild), double(c.aged[0]), double(c.aged[1]), double(c.far[0]), double(c.far[1]), double(int(c.halt)), double(interrupted_)
         };
-        config_.ranks->largest(flags);
+        set_.config.ranks->largest(flags);
         int k = 0;
         for (int* to : {&c.needRebuild, c.aged, c.aged + 1, c.far, c.far + 1}) *to = int(flags[k++]);
         c.halt = DemHalt(int(flags[k++]));
@@ -401,7 +401,7 @@ double DemSolver<Backend, D, P>::largestOfRanks(double value) const
 {
     if (!others_) return value;
     std::vector<double> v(1, value == value ? value : std::numeric_limits<double>::infinity());
-    config_.ranks->largest(v);
+    set_.config.ranks->largest(v);
     return v[0];
 }
 
@@ -409,7 +409,7 @@ double DemSolver<Backend, D, P>::largestOfRanks(double value) const
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::findOffenderOfRanks(DemReport& report)
 {
-    Transport& ranks = *config_.ranks;
+    Transport& ranks = *set_.config.ranks;
     const int n = activeSolids();
     const std::vector<double> offence = offences(n);
     int worst = -1;

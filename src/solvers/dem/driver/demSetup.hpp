@@ -16,19 +16,9 @@ namespace riprap
 template<class Backend, int D, class P>
 DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& input, const DemPlan& plan)
 :
-    config_(config), laws_(lawChoice(config)), plan_(plan), given_(&input)
+    set_(config, input, plan), given_(&input)
 {
-    // particles and bonds go to the device: the host keeps no second copy of millions
-    input_.materials = input.materials;
-    input_.pairs = input.pairs;
-    input_.groups = input.groups;
-    input_.clumps = input.clumps;
-    input_.bondTypes = input.bondTypes;
-    input_.walls = input.walls;
-    input_.groupMotion = input.groupMotion;
-    input_.wallMotion = input.wallMotion;
     still_ = isStill(input);
-    clock_.allocate(context_, 2);
     n_ = reported_ = int(input.particles.size());
     setPairs();
     setBox();
@@ -61,27 +51,27 @@ int DemSolver<Backend, D, P>::loneMaterial() const
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setPairs()
 {
-    const int m = int(input_.materials.size());
+    const int m = int(set_.input.materials.size());
     std::vector<real> gaps(std::size_t(m)*m, real(0));
     std::vector<PairProperties> pairs(std::size_t(m)*m);
     std::vector<char> given(std::size_t(m)*m, 0);
     const std::vector<double>& radius = given_->particles.radius;
     const double largestRadius = *std::max_element(radius.begin(), radius.end());
     reaches_.assign(std::size_t(m)*m, real(0));
-    for (DemPair& p : input_.pairs)
+    for (DemPair& p : set_.input.pairs)
         for (const bool turned : {false, true})
         {
             const int a = turned ? p.b : p.a, b = turned ? p.a : p.b;
             PairProperties q = p.properties;
             q.largestRadius = largestRadius;
-            q.youngA = input_.materials[a].young;
-            q.youngB = input_.materials[b].young;
-            q.poissonA = input_.materials[a].poisson;
-            q.poissonB = input_.materials[b].poisson;
+            q.youngA = set_.input.materials[a].young;
+            q.youngB = set_.input.materials[b].young;
+            q.poissonA = set_.input.materials[a].poisson;
+            q.poissonB = set_.input.materials[b].poisson;
             const std::size_t k = std::size_t(a)*m + b;
             pairs[k] = q;
             given[k] = 1;
-            NormalLaws::at(laws_.normal, [&](auto law)
+            NormalLaws::at(set_.laws.normal, [&](auto law)
             {
                 using Normal = typename decltype(law)::type;
                 // beside a wall R* is the particle's radius
@@ -91,8 +81,8 @@ void DemSolver<Backend, D, P>::setPairs()
                 largestGap_ = std::max(largestGap_, q.gap + reach);
             });
         }
-    gaps_.upload(context_, gaps);
-    withLaw(laws_, [&](auto law)
+    gaps_.upload(set_.context, gaps);
+    withLaw(set_.laws, [&](auto law)
     {
         using Law = decltype(law);
         using Parameters = typename Law::template Parameters<real>;
@@ -104,7 +94,7 @@ void DemSolver<Backend, D, P>::setPairs()
             const real* from = reinterpret_cast<const real*>(&one);
             all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
         }
-        parameters_.upload(context_, all);
+        parameters_.upload(set_.context, all);
         constexpr int numbers = sizeof(Parameters)/sizeof(real);
         alone_ = loneMaterial()*(m + 1);
         // what touches is what is nearer than the largest gap there is
@@ -119,7 +109,7 @@ void DemSolver<Backend, D, P>::setPairs()
 //- What the search adds to contact unless fast particles need more [m]
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::leastSkin() const
-{ return (config_.skin >= 0 ? config_.skin : (Backend::gpu ? 0.1 : 0.15))*2*radii_.smallest; }
+{ return (set_.config.skin >= 0 ? set_.config.skin : (Backend::gpu ? 0.1 : 0.15))*2*radii_.smallest; }
 
 //- How far the search looks
 template<class Backend, int D, class P>
@@ -133,7 +123,7 @@ void DemSolver<Backend, D, P>::setReach(double skin)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setBox()
 {
-    const DemConfig& c = config_;
+    const DemConfig& c = set_.config;
     radii_ = RadiusClasses::of(given_->particles.radius);
     setReach(leastSkin());
     const double margin = 2*radii_.largest + reach_;
@@ -145,8 +135,8 @@ void DemSolver<Backend, D, P>::setBox()
             throw std::invalid_argument("the periodic domain is " + std::to_string(hi - lo)
               + " m long; it must be at least three times the reach of the largest particles, " + std::to_string(3.001*margin) + " m");
         // a margin, so that fixed-point differences across it are never mistaken for near ones
-        if (c.periodic[axis]) box_.set(d, lo, hi - lo, true);
-        else box_.set(d, lo - margin, hi - lo + 2*margin, false);
+        if (c.periodic[axis]) set_.box.set(d, lo, hi - lo, true);
+        else set_.box.set(d, lo - margin, hi - lo + 2*margin, false);
     }
     setDomain();
 }
@@ -157,13 +147,13 @@ void DemSolver<Backend, D, P>::setDomain()
 {
     for (int d = 0; d < D; ++d)
     {
-        const int axis = config_.axes[d];
-        const bool periodic = config_.periodic[axis];
-        const double below = config_.walled[axis][0]*radii_.smallest, above = config_.walled[axis][1]*radii_.smallest;
-        domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : box_.toFixed(d, config_.domainMin[axis] - below);
-        domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : box_.toFixed(d, config_.domainMax[axis] + above);
+        const int axis = set_.config.axes[d];
+        const bool periodic = set_.config.periodic[axis];
+        const double below = set_.config.walled[axis][0]*radii_.smallest, above = set_.config.walled[axis][1]*radii_.smallest;
+        domainMin_[d] = periodic ? std::numeric_limits<std::int64_t>::min() : set_.box.toFixed(d, set_.config.domainMin[axis] - below);
+        domainMax_[d] = periodic ? std::numeric_limits<std::int64_t>::max() : set_.box.toFixed(d, set_.config.domainMax[axis] + above);
     }
-    classes_.set(box_, radii_, reach_, Backend::gpu);
+    classes_.set(set_.box, radii_, reach_, Backend::gpu);
     if (others_) setPieces();
 }
 
@@ -175,7 +165,7 @@ void DemSolver<Backend, D, P>::uploadField(int field, const Values& values)
     std::vector<T> all(n_);
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n_; ++i) all[i] = values(i);
-    fields_.upload(context_, field, all);
+    fields_.upload(set_.context, field, all);
 }
 
 //- Components of vectors in the solver's axes, or the one spin of 2D
@@ -186,8 +176,8 @@ void DemSolver<Backend, D, P>::uploadVector(int field, int components, const std
     if (from.empty()) return;               // memory begins as zero
     for (int d = 0; d < components; ++d)
     {
-        const int axis = spin && D == 2 ? config_.axes[2] : config_.axes[d];
-        const double sign = spin && D == 2 ? spinSign() : 1;
+        const int axis = spin && D == 2 ? set_.config.axes[2] : set_.config.axes[d];
+        const double sign = spin && D == 2 ? set_.spinSign() : 1;
         uploadField<T>(field + d, [&](int i) { return T(sign*from[3*std::size_t(i) + axis]); });
     }
 }
@@ -215,28 +205,28 @@ void DemSolver<Backend, D, P>::setFields()
     inertiaField_ = fields_.template add<real>("inverseInertia");
     materialField_ = fields_.template add<std::int32_t>("material");
     groupField_ = fields_.template add<std::int32_t>("group");
-    if (!input_.clumps.empty()) clumpField_ = fields_.template add<std::int32_t>("clump");
-    if (config_.orientation)
+    if (!set_.input.clumps.empty()) clumpField_ = fields_.template add<std::int32_t>("clump");
+    if (set_.config.orientation)
     {
         turnField_ = fields_.fields();
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k) fields_.template add<real>("orientation." + std::to_string(k));
     }
     if (sleeps() || others_) calmField_ = fields_.template add<std::int32_t>("calm");
     idField_ = fields_.template add<std::int32_t>("key");
-    fields_.allocate(context_, n_);
-    records_.allocate(context_, n_);
-    reference_.allocate(context_, std::size_t(n_)*D);
-    sort_.allocate(context_, n_, classes_.cells());
-    inverse_.allocate(context_, n_);
-    slotOf_.allocate(context_, n_);
+    fields_.allocate(set_.context, n_);
+    records_.allocate(set_.context, n_);
+    reference_.allocate(set_.context, std::size_t(n_)*D);
+    sort_.allocate(set_.context, n_, classes_.cells());
+    inverse_.allocate(set_.context, n_);
+    slotOf_.allocate(set_.context, n_);
     if (sleeps())
     {
-        wakes_.allocate(context_, n_);
-        waits_.allocate(context_, n_);
+        wakes_.allocate(set_.context, n_);
+        waits_.allocate(set_.context, n_);
     }
 
     for (int d = 0; d < D; ++d)
-        uploadField<std::int64_t>(xField_ + d, [&](int i) { return box_.toFixed(d, in.position[3*std::size_t(i) + config_.axes[d]]); });
+        uploadField<std::int64_t>(xField_ + d, [&](int i) { return set_.box.toFixed(d, in.position[3*std::size_t(i) + set_.config.axes[d]]); });
     uploadVector<double>(vField_, D, in.velocity, false);
     uploadVector<real>(wField_, S, in.spin, true);
     uploadField<real>(radiusField_, [&](int i) { return real(in.radius[i]); });
@@ -246,15 +236,15 @@ void DemSolver<Backend, D, P>::setFields()
     ids_ = in.id;
     if (ids_.empty()) for (int i = 0; i < n_; ++i) ids_.push_back(i);
     uploadField<std::int32_t>(idField_, [](int i) { return i; });
-    if (!in.material.empty()) fields_.upload(context_, materialField_, in.material);
-    if (!in.group.empty()) fields_.upload(context_, groupField_, in.group);
+    if (!in.material.empty()) fields_.upload(set_.context, materialField_, in.material);
+    if (!in.group.empty()) fields_.upload(set_.context, groupField_, in.group);
     if (clumpField_ >= 0)
-        fields_.upload(context_, clumpField_, in.clump.empty() ? std::vector<std::int32_t>(n_, -1) : in.clump);
+        fields_.upload(set_.context, clumpField_, in.clump.empty() ? std::vector<std::int32_t>(n_, -1) : in.clump);
     if (turnField_ >= 0)
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
-            fields_.upload(context_, turnField_ + k, std::vector<real>(n_, real(D == 3 && k == 0)));
+            fields_.upload(set_.context, turnField_ + k, std::vector<real>(n_, real(D == 3 && k == 0)));
     if (D == 2) emptyCoordinate_.resize(n_);
-    if (D == 2) for (int i = 0; i < n_; ++i) emptyCoordinate_[i] = in.position[3*std::size_t(i) + config_.axes[2]];
+    if (D == 2) for (int i = 0; i < n_; ++i) emptyCoordinate_[i] = in.position[3*std::size_t(i) + set_.config.axes[2]];
 }
 
 template<class Backend, int D, class P>
@@ -263,10 +253,10 @@ GroupData<D, typename P::real> DemSolver<Backend, D, P>::groupData(const DemGrou
     GroupData<D, real> r{};
     for (int d = 0; d < D; ++d)
     {
-        r.free[d] = real(!g.held[config_.axes[d]]);
-        r.force[d] = real(g.force[config_.axes[d]]);
+        r.free[d] = real(!g.held[set_.config.axes[d]]);
+        r.force[d] = real(g.force[set_.config.axes[d]]);
     }
-    for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? spinSign()*g.moment[config_.axes[2]] : g.moment[c]);
+    for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? set_.spinSign()*g.moment[set_.config.axes[2]] : g.moment[c]);
     r.freeSpin = real(!g.heldSpin);
     r.gravity = real(g.gravity);
     r.localDamping = real(g.localDamping);
@@ -280,15 +270,15 @@ GroupData<D, typename P::real> DemSolver<Backend, D, P>::groupData(const DemGrou
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setGroups()
 {
-    if (input_.groups.empty()) input_.groups.emplace_back();
+    int motions = 0;
     std::vector<GroupData<D, real>> groups;
-    for (const DemGroup& g : input_.groups)
+    for (const DemGroup& g : set_.input.groups)
     {
-        groupMotions_ = std::max(groupMotions_, g.motion + 1);
+        motions = std::max(motions, g.motion + 1);
         groups.push_back(groupData(g));
     }
-    groups_.upload(context_, groups);
-    if (groupMotions_) motions_.allocate(context_, std::size_t(groupMotions_)*samples*rigidMotionNumbers);
+    groups_.upload(set_.context, groups);
+    motion_.holdGroups(motions);
 }
 
 template<class Backend, int D, class P>
@@ -319,9 +309,9 @@ void DemSolver<Backend, D, P>::setBonds()
         double d2 = 0;
         for (int d = 0; d < D; ++d)
         {
-            const int axis = config_.axes[d];
-            const std::int64_t xa = box_.toFixed(d, q.position[3*std::size_t(a) + axis]), xb = box_.toFixed(d, q.position[3*std::size_t(b) + axis]);
-            const double s = double(std::int64_t(std::uint64_t(xb) - std::uint64_t(xa)))*box_.unit[d];
+            const int axis = set_.config.axes[d];
+            const std::int64_t xa = set_.box.toFixed(d, q.position[3*std::size_t(a) + axis]), xb = set_.box.toFixed(d, q.position[3*std::size_t(b) + axis]);
+            const double s = double(std::int64_t(std::uint64_t(xb) - std::uint64_t(xa)))*set_.box.unit[d];
             d2 += s*s;
         }
         rest.push_back(std::sqrt(d2) - double(real(q.radius[a])) - double(real(q.radius[b])));
@@ -331,7 +321,7 @@ void DemSolver<Backend, D, P>::setBonds()
     for (int k = 0; k < nBonds_; ++k)
         for (int e = 0; e < 2; ++e) reference[next[end[e][k]]++] = 2*k + e;
     std::vector<BondParameters<real>> types;
-    for (const DemBondType& t : input_.bondTypes)
+    for (const DemBondType& t : set_.input.bondTypes)
     {
         const auto strength = [](double s) { return real(std::min(s, 1e30)); };
         types.push_back(BondParameters<real>
@@ -340,68 +330,69 @@ void DemSolver<Backend, D, P>::setBonds()
             real(2*t.dampingRatio), real(t.radiusFactor), t.radiusKind == BondRadiusKind::harmonic, D == 3 || t.cylinder
         });
     }
-    for (int e = 0; e < 2; ++e) bondIds_[e].upload(context_, end[e]);
-    bondType_.upload(context_, type);
-    bondRest_.upload(context_, rest);
-    bondTypes_.upload(context_, types);
-    bondBroken_.upload(context_, std::vector<std::int32_t>(nBonds_, 0));
-    bondHistory_.upload(context_, std::vector<real>(std::size_t(nBonds_)*bondHistory<D>, real(0)));
-    bondForce_.allocate(context_, nBonds_);
-    bondFirst_.upload(context_, first);
-    bondReference_.upload(context_, reference);
+    for (int e = 0; e < 2; ++e) bondIds_[e].upload(set_.context, end[e]);
+    bondType_.upload(set_.context, type);
+    bondRest_.upload(set_.context, rest);
+    bondTypes_.upload(set_.context, types);
+    bondBroken_.upload(set_.context, std::vector<std::int32_t>(nBonds_, 0));
+    bondHistory_.upload(set_.context, std::vector<real>(std::size_t(nBonds_)*bondHistory<D>, real(0)));
+    bondForce_.allocate(set_.context, nBonds_);
+    bondFirst_.upload(set_.context, first);
+    bondReference_.upload(set_.context, reference);
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setWalls()
 {
-    nWalls_ = int(input_.walls.size());
+    nWalls_ = int(set_.input.walls.size());
     if (!nWalls_) return;
     const double cell = wallCell();
     SurfaceBuilder<D> builder;
     std::vector<WallData> walls;
-    for (const DemWall& in : input_.walls)
+    int motions = 0;
+    for (const DemWall& in : set_.input.walls)
     {
         WallData w{};
         w.material = in.material;
         w.plane = in.plane;
         surfaces_ = surfaces_ || !in.plane;
         w.motion = in.motion;
-        wallMotions_ = std::max(wallMotions_, in.motion + 1);
+        motions = std::max(motions, in.motion + 1);
         for (int d = 0; d < 3; ++d) w.frame.R[4*d] = 1;
         double length = 0;
-        for (int d = 0; d < D; ++d) length += in.normal[config_.axes[d]]*in.normal[config_.axes[d]];
+        for (int d = 0; d < D; ++d) length += in.normal[set_.config.axes[d]]*in.normal[set_.config.axes[d]];
         for (int d = 0; d < D; ++d)
         {
-            const int axis = config_.axes[d];
+            const int axis = set_.config.axes[d];
             w.point[d] = in.point[axis];
             w.normal[d] = in.normal[axis]/std::sqrt(std::max(length, 1e-300));
-            w.low[d] = config_.domainMin[axis];
-            w.high[d] = config_.domainMax[axis];
+            w.low[d] = set_.config.domainMin[axis];
+            w.high[d] = set_.config.domainMax[axis];
         }
         if (!in.plane)
         {
             std::vector<double> vertices;
             for (std::size_t v = 0; v < in.vertices.size(); v += 3)
-                for (int d = 0; d < D; ++d) vertices.push_back(in.vertices[v + config_.axes[d]]);
+                for (int d = 0; d < D; ++d) vertices.push_back(in.vertices[v + set_.config.axes[d]]);
             std::vector<int> elements(in.elements.begin(), in.elements.end());
             for (int d = 0; d < D; ++d)
             {
-                const int axis = config_.axes[d];
-                if (!config_.periodic[axis] || in.motion >= 0) continue;
-                repeatSurface<D>(vertices, elements, d, config_.domainMin[axis], config_.domainMax[axis], cell);
+                const int axis = set_.config.axes[d];
+                if (!set_.config.periodic[axis] || in.motion >= 0) continue;
+                repeatSurface<D>(vertices, elements, d, set_.config.domainMin[axis], set_.config.domainMax[axis], cell);
             }
             builder.add(vertices, elements, cell, w);
         }
         walls.push_back(w);
     }
-    walls_.upload(context_, walls);
-    vertices_.upload(context_, builder.vertex);
-    elements_.upload(context_, builder.element);
-    sharedFirst_.upload(context_, builder.sharedFirst);
-    shared_.upload(context_, builder.shared);
-    cellFirst_.upload(context_, builder.cellFirst);
-    cellElement_.upload(context_, builder.cellElement);
-    if (wallMotions_) poses_.allocate(context_, std::size_t(wallMotions_)*samples*poseNumbers);
+    walls_.upload(set_.context, walls);
+    vertices_.upload(set_.context, builder.vertex);
+    elements_.upload(set_.context, builder.element);
+    sharedFirst_.upload(set_.context, builder.sharedFirst);
+    shared_.upload(set_.context, builder.shared);
+    cellFirst_.upload(set_.context, builder.cellFirst);
+    cellElement_.upload(set_.context, builder.cellElement);
+    motion_.holdWalls(motions);
     clearPassed();
 }
 
@@ -410,7 +401,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setFrames()
 {
     if constexpr (Backend::gpu)
-        if (fuses() && !sleeps()) parts_.frames.set(context_, box_, 3*(2*radii_.largest + reach_), 2e6);
+        if (fuses() && !sleeps()) parts_.frames.set(set_.context, set_.box, 3*(2*radii_.largest + reach_), 2e6);
 }
 
 //- First neighbours and forces, with a step of no length
@@ -418,23 +409,23 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::prime()
 {
     const int all = n_;
-    context_.toDevice(const_cast<int*>(sort_.active()), &all, sizeof(int));
-    host_.time = config_.startTime;
-    host_.fullDt = plan_.timeStep;
-    setWindow();
-    host_.active = 1;
-    writeClock();
+    set_.context.toDevice(const_cast<int*>(sort_.active()), &all, sizeof(int));
+    clock_.now.time = set_.config.startTime;
+    clock_.now.fullDt = set_.plan.timeStep;
+    motion_.sample(clock_.now);
+    clock_.now.active = 1;
+    clock_.write();
     // moving walls take their places; no step has any length yet
-    if (wallMotions_) forEach(context_, nWalls_, MoveWalls{walls_.data(), wallPoses(), clock_.data(), clock_.data(), 1e300, 1e300});
+    if (motion_.walls()) forEach(set_.context, nWalls_, MoveWalls{walls_.data(), motion_.wallTable(), clock_.data(), clock_.data(), 1e300, 1e300});
     rebuild(true);
     forces();
     collectForces();
-    readClock();
-    host_.active = 0;
-    writeClock();
+    clock_.read();
+    clock_.now.active = 0;
+    clock_.write();
     // on the GPU once more: what a rebuild needs besides is loaded and has its memory before the first step
-    if (Backend::gpu || host_.needRebuild) rebuild();
-    context_.synchronise();
+    if (Backend::gpu || clock_.now.needRebuild) rebuild();
+    set_.context.synchronise();
 }
 
 } // namespace riprap

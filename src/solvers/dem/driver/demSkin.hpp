@@ -25,8 +25,8 @@ void DemSolver<Backend, D, P>::setSkin(double skin)
     setDomain();
     setFrames();
     const int active = activeSolids();
-    sort_.allocate(context_, n_, classes_.cells());
-    context_.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
+    sort_.allocate(set_.context, n_, classes_.cells());
+    set_.context.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
 }
 
 //- Half a diameter; where the domain is periodic what a third of it leaves, and no more than walls there have been repeated for
@@ -36,9 +36,9 @@ double DemSolver<Backend, D, P>::mostSkin() const
     double most = radii_.smallest;
     for (int d = 0; d < D; ++d)
     {
-        if (!box_.periodic[d]) continue;
+        if (!set_.box.periodic[d]) continue;
         if (surfaces_) return leastSkin();
-        most = std::min(most, box_.length[d]/3.001 - 2*radii_.largest - largestGap_);
+        most = std::min(most, set_.box.length[d]/3.001 - 2*radii_.largest - largestGap_);
     }
     return std::max(most, leastSkin());
 }
@@ -52,7 +52,7 @@ template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::largestWallSpeed()
 {
     double most2 = 0;
-    if (wallMotions_)
+    if (motion_.walls())
         for (const WallData& w : walls_.download())
             for (int corner = 0; corner < 8 && w.motion >= 0; ++corner) most2 = std::max(most2, MoveWalls::cornerSpeed2(w, corner));
     return std::sqrt(most2);
@@ -64,8 +64,8 @@ void DemSolver<Backend, D, P>::adaptSkin()
 {
     constexpr std::int64_t few = 8, many = 64;
     constexpr double stepsOfList = 16;
-    if (config_.skin >= 0 || driven_) return;
-    DemClockData now = host_;
+    if (set_.config.skin >= 0 || driven_) return;
+    DemClockData now = clock_.now;
     if constexpr (!Backend::gpu) now = *clock_.data();
     const std::int64_t lasted = now.step - searchedAt_;
     searchedAt_ = now.step;

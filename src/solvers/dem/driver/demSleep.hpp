@@ -24,7 +24,7 @@ SleepState<D, P> DemSolver<Backend, D, P>::sleepState(bool fused)
     s.active = sort_.active();
     s.wakes = wakes_.data();
     s.waits = waits_.data();
-    s.needed = std::int32_t(std::min(1e5, std::max(2.0, std::ceil(config_.sleepAfter/(stepsPerCheck*plan_.timeStep)))));
+    s.needed = std::int32_t(std::min(1e5, std::max(2.0, std::ceil(set_.config.sleepAfter/(stepsPerCheck*set_.plan.timeStep)))));
     return s;
 }
 
@@ -33,9 +33,9 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
 {
     if constexpr (Backend::gpu)
-        withLaw(laws_, [&](auto law)
+        withLaw(set_.laws, [&](auto law)
         {
-            forEach(context_, n_, TakeHistories<Backend, D, P>{s, list_.view(), histories_, decltype(law)::template turnsFrom<D>});
+            forEach(set_.context, n_, TakeHistories<Backend, D, P>{s, list_.view(), histories_, decltype(law)::template turnsFrom<D>});
         });
 }
 
@@ -44,11 +44,11 @@ void DemSolver<Backend, D, P>::checkSleep(bool fused)
 {
     const SleepState<D, P> s = sleepState(fused);
     const bool walls = nWalls_ && wallMemory_.entries;
-    forEach(context_, n_, CountCalm<D, P>
-    {s, real(config_.sleepSpeed), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.entry.data(), walls_.data()});
-    forEach(context_, n_, MarkRestless<Backend, D, P>{s, list_.view(), bondTable(), slotOf_.data()});
+    forEach(set_.context, n_, CountCalm<D, P>
+    {s, real(set_.config.sleepSpeed), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.entry.data(), walls_.data()});
+    forEach(set_.context, n_, MarkRestless<Backend, D, P>{s, list_.view(), bondTable(), slotOf_.data()});
     takeHistories(s);
-    forEach(context_, n_, FallAsleep<D, P>{s, groups_.data()});
+    forEach(set_.context, n_, FallAsleep<D, P>{s, groups_.data()});
     setRanges();
 }
 
@@ -57,7 +57,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, const std::vector<real>& after)
 {
     constexpr int numbers = D + S;
-    const double span = std::max(config_.sleepAfter, 2.0*stepsPerCheck*plan_.timeStep);
+    const double span = std::max(set_.config.sleepAfter, 2.0*stepsPerCheck*set_.plan.timeStep);
     const auto key = field<std::int32_t>(idField_);
     const auto mass = field<real>(massField_), radius = field<real>(radiusField_);
     std::vector<std::int32_t> changed(n_, 0);
@@ -70,20 +70,20 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
             const double difference = double(after[at]) - (before.empty() ? 0.0 : double(before[at]));
             change += std::abs(difference)/(c < D ? 1.0 : double(radius[i]));
         }
-        changed[key[i]] = change*span > config_.sleepSpeed*double(mass[i]);
+        changed[key[i]] = change*span > set_.config.sleepSpeed*double(mass[i]);
     }
     Array<Backend, std::int32_t> marks;
-    marks.upload(context_, changed);
+    marks.upload(set_.context, changed);
     const SleepState<D, P> s = sleepState(false);
-    forEach(context_, n_, MarkChanged<D, P>{s, marks.data()});
+    forEach(set_.context, n_, MarkChanged<D, P>{s, marks.data()});
     takeHistories(s);
-    forEach(context_, n_, WakeMarked<D, P>{s});
+    forEach(set_.context, n_, WakeMarked<D, P>{s});
     setRanges();
-    context_.synchronise();
+    set_.context.synchronise();
 }
 
 template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::asleepNow()
-{ return std::size_t(sumOver<1>(context_, n_, CountAsleep{fields().calm, sort_.active()})[0]); }
+{ return std::size_t(sumOver<1>(set_.context, n_, CountAsleep{fields().calm, sort_.active()})[0]); }
 
 } // namespace riprap

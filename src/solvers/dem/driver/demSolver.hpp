@@ -26,6 +26,7 @@
 #include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/demFamilies.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
+#include "solvers/dem/parts/prescribedMotion.hpp"
 
 namespace riprap
 {
@@ -102,7 +103,7 @@ public:
 
     DemReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { interrupted_ = true; }
-    double time() const override { return host_.time; }
+    double time() const override { return clock_.now.time; }
     const DemReport& lastReport() const override { return lastReport_; }
     DemState particles() override;
     DemState motion() override;
@@ -116,20 +117,20 @@ public:
     void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
-    DemPlan plan() const override { return plan_; }
+    DemPlan plan() const override { return set_.plan; }
     std::vector<ArrayInfo> arrays() const override;
     std::vector<KernelInfo> kernels() const override;
-    void timeKernels(bool on) override { context_.profile.timing = on; }
+    void timeKernels(bool on) override { set_.context.profile.timing = on; }
     double neighboursPerParticle() override;
     double contactsPerParticle() override;
     std::string deviceName() const override;
     DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
 
     // demCoupling.hpp: what a fluid asks of its solids
-    void follow(const Context<Backend>& fluid) override { context_.follow(fluid); }
+    void follow(const Context<Backend>& fluid) override { set_.context.follow(fluid); }
     int keys() const override { return n_; }
-    SolidView<D, P> view() override { return SolidView<D, P>{box_, fields(), slotOf_.data()}; }
-    BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), constraints(), box_, nClumps_}; }
+    SolidView<D, P> view() override { return SolidView<D, P>{set_.box, fields(), slotOf_.data()}; }
+    BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), constraints(), set_.box, nClumps_}; }
     std::vector<std::int32_t> order() override;
     real* external() override;
     void measureSpeed() override;
@@ -176,8 +177,6 @@ private:
     BondTable bondTable();
     WallMemory<D, real> wallMemory(WallMemoryArrays<Backend, real>&);
     SurfaceView<D> surface();
-    MotionTable groupMotions() const;
-    MotionTable wallPoses() const;
     template<class M> void setMotion(M&);
     MoveSolids<D, P> mover();
     template<class Law> void setModel(PairModel<Backend, D, P, Law>&);
@@ -216,7 +215,7 @@ private:
     void fusedSteps(int count);
     void runAhead(std::int64_t count);
     void searchMoved();
-    void forgetSearch() { host_.search(); stepsSince_ = 0; }
+    void forgetSearch() { clock_.now.search(); stepsSince_ = 0; }
     std::vector<const void*> graphKey(int count);
     void runFused(std::int64_t& rebuilds);
 
@@ -244,7 +243,7 @@ private:
     void setRanges();
 
     // demSleep.hpp
-    bool sleeps() const { return config_.sleepSpeed > 0; }
+    bool sleeps() const { return set_.config.sleepSpeed > 0; }
     SleepState<D, P> sleepState(bool fused);
     void takeHistories(const SleepState<D, P>&);
     void checkSleep(bool fused);
@@ -291,12 +290,7 @@ private:
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
 
     // demAdvance.hpp
-    void readClock(int which = 0) { context_.toHost(&host_, clock_.data() + which, sizeof(DemClockData)); }
-    void writeClock() { forEach(context_, 2, SetDemClock{host_, clock_.data()}); }
     bool finished() const;
-    void setWindow();           // these three: demWindow.hpp
-    void sampleGroups(double end);
-    void samplePoses(double end);
     void runToTarget(std::int64_t& rebuilds);
     void finishReport(DemReport&, std::int64_t before);
     void collectEscaped(DemReport&);
@@ -313,25 +307,15 @@ private:
     std::vector<double> positions(int n);
     std::vector<int> wallContacts();
     std::vector<std::int32_t> contactCounts(int n);
-    template<class T> std::vector<T> field(int f) { return fields_.template download<T>(context_, f); }
+    template<class T> std::vector<T> field(int f) { return fields_.template download<T>(set_.context, f); }
     template<class T> void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
 
-    //- Sign of a spin about axes[2] when axes[0], axes[1] are the plane
-    double spinSign() const
-    {
-        const int* a = config_.axes;
-        return (a[1] - a[0] + 3) % 3 == 1 ? 1 : -1;
-    }
-
-    DemConfig config_;
-    const LawChoice laws_;
-    DemInput input_;            // without particles and bonds
-    DemPlan plan_;
+    DemSetting<Backend, D, P> set_;
+    SceneClock<Backend> clock_{set_.context};
+    PrescribedMotion<Backend, D, P> motion_{set_};
     bool still_ = false;        // nothing can move
     const DemInput* given_ = nullptr;       // while the scene is made
-    Context<Backend> context_;
 
-    Box<D, P> box_;
     RadiusClasses radii_;
     SizeClasses<D, P> classes_;
     std::int64_t domainMin_[D], domainMax_[D];
@@ -360,11 +344,6 @@ private:
     int alone_ = -1;            // the pair of the one material that all particles are of; -1: there are several
     std::vector<real> sole_;    // its numbers (else of the first pair), its gap behind them
     Array<Backend, real> external_;
-    std::vector<double> motionSamples_, poseSamples_;
-    Array<Backend, double> motions_, poses_;
-    double windowBegin_ = 0, windowStep_ = 1;
-    int groupMotions_ = 0, wallMotions_ = 0;
-    static constexpr int windowSteps = 64, samples = 2*windowSteps + 3;
 
     int nBonds_ = 0;
     Array<Backend, std::int32_t> bondIds_[2], bondType_, bondBroken_;
@@ -393,8 +372,6 @@ private:
     WallMemoryArrays<Backend, real> wallMemory_, oldWallMemory_;
     Array<Backend, WallPassings> passed_;
 
-    Array<Backend, DemClockData> clock_;
-    DemClockData host_;
     DemReport lastReport_;
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     DemParts<Backend, D, P> parts_;

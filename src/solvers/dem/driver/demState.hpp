@@ -169,7 +169,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     others_->gatherOn(0);
     rebuild();
     std::vector<std::int32_t> words = stateWords();
-    if (config_.ranks->rank() != 0) words.clear();
+    if (set_.config.ranks->rank() != 0) words.clear();
     others_->gatherOn(-1);
     rebuild();
     return words;
@@ -179,10 +179,10 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
 {
-    readClock();
-    searchedAt_ = host_.step;
-    host_.windowEnd = -1e300;               // motions are sampled anew, by both
-    writeClock();
+    clock_.read();
+    searchedAt_ = clock_.now.step;
+    clock_.now.windowEnd = -1e300;               // motions are sampled anew, by both
+    clock_.write();
     const int n = activeSolids();
     const std::vector<int> kept = keptBonds();
     std::vector<std::int32_t> words
@@ -202,12 +202,12 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
         words.resize(at + (bytes + 3)/4, 0);
         if (bytes) std::memcpy(&words[at], data, bytes);
     };
-    detail::StateWriter<Context<Backend>> write{context_, words};
+    detail::StateWriter<Context<Backend>> write{set_.context, words};
     write(clock_.data(), sizeof(DemClockData));
     DemSearchState search;
     search.radii = radii_;
     search.skin = skin_;
-    for (int d = 0; d < D; ++d) { search.lower[d] = box_.lower[d]; search.length[d] = box_.length[d]; }
+    for (int d = 0; d < D; ++d) { search.lower[d] = set_.box.lower[d]; search.length[d] = set_.box.length[d]; }
     append(&search, sizeof(search));
     const auto key = field<std::int32_t>(idField_);
     for (int i = 0; i < n; ++i) words.push_back(ids_[key[i]]);
@@ -256,7 +256,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
 {
-    Transport& ranks = *config_.ranks;
+    Transport& ranks = *set_.config.ranks;
     std::vector<RankBytes> out(ranks.size()), in;
     if (ranks.rank() == 0)
     {
@@ -275,7 +275,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vect
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::collectAll()
 {
-    Transport& ranks = *config_.ranks;
+    Transport& ranks = *set_.config.ranks;
     const auto key = field<std::int32_t>(idField_);
     std::vector<RankBytes> out(ranks.size()), in;
     RankBytes own;
@@ -307,7 +307,7 @@ void DemSolver<Backend, D, P>::collectAll()
         if (D == 2) emptyCoordinate_.push_back(one.second);
     }
     // nobody is a ghost
-    fields_.upload(context_, calmField_, std::vector<std::int32_t>(n_, -1));
+    fields_.upload(set_.context, calmField_, std::vector<std::int32_t>(n_, -1));
 }
 
 //- As one process that has all particles
@@ -327,7 +327,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     const int n = words[6];
     if (n != n_) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(n_));
     if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
-    detail::StateReader<Context<Backend>> read{context_, words, header};
+    detail::StateReader<Context<Backend>> read{set_.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
         const std::size_t next = read.at + (bytes + 3)/4;
@@ -349,7 +349,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     {
         auto values = array.download();
         for (int k = 0; k < nBonds_; ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
-        array.upload(context_, values);
+        array.upload(set_.context, values);
     });
     if (nClumps_)
     {
@@ -357,15 +357,15 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
         const auto key = field<std::int32_t>(idField_);
         auto offset = offset_.download();
         for (int i = 0; i < n; ++i) take(&offset[3*std::size_t(key[i])], 3*sizeof(double));
-        offset_.upload(context_, offset);
+        offset_.upload(set_.context, offset);
     }
     restoreNeighbours(read, words[11], words[12]);
-    readClock();
-    host_.fullDt = plan_.timeStep;
-    host_.needRebuild = 0;
-    searchedAt_ = host_.step;
-    writeClock();
-    context_.synchronise();
+    clock_.read();
+    clock_.now.fullDt = set_.plan.timeStep;
+    clock_.now.needRebuild = 0;
+    searchedAt_ = clock_.now.step;
+    clock_.write();
+    set_.context.synchronise();
 }
 
 //- Cells as the saving scene had them
@@ -375,17 +375,17 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
     bool fits = true;
     for (int d = 0; d < D; ++d)
     {
-        const int axis = config_.axes[d];
-        const double lo = config_.domainMin[axis], hi = config_.domainMax[axis];
-        if (config_.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
+        const int axis = set_.config.axes[d];
+        const double lo = set_.config.domainMin[axis], hi = set_.config.domainMax[axis];
+        if (set_.config.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
         else fits = fits && lo > s.lower[d] && hi < s.lower[d] + s.length[d];
     }
     if (!fits)
         throw std::invalid_argument("saved state: it is of another domain: moving walls reach farther, as with a later endTime, or the mesh has changed");
     const double cell = wallCell();
     radii_ = s.radii;
-    for (int d = 0; d < D; ++d) box_.set(d, s.lower[d], s.length[d], config_.periodic[config_.axes[d]]);
-    setSkin(config_.skin >= 0 ? leastSkin() : s.skin);
+    for (int d = 0; d < D; ++d) set_.box.set(d, s.lower[d], s.length[d], set_.config.periodic[set_.config.axes[d]]);
+    setSkin(set_.config.skin >= 0 ? leastSkin() : s.skin);
     if (wallCell() != cell) setWalls();
 }
 
@@ -404,8 +404,8 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
         keys[i] = keyOf[ids[i]];
         keyOf[ids[i]] = -1;
     }
-    fields_.upload(context_, idField_, keys);
-    context_.toDevice(const_cast<int*>(sort_.active()), &n, sizeof(int));
+    fields_.upload(set_.context, idField_, keys);
+    set_.context.toDevice(const_cast<int*>(sort_.active()), &n, sizeof(int));
     reported_ = n;
 }
 

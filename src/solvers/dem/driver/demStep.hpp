@@ -55,7 +55,7 @@ BondTable DemSolver<Backend, D, P>::bondTable()
     return BondTable
     {
         bondFirst_.data(), bondReference_.data(), {bondIds_[0].data(), bondIds_[1].data()}, bondBroken_.data(),
-        config_.contactWithinBonds
+        set_.config.contactWithinBonds
     };
 }
 
@@ -76,20 +76,12 @@ SurfaceView<D> DemSolver<Backend, D, P>::surface()
 }
 
 template<class Backend, int D, class P>
-MotionTable DemSolver<Backend, D, P>::groupMotions() const
-{ return MotionTable{motions_.data(), samples, rigidMotionNumbers, windowBegin_, windowStep_}; }
-
-template<class Backend, int D, class P>
-MotionTable DemSolver<Backend, D, P>::wallPoses() const
-{ return MotionTable{poses_.data(), samples, poseNumbers, windowBegin_, windowStep_}; }
-
-template<class Backend, int D, class P>
 template<class M>
 void DemSolver<Backend, D, P>::setMotion(M& m)
 {
     m.fields = fields();
     m.groups = groups_.data();
-    for (int d = 0; d < D; ++d) m.gravity[d] = real(config_.gravity[config_.axes[d]]);
+    for (int d = 0; d < D; ++d) m.gravity[d] = real(set_.config.gravity[set_.config.axes[d]]);
     m.external = external_.size() ? external_.data() : nullptr;
     m.clock = clock_.data();
     m.active = sort_.active();
@@ -100,9 +92,9 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
 {
     MoveSolids<D, P> m{};
     setMotion(m);
-    m.box = box_;
+    m.box = set_.box;
     m.solids = records_.view();
-    m.verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
+    m.verlet = set_.config.integrator == DemIntegratorKind::velocityVerlet;
     for (int d = 0; d < D; ++d)
     {
         m.reference[d] = reference_.data() + std::size_t(d)*n_;
@@ -112,11 +104,11 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
     if constexpr (Backend::gpu) m.frames = parts_.frames.view();
     m.halfSkin = halfSkin_;
     m.suddenWay = suddenWay_;
-    m.motions = groupMotions();
+    m.motions = motion_.groupTable();
     m.clumps = nClumps_ ? clumps_.data() : nullptr;
     m.offset = offset_.data();
     // paper 2's spring goes with the mass of its particles
-    NormalLaws::at(laws_.normal, [&](auto law) { m.sharesMass = nClumps_ && !decltype(law)::type::stiffnessByMass; });
+    NormalLaws::at(set_.laws.normal, [&](auto law) { m.sharesMass = nClumps_ && !decltype(law)::type::stiffnessByMass; });
     return m;
 }
 
@@ -124,12 +116,12 @@ template<class Backend, int D, class P>
 template<class Law>
 void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
 {
-    m.box = box_;
+    m.box = set_.box;
     m.solids = records_.view();
     m.list = list_.view();
     m.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
     m.gap = gaps_.data();
-    m.materials = int(input_.materials.size());
+    m.materials = int(set_.input.materials.size());
     m.alone = alone_;
     std::memcpy(&m.sole, sole_.data(), sizeof(m.sole));
     m.soleGap = sole_.back();
@@ -156,7 +148,7 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         pass.clock = forceClock(turn);
         pass.fields = fields();
         pass.largestGap = real(largestGap_);
-        forEach(context_, n_, pass);
+        forEach(set_.context, n_, pass);
     }
 #ifndef __CUDACC__
     else
@@ -167,7 +159,7 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         pass.deferred = &parts_.deferred;
         pass.sums = parts_.sums.data();
         pass.largestGap = real(largestGap_);
-        forEachTask(context_, parts_.deferred.blocks, pass);
+        forEachTask(set_.context, parts_.deferred.blocks, pass);
     }
 #endif
 }
@@ -177,7 +169,7 @@ template<class Law>
 WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
 {
     WallPass<D, P, Law> pass{};
-    pass.box = box_;
+    pass.box = set_.box;
     pass.fields = fields();
     pass.walls = walls_.data();
     pass.wallCount = nWalls_;
@@ -188,7 +180,7 @@ WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
     pass.memory = wallMemory(wallMemory_);
     pass.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
     pass.gap = gaps_.data();
-    pass.materials = int(input_.materials.size());
+    pass.materials = int(set_.input.materials.size());
     pass.clock = forceClock(turn);
     pass.adds = Backend::gpu && turn != ForceTurn::ahead;
     pass.skipsAsleep = !Backend::gpu;
@@ -213,28 +205,28 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
 {
     int near = n_;
     if constexpr (Backend::gpu) near = int(parts_.wallList.size());
-    forEach(context_, near, wallKernel<Law>(turn));
+    forEach(set_.context, near, wallKernel<Law>(turn));
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
 {
-    BondPass<D, P> pass{bondFields(), box_, fields(), records_.view(), forceClock(turn), {}};
+    BondPass<D, P> pass{bondFields(), set_.box, fields(), records_.view(), forceClock(turn), {}};
     if constexpr (Backend::gpu)
         if (turn == ForceTurn::ahead)
         {
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
-    if constexpr (Backend::gpu) forEachBlock(context_, (nBonds_ + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
-    else forEach(context_, nBonds_, pass);
+    if constexpr (Backend::gpu) forEachBlock(set_.context, (nBonds_ + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
+    else forEach(set_.context, nBonds_, pass);
 }
 
 //- All forces at the positions at hand
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 {
-    withLaw(laws_, [&](auto law)
+    withLaw(set_.laws, [&](auto law)
     {
         contactPass<decltype(law)>(turn);
         if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>(turn);
@@ -243,7 +235,7 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
     {
         bondPass(turn);
         if constexpr (Backend::gpu)
-            forEach(context_, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active()});
+            forEach(set_.context, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active()});
     }
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
@@ -259,27 +251,27 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
 {
-    if (nClumps_) sumClumps(context_, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), {springs_.data(), springFirst_.data()}, clock});
+    if (nClumps_) sumClumps(set_.context, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), {springs_.data(), springFirst_.data()}, clock});
 }
 
 template<class Backend, int D, class P>
 ClumpMembers<D, P> DemSolver<Backend, D, P>::clumpMembers()
 {
-    return {clumps_.data(), box_, fields(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.size() ? external_.data() : nullptr};
+    return {clumps_.data(), set_.box, fields(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.size() ? external_.data() : nullptr};
 }
 
 template<class Backend, int D, class P>
 ClumpKick<D, P> DemSolver<Backend, D, P>::clumpKick() const
 {
-    ClumpKick<D, P> kick{groups_.data(), {}, box_, constraints()};
-    for (int d = 0; d < D; ++d) kick.gravity[d] = config_.gravity[config_.axes[d]];
+    ClumpKick<D, P> kick{groups_.data(), {}, set_.box, constraints()};
+    for (int d = 0; d < D; ++d) kick.gravity[d] = set_.config.gravity[set_.config.axes[d]];
     return kick;
 }
 
 //- On the CPU: where a step moves particles as it adds up their forces
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::movesAtOnce() const
-{ return !Backend::gpu && !nClumps_ && config_.integrator == DemIntegratorKind::leapfrog; }
+{ return !Backend::gpu && !nClumps_ && set_.config.integrator == DemIntegratorKind::leapfrog; }
 
 #ifndef __CUDACC__
 template<class Backend, int D, class P>
@@ -301,7 +293,7 @@ void DemSolver<Backend, D, P>::collectForces()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        if (parts_.uncollected) forEach(context_, n_, CollectForces<D, P>{collected(), fields(), sort_.active()});
+        if (parts_.uncollected) forEach(set_.context, n_, CollectForces<D, P>{collected(), fields(), sort_.active()});
         parts_.uncollected = false;
     }
 #endif
@@ -314,26 +306,26 @@ void DemSolver<Backend, D, P>::moveParticles()
     if constexpr (!Backend::gpu)
         if (parts_.uncollected)
         {
-            forEach(context_, n_, MoveCollected<D, P>{collected(), mover()});
+            forEach(set_.context, n_, MoveCollected<D, P>{collected(), mover()});
             parts_.uncollected = false;
             return;
         }
 #endif
-    forEach(context_, n_, mover());
+    forEach(set_.context, n_, mover());
 }
 
 template<class Backend, int D, class P>
 MoveWalls DemSolver<Backend, D, P>::wallMover(DemClockData* clock)
-{ return MoveWalls{walls_.data(), wallPoses(), clock, clock, double(halfSkin_), radii_.smallest}; }
+{ return MoveWalls{walls_.data(), motion_.wallTable(), clock, clock, double(halfSkin_), radii_.smallest}; }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::step()
 {
-    forEach(context_, 1, DemTick{clock_.data()});
+    forEach(set_.context, 1, DemTick{clock_.data()});
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
-    if (wallMotions_) forEach(context_, nWalls_, wallMover(clock_.data()));
-    const bool verlet = config_.integrator == DemIntegratorKind::velocityVerlet;
-    if (nClumps_) forEach(context_, nClumps_, MoveClumps<D, P>{clumps_.data(), clumpKick(), verlet, clock_.data()});
+    if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data()));
+    const bool verlet = set_.config.integrator == DemIntegratorKind::velocityVerlet;
+    if (nClumps_) forEach(set_.context, nClumps_, MoveClumps<D, P>{clumps_.data(), clumpKick(), verlet, clock_.data()});
     moveParticles();
     if (others_) shareStep();
     if constexpr (!Backend::gpu) if (clock_.data()->lost() && clock_.data()->halt == DemHalt::none) searchWithin();
@@ -345,12 +337,12 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::finishStep()
 {
     forces();
-    if (config_.integrator != DemIntegratorKind::velocityVerlet) return;
+    if (set_.config.integrator != DemIntegratorKind::velocityVerlet) return;
     FinishVerlet<D, P> finish{};
     setMotion(finish);
     finish.clumps = nClumps_;
-    forEach(context_, n_, finish);
-    if (nClumps_) forEach(context_, nClumps_, FinishClumps<D, P>{clumps_.data(), clumpKick(), clock_.data()});
+    forEach(set_.context, n_, finish);
+    if (nClumps_) forEach(set_.context, nClumps_, FinishClumps<D, P>{clumps_.data(), clumpKick(), clock_.data()});
 }
 
 //- A step has carried a particle farther than lists hold: new ones before its forces
@@ -367,21 +359,21 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::finishLate()
 {
     searchWithin();
-    readClock();
-    host_.active = 1;
-    writeClock();
+    clock_.read();
+    clock_.now.active = 1;
+    clock_.write();
     finishStep();
-    readClock();
-    host_.active = 0;
-    writeClock();
+    clock_.read();
+    clock_.now.active = 0;
+    clock_.write();
 }
 
 //- To the target or the last step; one at least
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::stepsLeft() const
 {
-    const double left = std::min(double(host_.lastStep - host_.step), std::ceil((host_.target - host_.time)/host_.fullDt*(1 - 1e-9)));
-    return int(std::max(1.0, std::min(left, double(windowSteps))));
+    const double left = std::min(double(clock_.now.lastStep - clock_.now.step), std::ceil((clock_.now.target - clock_.now.time)/clock_.now.fullDt*(1 - 1e-9)));
+    return int(std::max(1.0, std::min(left, double(motion_.windowSteps))));
 }
 
 //- On the GPU: is one block enough for a step?
@@ -389,7 +381,7 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
-    else return config_.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !wallMotions_ && n_ <= BlockLimits::particles
+    else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !motion_.walls() && n_ <= BlockLimits::particles
       && nBonds_ <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
 }
 
@@ -412,7 +404,7 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
     }
     if (nBonds_)
     {
-        b.bonds = BondPass<D, P>{bondFields(), box_, fields(), records_.view(), forceClock(ForceTurn::inStep), {}};
+        b.bonds = BondPass<D, P>{bondFields(), set_.box, fields(), records_.view(), forceClock(ForceTurn::inStep), {}};
         b.gather = GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(ForceTurn::inStep), sort_.active()};
         b.bondCount = nBonds_;
     }
@@ -429,22 +421,22 @@ void DemSolver<Backend, D, P>::steps(int count)
 #ifdef __CUDACC__
     if constexpr (std::is_same<Backend, Gpu>::value)
     {
-        if (fitsBlock() && !context_.profile.timing)
+        if (fitsBlock() && !set_.context.profile.timing)
         {
-            withLaw(laws_, [&](auto law) { oneBlock<BlockLimits::threads>(context_, blockSteps<decltype(law)>(count)); });
+            withLaw(set_.laws, [&](auto law) { oneBlock<BlockLimits::threads>(set_.context, blockSteps<decltype(law)>(count)); });
             return;
         }
         const int together = 8;
         // motion tables change from window to window, and the fields of large scenes from sort to sort
-        if (!context_.profile.timing && !groupMotions_ && !wallMotions_ && fields_.alternates())
+        if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && fields_.alternates())
             for (; count >= together/2; count -= together)
             {
                 if (parts_.graphs.size() > 16) parts_.graphs.clear();
                 std::vector<const void*> key = graphKey(together);
                 key.push_back(fields().x[0]);       // fields alternate between two places
                 Graph& graph = parts_.graphs[key];
-                if (!graph.recorded()) graph.record(context_, [&] { for (int k = 0; k < together; ++k) step(); });
-                graph.replay(context_);
+                if (!graph.recorded()) graph.record(set_.context, [&] { for (int k = 0; k < together; ++k) step(); });
+                graph.replay(set_.context);
             }
     }
 #endif
