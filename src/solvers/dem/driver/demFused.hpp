@@ -75,7 +75,7 @@ void DemSolver<Backend, D, P>::fusedStep()
         FusedStep<Backend, D, P, Law> step{};
         setModel(step.contacts);
         step.contacts.solids = state.from;
-        step.contacts.largestGap = real(largestGap_);
+        step.contacts.largestGap = real(pairs_.largestGap());
         step.mover = mover();
         step.state = state;
         step.now = clock_.data() + parts_.current;

@@ -84,7 +84,7 @@ ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
         // ghosts are as one body: what they do to each other is others' business
         set_.box, classes_, records_.view(), sort_.start(), place, others_ ? f.calm : f.clump, f.id, bondTable(), real(reach_),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
-        real(largestGap_ + 0.5*double(halfSkin_))
+        real(pairs_.largestGap() + 0.5*double(halfSkin_))
     };
 }
 
@@ -101,9 +101,9 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
         exclusiveScan(set_.context, scan_, list_.base(), blocks + 1);
         int entries = 0;
         set_.context.toHost(&entries, list_.base() + blocks, sizeof(int));
-        list_.reserve(set_.context, requireListed(entries, "solid particles"), histories_, nBonds_ > 0);
+        list_.reserve(set_.context, requireListed(entries, "solid particles"), pairs_.histories(), nBonds_ > 0);
         forEach(set_.context, n_, WriteContacts<Backend, D, P>
-        {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(histories_)});
+        {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(pairs_.histories())});
         if (fresh) return;
         forEach(set_.context, n_, InvertOrder{sort_.order(), inverse_.data()});
         withLaw(set_.laws, [&](auto law)
@@ -131,7 +131,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         if (!fresh)
         {
             forEach(set_.context, n_, KeepContacts<Backend, real, false>
-            {old, histories_, newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
+            {old, pairs_.histories(), newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
             exclusiveScan(set_.context, scan_, g.keptFirst.data(), n_ + 1);
         }
         forEach(set_.context, blocks, BlockEntries{oldList_.count(), oldList_.base(), list_.width});
@@ -156,19 +156,19 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
             if (std::size_t(total[0]) > g.keptPartner.size())
             {
                 g.keptPartner.allocate(set_.context, room);
-                g.keptHistory.allocate(set_.context, room*std::max(1, old.historyWords(histories_)));
+                g.keptHistory.allocate(set_.context, room*std::max(1, old.historyWords(pairs_.histories())));
             }
             forEach(set_.context, n_, KeepContacts<Backend, real, true>
             {
-                old, histories_, newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
+                old, pairs_.histories(), newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
                 g.keptHistory.data()
             });
         }
         list_.swapShape(oldList_);
-        list_.reserve(set_.context, requireListed(total[1], "solid particles"), histories_, nBonds_ > 0);
+        list_.reserve(set_.context, requireListed(total[1], "solid particles"), pairs_.histories(), nBonds_ > 0);
         forEach(set_.context, n_, WriteFullLists<Backend, D, P>
         {
-            search(g.place.data()), sort_.active(), list_.view(), histories_, g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
+            search(g.place.data()), sort_.active(), list_.view(), pairs_.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
             g.keptPartner.data(), g.keptHistory.data()
         });
         if (!nWalls_) return;
@@ -223,7 +223,7 @@ void DemSolver<Backend, D, P>::settleFrames()
     if constexpr (Backend::gpu)
     {
         if (!parts_.frames.on()) return;
-        const double skin = 2*double(halfSkin_), touch = 2*radii_.largest + largestGap_;
+        const double skin = 2*double(halfSkin_), touch = 2*radii_.largest + pairs_.largestGap();
         double way = wallSkins*skin;
         if (motion_.walls()) way -= double(halfSkin_);
         way = std::min(way, 0.5*(parts_.frames.width() - touch));
@@ -235,7 +235,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
 {
     WallMemoryArrays<Backend, real>& m = wallMemory_;
-    const int H = std::max(histories_, 1);
+    const int H = std::max(pairs_.histories(), 1);
     // a little more than now: pointers that stay keep recorded steps
     const std::size_t room = std::size_t(m.entries) + m.entries/8 + 1;
     if (m.entry.size() < std::size_t(m.entries) + 1)

@@ -249,7 +249,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
             if (!acts[slot] || ghost(i)) continue;
             Vec<D, double> local, f;
             for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
-            const real reach = reaches_[material[i]*set_.input.materials.size() + set_.input.walls[entry[e].wall].material];
+            const real reach = pairs_.reach(material[i], set_.input.walls[entry[e].wall].material);
             put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach), outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
         }
     return out;
@@ -369,12 +369,11 @@ double DemSolver<Backend, D, P>::deepestOverlap()
     const auto force = wallMemory_.force.download();
     const auto radius = field<real>(radiusField_);
     const auto material = field<std::int32_t>(materialField_);
-    const auto gaps = gaps_.download();
-    const int n = activeSolids(), m = int(set_.input.materials.size());
+    const int n = activeSolids();
     for (int i = 0; i < n; ++i)
         for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
         {
-            const double gap = double(gaps[material[i]*m + set_.input.walls[entry[e].wall].material]);
+            const double gap = double(pairs_.gap(material[i], set_.input.walls[entry[e].wall].material));
             most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
         }
     return most;

@@ -139,7 +139,7 @@ void DemSolver<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[maybe_u
     if constexpr (!Backend::gpu)
     {
         const ContactListView<Backend, real> list = list_.view();
-        const int words = list.historyWords(histories_);
+        const int words = list.historyWords(pairs_.histories());
         if (touchingOf_.empty())
         {
             touchingOf_.resize(others_->residents());
@@ -158,7 +158,7 @@ void DemSolver<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[maybe_u
         {
             const std::int64_t pair[2] = {others_->number(list.owner[e]), others_->number(list.other(list.entry[e]))};
             putValues(to, pair, 2);
-            putValues(to, list.history + e*words, histories_);
+            putValues(to, list.history + e*words, pairs_.histories());
         }
     }
 }
@@ -177,7 +177,7 @@ void DemSolver<Backend, D, P>::packWalls(int slot, RankBytes& to)
         putValues(to, &m.entry.data()[e].wall);
         putValues(to, m.on.data() + at, wallTouches);
         putValues(to, m.normal.data() + at*D, wallTouches*D);
-        putValues(to, m.history.data() + at*histories_, wallTouches*histories_);
+        putValues(to, m.history.data() + at*pairs_.histories(), wallTouches*pairs_.histories());
         putValues(to, m.force.data() + std::size_t(e)*wallWords<D>, wallWords<D>);
     }
 }
@@ -204,8 +204,8 @@ void DemSolver<Backend, D, P>::unpackParticle(int slot, bool whole, const unsign
         std::int64_t pair[2];
         takeValues(from, pair, 2);
         arrivedContacts_.push_back(RankContact{pair[0], pair[1]});
-        arrivedHistories_.resize(arrivedHistories_.size() + histories_);
-        takeValues(from, arrivedHistories_.data() + arrivedHistories_.size() - histories_, histories_);
+        arrivedHistories_.resize(arrivedHistories_.size() + pairs_.histories());
+        takeValues(from, arrivedHistories_.data() + arrivedHistories_.size() - pairs_.histories(), pairs_.histories());
     }
     takeValues(from, &walls);
     for (int k = 0; k < walls; ++k)
@@ -215,7 +215,7 @@ void DemSolver<Backend, D, P>::unpackParticle(int slot, bool whole, const unsign
         takeValues(from, &w.wall);
         takeValues(from, w.on, wallTouches);
         arrivedWalls_.push_back(w);
-        const std::size_t numbers = std::size_t(wallTouches)*(D + histories_) + wallWords<D>;
+        const std::size_t numbers = std::size_t(wallTouches)*(D + pairs_.histories()) + wallWords<D>;
         arrivedWallNumbers_.resize(arrivedWallNumbers_.size() + numbers);
         takeValues(from, arrivedWallNumbers_.data() + arrivedWallNumbers_.size() - numbers, numbers);
     }
@@ -288,7 +288,7 @@ void DemSolver<Backend, D, P>::takeContacts()
         int turns = 0;
         withLaw(set_.laws, [&](auto law) { turns = decltype(law)::template turnsFrom<D>; });
         const ContactListView<Backend, real> list = list_.view();
-        const int words = list.historyWords(histories_), active = activeSolids();
+        const int words = list.historyWords(pairs_.histories()), active = activeSolids();
         for (std::size_t c = 0; c < arrivedContacts_.size(); ++c)
         {
             const RankContact& pair = arrivedContacts_[c];
@@ -302,9 +302,9 @@ void DemSolver<Backend, D, P>::takeContacts()
                 const std::size_t e = list.index(owner, k);
                 if (list.other(list.entry[e]) != partner) continue;
                 list.entry[e] |= list.touching;
-                for (int h = 0; h < histories_; ++h)
+                for (int h = 0; h < pairs_.histories(); ++h)
                 {
-                    const real value = arrivedHistories_[c*histories_ + h];
+                    const real value = arrivedHistories_[c*pairs_.histories() + h];
                     list.history[e*words + h] = turn && h >= turns ? -value : value;
                 }
             }
@@ -316,7 +316,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeWallContacts()
 {
     WallMemoryArrays<Backend, real>& m = wallMemory_;
-    const std::size_t numbers = std::size_t(wallTouches)*(D + histories_) + wallWords<D>;
+    const std::size_t numbers = std::size_t(wallTouches)*(D + pairs_.histories()) + wallWords<D>;
     for (std::size_t k = 0; k < arrivedWalls_.size(); ++k)
     {
         const RankWall& w = arrivedWalls_[k];
@@ -328,8 +328,8 @@ void DemSolver<Backend, D, P>::takeWallContacts()
             const std::size_t at = std::size_t(e)*wallTouches;
             std::copy_n(w.on, wallTouches, m.on.data() + at);
             std::copy_n(from, wallTouches*D, m.normal.data() + at*D);
-            std::copy_n(from + wallTouches*D, wallTouches*histories_, m.history.data() + at*histories_);
-            std::copy_n(from + wallTouches*(D + histories_), wallWords<D>, m.force.data() + std::size_t(e)*wallWords<D>);
+            std::copy_n(from + wallTouches*D, wallTouches*pairs_.histories(), m.history.data() + at*pairs_.histories());
+            std::copy_n(from + wallTouches*(D + pairs_.histories()), wallWords<D>, m.force.data() + std::size_t(e)*wallWords<D>);
         }
     }
 }

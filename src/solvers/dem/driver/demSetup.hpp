@@ -20,7 +20,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
 {
     still_ = isStill(input);
     n_ = reported_ = int(input.particles.size());
-    setPairs();
+    pairs_.set(input.particles);
     setBox();
     if (config.ranks && config.ranks->size() > 1) setRanks();
     setFields();
@@ -39,73 +39,6 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     }
 }
 
-//- Of all particles; -1: they are of several
-template<class Backend, int D, class P>
-int DemSolver<Backend, D, P>::loneMaterial() const
-{
-    const std::vector<std::int32_t>& of = given_->particles.material;
-    if (of.empty()) return 0;
-    return std::all_of(of.begin(), of.end(), [&](std::int32_t m) { return m == of[0]; }) ? of[0] : -1;
-}
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setPairs()
-{
-    const int m = int(set_.input.materials.size());
-    std::vector<real> gaps(std::size_t(m)*m, real(0));
-    std::vector<PairProperties> pairs(std::size_t(m)*m);
-    std::vector<char> given(std::size_t(m)*m, 0);
-    const std::vector<double>& radius = given_->particles.radius;
-    const double largestRadius = *std::max_element(radius.begin(), radius.end());
-    reaches_.assign(std::size_t(m)*m, real(0));
-    for (DemPair& p : set_.input.pairs)
-        for (const bool turned : {false, true})
-        {
-            const int a = turned ? p.b : p.a, b = turned ? p.a : p.b;
-            PairProperties q = p.properties;
-            q.largestRadius = largestRadius;
-            q.youngA = set_.input.materials[a].young;
-            q.youngB = set_.input.materials[b].young;
-            q.poissonA = set_.input.materials[a].poisson;
-            q.poissonB = set_.input.materials[b].poisson;
-            const std::size_t k = std::size_t(a)*m + b;
-            pairs[k] = q;
-            given[k] = 1;
-            NormalLaws::at(set_.laws.normal, [&](auto law)
-            {
-                using Normal = typename decltype(law)::type;
-                // beside a wall R* is the particle's radius
-                const double reach = Normal::reach(q, largestRadius);
-                reaches_[k] = real(reach);
-                gaps[k] = real(q.gap + reach);
-                largestGap_ = std::max(largestGap_, q.gap + reach);
-            });
-        }
-    gaps_.upload(set_.context, gaps);
-    withLaw(set_.laws, [&](auto law)
-    {
-        using Law = decltype(law);
-        using Parameters = typename Law::template Parameters<real>;
-        std::vector<real> all;
-        for (std::size_t k = 0; k < pairs.size(); ++k)
-        {
-            // a pair that cannot meet was not given: its numbers are never used
-            const Parameters one = given[k] ? Law::template make<real>(pairs[k]) : Parameters{};
-            const real* from = reinterpret_cast<const real*>(&one);
-            all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
-        }
-        parameters_.upload(set_.context, all);
-        constexpr int numbers = sizeof(Parameters)/sizeof(real);
-        alone_ = loneMaterial()*(m + 1);
-        // what touches is what is nearer than the largest gap there is
-        if (alone_ < 0 || gaps[alone_] != real(largestGap_)) alone_ = -1;
-        const int first = std::max(alone_, 0);
-        sole_.assign(all.begin() + first*numbers, all.begin() + (first + 1)*numbers);
-        sole_.push_back(gaps[first]);
-        histories_ = Law::template history<D>;
-    });
-}
-
 //- What the search adds to contact unless fast particles need more [m]
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::leastSkin() const
@@ -117,7 +50,7 @@ void DemSolver<Backend, D, P>::setReach(double skin)
 {
     skin_ = skin;
     halfSkin_ = real(0.5*skin);
-    reach_ = skin + largestGap_;
+    reach_ = skin + pairs_.largestGap();
 }
 
 template<class Backend, int D, class P>

@@ -38,7 +38,7 @@ double DemSolver<Backend, D, P>::mostSkin() const
     {
         if (!set_.box.periodic[d]) continue;
         if (surfaces_) return leastSkin();
-        most = std::min(most, set_.box.length[d]/3.001 - 2*radii_.largest - largestGap_);
+        most = std::min(most, set_.box.length[d]/3.001 - 2*radii_.largest - pairs_.largestGap());
     }
     return std::max(most, leastSkin());
 }
@@ -46,7 +46,7 @@ double DemSolver<Backend, D, P>::mostSkin() const
 //- Cells of walls are made once
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::wallCell() const
-{ return radii_.largest + leastSkin() + largestGap_; }
+{ return radii_.largest + leastSkin() + pairs_.largestGap(); }
 
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::largestWallSpeed()

@@ -35,7 +35,7 @@ void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
     if constexpr (Backend::gpu)
         withLaw(set_.laws, [&](auto law)
         {
-            forEach(set_.context, n_, TakeHistories<Backend, D, P>{s, list_.view(), histories_, decltype(law)::template turnsFrom<D>});
+            forEach(set_.context, n_, TakeHistories<Backend, D, P>{s, list_.view(), pairs_.histories(), decltype(law)::template turnsFrom<D>});
         });
 }
 

@@ -24,8 +24,8 @@
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
 #include "solvers/dem/parts/demBlockSteps.hpp"
-#include "solvers/dem/demFamilies.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
+#include "solvers/dem/parts/pairTable.hpp"
 #include "solvers/dem/parts/prescribedMotion.hpp"
 
 namespace riprap
@@ -152,8 +152,6 @@ private:
     void setDomain();
     void setFields();
     void setGroups();
-    int loneMaterial() const;
-    void setPairs();
     void setBonds();
     int leastSharing(int together) const;
     void setClumps();
@@ -312,6 +310,7 @@ private:
 
     DemSetting<Backend, D, P> set_;
     SceneClock<Backend> clock_{set_.context};
+    PairTable<Backend, D, P> pairs_{set_};
     PrescribedMotion<Backend, D, P> motion_{set_};
     bool still_ = false;        // nothing can move
     const DemInput* given_ = nullptr;       // while the scene is made
@@ -320,7 +319,7 @@ private:
     SizeClasses<D, P> classes_;
     std::int64_t domainMin_[D], domainMax_[D];
     real halfSkin_ = 0, suddenWay_ = 0;
-    double skin_ = 0, reach_ = 0, largestGap_ = 0;
+    double skin_ = 0, reach_ = 0;
     bool driven_ = false;       // by a fluid, whose coupling chooses steps by the skin
     std::vector<double> emptyCoordinate_;
 
@@ -336,13 +335,8 @@ private:
     SortScratch<Backend> scan_;
     Array<Backend, int> inverse_, slotOf_;
     ContactList<Backend, real> list_, oldList_;
-    int histories_ = 0;
 
     Array<Backend, GroupData<D, real>> groups_;
-    Array<Backend, real> parameters_, gaps_;
-    std::vector<real> reaches_; // what of the gaps is the law's reach
-    int alone_ = -1;            // the pair of the one material that all particles are of; -1: there are several
-    std::vector<real> sole_;    // its numbers (else of the first pair), its gap behind them
     Array<Backend, real> external_;
 
     int nBonds_ = 0;

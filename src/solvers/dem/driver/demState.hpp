@@ -77,14 +77,14 @@ template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::historyTogether() const
 {
     using List = ContactListView<Backend, real>;
-    return Backend::gpu ? List::wordsTogether(histories_) : List::historyWords(histories_);
+    return Backend::gpu ? List::wordsTogether(pairs_.histories()) : List::historyWords(pairs_.histories());
 }
 
 template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::historyRows() const
 {
     const std::size_t together = historyTogether();
-    return together ? ContactListView<Backend, real>::historyWords(histories_)/together : 0;
+    return together ? ContactListView<Backend, real>::historyWords(pairs_.histories())/together : 0;
 }
 
 //- f(array, numbers a bond) for what bonds remember
@@ -114,7 +114,7 @@ void DemSolver<Backend, D, P>::forEachMemory(F f)
     const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches;
     f(wallMemory_.on.data(), slots*sizeof(int));
     f(wallMemory_.normal.data(), slots*D*sizeof(real));
-    f(wallMemory_.history.data(), slots*histories_*sizeof(real));
+    f(wallMemory_.history.data(), slots*pairs_.histories()*sizeof(real));
     f(wallMemory_.force.data(), std::size_t(wallMemory_.entries)*wallWords<D>*sizeof(real));
 }
 
@@ -139,7 +139,7 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
     at += nWalls_*sizeof(WallData)/4;
     const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches, on = at;
     at += slots;
-    for (const int numbers : {D, histories_})
+    for (const int numbers : {D, pairs_.histories()})
     {
         for (std::size_t s = 0; s < slots; ++s) if (!words[on + s]) clear(at + s*numbers*each, numbers);
         at += slots*numbers*each;
@@ -187,7 +187,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
     const std::vector<int> kept = keptBonds();
     std::vector<std::int32_t> words
     {
-        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), histories_, n, savedFields(),
+        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), pairs_.histories(), n, savedFields(),
         int(kept.size()), nClumps_, nWalls_, int(list_.entries()), wallMemory_.entries
     };
     // Room for most of it, without which it would be copied again and again
@@ -323,7 +323,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
-    if (words[5] != histories_ || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
+    if (words[5] != pairs_.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
     if (n != n_) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(n_));
     if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");

@@ -4,7 +4,6 @@
 */
 #pragma once
 
-#include <cstring>
 #include "solvers/dem/driver/demSolver.hpp"
 
 namespace riprap
@@ -119,12 +118,7 @@ void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
     m.box = set_.box;
     m.solids = records_.view();
     m.list = list_.view();
-    m.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
-    m.gap = gaps_.data();
-    m.materials = int(set_.input.materials.size());
-    m.alone = alone_;
-    std::memcpy(&m.sole, sole_.data(), sizeof(m.sole));
-    m.soleGap = sole_.back();
+    pairs_.give(m);
     m.clock = forceClock(ForceTurn::always);
     m.active = sort_.active();
 }
@@ -147,7 +141,7 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         setModel(pass);
         pass.clock = forceClock(turn);
         pass.fields = fields();
-        pass.largestGap = real(largestGap_);
+        pass.largestGap = real(pairs_.largestGap());
         forEach(set_.context, n_, pass);
     }
 #ifndef __CUDACC__
@@ -158,7 +152,7 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         pass.clock = forceClock(turn);
         pass.deferred = &parts_.deferred;
         pass.sums = parts_.sums.data();
-        pass.largestGap = real(largestGap_);
+        pass.largestGap = real(pairs_.largestGap());
         forEachTask(set_.context, parts_.deferred.blocks, pass);
     }
 #endif
@@ -178,9 +172,9 @@ WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
     pass.active = sort_.active();
     pass.solids = records_.view();
     pass.memory = wallMemory(wallMemory_);
-    pass.parameters = reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data());
-    pass.gap = gaps_.data();
-    pass.materials = int(set_.input.materials.size());
+    pass.parameters = pairs_.template parameters<Law>();
+    pass.gap = pairs_.gaps();
+    pass.materials = pairs_.materials();
     pass.clock = forceClock(turn);
     pass.adds = Backend::gpu && turn != ForceTurn::ahead;
     pass.skipsAsleep = !Backend::gpu;
@@ -395,7 +389,7 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
     setModel(b.contacts);
     b.contacts.clock = forceClock(ForceTurn::inStep);
     b.contacts.fields = fields();
-    b.contacts.largestGap = real(largestGap_);
+    b.contacts.largestGap = real(pairs_.largestGap());
     b.n = n_;
     if (nWalls_ && wallMemory_.entries)
     {
