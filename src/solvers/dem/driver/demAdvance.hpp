@@ -112,7 +112,7 @@ double DemSolver<Backend, D, P>::largestSpeed()
     using Kernel = LargestSpeed<D, P>;
     Array<Backend, float> largest;
     largest.allocate(set_.context, Kernel::shares);
-    forEach(set_.context, Kernel::shares, Kernel{fields(), sort_.active(), largest.data()});
+    forEach(set_.context, Kernel::shares, Kernel{particles_.view(), sort_.active(), largest.data()});
     float most = 0;
     for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
     return largestOfRanks(std::sqrt(double(most)));
@@ -145,19 +145,19 @@ void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
     const int active = activeSolids();
     report.particles = active;
     if (active >= reported_) return;
-    const std::vector<double> x = positions(reported_);
-    const auto key = field<std::int32_t>(idField_);
+    const std::vector<double> x = particles_.positions(reported_);
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
     for (int i = active; i < reported_; ++i)
     {
         report.escaped.push_back(Vector3{{x[3*i], x[3*i + 1], x[3*i + 2]}});
-        report.escapedId.push_back(ids_[key[i]]);
+        report.escapedId.push_back(particles_.ids[key[i]]);
     }
     reported_ = active;
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::clearPassed()
-{ if (surfaces_) passed_.upload(set_.context, std::vector<WallPassings>(1, WallPassings{0, n_, 0})); }
+{ if (surfaces_) passed_.upload(set_.context, std::vector<WallPassings>(1, WallPassings{0, particles_.n, 0})); }
 
 //- Particles that have gone through walls since the last report
 template<class Backend, int D, class P>
@@ -168,7 +168,7 @@ void DemSolver<Backend, D, P>::collectPassed(DemReport& report)
     const std::int64_t count = passed.count + passedBefore_;
     if (!count) return;
     report.passedWalls = std::size_t(count);
-    report.passedId = passedBefore_ ? passedIdBefore_ : ids_[passed.key];
+    report.passedId = passedBefore_ ? passedIdBefore_ : particles_.ids[passed.key];
     passedBefore_ = 0;
     clearPassed();
 }
@@ -178,10 +178,10 @@ template<class Backend, int D, class P>
 std::vector<double> DemSolver<Backend, D, P>::offences(int n)
 {
     std::vector<double> value(n, 0.0);
-    const auto radius = field<real>(radiusField_);
+    const auto radius = particles_.template field<real>(particles_.at.radius);
     for (int d = 0; d < D; ++d)
     {
-        const auto v = field<double>(vField_ + d);
+        const auto v = particles_.template field<double>(particles_.at.v + d);
         for (int i = 0; i < n; ++i)
         {
             const double way = v[i]*clock_.now.dt/double(radius[i]);
@@ -222,17 +222,17 @@ void DemSolver<Backend, D, P>::describeOffender(DemReport& report, int worst, do
 {
     std::ostringstream s;
     s.precision(6);
-    const std::vector<double> x = positions(worst + 1);
+    const std::vector<double> x = particles_.positions(worst + 1);
     double speed2 = 0;
-    for (int d = 0; d < D; ++d) { const double v = field<double>(vField_ + d)[worst]; speed2 += v*v; }
-    report.stopId = ids_[field<std::int32_t>(idField_)[worst]];
+    for (int d = 0; d < D; ++d) { const double v = particles_.template field<double>(particles_.at.v + d)[worst]; speed2 += v*v; }
+    report.stopId = particles_.ids[particles_.template field<std::int32_t>(particles_.at.id)[worst]];
     report.stopPosition = Vector3{{x[3*worst], x[3*worst + 1], x[3*worst + 2]}};
     report.stopValue = std::isfinite(offence) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
     report.stop = !std::isfinite(offence) ? DemStop::notANumber : DemStop::tooFast;
     if (report.stop == DemStop::notANumber) s << "has a velocity that is not a number";
     else
     {
-        const double radius = double(field<real>(radiusField_)[worst]);
+        const double radius = double(particles_.template field<real>(particles_.at.radius)[worst]);
         s << "goes " << offence*radius << " m in a step of " << clock_.now.dt << " s, at " << report.stopValue << " m/s, and ";
         if (driven_) s << "lists of neighbours reach " << double(halfSkin_) << " m: the fluid's blow on it is too hard for this time step";
         else s << "its radius is " << radius << " m" << passingCure;

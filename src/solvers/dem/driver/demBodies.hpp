@@ -27,7 +27,7 @@ void DemSolver<Backend, D, P>::setClumps()
     if (!nClumps_) return;
     std::vector<int> first(nClumps_ + 1, 0), member;
     const auto& of = given_->particles.clump;
-    for (int i = 0; i < n_ && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
+    for (int i = 0; i < particles_.n && !of.empty(); ++i) if (of[i] >= 0) ++first[of[i] + 1];
     for (int k = 0; k < nClumps_; ++k)
     {
         largestClump_ = std::max(largestClump_, first[k + 1]);
@@ -61,10 +61,10 @@ void DemSolver<Backend, D, P>::setClumps()
             for (int d = 0; d < 3; ++d) c.L[d] = L.c[d];
         }
     }
-    std::vector<double> offset(3*std::size_t(n_), 0.0);
+    std::vector<double> offset(3*std::size_t(particles_.n), 0.0);
     member.resize(std::max(1, first[nClumps_]));
     std::vector<int> next(first.begin(), first.end() - 1);
-    for (int i = 0; i < n_ && !of.empty(); ++i)
+    for (int i = 0; i < particles_.n && !of.empty(); ++i)
     {
         if (of[i] < 0) continue;
         member[next[of[i]]++] = i;

@@ -15,7 +15,7 @@ namespace riprap
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
 {
-    std::vector<std::int32_t> keys = field<std::int32_t>(idField_);
+    std::vector<std::int32_t> keys = particles_.template field<std::int32_t>(particles_.at.id);
     keys.resize(activeSolids());
     return keys;
 }
@@ -24,17 +24,17 @@ template<class Backend, int D, class P>
 typename P::real* DemSolver<Backend, D, P>::external()
 {
     requireAlone("solids in a fluid");
-    if (!external_.size()) external_.upload(set_.context, std::vector<real>(std::size_t(n_)*(D + S), real(0)));
+    if (!particles_.external.size()) particles_.external.upload(set_.context, std::vector<real>(std::size_t(particles_.n)*(D + S), real(0)));
     driven_ = true;
     suddenWay_ = real(0.1)*halfSkin_;       // the fluid's blow of a step may be harder than any of the bodies' own
-    return external_.data();
+    return particles_.external.data();
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::measureSpeed()
 {
 #ifdef __CUDACC__
-    if constexpr (Backend::gpu) if (!still_) parts_.speed.ask(set_.context, n_, SpeedOfSolids<D, P>{mover()});
+    if constexpr (Backend::gpu) if (!still_) parts_.speed.ask(set_.context, particles_.n, SpeedOfSolids<D, P>{mover()});
 #endif
 }
 
@@ -45,7 +45,7 @@ double DemSolver<Backend, D, P>::speedAtHand()
 #ifdef __CUDACC__
     if constexpr (Backend::gpu) if (parts_.speed.asked()) return parts_.speed.take();
 #endif
-    return largestOver(set_.context, n_, SpeedOfSolids<D, P>{mover()});
+    return largestOver(set_.context, particles_.n, SpeedOfSolids<D, P>{mover()});
 }
 
 template<class Backend, int D, class P>
@@ -59,7 +59,7 @@ int DemSolver<Backend, D, P>::subcycles(double dt)
     const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;
     clock_.now.fullDt = dt/steps;
     clock_.write();
-    forEach(set_.context, n_, CheckWays<D, P>{mover()});
+    forEach(set_.context, particles_.n, CheckWays<D, P>{mover()});
     clock_.read();
     clock_.now.settleAge();
     return steps;
@@ -76,7 +76,7 @@ double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::push(double dt)
 {
-    forEach(set_.context, n_, PushSolids<D, P>{fields(), groups_.data(), external_.data(), nClumps_ > 0, sort_.active(), dt});
+    forEach(set_.context, particles_.n, PushSolids<D, P>{particles_.view(), groups_.data(), particles_.external.data(), nClumps_ > 0, sort_.active(), dt});
     if (nClumps_) sumClumps(set_.context, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), constraints(), dt});
 }
 

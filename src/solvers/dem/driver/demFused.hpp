@@ -26,7 +26,7 @@ StepState<D, P> DemSolver<Backend, D, P>::stepState()
     {
         s.from = parts_.current ? parts_.records.view() : records_.view();
         s.to = parts_.current ? records_.view() : parts_.records.view();
-        for (int d = 0; d < D; ++d) s.low[d] = parts_.low.data() + std::size_t(d)*n_;
+        for (int d = 0; d < D; ++d) s.low[d] = parts_.low.data() + std::size_t(d)*particles_.n;
         s.own = parts_.own.data();
     }
     return s;
@@ -41,13 +41,13 @@ void DemSolver<Backend, D, P>::openSteps()
         parts_.current = 0;
         if (parts_.own.size() == 0)
         {
-            parts_.records.allocate(set_.context, n_);
-            parts_.low.allocate(set_.context, std::size_t(n_)*D);
-            parts_.own.allocate(set_.context, n_);
+            parts_.records.allocate(set_.context, particles_.n);
+            parts_.low.allocate(set_.context, std::size_t(particles_.n)*D);
+            parts_.own.allocate(set_.context, particles_.n);
         }
         const bool walls = nWalls_ && wallMemory_.entries;
-        forEach(set_.context, n_, OpenSteps<D, P>
-        {stepState(), fields(), nBonds_ ? bondFirst_.data() : nullptr, walls ? wallMemory_.entryFirst.data() : nullptr, sort_.active()});
+        forEach(set_.context, particles_.n, OpenSteps<D, P>
+        {stepState(), particles_.view(), nBonds_ ? bondFirst_.data() : nullptr, walls ? wallMemory_.entryFirst.data() : nullptr, sort_.active()});
     }
 }
 
@@ -57,7 +57,7 @@ void DemSolver<Backend, D, P>::closeSteps()
 {
     if constexpr (Backend::gpu)
     {
-        forEach(set_.context, n_, CloseSteps<D, P>{stepState(), fields(), sort_.active()});
+        forEach(set_.context, particles_.n, CloseSteps<D, P>{stepState(), particles_.view(), sort_.active()});
         if (parts_.current) parts_.records.swap(records_);
         parts_.current = 0;
     }
@@ -84,7 +84,7 @@ void DemSolver<Backend, D, P>::fusedStep()
         step.bonds = bondTable();
         step.bondForce = bondForce_.data();
         step.sleeping = sleeps();
-        forEach(set_.context, n_, step);
+        forEach(set_.context, particles_.n, step);
         if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data() + 1 - parts_.current));
         parts_.current = 1 - parts_.current;
     }
@@ -105,7 +105,7 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
             records_.view().a, parts_.records.view().a, list.entry, list.history, list.base, list.count, list.rest,
             reinterpret_cast<const void*>(list.stride), walls.entryFirst, walls.entry, walls.element, walls.on, walls.normal,
             walls.history, walls.force, reinterpret_cast<const void*>(std::size_t(wallMemory_.entries > 0)), parts_.wallList.data(),
-            reinterpret_cast<const void*>(parts_.wallList.size()), external_.data()
+            reinterpret_cast<const void*>(parts_.wallList.size()), particles_.external.data()
         };
     }
     return key;
@@ -122,7 +122,7 @@ void DemSolver<Backend, D, P>::fusedSteps(int count)
         {
             // what is recorded must not change from batch to batch: motion tables do, and fields that are sorted
             const int together = stepsTogether;
-            if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && turnField_ < 0)
+            if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && particles_.at.turn < 0)
                 for (; count >= together; count -= together)
                 {
                     if (parts_.graphs.size() > 16) parts_.graphs.clear();
@@ -192,7 +192,7 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         clock_.write();
         forEach(set_.context, 1, DemTick{clock_.data()});
         if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data()));
-        forEach(set_.context, n_, mover());
+        forEach(set_.context, particles_.n, mover());
         clock_.read();
         clock_.now.settleAge();
         openSteps();

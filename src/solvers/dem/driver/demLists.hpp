@@ -14,11 +14,11 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     collectForces();
-    if (nClumps_) forEach(set_.context, n_, MarkLeavers<D, P>{mover(), clumps_.data()});
+    if (nClumps_) forEach(set_.context, particles_.n, MarkLeavers<D, P>{mover(), clumps_.data()});
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
-    forEach(set_.context, n_, keys);
+    forEach(set_.context, particles_.n, keys);
     if (others_) regroup();
-    sort_.sort(set_.context, n_);
+    sort_.sort(set_.context, particles_.n);
     bool forcesHold = true;
     if constexpr (Backend::gpu)
     {
@@ -26,9 +26,9 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
         forcesHold = !parts_.moved;
         parts_.frames.clear(set_.context);
     }
-    if (!inPlace) fields_.permute(set_.context, newOrder(), n_, fField_, forcesHold ? fField_ : mField_ + S);
+    if (!inPlace) particles_.values.permute(set_.context, newOrder(), particles_.n, particles_.at.f, forcesHold ? particles_.at.f : particles_.at.m + S);
     if (others_) settleRanks();
-    forEach(set_.context, n_, PlaceSolids<D, P>{mover(), slotOf_.data()});
+    forEach(set_.context, particles_.n, PlaceSolids<D, P>{mover(), slotOf_.data()});
     settleFrames();
     if (nBonds_) forEach(set_.context, nBonds_, LoseBonds<D, P>{bondFields()});
     if constexpr (Backend::gpu) buildFullLists(fresh);
@@ -56,18 +56,18 @@ void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_u
     if constexpr (Backend::gpu)
     {
         DemParts<Backend, D, P>& g = parts_;
-        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount}) if (a->size() == 0) a->allocate(set_.context, n_);
-        if (g.order.size() == 0) g.order.allocate(set_.context, n_);
-        oldList_.allocate(set_.context, n_);                // the new shape, for now
-        if (fresh) forEach(set_.context, n_, RecordPlaces<D, P>{set_.box, fields(), records_.view()});
+        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount}) if (a->size() == 0) a->allocate(set_.context, particles_.n);
+        if (g.order.size() == 0) g.order.allocate(set_.context, particles_.n);
+        oldList_.allocate(set_.context, particles_.n);                // the new shape, for now
+        if (fresh) forEach(set_.context, particles_.n, RecordPlaces<D, P>{set_.box, particles_.view(), records_.view()});
         const int* cellOrder = reinterpret_cast<const int*>(sort_.order());
         if (nWalls_) countWalls();
         const int* walls = nWalls_ ? g.foundWalls.data() : nullptr;
-        forEach(set_.context, n_, CountNeighbours<Backend, D, P>
+        forEach(set_.context, particles_.n, CountNeighbours<Backend, D, P>
         {search(cellOrder), sort_.active(), walls, g.found.data(), g.foundNear.data(), g.cost.data()});
-        forEach(set_.context, n_, LikeWithLike
+        forEach(set_.context, particles_.n, LikeWithLike
         {
-            n_, sort_.active(), cellOrder, g.found.data(), g.foundNear.data(), walls, g.foundElements.data(), g.cost.data(), inPlace,
+            particles_.n, sort_.active(), cellOrder, g.found.data(), g.foundNear.data(), walls, g.foundElements.data(), g.cost.data(), inPlace,
             g.place.data(), inverse_.data(), g.order.data(), oldList_.count(), g.nearCount.data(), wallMemory_.entryFirst.data(),
             wallMemory_.elementFirst.data()
         });
@@ -78,7 +78,7 @@ void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_u
 template<class Backend, int D, class P>
 ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
 {
-    const SolidFields<D, P> f = fields();
+    const SolidFields<D, P> f = particles_.view();
     return ContactSearch<Backend, D, P>
     {
         // ghosts are as one body: what they do to each other is others' business
@@ -94,22 +94,22 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
     if constexpr (!Backend::gpu)
     {
         list_.swap(oldList_);
-        list_.allocate(set_.context, n_);
-        forEach(set_.context, n_, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count()});
+        list_.allocate(set_.context, particles_.n);
+        forEach(set_.context, particles_.n, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count()});
         const int blocks = list_.blocks();
         forEach(set_.context, blocks, BlockEntries{list_.count(), list_.base(), list_.width});
         exclusiveScan(set_.context, scan_, list_.base(), blocks + 1);
         int entries = 0;
         set_.context.toHost(&entries, list_.base() + blocks, sizeof(int));
         list_.reserve(set_.context, requireListed(entries, "solid particles"), pairs_.histories(), nBonds_ > 0);
-        forEach(set_.context, n_, WriteContacts<Backend, D, P>
+        forEach(set_.context, particles_.n, WriteContacts<Backend, D, P>
         {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(pairs_.histories())});
         if (fresh) return;
-        forEach(set_.context, n_, InvertOrder{sort_.order(), inverse_.data()});
+        forEach(set_.context, particles_.n, InvertOrder{sort_.order(), inverse_.data()});
         withLaw(set_.laws, [&](auto law)
         {
             using Law = decltype(law);
-            forEach(set_.context, n_, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
+            forEach(set_.context, particles_.n, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
             {oldList_.view(), list_.view(), sort_.order(), inverse_.data(), sort_.active()});
         });
         if (others_) takeContacts();
@@ -123,30 +123,30 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
     if constexpr (Backend::gpu)
     {
         DemParts<Backend, D, P>& g = parts_;
-        list_.allocate(set_.context, n_);
-        g.keptFirst.allocate(set_.context, std::size_t(n_) + 1);
+        list_.allocate(set_.context, particles_.n);
+        g.keptFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
         g.totals.allocate(set_.context, 5);
         const int blocks = list_.blocks();
         const ContactListView<Backend, real> old = list_.view();
         if (!fresh)
         {
-            forEach(set_.context, n_, KeepContacts<Backend, real, false>
+            forEach(set_.context, particles_.n, KeepContacts<Backend, real, false>
             {old, pairs_.histories(), newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
-            exclusiveScan(set_.context, scan_, g.keptFirst.data(), n_ + 1);
+            exclusiveScan(set_.context, scan_, g.keptFirst.data(), particles_.n + 1);
         }
         forEach(set_.context, blocks, BlockEntries{oldList_.count(), oldList_.base(), list_.width});
         exclusiveScan(set_.context, scan_, oldList_.base(), blocks + 1);
         if (nWalls_)
         {
-            g.wallListFirst.allocate(set_.context, std::size_t(n_) + 1);
-            forEach(set_.context, n_, FlagNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data()});
+            g.wallListFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
+            forEach(set_.context, particles_.n, FlagNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data()});
             for (int* sums : {g.wallListFirst.data(), wallMemory_.entryFirst.data(), wallMemory_.elementFirst.data()})
-                exclusiveScan(set_.context, scan_, sums, n_ + 1);
+                exclusiveScan(set_.context, scan_, sums, particles_.n + 1);
         }
         forEach(set_.context, 1, CollectTotals
         {
-            fresh ? nullptr : g.keptFirst.data() + n_, oldList_.base() + blocks, nWalls_ ? wallMemory_.entryFirst.data() + n_ : nullptr,
-            nWalls_ ? wallMemory_.elementFirst.data() + n_ : nullptr, nWalls_ ? g.wallListFirst.data() + n_ : nullptr, g.totals.data()
+            fresh ? nullptr : g.keptFirst.data() + particles_.n, oldList_.base() + blocks, nWalls_ ? wallMemory_.entryFirst.data() + particles_.n : nullptr,
+            nWalls_ ? wallMemory_.elementFirst.data() + particles_.n : nullptr, nWalls_ ? g.wallListFirst.data() + particles_.n : nullptr, g.totals.data()
         });
         int total[5];
         set_.context.toHost(total, g.totals.data(), sizeof(total));
@@ -158,7 +158,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
                 g.keptPartner.allocate(set_.context, room);
                 g.keptHistory.allocate(set_.context, room*std::max(1, old.historyWords(pairs_.histories())));
             }
-            forEach(set_.context, n_, KeepContacts<Backend, real, true>
+            forEach(set_.context, particles_.n, KeepContacts<Backend, real, true>
             {
                 old, pairs_.histories(), newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
                 g.keptHistory.data()
@@ -166,7 +166,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         }
         list_.swapShape(oldList_);
         list_.reserve(set_.context, requireListed(total[1], "solid particles"), pairs_.histories(), nBonds_ > 0);
-        forEach(set_.context, n_, WriteFullLists<Backend, D, P>
+        forEach(set_.context, particles_.n, WriteFullLists<Backend, D, P>
         {
             search(g.place.data()), sort_.active(), list_.view(), pairs_.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
             g.keptPartner.data(), g.keptHistory.data()
@@ -176,7 +176,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         writeWalls(fresh, total[3]);
         const std::size_t nearWalls = total[4];
         if (g.wallList.size() < nearWalls) g.wallList.allocate(set_.context, nearWalls + nearWalls/8 + 32);
-        forEach(set_.context, n_, ListNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
+        forEach(set_.context, particles_.n, ListNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
     }
 }
 
@@ -186,27 +186,27 @@ void DemSolver<Backend, D, P>::countWalls()
     std::swap(wallMemory_, oldWallMemory_);
     WallMemoryArrays<Backend, real>& m = wallMemory_;
     if (motion_.walls()) forEach(set_.context, nWalls_, KeepWallReference{walls_.data()});
-    m.entryFirst.allocate(set_.context, std::size_t(n_) + 1);
-    m.elementFirst.allocate(set_.context, std::size_t(n_) + 1);
+    m.entryFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
+    m.elementFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
     if constexpr (Backend::gpu)
     {
         // where particles still are: their order follows
-        for (Array<Backend, int>* a : {&parts_.foundWalls, &parts_.foundElements}) if (a->size() == 0) a->allocate(set_.context, n_);
-        forEach(set_.context, n_, FindWalls<D, P, false>
+        for (Array<Backend, int>* a : {&parts_.foundWalls, &parts_.foundElements}) if (a->size() == 0) a->allocate(set_.context, particles_.n);
+        forEach(set_.context, particles_.n, FindWalls<D, P, false>
         {
             wallSearch(), parts_.foundWalls.data(), parts_.foundElements.data(), nullptr, nullptr,
             reinterpret_cast<const int*>(sort_.order())
         });
         return;
     }
-    forEach(set_.context, n_, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
-    exclusiveScan(set_.context, scan_, m.entryFirst.data(), n_ + 1);
-    exclusiveScan(set_.context, scan_, m.elementFirst.data(), n_ + 1);
+    forEach(set_.context, particles_.n, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
+    exclusiveScan(set_.context, scan_, m.entryFirst.data(), particles_.n + 1);
+    exclusiveScan(set_.context, scan_, m.elementFirst.data(), particles_.n + 1);
 }
 
 template<class Backend, int D, class P>
 WallSearch<D, P> DemSolver<Backend, D, P>::wallSearch()
-{ return WallSearch<D, P>{set_.box, fields(), walls_.data(), nWalls_, surface(), wallReach(), sort_.active()}; }
+{ return WallSearch<D, P>{set_.box, particles_.view(), walls_.data(), nWalls_, surface(), wallReach(), sort_.active()}; }
 
 //- Walls are listed from farther away where a particle's way is measured against others that move with it: walls do not
 template<class Backend, int D, class P>
@@ -247,11 +247,11 @@ void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
         m.force.allocate(set_.context, room*wallWords<D>);
     }
     if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(set_.context, std::size_t(elements) + elements/8 + 1);
-    forEach(set_.context, n_, FindWalls<D, P, true>
+    forEach(set_.context, particles_.n, FindWalls<D, P, true>
     {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data(), nullptr});
     withLaw(set_.laws, [&](auto law)
     {
-        forEach(set_.context, n_, HandOverWalls<D, real, decltype(law)::template history<D>>
+        forEach(set_.context, particles_.n, HandOverWalls<D, real, decltype(law)::template history<D>>
         {wallMemory(oldWallMemory_), wallMemory(m), newOrder(), sort_.active(), fresh});
     });
     if (others_ && !fresh) takeWallContacts();
@@ -262,8 +262,8 @@ void DemSolver<Backend, D, P>::buildWalls(bool fresh)
 {
     countWalls();
     int elements = 0;
-    set_.context.toHost(&wallMemory_.entries, wallMemory_.entryFirst.data() + n_, sizeof(int));
-    set_.context.toHost(&elements, wallMemory_.elementFirst.data() + n_, sizeof(int));
+    set_.context.toHost(&wallMemory_.entries, wallMemory_.entryFirst.data() + particles_.n, sizeof(int));
+    set_.context.toHost(&elements, wallMemory_.elementFirst.data() + particles_.n, sizeof(int));
     writeWalls(fresh, elements);
 }
 
@@ -274,7 +274,7 @@ void DemSolver<Backend, D, P>::blockContacts()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        parts_.sums.allocate(set_.context, std::size_t(n_)*DeferredForces<D, real>::width);
+        parts_.sums.allocate(set_.context, std::size_t(particles_.n)*DeferredForces<D, real>::width);
         // of those in the scene: a scene that is continued without those that left must cut alike
         parts_.deferred.set(activeSolids(), list_.view(), others_ ? blockCuts() : std::vector<int>());
         setRanges();
@@ -289,7 +289,7 @@ void DemSolver<Backend, D, P>::setRanges()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        const SolidFields<D, P> f = fields();
+        const SolidFields<D, P> f = particles_.view();
         parts_.deferred.setRanges(list_.view(), sleeps(), [&](int i) { return f.asleep(i); });
     }
 #endif

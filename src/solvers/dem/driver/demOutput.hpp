@@ -19,55 +19,25 @@ int DemSolver<Backend, D, P>::activeSolids()
     return active;
 }
 
-//- Positions of the first n, in metres
-template<class Backend, int D, class P>
-std::vector<double> DemSolver<Backend, D, P>::positions(int n)
-{
-    std::vector<double> out(3*std::size_t(n), 0.0);
-    const auto key = field<std::int32_t>(idField_);
-    if (D == 2) for (int i = 0; i < n; ++i) out[3*std::size_t(i) + set_.config.axes[2]] = emptyCoordinate_[key[i]];
-    for (int d = 0; d < D; ++d)
-    {
-        const auto x = field<std::int64_t>(xField_ + d);
-        #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + set_.config.axes[d]] = set_.box.toMetres(d, x[i]);
-    }
-    return out;
-}
-
-template<class Backend, int D, class P>
-template<class T>
-void DemSolver<Backend, D, P>::putVector(int n, int field, int components, bool spin, std::vector<double>& out)
-{
-    out.assign(3*std::size_t(n), 0.0);
-    for (int d = 0; d < components; ++d)
-    {
-        const auto v = this->field<T>(field + d);
-        const bool one = spin && D == 2;
-        #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i) out[3*std::size_t(i) + set_.config.axes[one ? 2 : d]] = (one ? set_.spinSign() : 1)*double(v[i]);
-    }
-}
-
 template<class Backend, int D, class P>
 DemState DemSolver<Backend, D, P>::motion()
 {
     clock_.read();
     const int n = activeSolids();
     DemState s;
-    s.position = positions(n);
-    putVector<double>(n, vField_, D, false, s.velocity);
-    putVector<real>(n, wField_, S, true, s.spin);
-    putVector<real>(n, fField_, D, false, s.force);
-    putVector<real>(n, mField_, S, true, s.moment);
-    const auto key = field<std::int32_t>(idField_);
-    const auto radius = field<real>(radiusField_), mass = field<real>(massField_), inverse = field<real>(inertiaField_);
-    s.material = field<std::int32_t>(materialField_);
-    s.group = field<std::int32_t>(groupField_);
-    s.clump = clumpField_ < 0 ? std::vector<std::int32_t>(n, -1) : field<std::int32_t>(clumpField_);
+    s.position = particles_.positions(n);
+    s.velocity = particles_.template vector<double>(n, particles_.at.v, D, false);
+    s.spin = particles_.template vector<real>(n, particles_.at.w, S, true);
+    s.force = particles_.template vector<real>(n, particles_.at.f, D, false);
+    s.moment = particles_.template vector<real>(n, particles_.at.m, S, true);
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
+    const auto radius = particles_.template field<real>(particles_.at.radius), mass = particles_.template field<real>(particles_.at.mass), inverse = particles_.template field<real>(particles_.at.inertia);
+    s.material = particles_.template field<std::int32_t>(particles_.at.material);
+    s.group = particles_.template field<std::int32_t>(particles_.at.group);
+    s.clump = particles_.at.clump < 0 ? std::vector<std::int32_t>(n, -1) : particles_.template field<std::int32_t>(particles_.at.clump);
     for (auto* v : {&s.material, &s.group, &s.clump}) v->resize(n);
-    const std::vector<real> external = external_.download();
-    const auto calm = calmField_ < 0 ? std::vector<std::int32_t>() : field<std::int32_t>(calmField_);
+    const std::vector<real> external = particles_.external.download();
+    const auto calm = particles_.at.calm < 0 ? std::vector<std::int32_t>() : particles_.template field<std::int32_t>(particles_.at.calm);
     // leapfrog keeps velocities of half a step ago: forces are of now
     const double half = set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0;
     for (auto* v : {&s.radius, &s.mass}) v->resize(n);
@@ -75,7 +45,7 @@ DemState DemSolver<Backend, D, P>::motion()
     #pragma omp parallel for schedule(static) if (n > 10000)
     for (int i = 0; i < n; ++i)
     {
-        s.id[i] = ids_[key[i]];
+        s.id[i] = particles_.ids[key[i]];
         s.radius[i] = double(radius[i]);
         s.mass[i] = double(mass[i]);
         const DemGroup& g = set_.input.groups[s.group[i]];
@@ -101,12 +71,12 @@ DemState DemSolver<Backend, D, P>::motion()
             if (kicked && !g.heldSpin) w += half*rate;
         }
     }
-    if (turnField_ >= 0)
+    if (particles_.at.turn >= 0)
     {
         s.orientation.assign(4*std::size_t(n), 0.0);
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
         {
-            const auto q = field<real>(turnField_ + k);
+            const auto q = particles_.template field<real>(particles_.at.turn + k);
             for (int i = 0; i < n; ++i)
             {
                 if (D == 3) { s.orientation[4*std::size_t(i) + k] = double(q[i]); continue; }
@@ -169,7 +139,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::contactCounts(int n)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         setModel(probe);
-        forEach(set_.context, n_, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
+        forEach(set_.context, particles_.n, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
     });
     const auto all = others.download();
     std::vector<int> base(list_.blocks() + 1), count(std::size_t(list_.blocks())*list_.width);
@@ -197,15 +167,15 @@ DemContacts DemSolver<Backend, D, P>::contacts()
 {
     DemContacts out;
     const int n = activeSolids();
-    const std::vector<double> x = positions(n);
-    const auto key = field<std::int32_t>(idField_);
+    const std::vector<double> x = particles_.positions(n);
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
     Array<Backend, ProbedContact<D, real>> probed;
     probed.allocate(set_.context, list_.entries() + 1);
     withLaw(set_.laws, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         setModel(probe);
-        forEach(set_.context, n_, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
+        forEach(set_.context, particles_.n, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
     });
     const auto all = probed.download();
     std::vector<int> base(list_.blocks() + 1), count(std::size_t(list_.blocks())*list_.width);
@@ -213,7 +183,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     set_.context.toHost(count.data(), list_.count(), count.size()*sizeof(int));
     const auto put = [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
     {
-        out.a.push_back(ids_[key[i]]);
+        out.a.push_back(particles_.ids[key[i]]);
         out.b.push_back(b);
         out.overlap.push_back(overlap);
         const std::size_t at = out.force.size();
@@ -231,16 +201,16 @@ DemContacts DemSolver<Backend, D, P>::contacts()
         {
             const auto& c = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
             if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
-            put(i, ids_[key[c.other]], c.force, double(c.overlap), c.n, double(c.arm));
+            put(i, particles_.ids[key[c.other]], c.force, double(c.overlap), c.n, double(c.arm));
         }
     if (!nWalls_ || !wallMemory_.entries) return out;
     const auto first = wallMemory_.entryFirst.download();
     const auto entry = wallMemory_.entry.download();
     const auto acts = wallContacts();
-    const auto material = field<std::int32_t>(materialField_);
+    const auto material = particles_.template field<std::int32_t>(particles_.at.material);
     const auto force = wallMemory_.force.download();
     const auto normal = wallMemory_.normal.download();
-    const auto radius = field<real>(radiusField_);
+    const auto radius = particles_.template field<real>(particles_.at.radius);
     const std::vector<WallData> walls = walls_.download();
     for (int i = 0; i < n; ++i)
         for (int e = first[i]; e < first[i + 1]; ++e)
@@ -266,15 +236,15 @@ DemBondState DemSolver<Backend, D, P>::bonds()
     s.restGap = bondRest_.download();
     const auto force = bondForce_.download();
     const auto slotOf = slotOf_.download();
-    const auto radius = field<real>(radiusField_);
+    const auto radius = particles_.template field<real>(particles_.at.radius);
     std::vector<std::int64_t> x[D];
-    for (int d = 0; d < D; ++d) x[d] = field<std::int64_t>(xField_ + d);
+    for (int d = 0; d < D; ++d) x[d] = particles_.template field<std::int64_t>(particles_.at.x + d);
     s.force.assign(3*std::size_t(nBonds_), 0.0);
     s.moment = s.force;
     for (int k = 0; k < nBonds_; ++k)
     {
-        s.a.push_back(ids_[a[k]]);
-        s.b.push_back(ids_[b[k]]);
+        s.a.push_back(particles_.ids[a[k]]);
+        s.b.push_back(particles_.ids[b[k]]);
         double d2 = 0;
         const int i = slotOf[a[k]], j = slotOf[b[k]];
         for (int d = 0; d < D; ++d)
@@ -329,7 +299,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         setModel(sum.probe);
-        if (others_) sum.calm = fields().calm;
+        if (others_) sum.calm = particles_.view().calm;
         e.contact = sumOver<1>(set_.context, activeSolids(), sum)[0];
     });
     const auto wall = wallMemory_.entries ? wallMemory_.force.download() : std::vector<real>();
@@ -339,7 +309,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
             e.contact += double(wall[k*wallWords<D> + D + S]);
     if (!nBonds_) return e;
     const DemBondState b = bonds();
-    const auto radius = field<real>(radiusField_);
+    const auto radius = particles_.template field<real>(particles_.at.radius);
     const auto history = bondHistory_.download();
     const auto types = bondTypes_.download();
     const auto slots = slotOf_.download();
@@ -367,8 +337,8 @@ double DemSolver<Backend, D, P>::deepestOverlap()
     const auto first = wallMemory_.entryFirst.download();
     const auto entry = wallMemory_.entry.download();
     const auto force = wallMemory_.force.download();
-    const auto radius = field<real>(radiusField_);
-    const auto material = field<std::int32_t>(materialField_);
+    const auto radius = particles_.template field<real>(particles_.at.radius);
+    const auto material = particles_.template field<std::int32_t>(particles_.at.material);
     const int n = activeSolids();
     for (int i = 0; i < n; ++i)
         for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
@@ -391,7 +361,7 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
     const auto on = wallMemory_.on.download();
     const auto normal = wallMemory_.normal.download();
     const std::vector<WallData> walls = walls_.download();
-    const std::vector<double> x = positions(n);
+    const std::vector<double> x = particles_.positions(n);
     // the part of a force along the normals of an entry's touches
     const auto alongNormals = [&](int e, const Vec<3, double>& force)
     {
@@ -439,10 +409,10 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& force, const std::vector<double>& moment)
 {
     requireAlone("forces from outside");
-    std::vector<real> all(std::size_t(n_)*(D + S), real(0));
-    for (int i = 0; i < n_; ++i)
+    std::vector<real> all(std::size_t(particles_.n)*(D + S), real(0));
+    for (int i = 0; i < particles_.n; ++i)
     {
-        const std::size_t at = 3*std::size_t(ids_[i]);
+        const std::size_t at = 3*std::size_t(particles_.ids[i]);
         if (!force.empty() && at + 3 > force.size()) throw std::invalid_argument("external forces: too few for the ids");
         if (!moment.empty() && at + 3 > moment.size()) throw std::invalid_argument("external moments: too few for the ids");
         real* to = &all[std::size_t(i)*(D + S)];
@@ -450,8 +420,8 @@ void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& forc
         if (!moment.empty())
             for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? set_.spinSign()*moment[at + set_.config.axes[2]] : moment[at + c]);
     }
-    if (sleeps()) wakeChanged(external_.download(), all);
-    external_.upload(set_.context, all);
+    if (sleeps()) wakeChanged(particles_.external.download(), all);
+    particles_.external.upload(set_.context, all);
     gatherClumps(nullptr);
 }
 
@@ -459,10 +429,10 @@ template<class Backend, int D, class P>
 std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
 {
     std::vector<ArrayInfo> r;
-    const std::size_t n = std::max(n_, 1);
+    const std::size_t n = std::max(particles_.n, 1);
     const auto put = [&](const char* set, const std::string& name, std::size_t bytes)
     { if (bytes) r.push_back(ArrayInfo{set, name, bytes/n, bytes}); };
-    for (const auto& f : fields_.info()) put("solids", f.name, f.bytes);
+    for (const auto& f : particles_.values.info()) put("solids", f.name, f.bytes);
     put("solids", "records", records_.bytes());
     put("solids", "reference", reference_.bytes());
     put("solids", "sort", sort_.bytes() + inverse_.bytes() + slotOf_.bytes());

@@ -24,7 +24,7 @@ void DemSolver<Backend, D, P>::setRanks()
     if (Backend::gpu) throw std::invalid_argument("several processes run on CPUs alone");
     others_ = std::make_unique<ParticleExchange>(*set_.config.ranks, set_.config.imbalance);
     setPieces();
-    others_->begin(n_);
+    others_->begin(particles_.n);
 }
 
 template<class Backend, int D, class P>
@@ -52,31 +52,31 @@ void DemSolver<Backend, D, P>::setPieces()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setCapacity(int n)
 {
-    const int residents = std::min(others_->residents(), n_), active = activeSolids();
-    const auto key = field<std::int32_t>(idField_);
+    const int residents = std::min(others_->residents(), particles_.n), active = activeSolids();
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
     std::vector<std::int32_t> ids(n, -1), keys(n);
     std::vector<double> empty(D == 2 ? n : 0, 0.0);
     for (int i = 0; i < n; ++i)
     {
         keys[i] = i;
-        if (i >= std::min(n, n_)) continue;
-        ids[i] = ids_[key[i]];
-        if (D == 2) empty[i] = emptyCoordinate_[key[i]];
+        if (i >= std::min(n, particles_.n)) continue;
+        ids[i] = particles_.ids[key[i]];
+        if (D == 2) empty[i] = particles_.emptyCoordinate[key[i]];
     }
-    ids_.swap(ids);
-    emptyCoordinate_.swap(empty);
+    particles_.ids.swap(ids);
+    particles_.emptyCoordinate.swap(empty);
 
-    FieldSet<Backend> old(std::move(fields_));
-    fields_ = FieldSet<Backend>();
+    FieldSet<Backend> old(std::move(particles_.values));
+    particles_.values = FieldSet<Backend>();
     const auto info = old.info();
     for (int f = 0; f < old.fields(); ++f)
     {
-        if (old.elementBytes(f) == 8) fields_.template add<std::int64_t>(info[f].name);
-        else fields_.template add<std::int32_t>(info[f].name);
+        if (old.elementBytes(f) == 8) particles_.values.template add<std::int64_t>(info[f].name);
+        else particles_.values.template add<std::int32_t>(info[f].name);
     }
-    fields_.allocate(set_.context, n);
-    for (int f = 0; f < fields_.fields(); ++f) std::memcpy(fields_.bytes(f), old.bytes(f), std::size_t(residents)*old.elementBytes(f));
-    fields_.upload(set_.context, idField_, keys);
+    particles_.values.allocate(set_.context, n);
+    for (int f = 0; f < particles_.values.fields(); ++f) std::memcpy(particles_.values.bytes(f), old.bytes(f), std::size_t(residents)*old.elementBytes(f));
+    particles_.values.upload(set_.context, particles_.at.id, keys);
 
     // lists of before are about the slots of before: those behind have none
     const auto longer = [&](Array<Backend, int>& a, std::size_t size, int rest)
@@ -105,27 +105,27 @@ void DemSolver<Backend, D, P>::setCapacity(int n)
     sort_ = CellSort<Backend>();
     sort_.allocate(set_.context, n, classes_.cells());
     set_.context.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
-    n_ = n;
+    particles_.n = n;
 }
 
 //- Who is in a slot from now on
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeKey(int slot, std::int32_t id)
 {
-    ids_[fields_.template data<std::int32_t>(idField_)[slot]] = id;
+    particles_.ids[particles_.values.template data<std::int32_t>(particles_.at.id)[slot]] = id;
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::packParticle(int slot, bool whole, RankBytes& to)
 {
-    const int key = fields_.template data<std::int32_t>(idField_)[slot];
-    putValues(to, &ids_[key]);
-    if (D == 2) putValues(to, &emptyCoordinate_[key]);
-    for (int f = 0; f < fields_.fields(); ++f)
+    const int key = particles_.values.template data<std::int32_t>(particles_.at.id)[slot];
+    putValues(to, &particles_.ids[key]);
+    if (D == 2) putValues(to, &particles_.emptyCoordinate[key]);
+    for (int f = 0; f < particles_.values.fields(); ++f)
     {
-        if (f == idField_ || f == calmField_) continue;
-        const std::size_t each = fields_.elementBytes(f);
-        putValues(to, fields_.bytes(f) + slot*each, each);
+        if (f == particles_.at.id || f == particles_.at.calm) continue;
+        const std::size_t each = particles_.values.elementBytes(f);
+        putValues(to, particles_.values.bytes(f) + slot*each, each);
     }
     if (!whole) return;
     packContacts(slot, to);
@@ -185,16 +185,16 @@ void DemSolver<Backend, D, P>::packWalls(int slot, RankBytes& to)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::unpackParticle(int slot, bool whole, const unsigned char*& from)
 {
-    if (slot >= n_) setCapacity(std::max(slot + 1, n_ + n_/4) + 64);
+    if (slot >= particles_.n) setCapacity(std::max(slot + 1, particles_.n + particles_.n/4) + 64);
     std::int32_t id;
     takeValues(from, &id);
     takeKey(slot, id);
-    if (D == 2) takeValues(from, &emptyCoordinate_[fields_.template data<std::int32_t>(idField_)[slot]]);
-    for (int f = 0; f < fields_.fields(); ++f)
+    if (D == 2) takeValues(from, &particles_.emptyCoordinate[particles_.values.template data<std::int32_t>(particles_.at.id)[slot]]);
+    for (int f = 0; f < particles_.values.fields(); ++f)
     {
-        if (f == idField_ || f == calmField_) continue;
-        const std::size_t each = fields_.elementBytes(f);
-        takeValues(from, fields_.bytes(f) + slot*each, each);
+        if (f == particles_.at.id || f == particles_.at.calm) continue;
+        const std::size_t each = particles_.values.elementBytes(f);
+        takeValues(from, particles_.values.bytes(f) + slot*each, each);
     }
     if (!whole) return;
     std::int32_t contacts, walls;
@@ -231,7 +231,7 @@ void DemSolver<Backend, D, P>::regroup()
         {
             // keys change their particles
             const WallPassings passed = passed_.download()[0];
-            if (passed.count && !passedBefore_) passedIdBefore_ = ids_[passed.key];
+            if (passed.count && !passedBefore_) passedIdBefore_ = particles_.ids[passed.key];
             passedBefore_ += passed.count;
             clearPassed();
         }
@@ -247,16 +247,16 @@ void DemSolver<Backend, D, P>::regroup()
             c.a = others_->slotOf(c.a);
             c.b = others_->slotOf(c.b);
         }
-        const SolidFields<D, P> f = fields();
+        const SolidFields<D, P> f = particles_.view();
         for (const int slot : others_->left())
         {
             Vector3 x{{0, 0, 0}};
-            if (D == 2) x[set_.config.axes[2]] = emptyCoordinate_[f.id[slot]];
+            if (D == 2) x[set_.config.axes[2]] = particles_.emptyCoordinate[f.id[slot]];
             for (int d = 0; d < D; ++d) x[set_.config.axes[d]] = set_.box.toMetres(d, f.x[d][slot]);
             escaped_.push_back(x);
-            escapedId_.push_back(ids_[f.id[slot]]);
+            escapedId_.push_back(particles_.ids[f.id[slot]]);
         }
-        std::vector<char> here(n_, 0);
+        std::vector<char> here(particles_.n, 0);
         int k = 0;
         for (const int slot : others_->sequence())
         {
@@ -265,7 +265,7 @@ void DemSolver<Backend, D, P>::regroup()
             sort_.keys()[k] = others_->cell(slot);
             sort_.indices()[k++] = std::uint32_t(slot);
         }
-        for (int slot = 0; slot < n_; ++slot)
+        for (int slot = 0; slot < particles_.n; ++slot)
         {
             if (here[slot]) continue;
             sort_.keys()[k] = std::uint32_t(classes_.cells());
@@ -359,7 +359,7 @@ void DemSolver<Backend, D, P>::shareStep()
 {
     if constexpr (!Backend::gpu)
     {
-        const SolidFields<D, P> f = fields();
+        const SolidFields<D, P> f = particles_.view();
         const SolidRecords<D, P> solids = records_.view();
         others_->share(D*(sizeof(std::int64_t) + sizeof(double)) + S*sizeof(real), [&](int i, unsigned char* to)
         {

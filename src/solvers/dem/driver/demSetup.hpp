@@ -16,14 +16,16 @@ namespace riprap
 template<class Backend, int D, class P>
 DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& input, const DemPlan& plan)
 :
-    set_(config, input, plan), given_(&input)
+    set_(config, input, plan), particles_(set_, int(input.particles.size())), given_(&input)
 {
     still_ = isStill(input);
-    n_ = reported_ = int(input.particles.size());
+    reported_ = particles_.n;
     pairs_.set(input.particles);
     setBox();
     if (config.ranks && config.ranks->size() > 1) setRanks();
-    setFields();
+    particles_.add(sleeps() || others_);
+    particles_.fill(input.particles);
+    setOrder();
     setGroups();
     setBonds();
     setClumps();
@@ -90,94 +92,20 @@ void DemSolver<Backend, D, P>::setDomain()
     if (others_) setPieces();
 }
 
-//- A field from values(i)
+//- Memory of what follows from positions
 template<class Backend, int D, class P>
-template<class T, class Values>
-void DemSolver<Backend, D, P>::uploadField(int field, const Values& values)
+void DemSolver<Backend, D, P>::setOrder()
 {
-    std::vector<T> all(n_);
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < n_; ++i) all[i] = values(i);
-    fields_.upload(set_.context, field, all);
-}
-
-//- Components of vectors in the solver's axes, or the one spin of 2D
-template<class Backend, int D, class P>
-template<class T>
-void DemSolver<Backend, D, P>::uploadVector(int field, int components, const std::vector<double>& from, bool spin)
-{
-    if (from.empty()) return;               // memory begins as zero
-    for (int d = 0; d < components; ++d)
-    {
-        const int axis = spin && D == 2 ? set_.config.axes[2] : set_.config.axes[d];
-        const double sign = spin && D == 2 ? set_.spinSign() : 1;
-        uploadField<T>(field + d, [&](int i) { return T(sign*from[3*std::size_t(i) + axis]); });
-    }
-}
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setFields()
-{
-    const DemParticles& in = given_->particles;
-    static const char* axis[3] = {"x", "y", "z"};
-    const auto addVector = [&](const char* name, int components)
-    {
-        const int first = fields_.fields();
-        for (int d = 0; d < components; ++d) fields_.template add<real>(std::string(name) + "." + axis[components == 1 ? 2 : d]);
-        return first;
-    };
-    xField_ = fields_.fields();
-    for (int d = 0; d < D; ++d) fields_.template add<std::int64_t>(std::string("position.") + axis[d]);
-    vField_ = fields_.fields();
-    for (int d = 0; d < D; ++d) fields_.template add<double>(std::string("velocity.") + axis[d]);
-    wField_ = addVector("spin", S);
-    fField_ = addVector("force", D);
-    mField_ = addVector("moment", S);
-    radiusField_ = fields_.template add<real>("radius");
-    massField_ = fields_.template add<real>("mass");
-    inertiaField_ = fields_.template add<real>("inverseInertia");
-    materialField_ = fields_.template add<std::int32_t>("material");
-    groupField_ = fields_.template add<std::int32_t>("group");
-    if (!set_.input.clumps.empty()) clumpField_ = fields_.template add<std::int32_t>("clump");
-    if (set_.config.orientation)
-    {
-        turnField_ = fields_.fields();
-        for (int k = 0; k < (D == 2 ? 1 : 4); ++k) fields_.template add<real>("orientation." + std::to_string(k));
-    }
-    if (sleeps() || others_) calmField_ = fields_.template add<std::int32_t>("calm");
-    idField_ = fields_.template add<std::int32_t>("key");
-    fields_.allocate(set_.context, n_);
-    records_.allocate(set_.context, n_);
-    reference_.allocate(set_.context, std::size_t(n_)*D);
-    sort_.allocate(set_.context, n_, classes_.cells());
-    inverse_.allocate(set_.context, n_);
-    slotOf_.allocate(set_.context, n_);
+    records_.allocate(set_.context, particles_.n);
+    reference_.allocate(set_.context, std::size_t(particles_.n)*D);
+    sort_.allocate(set_.context, particles_.n, classes_.cells());
+    inverse_.allocate(set_.context, particles_.n);
+    slotOf_.allocate(set_.context, particles_.n);
     if (sleeps())
     {
-        wakes_.allocate(set_.context, n_);
-        waits_.allocate(set_.context, n_);
+        wakes_.allocate(set_.context, particles_.n);
+        waits_.allocate(set_.context, particles_.n);
     }
-
-    for (int d = 0; d < D; ++d)
-        uploadField<std::int64_t>(xField_ + d, [&](int i) { return set_.box.toFixed(d, in.position[3*std::size_t(i) + set_.config.axes[d]]); });
-    uploadVector<double>(vField_, D, in.velocity, false);
-    uploadVector<real>(wField_, S, in.spin, true);
-    uploadField<real>(radiusField_, [&](int i) { return real(in.radius[i]); });
-    uploadField<real>(massField_, [&](int i) { return real(in.mass[i]); });
-    uploadField<real>(inertiaField_, [&](int i)
-    { return real(1/(in.inertia.empty() ? (D == 2 ? 0.5 : 0.4)*in.mass[i]*in.radius[i]*in.radius[i] : in.inertia[i])); });
-    ids_ = in.id;
-    if (ids_.empty()) for (int i = 0; i < n_; ++i) ids_.push_back(i);
-    uploadField<std::int32_t>(idField_, [](int i) { return i; });
-    if (!in.material.empty()) fields_.upload(set_.context, materialField_, in.material);
-    if (!in.group.empty()) fields_.upload(set_.context, groupField_, in.group);
-    if (clumpField_ >= 0)
-        fields_.upload(set_.context, clumpField_, in.clump.empty() ? std::vector<std::int32_t>(n_, -1) : in.clump);
-    if (turnField_ >= 0)
-        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
-            fields_.upload(set_.context, turnField_ + k, std::vector<real>(n_, real(D == 3 && k == 0)));
-    if (D == 2) emptyCoordinate_.resize(n_);
-    if (D == 2) for (int i = 0; i < n_; ++i) emptyCoordinate_[i] = in.position[3*std::size_t(i) + set_.config.axes[2]];
 }
 
 template<class Backend, int D, class P>
@@ -222,14 +150,14 @@ void DemSolver<Backend, D, P>::setBonds()
     if (!nBonds_) return;
     const DemParticles& q = given_->particles;
     std::vector<int> keyOf;
-    for (int i = 0; i < n_; ++i)
+    for (int i = 0; i < particles_.n; ++i)
     {
-        if (std::size_t(ids_[i]) >= keyOf.size()) keyOf.resize(std::size_t(ids_[i]) + 1, -1);
-        keyOf[ids_[i]] = i;
+        if (std::size_t(particles_.ids[i]) >= keyOf.size()) keyOf.resize(std::size_t(particles_.ids[i]) + 1, -1);
+        keyOf[particles_.ids[i]] = i;
     }
     std::vector<std::int32_t> end[2], type(in.type);
     std::vector<double> rest(in.gap);
-    std::vector<int> first(n_ + 1, 0);
+    std::vector<int> first(particles_.n + 1, 0);
     type.resize(nBonds_, 0);
     for (int k = 0; k < nBonds_; ++k)
     {
@@ -249,7 +177,7 @@ void DemSolver<Backend, D, P>::setBonds()
         }
         rest.push_back(std::sqrt(d2) - double(real(q.radius[a])) - double(real(q.radius[b])));
     }
-    for (int i = 0; i < n_; ++i) first[i + 1] += first[i];
+    for (int i = 0; i < particles_.n; ++i) first[i + 1] += first[i];
     std::vector<int> next(first.begin(), first.end() - 1), reference(2*std::size_t(nBonds_));
     for (int k = 0; k < nBonds_; ++k)
         for (int e = 0; e < 2; ++e) reference[next[end[e][k]]++] = 2*k + e;
@@ -341,7 +269,7 @@ void DemSolver<Backend, D, P>::setFrames()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::prime()
 {
-    const int all = n_;
+    const int all = particles_.n;
     set_.context.toDevice(const_cast<int*>(sort_.active()), &all, sizeof(int));
     clock_.now.time = set_.config.startTime;
     clock_.now.fullDt = set_.plan.timeStep;

@@ -25,7 +25,7 @@ void DemSolver<Backend, D, P>::setSkin(double skin)
     setDomain();
     setFrames();
     const int active = activeSolids();
-    sort_.allocate(set_.context, n_, classes_.cells());
+    sort_.allocate(set_.context, particles_.n, classes_.cells());
     set_.context.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
 }
 

@@ -14,7 +14,7 @@ template<class Backend, int D, class P>
 SleepState<D, P> DemSolver<Backend, D, P>::sleepState(bool fused)
 {
     SleepState<D, P> s{};
-    s.fields = fields();
+    s.fields = particles_.view();
     s.solids = records_.view();
     if (fused)
     {
@@ -35,7 +35,7 @@ void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
     if constexpr (Backend::gpu)
         withLaw(set_.laws, [&](auto law)
         {
-            forEach(set_.context, n_, TakeHistories<Backend, D, P>{s, list_.view(), pairs_.histories(), decltype(law)::template turnsFrom<D>});
+            forEach(set_.context, particles_.n, TakeHistories<Backend, D, P>{s, list_.view(), pairs_.histories(), decltype(law)::template turnsFrom<D>});
         });
 }
 
@@ -44,11 +44,11 @@ void DemSolver<Backend, D, P>::checkSleep(bool fused)
 {
     const SleepState<D, P> s = sleepState(fused);
     const bool walls = nWalls_ && wallMemory_.entries;
-    forEach(set_.context, n_, CountCalm<D, P>
+    forEach(set_.context, particles_.n, CountCalm<D, P>
     {s, real(set_.config.sleepSpeed), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.entry.data(), walls_.data()});
-    forEach(set_.context, n_, MarkRestless<Backend, D, P>{s, list_.view(), bondTable(), slotOf_.data()});
+    forEach(set_.context, particles_.n, MarkRestless<Backend, D, P>{s, list_.view(), bondTable(), slotOf_.data()});
     takeHistories(s);
-    forEach(set_.context, n_, FallAsleep<D, P>{s, groups_.data()});
+    forEach(set_.context, particles_.n, FallAsleep<D, P>{s, groups_.data()});
     setRanges();
 }
 
@@ -58,9 +58,9 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
 {
     constexpr int numbers = D + S;
     const double span = std::max(set_.config.sleepAfter, 2.0*stepsPerCheck*set_.plan.timeStep);
-    const auto key = field<std::int32_t>(idField_);
-    const auto mass = field<real>(massField_), radius = field<real>(radiusField_);
-    std::vector<std::int32_t> changed(n_, 0);
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
+    const auto mass = particles_.template field<real>(particles_.at.mass), radius = particles_.template field<real>(particles_.at.radius);
+    std::vector<std::int32_t> changed(particles_.n, 0);
     for (int i = 0; i < activeSolids(); ++i)
     {
         double change = 0;
@@ -75,15 +75,15 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
     Array<Backend, std::int32_t> marks;
     marks.upload(set_.context, changed);
     const SleepState<D, P> s = sleepState(false);
-    forEach(set_.context, n_, MarkChanged<D, P>{s, marks.data()});
+    forEach(set_.context, particles_.n, MarkChanged<D, P>{s, marks.data()});
     takeHistories(s);
-    forEach(set_.context, n_, WakeMarked<D, P>{s});
+    forEach(set_.context, particles_.n, WakeMarked<D, P>{s});
     setRanges();
     set_.context.synchronise();
 }
 
 template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::asleepNow()
-{ return std::size_t(sumOver<1>(set_.context, n_, CountAsleep{fields().calm, sort_.active()})[0]); }
+{ return std::size_t(sumOver<1>(set_.context, particles_.n, CountAsleep{particles_.view().calm, sort_.active()})[0]); }
 
 } // namespace riprap

@@ -26,6 +26,7 @@
 #include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
 #include "solvers/dem/parts/pairTable.hpp"
+#include "solvers/dem/parts/particleFields.hpp"
 #include "solvers/dem/parts/prescribedMotion.hpp"
 
 namespace riprap
@@ -128,8 +129,8 @@ public:
 
     // demCoupling.hpp: what a fluid asks of its solids
     void follow(const Context<Backend>& fluid) override { set_.context.follow(fluid); }
-    int keys() const override { return n_; }
-    SolidView<D, P> view() override { return SolidView<D, P>{set_.box, fields(), slotOf_.data()}; }
+    int keys() const override { return particles_.n; }
+    SolidView<D, P> view() override { return SolidView<D, P>{set_.box, particles_.view(), slotOf_.data()}; }
     BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), constraints(), set_.box, nClumps_}; }
     std::vector<std::int32_t> order() override;
     real* external() override;
@@ -150,7 +151,7 @@ private:
     void setFrames();
     void setBox();
     void setDomain();
-    void setFields();
+    void setOrder();
     void setGroups();
     void setBonds();
     int leastSharing(int together) const;
@@ -163,14 +164,11 @@ private:
     GroupData<D, real> groupData(const DemGroup&) const;
     void setWalls();
     void prime();
-    template<class T, class Values> void uploadField(int field, const Values& values);
-    template<class T> void uploadVector(int field, int components, const std::vector<double>& from, bool spin);
 
     // demCoupling.hpp
     double speedAtHand();
 
     // demStep.hpp
-    SolidFields<D, P> fields();
     BondFields<D, P> bondFields();
     BondTable bondTable();
     WallMemory<D, real> wallMemory(WallMemoryArrays<Backend, real>&);
@@ -302,14 +300,12 @@ private:
 
     // demOutput.hpp
     int activeSolids();
-    std::vector<double> positions(int n);
     std::vector<int> wallContacts();
     std::vector<std::int32_t> contactCounts(int n);
-    template<class T> std::vector<T> field(int f) { return fields_.template download<T>(set_.context, f); }
-    template<class T> void putVector(int n, int field, int components, bool spin, std::vector<double>& out);
 
     DemSetting<Backend, D, P> set_;
     SceneClock<Backend> clock_{set_.context};
+    ParticleFields<Backend, D, P> particles_;
     PairTable<Backend, D, P> pairs_{set_};
     PrescribedMotion<Backend, D, P> motion_{set_};
     bool still_ = false;        // nothing can move
@@ -321,14 +317,8 @@ private:
     real halfSkin_ = 0, suddenWay_ = 0;
     double skin_ = 0, reach_ = 0;
     bool driven_ = false;       // by a fluid, whose coupling chooses steps by the skin
-    std::vector<double> emptyCoordinate_;
 
-    int n_ = 0;                 // particles with memory
     int reported_ = 0;          // of them known to be in the scene
-    std::vector<std::int32_t> ids_;         // of keys
-    FieldSet<Backend> fields_;
-    int xField_ = 0, vField_ = 0, wField_ = 0, fField_ = 0, mField_ = 0, radiusField_ = 0, massField_ = 0, inertiaField_ = 0;
-    int materialField_ = 0, groupField_ = 0, clumpField_ = -1, turnField_ = -1, idField_ = 0, calmField_ = -1;
     SolidRecordMemory<Backend, D, P> records_;
     Array<Backend, position> reference_;
     CellSort<Backend> sort_;
@@ -337,7 +327,6 @@ private:
     ContactList<Backend, real> list_, oldList_;
 
     Array<Backend, GroupData<D, real>> groups_;
-    Array<Backend, real> external_;
 
     int nBonds_ = 0;
     Array<Backend, std::int32_t> bondIds_[2], bondType_, bondBroken_;

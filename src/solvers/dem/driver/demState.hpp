@@ -148,13 +148,13 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
 
 //- Marks of ghosts are not part of a state
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != calmField_ || sleeps(); }
+bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != particles_.at.calm || sleeps(); }
 
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::savedFields() const
 {
     int n = 0;
-    for (int f = 0; f < fields_.fields(); ++f) n += isSaved(f);
+    for (int f = 0; f < particles_.values.fields(); ++f) n += isSaved(f);
     return n;
 }
 
@@ -192,7 +192,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
     };
     // Room for most of it, without which it would be copied again and again
     std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
-    for (int f = 0; f < fields_.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*fields_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < particles_.values.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*particles_.values.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
     if (nClumps_) expected += (nClumps_*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     words.reserve(expected);
@@ -209,13 +209,13 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
     search.skin = skin_;
     for (int d = 0; d < D; ++d) { search.lower[d] = set_.box.lower[d]; search.length[d] = set_.box.length[d]; }
     append(&search, sizeof(search));
-    const auto key = field<std::int32_t>(idField_);
-    for (int i = 0; i < n; ++i) words.push_back(ids_[key[i]]);
-    for (int f = 0; f < fields_.fields(); ++f)
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
+    for (int i = 0; i < n; ++i) words.push_back(particles_.ids[key[i]]);
+    for (int f = 0; f < particles_.values.fields(); ++f)
     {
         // keys count particles of this scene alone
-        if (f == idField_) words.resize(words.size() + n, 0);
-        else if (isSaved(f)) write(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+        if (f == particles_.at.id) words.resize(words.size() + n, 0);
+        else if (isSaved(f)) write(particles_.values.bytes(f), std::size_t(n)*particles_.values.elementBytes(f));
     }
     forEachBondMemory(kept, [&](auto& array, int numbers)
     {
@@ -246,7 +246,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     takeState(all);
     others_ = std::move(others);
     setPieces();
-    others_->begin(n_);
+    others_->begin(particles_.n);
     rebuild();
     setCapacity(others_->residents() + others_->residents()/4 + 256);
     rebuild();
@@ -276,14 +276,14 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::collectAll()
 {
     Transport& ranks = *set_.config.ranks;
-    const auto key = field<std::int32_t>(idField_);
+    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
     std::vector<RankBytes> out(ranks.size()), in;
     RankBytes own;
     for (int i = 0; i < others_->residents(); ++i)
     {
         if (ghost(i)) continue;
-        const double empty = D == 2 ? emptyCoordinate_[key[i]] : 0;
-        putValues(own, &ids_[key[i]]);
+        const double empty = D == 2 ? particles_.emptyCoordinate[key[i]] : 0;
+        putValues(own, &particles_.ids[key[i]]);
         putValues(own, &empty);
     }
     out.assign(ranks.size(), own);
@@ -299,15 +299,15 @@ void DemSolver<Backend, D, P>::collectAll()
             all[id] = empty;
         }
     setCapacity(int(all.size()));
-    ids_.clear();
-    emptyCoordinate_.clear();
+    particles_.ids.clear();
+    particles_.emptyCoordinate.clear();
     for (const auto& one : all)
     {
-        ids_.push_back(one.first);
-        if (D == 2) emptyCoordinate_.push_back(one.second);
+        particles_.ids.push_back(one.first);
+        if (D == 2) particles_.emptyCoordinate.push_back(one.second);
     }
     // nobody is a ghost
-    fields_.upload(set_.context, calmField_, std::vector<std::int32_t>(n_, -1));
+    particles_.values.upload(set_.context, particles_.at.calm, std::vector<std::int32_t>(particles_.n, -1));
 }
 
 //- As one process that has all particles
@@ -325,7 +325,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
     if (words[5] != pairs_.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
-    if (n != n_) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(n_));
+    if (n != particles_.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(particles_.n));
     if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
     detail::StateReader<Context<Backend>> read{set_.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
@@ -341,7 +341,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     restoreSearch(search);
     std::vector<std::int32_t> ids(n);
     take(ids.data(), ids.size()*sizeof(std::int32_t));
-    for (int f = 0; f < fields_.fields(); ++f) if (isSaved(f)) read(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+    for (int f = 0; f < particles_.values.fields(); ++f) if (isSaved(f)) read(particles_.values.bytes(f), std::size_t(n)*particles_.values.elementBytes(f));
     restoreIds(ids);
     std::vector<int> all(nBonds_);
     for (int k = 0; k < nBonds_; ++k) all[k] = k;
@@ -354,7 +354,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (nClumps_)
     {
         read(clumps_.data(), nClumps_*sizeof(ClumpData));
-        const auto key = field<std::int32_t>(idField_);
+        const auto key = particles_.template field<std::int32_t>(particles_.at.id);
         auto offset = offset_.download();
         for (int i = 0; i < n; ++i) take(&offset[3*std::size_t(key[i])], 3*sizeof(double));
         offset_.upload(set_.context, offset);
@@ -395,8 +395,8 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
 {
     const int n = int(ids.size());
     const auto fail = [] { throw std::invalid_argument("saved state: it is of other particles"); };
-    std::vector<int> keyOf(n ? *std::max_element(ids_.begin(), ids_.end()) + 1 : 0, -1);
-    for (int key = 0; key < n; ++key) keyOf[ids_[key]] = key;
+    std::vector<int> keyOf(n ? *std::max_element(particles_.ids.begin(), particles_.ids.end()) + 1 : 0, -1);
+    for (int key = 0; key < n; ++key) keyOf[particles_.ids[key]] = key;
     std::vector<std::int32_t> keys(n);
     for (int i = 0; i < n; ++i)
     {
@@ -404,7 +404,7 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
         keys[i] = keyOf[ids[i]];
         keyOf[ids[i]] = -1;
     }
-    fields_.upload(set_.context, idField_, keys);
+    particles_.values.upload(set_.context, particles_.at.id, keys);
     set_.context.toDevice(const_cast<int*>(sort_.active()), &n, sizeof(int));
     reported_ = n;
 }

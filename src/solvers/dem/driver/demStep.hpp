@@ -10,34 +10,6 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-SolidFields<D, P> DemSolver<Backend, D, P>::fields()
-{
-    SolidFields<D, P> s{};
-    for (int d = 0; d < D; ++d)
-    {
-        s.x[d] = fields_.template data<std::int64_t>(xField_ + d);
-        s.v[d] = fields_.template data<double>(vField_ + d);
-        s.f[d] = fields_.template data<real>(fField_ + d);
-    }
-    for (int c = 0; c < S; ++c)
-    {
-        s.w[c] = fields_.template data<real>(wField_ + c);
-        s.m[c] = fields_.template data<real>(mField_ + c);
-    }
-    s.radius = fields_.template data<real>(radiusField_);
-    s.mass = fields_.template data<real>(massField_);
-    s.inverseInertia = fields_.template data<real>(inertiaField_);
-    s.material = fields_.template data<std::int32_t>(materialField_);
-    s.group = fields_.template data<std::int32_t>(groupField_);
-    s.clump = clumpField_ < 0 ? nullptr : fields_.template data<std::int32_t>(clumpField_);
-    s.id = fields_.template data<std::int32_t>(idField_);
-    s.calm = calmField_ < 0 ? nullptr : fields_.template data<std::int32_t>(calmField_);
-    if (turnField_ >= 0)
-        for (int k = 0; k < (D == 2 ? 1 : 4); ++k) s.turn[k] = fields_.template data<real>(turnField_ + k);
-    return s;
-}
-
-template<class Backend, int D, class P>
 BondFields<D, P> DemSolver<Backend, D, P>::bondFields()
 {
     return BondFields<D, P>
@@ -78,10 +50,10 @@ template<class Backend, int D, class P>
 template<class M>
 void DemSolver<Backend, D, P>::setMotion(M& m)
 {
-    m.fields = fields();
+    m.fields = particles_.view();
     m.groups = groups_.data();
     for (int d = 0; d < D; ++d) m.gravity[d] = real(set_.config.gravity[set_.config.axes[d]]);
-    m.external = external_.size() ? external_.data() : nullptr;
+    m.external = particles_.externalForces();
     m.clock = clock_.data();
     m.active = sort_.active();
 }
@@ -96,7 +68,7 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
     m.verlet = set_.config.integrator == DemIntegratorKind::velocityVerlet;
     for (int d = 0; d < D; ++d)
     {
-        m.reference[d] = reference_.data() + std::size_t(d)*n_;
+        m.reference[d] = reference_.data() + std::size_t(d)*particles_.n;
         m.domainMin[d] = domainMin_[d];
         m.domainMax[d] = domainMax_[d];
     }
@@ -140,9 +112,9 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         GatherPass<Backend, D, P, Law> pass;
         setModel(pass);
         pass.clock = forceClock(turn);
-        pass.fields = fields();
+        pass.fields = particles_.view();
         pass.largestGap = real(pairs_.largestGap());
-        forEach(set_.context, n_, pass);
+        forEach(set_.context, particles_.n, pass);
     }
 #ifndef __CUDACC__
     else
@@ -164,7 +136,7 @@ WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
 {
     WallPass<D, P, Law> pass{};
     pass.box = set_.box;
-    pass.fields = fields();
+    pass.fields = particles_.view();
     pass.walls = walls_.data();
     pass.wallCount = nWalls_;
     pass.surface = surface();
@@ -188,7 +160,7 @@ WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
         }
         // as many threads as there is room for: recorded launches stay what they are while numbers change
         pass.listed = parts_.wallList.data();
-        pass.listedCount = parts_.wallListFirst.data() + n_;
+        pass.listedCount = parts_.wallListFirst.data() + particles_.n;
     }
     return pass;
 }
@@ -197,7 +169,7 @@ template<class Backend, int D, class P>
 template<class Law>
 void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
 {
-    int near = n_;
+    int near = particles_.n;
     if constexpr (Backend::gpu) near = int(parts_.wallList.size());
     forEach(set_.context, near, wallKernel<Law>(turn));
 }
@@ -205,7 +177,7 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
 {
-    BondPass<D, P> pass{bondFields(), set_.box, fields(), records_.view(), forceClock(turn), {}};
+    BondPass<D, P> pass{bondFields(), set_.box, particles_.view(), records_.view(), forceClock(turn), {}};
     if constexpr (Backend::gpu)
         if (turn == ForceTurn::ahead)
         {
@@ -229,7 +201,7 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
     {
         bondPass(turn);
         if constexpr (Backend::gpu)
-            forEach(set_.context, n_, GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(turn), sort_.active()});
+            forEach(set_.context, particles_.n, GatherBonds<D, P>{bondTable(), bondForce_.data(), particles_.view(), forceClock(turn), sort_.active()});
     }
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
@@ -251,7 +223,7 @@ void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
 template<class Backend, int D, class P>
 ClumpMembers<D, P> DemSolver<Backend, D, P>::clumpMembers()
 {
-    return {clumps_.data(), set_.box, fields(), memberFirst_.data(), member_.data(), slotOf_.data(), external_.size() ? external_.data() : nullptr};
+    return {clumps_.data(), set_.box, particles_.view(), memberFirst_.data(), member_.data(), slotOf_.data(), particles_.externalForces()};
 }
 
 template<class Backend, int D, class P>
@@ -275,7 +247,7 @@ CollectedForce<D, P> DemSolver<Backend, D, P>::collected()
     return CollectedForce<D, P>
     {
         &parts_.deferred, parts_.sums.data(), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.force.data(), bondTable(),
-        bondForce_.data(), fields().id
+        bondForce_.data(), particles_.view().id
     };
 }
 #endif
@@ -287,7 +259,7 @@ void DemSolver<Backend, D, P>::collectForces()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        if (parts_.uncollected) forEach(set_.context, n_, CollectForces<D, P>{collected(), fields(), sort_.active()});
+        if (parts_.uncollected) forEach(set_.context, particles_.n, CollectForces<D, P>{collected(), particles_.view(), sort_.active()});
         parts_.uncollected = false;
     }
 #endif
@@ -300,12 +272,12 @@ void DemSolver<Backend, D, P>::moveParticles()
     if constexpr (!Backend::gpu)
         if (parts_.uncollected)
         {
-            forEach(set_.context, n_, MoveCollected<D, P>{collected(), mover()});
+            forEach(set_.context, particles_.n, MoveCollected<D, P>{collected(), mover()});
             parts_.uncollected = false;
             return;
         }
 #endif
-    forEach(set_.context, n_, mover());
+    forEach(set_.context, particles_.n, mover());
 }
 
 template<class Backend, int D, class P>
@@ -335,7 +307,7 @@ void DemSolver<Backend, D, P>::finishStep()
     FinishVerlet<D, P> finish{};
     setMotion(finish);
     finish.clumps = nClumps_;
-    forEach(set_.context, n_, finish);
+    forEach(set_.context, particles_.n, finish);
     if (nClumps_) forEach(set_.context, nClumps_, FinishClumps<D, P>{clumps_.data(), clumpKick(), clock_.data()});
 }
 
@@ -375,7 +347,7 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
-    else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !motion_.walls() && n_ <= BlockLimits::particles
+    else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !motion_.walls() && particles_.n <= BlockLimits::particles
       && nBonds_ <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
 }
 
@@ -388,9 +360,9 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
     b.move = mover();
     setModel(b.contacts);
     b.contacts.clock = forceClock(ForceTurn::inStep);
-    b.contacts.fields = fields();
+    b.contacts.fields = particles_.view();
     b.contacts.largestGap = real(pairs_.largestGap());
-    b.n = n_;
+    b.n = particles_.n;
     if (nWalls_ && wallMemory_.entries)
     {
         b.walls = wallKernel<Law>(ForceTurn::inStep);
@@ -398,8 +370,8 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
     }
     if (nBonds_)
     {
-        b.bonds = BondPass<D, P>{bondFields(), set_.box, fields(), records_.view(), forceClock(ForceTurn::inStep), {}};
-        b.gather = GatherBonds<D, P>{bondTable(), bondForce_.data(), fields(), forceClock(ForceTurn::inStep), sort_.active()};
+        b.bonds = BondPass<D, P>{bondFields(), set_.box, particles_.view(), records_.view(), forceClock(ForceTurn::inStep), {}};
+        b.gather = GatherBonds<D, P>{bondTable(), bondForce_.data(), particles_.view(), forceClock(ForceTurn::inStep), sort_.active()};
         b.bondCount = nBonds_;
     }
     setMotion(b.finish);
@@ -422,12 +394,12 @@ void DemSolver<Backend, D, P>::steps(int count)
         }
         const int together = 8;
         // motion tables change from window to window, and the fields of large scenes from sort to sort
-        if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && fields_.alternates())
+        if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && particles_.values.alternates())
             for (; count >= together/2; count -= together)
             {
                 if (parts_.graphs.size() > 16) parts_.graphs.clear();
                 std::vector<const void*> key = graphKey(together);
-                key.push_back(fields().x[0]);       // fields alternate between two places
+                key.push_back(particles_.view().x[0]);       // fields alternate between two places
                 Graph& graph = parts_.graphs[key];
                 if (!graph.recorded()) graph.record(set_.context, [&] { for (int k = 0; k < together; ++k) step(); });
                 graph.replay(set_.context);
