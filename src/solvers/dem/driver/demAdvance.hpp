@@ -99,7 +99,7 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
     report.steps = clock_.now.step - before;
     report.totalSteps = clock_.now.step;
     report.maxSpeed = largestSpeed();
-    report.brokenBonds = brokenBonds();
+    report.brokenBonds = bonds_.broken();
     report.asleep = sleeps() ? asleepNow() : 0;
     collectEscaped(report);
     collectPassed(report);
@@ -116,14 +116,6 @@ double DemSolver<Backend, D, P>::largestSpeed()
     float most = 0;
     for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
     return largestOfRanks(std::sqrt(double(most)));
-}
-
-template<class Backend, int D, class P>
-std::size_t DemSolver<Backend, D, P>::brokenBonds()
-{
-    std::size_t count = 0;
-    if (nBonds_) for (const std::int32_t b : bondBroken_.download()) count += b != 0;
-    return count;
 }
 
 //- Particles that left: sorted to the end by the last rebuild, reported once

@@ -47,7 +47,7 @@ void DemSolver<Backend, D, P>::openSteps()
         }
         const bool walls = nWalls_ && wallMemory_.entries;
         forEach(set_.context, particles_.n, OpenSteps<D, P>
-        {stepState(), particles_.view(), nBonds_ ? bondFirst_.data() : nullptr, walls ? wallMemory_.entryFirst.data() : nullptr, sort_.active()});
+        {stepState(), particles_.view(), bonds_.first(), walls ? wallMemory_.entryFirst.data() : nullptr, sort_.active()});
     }
 }
 
@@ -71,7 +71,7 @@ void DemSolver<Backend, D, P>::fusedStep()
     {
         const StepState<D, P> state = stepState();
         if (surfaces_ && wallMemory_.entries) wallPass<Law>(ForceTurn::ahead);
-        if (nBonds_) bondPass(ForceTurn::ahead);
+        if (bonds_.count()) bondPass(ForceTurn::ahead);
         FusedStep<Backend, D, P, Law> step{};
         setModel(step.contacts);
         step.contacts.solids = state.from;
@@ -81,8 +81,8 @@ void DemSolver<Backend, D, P>::fusedStep()
         step.now = clock_.data() + parts_.current;
         step.next = clock_.data() + 1 - parts_.current;
         if (nWalls_) step.walls = wallKernel<Law>(ForceTurn::ahead);
-        step.bonds = bondTable();
-        step.bondForce = bondForce_.data();
+        step.bonds = bonds_.table();
+        step.bondForce = bonds_.force();
         step.sleeping = sleeps();
         forEach(set_.context, particles_.n, step);
         if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data() + 1 - parts_.current));

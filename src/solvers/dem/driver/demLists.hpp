@@ -30,14 +30,14 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
     if (others_) settleRanks();
     forEach(set_.context, particles_.n, PlaceSolids<D, P>{mover(), slotOf_.data()});
     settleFrames();
-    if (nBonds_) forEach(set_.context, nBonds_, LoseBonds<D, P>{bondFields()});
+    if (bonds_.count()) forEach(set_.context, bonds_.count(), LoseBonds<D, P>{bonds_.view(slotOf_.data())});
     if constexpr (Backend::gpu) buildFullLists(fresh);
     else
     {
         buildContacts(fresh);
         if (nWalls_) buildWalls(fresh);
     }
-    if (nBonds_) forEach(set_.context, nBonds_, RestBonds<Backend, D, P>{bondFields(), list_.view()});
+    if (bonds_.count()) forEach(set_.context, bonds_.count(), RestBonds<Backend, D, P>{bonds_.view(slotOf_.data()), list_.view()});
     blockContacts();
 }
 
@@ -82,7 +82,7 @@ ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
     return ContactSearch<Backend, D, P>
     {
         // ghosts are as one body: what they do to each other is others' business
-        set_.box, classes_, records_.view(), sort_.start(), place, others_ ? f.calm : f.clump, f.id, bondTable(), real(reach_),
+        set_.box, classes_, records_.view(), sort_.start(), place, others_ ? f.calm : f.clump, f.id, bonds_.table(), real(reach_),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
         real(pairs_.largestGap() + 0.5*double(halfSkin_))
     };
@@ -101,7 +101,7 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
         exclusiveScan(set_.context, scan_, list_.base(), blocks + 1);
         int entries = 0;
         set_.context.toHost(&entries, list_.base() + blocks, sizeof(int));
-        list_.reserve(set_.context, requireListed(entries, "solid particles"), pairs_.histories(), nBonds_ > 0);
+        list_.reserve(set_.context, requireListed(entries, "solid particles"), pairs_.histories(), bonds_.count() > 0);
         forEach(set_.context, particles_.n, WriteContacts<Backend, D, P>
         {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(pairs_.histories())});
         if (fresh) return;
@@ -165,7 +165,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
             });
         }
         list_.swapShape(oldList_);
-        list_.reserve(set_.context, requireListed(total[1], "solid particles"), pairs_.histories(), nBonds_ > 0);
+        list_.reserve(set_.context, requireListed(total[1], "solid particles"), pairs_.histories(), bonds_.count() > 0);
         forEach(set_.context, particles_.n, WriteFullLists<Backend, D, P>
         {
             search(g.place.data()), sort_.active(), list_.view(), pairs_.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),

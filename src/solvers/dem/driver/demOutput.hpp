@@ -99,14 +99,7 @@ DemState DemSolver<Backend, D, P>::particles()
     const int n = activeSolids();
     s.contacts = contactCounts(n);
     dropGhosts(s.contacts, 1);
-    s.brokenBonds.assign(n, 0);
-    if (nBonds_)
-    {
-        const auto slotOf = slotOf_.download(), a = bondIds_[0].download(), b = bondIds_[1].download();
-        const auto broken = bondBroken_.download();
-        for (int k = 0; k < nBonds_; ++k)
-            if (broken[k]) for (const int key : {a[k], b[k]}) if (slotOf[key] >= 0) ++s.brokenBonds[slotOf[key]];
-    }
+    s.brokenBonds = bonds_.brokenAt(slotOf_, n);
     dropGhosts(s.brokenBonds, 1);
     return s;
 }
@@ -226,42 +219,6 @@ DemContacts DemSolver<Backend, D, P>::contacts()
 }
 
 template<class Backend, int D, class P>
-DemBondState DemSolver<Backend, D, P>::bonds()
-{
-    DemBondState s;
-    if (!nBonds_) return s;
-    const auto a = bondIds_[0].download(), b = bondIds_[1].download();
-    s.type = bondType_.download();
-    s.broken = bondBroken_.download();
-    s.restGap = bondRest_.download();
-    const auto force = bondForce_.download();
-    const auto slotOf = slotOf_.download();
-    const auto radius = particles_.template field<real>(particles_.at.radius);
-    std::vector<std::int64_t> x[D];
-    for (int d = 0; d < D; ++d) x[d] = particles_.template field<std::int64_t>(particles_.at.x + d);
-    s.force.assign(3*std::size_t(nBonds_), 0.0);
-    s.moment = s.force;
-    for (int k = 0; k < nBonds_; ++k)
-    {
-        s.a.push_back(particles_.ids[a[k]]);
-        s.b.push_back(particles_.ids[b[k]]);
-        double d2 = 0;
-        const int i = slotOf[a[k]], j = slotOf[b[k]];
-        for (int d = 0; d < D; ++d)
-        {
-            s.force[3*std::size_t(k) + set_.config.axes[d]] = double(force[k].force.c[d]);
-            if (i < 0 || j < 0) continue;
-            const double r = double(std::int64_t(std::uint64_t(x[d][j]) - std::uint64_t(x[d][i])))*set_.box.unit[d];
-            d2 += r*r;
-        }
-        for (int c = 0; c < S; ++c)
-            s.moment[3*std::size_t(k) + (D == 2 ? set_.config.axes[2] : c)] = (D == 2 ? set_.spinSign() : 1)*double(force[k].bending.c[c]);
-        s.gap.push_back(i < 0 || j < 0 ? 0 : std::sqrt(d2) - double(radius[i]) - double(radius[j]));
-    }
-    return s;
-}
-
-template<class Backend, int D, class P>
 DemEnergy DemSolver<Backend, D, P>::energy()
 {
     DemEnergy e;
@@ -307,19 +264,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     for (int i = 0; others_ && wallMemory_.entries && i < activeSolids(); ++i)
         for (int k = wallMemory_.entryFirst.data()[i]; !ghost(i) && k < wallMemory_.entryFirst.data()[i + 1]; ++k)
             e.contact += double(wall[k*wallWords<D> + D + S]);
-    if (!nBonds_) return e;
-    const DemBondState b = bonds();
-    const auto radius = particles_.template field<real>(particles_.at.radius);
-    const auto history = bondHistory_.download();
-    const auto types = bondTypes_.download();
-    const auto slots = slotOf_.download();
-    const auto ends = std::array<std::vector<std::int32_t>, 2>{bondIds_[0].download(), bondIds_[1].download()};
-    for (int k = 0; k < nBonds_; ++k)
-    {
-        if (b.broken[k]) continue;
-        e.bond += double(bondEnergy<D, real>
-        (types[b.type[k]], radius[slots[ends[0][k]]], radius[slots[ends[1][k]]], real(b.gap[k] - b.restGap[k]), &history[std::size_t(k)*bondHistory<D>]));
-    }
+    e.bond = bonds_.energy(slotOf_);
     return e;
 }
 
@@ -445,8 +390,7 @@ std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
         put("solids", "order", parts_.place.bytes() + parts_.order.bytes() + parts_.cost.bytes() + parts_.found.bytes()
           + parts_.foundNear.bytes() + parts_.foundWalls.bytes() + parts_.foundElements.bytes());
     }
-    put("bonds", "bonds", bondIds_[0].bytes() + bondIds_[1].bytes() + bondType_.bytes() + bondBroken_.bytes() + bondRest_.bytes()
-      + bondHistory_.bytes() + bondForce_.bytes() + bondFirst_.bytes() + bondReference_.bytes());
+    put("bonds", "bonds", bonds_.bytes());
     put("clumps", "clumps", clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes() + constraints_.bytes() + springs_.bytes()
       + springFirst_.bytes());
     put("walls", "surfaces", walls_.bytes() + vertices_.bytes() + elements_.bytes() + sharedFirst_.bytes() + shared_.bytes()

@@ -27,7 +27,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     particles_.fill(input.particles);
     setOrder();
     setGroups();
-    setBonds();
+    bonds_.set(input.bonds, input.particles);
     setClumps();
     setWalls();
     given_ = nullptr;
@@ -140,66 +140,6 @@ void DemSolver<Backend, D, P>::setGroups()
     }
     groups_.upload(set_.context, groups);
     motion_.holdGroups(motions);
-}
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setBonds()
-{
-    const DemBonds& in = given_->bonds;
-    nBonds_ = int(in.size());
-    if (!nBonds_) return;
-    const DemParticles& q = given_->particles;
-    std::vector<int> keyOf;
-    for (int i = 0; i < particles_.n; ++i)
-    {
-        if (std::size_t(particles_.ids[i]) >= keyOf.size()) keyOf.resize(std::size_t(particles_.ids[i]) + 1, -1);
-        keyOf[particles_.ids[i]] = i;
-    }
-    std::vector<std::int32_t> end[2], type(in.type);
-    std::vector<double> rest(in.gap);
-    std::vector<int> first(particles_.n + 1, 0);
-    type.resize(nBonds_, 0);
-    for (int k = 0; k < nBonds_; ++k)
-    {
-        const int a = keyOf[in.a[k]], b = keyOf[in.b[k]];
-        end[0].push_back(a);
-        end[1].push_back(b);
-        ++first[a + 1];
-        ++first[b + 1];
-        if (!in.gap.empty()) continue;
-        double d2 = 0;
-        for (int d = 0; d < D; ++d)
-        {
-            const int axis = set_.config.axes[d];
-            const std::int64_t xa = set_.box.toFixed(d, q.position[3*std::size_t(a) + axis]), xb = set_.box.toFixed(d, q.position[3*std::size_t(b) + axis]);
-            const double s = double(std::int64_t(std::uint64_t(xb) - std::uint64_t(xa)))*set_.box.unit[d];
-            d2 += s*s;
-        }
-        rest.push_back(std::sqrt(d2) - double(real(q.radius[a])) - double(real(q.radius[b])));
-    }
-    for (int i = 0; i < particles_.n; ++i) first[i + 1] += first[i];
-    std::vector<int> next(first.begin(), first.end() - 1), reference(2*std::size_t(nBonds_));
-    for (int k = 0; k < nBonds_; ++k)
-        for (int e = 0; e < 2; ++e) reference[next[end[e][k]]++] = 2*k + e;
-    std::vector<BondParameters<real>> types;
-    for (const DemBondType& t : set_.input.bondTypes)
-    {
-        const auto strength = [](double s) { return real(std::min(s, 1e30)); };
-        types.push_back(BondParameters<real>
-        {
-            real(t.normalStiffness), real(t.shearStiffness), strength(t.tensileStrength), strength(t.shearStrength),
-            real(2*t.dampingRatio), real(t.radiusFactor), t.radiusKind == BondRadiusKind::harmonic, D == 3 || t.cylinder
-        });
-    }
-    for (int e = 0; e < 2; ++e) bondIds_[e].upload(set_.context, end[e]);
-    bondType_.upload(set_.context, type);
-    bondRest_.upload(set_.context, rest);
-    bondTypes_.upload(set_.context, types);
-    bondBroken_.upload(set_.context, std::vector<std::int32_t>(nBonds_, 0));
-    bondHistory_.upload(set_.context, std::vector<real>(std::size_t(nBonds_)*bondHistory<D>, real(0)));
-    bondForce_.allocate(set_.context, nBonds_);
-    bondFirst_.upload(set_.context, first);
-    bondReference_.upload(set_.context, reference);
 }
 
 template<class Backend, int D, class P>

@@ -46,7 +46,7 @@ void DemSolver<Backend, D, P>::checkSleep(bool fused)
     const bool walls = nWalls_ && wallMemory_.entries;
     forEach(set_.context, particles_.n, CountCalm<D, P>
     {s, real(set_.config.sleepSpeed), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.entry.data(), walls_.data()});
-    forEach(set_.context, particles_.n, MarkRestless<Backend, D, P>{s, list_.view(), bondTable(), slotOf_.data()});
+    forEach(set_.context, particles_.n, MarkRestless<Backend, D, P>{s, list_.view(), bonds_.table(), slotOf_.data()});
     takeHistories(s);
     forEach(set_.context, particles_.n, FallAsleep<D, P>{s, groups_.data()});
     setRanges();

@@ -15,7 +15,6 @@
 #include "core/backend/graph.hpp"
 #include "core/loops/largest.hpp"
 #include "coupling/solidView.hpp"
-#include "dem/bond/bondPass.hpp"
 #include "dem/passes/fusedStep.hpp"
 #include "dem/lists/likeWithLike.hpp"
 #include "dem/passes/collectPass.hpp"
@@ -24,6 +23,7 @@
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
 #include "solvers/dem/parts/demBlockSteps.hpp"
+#include "solvers/dem/parts/bonds.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
 #include "solvers/dem/parts/pairTable.hpp"
 #include "solvers/dem/parts/particleFields.hpp"
@@ -109,7 +109,7 @@ public:
     DemState particles() override;
     DemState motion() override;
     DemContacts contacts() override;
-    DemBondState bonds() override;
+    DemBondState bonds() override { return bonds_.state(slotOf_); }
     DemClumpState clumps() override;
     std::vector<DemSpringState> springs() override;
     DemEnergy energy() override;
@@ -153,7 +153,6 @@ private:
     void setDomain();
     void setOrder();
     void setGroups();
-    void setBonds();
     int leastSharing(int together) const;
     void setClumps();
     ClumpConstraint constraintOf(const DemGroup&) const;
@@ -169,8 +168,6 @@ private:
     double speedAtHand();
 
     // demStep.hpp
-    BondFields<D, P> bondFields();
-    BondTable bondTable();
     WallMemory<D, real> wallMemory(WallMemoryArrays<Backend, real>&);
     SurfaceView<D> surface();
     template<class M> void setMotion(M&);
@@ -275,9 +272,7 @@ private:
     void takeState(const std::vector<std::int32_t>& words);
     std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>& words) const;
     void collectAll();
-    std::vector<int> keptBonds();
     template<class F> void forEachMemory(F f);
-    template<class F> void forEachBondMemory(const std::vector<int>& kept, F f);
     std::size_t historyTogether() const;
     std::size_t historyRows() const;
     void clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const;
@@ -295,7 +290,6 @@ private:
     void describeOffender(DemReport&, int worst, double offence);
     std::vector<double> offences(int n);
     double largestSpeed();
-    std::size_t brokenBonds();
     void clearPassed();
 
     // demOutput.hpp
@@ -308,6 +302,7 @@ private:
     ParticleFields<Backend, D, P> particles_;
     PairTable<Backend, D, P> pairs_{set_};
     PrescribedMotion<Backend, D, P> motion_{set_};
+    Bonds<Backend, D, P> bonds_{set_, particles_};
     bool still_ = false;        // nothing can move
     const DemInput* given_ = nullptr;       // while the scene is made
 
@@ -327,14 +322,6 @@ private:
     ContactList<Backend, real> list_, oldList_;
 
     Array<Backend, GroupData<D, real>> groups_;
-
-    int nBonds_ = 0;
-    Array<Backend, std::int32_t> bondIds_[2], bondType_, bondBroken_;
-    Array<Backend, double> bondRest_;
-    Array<Backend, real> bondHistory_;
-    Array<Backend, BondForce<D, real>> bondForce_;
-    Array<Backend, BondParameters<real>> bondTypes_;
-    Array<Backend, int> bondFirst_, bondReference_;
 
     int nClumps_ = 0, largestClump_ = 0;
     Array<Backend, ClumpData> clumps_;

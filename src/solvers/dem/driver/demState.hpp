@@ -61,17 +61,6 @@ struct StateReader
 
 } // namespace detail
 
-//- Bonds with both ends in the scene, in order: a scene of those that stayed has them too
-template<class Backend, int D, class P>
-std::vector<int> DemSolver<Backend, D, P>::keptBonds()
-{
-    std::vector<int> kept;
-    if (!nBonds_) return kept;
-    const auto slotOf = slotOf_.download(), a = bondIds_[0].download(), b = bondIds_[1].download();
-    for (int k = 0; k < nBonds_; ++k) if (slotOf[a[k]] >= 0 && slotOf[b[k]] >= 0) kept.push_back(k);
-    return kept;
-}
-
 //- Histories lie in rows over all entries, so many numbers of an entry together in each
 template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::historyTogether() const
@@ -85,18 +74,6 @@ std::size_t DemSolver<Backend, D, P>::historyRows() const
 {
     const std::size_t together = historyTogether();
     return together ? ContactListView<Backend, real>::historyWords(pairs_.histories())/together : 0;
-}
-
-//- f(array, numbers a bond) for what bonds remember
-template<class Backend, int D, class P>
-template<class F>
-void DemSolver<Backend, D, P>::forEachBondMemory(const std::vector<int>& kept, F f)
-{
-    if (kept.empty()) return;
-    f(bondRest_, 1);
-    f(bondBroken_, 1);
-    f(bondHistory_, bondHistory<D>);
-    f(bondForce_, 1);
 }
 
 //- What does not follow from positions: contacts' histories, clumps, walls
@@ -184,7 +161,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
     clock_.now.windowEnd = -1e300;               // motions are sampled anew, by both
     clock_.write();
     const int n = activeSolids();
-    const std::vector<int> kept = keptBonds();
+    const std::vector<int> kept = bonds_.kept(slotOf_);
     std::vector<std::int32_t> words
     {
         detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), pairs_.histories(), n, savedFields(),
@@ -217,7 +194,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
         if (f == particles_.at.id) words.resize(words.size() + n, 0);
         else if (isSaved(f)) write(particles_.values.bytes(f), std::size_t(n)*particles_.values.elementBytes(f));
     }
-    forEachBondMemory(kept, [&](auto& array, int numbers)
+    bonds_.forEachMemory(kept, [&](auto& array, int numbers)
     {
         const auto all = array.download();
         for (const int k : kept) append(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
@@ -326,7 +303,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (words[5] != pairs_.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
     if (n != particles_.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(particles_.n));
-    if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
+    if (words[8] != bonds_.count() || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
     detail::StateReader<Context<Backend>> read{set_.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
@@ -343,12 +320,12 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     take(ids.data(), ids.size()*sizeof(std::int32_t));
     for (int f = 0; f < particles_.values.fields(); ++f) if (isSaved(f)) read(particles_.values.bytes(f), std::size_t(n)*particles_.values.elementBytes(f));
     restoreIds(ids);
-    std::vector<int> all(nBonds_);
-    for (int k = 0; k < nBonds_; ++k) all[k] = k;
-    forEachBondMemory(all, [&](auto& array, int numbers)
+    std::vector<int> all(bonds_.count());
+    for (int k = 0; k < bonds_.count(); ++k) all[k] = k;
+    bonds_.forEachMemory(all, [&](auto& array, int numbers)
     {
         auto values = array.download();
-        for (int k = 0; k < nBonds_; ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
+        for (int k = 0; k < bonds_.count(); ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
         array.upload(set_.context, values);
     });
     if (nClumps_)

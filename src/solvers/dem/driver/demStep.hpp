@@ -10,27 +10,6 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-BondFields<D, P> DemSolver<Backend, D, P>::bondFields()
-{
-    return BondFields<D, P>
-    {
-        nBonds_, {bondIds_[0].data(), bondIds_[1].data()}, bondType_.data(), bondRest_.data(), bondHistory_.data(),
-        bondBroken_.data(), bondForce_.data(), bondTypes_.data(), slotOf_.data()
-    };
-}
-
-template<class Backend, int D, class P>
-BondTable DemSolver<Backend, D, P>::bondTable()
-{
-    if (!nBonds_) return BondTable{};
-    return BondTable
-    {
-        bondFirst_.data(), bondReference_.data(), {bondIds_[0].data(), bondIds_[1].data()}, bondBroken_.data(),
-        set_.config.contactWithinBonds
-    };
-}
-
-template<class Backend, int D, class P>
 WallMemory<D, typename P::real> DemSolver<Backend, D, P>::wallMemory(WallMemoryArrays<Backend, real>& m)
 {
     return WallMemory<D, real>
@@ -177,15 +156,15 @@ void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
 {
-    BondPass<D, P> pass{bondFields(), set_.box, particles_.view(), records_.view(), forceClock(turn), {}};
+    BondPass<D, P> pass{bonds_.view(slotOf_.data()), set_.box, particles_.view(), records_.view(), forceClock(turn), {}};
     if constexpr (Backend::gpu)
         if (turn == ForceTurn::ahead)
         {
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
-    if constexpr (Backend::gpu) forEachBlock(set_.context, (nBonds_ + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
-    else forEach(set_.context, nBonds_, pass);
+    if constexpr (Backend::gpu) forEachBlock(set_.context, (bonds_.count() + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
+    else forEach(set_.context, bonds_.count(), pass);
 }
 
 //- All forces at the positions at hand
@@ -197,11 +176,11 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
         contactPass<decltype(law)>(turn);
         if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>(turn);
     });
-    if (nBonds_)
+    if (bonds_.count())
     {
         bondPass(turn);
         if constexpr (Backend::gpu)
-            forEach(set_.context, particles_.n, GatherBonds<D, P>{bondTable(), bondForce_.data(), particles_.view(), forceClock(turn), sort_.active()});
+            forEach(set_.context, particles_.n, GatherBonds<D, P>{bonds_.table(), bonds_.force(), particles_.view(), forceClock(turn), sort_.active()});
     }
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
@@ -246,8 +225,8 @@ CollectedForce<D, P> DemSolver<Backend, D, P>::collected()
     const bool walls = nWalls_ && wallMemory_.entries;
     return CollectedForce<D, P>
     {
-        &parts_.deferred, parts_.sums.data(), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.force.data(), bondTable(),
-        bondForce_.data(), particles_.view().id
+        &parts_.deferred, parts_.sums.data(), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.force.data(), bonds_.table(),
+        bonds_.force(), particles_.view().id
     };
 }
 #endif
@@ -348,7 +327,7 @@ bool DemSolver<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
     else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !motion_.walls() && particles_.n <= BlockLimits::particles
-      && nBonds_ <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
+      && bonds_.count() <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
 }
 
 template<class Backend, int D, class P>
@@ -368,11 +347,11 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
         b.walls = wallKernel<Law>(ForceTurn::inStep);
         if constexpr (Backend::gpu) b.nearWalls = int(parts_.wallList.size());
     }
-    if (nBonds_)
+    if (bonds_.count())
     {
-        b.bonds = BondPass<D, P>{bondFields(), set_.box, particles_.view(), records_.view(), forceClock(ForceTurn::inStep), {}};
-        b.gather = GatherBonds<D, P>{bondTable(), bondForce_.data(), particles_.view(), forceClock(ForceTurn::inStep), sort_.active()};
-        b.bondCount = nBonds_;
+        b.bonds = BondPass<D, P>{bonds_.view(slotOf_.data()), set_.box, particles_.view(), records_.view(), forceClock(ForceTurn::inStep), {}};
+        b.gather = GatherBonds<D, P>{bonds_.table(), bonds_.force(), particles_.view(), forceClock(ForceTurn::inStep), sort_.active()};
+        b.bondCount = bonds_.count();
     }
     setMotion(b.finish);
     b.steps = count;
