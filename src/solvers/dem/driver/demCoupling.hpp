@@ -76,8 +76,8 @@ double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::push(double dt)
 {
-    forEach(set_.context, particles_.n, PushSolids<D, P>{particles_.view(), groups_.data(), particles_.external.data(), nClumps_ > 0, sort_.active(), dt});
-    if (nClumps_) sumClumps(set_.context, nClumps_, largestClump_, PushClumps<D, P>{clumpMembers(), groups_.data(), constraints(), dt});
+    forEach(set_.context, particles_.n, PushSolids<D, P>{particles_.view(), groups_.data(), particles_.external.data(), clumps_.count() > 0, sort_.active(), dt});
+    clumps_.push(dt, slotOf_.data());
 }
 
 template<class Backend, int D, class P>
@@ -91,7 +91,7 @@ bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
         ++clock_.now.step;
         return true;
     }
-    gatherClumps(nullptr);      // they begin the step with forces that hold the fluid's of now
+    clumps_.gather(nullptr, slotOf_.data());      // they begin the step with forces that hold the fluid's of now
     clock_.now.target = t;
     clock_.now.lastStep = std::int64_t(1) << 62;
     clock_.now.fullDt = dt/subcycles;

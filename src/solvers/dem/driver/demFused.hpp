@@ -16,7 +16,7 @@ namespace riprap
 //- Clumps gather their members' forces first, and Verlet kicks twice
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fuses() const
-{ return Backend::gpu && !nClumps_ && set_.config.integrator == DemIntegratorKind::leapfrog; }
+{ return Backend::gpu && !clumps_.count() && set_.config.integrator == DemIntegratorKind::leapfrog; }
 
 template<class Backend, int D, class P>
 StepState<D, P> DemSolver<Backend, D, P>::stepState()

@@ -14,7 +14,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     collectForces();
-    if (nClumps_) forEach(set_.context, particles_.n, MarkLeavers<D, P>{mover(), clumps_.data()});
+    if (clumps_.count()) forEach(set_.context, particles_.n, MarkLeavers<D, P>{mover(), clumps_.data()});
     SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
     forEach(set_.context, particles_.n, keys);
     if (others_) regroup();

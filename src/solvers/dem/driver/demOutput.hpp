@@ -39,7 +39,7 @@ DemState DemSolver<Backend, D, P>::motion()
     const std::vector<real> external = particles_.external.download();
     const auto calm = particles_.at.calm < 0 ? std::vector<std::int32_t>() : particles_.template field<std::int32_t>(particles_.at.calm);
     // leapfrog keeps velocities of half a step ago: forces are of now
-    const double half = set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0;
+    const double half = halfStep();
     for (auto* v : {&s.radius, &s.mass}) v->resize(n);
     s.id.resize(n);
     #pragma omp parallel for schedule(static) if (n > 10000)
@@ -218,40 +218,33 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     return out;
 }
 
+//- By how much velocities of now are ahead of those kept
+template<class Backend, int D, class P>
+double DemSolver<Backend, D, P>::halfStep() const
+{ return set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0; }
+
+template<class Backend, int D, class P>
+DemClumpState DemSolver<Backend, D, P>::clumps()
+{
+    clock_.read();
+    return clumps_.state(halfStep());
+}
+
 template<class Backend, int D, class P>
 DemEnergy DemSolver<Backend, D, P>::energy()
 {
     DemEnergy e;
     const DemClumpState c = clumps();
-    const auto potential = [&](double m, const double* x)
-    {
-        double sum = 0;
-        for (int d = 0; d < D; ++d) sum -= m*set_.config.gravity[set_.config.axes[d]]*x[set_.config.axes[d]];
-        return sum;
-    };
     SumEnergies<D, P> free{};
     setMotion(free);
     free.box = set_.box;
-    free.half = real(set_.config.integrator == DemIntegratorKind::leapfrog ? 0.5*clock_.now.dt : 0);
+    free.half = real(halfStep());
     const auto sums = sumOver<3>(set_.context, activeSolids(), free);
     e.translation = sums[0];
     e.rotation = sums[1];
     e.potential = sums[2];
-    for (int k = 0; k < nClumps_; ++k)
-    {
-        if (c.left[k]) continue;
-        const DemClump& in = set_.input.clumps[k];
-        for (int d = 0; d < 3; ++d) e.translation += 0.5*in.mass*c.velocity[3*k + d]*c.velocity[3*k + d];
-        Vec<3, double> w{{c.spin[3*k], c.spin[3*k + 1], c.spin[3*k + 2]}};
-        if (D == 2) e.rotation += 0.5*in.inertia[2]*squaredNorm(w);
-        else
-        {
-            w = rotated(&c.orientation[4*k], w, true);
-            for (int d = 0; d < 3; ++d) e.rotation += 0.5*in.inertia[d]*w.c[d]*w.c[d];
-        }
-        if (set_.input.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
-    }
-    e.spring = springEnergy();
+    clumps_.addEnergies(c, e);
+    e.spring = clumps_.springEnergy();
     withLaw(set_.laws, [&](auto law)
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
@@ -367,7 +360,7 @@ void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& forc
     }
     if (sleeps()) wakeChanged(particles_.external.download(), all);
     particles_.external.upload(set_.context, all);
-    gatherClumps(nullptr);
+    clumps_.gather(nullptr, slotOf_.data());
 }
 
 template<class Backend, int D, class P>
@@ -391,8 +384,7 @@ std::vector<ArrayInfo> DemSolver<Backend, D, P>::arrays() const
           + parts_.foundNear.bytes() + parts_.foundWalls.bytes() + parts_.foundElements.bytes());
     }
     put("bonds", "bonds", bonds_.bytes());
-    put("clumps", "clumps", clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes() + constraints_.bytes() + springs_.bytes()
-      + springFirst_.bytes());
+    put("clumps", "clumps", clumps_.bytes());
     put("walls", "surfaces", walls_.bytes() + vertices_.bytes() + elements_.bytes() + sharedFirst_.bytes() + shared_.bytes()
       + cellFirst_.bytes() + cellElement_.bytes());
     put("walls", "contacts", wallMemory_.bytes() + oldWallMemory_.bytes());

@@ -7,7 +7,6 @@
 #include <limits>
 #include "dem/walls/repeatSurface.hpp"
 #include "solvers/dem/driver/demSolver.hpp"
-#include "solvers/dem/driver/demBodies.hpp"
 #include "solvers/dem/demStill.hpp"
 
 namespace riprap
@@ -26,9 +25,9 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     particles_.add(sleeps() || others_);
     particles_.fill(input.particles);
     setOrder();
-    setGroups();
+    motion_.holdGroups(groups_.motions());
     bonds_.set(input.bonds, input.particles);
-    setClumps();
+    clumps_.set(input.particles);
     setWalls();
     given_ = nullptr;
     setFrames();
@@ -106,40 +105,6 @@ void DemSolver<Backend, D, P>::setOrder()
         wakes_.allocate(set_.context, particles_.n);
         waits_.allocate(set_.context, particles_.n);
     }
-}
-
-template<class Backend, int D, class P>
-GroupData<D, typename P::real> DemSolver<Backend, D, P>::groupData(const DemGroup& g) const
-{
-    GroupData<D, real> r{};
-    for (int d = 0; d < D; ++d)
-    {
-        r.free[d] = real(!g.held[set_.config.axes[d]]);
-        r.force[d] = real(g.force[set_.config.axes[d]]);
-    }
-    for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? set_.spinSign()*g.moment[set_.config.axes[2]] : g.moment[c]);
-    r.freeSpin = real(!g.heldSpin);
-    r.gravity = real(g.gravity);
-    r.localDamping = real(g.localDamping);
-    r.viscous = real(g.viscousDamping);
-    r.viscousSpin = real(g.viscousSpinDamping);
-    r.damped = g.localDamping > 0 || g.viscousDamping > 0 || g.viscousSpinDamping > 0;
-    r.motion = g.motion;
-    return r;
-}
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setGroups()
-{
-    int motions = 0;
-    std::vector<GroupData<D, real>> groups;
-    for (const DemGroup& g : set_.input.groups)
-    {
-        motions = std::max(motions, g.motion + 1);
-        groups.push_back(groupData(g));
-    }
-    groups_.upload(set_.context, groups);
-    motion_.holdGroups(motions);
 }
 
 template<class Backend, int D, class P>

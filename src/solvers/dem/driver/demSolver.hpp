@@ -18,12 +18,12 @@
 #include "dem/passes/fusedStep.hpp"
 #include "dem/lists/likeWithLike.hpp"
 #include "dem/passes/collectPass.hpp"
-#include "dem/motion/clumpSums.hpp"
 #include "dem/passes/sleep.hpp"
 #include "dem/walls/moveWalls.hpp"
 #include "dem/walls/wallPass.hpp"
 #include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/parts/bonds.hpp"
+#include "solvers/dem/parts/clumps.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
 #include "solvers/dem/parts/pairTable.hpp"
 #include "solvers/dem/parts/particleFields.hpp"
@@ -111,7 +111,7 @@ public:
     DemContacts contacts() override;
     DemBondState bonds() override { return bonds_.state(slotOf_); }
     DemClumpState clumps() override;
-    std::vector<DemSpringState> springs() override;
+    std::vector<DemSpringState> springs() override { return clumps_.springs(); }
     DemEnergy energy() override;
     double deepestOverlap() override;
     std::vector<DemWallForce> wallForces() override;
@@ -131,7 +131,7 @@ public:
     void follow(const Context<Backend>& fluid) override { set_.context.follow(fluid); }
     int keys() const override { return particles_.n; }
     SolidView<D, P> view() override { return SolidView<D, P>{set_.box, particles_.view(), slotOf_.data()}; }
-    BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), constraints(), set_.box, nClumps_}; }
+    BodyView<D, P> bodies() override { return BodyView<D, P>{clumps_.data(), groups_.data(), clumps_.constraints(), set_.box, clumps_.count()}; }
     std::vector<std::int32_t> order() override;
     real* external() override;
     void measureSpeed() override;
@@ -152,15 +152,6 @@ private:
     void setBox();
     void setDomain();
     void setOrder();
-    void setGroups();
-    int leastSharing(int together) const;
-    void setClumps();
-    ClumpConstraint constraintOf(const DemGroup&) const;
-    void setConstraints(std::vector<ClumpData>&);
-    void setSprings(const std::vector<ClumpData>&);
-    ClumpData kicked(ClumpData, double dt) const;
-    double springEnergy();
-    GroupData<D, real> groupData(const DemGroup&) const;
     void setWalls();
     void prime();
 
@@ -178,10 +169,6 @@ private:
     template<class Law> WallPass<D, P, Law> wallKernel(ForceTurn);
     template<class Law> void wallPass(ForceTurn);
     void bondPass(ForceTurn);
-    void gatherClumps(const DemClockData* clock);
-    ClumpMembers<D, P> clumpMembers();
-    ClumpKick<D, P> clumpKick() const;
-    const ClumpConstraint* constraints() const { return constraints_.size() ? constraints_.data() : nullptr; }
     void forces(ForceTurn = ForceTurn::inStep);
     bool movesAtOnce() const;
 #ifndef __CUDACC__
@@ -294,6 +281,7 @@ private:
 
     // demOutput.hpp
     int activeSolids();
+    double halfStep() const;
     std::vector<int> wallContacts();
     std::vector<std::int32_t> contactCounts(int n);
 
@@ -301,8 +289,10 @@ private:
     SceneClock<Backend> clock_{set_.context};
     ParticleFields<Backend, D, P> particles_;
     PairTable<Backend, D, P> pairs_{set_};
+    SolidGroups<Backend, D, P> groups_{set_};
     PrescribedMotion<Backend, D, P> motion_{set_};
     Bonds<Backend, D, P> bonds_{set_, particles_};
+    Clumps<Backend, D, P> clumps_{set_, particles_, groups_};
     bool still_ = false;        // nothing can move
     const DemInput* given_ = nullptr;       // while the scene is made
 
@@ -321,18 +311,6 @@ private:
     Array<Backend, int> inverse_, slotOf_;
     ContactList<Backend, real> list_, oldList_;
 
-    Array<Backend, GroupData<D, real>> groups_;
-
-    int nClumps_ = 0, largestClump_ = 0;
-    Array<Backend, ClumpData> clumps_;
-    Array<Backend, double> offset_;
-    Array<Backend, int> memberFirst_, member_;
-    Array<Backend, ClumpConstraint> constraints_;       // of groups; empty: none is constrained
-    std::vector<ClumpConstraint> constraintOfGroup_;    // the same
-    Array<Backend, SpringData> springs_;
-    Array<Backend, int> springFirst_;                   // of a clump
-    std::vector<SpringData> allSprings_;                // the same in the order of clumps,
-    std::vector<std::pair<int, int>> springOfGroups_;   // and of groups: the clump, and which of them
 
     int nWalls_ = 0;
     bool surfaces_ = false;     // are there walls that are no planes?

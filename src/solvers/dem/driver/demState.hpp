@@ -165,13 +165,13 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
     std::vector<std::int32_t> words
     {
         detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), pairs_.histories(), n, savedFields(),
-        int(kept.size()), nClumps_, nWalls_, int(list_.entries()), wallMemory_.entries
+        int(kept.size()), clumps_.count(), nWalls_, int(list_.entries()), wallMemory_.entries
     };
     // Room for most of it, without which it would be copied again and again
     std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
     for (int f = 0; f < particles_.values.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*particles_.values.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
-    if (nClumps_) expected += (nClumps_*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    if (clumps_.count()) expected += (clumps_.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     words.reserve(expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
@@ -199,10 +199,10 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
         const auto all = array.download();
         for (const int k : kept) append(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
     });
-    if (nClumps_)
+    if (clumps_.count())
     {
-        write(clumps_.data(), nClumps_*sizeof(ClumpData));
-        const auto offset = offset_.download();
+        write(clumps_.data(), clumps_.count()*sizeof(ClumpData));
+        const auto offset = clumps_.offset().download();
         for (int i = 0; i < n; ++i) append(&offset[3*std::size_t(key[i])], 3*sizeof(double));
     }
     const std::size_t memory = words.size();
@@ -303,7 +303,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (words[5] != pairs_.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
     if (n != particles_.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(particles_.n));
-    if (words[8] != bonds_.count() || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
+    if (words[8] != bonds_.count() || words[9] != clumps_.count() || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
     detail::StateReader<Context<Backend>> read{set_.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
@@ -328,13 +328,13 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
         for (int k = 0; k < bonds_.count(); ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
         array.upload(set_.context, values);
     });
-    if (nClumps_)
+    if (clumps_.count())
     {
-        read(clumps_.data(), nClumps_*sizeof(ClumpData));
+        read(clumps_.data(), clumps_.count()*sizeof(ClumpData));
         const auto key = particles_.template field<std::int32_t>(particles_.at.id);
-        auto offset = offset_.download();
+        auto offset = clumps_.offset().download();
         for (int i = 0; i < n; ++i) take(&offset[3*std::size_t(key[i])], 3*sizeof(double));
-        offset_.upload(set_.context, offset);
+        clumps_.offset().upload(set_.context, offset);
     }
     restoreNeighbours(read, words[11], words[12]);
     clock_.read();

@@ -55,10 +55,10 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
     m.halfSkin = halfSkin_;
     m.suddenWay = suddenWay_;
     m.motions = motion_.groupTable();
-    m.clumps = nClumps_ ? clumps_.data() : nullptr;
-    m.offset = offset_.data();
+    m.clumps = clumps_.count() ? clumps_.data() : nullptr;
+    m.offset = clumps_.offset().data();
     // paper 2's spring goes with the mass of its particles
-    NormalLaws::at(set_.laws.normal, [&](auto law) { m.sharesMass = nClumps_ && !decltype(law)::type::stiffnessByMass; });
+    NormalLaws::at(set_.laws.normal, [&](auto law) { m.sharesMass = clumps_.count() && !decltype(law)::type::stiffnessByMass; });
     return m;
 }
 
@@ -189,34 +189,13 @@ void DemSolver<Backend, D, P>::forces(ForceTurn turn)
         if (!movesAtOnce()) collectForces();
     }
 #endif
-    gatherClumps(clock_.data());
-}
-
-//- Forces of their members on clumps; in a step of the clock's, or now
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::gatherClumps(const DemClockData* clock)
-{
-    if (nClumps_) sumClumps(set_.context, nClumps_, largestClump_, GatherClumps<D, P>{clumpMembers(), {springs_.data(), springFirst_.data()}, clock});
-}
-
-template<class Backend, int D, class P>
-ClumpMembers<D, P> DemSolver<Backend, D, P>::clumpMembers()
-{
-    return {clumps_.data(), set_.box, particles_.view(), memberFirst_.data(), member_.data(), slotOf_.data(), particles_.externalForces()};
-}
-
-template<class Backend, int D, class P>
-ClumpKick<D, P> DemSolver<Backend, D, P>::clumpKick() const
-{
-    ClumpKick<D, P> kick{groups_.data(), {}, set_.box, constraints()};
-    for (int d = 0; d < D; ++d) kick.gravity[d] = set_.config.gravity[set_.config.axes[d]];
-    return kick;
+    clumps_.gather(clock_.data(), slotOf_.data());
 }
 
 //- On the CPU: where a step moves particles as it adds up their forces
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::movesAtOnce() const
-{ return !Backend::gpu && !nClumps_ && set_.config.integrator == DemIntegratorKind::leapfrog; }
+{ return !Backend::gpu && !clumps_.count() && set_.config.integrator == DemIntegratorKind::leapfrog; }
 
 #ifndef __CUDACC__
 template<class Backend, int D, class P>
@@ -270,7 +249,7 @@ void DemSolver<Backend, D, P>::step()
     if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
     if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data()));
     const bool verlet = set_.config.integrator == DemIntegratorKind::velocityVerlet;
-    if (nClumps_) forEach(set_.context, nClumps_, MoveClumps<D, P>{clumps_.data(), clumpKick(), verlet, clock_.data()});
+    if (clumps_.count()) forEach(set_.context, clumps_.count(), MoveClumps<D, P>{clumps_.data(), clumps_.kick(), verlet, clock_.data()});
     moveParticles();
     if (others_) shareStep();
     if constexpr (!Backend::gpu) if (clock_.data()->lost() && clock_.data()->halt == DemHalt::none) searchWithin();
@@ -285,9 +264,9 @@ void DemSolver<Backend, D, P>::finishStep()
     if (set_.config.integrator != DemIntegratorKind::velocityVerlet) return;
     FinishVerlet<D, P> finish{};
     setMotion(finish);
-    finish.clumps = nClumps_;
+    finish.clumps = clumps_.count();
     forEach(set_.context, particles_.n, finish);
-    if (nClumps_) forEach(set_.context, nClumps_, FinishClumps<D, P>{clumps_.data(), clumpKick(), clock_.data()});
+    if (clumps_.count()) forEach(set_.context, clumps_.count(), FinishClumps<D, P>{clumps_.data(), clumps_.kick(), clock_.data()});
 }
 
 //- A step has carried a particle farther than lists hold: new ones before its forces
@@ -326,7 +305,7 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
-    else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !nClumps_ && !motion_.walls() && particles_.n <= BlockLimits::particles
+    else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !clumps_.count() && !motion_.walls() && particles_.n <= BlockLimits::particles
       && bonds_.count() <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
 }
 
