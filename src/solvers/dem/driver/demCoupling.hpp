@@ -15,8 +15,8 @@ namespace riprap
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
 {
-    std::vector<std::int32_t> keys = particles_.template field<std::int32_t>(particles_.at.id);
-    keys.resize(activeSolids());
+    std::vector<std::int32_t> keys = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    keys.resize(p_.order.active());
     return keys;
 }
 
@@ -24,17 +24,17 @@ template<class Backend, int D, class P>
 typename P::real* DemSolver<Backend, D, P>::external()
 {
     requireAlone("solids in a fluid");
-    if (!particles_.external.size()) particles_.external.upload(set_.context, std::vector<real>(std::size_t(particles_.n)*(D + S), real(0)));
-    driven_ = true;
-    suddenWay_ = real(0.1)*halfSkin_;       // the fluid's blow of a step may be harder than any of the bodies' own
-    return particles_.external.data();
+    if (!p_.particles.external.size()) p_.particles.external.upload(p_.set.context, std::vector<real>(std::size_t(p_.particles.n)*(D + S), real(0)));
+    p_.reach.driven = true;
+    p_.reach.suddenWay = real(0.1)*p_.reach.halfSkin;       // the fluid's blow of a step may be harder than any of the bodies' own
+    return p_.particles.external.data();
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::measureSpeed()
 {
 #ifdef __CUDACC__
-    if constexpr (Backend::gpu) if (!still_) parts_.speed.ask(set_.context, particles_.n, SpeedOfSolids<D, P>{mover()});
+    if constexpr (Backend::gpu) if (!p_.still) p_.memory.speed.ask(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{mover()});
 #endif
 }
 
@@ -43,25 +43,25 @@ template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::speedAtHand()
 {
 #ifdef __CUDACC__
-    if constexpr (Backend::gpu) if (parts_.speed.asked()) return parts_.speed.take();
+    if constexpr (Backend::gpu) if (p_.memory.speed.asked()) return p_.memory.speed.take();
 #endif
-    return largestOver(set_.context, particles_.n, SpeedOfSolids<D, P>{mover()});
+    return largestOver(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{mover()});
 }
 
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::subcycles(double dt)
 {
-    if (still_) return 1;
-    const int contacts = std::max(1, int(std::ceil(dt/set_.plan.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
-    const double way = 1.25*dt*speedAtHand(), room = double(halfSkin_) - double(suddenWay_);
+    if (p_.still) return 1;
+    const int contacts = std::max(1, int(std::ceil(dt/p_.set.plan.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
+    const double way = 1.25*dt*speedAtHand(), room = double(p_.reach.halfSkin) - double(p_.reach.suddenWay);
     if (!(way > 0.1*contacts*room)) return contacts;
     // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists are new where too little is left
     const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;
-    clock_.now.fullDt = dt/steps;
-    clock_.write();
-    forEach(set_.context, particles_.n, CheckWays<D, P>{mover()});
-    clock_.read();
-    clock_.now.settleAge();
+    p_.clock.now.fullDt = dt/steps;
+    p_.clock.write();
+    forEach(p_.set.context, p_.particles.n, CheckWays<D, P>{mover()});
+    p_.clock.read();
+    p_.clock.now.settleAge();
     return steps;
 }
 
@@ -69,54 +69,54 @@ int DemSolver<Backend, D, P>::subcycles(double dt)
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
 {
-    if (set_.config.integrator == DemIntegratorKind::velocityVerlet) return dt;
-    return dt + 0.5*(clock_.now.dt - dt/subcycles);
+    if (p_.set.config.integrator == DemIntegratorKind::velocityVerlet) return dt;
+    return dt + 0.5*(p_.clock.now.dt - dt/subcycles);
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::push(double dt)
 {
-    forEach(set_.context, particles_.n, PushSolids<D, P>{particles_.view(), groups_.data(), particles_.external.data(), clumps_.count() > 0, sort_.active(), dt});
-    clumps_.push(dt, slotOf_.data());
+    forEach(p_.set.context, p_.particles.n, PushSolids<D, P>{p_.particles.view(), p_.groups.data(), p_.particles.external.data(), p_.clumps.count() > 0, p_.order.sort.active(), dt});
+    p_.clumps.push(dt, p_.order.slotOf.data());
 }
 
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 {
-    if (still_)
+    if (p_.still)
     {
-        clock_.now.previousDt = clock_.now.dt;
-        clock_.now.dt = clock_.now.fullDt = dt;
-        clock_.now.time = clock_.now.target = t;
-        ++clock_.now.step;
+        p_.clock.now.previousDt = p_.clock.now.dt;
+        p_.clock.now.dt = p_.clock.now.fullDt = dt;
+        p_.clock.now.time = p_.clock.now.target = t;
+        ++p_.clock.now.step;
         return true;
     }
-    clumps_.gather(nullptr, slotOf_.data());      // they begin the step with forces that hold the fluid's of now
-    clock_.now.target = t;
-    clock_.now.lastStep = std::int64_t(1) << 62;
-    clock_.now.fullDt = dt/subcycles;
-    clock_.write();
+    p_.clumps.gather(nullptr, p_.order.slotOf.data());      // they begin the step with forces that hold the fluid's of now
+    p_.clock.now.target = t;
+    p_.clock.now.lastStep = std::int64_t(1) << 62;
+    p_.clock.now.fullDt = dt/subcycles;
+    p_.clock.write();
     runToTarget(lastReport_.rebuilds);
-    return clock_.now.halt == DemHalt::none;
+    return p_.clock.now.halt == DemHalt::none;
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::beginReport()
 {
-    clock_.read();
+    p_.clock.read();
     lastReport_ = DemReport();
-    reportFrom_ = clock_.now.step;
+    reportFrom_ = p_.clock.now.step;
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::endReport()
 {
-    if (still_)
+    if (p_.still)
     {
-        clock_.write();
+        p_.clock.write();
         forces(ForceTurn::always);      // to be read
     }
-    clock_.read();
+    p_.clock.read();
     finishReport(lastReport_, reportFrom_);
 }
 

@@ -16,7 +16,7 @@ namespace riprap
 //- Clumps gather their members' forces first, and Verlet kicks twice
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fuses() const
-{ return Backend::gpu && !clumps_.count() && set_.config.integrator == DemIntegratorKind::leapfrog; }
+{ return Backend::gpu && !p_.clumps.count() && p_.set.config.integrator == DemIntegratorKind::leapfrog; }
 
 template<class Backend, int D, class P>
 StepState<D, P> DemSolver<Backend, D, P>::stepState()
@@ -24,10 +24,10 @@ StepState<D, P> DemSolver<Backend, D, P>::stepState()
     StepState<D, P> s{};
     if constexpr (Backend::gpu)
     {
-        s.from = parts_.current ? parts_.records.view() : records_.view();
-        s.to = parts_.current ? records_.view() : parts_.records.view();
-        for (int d = 0; d < D; ++d) s.low[d] = parts_.low.data() + std::size_t(d)*particles_.n;
-        s.own = parts_.own.data();
+        s.from = p_.memory.current ? p_.memory.records.view() : p_.order.records.view();
+        s.to = p_.memory.current ? p_.order.records.view() : p_.memory.records.view();
+        for (int d = 0; d < D; ++d) s.low[d] = p_.memory.low.data() + std::size_t(d)*p_.particles.n;
+        s.own = p_.memory.own.data();
     }
     return s;
 }
@@ -38,16 +38,16 @@ void DemSolver<Backend, D, P>::openSteps()
 {
     if constexpr (Backend::gpu)
     {
-        parts_.current = 0;
-        if (parts_.own.size() == 0)
+        p_.memory.current = 0;
+        if (p_.memory.own.size() == 0)
         {
-            parts_.records.allocate(set_.context, particles_.n);
-            parts_.low.allocate(set_.context, std::size_t(particles_.n)*D);
-            parts_.own.allocate(set_.context, particles_.n);
+            p_.memory.records.allocate(p_.set.context, p_.particles.n);
+            p_.memory.low.allocate(p_.set.context, std::size_t(p_.particles.n)*D);
+            p_.memory.own.allocate(p_.set.context, p_.particles.n);
         }
-        const bool walls = nWalls_ && wallMemory_.entries;
-        forEach(set_.context, particles_.n, OpenSteps<D, P>
-        {stepState(), particles_.view(), bonds_.first(), walls ? wallMemory_.entryFirst.data() : nullptr, sort_.active()});
+        const bool walls = p_.walls.count && p_.walls.memory.entries;
+        forEach(p_.set.context, p_.particles.n, OpenSteps<D, P>
+        {stepState(), p_.particles.view(), p_.bonds.first(), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.order.sort.active()});
     }
 }
 
@@ -57,9 +57,9 @@ void DemSolver<Backend, D, P>::closeSteps()
 {
     if constexpr (Backend::gpu)
     {
-        forEach(set_.context, particles_.n, CloseSteps<D, P>{stepState(), particles_.view(), sort_.active()});
-        if (parts_.current) parts_.records.swap(records_);
-        parts_.current = 0;
+        forEach(p_.set.context, p_.particles.n, CloseSteps<D, P>{stepState(), p_.particles.view(), p_.order.sort.active()});
+        if (p_.memory.current) p_.memory.records.swap(p_.order.records);
+        p_.memory.current = 0;
     }
 }
 
@@ -70,23 +70,23 @@ void DemSolver<Backend, D, P>::fusedStep()
     if constexpr (Backend::gpu)
     {
         const StepState<D, P> state = stepState();
-        if (surfaces_ && wallMemory_.entries) wallPass<Law>(ForceTurn::ahead);
-        if (bonds_.count()) bondPass(ForceTurn::ahead);
+        if (p_.walls.surfaces && p_.walls.memory.entries) wallPass<Law>(ForceTurn::ahead);
+        if (p_.bonds.count()) bondPass(ForceTurn::ahead);
         FusedStep<Backend, D, P, Law> step{};
         setModel(step.contacts);
         step.contacts.solids = state.from;
-        step.contacts.largestGap = real(pairs_.largestGap());
+        step.contacts.largestGap = real(p_.pairs.largestGap());
         step.mover = mover();
         step.state = state;
-        step.now = clock_.data() + parts_.current;
-        step.next = clock_.data() + 1 - parts_.current;
-        if (nWalls_) step.walls = wallKernel<Law>(ForceTurn::ahead);
-        step.bonds = bonds_.table();
-        step.bondForce = bonds_.force();
-        step.sleeping = sleeps();
-        forEach(set_.context, particles_.n, step);
-        if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data() + 1 - parts_.current));
-        parts_.current = 1 - parts_.current;
+        step.now = p_.clock.data() + p_.memory.current;
+        step.next = p_.clock.data() + 1 - p_.memory.current;
+        if (p_.walls.count) step.walls = wallKernel<Law>(ForceTurn::ahead);
+        step.bonds = p_.bonds.table();
+        step.bondForce = p_.bonds.force();
+        step.sleeping = p_.sleeps();
+        forEach(p_.set.context, p_.particles.n, step);
+        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, wallMover(p_.clock.data() + 1 - p_.memory.current));
+        p_.memory.current = 1 - p_.memory.current;
     }
 }
 
@@ -97,15 +97,15 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
     std::vector<const void*> key;
     if constexpr (Backend::gpu)
     {
-        const auto list = list_.view();
-        const auto walls = wallMemory(wallMemory_);
+        const auto list = p_.order.list.view();
+        const auto walls = p_.walls.view();
         key =
         {
-            reinterpret_cast<const void*>(std::size_t(count)), reinterpret_cast<const void*>(std::size_t(parts_.current)),
-            records_.view().a, parts_.records.view().a, list.entry, list.history, list.base, list.count, list.rest,
+            reinterpret_cast<const void*>(std::size_t(count)), reinterpret_cast<const void*>(std::size_t(p_.memory.current)),
+            p_.order.records.view().a, p_.memory.records.view().a, list.entry, list.history, list.base, list.count, list.rest,
             reinterpret_cast<const void*>(list.stride), walls.entryFirst, walls.entry, walls.element, walls.on, walls.normal,
-            walls.history, walls.force, reinterpret_cast<const void*>(std::size_t(wallMemory_.entries > 0)), parts_.wallList.data(),
-            reinterpret_cast<const void*>(parts_.wallList.size()), particles_.external.data()
+            walls.history, walls.force, reinterpret_cast<const void*>(std::size_t(p_.walls.memory.entries > 0)), p_.memory.wallList.data(),
+            reinterpret_cast<const void*>(p_.memory.wallList.size()), p_.particles.external.data()
         };
     }
     return key;
@@ -115,21 +115,21 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::fusedSteps(int count)
 {
-    withLaw(set_.laws, [&](auto law)
+    withLaw(p_.set.laws, [&](auto law)
     {
 #ifdef __CUDACC__
         if constexpr (std::is_same<Backend, Gpu>::value)
         {
             // what is recorded must not change from batch to batch: motion tables do, and fields that are sorted
             const int together = stepsTogether;
-            if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && particles_.at.turn < 0)
+            if (!p_.set.context.profile.timing && !p_.motion.groups() && !p_.motion.walls() && p_.particles.at.turn < 0)
                 for (; count >= together; count -= together)
                 {
-                    if (parts_.graphs.size() > 16) parts_.graphs.clear();
-                    Graph& graph = parts_.graphs[graphKey(together)];
+                    if (p_.memory.graphs.size() > 16) p_.memory.graphs.clear();
+                    Graph& graph = p_.memory.graphs[graphKey(together)];
                     if (!graph.recorded())
-                        graph.record(set_.context, [&] { for (int k = 0; k < together; ++k) fusedStep<decltype(law)>(); });
-                    graph.replay(set_.context);
+                        graph.record(p_.set.context, [&] { for (int k = 0; k < together; ++k) fusedStep<decltype(law)>(); });
+                    graph.replay(p_.set.context);
                 }
         }
 #endif
@@ -144,7 +144,7 @@ void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
 {
     if constexpr (Backend::gpu)
     {
-        auto& glances = parts_.glances;
+        auto& glances = p_.memory.glances;
         std::int64_t launched = 0;
         bool over = false;
         while (!over)
@@ -154,15 +154,15 @@ void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
             {
                 const int batch = int(std::min<std::int64_t>(stepsTogether, count - launched));
                 fusedSteps(batch);
-                glances.ask(set_.context, clock_.data() + parts_.current);
+                glances.ask(p_.set.context, p_.clock.data() + p_.memory.current);
                 launched += batch;
             }
-            clock_.now = glances.take(set_.context);
-            clock_.now.settleAge();
-            over = !clock_.now.active || clock_.now.needRebuild || finished() || (launched == count && !glances.waiting());
+            p_.clock.now = glances.take(p_.set.context);
+            p_.clock.now.settleAge();
+            over = !p_.clock.now.active || p_.clock.now.needRebuild || finished() || (launched == count && !glances.waiting());
         }
-        while (glances.waiting()) clock_.now = glances.take(set_.context);
-        clock_.now.settleAge();
+        while (glances.waiting()) p_.clock.now = glances.take(p_.set.context);
+        p_.clock.now.settleAge();
     }
 }
 
@@ -173,9 +173,9 @@ void DemSolver<Backend, D, P>::searchMoved()
     if constexpr (Backend::gpu)
     {
         adaptSkin();
-        parts_.moved = true;
+        p_.memory.moved = true;
         rebuild();
-        parts_.moved = false;
+        p_.memory.moved = false;
         forgetSearch();
     }
 }
@@ -186,46 +186,46 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
     if constexpr (Backend::gpu)
     {
         if (finished()) return;
-        if (clock_.now.needRebuild) { adaptSkin(); rebuild(); ++rebuilds; forgetSearch(); }
-        motion_.sample(clock_.now);
-        clock_.now.needRebuild = 0;
-        clock_.write();
-        forEach(set_.context, 1, DemTick{clock_.data()});
-        if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data()));
-        forEach(set_.context, particles_.n, mover());
-        clock_.read();
-        clock_.now.settleAge();
+        if (p_.clock.now.needRebuild) { adaptSkin(); rebuild(); ++rebuilds; forgetSearch(); }
+        p_.motion.sample(p_.clock.now);
+        p_.clock.now.needRebuild = 0;
+        p_.clock.write();
+        forEach(p_.set.context, 1, DemTick{p_.clock.data()});
+        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, wallMover(p_.clock.data()));
+        forEach(p_.set.context, p_.particles.n, mover());
+        p_.clock.read();
+        p_.clock.now.settleAge();
         openSteps();
-        if (sleeps()) checkSleep(true);
+        if (p_.sleeps()) checkSleep(true);
         while (!finished())
         {
-            if (clock_.now.needRebuild)
+            if (p_.clock.now.needRebuild)
             {
                 stepsExpected_ = stepsSince_;
                 closeSteps();
                 searchMoved();
                 ++rebuilds;
                 openSteps();
-                if (sleeps()) checkSleep(true);
+                if (p_.sleeps()) checkSleep(true);
             }
-            if (clock_.now.needWindow || clock_.now.time >= clock_.now.windowEnd) motion_.sample(clock_.now);
-            clock_.now.needRebuild = 0;
-            const std::int64_t before = clock_.now.step;
-            const int begin = parts_.current;
-            const double left = std::min(double(clock_.now.lastStep - clock_.now.step), std::ceil((clock_.now.target - clock_.now.time)/clock_.now.fullDt) + 1);
-            const double most = sleeps() ? stepsPerCheck - clock_.now.step % stepsPerCheck : left;
-            clock_.write();
+            if (p_.clock.now.needWindow || p_.clock.now.time >= p_.clock.now.windowEnd) p_.motion.sample(p_.clock.now);
+            p_.clock.now.needRebuild = 0;
+            const std::int64_t before = p_.clock.now.step;
+            const int begin = p_.memory.current;
+            const double left = std::min(double(p_.clock.now.lastStep - p_.clock.now.step), std::ceil((p_.clock.now.target - p_.clock.now.time)/p_.clock.now.fullDt) + 1);
+            const double most = p_.sleeps() ? stepsPerCheck - p_.clock.now.step % stepsPerCheck : left;
+            p_.clock.write();
             runAhead(std::int64_t(std::min(most, left)));
-            const int taken = int(clock_.now.step - before);
-            parts_.current = int((begin + taken) % 2);
+            const int taken = int(p_.clock.now.step - before);
+            p_.memory.current = int((begin + taken) % 2);
             stepsSince_ += taken;
-            if (sleeps() && taken && clock_.now.step % stepsPerCheck == 0) checkSleep(true);
+            if (p_.sleeps() && taken && p_.clock.now.step % stepsPerCheck == 0) checkSleep(true);
         }
         closeSteps();
-        if (clock_.now.lost() && clock_.now.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
-        clock_.write();
+        if (p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
+        p_.clock.write();
         forces(ForceTurn::always);
-        clock_.read();
+        p_.clock.read();
     }
 }
 

@@ -14,30 +14,30 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     collectForces();
-    if (clumps_.count()) forEach(set_.context, particles_.n, MarkLeavers<D, P>{mover(), clumps_.data()});
-    SolidKeys<D, P> keys{mover(), classes_, sort_.keys(), sort_.indices()};
-    forEach(set_.context, particles_.n, keys);
+    if (p_.clumps.count()) forEach(p_.set.context, p_.particles.n, MarkLeavers<D, P>{mover(), p_.clumps.data()});
+    SolidKeys<D, P> keys{mover(), p_.reach.classes, p_.order.sort.keys(), p_.order.sort.indices()};
+    forEach(p_.set.context, p_.particles.n, keys);
     if (others_) regroup();
-    sort_.sort(set_.context, particles_.n);
+    p_.order.sort.sort(p_.set.context, p_.particles.n);
     bool forcesHold = true;
     if constexpr (Backend::gpu)
     {
         findPlaces(fresh, inPlace);
-        forcesHold = !parts_.moved;
-        parts_.frames.clear(set_.context);
+        forcesHold = !p_.memory.moved;
+        p_.memory.frames.clear(p_.set.context);
     }
-    if (!inPlace) particles_.values.permute(set_.context, newOrder(), particles_.n, particles_.at.f, forcesHold ? particles_.at.f : particles_.at.m + S);
+    if (!inPlace) p_.particles.values.permute(p_.set.context, newOrder(), p_.particles.n, p_.particles.at.f, forcesHold ? p_.particles.at.f : p_.particles.at.m + S);
     if (others_) settleRanks();
-    forEach(set_.context, particles_.n, PlaceSolids<D, P>{mover(), slotOf_.data()});
+    forEach(p_.set.context, p_.particles.n, PlaceSolids<D, P>{mover(), p_.order.slotOf.data()});
     settleFrames();
-    if (bonds_.count()) forEach(set_.context, bonds_.count(), LoseBonds<D, P>{bonds_.view(slotOf_.data())});
+    if (p_.bonds.count()) forEach(p_.set.context, p_.bonds.count(), LoseBonds<D, P>{p_.bonds.view(p_.order.slotOf.data())});
     if constexpr (Backend::gpu) buildFullLists(fresh);
     else
     {
         buildContacts(fresh);
-        if (nWalls_) buildWalls(fresh);
+        if (p_.walls.count) buildWalls(fresh);
     }
-    if (bonds_.count()) forEach(set_.context, bonds_.count(), RestBonds<Backend, D, P>{bonds_.view(slotOf_.data()), list_.view()});
+    if (p_.bonds.count()) forEach(p_.set.context, p_.bonds.count(), RestBonds<Backend, D, P>{p_.bonds.view(p_.order.slotOf.data()), p_.order.list.view()});
     blockContacts();
 }
 
@@ -45,8 +45,8 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
 template<class Backend, int D, class P>
 const std::uint32_t* DemSolver<Backend, D, P>::newOrder() const
 {
-    if constexpr (Backend::gpu) return parts_.order.data();
-    else return sort_.order();
+    if constexpr (Backend::gpu) return p_.memory.order.data();
+    else return p_.order.sort.order();
 }
 
 //- On the GPU: lists are counted where particles still are, since their order follows from that
@@ -55,21 +55,21 @@ void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_u
 {
     if constexpr (Backend::gpu)
     {
-        DemParts<Backend, D, P>& g = parts_;
-        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount}) if (a->size() == 0) a->allocate(set_.context, particles_.n);
-        if (g.order.size() == 0) g.order.allocate(set_.context, particles_.n);
-        oldList_.allocate(set_.context, particles_.n);                // the new shape, for now
-        if (fresh) forEach(set_.context, particles_.n, RecordPlaces<D, P>{set_.box, particles_.view(), records_.view()});
-        const int* cellOrder = reinterpret_cast<const int*>(sort_.order());
-        if (nWalls_) countWalls();
-        const int* walls = nWalls_ ? g.foundWalls.data() : nullptr;
-        forEach(set_.context, particles_.n, CountNeighbours<Backend, D, P>
-        {search(cellOrder), sort_.active(), walls, g.found.data(), g.foundNear.data(), g.cost.data()});
-        forEach(set_.context, particles_.n, LikeWithLike
+        BackendMemory<Backend, D, P>& g = p_.memory;
+        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount}) if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
+        if (g.order.size() == 0) g.order.allocate(p_.set.context, p_.particles.n);
+        p_.order.oldList.allocate(p_.set.context, p_.particles.n);                // the new shape, for now
+        if (fresh) forEach(p_.set.context, p_.particles.n, RecordPlaces<D, P>{p_.set.box, p_.particles.view(), p_.order.records.view()});
+        const int* cellOrder = reinterpret_cast<const int*>(p_.order.sort.order());
+        if (p_.walls.count) countWalls();
+        const int* walls = p_.walls.count ? g.foundWalls.data() : nullptr;
+        forEach(p_.set.context, p_.particles.n, CountNeighbours<Backend, D, P>
+        {search(cellOrder), p_.order.sort.active(), walls, g.found.data(), g.foundNear.data(), g.cost.data()});
+        forEach(p_.set.context, p_.particles.n, LikeWithLike
         {
-            particles_.n, sort_.active(), cellOrder, g.found.data(), g.foundNear.data(), walls, g.foundElements.data(), g.cost.data(), inPlace,
-            g.place.data(), inverse_.data(), g.order.data(), oldList_.count(), g.nearCount.data(), wallMemory_.entryFirst.data(),
-            wallMemory_.elementFirst.data()
+            p_.particles.n, p_.order.sort.active(), cellOrder, g.found.data(), g.foundNear.data(), walls, g.foundElements.data(), g.cost.data(), inPlace,
+            g.place.data(), p_.order.inverse.data(), g.order.data(), p_.order.oldList.count(), g.nearCount.data(), p_.walls.memory.entryFirst.data(),
+            p_.walls.memory.elementFirst.data()
         });
     }
 }
@@ -78,13 +78,13 @@ void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_u
 template<class Backend, int D, class P>
 ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
 {
-    const SolidFields<D, P> f = particles_.view();
+    const SolidFields<D, P> f = p_.particles.view();
     return ContactSearch<Backend, D, P>
     {
         // ghosts are as one body: what they do to each other is others' business
-        set_.box, classes_, records_.view(), sort_.start(), place, others_ ? f.calm : f.clump, f.id, bonds_.table(), real(reach_),
+        p_.set.box, p_.reach.classes, p_.order.records.view(), p_.order.sort.start(), place, others_ ? f.calm : f.clump, f.id, p_.bonds.table(), real(p_.reach.reach),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
-        real(pairs_.largestGap() + 0.5*double(halfSkin_))
+        real(p_.pairs.largestGap() + 0.5*double(p_.reach.halfSkin))
     };
 }
 
@@ -93,24 +93,24 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
 {
     if constexpr (!Backend::gpu)
     {
-        list_.swap(oldList_);
-        list_.allocate(set_.context, particles_.n);
-        forEach(set_.context, particles_.n, CountContacts<Backend, D, P>{search(), sort_.active(), list_.count()});
-        const int blocks = list_.blocks();
-        forEach(set_.context, blocks, BlockEntries{list_.count(), list_.base(), list_.width});
-        exclusiveScan(set_.context, scan_, list_.base(), blocks + 1);
+        p_.order.list.swap(p_.order.oldList);
+        p_.order.list.allocate(p_.set.context, p_.particles.n);
+        forEach(p_.set.context, p_.particles.n, CountContacts<Backend, D, P>{search(), p_.order.sort.active(), p_.order.list.count()});
+        const int blocks = p_.order.list.blocks();
+        forEach(p_.set.context, blocks, BlockEntries{p_.order.list.count(), p_.order.list.base(), p_.order.list.width});
+        exclusiveScan(p_.set.context, p_.order.scan, p_.order.list.base(), blocks + 1);
         int entries = 0;
-        set_.context.toHost(&entries, list_.base() + blocks, sizeof(int));
-        list_.reserve(set_.context, requireListed(entries, "solid particles"), pairs_.histories(), bonds_.count() > 0);
-        forEach(set_.context, particles_.n, WriteContacts<Backend, D, P>
-        {search(), sort_.active(), list_.view(), ContactListView<Backend, real>::historyWords(pairs_.histories())});
+        p_.set.context.toHost(&entries, p_.order.list.base() + blocks, sizeof(int));
+        p_.order.list.reserve(p_.set.context, requireListed(entries, "solid particles"), p_.pairs.histories(), p_.bonds.count() > 0);
+        forEach(p_.set.context, p_.particles.n, WriteContacts<Backend, D, P>
+        {search(), p_.order.sort.active(), p_.order.list.view(), ContactListView<Backend, real>::historyWords(p_.pairs.histories())});
         if (fresh) return;
-        forEach(set_.context, particles_.n, InvertOrder{sort_.order(), inverse_.data()});
-        withLaw(set_.laws, [&](auto law)
+        forEach(p_.set.context, p_.particles.n, InvertOrder{p_.order.sort.order(), p_.order.inverse.data()});
+        withLaw(p_.set.laws, [&](auto law)
         {
             using Law = decltype(law);
-            forEach(set_.context, particles_.n, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
-            {oldList_.view(), list_.view(), sort_.order(), inverse_.data(), sort_.active()});
+            forEach(p_.set.context, p_.particles.n, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
+            {p_.order.oldList.view(), p_.order.list.view(), p_.order.sort.order(), p_.order.inverse.data(), p_.order.sort.active()});
         });
         if (others_) takeContacts();
     }
@@ -122,98 +122,98 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
 {
     if constexpr (Backend::gpu)
     {
-        DemParts<Backend, D, P>& g = parts_;
-        list_.allocate(set_.context, particles_.n);
-        g.keptFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
-        g.totals.allocate(set_.context, 5);
-        const int blocks = list_.blocks();
-        const ContactListView<Backend, real> old = list_.view();
+        BackendMemory<Backend, D, P>& g = p_.memory;
+        p_.order.list.allocate(p_.set.context, p_.particles.n);
+        g.keptFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
+        g.totals.allocate(p_.set.context, 5);
+        const int blocks = p_.order.list.blocks();
+        const ContactListView<Backend, real> old = p_.order.list.view();
         if (!fresh)
         {
-            forEach(set_.context, particles_.n, KeepContacts<Backend, real, false>
-            {old, pairs_.histories(), newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), nullptr, nullptr});
-            exclusiveScan(set_.context, scan_, g.keptFirst.data(), particles_.n + 1);
+            forEach(p_.set.context, p_.particles.n, KeepContacts<Backend, real, false>
+            {old, p_.pairs.histories(), newOrder(), p_.order.inverse.data(), p_.order.sort.active(), g.keptFirst.data(), nullptr, nullptr});
+            exclusiveScan(p_.set.context, p_.order.scan, g.keptFirst.data(), p_.particles.n + 1);
         }
-        forEach(set_.context, blocks, BlockEntries{oldList_.count(), oldList_.base(), list_.width});
-        exclusiveScan(set_.context, scan_, oldList_.base(), blocks + 1);
-        if (nWalls_)
+        forEach(p_.set.context, blocks, BlockEntries{p_.order.oldList.count(), p_.order.oldList.base(), p_.order.list.width});
+        exclusiveScan(p_.set.context, p_.order.scan, p_.order.oldList.base(), blocks + 1);
+        if (p_.walls.count)
         {
-            g.wallListFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
-            forEach(set_.context, particles_.n, FlagNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data()});
-            for (int* sums : {g.wallListFirst.data(), wallMemory_.entryFirst.data(), wallMemory_.elementFirst.data()})
-                exclusiveScan(set_.context, scan_, sums, particles_.n + 1);
+            g.wallListFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
+            forEach(p_.set.context, p_.particles.n, FlagNearWalls{p_.walls.memory.entryFirst.data(), g.wallListFirst.data()});
+            for (int* sums : {g.wallListFirst.data(), p_.walls.memory.entryFirst.data(), p_.walls.memory.elementFirst.data()})
+                exclusiveScan(p_.set.context, p_.order.scan, sums, p_.particles.n + 1);
         }
-        forEach(set_.context, 1, CollectTotals
+        forEach(p_.set.context, 1, CollectTotals
         {
-            fresh ? nullptr : g.keptFirst.data() + particles_.n, oldList_.base() + blocks, nWalls_ ? wallMemory_.entryFirst.data() + particles_.n : nullptr,
-            nWalls_ ? wallMemory_.elementFirst.data() + particles_.n : nullptr, nWalls_ ? g.wallListFirst.data() + particles_.n : nullptr, g.totals.data()
+            fresh ? nullptr : g.keptFirst.data() + p_.particles.n, p_.order.oldList.base() + blocks, p_.walls.count ? p_.walls.memory.entryFirst.data() + p_.particles.n : nullptr,
+            p_.walls.count ? p_.walls.memory.elementFirst.data() + p_.particles.n : nullptr, p_.walls.count ? g.wallListFirst.data() + p_.particles.n : nullptr, g.totals.data()
         });
         int total[5];
-        set_.context.toHost(total, g.totals.data(), sizeof(total));
+        p_.set.context.toHost(total, g.totals.data(), sizeof(total));
         if (!fresh)
         {
             const std::size_t room = std::size_t(total[0]) + total[0]/16 + 64;
             if (std::size_t(total[0]) > g.keptPartner.size())
             {
-                g.keptPartner.allocate(set_.context, room);
-                g.keptHistory.allocate(set_.context, room*std::max(1, old.historyWords(pairs_.histories())));
+                g.keptPartner.allocate(p_.set.context, room);
+                g.keptHistory.allocate(p_.set.context, room*std::max(1, old.historyWords(p_.pairs.histories())));
             }
-            forEach(set_.context, particles_.n, KeepContacts<Backend, real, true>
+            forEach(p_.set.context, p_.particles.n, KeepContacts<Backend, real, true>
             {
-                old, pairs_.histories(), newOrder(), inverse_.data(), sort_.active(), g.keptFirst.data(), g.keptPartner.data(),
+                old, p_.pairs.histories(), newOrder(), p_.order.inverse.data(), p_.order.sort.active(), g.keptFirst.data(), g.keptPartner.data(),
                 g.keptHistory.data()
             });
         }
-        list_.swapShape(oldList_);
-        list_.reserve(set_.context, requireListed(total[1], "solid particles"), pairs_.histories(), bonds_.count() > 0);
-        forEach(set_.context, particles_.n, WriteFullLists<Backend, D, P>
+        p_.order.list.swapShape(p_.order.oldList);
+        p_.order.list.reserve(p_.set.context, requireListed(total[1], "solid particles"), p_.pairs.histories(), p_.bonds.count() > 0);
+        forEach(p_.set.context, p_.particles.n, WriteFullLists<Backend, D, P>
         {
-            search(g.place.data()), sort_.active(), list_.view(), pairs_.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
+            search(g.place.data()), p_.order.sort.active(), p_.order.list.view(), p_.pairs.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
             g.keptPartner.data(), g.keptHistory.data()
         });
-        if (!nWalls_) return;
-        wallMemory_.entries = total[2];
+        if (!p_.walls.count) return;
+        p_.walls.memory.entries = total[2];
         writeWalls(fresh, total[3]);
         const std::size_t nearWalls = total[4];
-        if (g.wallList.size() < nearWalls) g.wallList.allocate(set_.context, nearWalls + nearWalls/8 + 32);
-        forEach(set_.context, particles_.n, ListNearWalls{wallMemory_.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
+        if (g.wallList.size() < nearWalls) g.wallList.allocate(p_.set.context, nearWalls + nearWalls/8 + 32);
+        forEach(p_.set.context, p_.particles.n, ListNearWalls{p_.walls.memory.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
     }
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::countWalls()
 {
-    std::swap(wallMemory_, oldWallMemory_);
-    WallMemoryArrays<Backend, real>& m = wallMemory_;
-    if (motion_.walls()) forEach(set_.context, nWalls_, KeepWallReference{walls_.data()});
-    m.entryFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
-    m.elementFirst.allocate(set_.context, std::size_t(particles_.n) + 1);
+    std::swap(p_.walls.memory, p_.walls.oldMemory);
+    WallMemoryArrays<Backend, real>& m = p_.walls.memory;
+    if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, KeepWallReference{p_.walls.walls.data()});
+    m.entryFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
+    m.elementFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
     if constexpr (Backend::gpu)
     {
         // where particles still are: their order follows
-        for (Array<Backend, int>* a : {&parts_.foundWalls, &parts_.foundElements}) if (a->size() == 0) a->allocate(set_.context, particles_.n);
-        forEach(set_.context, particles_.n, FindWalls<D, P, false>
+        for (Array<Backend, int>* a : {&p_.memory.foundWalls, &p_.memory.foundElements}) if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
+        forEach(p_.set.context, p_.particles.n, FindWalls<D, P, false>
         {
-            wallSearch(), parts_.foundWalls.data(), parts_.foundElements.data(), nullptr, nullptr,
-            reinterpret_cast<const int*>(sort_.order())
+            wallSearch(), p_.memory.foundWalls.data(), p_.memory.foundElements.data(), nullptr, nullptr,
+            reinterpret_cast<const int*>(p_.order.sort.order())
         });
         return;
     }
-    forEach(set_.context, particles_.n, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
-    exclusiveScan(set_.context, scan_, m.entryFirst.data(), particles_.n + 1);
-    exclusiveScan(set_.context, scan_, m.elementFirst.data(), particles_.n + 1);
+    forEach(p_.set.context, p_.particles.n, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
+    exclusiveScan(p_.set.context, p_.order.scan, m.entryFirst.data(), p_.particles.n + 1);
+    exclusiveScan(p_.set.context, p_.order.scan, m.elementFirst.data(), p_.particles.n + 1);
 }
 
 template<class Backend, int D, class P>
 WallSearch<D, P> DemSolver<Backend, D, P>::wallSearch()
-{ return WallSearch<D, P>{set_.box, particles_.view(), walls_.data(), nWalls_, surface(), wallReach(), sort_.active()}; }
+{ return WallSearch<D, P>{p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), wallReach(), p_.order.sort.active()}; }
 
 //- Walls are listed from farther away where a particle's way is measured against others that move with it: walls do not
 template<class Backend, int D, class P>
 double DemSolver<Backend, D, P>::wallReach() const
 {
-    if constexpr (Backend::gpu) if (parts_.frames.on()) return reach_ + (wallSkins - 1)*2*double(halfSkin_);
-    return reach_;
+    if constexpr (Backend::gpu) if (p_.memory.frames.on()) return p_.reach.reach + (wallSkins - 1)*2*double(p_.reach.halfSkin);
+    return p_.reach.reach;
 }
 
 //- How far particles may go, now that they are in their places
@@ -222,37 +222,37 @@ void DemSolver<Backend, D, P>::settleFrames()
 {
     if constexpr (Backend::gpu)
     {
-        if (!parts_.frames.on()) return;
-        const double skin = 2*double(halfSkin_), touch = 2*radii_.largest + pairs_.largestGap();
+        if (!p_.memory.frames.on()) return;
+        const double skin = 2*double(p_.reach.halfSkin), touch = 2*p_.reach.radii.largest + p_.pairs.largestGap();
         double way = wallSkins*skin;
-        if (motion_.walls()) way -= double(halfSkin_);
-        way = std::min(way, 0.5*(parts_.frames.width() - touch));
-        parts_.frames.settle(set_.context, way, way);
+        if (p_.motion.walls()) way -= double(p_.reach.halfSkin);
+        way = std::min(way, 0.5*(p_.memory.frames.width() - touch));
+        p_.memory.frames.settle(p_.set.context, way, way);
     }
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
 {
-    WallMemoryArrays<Backend, real>& m = wallMemory_;
-    const int H = std::max(pairs_.histories(), 1);
+    WallMemoryArrays<Backend, real>& m = p_.walls.memory;
+    const int H = std::max(p_.pairs.histories(), 1);
     // a little more than now: pointers that stay keep recorded steps
     const std::size_t room = std::size_t(m.entries) + m.entries/8 + 1;
     if (m.entry.size() < std::size_t(m.entries) + 1)
     {
-        m.entry.allocate(set_.context, room);
-        m.on.allocate(set_.context, room*wallTouches);
-        m.normal.allocate(set_.context, room*wallTouches*D);
-        m.history.allocate(set_.context, room*wallTouches*H);
-        m.force.allocate(set_.context, room*wallWords<D>);
+        m.entry.allocate(p_.set.context, room);
+        m.on.allocate(p_.set.context, room*wallTouches);
+        m.normal.allocate(p_.set.context, room*wallTouches*D);
+        m.history.allocate(p_.set.context, room*wallTouches*H);
+        m.force.allocate(p_.set.context, room*wallWords<D>);
     }
-    if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(set_.context, std::size_t(elements) + elements/8 + 1);
-    forEach(set_.context, particles_.n, FindWalls<D, P, true>
+    if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(p_.set.context, std::size_t(elements) + elements/8 + 1);
+    forEach(p_.set.context, p_.particles.n, FindWalls<D, P, true>
     {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data(), nullptr});
-    withLaw(set_.laws, [&](auto law)
+    withLaw(p_.set.laws, [&](auto law)
     {
-        forEach(set_.context, particles_.n, HandOverWalls<D, real, decltype(law)::template history<D>>
-        {wallMemory(oldWallMemory_), wallMemory(m), newOrder(), sort_.active(), fresh});
+        forEach(p_.set.context, p_.particles.n, HandOverWalls<D, real, decltype(law)::template history<D>>
+        {p_.walls.view(p_.walls.oldMemory), p_.walls.view(m), newOrder(), p_.order.sort.active(), fresh});
     });
     if (others_ && !fresh) takeWallContacts();
 }
@@ -262,8 +262,8 @@ void DemSolver<Backend, D, P>::buildWalls(bool fresh)
 {
     countWalls();
     int elements = 0;
-    set_.context.toHost(&wallMemory_.entries, wallMemory_.entryFirst.data() + particles_.n, sizeof(int));
-    set_.context.toHost(&elements, wallMemory_.elementFirst.data() + particles_.n, sizeof(int));
+    p_.set.context.toHost(&p_.walls.memory.entries, p_.walls.memory.entryFirst.data() + p_.particles.n, sizeof(int));
+    p_.set.context.toHost(&elements, p_.walls.memory.elementFirst.data() + p_.particles.n, sizeof(int));
     writeWalls(fresh, elements);
 }
 
@@ -274,9 +274,9 @@ void DemSolver<Backend, D, P>::blockContacts()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        parts_.sums.allocate(set_.context, std::size_t(particles_.n)*DeferredForces<D, real>::width);
+        p_.memory.sums.allocate(p_.set.context, std::size_t(p_.particles.n)*DeferredForces<D, real>::width);
         // of those in the scene: a scene that is continued without those that left must cut alike
-        parts_.deferred.set(activeSolids(), list_.view(), others_ ? blockCuts() : std::vector<int>());
+        p_.memory.deferred.set(p_.order.active(), p_.order.list.view(), others_ ? blockCuts() : std::vector<int>());
         setRanges();
     }
 #endif
@@ -289,8 +289,8 @@ void DemSolver<Backend, D, P>::setRanges()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        const SolidFields<D, P> f = particles_.view();
-        parts_.deferred.setRanges(list_.view(), sleeps(), [&](int i) { return f.asleep(i); });
+        const SolidFields<D, P> f = p_.particles.view();
+        p_.memory.deferred.setRanges(p_.order.list.view(), p_.sleeps(), [&](int i) { return f.asleep(i); });
     }
 #endif
 }

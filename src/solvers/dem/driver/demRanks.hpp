@@ -22,61 +22,61 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setRanks()
 {
     if (Backend::gpu) throw std::invalid_argument("several processes run on CPUs alone");
-    others_ = std::make_unique<ParticleExchange>(*set_.config.ranks, set_.config.imbalance);
+    others_ = std::make_unique<ParticleExchange>(*p_.set.config.ranks, p_.set.config.imbalance);
     setPieces();
-    others_->begin(particles_.n);
+    others_->begin(p_.particles.n);
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setPieces()
 {
     std::vector<PieceGrid> grids;
-    for (int k = 0; k < classes_.classes; ++k)
+    for (int k = 0; k < p_.reach.classes.classes; ++k)
     {
-        const CellGrid<D, P>& from = classes_.grid[k];
+        const CellGrid<D, P>& from = p_.reach.classes.grid[k];
         PieceGrid g;
         for (int d = 0; d < 3; ++d) { g.n[d] = from.n[d]; g.stride[d] = from.stride[d]; }
         for (int d = 0; d < D; ++d)
         {
-            g.lower[d] = set_.box.lower[d];
-            g.size[d] = set_.box.length[d]/from.n[d];
+            g.lower[d] = p_.set.box.lower[d];
+            g.size[d] = p_.set.box.length[d]/from.n[d];
             g.periodic[d] = from.periodic[d];
         }
-        g.radius = double(classes_.largest[k]);
+        g.radius = double(p_.reach.classes.largest[k]);
         grids.push_back(g);
     }
-    others_->setPieces(grids, reach_);
+    others_->setPieces(grids, p_.reach.reach);
 }
 
 //- Memory for so many particles from now on; residents stay in their slots, and a rebuild does the rest
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setCapacity(int n)
 {
-    const int residents = std::min(others_->residents(), particles_.n), active = activeSolids();
-    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
+    const int residents = std::min(others_->residents(), p_.particles.n), active = p_.order.active();
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     std::vector<std::int32_t> ids(n, -1), keys(n);
     std::vector<double> empty(D == 2 ? n : 0, 0.0);
     for (int i = 0; i < n; ++i)
     {
         keys[i] = i;
-        if (i >= std::min(n, particles_.n)) continue;
-        ids[i] = particles_.ids[key[i]];
-        if (D == 2) empty[i] = particles_.emptyCoordinate[key[i]];
+        if (i >= std::min(n, p_.particles.n)) continue;
+        ids[i] = p_.particles.ids[key[i]];
+        if (D == 2) empty[i] = p_.particles.emptyCoordinate[key[i]];
     }
-    particles_.ids.swap(ids);
-    particles_.emptyCoordinate.swap(empty);
+    p_.particles.ids.swap(ids);
+    p_.particles.emptyCoordinate.swap(empty);
 
-    FieldSet<Backend> old(std::move(particles_.values));
-    particles_.values = FieldSet<Backend>();
+    FieldSet<Backend> old(std::move(p_.particles.values));
+    p_.particles.values = FieldSet<Backend>();
     const auto info = old.info();
     for (int f = 0; f < old.fields(); ++f)
     {
-        if (old.elementBytes(f) == 8) particles_.values.template add<std::int64_t>(info[f].name);
-        else particles_.values.template add<std::int32_t>(info[f].name);
+        if (old.elementBytes(f) == 8) p_.particles.values.template add<std::int64_t>(info[f].name);
+        else p_.particles.values.template add<std::int32_t>(info[f].name);
     }
-    particles_.values.allocate(set_.context, n);
-    for (int f = 0; f < particles_.values.fields(); ++f) std::memcpy(particles_.values.bytes(f), old.bytes(f), std::size_t(residents)*old.elementBytes(f));
-    particles_.values.upload(set_.context, particles_.at.id, keys);
+    p_.particles.values.allocate(p_.set.context, n);
+    for (int f = 0; f < p_.particles.values.fields(); ++f) std::memcpy(p_.particles.values.bytes(f), old.bytes(f), std::size_t(residents)*old.elementBytes(f));
+    p_.particles.values.upload(p_.set.context, p_.particles.at.id, keys);
 
     // lists of before are about the slots of before: those behind have none
     const auto longer = [&](Array<Backend, int>& a, std::size_t size, int rest)
@@ -84,48 +84,47 @@ void DemSolver<Backend, D, P>::setCapacity(int n)
         std::vector<int> all = a.download();
         all.resize(size, all.empty() ? 0 : (rest < 0 ? all.back() : rest));
         Array<Backend, int> fresh;
-        fresh.upload(set_.context, all);
+        fresh.upload(p_.set.context, all);
         a.swap(fresh);
     };
-    list_.resize(set_.context, n);
-    if (nWalls_)
-        for (WallMemoryArrays<Backend, real>* w : {&wallMemory_, &oldWallMemory_})
+    p_.order.list.resize(p_.set.context, n);
+    if (p_.walls.count)
+        for (WallMemoryArrays<Backend, real>* w : {&p_.walls.memory, &p_.walls.oldMemory})
         {
             longer(w->entryFirst, std::size_t(n) + 1, -1);
             longer(w->elementFirst, std::size_t(n) + 1, -1);
         }
-    records_ = SolidRecordMemory<Backend, D, P>();
-    records_.allocate(set_.context, n);
-    reference_ = Array<Backend, position>();
-    reference_.allocate(set_.context, std::size_t(n)*D);
-    inverse_ = Array<Backend, int>();
-    inverse_.allocate(set_.context, n);
-    slotOf_ = Array<Backend, int>();
-    slotOf_.allocate(set_.context, n);
-    sort_ = CellSort<Backend>();
-    sort_.allocate(set_.context, n, classes_.cells());
-    set_.context.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
-    particles_.n = n;
+    p_.order.records = SolidRecordMemory<Backend, D, P>();
+    p_.order.records.allocate(p_.set.context, n);
+    p_.order.reference = Array<Backend, position>();
+    p_.order.reference.allocate(p_.set.context, std::size_t(n)*D);
+    p_.order.inverse = Array<Backend, int>();
+    p_.order.inverse.allocate(p_.set.context, n);
+    p_.order.slotOf = Array<Backend, int>();
+    p_.order.slotOf.allocate(p_.set.context, n);
+    p_.order.sort = CellSort<Backend>();
+    p_.order.setCells(n, p_.reach.classes.cells(), active);
+    p_.particles.n = n;
 }
 
 //- Who is in a slot from now on
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeKey(int slot, std::int32_t id)
 {
-    particles_.ids[particles_.values.template data<std::int32_t>(particles_.at.id)[slot]] = id;
+    p_.particles.ids[p_.particles.values.template data<std::int32_t>(p_.particles.at.id)[slot]] = id;
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::packParticle(int slot, bool whole, RankBytes& to)
 {
-    const int key = particles_.values.template data<std::int32_t>(particles_.at.id)[slot];
-    putValues(to, &particles_.ids[key]);
-    if (D == 2) putValues(to, &particles_.emptyCoordinate[key]);
-    for (int f = 0; f < particles_.values.fields(); ++f)
+    const int key = p_.particles.values.template data<std::int32_t>(p_.particles.at.id)[slot];
+    putValues(to, &p_.particles.ids[key]);
+    if (D == 2) putValues(to, &p_.particles.emptyCoordinate[key]);
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
     {
-        if (f == particles_.at.id || f == particles_.at.calm) continue;
-        const std::size_t each = particles_.values.elementBytes(f);
-        putValues(to, particles_.values.bytes(f) + slot*each, each);
+        if (f == p_.particles.at.id || f == p_.particles.at.calm) continue;
+        const std::size_t each = p_.particles.values.elementBytes(f);
+        putValues(to, p_.particles.values.bytes(f) + slot*each, each);
     }
     if (!whole) return;
     packContacts(slot, to);
@@ -138,12 +137,12 @@ void DemSolver<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[maybe_u
 {
     if constexpr (!Backend::gpu)
     {
-        const ContactListView<Backend, real> list = list_.view();
-        const int words = list.historyWords(pairs_.histories());
+        const ContactListView<Backend, real> list = p_.order.list.view();
+        const int words = list.historyWords(p_.pairs.histories());
         if (touchingOf_.empty())
         {
             touchingOf_.resize(others_->residents());
-            for (int i = 0, last = activeSolids(); i < last; ++i)
+            for (int i = 0, last = p_.order.active(); i < last; ++i)
                 for (int k = 0; k < list.count[i]; ++k)
                 {
                     const std::size_t e = list.index(i, k);
@@ -158,7 +157,7 @@ void DemSolver<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[maybe_u
         {
             const std::int64_t pair[2] = {others_->number(list.owner[e]), others_->number(list.other(list.entry[e]))};
             putValues(to, pair, 2);
-            putValues(to, list.history + e*words, pairs_.histories());
+            putValues(to, list.history + e*words, p_.pairs.histories());
         }
     }
 }
@@ -167,9 +166,9 @@ void DemSolver<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[maybe_u
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::packWalls(int slot, RankBytes& to)
 {
-    const WallMemoryArrays<Backend, real>& m = wallMemory_;
-    const int first = nWalls_ ? m.entryFirst.data()[slot] : 0;
-    const std::int32_t count = nWalls_ ? m.entryFirst.data()[slot + 1] - first : 0;
+    const WallMemoryArrays<Backend, real>& m = p_.walls.memory;
+    const int first = p_.walls.count ? m.entryFirst.data()[slot] : 0;
+    const std::int32_t count = p_.walls.count ? m.entryFirst.data()[slot + 1] - first : 0;
     putValues(to, &count);
     for (int e = first; e < first + count; ++e)
     {
@@ -177,7 +176,7 @@ void DemSolver<Backend, D, P>::packWalls(int slot, RankBytes& to)
         putValues(to, &m.entry.data()[e].wall);
         putValues(to, m.on.data() + at, wallTouches);
         putValues(to, m.normal.data() + at*D, wallTouches*D);
-        putValues(to, m.history.data() + at*pairs_.histories(), wallTouches*pairs_.histories());
+        putValues(to, m.history.data() + at*p_.pairs.histories(), wallTouches*p_.pairs.histories());
         putValues(to, m.force.data() + std::size_t(e)*wallWords<D>, wallWords<D>);
     }
 }
@@ -185,16 +184,16 @@ void DemSolver<Backend, D, P>::packWalls(int slot, RankBytes& to)
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::unpackParticle(int slot, bool whole, const unsigned char*& from)
 {
-    if (slot >= particles_.n) setCapacity(std::max(slot + 1, particles_.n + particles_.n/4) + 64);
+    if (slot >= p_.particles.n) setCapacity(std::max(slot + 1, p_.particles.n + p_.particles.n/4) + 64);
     std::int32_t id;
     takeValues(from, &id);
     takeKey(slot, id);
-    if (D == 2) takeValues(from, &particles_.emptyCoordinate[particles_.values.template data<std::int32_t>(particles_.at.id)[slot]]);
-    for (int f = 0; f < particles_.values.fields(); ++f)
+    if (D == 2) takeValues(from, &p_.particles.emptyCoordinate[p_.particles.values.template data<std::int32_t>(p_.particles.at.id)[slot]]);
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
     {
-        if (f == particles_.at.id || f == particles_.at.calm) continue;
-        const std::size_t each = particles_.values.elementBytes(f);
-        takeValues(from, particles_.values.bytes(f) + slot*each, each);
+        if (f == p_.particles.at.id || f == p_.particles.at.calm) continue;
+        const std::size_t each = p_.particles.values.elementBytes(f);
+        takeValues(from, p_.particles.values.bytes(f) + slot*each, each);
     }
     if (!whole) return;
     std::int32_t contacts, walls;
@@ -204,8 +203,8 @@ void DemSolver<Backend, D, P>::unpackParticle(int slot, bool whole, const unsign
         std::int64_t pair[2];
         takeValues(from, pair, 2);
         arrivedContacts_.push_back(RankContact{pair[0], pair[1]});
-        arrivedHistories_.resize(arrivedHistories_.size() + pairs_.histories());
-        takeValues(from, arrivedHistories_.data() + arrivedHistories_.size() - pairs_.histories(), pairs_.histories());
+        arrivedHistories_.resize(arrivedHistories_.size() + p_.pairs.histories());
+        takeValues(from, arrivedHistories_.data() + arrivedHistories_.size() - p_.pairs.histories(), p_.pairs.histories());
     }
     takeValues(from, &walls);
     for (int k = 0; k < walls; ++k)
@@ -215,7 +214,7 @@ void DemSolver<Backend, D, P>::unpackParticle(int slot, bool whole, const unsign
         takeValues(from, &w.wall);
         takeValues(from, w.on, wallTouches);
         arrivedWalls_.push_back(w);
-        const std::size_t numbers = std::size_t(wallTouches)*(D + pairs_.histories()) + wallWords<D>;
+        const std::size_t numbers = std::size_t(wallTouches)*(D + p_.pairs.histories()) + wallWords<D>;
         arrivedWallNumbers_.resize(arrivedWallNumbers_.size() + numbers);
         takeValues(from, arrivedWallNumbers_.data() + arrivedWallNumbers_.size() - numbers, numbers);
     }
@@ -227,19 +226,19 @@ void DemSolver<Backend, D, P>::regroup()
 {
     if constexpr (!Backend::gpu)
     {
-        if (surfaces_)
+        if (p_.walls.surfaces)
         {
             // keys change their particles
-            const WallPassings passed = passed_.download()[0];
-            if (passed.count && !passedBefore_) passedIdBefore_ = particles_.ids[passed.key];
+            const WallPassings passed = p_.walls.passed.download()[0];
+            if (passed.count && !passedBefore_) passedIdBefore_ = p_.particles.ids[passed.key];
             passedBefore_ += passed.count;
-            clearPassed();
+            p_.walls.clearPassed(p_.particles.n);
         }
         for (auto* v : {&arrivedHistories_, &arrivedWallNumbers_}) v->clear();
         arrivedContacts_.clear();
         arrivedWalls_.clear();
         touchingOf_.clear();
-        others_->migrate(sort_.keys(),
+        others_->migrate(p_.order.sort.keys(),
             [&](int slot, bool whole, RankBytes& to) { packParticle(slot, whole, to); },
             [&](int slot, bool whole, const unsigned char*& from) { unpackParticle(slot, whole, from); });
         for (RankContact& c : arrivedContacts_)
@@ -247,29 +246,29 @@ void DemSolver<Backend, D, P>::regroup()
             c.a = others_->slotOf(c.a);
             c.b = others_->slotOf(c.b);
         }
-        const SolidFields<D, P> f = particles_.view();
+        const SolidFields<D, P> f = p_.particles.view();
         for (const int slot : others_->left())
         {
             Vector3 x{{0, 0, 0}};
-            if (D == 2) x[set_.config.axes[2]] = particles_.emptyCoordinate[f.id[slot]];
-            for (int d = 0; d < D; ++d) x[set_.config.axes[d]] = set_.box.toMetres(d, f.x[d][slot]);
+            if (D == 2) x[p_.set.config.axes[2]] = p_.particles.emptyCoordinate[f.id[slot]];
+            for (int d = 0; d < D; ++d) x[p_.set.config.axes[d]] = p_.set.box.toMetres(d, f.x[d][slot]);
             escaped_.push_back(x);
-            escapedId_.push_back(particles_.ids[f.id[slot]]);
+            escapedId_.push_back(p_.particles.ids[f.id[slot]]);
         }
-        std::vector<char> here(particles_.n, 0);
+        std::vector<char> here(p_.particles.n, 0);
         int k = 0;
         for (const int slot : others_->sequence())
         {
             f.calm[slot] = ghost(slot) ? ghostMark : -1;
             here[slot] = 1;
-            sort_.keys()[k] = others_->cell(slot);
-            sort_.indices()[k++] = std::uint32_t(slot);
+            p_.order.sort.keys()[k] = others_->cell(slot);
+            p_.order.sort.indices()[k++] = std::uint32_t(slot);
         }
-        for (int slot = 0; slot < particles_.n; ++slot)
+        for (int slot = 0; slot < p_.particles.n; ++slot)
         {
             if (here[slot]) continue;
-            sort_.keys()[k] = std::uint32_t(classes_.cells());
-            sort_.indices()[k++] = std::uint32_t(slot);
+            p_.order.sort.keys()[k] = std::uint32_t(p_.reach.classes.cells());
+            p_.order.sort.indices()[k++] = std::uint32_t(slot);
         }
     }
 }
@@ -277,7 +276,7 @@ void DemSolver<Backend, D, P>::regroup()
 //- Particles are in their new places
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::settleRanks()
-{ others_->settle(newOrder(), activeSolids()); }
+{ others_->settle(newOrder(), p_.order.active()); }
 
 //- What contacts of arrivals remember, after the lists were written
 template<class Backend, int D, class P>
@@ -286,14 +285,14 @@ void DemSolver<Backend, D, P>::takeContacts()
     if constexpr (!Backend::gpu)
     {
         int turns = 0;
-        withLaw(set_.laws, [&](auto law) { turns = decltype(law)::template turnsFrom<D>; });
-        const ContactListView<Backend, real> list = list_.view();
-        const int words = list.historyWords(pairs_.histories()), active = activeSolids();
+        withLaw(p_.set.laws, [&](auto law) { turns = decltype(law)::template turnsFrom<D>; });
+        const ContactListView<Backend, real> list = p_.order.list.view();
+        const int words = list.historyWords(p_.pairs.histories()), active = p_.order.active();
         for (std::size_t c = 0; c < arrivedContacts_.size(); ++c)
         {
             const RankContact& pair = arrivedContacts_[c];
             if (pair.a < 0 || pair.b < 0) continue;
-            const int i = inverse_.data()[pair.a], j = inverse_.data()[pair.b];
+            const int i = p_.order.inverse.data()[pair.a], j = p_.order.inverse.data()[pair.b];
             if (i >= active || j >= active) continue;
             const bool turn = j < i;
             const int owner = turn ? j : i, partner = turn ? i : j;
@@ -302,9 +301,9 @@ void DemSolver<Backend, D, P>::takeContacts()
                 const std::size_t e = list.index(owner, k);
                 if (list.other(list.entry[e]) != partner) continue;
                 list.entry[e] |= list.touching;
-                for (int h = 0; h < pairs_.histories(); ++h)
+                for (int h = 0; h < p_.pairs.histories(); ++h)
                 {
-                    const real value = arrivedHistories_[c*pairs_.histories() + h];
+                    const real value = arrivedHistories_[c*p_.pairs.histories() + h];
                     list.history[e*words + h] = turn && h >= turns ? -value : value;
                 }
             }
@@ -315,12 +314,12 @@ void DemSolver<Backend, D, P>::takeContacts()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeWallContacts()
 {
-    WallMemoryArrays<Backend, real>& m = wallMemory_;
-    const std::size_t numbers = std::size_t(wallTouches)*(D + pairs_.histories()) + wallWords<D>;
+    WallMemoryArrays<Backend, real>& m = p_.walls.memory;
+    const std::size_t numbers = std::size_t(wallTouches)*(D + p_.pairs.histories()) + wallWords<D>;
     for (std::size_t k = 0; k < arrivedWalls_.size(); ++k)
     {
         const RankWall& w = arrivedWalls_[k];
-        const int i = inverse_.data()[w.particle];
+        const int i = p_.order.inverse.data()[w.particle];
         for (int e = m.entryFirst.data()[i]; e < m.entryFirst.data()[i + 1]; ++e)
         {
             if (m.entry.data()[e].wall != w.wall) continue;
@@ -328,8 +327,8 @@ void DemSolver<Backend, D, P>::takeWallContacts()
             const std::size_t at = std::size_t(e)*wallTouches;
             std::copy_n(w.on, wallTouches, m.on.data() + at);
             std::copy_n(from, wallTouches*D, m.normal.data() + at*D);
-            std::copy_n(from + wallTouches*D, wallTouches*pairs_.histories(), m.history.data() + at*pairs_.histories());
-            std::copy_n(from + wallTouches*(D + pairs_.histories()), wallWords<D>, m.force.data() + std::size_t(e)*wallWords<D>);
+            std::copy_n(from + wallTouches*D, wallTouches*p_.pairs.histories(), m.history.data() + at*p_.pairs.histories());
+            std::copy_n(from + wallTouches*(D + p_.pairs.histories()), wallWords<D>, m.force.data() + std::size_t(e)*wallWords<D>);
         }
     }
 }
@@ -359,8 +358,8 @@ void DemSolver<Backend, D, P>::shareStep()
 {
     if constexpr (!Backend::gpu)
     {
-        const SolidFields<D, P> f = particles_.view();
-        const SolidRecords<D, P> solids = records_.view();
+        const SolidFields<D, P> f = p_.particles.view();
+        const SolidRecords<D, P> solids = p_.order.records.view();
         others_->share(D*(sizeof(std::int64_t) + sizeof(double)) + S*sizeof(real), [&](int i, unsigned char* to)
         {
             for (int d = 0; d < D; ++d)
@@ -379,15 +378,15 @@ void DemSolver<Backend, D, P>::shareStep()
             }
             for (int c = 0; c < S; ++c) std::memcpy(f.w[c] + i, from + 16*D + c*sizeof(real), sizeof(real));
             Vec<D, position> p;
-            for (int d = 0; d < D; ++d) p.c[d] = set_.box.pairPosition(d, f.x[d][i]);
+            for (int d = 0; d < D; ++d) p.c[d] = p_.set.box.pairPosition(d, f.x[d][i]);
             solids.store(i, p, ContactBody<D, real>{convert<real>(f.velocity(i)), f.spin(i), f.radius[i], f.mass[i]}, f.material[i]);
         });
-        DemClockData& c = *clock_.data();
+        DemClockData& c = *p_.clock.data();
         std::vector<double> flags
         {
             double(c.needRebuild), double(c.aged[0]), double(c.aged[1]), double(c.far[0]), double(c.far[1]), double(int(c.halt)), double(interrupted_)
         };
-        set_.config.ranks->largest(flags);
+        p_.set.config.ranks->largest(flags);
         int k = 0;
         for (int* to : {&c.needRebuild, c.aged, c.aged + 1, c.far, c.far + 1}) *to = int(flags[k++]);
         c.halt = DemHalt(int(flags[k++]));
@@ -401,7 +400,7 @@ double DemSolver<Backend, D, P>::largestOfRanks(double value) const
 {
     if (!others_) return value;
     std::vector<double> v(1, value == value ? value : std::numeric_limits<double>::infinity());
-    set_.config.ranks->largest(v);
+    p_.set.config.ranks->largest(v);
     return v[0];
 }
 
@@ -409,8 +408,8 @@ double DemSolver<Backend, D, P>::largestOfRanks(double value) const
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::findOffenderOfRanks(DemReport& report)
 {
-    Transport& ranks = *set_.config.ranks;
-    const int n = activeSolids();
+    Transport& ranks = *p_.set.config.ranks;
+    const int n = p_.order.active();
     const std::vector<double> offence = offences(n);
     int worst = -1;
     for (int i = 0; i < n; ++i) if (!ghost(i) && (worst < 0 || offence[i] > offence[worst])) worst = i;

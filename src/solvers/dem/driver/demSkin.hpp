@@ -18,44 +18,14 @@ namespace riprap
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setSkin(double skin)
 {
-    setReach(skin);
+    p_.reach.set(skin);
 #ifdef __CUDACC__
-    parts_.graphs.clear();                  // they hold on to the cells' and walls' numbers
+    p_.memory.graphs.clear();                  // they hold on to the cells' and walls' numbers
 #endif
-    setDomain();
+    p_.reach.setDomain();
+    if (others_) setPieces();
     setFrames();
-    const int active = activeSolids();
-    sort_.allocate(set_.context, particles_.n, classes_.cells());
-    set_.context.toDevice(const_cast<int*>(sort_.active()), &active, sizeof(int));
-}
-
-//- Half a diameter; where the domain is periodic what a third of it leaves, and no more than walls there have been repeated for
-template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::mostSkin() const
-{
-    double most = radii_.smallest;
-    for (int d = 0; d < D; ++d)
-    {
-        if (!set_.box.periodic[d]) continue;
-        if (surfaces_) return leastSkin();
-        most = std::min(most, set_.box.length[d]/3.001 - 2*radii_.largest - pairs_.largestGap());
-    }
-    return std::max(most, leastSkin());
-}
-
-//- Cells of walls are made once
-template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::wallCell() const
-{ return radii_.largest + leastSkin() + pairs_.largestGap(); }
-
-template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::largestWallSpeed()
-{
-    double most2 = 0;
-    if (motion_.walls())
-        for (const WallData& w : walls_.download())
-            for (int corner = 0; corner < 8 && w.motion >= 0; ++corner) most2 = std::max(most2, MoveWalls::cornerSpeed2(w, corner));
-    return std::sqrt(most2);
+    p_.order.setCells(p_.particles.n, p_.reach.classes.cells(), p_.order.active());
 }
 
 //- Before a rebuild
@@ -64,15 +34,15 @@ void DemSolver<Backend, D, P>::adaptSkin()
 {
     constexpr std::int64_t few = 8, many = 64;
     constexpr double stepsOfList = 16;
-    if (set_.config.skin >= 0 || driven_) return;
-    DemClockData now = clock_.now;
-    if constexpr (!Backend::gpu) now = *clock_.data();
-    const std::int64_t lasted = now.step - searchedAt_;
-    searchedAt_ = now.step;
-    if (lasted >= few && !(skin_ > leastSkin() && lasted > many)) return;
-    const double speed = std::max(largestSpeed(), largestWallSpeed());
-    const double wanted = std::min(std::max(2*1.25*stepsOfList*speed*now.fullDt, leastSkin()), mostSkin());
-    if (lasted < few ? wanted > 1.1*skin_ : wanted < 0.5*skin_) setSkin(wanted);
+    if (p_.set.config.skin >= 0 || p_.reach.driven) return;
+    DemClockData now = p_.clock.now;
+    if constexpr (!Backend::gpu) now = *p_.clock.data();
+    const std::int64_t lasted = now.step - p_.reach.searchedAt;
+    p_.reach.searchedAt = now.step;
+    if (lasted >= few && !(p_.reach.skin > p_.reach.leastSkin() && lasted > many)) return;
+    const double speed = std::max(largestSpeed(), (p_.motion.walls() ? p_.walls.largestSpeed() : 0));
+    const double wanted = std::min(std::max(2*1.25*stepsOfList*speed*now.fullDt, p_.reach.leastSkin()), p_.reach.mostSkin(p_.walls.surfaces));
+    if (lasted < few ? wanted > 1.1*p_.reach.skin : wanted < 0.5*p_.reach.skin) setSkin(wanted);
 }
 
 } // namespace riprap

@@ -14,17 +14,17 @@ template<class Backend, int D, class P>
 SleepState<D, P> DemSolver<Backend, D, P>::sleepState(bool fused)
 {
     SleepState<D, P> s{};
-    s.fields = particles_.view();
-    s.solids = records_.view();
+    s.fields = p_.particles.view();
+    s.solids = p_.order.records.view();
     if (fused)
     {
         s.state = stepState();
         s.solids = s.state.from;
     }
-    s.active = sort_.active();
+    s.active = p_.order.sort.active();
     s.wakes = wakes_.data();
     s.waits = waits_.data();
-    s.needed = std::int32_t(std::min(1e5, std::max(2.0, std::ceil(set_.config.sleepAfter/(stepsPerCheck*set_.plan.timeStep)))));
+    s.needed = std::int32_t(std::min(1e5, std::max(2.0, std::ceil(p_.set.config.sleepAfter/(stepsPerCheck*p_.set.plan.timeStep)))));
     return s;
 }
 
@@ -33,9 +33,9 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
 {
     if constexpr (Backend::gpu)
-        withLaw(set_.laws, [&](auto law)
+        withLaw(p_.set.laws, [&](auto law)
         {
-            forEach(set_.context, particles_.n, TakeHistories<Backend, D, P>{s, list_.view(), pairs_.histories(), decltype(law)::template turnsFrom<D>});
+            forEach(p_.set.context, p_.particles.n, TakeHistories<Backend, D, P>{s, p_.order.list.view(), p_.pairs.histories(), decltype(law)::template turnsFrom<D>});
         });
 }
 
@@ -43,12 +43,12 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::checkSleep(bool fused)
 {
     const SleepState<D, P> s = sleepState(fused);
-    const bool walls = nWalls_ && wallMemory_.entries;
-    forEach(set_.context, particles_.n, CountCalm<D, P>
-    {s, real(set_.config.sleepSpeed), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.entry.data(), walls_.data()});
-    forEach(set_.context, particles_.n, MarkRestless<Backend, D, P>{s, list_.view(), bonds_.table(), slotOf_.data()});
+    const bool walls = p_.walls.count && p_.walls.memory.entries;
+    forEach(p_.set.context, p_.particles.n, CountCalm<D, P>
+    {s, real(p_.set.config.sleepSpeed), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.entry.data(), p_.walls.walls.data()});
+    forEach(p_.set.context, p_.particles.n, MarkRestless<Backend, D, P>{s, p_.order.list.view(), p_.bonds.table(), p_.order.slotOf.data()});
     takeHistories(s);
-    forEach(set_.context, particles_.n, FallAsleep<D, P>{s, groups_.data()});
+    forEach(p_.set.context, p_.particles.n, FallAsleep<D, P>{s, p_.groups.data()});
     setRanges();
 }
 
@@ -57,11 +57,11 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, const std::vector<real>& after)
 {
     constexpr int numbers = D + S;
-    const double span = std::max(set_.config.sleepAfter, 2.0*stepsPerCheck*set_.plan.timeStep);
-    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
-    const auto mass = particles_.template field<real>(particles_.at.mass), radius = particles_.template field<real>(particles_.at.radius);
-    std::vector<std::int32_t> changed(particles_.n, 0);
-    for (int i = 0; i < activeSolids(); ++i)
+    const double span = std::max(p_.set.config.sleepAfter, 2.0*stepsPerCheck*p_.set.plan.timeStep);
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    const auto mass = p_.particles.template field<real>(p_.particles.at.mass), radius = p_.particles.template field<real>(p_.particles.at.radius);
+    std::vector<std::int32_t> changed(p_.particles.n, 0);
+    for (int i = 0; i < p_.order.active(); ++i)
     {
         double change = 0;
         for (int c = 0; c < numbers; ++c)
@@ -70,20 +70,20 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
             const double difference = double(after[at]) - (before.empty() ? 0.0 : double(before[at]));
             change += std::abs(difference)/(c < D ? 1.0 : double(radius[i]));
         }
-        changed[key[i]] = change*span > set_.config.sleepSpeed*double(mass[i]);
+        changed[key[i]] = change*span > p_.set.config.sleepSpeed*double(mass[i]);
     }
     Array<Backend, std::int32_t> marks;
-    marks.upload(set_.context, changed);
+    marks.upload(p_.set.context, changed);
     const SleepState<D, P> s = sleepState(false);
-    forEach(set_.context, particles_.n, MarkChanged<D, P>{s, marks.data()});
+    forEach(p_.set.context, p_.particles.n, MarkChanged<D, P>{s, marks.data()});
     takeHistories(s);
-    forEach(set_.context, particles_.n, WakeMarked<D, P>{s});
+    forEach(p_.set.context, p_.particles.n, WakeMarked<D, P>{s});
     setRanges();
-    set_.context.synchronise();
+    p_.set.context.synchronise();
 }
 
 template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::asleepNow()
-{ return std::size_t(sumOver<1>(set_.context, particles_.n, CountAsleep{particles_.view().calm, sort_.active()})[0]); }
+{ return std::size_t(sumOver<1>(p_.set.context, p_.particles.n, CountAsleep{p_.particles.view().calm, p_.order.sort.active()})[0]); }
 
 } // namespace riprap

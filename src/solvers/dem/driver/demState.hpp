@@ -66,14 +66,14 @@ template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::historyTogether() const
 {
     using List = ContactListView<Backend, real>;
-    return Backend::gpu ? List::wordsTogether(pairs_.histories()) : List::historyWords(pairs_.histories());
+    return Backend::gpu ? List::wordsTogether(p_.pairs.histories()) : List::historyWords(p_.pairs.histories());
 }
 
 template<class Backend, int D, class P>
 std::size_t DemSolver<Backend, D, P>::historyRows() const
 {
     const std::size_t together = historyTogether();
-    return together ? ContactListView<Backend, real>::historyWords(pairs_.histories())/together : 0;
+    return together ? ContactListView<Backend, real>::historyWords(p_.pairs.histories())/together : 0;
 }
 
 //- What does not follow from positions: contacts' histories, clumps, walls
@@ -81,18 +81,18 @@ template<class Backend, int D, class P>
 template<class F>
 void DemSolver<Backend, D, P>::forEachMemory(F f)
 {
-    const ContactListView<Backend, real> list = list_.view();
-    const std::size_t entries = list_.entries();
+    const ContactListView<Backend, real> list = p_.order.list.view();
+    const std::size_t entries = p_.order.list.entries();
     f(list.entry, entries*sizeof(std::uint32_t));
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q) f(list.history + q*list.stride*together, entries*together*sizeof(real));
-    if (!nWalls_) return;
-    f(walls_.data(), nWalls_*sizeof(WallData));
-    const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches;
-    f(wallMemory_.on.data(), slots*sizeof(int));
-    f(wallMemory_.normal.data(), slots*D*sizeof(real));
-    f(wallMemory_.history.data(), slots*pairs_.histories()*sizeof(real));
-    f(wallMemory_.force.data(), std::size_t(wallMemory_.entries)*wallWords<D>*sizeof(real));
+    if (!p_.walls.count) return;
+    f(p_.walls.walls.data(), p_.walls.count*sizeof(WallData));
+    const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches;
+    f(p_.walls.memory.on.data(), slots*sizeof(int));
+    f(p_.walls.memory.normal.data(), slots*D*sizeof(real));
+    f(p_.walls.memory.history.data(), slots*p_.pairs.histories()*sizeof(real));
+    f(p_.walls.memory.force.data(), std::size_t(p_.walls.memory.entries)*wallWords<D>*sizeof(real));
 }
 
 //- What fills up blocks of entries, and histories of what does not touch, are whatever was there before: the same state of n particles shall be the same words
@@ -100,23 +100,23 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
 {
     using List = ContactListView<Backend, real>;
-    const std::size_t entries = list_.entries(), each = sizeof(real)/4, entry = at;
+    const std::size_t entries = p_.order.list.entries(), each = sizeof(real)/4, entry = at;
     const auto clear = [&](std::size_t from, std::size_t reals) { std::fill_n(words.begin() + from, reals*each, 0); };
     const auto free = [&](std::size_t e) { return !(std::uint32_t(words[entry + e]) & List::touching); };
     if (Backend::gpu)
     {
-        const std::vector<char> used = list_.used(n);
+        const std::vector<char> used = p_.order.list.used(n);
         for (std::size_t e = 0; e < entries; ++e) if (!used[e]) words[entry + e] = 0;
     }
     at += entries;
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
         for (std::size_t e = 0; e < entries; ++e) if (free(e)) clear(at + e*together*each, together);
-    if (!nWalls_) return;
-    at += nWalls_*sizeof(WallData)/4;
-    const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches, on = at;
+    if (!p_.walls.count) return;
+    at += p_.walls.count*sizeof(WallData)/4;
+    const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches, on = at;
     at += slots;
-    for (const int numbers : {D, pairs_.histories()})
+    for (const int numbers : {D, p_.pairs.histories()})
     {
         for (std::size_t s = 0; s < slots; ++s) if (!words[on + s]) clear(at + s*numbers*each, numbers);
         at += slots*numbers*each;
@@ -125,13 +125,13 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
 
 //- Marks of ghosts are not part of a state
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != particles_.at.calm || sleeps(); }
+bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != p_.particles.at.calm || p_.sleeps(); }
 
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::savedFields() const
 {
     int n = 0;
-    for (int f = 0; f < particles_.values.fields(); ++f) n += isSaved(f);
+    for (int f = 0; f < p_.particles.values.fields(); ++f) n += isSaved(f);
     return n;
 }
 
@@ -146,7 +146,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
     others_->gatherOn(0);
     rebuild();
     std::vector<std::int32_t> words = stateWords();
-    if (set_.config.ranks->rank() != 0) words.clear();
+    if (p_.set.config.ranks->rank() != 0) words.clear();
     others_->gatherOn(-1);
     rebuild();
     return words;
@@ -156,22 +156,22 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
 {
-    clock_.read();
-    searchedAt_ = clock_.now.step;
-    clock_.now.windowEnd = -1e300;               // motions are sampled anew, by both
-    clock_.write();
-    const int n = activeSolids();
-    const std::vector<int> kept = bonds_.kept(slotOf_);
+    p_.clock.read();
+    p_.reach.searchedAt = p_.clock.now.step;
+    p_.clock.now.windowEnd = -1e300;               // motions are sampled anew, by both
+    p_.clock.write();
+    const int n = p_.order.active();
+    const std::vector<int> kept = p_.bonds.kept(p_.order.slotOf);
     std::vector<std::int32_t> words
     {
-        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), pairs_.histories(), n, savedFields(),
-        int(kept.size()), clumps_.count(), nWalls_, int(list_.entries()), wallMemory_.entries
+        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), p_.pairs.histories(), n, savedFields(),
+        int(kept.size()), p_.clumps.count(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries
     };
     // Room for most of it, without which it would be copied again and again
     std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
-    for (int f = 0; f < particles_.values.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*particles_.values.elementBytes(f) + 3)/4;
+    for (int f = 0; f < p_.particles.values.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
-    if (clumps_.count()) expected += (clumps_.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    if (p_.clumps.count()) expected += (p_.clumps.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     words.reserve(expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
@@ -179,30 +179,27 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
         words.resize(at + (bytes + 3)/4, 0);
         if (bytes) std::memcpy(&words[at], data, bytes);
     };
-    detail::StateWriter<Context<Backend>> write{set_.context, words};
-    write(clock_.data(), sizeof(DemClockData));
-    DemSearchState search;
-    search.radii = radii_;
-    search.skin = skin_;
-    for (int d = 0; d < D; ++d) { search.lower[d] = set_.box.lower[d]; search.length[d] = set_.box.length[d]; }
+    detail::StateWriter<Context<Backend>> write{p_.set.context, words};
+    write(p_.clock.data(), sizeof(DemClockData));
+    const DemSearchState search = p_.reach.state();
     append(&search, sizeof(search));
-    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
-    for (int i = 0; i < n; ++i) words.push_back(particles_.ids[key[i]]);
-    for (int f = 0; f < particles_.values.fields(); ++f)
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    for (int i = 0; i < n; ++i) words.push_back(p_.particles.ids[key[i]]);
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
     {
         // keys count particles of this scene alone
-        if (f == particles_.at.id) words.resize(words.size() + n, 0);
-        else if (isSaved(f)) write(particles_.values.bytes(f), std::size_t(n)*particles_.values.elementBytes(f));
+        if (f == p_.particles.at.id) words.resize(words.size() + n, 0);
+        else if (isSaved(f)) write(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     }
-    bonds_.forEachMemory(kept, [&](auto& array, int numbers)
+    p_.bonds.forEachMemory(kept, [&](auto& array, int numbers)
     {
         const auto all = array.download();
         for (const int k : kept) append(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
     });
-    if (clumps_.count())
+    if (p_.clumps.count())
     {
-        write(clumps_.data(), clumps_.count()*sizeof(ClumpData));
-        const auto offset = clumps_.offset().download();
+        write(p_.clumps.data(), p_.clumps.count()*sizeof(ClumpData));
+        const auto offset = p_.clumps.offset().download();
         for (int i = 0; i < n; ++i) append(&offset[3*std::size_t(key[i])], 3*sizeof(double));
     }
     const std::size_t memory = words.size();
@@ -223,7 +220,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     takeState(all);
     others_ = std::move(others);
     setPieces();
-    others_->begin(particles_.n);
+    others_->begin(p_.particles.n);
     rebuild();
     setCapacity(others_->residents() + others_->residents()/4 + 256);
     rebuild();
@@ -233,7 +230,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
 {
-    Transport& ranks = *set_.config.ranks;
+    Transport& ranks = *p_.set.config.ranks;
     std::vector<RankBytes> out(ranks.size()), in;
     if (ranks.rank() == 0)
     {
@@ -252,15 +249,15 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vect
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::collectAll()
 {
-    Transport& ranks = *set_.config.ranks;
-    const auto key = particles_.template field<std::int32_t>(particles_.at.id);
+    Transport& ranks = *p_.set.config.ranks;
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     std::vector<RankBytes> out(ranks.size()), in;
     RankBytes own;
     for (int i = 0; i < others_->residents(); ++i)
     {
         if (ghost(i)) continue;
-        const double empty = D == 2 ? particles_.emptyCoordinate[key[i]] : 0;
-        putValues(own, &particles_.ids[key[i]]);
+        const double empty = D == 2 ? p_.particles.emptyCoordinate[key[i]] : 0;
+        putValues(own, &p_.particles.ids[key[i]]);
         putValues(own, &empty);
     }
     out.assign(ranks.size(), own);
@@ -276,15 +273,15 @@ void DemSolver<Backend, D, P>::collectAll()
             all[id] = empty;
         }
     setCapacity(int(all.size()));
-    particles_.ids.clear();
-    particles_.emptyCoordinate.clear();
+    p_.particles.ids.clear();
+    p_.particles.emptyCoordinate.clear();
     for (const auto& one : all)
     {
-        particles_.ids.push_back(one.first);
-        if (D == 2) particles_.emptyCoordinate.push_back(one.second);
+        p_.particles.ids.push_back(one.first);
+        if (D == 2) p_.particles.emptyCoordinate.push_back(one.second);
     }
     // nobody is a ghost
-    particles_.values.upload(set_.context, particles_.at.calm, std::vector<std::int32_t>(particles_.n, -1));
+    p_.particles.values.upload(p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));
 }
 
 //- As one process that has all particles
@@ -300,11 +297,11 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
-    if (words[5] != pairs_.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
+    if (words[5] != p_.pairs.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
-    if (n != particles_.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(particles_.n));
-    if (words[8] != bonds_.count() || words[9] != clumps_.count() || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
-    detail::StateReader<Context<Backend>> read{set_.context, words, header};
+    if (n != p_.particles.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(p_.particles.n));
+    if (words[8] != p_.bonds.count() || words[9] != p_.clumps.count() || words[10] != p_.walls.count) fail("it has other bonds, clumps or walls");
+    detail::StateReader<Context<Backend>> read{p_.set.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
         const std::size_t next = read.at + (bytes + 3)/4;
@@ -312,37 +309,37 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
         if (bytes) std::memcpy(data, &words[read.at], bytes);
         read.at = next;
     };
-    read(clock_.data(), sizeof(DemClockData));
+    read(p_.clock.data(), sizeof(DemClockData));
     DemSearchState search;
     take(&search, sizeof(search));
     restoreSearch(search);
     std::vector<std::int32_t> ids(n);
     take(ids.data(), ids.size()*sizeof(std::int32_t));
-    for (int f = 0; f < particles_.values.fields(); ++f) if (isSaved(f)) read(particles_.values.bytes(f), std::size_t(n)*particles_.values.elementBytes(f));
+    for (int f = 0; f < p_.particles.values.fields(); ++f) if (isSaved(f)) read(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     restoreIds(ids);
-    std::vector<int> all(bonds_.count());
-    for (int k = 0; k < bonds_.count(); ++k) all[k] = k;
-    bonds_.forEachMemory(all, [&](auto& array, int numbers)
+    std::vector<int> all(p_.bonds.count());
+    for (int k = 0; k < p_.bonds.count(); ++k) all[k] = k;
+    p_.bonds.forEachMemory(all, [&](auto& array, int numbers)
     {
         auto values = array.download();
-        for (int k = 0; k < bonds_.count(); ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
-        array.upload(set_.context, values);
+        for (int k = 0; k < p_.bonds.count(); ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
+        array.upload(p_.set.context, values);
     });
-    if (clumps_.count())
+    if (p_.clumps.count())
     {
-        read(clumps_.data(), clumps_.count()*sizeof(ClumpData));
-        const auto key = particles_.template field<std::int32_t>(particles_.at.id);
-        auto offset = clumps_.offset().download();
+        read(p_.clumps.data(), p_.clumps.count()*sizeof(ClumpData));
+        const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+        auto offset = p_.clumps.offset().download();
         for (int i = 0; i < n; ++i) take(&offset[3*std::size_t(key[i])], 3*sizeof(double));
-        clumps_.offset().upload(set_.context, offset);
+        p_.clumps.offset().upload(p_.set.context, offset);
     }
     restoreNeighbours(read, words[11], words[12]);
-    clock_.read();
-    clock_.now.fullDt = set_.plan.timeStep;
-    clock_.now.needRebuild = 0;
-    searchedAt_ = clock_.now.step;
-    clock_.write();
-    set_.context.synchronise();
+    p_.clock.read();
+    p_.clock.now.fullDt = p_.set.plan.timeStep;
+    p_.clock.now.needRebuild = 0;
+    p_.reach.searchedAt = p_.clock.now.step;
+    p_.clock.write();
+    p_.set.context.synchronise();
 }
 
 //- Cells as the saving scene had them
@@ -352,18 +349,18 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
     bool fits = true;
     for (int d = 0; d < D; ++d)
     {
-        const int axis = set_.config.axes[d];
-        const double lo = set_.config.domainMin[axis], hi = set_.config.domainMax[axis];
-        if (set_.config.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
+        const int axis = p_.set.config.axes[d];
+        const double lo = p_.set.config.domainMin[axis], hi = p_.set.config.domainMax[axis];
+        if (p_.set.config.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
         else fits = fits && lo > s.lower[d] && hi < s.lower[d] + s.length[d];
     }
     if (!fits)
         throw std::invalid_argument("saved state: it is of another domain: moving walls reach farther, as with a later endTime, or the mesh has changed");
-    const double cell = wallCell();
-    radii_ = s.radii;
-    for (int d = 0; d < D; ++d) set_.box.set(d, s.lower[d], s.length[d], set_.config.periodic[set_.config.axes[d]]);
-    setSkin(set_.config.skin >= 0 ? leastSkin() : s.skin);
-    if (wallCell() != cell) setWalls();
+    const double cell = p_.reach.wallCell();
+    p_.reach.radii = s.radii;
+    for (int d = 0; d < D; ++d) p_.set.box.set(d, s.lower[d], s.length[d], p_.set.config.periodic[p_.set.config.axes[d]]);
+    setSkin(p_.set.config.skin >= 0 ? p_.reach.leastSkin() : s.skin);
+    if (p_.reach.wallCell() != cell) p_.walls.set(p_.reach.wallCell(), p_.particles.n);
 }
 
 //- Whom each row of the state is about, and that all of them are there
@@ -372,8 +369,8 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
 {
     const int n = int(ids.size());
     const auto fail = [] { throw std::invalid_argument("saved state: it is of other particles"); };
-    std::vector<int> keyOf(n ? *std::max_element(particles_.ids.begin(), particles_.ids.end()) + 1 : 0, -1);
-    for (int key = 0; key < n; ++key) keyOf[particles_.ids[key]] = key;
+    std::vector<int> keyOf(n ? *std::max_element(p_.particles.ids.begin(), p_.particles.ids.end()) + 1 : 0, -1);
+    for (int key = 0; key < n; ++key) keyOf[p_.particles.ids[key]] = key;
     std::vector<std::int32_t> keys(n);
     for (int i = 0; i < n; ++i)
     {
@@ -381,9 +378,9 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
         keys[i] = keyOf[ids[i]];
         keyOf[ids[i]] = -1;
     }
-    particles_.values.upload(set_.context, particles_.at.id, keys);
-    set_.context.toDevice(const_cast<int*>(sort_.active()), &n, sizeof(int));
-    reported_ = n;
+    p_.particles.values.upload(p_.set.context, p_.particles.at.id, keys);
+    p_.set.context.toDevice(const_cast<int*>(p_.order.sort.active()), &n, sizeof(int));
+    p_.particles.reported = n;
 }
 
 //- Lists of the restored positions, then what contacts remember
@@ -396,9 +393,9 @@ void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int 
     // walls' poses stand behind the lists of contacts in the words: read them ahead
     Reader ahead = read;
     ahead.at += std::size_t(entries)*(1 + historyRows()*historyTogether()*sizeof(real)/4);
-    if (nWalls_) ahead(walls_.data(), nWalls_*sizeof(WallData));
+    if (p_.walls.count) ahead(p_.walls.walls.data(), p_.walls.count*sizeof(WallData));
     rebuild(true, Backend::gpu);
-    check(int(list_.entries()) == entries && wallMemory_.entries == wallEntries);
+    check(int(p_.order.list.entries()) == entries && p_.walls.memory.entries == wallEntries);
     forEachMemory(read);
 }
 

@@ -10,31 +10,15 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-WallMemory<D, typename P::real> DemSolver<Backend, D, P>::wallMemory(WallMemoryArrays<Backend, real>& m)
-{
-    return WallMemory<D, real>
-    {
-        m.entryFirst.data(), m.entry.data(), m.element.data(), m.on.data(), m.normal.data(), m.history.data(), m.force.data()
-    };
-}
-
-template<class Backend, int D, class P>
-SurfaceView<D> DemSolver<Backend, D, P>::surface()
-{
-    return SurfaceView<D>
-    {vertices_.data(), elements_.data(), sharedFirst_.data(), shared_.data(), cellFirst_.data(), cellElement_.data()};
-}
-
-template<class Backend, int D, class P>
 template<class M>
 void DemSolver<Backend, D, P>::setMotion(M& m)
 {
-    m.fields = particles_.view();
-    m.groups = groups_.data();
-    for (int d = 0; d < D; ++d) m.gravity[d] = real(set_.config.gravity[set_.config.axes[d]]);
-    m.external = particles_.externalForces();
-    m.clock = clock_.data();
-    m.active = sort_.active();
+    m.fields = p_.particles.view();
+    m.groups = p_.groups.data();
+    for (int d = 0; d < D; ++d) m.gravity[d] = real(p_.set.config.gravity[p_.set.config.axes[d]]);
+    m.external = p_.particles.externalForces();
+    m.clock = p_.clock.data();
+    m.active = p_.order.sort.active();
 }
 
 template<class Backend, int D, class P>
@@ -42,23 +26,23 @@ MoveSolids<D, P> DemSolver<Backend, D, P>::mover()
 {
     MoveSolids<D, P> m{};
     setMotion(m);
-    m.box = set_.box;
-    m.solids = records_.view();
-    m.verlet = set_.config.integrator == DemIntegratorKind::velocityVerlet;
+    m.box = p_.set.box;
+    m.solids = p_.order.records.view();
+    m.verlet = p_.set.config.integrator == DemIntegratorKind::velocityVerlet;
     for (int d = 0; d < D; ++d)
     {
-        m.reference[d] = reference_.data() + std::size_t(d)*particles_.n;
-        m.domainMin[d] = domainMin_[d];
-        m.domainMax[d] = domainMax_[d];
+        m.reference[d] = p_.order.reference.data() + std::size_t(d)*p_.particles.n;
+        m.domainMin[d] = p_.reach.domainMin[d];
+        m.domainMax[d] = p_.reach.domainMax[d];
     }
-    if constexpr (Backend::gpu) m.frames = parts_.frames.view();
-    m.halfSkin = halfSkin_;
-    m.suddenWay = suddenWay_;
-    m.motions = motion_.groupTable();
-    m.clumps = clumps_.count() ? clumps_.data() : nullptr;
-    m.offset = clumps_.offset().data();
+    if constexpr (Backend::gpu) m.frames = p_.memory.frames.view();
+    m.halfSkin = p_.reach.halfSkin;
+    m.suddenWay = p_.reach.suddenWay;
+    m.motions = p_.motion.groupTable();
+    m.clumps = p_.clumps.count() ? p_.clumps.data() : nullptr;
+    m.offset = p_.clumps.offset().data();
     // paper 2's spring goes with the mass of its particles
-    NormalLaws::at(set_.laws.normal, [&](auto law) { m.sharesMass = clumps_.count() && !decltype(law)::type::stiffnessByMass; });
+    NormalLaws::at(p_.set.laws.normal, [&](auto law) { m.sharesMass = p_.clumps.count() && !decltype(law)::type::stiffnessByMass; });
     return m;
 }
 
@@ -66,20 +50,20 @@ template<class Backend, int D, class P>
 template<class Law>
 void DemSolver<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
 {
-    m.box = set_.box;
-    m.solids = records_.view();
-    m.list = list_.view();
-    pairs_.give(m);
+    m.box = p_.set.box;
+    m.solids = p_.order.records.view();
+    m.list = p_.order.list.view();
+    p_.pairs.give(m);
     m.clock = forceClock(ForceTurn::always);
-    m.active = sort_.active();
+    m.active = p_.order.sort.active();
 }
 
 template<class Backend, int D, class P>
 ForceClock DemSolver<Backend, D, P>::forceClock(ForceTurn turn)
 {
     if constexpr (Backend::gpu)
-        if (turn == ForceTurn::ahead) return ForceClock{clock_.data() + parts_.current, clock_.data() + 1 - parts_.current, turn};
-    return ForceClock{clock_.data(), clock_.data(), turn};
+        if (turn == ForceTurn::ahead) return ForceClock{p_.clock.data() + p_.memory.current, p_.clock.data() + 1 - p_.memory.current, turn};
+    return ForceClock{p_.clock.data(), p_.clock.data(), turn};
 }
 
 template<class Backend, int D, class P>
@@ -91,9 +75,9 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         GatherPass<Backend, D, P, Law> pass;
         setModel(pass);
         pass.clock = forceClock(turn);
-        pass.fields = particles_.view();
-        pass.largestGap = real(pairs_.largestGap());
-        forEach(set_.context, particles_.n, pass);
+        pass.fields = p_.particles.view();
+        pass.largestGap = real(p_.pairs.largestGap());
+        forEach(p_.set.context, p_.particles.n, pass);
     }
 #ifndef __CUDACC__
     else
@@ -101,10 +85,10 @@ void DemSolver<Backend, D, P>::contactPass(ForceTurn turn)
         ScatterPass<D, P, Law> pass;
         setModel(pass);
         pass.clock = forceClock(turn);
-        pass.deferred = &parts_.deferred;
-        pass.sums = parts_.sums.data();
-        pass.largestGap = real(pairs_.largestGap());
-        forEachTask(set_.context, parts_.deferred.blocks, pass);
+        pass.deferred = &p_.memory.deferred;
+        pass.sums = p_.memory.sums.data();
+        pass.largestGap = real(p_.pairs.largestGap());
+        forEachTask(p_.set.context, p_.memory.deferred.blocks, pass);
     }
 #endif
 }
@@ -114,22 +98,22 @@ template<class Law>
 WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
 {
     WallPass<D, P, Law> pass{};
-    pass.box = set_.box;
-    pass.fields = particles_.view();
-    pass.walls = walls_.data();
-    pass.wallCount = nWalls_;
-    pass.surface = surface();
+    pass.box = p_.set.box;
+    pass.fields = p_.particles.view();
+    pass.walls = p_.walls.walls.data();
+    pass.wallCount = p_.walls.count;
+    pass.surface = p_.walls.surface();
     pass.reach = wallReach();
-    pass.active = sort_.active();
-    pass.solids = records_.view();
-    pass.memory = wallMemory(wallMemory_);
-    pass.parameters = pairs_.template parameters<Law>();
-    pass.gap = pairs_.gaps();
-    pass.materials = pairs_.materials();
+    pass.active = p_.order.sort.active();
+    pass.solids = p_.order.records.view();
+    pass.memory = p_.walls.view();
+    pass.parameters = p_.pairs.template parameters<Law>();
+    pass.gap = p_.pairs.gaps();
+    pass.materials = p_.pairs.materials();
     pass.clock = forceClock(turn);
     pass.adds = Backend::gpu && turn != ForceTurn::ahead;
     pass.skipsAsleep = !Backend::gpu;
-    pass.passed = passed_.data();
+    pass.passed = p_.walls.passed.data();
     if constexpr (Backend::gpu)
     {
         if (turn == ForceTurn::ahead)
@@ -138,8 +122,8 @@ WallPass<D, P, Law> DemSolver<Backend, D, P>::wallKernel(ForceTurn turn)
             pass.solids = pass.state.from;
         }
         // as many threads as there is room for: recorded launches stay what they are while numbers change
-        pass.listed = parts_.wallList.data();
-        pass.listedCount = parts_.wallListFirst.data() + particles_.n;
+        pass.listed = p_.memory.wallList.data();
+        pass.listedCount = p_.memory.wallListFirst.data() + p_.particles.n;
     }
     return pass;
 }
@@ -148,64 +132,64 @@ template<class Backend, int D, class P>
 template<class Law>
 void DemSolver<Backend, D, P>::wallPass(ForceTurn turn)
 {
-    int near = particles_.n;
-    if constexpr (Backend::gpu) near = int(parts_.wallList.size());
-    forEach(set_.context, near, wallKernel<Law>(turn));
+    int near = p_.particles.n;
+    if constexpr (Backend::gpu) near = int(p_.memory.wallList.size());
+    forEach(p_.set.context, near, wallKernel<Law>(turn));
 }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::bondPass(ForceTurn turn)
 {
-    BondPass<D, P> pass{bonds_.view(slotOf_.data()), set_.box, particles_.view(), records_.view(), forceClock(turn), {}};
+    BondPass<D, P> pass{p_.bonds.view(p_.order.slotOf.data()), p_.set.box, p_.particles.view(), p_.order.records.view(), forceClock(turn), {}};
     if constexpr (Backend::gpu)
         if (turn == ForceTurn::ahead)
         {
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
-    if constexpr (Backend::gpu) forEachBlock(set_.context, (bonds_.count() + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
-    else forEach(set_.context, bonds_.count(), pass);
+    if constexpr (Backend::gpu) forEachBlock(p_.set.context, (p_.bonds.count() + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
+    else forEach(p_.set.context, p_.bonds.count(), pass);
 }
 
 //- All forces at the positions at hand
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::forces(ForceTurn turn)
 {
-    withLaw(set_.laws, [&](auto law)
+    withLaw(p_.set.laws, [&](auto law)
     {
         contactPass<decltype(law)>(turn);
-        if (nWalls_ && wallMemory_.entries) wallPass<decltype(law)>(turn);
+        if (p_.walls.count && p_.walls.memory.entries) wallPass<decltype(law)>(turn);
     });
-    if (bonds_.count())
+    if (p_.bonds.count())
     {
         bondPass(turn);
         if constexpr (Backend::gpu)
-            forEach(set_.context, particles_.n, GatherBonds<D, P>{bonds_.table(), bonds_.force(), particles_.view(), forceClock(turn), sort_.active()});
+            forEach(p_.set.context, p_.particles.n, GatherBonds<D, P>{p_.bonds.table(), p_.bonds.force(), p_.particles.view(), forceClock(turn), p_.order.sort.active()});
     }
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        parts_.uncollected = true;
+        p_.memory.uncollected = true;
         if (!movesAtOnce()) collectForces();
     }
 #endif
-    clumps_.gather(clock_.data(), slotOf_.data());
+    p_.clumps.gather(p_.clock.data(), p_.order.slotOf.data());
 }
 
 //- On the CPU: where a step moves particles as it adds up their forces
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::movesAtOnce() const
-{ return !Backend::gpu && !clumps_.count() && set_.config.integrator == DemIntegratorKind::leapfrog; }
+{ return !Backend::gpu && !p_.clumps.count() && p_.set.config.integrator == DemIntegratorKind::leapfrog; }
 
 #ifndef __CUDACC__
 template<class Backend, int D, class P>
 CollectedForce<D, P> DemSolver<Backend, D, P>::collected()
 {
-    const bool walls = nWalls_ && wallMemory_.entries;
+    const bool walls = p_.walls.count && p_.walls.memory.entries;
     return CollectedForce<D, P>
     {
-        &parts_.deferred, parts_.sums.data(), walls ? wallMemory_.entryFirst.data() : nullptr, wallMemory_.force.data(), bonds_.table(),
-        bonds_.force(), particles_.view().id
+        &p_.memory.deferred, p_.memory.sums.data(), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.force.data(), p_.bonds.table(),
+        p_.bonds.force(), p_.particles.view().id
     };
 }
 #endif
@@ -217,8 +201,8 @@ void DemSolver<Backend, D, P>::collectForces()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        if (parts_.uncollected) forEach(set_.context, particles_.n, CollectForces<D, P>{collected(), particles_.view(), sort_.active()});
-        parts_.uncollected = false;
+        if (p_.memory.uncollected) forEach(p_.set.context, p_.particles.n, CollectForces<D, P>{collected(), p_.particles.view(), p_.order.sort.active()});
+        p_.memory.uncollected = false;
     }
 #endif
 }
@@ -228,31 +212,31 @@ void DemSolver<Backend, D, P>::moveParticles()
 {
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
-        if (parts_.uncollected)
+        if (p_.memory.uncollected)
         {
-            forEach(set_.context, particles_.n, MoveCollected<D, P>{collected(), mover()});
-            parts_.uncollected = false;
+            forEach(p_.set.context, p_.particles.n, MoveCollected<D, P>{collected(), mover()});
+            p_.memory.uncollected = false;
             return;
         }
 #endif
-    forEach(set_.context, particles_.n, mover());
+    forEach(p_.set.context, p_.particles.n, mover());
 }
 
 template<class Backend, int D, class P>
 MoveWalls DemSolver<Backend, D, P>::wallMover(DemClockData* clock)
-{ return MoveWalls{walls_.data(), motion_.wallTable(), clock, clock, double(halfSkin_), radii_.smallest}; }
+{ return MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), clock, clock, double(p_.reach.halfSkin), p_.reach.radii.smallest}; }
 
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::step()
 {
-    forEach(set_.context, 1, DemTick{clock_.data()});
-    if constexpr (!Backend::gpu) if (!clock_.data()->active) return;
-    if (motion_.walls()) forEach(set_.context, nWalls_, wallMover(clock_.data()));
-    const bool verlet = set_.config.integrator == DemIntegratorKind::velocityVerlet;
-    if (clumps_.count()) forEach(set_.context, clumps_.count(), MoveClumps<D, P>{clumps_.data(), clumps_.kick(), verlet, clock_.data()});
+    forEach(p_.set.context, 1, DemTick{p_.clock.data()});
+    if constexpr (!Backend::gpu) if (!p_.clock.data()->active) return;
+    if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, wallMover(p_.clock.data()));
+    const bool verlet = p_.set.config.integrator == DemIntegratorKind::velocityVerlet;
+    if (p_.clumps.count()) forEach(p_.set.context, p_.clumps.count(), MoveClumps<D, P>{p_.clumps.data(), p_.clumps.kick(), verlet, p_.clock.data()});
     moveParticles();
     if (others_) shareStep();
-    if constexpr (!Backend::gpu) if (clock_.data()->lost() && clock_.data()->halt == DemHalt::none) searchWithin();
+    if constexpr (!Backend::gpu) if (p_.clock.data()->lost() && p_.clock.data()->halt == DemHalt::none) searchWithin();
     finishStep();
 }
 
@@ -261,12 +245,12 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::finishStep()
 {
     forces();
-    if (set_.config.integrator != DemIntegratorKind::velocityVerlet) return;
+    if (p_.set.config.integrator != DemIntegratorKind::velocityVerlet) return;
     FinishVerlet<D, P> finish{};
     setMotion(finish);
-    finish.clumps = clumps_.count();
-    forEach(set_.context, particles_.n, finish);
-    if (clumps_.count()) forEach(set_.context, clumps_.count(), FinishClumps<D, P>{clumps_.data(), clumps_.kick(), clock_.data()});
+    finish.clumps = p_.clumps.count();
+    forEach(p_.set.context, p_.particles.n, finish);
+    if (p_.clumps.count()) forEach(p_.set.context, p_.clumps.count(), FinishClumps<D, P>{p_.clumps.data(), p_.clumps.kick(), p_.clock.data()});
 }
 
 //- A step has carried a particle farther than lists hold: new ones before its forces
@@ -283,21 +267,21 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::finishLate()
 {
     searchWithin();
-    clock_.read();
-    clock_.now.active = 1;
-    clock_.write();
+    p_.clock.read();
+    p_.clock.now.active = 1;
+    p_.clock.write();
     finishStep();
-    clock_.read();
-    clock_.now.active = 0;
-    clock_.write();
+    p_.clock.read();
+    p_.clock.now.active = 0;
+    p_.clock.write();
 }
 
 //- To the target or the last step; one at least
 template<class Backend, int D, class P>
 int DemSolver<Backend, D, P>::stepsLeft() const
 {
-    const double left = std::min(double(clock_.now.lastStep - clock_.now.step), std::ceil((clock_.now.target - clock_.now.time)/clock_.now.fullDt*(1 - 1e-9)));
-    return int(std::max(1.0, std::min(left, double(motion_.windowSteps))));
+    const double left = std::min(double(p_.clock.now.lastStep - p_.clock.now.step), std::ceil((p_.clock.now.target - p_.clock.now.time)/p_.clock.now.fullDt*(1 - 1e-9)));
+    return int(std::max(1.0, std::min(left, double(p_.motion.windowSteps))));
 }
 
 //- On the GPU: is one block enough for a step?
@@ -305,8 +289,8 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
-    else return set_.config.integrator == DemIntegratorKind::velocityVerlet && !clumps_.count() && !motion_.walls() && particles_.n <= BlockLimits::particles
-      && bonds_.count() <= BlockLimits::bonds && (!wallMemory_.entries || int(parts_.wallList.size()) <= BlockLimits::nearWalls);
+    else return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.count() && !p_.motion.walls() && p_.particles.n <= BlockLimits::particles
+      && p_.bonds.count() <= BlockLimits::bonds && (!p_.walls.memory.entries || int(p_.memory.wallList.size()) <= BlockLimits::nearWalls);
 }
 
 template<class Backend, int D, class P>
@@ -314,23 +298,23 @@ template<class Law>
 BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
 {
     BlockSteps<Backend, D, P, Law> b{};
-    b.tick = DemTick{clock_.data()};
+    b.tick = DemTick{p_.clock.data()};
     b.move = mover();
     setModel(b.contacts);
     b.contacts.clock = forceClock(ForceTurn::inStep);
-    b.contacts.fields = particles_.view();
-    b.contacts.largestGap = real(pairs_.largestGap());
-    b.n = particles_.n;
-    if (nWalls_ && wallMemory_.entries)
+    b.contacts.fields = p_.particles.view();
+    b.contacts.largestGap = real(p_.pairs.largestGap());
+    b.n = p_.particles.n;
+    if (p_.walls.count && p_.walls.memory.entries)
     {
         b.walls = wallKernel<Law>(ForceTurn::inStep);
-        if constexpr (Backend::gpu) b.nearWalls = int(parts_.wallList.size());
+        if constexpr (Backend::gpu) b.nearWalls = int(p_.memory.wallList.size());
     }
-    if (bonds_.count())
+    if (p_.bonds.count())
     {
-        b.bonds = BondPass<D, P>{bonds_.view(slotOf_.data()), set_.box, particles_.view(), records_.view(), forceClock(ForceTurn::inStep), {}};
-        b.gather = GatherBonds<D, P>{bonds_.table(), bonds_.force(), particles_.view(), forceClock(ForceTurn::inStep), sort_.active()};
-        b.bondCount = bonds_.count();
+        b.bonds = BondPass<D, P>{p_.bonds.view(p_.order.slotOf.data()), p_.set.box, p_.particles.view(), p_.order.records.view(), forceClock(ForceTurn::inStep), {}};
+        b.gather = GatherBonds<D, P>{p_.bonds.table(), p_.bonds.force(), p_.particles.view(), forceClock(ForceTurn::inStep), p_.order.sort.active()};
+        b.bondCount = p_.bonds.count();
     }
     setMotion(b.finish);
     b.steps = count;
@@ -345,22 +329,22 @@ void DemSolver<Backend, D, P>::steps(int count)
 #ifdef __CUDACC__
     if constexpr (std::is_same<Backend, Gpu>::value)
     {
-        if (fitsBlock() && !set_.context.profile.timing)
+        if (fitsBlock() && !p_.set.context.profile.timing)
         {
-            withLaw(set_.laws, [&](auto law) { oneBlock<BlockLimits::threads>(set_.context, blockSteps<decltype(law)>(count)); });
+            withLaw(p_.set.laws, [&](auto law) { oneBlock<BlockLimits::threads>(p_.set.context, blockSteps<decltype(law)>(count)); });
             return;
         }
         const int together = 8;
         // motion tables change from window to window, and the fields of large scenes from sort to sort
-        if (!set_.context.profile.timing && !motion_.groups() && !motion_.walls() && particles_.values.alternates())
+        if (!p_.set.context.profile.timing && !p_.motion.groups() && !p_.motion.walls() && p_.particles.values.alternates())
             for (; count >= together/2; count -= together)
             {
-                if (parts_.graphs.size() > 16) parts_.graphs.clear();
+                if (p_.memory.graphs.size() > 16) p_.memory.graphs.clear();
                 std::vector<const void*> key = graphKey(together);
-                key.push_back(particles_.view().x[0]);       // fields alternate between two places
-                Graph& graph = parts_.graphs[key];
-                if (!graph.recorded()) graph.record(set_.context, [&] { for (int k = 0; k < together; ++k) step(); });
-                graph.replay(set_.context);
+                key.push_back(p_.particles.view().x[0]);       // fields alternate between two places
+                Graph& graph = p_.memory.graphs[key];
+                if (!graph.recorded()) graph.record(p_.set.context, [&] { for (int k = 0; k < together; ++k) step(); });
+                graph.replay(p_.set.context);
             }
     }
 #endif

@@ -27,13 +27,14 @@ public:
     static constexpr int S = spins<D>;
 
     int n = 0;                              // particles with memory
+    int reported;                           // of them known to be in the scene
     FieldSet<Backend> values;
     SolidFieldNumbers at;
     std::vector<std::int32_t> ids;          // of keys: a particle's key is its place in the input, until ranks change it
     std::vector<double> emptyCoordinate;    // of keys, in 2D
     Array<Backend, real> external;          // D forces, then moments, a key; empty: there are none
 
-    ParticleFields(DemSetting<Backend, D, P>& set, int count) : n(count), set_(set) {}
+    ParticleFields(DemSetting<Backend, D, P>& set, int count) : n(count), reported(count), set_(set) {}
 
     //- The fields that a scene needs. calm: how long a particle has been slow
     void add(bool calm);
