@@ -41,7 +41,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
                 step();
                 if (p_.sleeps() && p_.clock.data()->active && p_.clock.data()->step % stepsPerCheck == 0)
                 {
-                    collectForces();
+                    forces_.collectForces();
                     checkSleep(false);
                 }
             }
@@ -62,7 +62,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             else if (p_.clock.now.needRebuild) stepsPerBatch_ = std::max(2, std::min(p_.motion.windowSteps, taken + 1));
         }
     }
-    collectForces();
+    forces_.collectForces();
     rebuilds += searchesWithin_ - within;
 }
 

@@ -34,7 +34,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::measureSpeed()
 {
 #ifdef __CUDACC__
-    if constexpr (Backend::gpu) if (!p_.still) p_.memory.speed.ask(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{mover()});
+    if constexpr (Backend::gpu) if (!p_.still) p_.memory.speed.ask(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
 #endif
 }
 
@@ -45,7 +45,7 @@ double DemSolver<Backend, D, P>::speedAtHand()
 #ifdef __CUDACC__
     if constexpr (Backend::gpu) if (p_.memory.speed.asked()) return p_.memory.speed.take();
 #endif
-    return largestOver(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{mover()});
+    return largestOver(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
 }
 
 template<class Backend, int D, class P>
@@ -59,7 +59,7 @@ int DemSolver<Backend, D, P>::subcycles(double dt)
     const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;
     p_.clock.now.fullDt = dt/steps;
     p_.clock.write();
-    forEach(p_.set.context, p_.particles.n, CheckWays<D, P>{mover()});
+    forEach(p_.set.context, p_.particles.n, CheckWays<D, P>{forces_.mover()});
     p_.clock.read();
     p_.clock.now.settleAge();
     return steps;
@@ -114,7 +114,7 @@ void DemSolver<Backend, D, P>::endReport()
     if (p_.still)
     {
         p_.clock.write();
-        forces(ForceTurn::always);      // to be read
+        forces_.evaluate(ForceTurn::always);      // to be read
     }
     p_.clock.read();
     finishReport(lastReport_, reportFrom_);

@@ -18,20 +18,6 @@ template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::fuses() const
 { return Backend::gpu && !p_.clumps.count() && p_.set.config.integrator == DemIntegratorKind::leapfrog; }
 
-template<class Backend, int D, class P>
-StepState<D, P> DemSolver<Backend, D, P>::stepState()
-{
-    StepState<D, P> s{};
-    if constexpr (Backend::gpu)
-    {
-        s.from = p_.memory.current ? p_.memory.records.view() : p_.order.records.view();
-        s.to = p_.memory.current ? p_.order.records.view() : p_.memory.records.view();
-        for (int d = 0; d < D; ++d) s.low[d] = p_.memory.low.data() + std::size_t(d)*p_.particles.n;
-        s.own = p_.memory.own.data();
-    }
-    return s;
-}
-
 //- The fields' state, and the records', into what steps use
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::openSteps()
@@ -47,7 +33,7 @@ void DemSolver<Backend, D, P>::openSteps()
         }
         const bool walls = p_.walls.count && p_.walls.memory.entries;
         forEach(p_.set.context, p_.particles.n, OpenSteps<D, P>
-        {stepState(), p_.particles.view(), p_.bonds.first(), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.order.sort.active()});
+        {forces_.stepState(), p_.particles.view(), p_.bonds.first(), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.order.sort.active()});
     }
 }
 
@@ -57,7 +43,7 @@ void DemSolver<Backend, D, P>::closeSteps()
 {
     if constexpr (Backend::gpu)
     {
-        forEach(p_.set.context, p_.particles.n, CloseSteps<D, P>{stepState(), p_.particles.view(), p_.order.sort.active()});
+        forEach(p_.set.context, p_.particles.n, CloseSteps<D, P>{forces_.stepState(), p_.particles.view(), p_.order.sort.active()});
         if (p_.memory.current) p_.memory.records.swap(p_.order.records);
         p_.memory.current = 0;
     }
@@ -69,23 +55,23 @@ void DemSolver<Backend, D, P>::fusedStep()
 {
     if constexpr (Backend::gpu)
     {
-        const StepState<D, P> state = stepState();
-        if (p_.walls.surfaces && p_.walls.memory.entries) wallPass<Law>(ForceTurn::ahead);
-        if (p_.bonds.count()) bondPass(ForceTurn::ahead);
+        const StepState<D, P> state = forces_.stepState();
+        if (p_.walls.surfaces && p_.walls.memory.entries) forces_.template wallPass<Law>(ForceTurn::ahead);
+        if (p_.bonds.count()) forces_.bondPass(ForceTurn::ahead);
         FusedStep<Backend, D, P, Law> step{};
-        setModel(step.contacts);
+        forces_.setModel(step.contacts);
         step.contacts.solids = state.from;
         step.contacts.largestGap = real(p_.pairs.largestGap());
-        step.mover = mover();
+        step.mover = forces_.mover();
         step.state = state;
         step.now = p_.clock.data() + p_.memory.current;
         step.next = p_.clock.data() + 1 - p_.memory.current;
-        if (p_.walls.count) step.walls = wallKernel<Law>(ForceTurn::ahead);
+        if (p_.walls.count) step.walls = forces_.template wallKernel<Law>(ForceTurn::ahead);
         step.bonds = p_.bonds.table();
         step.bondForce = p_.bonds.force();
         step.sleeping = p_.sleeps();
         forEach(p_.set.context, p_.particles.n, step);
-        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, wallMover(p_.clock.data() + 1 - p_.memory.current));
+        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data() + 1 - p_.memory.current));
         p_.memory.current = 1 - p_.memory.current;
     }
 }
@@ -191,8 +177,8 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         p_.clock.now.needRebuild = 0;
         p_.clock.write();
         forEach(p_.set.context, 1, DemTick{p_.clock.data()});
-        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, wallMover(p_.clock.data()));
-        forEach(p_.set.context, p_.particles.n, mover());
+        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data()));
+        forEach(p_.set.context, p_.particles.n, forces_.mover());
         p_.clock.read();
         p_.clock.now.settleAge();
         openSteps();
@@ -224,7 +210,7 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         closeSteps();
         if (p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
         p_.clock.write();
-        forces(ForceTurn::always);
+        forces_.evaluate(ForceTurn::always);
         p_.clock.read();
     }
 }

@@ -13,9 +13,9 @@ namespace riprap
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
-    collectForces();
-    if (p_.clumps.count()) forEach(p_.set.context, p_.particles.n, MarkLeavers<D, P>{mover(), p_.clumps.data()});
-    SolidKeys<D, P> keys{mover(), p_.reach.classes, p_.order.sort.keys(), p_.order.sort.indices()};
+    forces_.collectForces();
+    if (p_.clumps.count()) forEach(p_.set.context, p_.particles.n, MarkLeavers<D, P>{forces_.mover(), p_.clumps.data()});
+    SolidKeys<D, P> keys{forces_.mover(), p_.reach.classes, p_.order.sort.keys(), p_.order.sort.indices()};
     forEach(p_.set.context, p_.particles.n, keys);
     if (others_) regroup();
     p_.order.sort.sort(p_.set.context, p_.particles.n);
@@ -28,7 +28,7 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
     }
     if (!inPlace) p_.particles.values.permute(p_.set.context, newOrder(), p_.particles.n, p_.particles.at.f, forcesHold ? p_.particles.at.f : p_.particles.at.m + S);
     if (others_) settleRanks();
-    forEach(p_.set.context, p_.particles.n, PlaceSolids<D, P>{mover(), p_.order.slotOf.data()});
+    forEach(p_.set.context, p_.particles.n, PlaceSolids<D, P>{forces_.mover(), p_.order.slotOf.data()});
     settleFrames();
     if (p_.bonds.count()) forEach(p_.set.context, p_.bonds.count(), LoseBonds<D, P>{p_.bonds.view(p_.order.slotOf.data())});
     if constexpr (Backend::gpu) buildFullLists(fresh);
@@ -206,15 +206,7 @@ void DemSolver<Backend, D, P>::countWalls()
 
 template<class Backend, int D, class P>
 WallSearch<D, P> DemSolver<Backend, D, P>::wallSearch()
-{ return WallSearch<D, P>{p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), wallReach(), p_.order.sort.active()}; }
-
-//- Walls are listed from farther away where a particle's way is measured against others that move with it: walls do not
-template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::wallReach() const
-{
-    if constexpr (Backend::gpu) if (p_.memory.frames.on()) return p_.reach.reach + (wallSkins - 1)*2*double(p_.reach.halfSkin);
-    return p_.reach.reach;
-}
+{ return WallSearch<D, P>{p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), forces_.wallReach(), p_.order.sort.active()}; }
 
 //- How far particles may go, now that they are in their places
 template<class Backend, int D, class P>
@@ -224,7 +216,7 @@ void DemSolver<Backend, D, P>::settleFrames()
     {
         if (!p_.memory.frames.on()) return;
         const double skin = 2*double(p_.reach.halfSkin), touch = 2*p_.reach.radii.largest + p_.pairs.largestGap();
-        double way = wallSkins*skin;
+        double way = SearchReach<Backend, D, P>::wallSkins*skin;
         if (p_.motion.walls()) way -= double(p_.reach.halfSkin);
         way = std::min(way, 0.5*(p_.memory.frames.width() - touch));
         p_.memory.frames.settle(p_.set.context, way, way);

@@ -123,7 +123,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::contactCounts(int n)
     withLaw(p_.set.laws, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
-        setModel(probe);
+        forces_.setModel(probe);
         forEach(p_.set.context, p_.particles.n, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
     });
     const auto all = others.download();
@@ -159,7 +159,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     withLaw(p_.set.laws, [&](auto law)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
-        setModel(probe);
+        forces_.setModel(probe);
         forEach(p_.set.context, p_.particles.n, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
     });
     const auto all = probed.download();
@@ -228,7 +228,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     DemEnergy e;
     const DemClumpState c = clumps();
     SumEnergies<D, P> free{};
-    setMotion(free);
+    forces_.setMotion(free);
     free.box = p_.set.box;
     free.half = real(halfStep());
     const auto sums = sumOver<3>(p_.set.context, p_.order.active(), free);
@@ -240,7 +240,7 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     withLaw(p_.set.laws, [&](auto law)
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
-        setModel(sum.probe);
+        forces_.setModel(sum.probe);
         if (others_) sum.calm = p_.particles.view().calm;
         e.contact = sumOver<1>(p_.set.context, p_.order.active(), sum)[0];
     });
@@ -260,7 +260,7 @@ double DemSolver<Backend, D, P>::deepestOverlap()
     withLaw(p_.set.laws, [&](auto law)
     {
         DeepestOverlap<Backend, D, P, decltype(law)> deepest;
-        setModel(deepest.probe);
+        forces_.setModel(deepest.probe);
         most = largestOver(p_.set.context, p_.order.active(), deepest);
     });
     if (!p_.walls.count || !p_.walls.memory.entries) return most;
@@ -410,7 +410,7 @@ double DemSolver<Backend, D, P>::contactsPerParticle()
     withLaw(p_.set.laws, [&](auto law)
     {
         SumContacts<Backend, D, P, decltype(law)> sum;
-        setModel(sum.probe);
+        forces_.setModel(sum.probe);
         contacts = sumOver<1>(p_.set.context, n, sum)[0];
     });
     return n ? 2*contacts/n : 0;

@@ -62,8 +62,8 @@ void DemSolver<Backend, D, P>::prime()
     // moving walls take their places; no step has any length yet
     if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), p_.clock.data(), p_.clock.data(), 1e300, 1e300});
     rebuild(true);
-    forces();
-    collectForces();
+    forces_.evaluate();
+    forces_.collectForces();
     p_.clock.read();
     p_.clock.now.active = 0;
     p_.clock.write();

@@ -18,7 +18,7 @@ SleepState<D, P> DemSolver<Backend, D, P>::sleepState(bool fused)
     s.solids = p_.order.records.view();
     if (fused)
     {
-        s.state = stepState();
+        s.state = forces_.stepState();
         s.solids = s.state.from;
     }
     s.active = p_.order.sort.active();

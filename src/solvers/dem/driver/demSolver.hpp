@@ -14,6 +14,7 @@
 #include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/parts/demParts.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
+#include "solvers/dem/driver/contactForces.hpp"
 
 namespace riprap
 {
@@ -80,22 +81,6 @@ private:
     double speedAtHand();
 
     // demStep.hpp
-    template<class M> void setMotion(M&);
-    MoveSolids<D, P> mover();
-    template<class Law> void setModel(PairModel<Backend, D, P, Law>&);
-    ForceClock forceClock(ForceTurn);
-    template<class Law> void contactPass(ForceTurn);
-    template<class Law> WallPass<D, P, Law> wallKernel(ForceTurn);
-    template<class Law> void wallPass(ForceTurn);
-    void bondPass(ForceTurn);
-    void forces(ForceTurn = ForceTurn::inStep);
-    bool movesAtOnce() const;
-#ifndef __CUDACC__
-    CollectedForce<D, P> collected();
-#endif
-    void collectForces();
-    void moveParticles();
-    MoveWalls wallMover(DemClockData*);
     void step();
     void finishStep();
     void searchWithin();
@@ -107,7 +92,6 @@ private:
 
     // demFused.hpp
     bool fuses() const;
-    StepState<D, P> stepState();
     void openSteps();
     void closeSteps();
     template<class Law> void fusedStep();
@@ -130,7 +114,6 @@ private:
     void buildContacts(bool fresh);
     void buildFullLists(bool fresh);
     WallSearch<D, P> wallSearch();
-    double wallReach() const;
     void settleFrames();
     void countWalls();
     void writeWalls(bool fresh, int elements);
@@ -199,6 +182,7 @@ private:
     std::vector<std::int32_t> contactCounts(int n);
 
     DemParts<Backend, D, P> p_;
+    ContactForces<Backend, D, P> forces_{p_};
     DemReport lastReport_;
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     std::int64_t searchesWithin_ = 0;       // steps
@@ -206,7 +190,6 @@ private:
     std::int64_t stepsExpected_ = 16, stepsSince_ = 0;  // fused: between the last two searches, since the last one
     static constexpr int stepsTogether = 8;         // recorded
     static constexpr int stepsPerCheck = 8;         // of who sleeps and wakes
-    static constexpr double wallSkins = 5;          // skins within which walls are listed where steps are fused
     Array<Backend, std::int32_t> wakes_, waits_;
     std::atomic<bool> interrupted_{false};
 

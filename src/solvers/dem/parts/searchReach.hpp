@@ -14,6 +14,8 @@ namespace riprap
 //- Of a saved state: in which cells particles were sought, and where
 struct DemSearchState
 {
+    static constexpr double wallSkins = 5;      // within which walls are listed where steps are fused
+
     RadiusClasses radii;
     double skin = 0;                        // [m]
     double lower[3] = {}, length[3] = {};   // of the box [m]
@@ -25,6 +27,8 @@ class SearchReach
 public:
 
     using real = typename P::real;
+
+    static constexpr double wallSkins = 5;      // within which walls are listed where steps are fused
 
     RadiusClasses radii;
     SizeClasses<D, P> classes;
