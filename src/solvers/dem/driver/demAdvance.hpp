@@ -14,7 +14,7 @@ namespace riprap
 template<class Backend, int D, class P>
 bool DemSolver<Backend, D, P>::finished() const
 {
-    return p_.clock.now.halt != DemHalt::none || p_.clock.now.time >= p_.clock.now.target || p_.clock.now.step >= p_.clock.now.lastStep || stopped();
+    return p_.clock.now.halt != DemHalt::none || p_.clock.now.time >= p_.clock.now.target || p_.clock.now.step >= p_.clock.now.lastStep || ranks_.stopped();
 }
 
 template<class Backend, int D, class P>
@@ -45,7 +45,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
                     checkSleep(false);
                 }
             }
-            while (p_.clock.data()->active && !stopped());
+            while (p_.clock.data()->active && !ranks_.stopped());
         }
         else
         {
@@ -69,7 +69,7 @@ void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 template<class Backend, int D, class P>
 DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 {
-    interrupted_ = stopAgreed_ = false;
+    ranks_.start();
     DemReport report;
     p_.clock.read();
     const std::int64_t before = p_.clock.now.step;
@@ -115,22 +115,22 @@ double DemSolver<Backend, D, P>::largestSpeed()
     forEach(p_.set.context, Kernel::shares, Kernel{p_.particles.view(), p_.order.sort.active(), largest.data()});
     float most = 0;
     for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
-    return largestOfRanks(std::sqrt(double(most)));
+    return ranks_.largest(std::sqrt(double(most)));
 }
 
 //- Particles that left: sorted to the end by the last rebuild, reported once
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::collectEscaped(DemReport& report)
 {
-    if (others_)
+    if (ranks_.others)
     {
-        report.particles = std::size_t(others_->total());
-        report.escaped.swap(escaped_);
-        report.escapedId.swap(escapedId_);
-        const ParticleExchange::Counts& c = others_->counts();
+        report.particles = std::size_t(ranks_.others->total());
+        report.escaped.swap(ranks_.escaped);
+        report.escapedId.swap(ranks_.escapedId);
+        const ParticleExchange::Counts& c = ranks_.others->counts();
         report.rank = DemRankReport
         {
-            std::size_t(others_->ownedHere()), std::size_t(others_->ghostsHere()), c.arrivals, c.divisions, c.bytesShared, c.bytesMigrating
+            std::size_t(ranks_.others->ownedHere()), std::size_t(ranks_.others->ghostsHere()), c.arrivals, c.divisions, c.bytesShared, c.bytesMigrating
         };
         return;
     }
@@ -153,11 +153,11 @@ void DemSolver<Backend, D, P>::collectPassed(DemReport& report)
 {
     if (!p_.walls.surfaces) return;
     const WallPassings passed = p_.walls.passed.download()[0];
-    const std::int64_t count = passed.count + passedBefore_;
+    const std::int64_t count = passed.count + ranks_.passedBefore;
     if (!count) return;
     report.passedWalls = std::size_t(count);
-    report.passedId = passedBefore_ ? passedIdBefore_ : p_.particles.ids[passed.key];
-    passedBefore_ = 0;
+    report.passedId = ranks_.passedBefore ? ranks_.passedIdBefore : p_.particles.ids[passed.key];
+    ranks_.passedBefore = 0;
     p_.walls.clearPassed(p_.particles.n);
 }
 
@@ -196,7 +196,7 @@ void DemSolver<Backend, D, P>::findOffender(DemReport& report)
         report.stopMessage = s.str();
         return;
     }
-    if (others_) return findOffenderOfRanks(report);
+    if (ranks_.others) return findOffenderOfRanks(report);
     const int n = p_.order.active();
     const std::vector<double> offence = offences(n);
     if (n == 0) return;

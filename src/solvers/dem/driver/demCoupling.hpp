@@ -23,7 +23,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
 template<class Backend, int D, class P>
 typename P::real* DemSolver<Backend, D, P>::external()
 {
-    requireAlone("solids in a fluid");
+    ranks_.requireAlone("solids in a fluid");
     if (!p_.particles.external.size()) p_.particles.external.upload(p_.set.context, std::vector<real>(std::size_t(p_.particles.n)*(D + S), real(0)));
     p_.reach.driven = true;
     p_.reach.suddenWay = real(0.1)*p_.reach.halfSkin;       // the fluid's blow of a step may be harder than any of the bodies' own

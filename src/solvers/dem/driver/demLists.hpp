@@ -17,7 +17,7 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
     if (p_.clumps.count()) forEach(p_.set.context, p_.particles.n, MarkLeavers<D, P>{forces_.mover(), p_.clumps.data()});
     SolidKeys<D, P> keys{forces_.mover(), p_.reach.classes, p_.order.sort.keys(), p_.order.sort.indices()};
     forEach(p_.set.context, p_.particles.n, keys);
-    if (others_) regroup();
+    if (ranks_.others) ranks_.regroup();
     p_.order.sort.sort(p_.set.context, p_.particles.n);
     bool forcesHold = true;
     if constexpr (Backend::gpu)
@@ -27,7 +27,7 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
         p_.memory.frames.clear(p_.set.context);
     }
     if (!inPlace) p_.particles.values.permute(p_.set.context, newOrder(), p_.particles.n, p_.particles.at.f, forcesHold ? p_.particles.at.f : p_.particles.at.m + S);
-    if (others_) settleRanks();
+    if (ranks_.others) ranks_.settle(newOrder());
     forEach(p_.set.context, p_.particles.n, PlaceSolids<D, P>{forces_.mover(), p_.order.slotOf.data()});
     settleFrames();
     if (p_.bonds.count()) forEach(p_.set.context, p_.bonds.count(), LoseBonds<D, P>{p_.bonds.view(p_.order.slotOf.data())});
@@ -82,7 +82,7 @@ ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
     return ContactSearch<Backend, D, P>
     {
         // ghosts are as one body: what they do to each other is others' business
-        p_.set.box, p_.reach.classes, p_.order.records.view(), p_.order.sort.start(), place, others_ ? f.calm : f.clump, f.id, p_.bonds.table(), real(p_.reach.reach),
+        p_.set.box, p_.reach.classes, p_.order.records.view(), p_.order.sort.start(), place, ranks_.others ? f.calm : f.clump, f.id, p_.bonds.table(), real(p_.reach.reach),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
         real(p_.pairs.largestGap() + 0.5*double(p_.reach.halfSkin))
     };
@@ -112,7 +112,7 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
             forEach(p_.set.context, p_.particles.n, HandOver<Backend, Law::template history<D>, Law::template turnsFrom<D>, real>
             {p_.order.oldList.view(), p_.order.list.view(), p_.order.sort.order(), p_.order.inverse.data(), p_.order.sort.active()});
         });
-        if (others_) takeContacts();
+        if (ranks_.others) ranks_.takeContacts();
     }
 }
 
@@ -246,7 +246,7 @@ void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
         forEach(p_.set.context, p_.particles.n, HandOverWalls<D, real, decltype(law)::template history<D>>
         {p_.walls.view(p_.walls.oldMemory), p_.walls.view(m), newOrder(), p_.order.sort.active(), fresh});
     });
-    if (others_ && !fresh) takeWallContacts();
+    if (ranks_.others && !fresh) ranks_.takeWallContacts();
 }
 
 template<class Backend, int D, class P>
@@ -268,7 +268,7 @@ void DemSolver<Backend, D, P>::blockContacts()
     {
         p_.memory.sums.allocate(p_.set.context, std::size_t(p_.particles.n)*DeferredForces<D, real>::width);
         // of those in the scene: a scene that is continued without those that left must cut alike
-        p_.memory.deferred.set(p_.order.active(), p_.order.list.view(), others_ ? blockCuts() : std::vector<int>());
+        p_.memory.deferred.set(p_.order.active(), p_.order.list.view(), ranks_.others ? ranks_.blockCuts() : std::vector<int>());
         setRanges();
     }
 #endif

@@ -77,10 +77,10 @@ DemState DemSolver<Backend, D, P>::motion()
             }
         }
     }
-    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment}) dropGhosts(*v, 3);
-    for (auto* v : {&s.radius, &s.mass}) dropGhosts(*v, 1);
-    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) dropGhosts(*v, 1);
-    dropGhosts(s.orientation, 4);
+    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment}) ranks_.dropGhosts(*v, 3);
+    for (auto* v : {&s.radius, &s.mass}) ranks_.dropGhosts(*v, 1);
+    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) ranks_.dropGhosts(*v, 1);
+    ranks_.dropGhosts(s.orientation, 4);
     return s;
 }
 
@@ -90,9 +90,9 @@ DemState DemSolver<Backend, D, P>::particles()
     DemState s(motion());
     const int n = p_.order.active();
     s.contacts = contactCounts(n);
-    dropGhosts(s.contacts, 1);
+    ranks_.dropGhosts(s.contacts, 1);
     s.brokenBonds = p_.bonds.brokenAt(p_.order.slotOf, n);
-    dropGhosts(s.brokenBonds, 1);
+    ranks_.dropGhosts(s.brokenBonds, 1);
     return s;
 }
 
@@ -182,7 +182,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
     };
     constexpr int width = ContactList<Backend, real>::width;
     for (int i = 0; i < n; ++i)
-        for (int k = 0; k < count[i] && !ghost(i); ++k)
+        for (int k = 0; k < count[i] && !ranks_.ghost(i); ++k)
         {
             const auto& c = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
             if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
@@ -201,7 +201,7 @@ DemContacts DemSolver<Backend, D, P>::contacts()
         for (int e = first[i]; e < first[i + 1]; ++e)
         {
             const int slot = e*wallTouches;
-            if (!acts[slot] || ghost(i)) continue;
+            if (!acts[slot] || ranks_.ghost(i)) continue;
             Vec<D, double> local, f;
             for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
             const real reach = p_.pairs.reach(material[i], p_.set.input.walls[entry[e].wall].material);
@@ -241,13 +241,13 @@ DemEnergy DemSolver<Backend, D, P>::energy()
     {
         SumContactEnergy<Backend, D, P, decltype(law)> sum;
         forces_.setModel(sum.probe);
-        if (others_) sum.calm = p_.particles.view().calm;
+        if (ranks_.others) sum.calm = p_.particles.view().calm;
         e.contact = sumOver<1>(p_.set.context, p_.order.active(), sum)[0];
     });
     const auto wall = p_.walls.memory.entries ? p_.walls.memory.force.download() : std::vector<real>();
-    if (!others_) for (int k = 0; k < p_.walls.memory.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
-    for (int i = 0; others_ && p_.walls.memory.entries && i < p_.order.active(); ++i)
-        for (int k = p_.walls.memory.entryFirst.data()[i]; !ghost(i) && k < p_.walls.memory.entryFirst.data()[i + 1]; ++k)
+    if (!ranks_.others) for (int k = 0; k < p_.walls.memory.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
+    for (int i = 0; ranks_.others && p_.walls.memory.entries && i < p_.order.active(); ++i)
+        for (int k = p_.walls.memory.entryFirst.data()[i]; !ranks_.ghost(i) && k < p_.walls.memory.entryFirst.data()[i + 1]; ++k)
             e.contact += double(wall[k*wallWords<D> + D + S]);
     e.bond = p_.bonds.energy(p_.order.slotOf);
     return e;
@@ -271,7 +271,7 @@ double DemSolver<Backend, D, P>::deepestOverlap()
     const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
     const int n = p_.order.active();
     for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
+        for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
         {
             const double gap = double(p_.pairs.gap(material[i], p_.set.input.walls[entry[e].wall].material));
             most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
@@ -315,7 +315,7 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
         return sum;
     };
     for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1] && !ghost(i); ++e)
+        for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
         {
             Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
             for (int d = 0; d < D; ++d) f.c[p_.set.config.axes[d]] = -double(force[e*wallWords<D> + d]);
@@ -338,7 +338,7 @@ std::vector<DemWallForce> DemSolver<Backend, D, P>::wallForces()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& force, const std::vector<double>& moment)
 {
-    requireAlone("forces from outside");
+    ranks_.requireAlone("forces from outside");
     std::vector<real> all(std::size_t(p_.particles.n)*(D + S), real(0));
     for (int i = 0; i < p_.particles.n; ++i)
     {

@@ -17,8 +17,8 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
 {
     p_.pairs.set(input.particles);
     p_.reach.setBox(input.particles.radius);
-    if (config.ranks && config.ranks->size() > 1) setRanks();
-    p_.particles.add(p_.sleeps() || others_);
+    if (config.ranks && config.ranks->size() > 1) ranks_.begin();
+    p_.particles.add(p_.sleeps() || ranks_.others);
     p_.particles.fill(input.particles);
     p_.order.allocate(p_.particles.n, p_.reach.classes.cells());
     if (p_.sleeps())
@@ -32,10 +32,10 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     p_.motion.holdWalls(p_.walls.set(p_.reach.wallCell(), p_.particles.n));
     setFrames();
     prime();
-    if (others_)
+    if (ranks_.others)
     {
         // from now on there is memory for what is here
-        setCapacity(others_->residents() + others_->residents()/4 + 256);
+        ranks_.setCapacity();
         rebuild();
     }
 }

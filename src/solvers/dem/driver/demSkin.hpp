@@ -23,7 +23,7 @@ void DemSolver<Backend, D, P>::setSkin(double skin)
     p_.memory.graphs.clear();                  // they hold on to the cells' and walls' numbers
 #endif
     p_.reach.setDomain();
-    if (others_) setPieces();
+    if (ranks_.others) ranks_.setPieces();
     setFrames();
     p_.order.setCells(p_.particles.n, p_.reach.classes.cells(), p_.order.active());
 }

@@ -7,14 +7,13 @@
 */
 #pragma once
 
-#include <atomic>
-#include "core/ranks/particleExchange.hpp"
 #include "coupling/solidView.hpp"
 #include "dem/passes/sleep.hpp"
 #include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/parts/demParts.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
 #include "solvers/dem/driver/contactForces.hpp"
+#include "solvers/dem/driver/rankedSolids.hpp"
 
 namespace riprap
 {
@@ -31,7 +30,7 @@ public:
     DemSolver(const DemConfig&, const DemInput&, const DemPlan&);
 
     DemReport advance(double t, std::int64_t maxSteps) override;
-    void interrupt() override { interrupted_ = true; }
+    void interrupt() override { p_.interrupted = true; }
     double time() const override { return p_.clock.now.time; }
     const DemReport& lastReport() const override { return lastReport_; }
     DemState particles() override;
@@ -129,26 +128,7 @@ private:
     std::size_t asleepNow();
 
     // demRanks.hpp
-    void setRanks();
-    void setPieces();
-    void setCapacity(int n);
-    void takeKey(int slot, std::int32_t id);
-    void packParticle(int slot, bool whole, RankBytes& to);
-    void unpackParticle(int slot, bool whole, const unsigned char*& from);
-    void packContacts(int slot, RankBytes& to);
-    void packWalls(int slot, RankBytes& to);
-    void regroup();
-    void takeContacts();
-    void takeWallContacts();
-    std::vector<int> blockCuts();
-    void settleRanks();
-    void shareStep();
-    bool ghost(int i) { return others_ && others_->kind(i) == ParticleExchange::ghost; }
-    bool stopped() const { return others_ ? stopAgreed_ : bool(interrupted_); }
-    double largestOfRanks(double) const;
     void findOffenderOfRanks(DemReport&);
-    template<class T> void dropGhosts(std::vector<T>& v, int each);
-    void requireAlone(const char* what) const;
 
     // demState.hpp
     bool isSaved(int field) const;
@@ -183,6 +163,7 @@ private:
 
     DemParts<Backend, D, P> p_;
     ContactForces<Backend, D, P> forces_{p_};
+    RankedSolids<Backend, D, P> ranks_{p_};
     DemReport lastReport_;
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     std::int64_t searchesWithin_ = 0;       // steps
@@ -191,22 +172,6 @@ private:
     static constexpr int stepsTogether = 8;         // recorded
     static constexpr int stepsPerCheck = 8;         // of who sleeps and wakes
     Array<Backend, std::int32_t> wakes_, waits_;
-    std::atomic<bool> interrupted_{false};
-
-    // Of a scene on several ranks; null: there is one
-    std::unique_ptr<ParticleExchange> others_;
-    std::vector<std::vector<std::size_t>> touchingOf_;  // entries of each slot, where they are asked for
-    struct RankContact { std::int64_t a, b; };          // owner and other: numbers of the order before, then slots of then
-    std::vector<RankContact> arrivedContacts_;
-    std::vector<real> arrivedHistories_;
-    struct RankWall { int particle, wall, on[wallTouches]; };
-    std::vector<RankWall> arrivedWalls_;
-    std::vector<real> arrivedWallNumbers_;              // of each: normals, histories, force
-    std::vector<Vector3> escaped_;
-    std::vector<std::int32_t> escapedId_;
-    std::int64_t passedBefore_ = 0;
-    std::int32_t passedIdBefore_ = -1;
-    bool stopAgreed_ = false;
 };
 
 } // namespace riprap

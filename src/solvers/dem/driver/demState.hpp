@@ -138,16 +138,16 @@ int DemSolver<Backend, D, P>::savedFields() const
 template<class Backend, int D, class P>
 std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 {
-    if (!others_)
+    if (!ranks_.others)
     {
         rebuild();
         return stateWords();
     }
-    others_->gatherOn(0);
+    ranks_.others->gatherOn(0);
     rebuild();
     std::vector<std::int32_t> words = stateWords();
     if (p_.set.config.ranks->rank() != 0) words.clear();
-    others_->gatherOn(-1);
+    ranks_.others->gatherOn(-1);
     rebuild();
     return words;
 }
@@ -212,17 +212,17 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 {
-    if (!others_) return takeState(words);
+    if (!ranks_.others) return takeState(words);
     const std::vector<std::int32_t> all = wordsOfFirst(words);
     collectAll();
     // as one process that has everything, then in parts again
-    std::unique_ptr<ParticleExchange> others(std::move(others_));
+    std::unique_ptr<ParticleExchange> others(std::move(ranks_.others));
     takeState(all);
-    others_ = std::move(others);
-    setPieces();
-    others_->begin(p_.particles.n);
+    ranks_.others = std::move(others);
+    ranks_.setPieces();
+    ranks_.others->begin(p_.particles.n);
     rebuild();
-    setCapacity(others_->residents() + others_->residents()/4 + 256);
+    ranks_.setCapacity();
     rebuild();
 }
 
@@ -253,9 +253,9 @@ void DemSolver<Backend, D, P>::collectAll()
     const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     std::vector<RankBytes> out(ranks.size()), in;
     RankBytes own;
-    for (int i = 0; i < others_->residents(); ++i)
+    for (int i = 0; i < ranks_.others->residents(); ++i)
     {
-        if (ghost(i)) continue;
+        if (ranks_.ghost(i)) continue;
         const double empty = D == 2 ? p_.particles.emptyCoordinate[key[i]] : 0;
         putValues(own, &p_.particles.ids[key[i]]);
         putValues(own, &empty);
@@ -272,7 +272,7 @@ void DemSolver<Backend, D, P>::collectAll()
             takeValues(from, &empty);
             all[id] = empty;
         }
-    setCapacity(int(all.size()));
+    ranks_.setCapacity(int(all.size()));
     p_.particles.ids.clear();
     p_.particles.emptyCoordinate.clear();
     for (const auto& one : all)

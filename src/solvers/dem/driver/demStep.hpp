@@ -18,7 +18,7 @@ void DemSolver<Backend, D, P>::step()
     const bool verlet = p_.set.config.integrator == DemIntegratorKind::velocityVerlet;
     if (p_.clumps.count()) forEach(p_.set.context, p_.clumps.count(), MoveClumps<D, P>{p_.clumps.data(), p_.clumps.kick(), verlet, p_.clock.data()});
     forces_.moveParticles();
-    if (others_) shareStep();
+    if (ranks_.others) ranks_.shareStep();
     if constexpr (!Backend::gpu) if (p_.clock.data()->lost() && p_.clock.data()->halt == DemHalt::none) searchWithin();
     finishStep();
 }

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include <atomic>
 #include <map>
 #include "core/backend/glances.hpp"
 #include "core/backend/graph.hpp"
@@ -73,6 +74,7 @@ struct DemParts
     SolidOrder<Backend, D, P> order{set};
     BackendMemory<Backend, D, P> memory;
     bool still;                 // nothing can move
+    std::atomic<bool> interrupted{false};
 
     DemParts(const DemConfig& config, const DemInput& in, const DemPlan& plan)
     :
