@@ -12,22 +12,16 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::finished() const
-{
-    return p_.clock.now.halt != DemHalt::none || p_.clock.now.time >= p_.clock.now.target || p_.clock.now.step >= p_.clock.now.lastStep || ranks_.stopped();
-}
-
-template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
-    if (fuses()) return runFused(rebuilds);
+    if (p_.fuses()) return runFused(rebuilds);
     const std::int64_t within = searchesWithin_;
-    while (!finished())
+    while (!ranks_.finished())
     {
         if (p_.clock.now.needRebuild)
         {
-            adaptSkin();
-            rebuild();
+            neighbours_.adaptSkin();
+            neighbours_.rebuild();
             ++rebuilds;
             p_.clock.read();
             if (p_.sleeps()) checkSleep(false);
@@ -88,8 +82,8 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
 {
     if (p_.clock.now.needRebuild && p_.clock.now.halt == DemHalt::none)
     {
-        adaptSkin();
-        rebuild();
+        neighbours_.adaptSkin();
+        neighbours_.rebuild();
         ++report.rebuilds;
         p_.clock.read();
         if (p_.sleeps()) checkSleep(false);
@@ -98,24 +92,12 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
     report.lastTimeStep = p_.clock.now.dt;
     report.steps = p_.clock.now.step - before;
     report.totalSteps = p_.clock.now.step;
-    report.maxSpeed = largestSpeed();
+    report.maxSpeed = neighbours_.largestSpeed();
     report.brokenBonds = p_.bonds.broken();
     report.asleep = p_.sleeps() ? asleepNow() : 0;
     collectEscaped(report);
     collectPassed(report);
     if (p_.clock.now.halt != DemHalt::none) findOffender(report);
-}
-
-template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::largestSpeed()
-{
-    using Kernel = LargestSpeed<D, P>;
-    Array<Backend, float> largest;
-    largest.allocate(p_.set.context, Kernel::shares);
-    forEach(p_.set.context, Kernel::shares, Kernel{p_.particles.view(), p_.order.sort.active(), largest.data()});
-    float most = 0;
-    for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
-    return ranks_.largest(std::sqrt(double(most)));
 }
 
 //- Particles that left: sorted to the end by the last rebuild, reported once

@@ -7,8 +7,6 @@
 #include "core/backend/device.hpp"
 #include "solvers/dem/driver/demSetup.hpp"
 #include "solvers/dem/driver/demStep.hpp"
-#include "solvers/dem/driver/demSkin.hpp"
-#include "solvers/dem/driver/demLists.hpp"
 #include "solvers/dem/driver/demAdvance.hpp"
 #include "solvers/dem/driver/demCoupling.hpp"
 #include "solvers/dem/driver/demOutput.hpp"

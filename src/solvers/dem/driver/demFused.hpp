@@ -13,11 +13,6 @@
 namespace riprap
 {
 
-//- Clumps gather their members' forces first, and Verlet kicks twice
-template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::fuses() const
-{ return Backend::gpu && !p_.clumps.count() && p_.set.config.integrator == DemIntegratorKind::leapfrog; }
-
 //- The fields' state, and the records', into what steps use
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::openSteps()
@@ -145,7 +140,7 @@ void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
             }
             p_.clock.now = glances.take(p_.set.context);
             p_.clock.now.settleAge();
-            over = !p_.clock.now.active || p_.clock.now.needRebuild || finished() || (launched == count && !glances.waiting());
+            over = !p_.clock.now.active || p_.clock.now.needRebuild || ranks_.finished() || (launched == count && !glances.waiting());
         }
         while (glances.waiting()) p_.clock.now = glances.take(p_.set.context);
         p_.clock.now.settleAge();
@@ -158,9 +153,9 @@ void DemSolver<Backend, D, P>::searchMoved()
 {
     if constexpr (Backend::gpu)
     {
-        adaptSkin();
+        neighbours_.adaptSkin();
         p_.memory.moved = true;
-        rebuild();
+        neighbours_.rebuild();
         p_.memory.moved = false;
         forgetSearch();
     }
@@ -171,8 +166,8 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
 {
     if constexpr (Backend::gpu)
     {
-        if (finished()) return;
-        if (p_.clock.now.needRebuild) { adaptSkin(); rebuild(); ++rebuilds; forgetSearch(); }
+        if (ranks_.finished()) return;
+        if (p_.clock.now.needRebuild) { neighbours_.adaptSkin(); neighbours_.rebuild(); ++rebuilds; forgetSearch(); }
         p_.motion.sample(p_.clock.now);
         p_.clock.now.needRebuild = 0;
         p_.clock.write();
@@ -183,7 +178,7 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         p_.clock.now.settleAge();
         openSteps();
         if (p_.sleeps()) checkSleep(true);
-        while (!finished())
+        while (!ranks_.finished())
         {
             if (p_.clock.now.needRebuild)
             {

@@ -30,22 +30,14 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     p_.bonds.set(input.bonds, input.particles);
     p_.clumps.set(input.particles);
     p_.motion.holdWalls(p_.walls.set(p_.reach.wallCell(), p_.particles.n));
-    setFrames();
+    neighbours_.setFrames();
     prime();
     if (ranks_.others)
     {
         // from now on there is memory for what is here
         ranks_.setCapacity();
-        rebuild();
+        neighbours_.rebuild();
     }
-}
-
-//- Where steps are fused a particle's way is measured against what is around it. Who sleeps does not look where others go
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setFrames()
-{
-    if constexpr (Backend::gpu)
-        if (fuses() && !p_.sleeps()) p_.memory.frames.set(p_.set.context, p_.set.box, 3*(2*p_.reach.radii.largest + p_.reach.reach), 2e6);
 }
 
 //- First neighbours and forces, with a step of no length
@@ -61,14 +53,14 @@ void DemSolver<Backend, D, P>::prime()
     p_.clock.write();
     // moving walls take their places; no step has any length yet
     if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), p_.clock.data(), p_.clock.data(), 1e300, 1e300});
-    rebuild(true);
+    neighbours_.rebuild(true);
     forces_.evaluate();
     forces_.collectForces();
     p_.clock.read();
     p_.clock.now.active = 0;
     p_.clock.write();
     // on the GPU once more: what a rebuild needs besides is loaded and has its memory before the first step
-    if (Backend::gpu || p_.clock.now.needRebuild) rebuild();
+    if (Backend::gpu || p_.clock.now.needRebuild) neighbours_.rebuild();
     p_.set.context.synchronise();
 }
 

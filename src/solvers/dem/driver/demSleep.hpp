@@ -49,7 +49,7 @@ void DemSolver<Backend, D, P>::checkSleep(bool fused)
     forEach(p_.set.context, p_.particles.n, MarkRestless<Backend, D, P>{s, p_.order.list.view(), p_.bonds.table(), p_.order.slotOf.data()});
     takeHistories(s);
     forEach(p_.set.context, p_.particles.n, FallAsleep<D, P>{s, p_.groups.data()});
-    setRanges();
+    neighbours_.setRanges();
 }
 
 //- A change that could set a sleeper in motion faster than v_s within the time after which it sleeps
@@ -78,7 +78,7 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
     forEach(p_.set.context, p_.particles.n, MarkChanged<D, P>{s, marks.data()});
     takeHistories(s);
     forEach(p_.set.context, p_.particles.n, WakeMarked<D, P>{s});
-    setRanges();
+    neighbours_.setRanges();
     p_.set.context.synchronise();
 }
 

@@ -14,6 +14,7 @@
 #include "solvers/dem/parts/demRebuild.hpp"
 #include "solvers/dem/driver/contactForces.hpp"
 #include "solvers/dem/driver/rankedSolids.hpp"
+#include "solvers/dem/driver/neighbours.hpp"
 
 namespace riprap
 {
@@ -73,7 +74,6 @@ public:
 private:
 
     // demSetup.hpp
-    void setFrames();
     void prime();
 
     // demCoupling.hpp
@@ -90,7 +90,6 @@ private:
     void steps(int count);
 
     // demFused.hpp
-    bool fuses() const;
     void openSteps();
     void closeSteps();
     template<class Law> void fusedStep();
@@ -102,23 +101,8 @@ private:
     void runFused(std::int64_t& rebuilds);
 
     // demSkin.hpp
-    void setSkin(double skin);
-    void adaptSkin();
 
     // demLists.hpp
-    void rebuild(bool fresh = false, bool inPlace = false);
-    void findPlaces(bool fresh, bool inPlace);
-    const std::uint32_t* newOrder() const;
-    ContactSearch<Backend, D, P> search(const int* place = nullptr);
-    void buildContacts(bool fresh);
-    void buildFullLists(bool fresh);
-    WallSearch<D, P> wallSearch();
-    void settleFrames();
-    void countWalls();
-    void writeWalls(bool fresh, int elements);
-    void buildWalls(bool fresh);
-    void blockContacts();
-    void setRanges();
 
     // demSleep.hpp
     SleepState<D, P> sleepState(bool fused);
@@ -146,7 +130,6 @@ private:
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
 
     // demAdvance.hpp
-    bool finished() const;
     void runToTarget(std::int64_t& rebuilds);
     void finishReport(DemReport&, std::int64_t before);
     void collectEscaped(DemReport&);
@@ -154,7 +137,6 @@ private:
     void findOffender(DemReport&);
     void describeOffender(DemReport&, int worst, double offence);
     std::vector<double> offences(int n);
-    double largestSpeed();
 
     // demOutput.hpp
     double halfStep() const;
@@ -164,6 +146,7 @@ private:
     DemParts<Backend, D, P> p_;
     ContactForces<Backend, D, P> forces_{p_};
     RankedSolids<Backend, D, P> ranks_{p_};
+    Neighbours<Backend, D, P> neighbours_{p_, forces_, ranks_};
     DemReport lastReport_;
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
     std::int64_t searchesWithin_ = 0;       // steps

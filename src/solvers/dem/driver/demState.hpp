@@ -140,15 +140,15 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 {
     if (!ranks_.others)
     {
-        rebuild();
+        neighbours_.rebuild();
         return stateWords();
     }
     ranks_.others->gatherOn(0);
-    rebuild();
+    neighbours_.rebuild();
     std::vector<std::int32_t> words = stateWords();
     if (p_.set.config.ranks->rank() != 0) words.clear();
     ranks_.others->gatherOn(-1);
-    rebuild();
+    neighbours_.rebuild();
     return words;
 }
 
@@ -221,9 +221,9 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     ranks_.others = std::move(others);
     ranks_.setPieces();
     ranks_.others->begin(p_.particles.n);
-    rebuild();
+    neighbours_.rebuild();
     ranks_.setCapacity();
-    rebuild();
+    neighbours_.rebuild();
 }
 
 //- The first rank's
@@ -359,7 +359,7 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
     const double cell = p_.reach.wallCell();
     p_.reach.radii = s.radii;
     for (int d = 0; d < D; ++d) p_.set.box.set(d, s.lower[d], s.length[d], p_.set.config.periodic[p_.set.config.axes[d]]);
-    setSkin(p_.set.config.skin >= 0 ? p_.reach.leastSkin() : s.skin);
+    neighbours_.setSkin(p_.set.config.skin >= 0 ? p_.reach.leastSkin() : s.skin);
     if (p_.reach.wallCell() != cell) p_.walls.set(p_.reach.wallCell(), p_.particles.n);
 }
 
@@ -394,7 +394,7 @@ void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int 
     Reader ahead = read;
     ahead.at += std::size_t(entries)*(1 + historyRows()*historyTogether()*sizeof(real)/4);
     if (p_.walls.count) ahead(p_.walls.walls.data(), p_.walls.count*sizeof(WallData));
-    rebuild(true, Backend::gpu);
+    neighbours_.rebuild(true, Backend::gpu);
     check(int(p_.order.list.entries()) == entries && p_.walls.memory.entries == wallEntries);
     forEachMemory(read);
 }

@@ -40,8 +40,8 @@ void DemSolver<Backend, D, P>::finishStep()
 template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::searchWithin()
 {
-    adaptSkin();
-    rebuild();
+    neighbours_.adaptSkin();
+    neighbours_.rebuild();
     ++searchesWithin_;
 }
 

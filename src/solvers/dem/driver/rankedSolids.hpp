@@ -52,6 +52,7 @@ public:
 
     void shareStep();
     void start() { p_.interrupted = stopAgreed_ = false; }
+    bool finished() const { return p_.over() || stopped(); }
     bool stopped() const { return others ? stopAgreed_ : bool(p_.interrupted); }
 
     bool ghost(int i) { return others && others->kind(i) == ParticleExchange::ghost; }

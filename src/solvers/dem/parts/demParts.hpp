@@ -84,6 +84,19 @@ struct DemParts
     DemParts(const DemParts&) = delete;
 
     bool sleeps() const { return set.config.sleepSpeed > 0; }
+
+    //- Are steps fused (GPU)? Clumps gather their members' forces first, and Verlet kicks twice
+    bool fuses() const { return Backend::gpu && !clumps.count() && set.config.integrator == DemIntegratorKind::leapfrog; }
+
+    //- Has the device come to the target, the last step, or to a guard?
+    bool over() const { return clock.now.halt != DemHalt::none || clock.now.time >= clock.now.target || clock.now.step >= clock.now.lastStep; }
+
+    //- Which particle goes where in a rebuild
+    const std::uint32_t* newOrder() const
+    {
+        if constexpr (Backend::gpu) return memory.order.data();
+        else return order.sort.order();
+    }
 };
 
 } // namespace riprap

@@ -1,17 +1,66 @@
-/*  DemSolver: sorting, contact lists, and walls near particles.
+/*  Who is near whom: particles in the order of cells, lists of contacts and walls, and how far beyond contact they reach.
+
+    Lists hold until a particle has gone half the skin. What a scene has by default lasts for many steps where bodies are stiff. Soft bodies have long
+    steps: where lists last for a few steps alone the skin becomes what the fastest needs for `stepsOfList`, and less again once speeds have fallen. A
+    function of the exact state: the same run has the same skins, saved and continued or not. Lists that hold for no step at all cost time and
+    nothing else: the step then seeks neighbours before its forces (solidStepper.hpp).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
+#include <array>
 #include "api/particleLimit.hpp"
-#include "solvers/dem/driver/demSolver.hpp"
+#include "solvers/dem/driver/wallContacts.hpp"
+#include "solvers/dem/parts/demRebuild.hpp"
 
 namespace riprap
 {
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
+class Neighbours
+{
+public:
+
+    using real = typename P::real;
+    static constexpr int S = spins<D>;
+
+    Neighbours(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks)
+    :
+        p_(parts), forces_(forces), ranks_(ranks), walls_(parts, forces, ranks)
+    {}
+
+    //- Neighbours anew. fresh: nothing is remembered; inPlace: particles stay where they are
+    void rebuild(bool fresh = false, bool inPlace = false);
+
+    //- Before a rebuild: the skin that speeds and steps ask for
+    void adaptSkin();
+    void setSkin(double skin);
+    void setFrames();
+
+    //- On the CPU: entries between sleepers are passed over
+    void setRanges();
+
+    double largestSpeed();
+
+private:
+
+    void findPlaces(bool fresh, bool inPlace);
+    ContactSearch<Backend, D, P> search(const int* place = nullptr);
+    void buildContacts(bool fresh);
+    void buildFullLists(bool fresh);
+    std::array<int, 5> countFullLists(bool fresh);
+    void settleFrames();
+    void blockContacts();
+
+    DemParts<Backend, D, P>& p_;
+    ContactForces<Backend, D, P>& forces_;
+    RankedSolids<Backend, D, P>& ranks_;
+    WallContacts<Backend, D, P> walls_;
+};
+
+template<class Backend, int D, class P>
+void Neighbours<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     forces_.collectForces();
     if (p_.clumps.count()) forEach(p_.set.context, p_.particles.n, MarkLeavers<D, P>{forces_.mover(), p_.clumps.data()});
@@ -26,8 +75,8 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
         forcesHold = !p_.memory.moved;
         p_.memory.frames.clear(p_.set.context);
     }
-    if (!inPlace) p_.particles.values.permute(p_.set.context, newOrder(), p_.particles.n, p_.particles.at.f, forcesHold ? p_.particles.at.f : p_.particles.at.m + S);
-    if (ranks_.others) ranks_.settle(newOrder());
+    if (!inPlace) p_.particles.values.permute(p_.set.context, p_.newOrder(), p_.particles.n, p_.particles.at.f, forcesHold ? p_.particles.at.f : p_.particles.at.m + S);
+    if (ranks_.others) ranks_.settle(p_.newOrder());
     forEach(p_.set.context, p_.particles.n, PlaceSolids<D, P>{forces_.mover(), p_.order.slotOf.data()});
     settleFrames();
     if (p_.bonds.count()) forEach(p_.set.context, p_.bonds.count(), LoseBonds<D, P>{p_.bonds.view(p_.order.slotOf.data())});
@@ -35,23 +84,15 @@ void DemSolver<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace
     else
     {
         buildContacts(fresh);
-        if (p_.walls.count) buildWalls(fresh);
+        if (p_.walls.count) walls_.build(fresh);
     }
     if (p_.bonds.count()) forEach(p_.set.context, p_.bonds.count(), RestBonds<Backend, D, P>{p_.bonds.view(p_.order.slotOf.data()), p_.order.list.view()});
     blockContacts();
 }
 
-//- Which particle goes where
-template<class Backend, int D, class P>
-const std::uint32_t* DemSolver<Backend, D, P>::newOrder() const
-{
-    if constexpr (Backend::gpu) return p_.memory.order.data();
-    else return p_.order.sort.order();
-}
-
 //- On the GPU: lists are counted where particles still are, since their order follows from that
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_unused]] bool inPlace)
+void Neighbours<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_unused]] bool inPlace)
 {
     if constexpr (Backend::gpu)
     {
@@ -61,7 +102,7 @@ void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_u
         p_.order.oldList.allocate(p_.set.context, p_.particles.n);                // the new shape, for now
         if (fresh) forEach(p_.set.context, p_.particles.n, RecordPlaces<D, P>{p_.set.box, p_.particles.view(), p_.order.records.view()});
         const int* cellOrder = reinterpret_cast<const int*>(p_.order.sort.order());
-        if (p_.walls.count) countWalls();
+        if (p_.walls.count) walls_.count();
         const int* walls = p_.walls.count ? g.foundWalls.data() : nullptr;
         forEach(p_.set.context, p_.particles.n, CountNeighbours<Backend, D, P>
         {search(cellOrder), p_.order.sort.active(), walls, g.found.data(), g.foundNear.data(), g.cost.data()});
@@ -76,7 +117,7 @@ void DemSolver<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_u
 
 //- place: where the particles are that cells have side by side
 template<class Backend, int D, class P>
-ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
+ContactSearch<Backend, D, P> Neighbours<Backend, D, P>::search(const int* place)
 {
     const SolidFields<D, P> f = p_.particles.view();
     return ContactSearch<Backend, D, P>
@@ -89,7 +130,7 @@ ContactSearch<Backend, D, P> DemSolver<Backend, D, P>::search(const int* place)
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
+void Neighbours<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
 {
     if constexpr (!Backend::gpu)
     {
@@ -116,10 +157,50 @@ void DemSolver<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
     }
 }
 
-//- Full lists and walls: everything is counted first, so that the host looks on once
+//- Full lists and walls
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
+void Neighbours<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
 {
+    if constexpr (Backend::gpu)
+    {
+        BackendMemory<Backend, D, P>& g = p_.memory;
+        const std::array<int, 5> total = countFullLists(fresh);
+        const ContactListView<Backend, real> old = p_.order.list.view();
+        if (!fresh)
+        {
+            const std::size_t room = std::size_t(total[0]) + total[0]/16 + 64;
+            if (std::size_t(total[0]) > g.keptPartner.size())
+            {
+                g.keptPartner.allocate(p_.set.context, room);
+                g.keptHistory.allocate(p_.set.context, room*std::max(1, old.historyWords(p_.pairs.histories())));
+            }
+            forEach(p_.set.context, p_.particles.n, KeepContacts<Backend, real, true>
+            {
+                old, p_.pairs.histories(), p_.newOrder(), p_.order.inverse.data(), p_.order.sort.active(), g.keptFirst.data(), g.keptPartner.data(),
+                g.keptHistory.data()
+            });
+        }
+        p_.order.list.swapShape(p_.order.oldList);
+        p_.order.list.reserve(p_.set.context, requireListed(total[1], "solid particles"), p_.pairs.histories(), p_.bonds.count() > 0);
+        forEach(p_.set.context, p_.particles.n, WriteFullLists<Backend, D, P>
+        {
+            search(g.place.data()), p_.order.sort.active(), p_.order.list.view(), p_.pairs.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
+            g.keptPartner.data(), g.keptHistory.data()
+        });
+        if (!p_.walls.count) return;
+        p_.walls.memory.entries = total[2];
+        walls_.write(fresh, total[3]);
+        const std::size_t nearWalls = total[4];
+        if (g.wallList.size() < nearWalls) g.wallList.allocate(p_.set.context, nearWalls + nearWalls/8 + 32);
+        forEach(p_.set.context, p_.particles.n, ListNearWalls{p_.walls.memory.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
+    }
+}
+
+//- Everything is counted first, so that the host looks on once
+template<class Backend, int D, class P>
+std::array<int, 5> Neighbours<Backend, D, P>::countFullLists([[maybe_unused]] bool fresh)
+{
+    std::array<int, 5> total{};
     if constexpr (Backend::gpu)
     {
         BackendMemory<Backend, D, P>& g = p_.memory;
@@ -131,7 +212,7 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         if (!fresh)
         {
             forEach(p_.set.context, p_.particles.n, KeepContacts<Backend, real, false>
-            {old, p_.pairs.histories(), newOrder(), p_.order.inverse.data(), p_.order.sort.active(), g.keptFirst.data(), nullptr, nullptr});
+            {old, p_.pairs.histories(), p_.newOrder(), p_.order.inverse.data(), p_.order.sort.active(), g.keptFirst.data(), nullptr, nullptr});
             exclusiveScan(p_.set.context, p_.order.scan, g.keptFirst.data(), p_.particles.n + 1);
         }
         forEach(p_.set.context, blocks, BlockEntries{p_.order.oldList.count(), p_.order.oldList.base(), p_.order.list.width});
@@ -148,69 +229,14 @@ void DemSolver<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
             fresh ? nullptr : g.keptFirst.data() + p_.particles.n, p_.order.oldList.base() + blocks, p_.walls.count ? p_.walls.memory.entryFirst.data() + p_.particles.n : nullptr,
             p_.walls.count ? p_.walls.memory.elementFirst.data() + p_.particles.n : nullptr, p_.walls.count ? g.wallListFirst.data() + p_.particles.n : nullptr, g.totals.data()
         });
-        int total[5];
-        p_.set.context.toHost(total, g.totals.data(), sizeof(total));
-        if (!fresh)
-        {
-            const std::size_t room = std::size_t(total[0]) + total[0]/16 + 64;
-            if (std::size_t(total[0]) > g.keptPartner.size())
-            {
-                g.keptPartner.allocate(p_.set.context, room);
-                g.keptHistory.allocate(p_.set.context, room*std::max(1, old.historyWords(p_.pairs.histories())));
-            }
-            forEach(p_.set.context, p_.particles.n, KeepContacts<Backend, real, true>
-            {
-                old, p_.pairs.histories(), newOrder(), p_.order.inverse.data(), p_.order.sort.active(), g.keptFirst.data(), g.keptPartner.data(),
-                g.keptHistory.data()
-            });
-        }
-        p_.order.list.swapShape(p_.order.oldList);
-        p_.order.list.reserve(p_.set.context, requireListed(total[1], "solid particles"), p_.pairs.histories(), p_.bonds.count() > 0);
-        forEach(p_.set.context, p_.particles.n, WriteFullLists<Backend, D, P>
-        {
-            search(g.place.data()), p_.order.sort.active(), p_.order.list.view(), p_.pairs.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
-            g.keptPartner.data(), g.keptHistory.data()
-        });
-        if (!p_.walls.count) return;
-        p_.walls.memory.entries = total[2];
-        writeWalls(fresh, total[3]);
-        const std::size_t nearWalls = total[4];
-        if (g.wallList.size() < nearWalls) g.wallList.allocate(p_.set.context, nearWalls + nearWalls/8 + 32);
-        forEach(p_.set.context, p_.particles.n, ListNearWalls{p_.walls.memory.entryFirst.data(), g.wallListFirst.data(), g.wallList.data()});
+        p_.set.context.toHost(total.data(), g.totals.data(), sizeof(total));
     }
+    return total;
 }
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::countWalls()
-{
-    std::swap(p_.walls.memory, p_.walls.oldMemory);
-    WallMemoryArrays<Backend, real>& m = p_.walls.memory;
-    if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, KeepWallReference{p_.walls.walls.data()});
-    m.entryFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
-    m.elementFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
-    if constexpr (Backend::gpu)
-    {
-        // where particles still are: their order follows
-        for (Array<Backend, int>* a : {&p_.memory.foundWalls, &p_.memory.foundElements}) if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
-        forEach(p_.set.context, p_.particles.n, FindWalls<D, P, false>
-        {
-            wallSearch(), p_.memory.foundWalls.data(), p_.memory.foundElements.data(), nullptr, nullptr,
-            reinterpret_cast<const int*>(p_.order.sort.order())
-        });
-        return;
-    }
-    forEach(p_.set.context, p_.particles.n, FindWalls<D, P, false>{wallSearch(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
-    exclusiveScan(p_.set.context, p_.order.scan, m.entryFirst.data(), p_.particles.n + 1);
-    exclusiveScan(p_.set.context, p_.order.scan, m.elementFirst.data(), p_.particles.n + 1);
-}
-
-template<class Backend, int D, class P>
-WallSearch<D, P> DemSolver<Backend, D, P>::wallSearch()
-{ return WallSearch<D, P>{p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), forces_.wallReach(), p_.order.sort.active()}; }
 
 //- How far particles may go, now that they are in their places
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::settleFrames()
+void Neighbours<Backend, D, P>::settleFrames()
 {
     if constexpr (Backend::gpu)
     {
@@ -223,45 +249,9 @@ void DemSolver<Backend, D, P>::settleFrames()
     }
 }
 
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::writeWalls(bool fresh, int elements)
-{
-    WallMemoryArrays<Backend, real>& m = p_.walls.memory;
-    const int H = std::max(p_.pairs.histories(), 1);
-    // a little more than now: pointers that stay keep recorded steps
-    const std::size_t room = std::size_t(m.entries) + m.entries/8 + 1;
-    if (m.entry.size() < std::size_t(m.entries) + 1)
-    {
-        m.entry.allocate(p_.set.context, room);
-        m.on.allocate(p_.set.context, room*wallTouches);
-        m.normal.allocate(p_.set.context, room*wallTouches*D);
-        m.history.allocate(p_.set.context, room*wallTouches*H);
-        m.force.allocate(p_.set.context, room*wallWords<D>);
-    }
-    if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(p_.set.context, std::size_t(elements) + elements/8 + 1);
-    forEach(p_.set.context, p_.particles.n, FindWalls<D, P, true>
-    {wallSearch(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data(), nullptr});
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        forEach(p_.set.context, p_.particles.n, HandOverWalls<D, real, decltype(law)::template history<D>>
-        {p_.walls.view(p_.walls.oldMemory), p_.walls.view(m), newOrder(), p_.order.sort.active(), fresh});
-    });
-    if (ranks_.others && !fresh) ranks_.takeWallContacts();
-}
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::buildWalls(bool fresh)
-{
-    countWalls();
-    int elements = 0;
-    p_.set.context.toHost(&p_.walls.memory.entries, p_.walls.memory.entryFirst.data() + p_.particles.n, sizeof(int));
-    p_.set.context.toHost(&elements, p_.walls.memory.elementFirst.data() + p_.particles.n, sizeof(int));
-    writeWalls(fresh, elements);
-}
-
 //- On the CPU: which forces blocks of particles leave to each other
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::blockContacts()
+void Neighbours<Backend, D, P>::blockContacts()
 {
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
@@ -274,9 +264,8 @@ void DemSolver<Backend, D, P>::blockContacts()
 #endif
 }
 
-//- On the CPU: entries between sleepers are passed over
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setRanges()
+void Neighbours<Backend, D, P>::setRanges()
 {
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
@@ -285,6 +274,56 @@ void DemSolver<Backend, D, P>::setRanges()
         p_.memory.deferred.setRanges(p_.order.list.view(), p_.sleeps(), [&](int i) { return f.asleep(i); });
     }
 #endif
+}
+
+//- Where steps are fused a particle's way is measured against what is around it. Who sleeps does not look where others go
+template<class Backend, int D, class P>
+void Neighbours<Backend, D, P>::setFrames()
+{
+    if constexpr (Backend::gpu)
+        if (p_.fuses() && !p_.sleeps()) p_.memory.frames.set(p_.set.context, p_.set.box, 3*(2*p_.reach.radii.largest + p_.reach.reach), 2e6);
+}
+
+//- New cells for it; lists are those of before until the next rebuild
+template<class Backend, int D, class P>
+void Neighbours<Backend, D, P>::setSkin(double skin)
+{
+    p_.reach.set(skin);
+#ifdef __CUDACC__
+    p_.memory.graphs.clear();                  // they hold on to the cells' and walls' numbers
+#endif
+    p_.reach.setDomain();
+    if (ranks_.others) ranks_.setPieces();
+    setFrames();
+    p_.order.setCells(p_.particles.n, p_.reach.classes.cells(), p_.order.active());
+}
+
+template<class Backend, int D, class P>
+void Neighbours<Backend, D, P>::adaptSkin()
+{
+    constexpr std::int64_t few = 8, many = 64;
+    constexpr double stepsOfList = 16;
+    if (p_.set.config.skin >= 0 || p_.reach.driven) return;
+    DemClockData now = p_.clock.now;
+    if constexpr (!Backend::gpu) now = *p_.clock.data();
+    const std::int64_t lasted = now.step - p_.reach.searchedAt;
+    p_.reach.searchedAt = now.step;
+    if (lasted >= few && !(p_.reach.skin > p_.reach.leastSkin() && lasted > many)) return;
+    const double speed = std::max(largestSpeed(), (p_.motion.walls() ? p_.walls.largestSpeed() : 0));
+    const double wanted = std::min(std::max(2*1.25*stepsOfList*speed*now.fullDt, p_.reach.leastSkin()), p_.reach.mostSkin(p_.walls.surfaces));
+    if (lasted < few ? wanted > 1.1*p_.reach.skin : wanted < 0.5*p_.reach.skin) setSkin(wanted);
+}
+
+template<class Backend, int D, class P>
+double Neighbours<Backend, D, P>::largestSpeed()
+{
+    using Kernel = LargestSpeed<D, P>;
+    Array<Backend, float> largest;
+    largest.allocate(p_.set.context, Kernel::shares);
+    forEach(p_.set.context, Kernel::shares, Kernel{p_.particles.view(), p_.order.sort.active(), largest.data()});
+    float most = 0;
+    for (const float v2 : largest.download()) most = v2 > most || v2 != v2 ? v2 : most;
+    return ranks_.largest(std::sqrt(double(most)));
 }
 
 } // namespace riprap
