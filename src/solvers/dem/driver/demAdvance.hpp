@@ -6,59 +6,9 @@
 
 #include <limits>
 #include <sstream>
-#include "solvers/dem/driver/demFused.hpp"
 
 namespace riprap
 {
-
-template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
-{
-    if (p_.fuses()) return runFused(rebuilds);
-    const std::int64_t within = searchesWithin_;
-    while (!ranks_.finished())
-    {
-        if (p_.clock.now.needRebuild)
-        {
-            neighbours_.adaptSkin();
-            neighbours_.rebuild();
-            ++rebuilds;
-            p_.clock.read();
-            if (p_.sleeps()) checkSleep(false);
-        }
-        if (p_.clock.now.needWindow || p_.clock.now.time >= p_.clock.now.windowEnd) { p_.motion.sample(p_.clock.now); p_.clock.write(); }
-        const std::int64_t before = p_.clock.now.step;
-        if constexpr (!Backend::gpu)
-        {
-            do
-            {
-                step();
-                if (p_.sleeps() && p_.clock.data()->active && p_.clock.data()->step % stepsPerCheck == 0)
-                {
-                    forces_.collectForces();
-                    checkSleep(false);
-                }
-            }
-            while (p_.clock.data()->active && !ranks_.stopped());
-        }
-        else
-        {
-            steps(std::min(p_.sleeps() ? stepsPerCheck - int(p_.clock.now.step % stepsPerCheck) : stepsPerBatch_, stepsLeft()));
-        }
-        p_.clock.read();
-        if (Backend::gpu && p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) finishLate();
-        if (Backend::gpu && p_.sleeps() && p_.clock.now.step > before && p_.clock.now.step % stepsPerCheck == 0) checkSleep(false);
-        if constexpr (Backend::gpu)
-        {
-            // as many steps as the last neighbours lasted: those beyond switch themselves off
-            const int taken = int(p_.clock.now.step - before);
-            if (taken == stepsPerBatch_ && !p_.clock.now.needRebuild) stepsPerBatch_ = std::min(p_.motion.windowSteps, 2*stepsPerBatch_);
-            else if (p_.clock.now.needRebuild) stepsPerBatch_ = std::max(2, std::min(p_.motion.windowSteps, taken + 1));
-        }
-    }
-    forces_.collectForces();
-    rebuilds += searchesWithin_ - within;
-}
 
 template<class Backend, int D, class P>
 DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
@@ -70,7 +20,7 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     p_.clock.now.target = t;
     p_.clock.now.lastStep = maxSteps > 0 ? before + maxSteps : std::int64_t(1) << 62;
     p_.clock.write();
-    runToTarget(report.rebuilds);
+    stepper_.run(report.rebuilds);
     finishReport(report, before);
     lastReport_ = report;
     return report;
@@ -86,7 +36,7 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
         neighbours_.rebuild();
         ++report.rebuilds;
         p_.clock.read();
-        if (p_.sleeps()) checkSleep(false);
+        if (p_.sleeps()) sleepers_.check(false);
     }
     report.time = p_.clock.now.time;
     report.lastTimeStep = p_.clock.now.dt;
@@ -94,7 +44,7 @@ void DemSolver<Backend, D, P>::finishReport(DemReport& report, std::int64_t befo
     report.totalSteps = p_.clock.now.step;
     report.maxSpeed = neighbours_.largestSpeed();
     report.brokenBonds = p_.bonds.broken();
-    report.asleep = p_.sleeps() ? asleepNow() : 0;
+    report.asleep = p_.sleeps() ? sleepers_.asleep() : 0;
     collectEscaped(report);
     collectPassed(report);
     if (p_.clock.now.halt != DemHalt::none) findOffender(report);

@@ -6,12 +6,10 @@
 
 #include "core/backend/device.hpp"
 #include "solvers/dem/driver/demSetup.hpp"
-#include "solvers/dem/driver/demStep.hpp"
 #include "solvers/dem/driver/demAdvance.hpp"
 #include "solvers/dem/driver/demCoupling.hpp"
 #include "solvers/dem/driver/demOutput.hpp"
 #include "solvers/dem/driver/demRanks.hpp"
-#include "solvers/dem/driver/demSleep.hpp"
 #include "solvers/dem/driver/demState.hpp"
 #include "solvers/dem/demInstances.hpp"
 

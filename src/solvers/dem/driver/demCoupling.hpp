@@ -96,7 +96,7 @@ bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
     p_.clock.now.lastStep = std::int64_t(1) << 62;
     p_.clock.now.fullDt = dt/subcycles;
     p_.clock.write();
-    runToTarget(lastReport_.rebuilds);
+    stepper_.run(lastReport_.rebuilds);
     return p_.clock.now.halt == DemHalt::none;
 }
 

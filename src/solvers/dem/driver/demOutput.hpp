@@ -350,7 +350,7 @@ void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& forc
         if (!moment.empty())
             for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? p_.set.spinSign()*moment[at + p_.set.config.axes[2]] : moment[at + c]);
     }
-    if (p_.sleeps()) wakeChanged(p_.particles.external.download(), all);
+    if (p_.sleeps()) sleepers_.wakeChanged(p_.particles.external.download(), all);
     p_.particles.external.upload(p_.set.context, all);
     p_.clumps.gather(nullptr, p_.order.slotOf.data());
 }

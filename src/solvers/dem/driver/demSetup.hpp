@@ -21,11 +21,7 @@ DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& inp
     p_.particles.add(p_.sleeps() || ranks_.others);
     p_.particles.fill(input.particles);
     p_.order.allocate(p_.particles.n, p_.reach.classes.cells());
-    if (p_.sleeps())
-    {
-        wakes_.allocate(p_.set.context, p_.particles.n);
-        waits_.allocate(p_.set.context, p_.particles.n);
-    }
+    sleepers_.allocate();
     p_.motion.holdGroups(p_.groups.motions());
     p_.bonds.set(input.bonds, input.particles);
     p_.clumps.set(input.particles);

@@ -8,13 +8,13 @@
 #pragma once
 
 #include "coupling/solidView.hpp"
-#include "dem/passes/sleep.hpp"
-#include "solvers/dem/parts/demBlockSteps.hpp"
 #include "solvers/dem/parts/demParts.hpp"
 #include "solvers/dem/parts/demRebuild.hpp"
 #include "solvers/dem/driver/contactForces.hpp"
 #include "solvers/dem/driver/rankedSolids.hpp"
 #include "solvers/dem/driver/neighbours.hpp"
+#include "solvers/dem/driver/sleepers.hpp"
+#include "solvers/dem/driver/solidStepper.hpp"
 
 namespace riprap
 {
@@ -80,36 +80,14 @@ private:
     double speedAtHand();
 
     // demStep.hpp
-    void step();
-    void finishStep();
-    void searchWithin();
-    void finishLate();
-    int stepsLeft() const;
-    bool fitsBlock() const;
-    template<class Law> BlockSteps<Backend, D, P, Law> blockSteps(int count);
-    void steps(int count);
 
     // demFused.hpp
-    void openSteps();
-    void closeSteps();
-    template<class Law> void fusedStep();
-    void fusedSteps(int count);
-    void runAhead(std::int64_t count);
-    void searchMoved();
-    void forgetSearch() { p_.clock.now.search(); stepsSince_ = 0; }
-    std::vector<const void*> graphKey(int count);
-    void runFused(std::int64_t& rebuilds);
 
     // demSkin.hpp
 
     // demLists.hpp
 
     // demSleep.hpp
-    SleepState<D, P> sleepState(bool fused);
-    void takeHistories(const SleepState<D, P>&);
-    void checkSleep(bool fused);
-    void wakeChanged(const std::vector<real>& before, const std::vector<real>& after);
-    std::size_t asleepNow();
 
     // demRanks.hpp
     void findOffenderOfRanks(DemReport&);
@@ -130,7 +108,6 @@ private:
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
 
     // demAdvance.hpp
-    void runToTarget(std::int64_t& rebuilds);
     void finishReport(DemReport&, std::int64_t before);
     void collectEscaped(DemReport&);
     void collectPassed(DemReport&);
@@ -147,14 +124,10 @@ private:
     ContactForces<Backend, D, P> forces_{p_};
     RankedSolids<Backend, D, P> ranks_{p_};
     Neighbours<Backend, D, P> neighbours_{p_, forces_, ranks_};
+    Sleepers<Backend, D, P> sleepers_{p_, forces_, neighbours_};
+    SolidStepper<Backend, D, P> stepper_{p_, forces_, ranks_, neighbours_, sleepers_};
     DemReport lastReport_;
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
-    std::int64_t searchesWithin_ = 0;       // steps
-    int stepsPerBatch_ = 16;
-    std::int64_t stepsExpected_ = 16, stepsSince_ = 0;  // fused: between the last two searches, since the last one
-    static constexpr int stepsTogether = 8;         // recorded
-    static constexpr int stepsPerCheck = 8;         // of who sleeps and wakes
-    Array<Backend, std::int32_t> wakes_, waits_;
 };
 
 } // namespace riprap

@@ -1,16 +1,54 @@
-/*  DemSolver: the parts of a step.
+/*  Steps of solids, one by one or many in a launch, until the target of the clock.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "solvers/dem/driver/demSolver.hpp"
+#include "solvers/dem/driver/fusedStepper.hpp"
+#include "solvers/dem/parts/demBlockSteps.hpp"
 
 namespace riprap
 {
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::step()
+class SolidStepper
+{
+public:
+
+    using real = typename P::real;
+
+    SolidStepper(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours,
+        Sleepers<Backend, D, P>& sleepers)
+    :
+        p_(parts), forces_(forces), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers), fused_(parts, forces, ranks, neighbours, sleepers)
+    {}
+
+    //- To the clock's target; adds how often neighbours were sought
+    void run(std::int64_t& rebuilds);
+
+private:
+
+    void step();
+    void finishStep();
+    void searchWithin();
+    void finishLate();
+    int stepsLeft() const;
+    bool fitsBlock() const;
+    template<class Law> BlockSteps<Backend, D, P, Law> blockSteps(int count);
+    void steps(int count);
+
+    DemParts<Backend, D, P>& p_;
+    ContactForces<Backend, D, P>& forces_;
+    RankedSolids<Backend, D, P>& ranks_;
+    Neighbours<Backend, D, P>& neighbours_;
+    Sleepers<Backend, D, P>& sleepers_;
+    FusedStepper<Backend, D, P> fused_;
+    std::int64_t searchesWithin_ = 0;       // steps
+    int stepsPerBatch_ = 16;
+};
+
+template<class Backend, int D, class P>
+void SolidStepper<Backend, D, P>::step()
 {
     forEach(p_.set.context, 1, DemTick{p_.clock.data()});
     if constexpr (!Backend::gpu) if (!p_.clock.data()->active) return;
@@ -25,7 +63,7 @@ void DemSolver<Backend, D, P>::step()
 
 //- What a step does where its particles have come to
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::finishStep()
+void SolidStepper<Backend, D, P>::finishStep()
 {
     forces_.evaluate();
     if (p_.set.config.integrator != DemIntegratorKind::velocityVerlet) return;
@@ -38,7 +76,7 @@ void DemSolver<Backend, D, P>::finishStep()
 
 //- A step has carried a particle farther than lists hold: new ones before its forces
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::searchWithin()
+void SolidStepper<Backend, D, P>::searchWithin()
 {
     neighbours_.adaptSkin();
     neighbours_.rebuild();
@@ -47,7 +85,7 @@ void DemSolver<Backend, D, P>::searchWithin()
 
 //- On the GPU, whose steps follow one another without the host: the forces that the last one waits with
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::finishLate()
+void SolidStepper<Backend, D, P>::finishLate()
 {
     searchWithin();
     p_.clock.read();
@@ -61,7 +99,7 @@ void DemSolver<Backend, D, P>::finishLate()
 
 //- To the target or the last step; one at least
 template<class Backend, int D, class P>
-int DemSolver<Backend, D, P>::stepsLeft() const
+int SolidStepper<Backend, D, P>::stepsLeft() const
 {
     const double left = std::min(double(p_.clock.now.lastStep - p_.clock.now.step), std::ceil((p_.clock.now.target - p_.clock.now.time)/p_.clock.now.fullDt*(1 - 1e-9)));
     return int(std::max(1.0, std::min(left, double(p_.motion.windowSteps))));
@@ -69,7 +107,7 @@ int DemSolver<Backend, D, P>::stepsLeft() const
 
 //- On the GPU: is one block enough for a step?
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::fitsBlock() const
+bool SolidStepper<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
     else return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.count() && !p_.motion.walls() && p_.particles.n <= BlockLimits::particles
@@ -78,7 +116,7 @@ bool DemSolver<Backend, D, P>::fitsBlock() const
 
 template<class Backend, int D, class P>
 template<class Law>
-BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
+BlockSteps<Backend, D, P, Law> SolidStepper<Backend, D, P>::blockSteps(int count)
 {
     BlockSteps<Backend, D, P, Law> b{};
     b.tick = DemTick{p_.clock.data()};
@@ -107,7 +145,7 @@ BlockSteps<Backend, D, P, Law> DemSolver<Backend, D, P>::blockSteps(int count)
 //- So many steps; those beyond the next rebuild, window or target switch themselves off. In small scenes the host's launches would take longer than the
 //  steps: they are recorded, eight at a time, and where one block is enough they are one launch
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::steps(int count)
+void SolidStepper<Backend, D, P>::steps(int count)
 {
 #ifdef __CUDACC__
     if constexpr (std::is_same<Backend, Gpu>::value)
@@ -123,7 +161,7 @@ void DemSolver<Backend, D, P>::steps(int count)
             for (; count >= together/2; count -= together)
             {
                 if (p_.memory.graphs.size() > 16) p_.memory.graphs.clear();
-                std::vector<const void*> key = graphKey(together);
+                std::vector<const void*> key = fused_.graphKey(together);
                 key.push_back(p_.particles.view().x[0]);       // fields alternate between two places
                 Graph& graph = p_.memory.graphs[key];
                 if (!graph.recorded()) graph.record(p_.set.context, [&] { for (int k = 0; k < together; ++k) step(); });
@@ -132,6 +170,55 @@ void DemSolver<Backend, D, P>::steps(int count)
     }
 #endif
     for (; count > 0; --count) step();
+}
+
+template<class Backend, int D, class P>
+void SolidStepper<Backend, D, P>::run(std::int64_t& rebuilds)
+{
+    if (p_.fuses()) return fused_.run(rebuilds);
+    const std::int64_t within = searchesWithin_;
+    while (!ranks_.finished())
+    {
+        if (p_.clock.now.needRebuild)
+        {
+            neighbours_.adaptSkin();
+            neighbours_.rebuild();
+            ++rebuilds;
+            p_.clock.read();
+            if (p_.sleeps()) sleepers_.check(false);
+        }
+        if (p_.clock.now.needWindow || p_.clock.now.time >= p_.clock.now.windowEnd) { p_.motion.sample(p_.clock.now); p_.clock.write(); }
+        const std::int64_t before = p_.clock.now.step;
+        if constexpr (!Backend::gpu)
+        {
+            do
+            {
+                step();
+                if (p_.sleeps() && p_.clock.data()->active && p_.clock.data()->step % Sleepers<Backend, D, P>::stepsPerCheck == 0)
+                {
+                    forces_.collectForces();
+                    sleepers_.check(false);
+                }
+            }
+            while (p_.clock.data()->active && !ranks_.stopped());
+        }
+        else
+        {
+            steps(std::min(p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck - int(p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck) : stepsPerBatch_, stepsLeft()));
+        }
+        p_.clock.read();
+        if (Backend::gpu && p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) finishLate();
+        if (Backend::gpu && p_.sleeps() && p_.clock.now.step > before && p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck == 0) sleepers_.check(false);
+        if constexpr (Backend::gpu)
+        {
+            // as many steps as the last neighbours lasted: those beyond switch themselves off
+            const int taken = int(p_.clock.now.step - before);
+            if (taken == stepsPerBatch_ && !p_.clock.now.needRebuild) stepsPerBatch_ = std::min(p_.motion.windowSteps, 2*stepsPerBatch_);
+            else if (p_.clock.now.needRebuild) stepsPerBatch_ = std::max(2, std::min(p_.motion.windowSteps, taken + 1));
+        }
+    }
+    forces_.collectForces();
+    rebuilds += searchesWithin_ - within;
 }
 
 } // namespace riprap

@@ -1,4 +1,4 @@
-/*  DemSolver: fused steps (GPU). Between calls a scene is at rest with forces known; within a call its steps are
+/*  Fused steps (GPU). Between calls a scene is at rest with forces known; within a call its steps are
 
         kick and drift | forces, kick, drift | forces, kick, drift | ... | forces
 
@@ -8,14 +8,52 @@
 */
 #pragma once
 
-#include "solvers/dem/driver/demSolver.hpp"
+#include "solvers/dem/driver/sleepers.hpp"
 
 namespace riprap
 {
 
+template<class Backend, int D, class P>
+class FusedStepper
+{
+public:
+
+    FusedStepper(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours,
+        Sleepers<Backend, D, P>& sleepers)
+    :
+        p_(parts), forces_(forces), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers)
+    {}
+
+    //- To the clock's target
+    void run(std::int64_t& rebuilds);
+
+    //- What recorded launches hold on to
+    std::vector<const void*> graphKey(int count);
+
+private:
+
+    using real = typename P::real;
+    static constexpr int stepsTogether = 8;         // recorded
+
+    void openSteps();
+    void closeSteps();
+    template<class Law> void fusedStep();
+    void fusedSteps(int count);
+    void runAhead(std::int64_t count);
+    void searchMoved();
+    void forgetSearch() { p_.clock.now.search(); stepsSince_ = 0; }
+
+    DemParts<Backend, D, P>& p_;
+    ContactForces<Backend, D, P>& forces_;
+    RankedSolids<Backend, D, P>& ranks_;
+    Neighbours<Backend, D, P>& neighbours_;
+    Sleepers<Backend, D, P>& sleepers_;
+    std::int64_t stepsExpected_ = 16, stepsSince_ = 0;      // between the last two searches, since the last one
+};
+
 //- The fields' state, and the records', into what steps use
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::openSteps()
+void FusedStepper<Backend, D, P>::openSteps()
 {
     if constexpr (Backend::gpu)
     {
@@ -34,7 +72,7 @@ void DemSolver<Backend, D, P>::openSteps()
 
 //- Back into the fields; the records that everyone else reads are made anew where they are not those of the last step
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::closeSteps()
+void FusedStepper<Backend, D, P>::closeSteps()
 {
     if constexpr (Backend::gpu)
     {
@@ -46,7 +84,7 @@ void DemSolver<Backend, D, P>::closeSteps()
 
 template<class Backend, int D, class P>
 template<class Law>
-void DemSolver<Backend, D, P>::fusedStep()
+void FusedStepper<Backend, D, P>::fusedStep()
 {
     if constexpr (Backend::gpu)
     {
@@ -71,9 +109,8 @@ void DemSolver<Backend, D, P>::fusedStep()
     }
 }
 
-//- What recorded launches hold on to
 template<class Backend, int D, class P>
-std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
+std::vector<const void*> FusedStepper<Backend, D, P>::graphKey(int count)
 {
     std::vector<const void*> key;
     if constexpr (Backend::gpu)
@@ -94,7 +131,7 @@ std::vector<const void*> DemSolver<Backend, D, P>::graphKey(int count)
 
 //- So many steps; those beyond the next rebuild, window or target switch themselves off
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::fusedSteps(int count)
+void FusedStepper<Backend, D, P>::fusedSteps(int count)
 {
     withLaw(p_.set.laws, [&](auto law)
     {
@@ -121,7 +158,7 @@ void DemSolver<Backend, D, P>::fusedSteps(int count)
 //- Steps until there is something for the host to do. Those beyond switch themselves off, but cost their launch: the device has the
 //  next few in hand while the host looks at the last ones, unless new neighbours are due by then, as they were the last time
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
+void FusedStepper<Backend, D, P>::runAhead(std::int64_t count)
 {
     if constexpr (Backend::gpu)
     {
@@ -149,7 +186,7 @@ void DemSolver<Backend, D, P>::runAhead(std::int64_t count)
 
 //- Between two steps, of which the next begins with the forces
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::searchMoved()
+void FusedStepper<Backend, D, P>::searchMoved()
 {
     if constexpr (Backend::gpu)
     {
@@ -162,7 +199,7 @@ void DemSolver<Backend, D, P>::searchMoved()
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
+void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
 {
     if constexpr (Backend::gpu)
     {
@@ -177,7 +214,7 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
         p_.clock.read();
         p_.clock.now.settleAge();
         openSteps();
-        if (p_.sleeps()) checkSleep(true);
+        if (p_.sleeps()) sleepers_.check(true);
         while (!ranks_.finished())
         {
             if (p_.clock.now.needRebuild)
@@ -187,20 +224,20 @@ void DemSolver<Backend, D, P>::runFused(std::int64_t& rebuilds)
                 searchMoved();
                 ++rebuilds;
                 openSteps();
-                if (p_.sleeps()) checkSleep(true);
+                if (p_.sleeps()) sleepers_.check(true);
             }
             if (p_.clock.now.needWindow || p_.clock.now.time >= p_.clock.now.windowEnd) p_.motion.sample(p_.clock.now);
             p_.clock.now.needRebuild = 0;
             const std::int64_t before = p_.clock.now.step;
             const int begin = p_.memory.current;
             const double left = std::min(double(p_.clock.now.lastStep - p_.clock.now.step), std::ceil((p_.clock.now.target - p_.clock.now.time)/p_.clock.now.fullDt) + 1);
-            const double most = p_.sleeps() ? stepsPerCheck - p_.clock.now.step % stepsPerCheck : left;
+            const double most = p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck - p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck : left;
             p_.clock.write();
             runAhead(std::int64_t(std::min(most, left)));
             const int taken = int(p_.clock.now.step - before);
             p_.memory.current = int((begin + taken) % 2);
             stepsSince_ += taken;
-            if (p_.sleeps() && taken && p_.clock.now.step % stepsPerCheck == 0) checkSleep(true);
+            if (p_.sleeps() && taken && p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck == 0) sleepers_.check(true);
         }
         closeSteps();
         if (p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) { searchMoved(); ++rebuilds; }

@@ -1,17 +1,50 @@
-/*  DemSolver: who falls asleep and who wakes (dem/passes/sleep.hpp).
+/*  Who falls asleep and who wakes (dem/passes/sleep.hpp).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "solvers/dem/driver/demSolver.hpp"
+#include "dem/passes/sleep.hpp"
+#include "solvers/dem/driver/neighbours.hpp"
 
 namespace riprap
 {
 
-//- fused: between fused steps, when motion lies in their state
 template<class Backend, int D, class P>
-SleepState<D, P> DemSolver<Backend, D, P>::sleepState(bool fused)
+class Sleepers
+{
+public:
+
+    using real = typename P::real;
+    static constexpr int S = spins<D>;
+    static constexpr int stepsPerCheck = 8;
+
+    Sleepers(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, Neighbours<Backend, D, P>& neighbours)
+    :
+        p_(parts), forces_(forces), neighbours_(neighbours)
+    {}
+
+    //- Memory, where solids sleep
+    void allocate();
+
+    //- fused: between fused steps, when motion lies in their state
+    void check(bool fused);
+    void wakeChanged(const std::vector<real>& before, const std::vector<real>& after);
+    std::size_t asleep();
+
+private:
+
+    SleepState<D, P> state(bool fused);
+    void takeHistories(const SleepState<D, P>&);
+
+    DemParts<Backend, D, P>& p_;
+    ContactForces<Backend, D, P>& forces_;
+    Neighbours<Backend, D, P>& neighbours_;
+    Array<Backend, std::int32_t> wakes_, waits_;
+};
+
+template<class Backend, int D, class P>
+SleepState<D, P> Sleepers<Backend, D, P>::state(bool fused)
 {
     SleepState<D, P> s{};
     s.fields = p_.particles.view();
@@ -30,7 +63,7 @@ SleepState<D, P> DemSolver<Backend, D, P>::sleepState(bool fused)
 
 //- Where histories are kept at both ends, before those that are marked wake
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
+void Sleepers<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
 {
     if constexpr (Backend::gpu)
         withLaw(p_.set.laws, [&](auto law)
@@ -40,9 +73,9 @@ void DemSolver<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::checkSleep(bool fused)
+void Sleepers<Backend, D, P>::check(bool fused)
 {
-    const SleepState<D, P> s = sleepState(fused);
+    const SleepState<D, P> s = state(fused);
     const bool walls = p_.walls.count && p_.walls.memory.entries;
     forEach(p_.set.context, p_.particles.n, CountCalm<D, P>
     {s, real(p_.set.config.sleepSpeed), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.entry.data(), p_.walls.walls.data()});
@@ -54,7 +87,7 @@ void DemSolver<Backend, D, P>::checkSleep(bool fused)
 
 //- A change that could set a sleeper in motion faster than v_s within the time after which it sleeps
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, const std::vector<real>& after)
+void Sleepers<Backend, D, P>::wakeChanged(const std::vector<real>& before, const std::vector<real>& after)
 {
     constexpr int numbers = D + S;
     const double span = std::max(p_.set.config.sleepAfter, 2.0*stepsPerCheck*p_.set.plan.timeStep);
@@ -74,7 +107,7 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
     }
     Array<Backend, std::int32_t> marks;
     marks.upload(p_.set.context, changed);
-    const SleepState<D, P> s = sleepState(false);
+    const SleepState<D, P> s = state(false);
     forEach(p_.set.context, p_.particles.n, MarkChanged<D, P>{s, marks.data()});
     takeHistories(s);
     forEach(p_.set.context, p_.particles.n, WakeMarked<D, P>{s});
@@ -83,7 +116,15 @@ void DemSolver<Backend, D, P>::wakeChanged(const std::vector<real>& before, cons
 }
 
 template<class Backend, int D, class P>
-std::size_t DemSolver<Backend, D, P>::asleepNow()
+std::size_t Sleepers<Backend, D, P>::asleep()
 { return std::size_t(sumOver<1>(p_.set.context, p_.particles.n, CountAsleep{p_.particles.view().calm, p_.order.sort.active()})[0]); }
+
+template<class Backend, int D, class P>
+void Sleepers<Backend, D, P>::allocate()
+{
+    if (!p_.sleeps()) return;
+    wakes_.allocate(p_.set.context, p_.particles.n);
+    waits_.allocate(p_.set.context, p_.particles.n);
+}
 
 } // namespace riprap
