@@ -9,7 +9,6 @@
 #include "solvers/dem/driver/demAdvance.hpp"
 #include "solvers/dem/driver/demCoupling.hpp"
 #include "solvers/dem/driver/demOutput.hpp"
-#include "solvers/dem/driver/demRanks.hpp"
 #include "solvers/dem/driver/demState.hpp"
 #include "solvers/dem/demInstances.hpp"
 

@@ -96,7 +96,7 @@ bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
     p_.clock.now.lastStep = std::int64_t(1) << 62;
     p_.clock.now.fullDt = dt/subcycles;
     p_.clock.write();
-    stepper_.run(lastReport_.rebuilds);
+    stepper_.run(reports_.last.rebuilds);
     return p_.clock.now.halt == DemHalt::none;
 }
 
@@ -104,7 +104,7 @@ template<class Backend, int D, class P>
 void DemSolver<Backend, D, P>::beginReport()
 {
     p_.clock.read();
-    lastReport_ = DemReport();
+    reports_.last = DemReport();
     reportFrom_ = p_.clock.now.step;
 }
 
@@ -117,7 +117,7 @@ void DemSolver<Backend, D, P>::endReport()
         forces_.evaluate(ForceTurn::always);      // to be read
     }
     p_.clock.read();
-    finishReport(lastReport_, reportFrom_);
+    reports_.finish(reports_.last, reportFrom_);
 }
 
 } // namespace riprap

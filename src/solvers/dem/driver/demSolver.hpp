@@ -15,6 +15,8 @@
 #include "solvers/dem/driver/neighbours.hpp"
 #include "solvers/dem/driver/sleepers.hpp"
 #include "solvers/dem/driver/solidStepper.hpp"
+#include "solvers/dem/driver/sceneReports.hpp"
+#include "solvers/dem/driver/sceneReadings.hpp"
 
 namespace riprap
 {
@@ -33,25 +35,25 @@ public:
     DemReport advance(double t, std::int64_t maxSteps) override;
     void interrupt() override { p_.interrupted = true; }
     double time() const override { return p_.clock.now.time; }
-    const DemReport& lastReport() const override { return lastReport_; }
-    DemState particles() override;
-    DemState motion() override;
-    DemContacts contacts() override;
+    const DemReport& lastReport() const override { return reports_.last; }
+    DemState particles() override { return readings_.particles(); }
+    DemState motion() override { return readings_.motion(); }
+    DemContacts contacts() override { return readings_.contacts(); }
     DemBondState bonds() override { return p_.bonds.state(p_.order.slotOf); }
-    DemClumpState clumps() override;
+    DemClumpState clumps() override { return readings_.clumps(); }
     std::vector<DemSpringState> springs() override { return p_.clumps.springs(); }
-    DemEnergy energy() override;
-    double deepestOverlap() override;
-    std::vector<DemWallForce> wallForces() override;
+    DemEnergy energy() override { return readings_.energy(); }
+    double deepestOverlap() override { return readings_.deepestOverlap(); }
+    std::vector<DemWallForce> wallForces() override { return readings_.wallForces(); }
     void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
     DemPlan plan() const override { return p_.set.plan; }
-    std::vector<ArrayInfo> arrays() const override;
-    std::vector<KernelInfo> kernels() const override;
+    std::vector<ArrayInfo> arrays() const override { return readings_.arrays(); }
+    std::vector<KernelInfo> kernels() const override { return readings_.kernels(); }
     void timeKernels(bool on) override { p_.set.context.profile.timing = on; }
-    double neighboursPerParticle() override;
-    double contactsPerParticle() override;
+    double neighboursPerParticle() override { return readings_.neighboursPerParticle(); }
+    double contactsPerParticle() override { return readings_.contactsPerParticle(); }
     std::string deviceName() const override;
     DeviceKind device() const override { return Backend::gpu ? DeviceKind::gpu : DeviceKind::cpu; }
 
@@ -90,7 +92,6 @@ private:
     // demSleep.hpp
 
     // demRanks.hpp
-    void findOffenderOfRanks(DemReport&);
 
     // demState.hpp
     bool isSaved(int field) const;
@@ -108,17 +109,8 @@ private:
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
 
     // demAdvance.hpp
-    void finishReport(DemReport&, std::int64_t before);
-    void collectEscaped(DemReport&);
-    void collectPassed(DemReport&);
-    void findOffender(DemReport&);
-    void describeOffender(DemReport&, int worst, double offence);
-    std::vector<double> offences(int n);
 
     // demOutput.hpp
-    double halfStep() const;
-    std::vector<int> wallContacts();
-    std::vector<std::int32_t> contactCounts(int n);
 
     DemParts<Backend, D, P> p_;
     ContactForces<Backend, D, P> forces_{p_};
@@ -126,7 +118,8 @@ private:
     Neighbours<Backend, D, P> neighbours_{p_, forces_, ranks_};
     Sleepers<Backend, D, P> sleepers_{p_, forces_, neighbours_};
     SolidStepper<Backend, D, P> stepper_{p_, forces_, ranks_, neighbours_, sleepers_};
-    DemReport lastReport_;
+    SceneReports<Backend, D, P> reports_{p_, ranks_, neighbours_, sleepers_};
+    SceneReadings<Backend, D, P> readings_{p_, forces_, ranks_};
     std::int64_t reportFrom_ = 0;           // step at which a coupled interval began
 };
 

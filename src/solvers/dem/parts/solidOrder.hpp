@@ -35,6 +35,10 @@ public:
     //- Particles in the scene
     int active();
 
+    //- For the host: where blocks of the list begin, and how many entries each particle has
+    struct ListShape { std::vector<int> base, count; };
+    ListShape shape();
+
     //- Fresh cells for n particles, of which so many are in the scene
     void setCells(int n, int cells, int active);
 
@@ -59,6 +63,15 @@ int SolidOrder<Backend, D, P>::active()
     int active = 0;
     set_.context.toHost(&active, sort.active(), sizeof(int));
     return active;
+}
+
+template<class Backend, int D, class P>
+typename SolidOrder<Backend, D, P>::ListShape SolidOrder<Backend, D, P>::shape()
+{
+    ListShape s{std::vector<int>(list.blocks() + 1), std::vector<int>(std::size_t(list.blocks())*list.width)};
+    set_.context.toHost(s.base.data(), list.base(), s.base.size()*sizeof(int));
+    set_.context.toHost(s.count.data(), list.count(), s.count.size()*sizeof(int));
+    return s;
 }
 
 template<class Backend, int D, class P>
