@@ -1,4 +1,4 @@
-/*  DemSolver: the exact state as words, so that a run continues bit for bit.
+/*  The exact state as words, so that a run continues bit for bit.
 
     Neighbours are sought anew before saving, so that the saving scene and the loading one go on with the same lists. A scene that
     particles have left is loaded by one that was made of those that stayed: particles are known by their ids, and cells are those
@@ -11,7 +11,8 @@
 */
 #pragma once
 
-#include "solvers/dem/driver/demSolver.hpp"
+#include <map>
+#include "solvers/dem/driver/neighbours.hpp"
 
 namespace riprap
 {
@@ -61,16 +62,52 @@ struct StateReader
 
 } // namespace detail
 
+template<class Backend, int D, class P>
+class Checkpoint
+{
+public:
+
+    using real = typename P::real;
+
+    Checkpoint(DemParts<Backend, D, P>& parts, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours)
+    :
+        p_(parts), ranks_(ranks), neighbours_(neighbours)
+    {}
+
+    std::vector<std::int32_t> save();
+    void load(const std::vector<std::int32_t>& words);
+
+private:
+
+    bool isSaved(int field) const;
+    int savedFields() const;
+    std::vector<std::int32_t> stateWords();
+    void takeState(const std::vector<std::int32_t>& words);
+    std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>& words) const;
+    void collectAll();
+    template<class F> void forEachMemory(F f);
+    std::size_t historyTogether() const;
+    std::size_t historyRows() const;
+    void clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const;
+    void restoreSearch(const DemSearchState&);
+    void restoreIds(const std::vector<std::int32_t>& ids);
+    template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
+
+    DemParts<Backend, D, P>& p_;
+    RankedSolids<Backend, D, P>& ranks_;
+    Neighbours<Backend, D, P>& neighbours_;
+};
+
 //- Histories lie in rows over all entries, so many numbers of an entry together in each
 template<class Backend, int D, class P>
-std::size_t DemSolver<Backend, D, P>::historyTogether() const
+std::size_t Checkpoint<Backend, D, P>::historyTogether() const
 {
     using List = ContactListView<Backend, real>;
     return Backend::gpu ? List::wordsTogether(p_.pairs.histories()) : List::historyWords(p_.pairs.histories());
 }
 
 template<class Backend, int D, class P>
-std::size_t DemSolver<Backend, D, P>::historyRows() const
+std::size_t Checkpoint<Backend, D, P>::historyRows() const
 {
     const std::size_t together = historyTogether();
     return together ? ContactListView<Backend, real>::historyWords(p_.pairs.histories())/together : 0;
@@ -79,7 +116,7 @@ std::size_t DemSolver<Backend, D, P>::historyRows() const
 //- What does not follow from positions: contacts' histories, clumps, walls
 template<class Backend, int D, class P>
 template<class F>
-void DemSolver<Backend, D, P>::forEachMemory(F f)
+void Checkpoint<Backend, D, P>::forEachMemory(F f)
 {
     const ContactListView<Backend, real> list = p_.order.list.view();
     const std::size_t entries = p_.order.list.entries();
@@ -97,7 +134,7 @@ void DemSolver<Backend, D, P>::forEachMemory(F f)
 
 //- What fills up blocks of entries, and histories of what does not touch, are whatever was there before: the same state of n particles shall be the same words
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
+void Checkpoint<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
 {
     using List = ContactListView<Backend, real>;
     const std::size_t entries = p_.order.list.entries(), each = sizeof(real)/4, entry = at;
@@ -125,10 +162,10 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
 
 //- Marks of ghosts are not part of a state
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != p_.particles.at.calm || p_.sleeps(); }
+bool Checkpoint<Backend, D, P>::isSaved(int f) const { return f != p_.particles.at.calm || p_.sleeps(); }
 
 template<class Backend, int D, class P>
-int DemSolver<Backend, D, P>::savedFields() const
+int Checkpoint<Backend, D, P>::savedFields() const
 {
     int n = 0;
     for (int f = 0; f < p_.particles.values.fields(); ++f) n += isSaved(f);
@@ -136,7 +173,7 @@ int DemSolver<Backend, D, P>::savedFields() const
 }
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::save()
 {
     if (!ranks_.others)
     {
@@ -154,7 +191,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
 
 //- Of all particles here, which have just been sorted
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::stateWords()
 {
     p_.clock.read();
     p_.reach.searchedAt = p_.clock.now.step;
@@ -210,7 +247,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+void Checkpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
 {
     if (!ranks_.others) return takeState(words);
     const std::vector<std::int32_t> all = wordsOfFirst(words);
@@ -228,7 +265,7 @@ void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
 
 //- The first rank's
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
 {
     Transport& ranks = *p_.set.config.ranks;
     std::vector<RankBytes> out(ranks.size()), in;
@@ -247,7 +284,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vect
 
 //- Memory for all particles on each rank, and who they are, in the order of ids
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::collectAll()
+void Checkpoint<Backend, D, P>::collectAll()
 {
     Transport& ranks = *p_.set.config.ranks;
     const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
@@ -286,7 +323,7 @@ void DemSolver<Backend, D, P>::collectAll()
 
 //- As one process that has all particles
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
+void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
 {
     const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
     constexpr std::size_t header = 13;
@@ -344,7 +381,7 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
 
 //- Cells as the saving scene had them
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
+void Checkpoint<Backend, D, P>::restoreSearch(const DemSearchState& s)
 {
     bool fits = true;
     for (int d = 0; d < D; ++d)
@@ -365,7 +402,7 @@ void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
 
 //- Whom each row of the state is about, and that all of them are there
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
+void Checkpoint<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
 {
     const int n = int(ids.size());
     const auto fail = [] { throw std::invalid_argument("saved state: it is of other particles"); };
@@ -386,7 +423,7 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
 //- Lists of the restored positions, then what contacts remember
 template<class Backend, int D, class P>
 template<class Reader>
-void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int wallEntries)
+void Checkpoint<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int wallEntries)
 {
     const auto check = [](bool good)
     { if (!good) throw std::invalid_argument("saved state: its contacts do not fit (another skin, or walls elsewhere)"); };

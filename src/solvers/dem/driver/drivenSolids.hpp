@@ -1,19 +1,65 @@
-/*  DemSolver: driven by a fluid, which gives forces and asks for the solids a step of its own later.
+/*  Solids driven by a fluid, which gives forces and asks for the solids a step of its own later.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "core/loops/largest.hpp"
+#include "coupling/solidView.hpp"
 #include "dem/motion/push.hpp"
 #include "dem/motion/solidWays.hpp"
-#include "solvers/dem/driver/demSolver.hpp"
+#include "solvers/dem/driver/sceneReports.hpp"
+#include "solvers/dem/driver/solidStepper.hpp"
 
 namespace riprap
 {
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
+class DrivenSolids : public SolidSide<D, P>
+{
+public:
+
+    using real = typename P::real;
+    static constexpr int S = spins<D>;
+
+    DrivenSolids
+    (
+        DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks, SolidStepper<Backend, D, P>& stepper,
+        SceneReports<Backend, D, P>& reports
+    )
+    :
+        p_(parts), forces_(forces), ranks_(ranks), stepper_(stepper), reports_(reports)
+    {}
+
+    int keys() const override { return p_.particles.n; }
+    bool still() const override { return p_.still; }
+    SolidView<D, P> view() override { return SolidView<D, P>{p_.set.box, p_.particles.view(), p_.order.slotOf.data()}; }
+    BodyView<D, P> bodies() override
+    { return BodyView<D, P>{p_.clumps.data(), p_.groups.data(), p_.clumps.constraints(), p_.set.box, p_.clumps.count()}; }
+    std::vector<std::int32_t> order() override;
+    real* external() override;
+    void measureSpeed() override;
+    int subcycles(double dt) override;
+    double kickTime(double dt, int subcycles) override;
+    void push(double dt) override;
+    bool advanceTo(double t, double dt, int subcycles) override;
+    void beginReport() override;
+    void endReport() override;
+
+private:
+
+    double speedAtHand();
+
+    DemParts<Backend, D, P>& p_;
+    ContactForces<Backend, D, P>& forces_;
+    RankedSolids<Backend, D, P>& ranks_;
+    SolidStepper<Backend, D, P>& stepper_;
+    SceneReports<Backend, D, P>& reports_;
+    std::int64_t reportFrom_ = 0;           // step at which an interval began
+};
+
+template<class Backend, int D, class P>
+std::vector<std::int32_t> DrivenSolids<Backend, D, P>::order()
 {
     std::vector<std::int32_t> keys = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     keys.resize(p_.order.active());
@@ -21,7 +67,7 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::order()
 }
 
 template<class Backend, int D, class P>
-typename P::real* DemSolver<Backend, D, P>::external()
+typename P::real* DrivenSolids<Backend, D, P>::external()
 {
     ranks_.requireAlone("solids in a fluid");
     if (!p_.particles.external.size()) p_.particles.external.upload(p_.set.context, std::vector<real>(std::size_t(p_.particles.n)*(D + S), real(0)));
@@ -31,7 +77,7 @@ typename P::real* DemSolver<Backend, D, P>::external()
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::measureSpeed()
+void DrivenSolids<Backend, D, P>::measureSpeed()
 {
 #ifdef __CUDACC__
     if constexpr (Backend::gpu) if (!p_.still) p_.memory.speed.ask(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
@@ -40,7 +86,7 @@ void DemSolver<Backend, D, P>::measureSpeed()
 
 //- As measured, or now
 template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::speedAtHand()
+double DrivenSolids<Backend, D, P>::speedAtHand()
 {
 #ifdef __CUDACC__
     if constexpr (Backend::gpu) if (p_.memory.speed.asked()) return p_.memory.speed.take();
@@ -49,7 +95,7 @@ double DemSolver<Backend, D, P>::speedAtHand()
 }
 
 template<class Backend, int D, class P>
-int DemSolver<Backend, D, P>::subcycles(double dt)
+int DrivenSolids<Backend, D, P>::subcycles(double dt)
 {
     if (p_.still) return 1;
     const int contacts = std::max(1, int(std::ceil(dt/p_.set.plan.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
@@ -67,21 +113,21 @@ int DemSolver<Backend, D, P>::subcycles(double dt)
 
 //- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a step before
 template<class Backend, int D, class P>
-double DemSolver<Backend, D, P>::kickTime(double dt, int subcycles)
+double DrivenSolids<Backend, D, P>::kickTime(double dt, int subcycles)
 {
     if (p_.set.config.integrator == DemIntegratorKind::velocityVerlet) return dt;
     return dt + 0.5*(p_.clock.now.dt - dt/subcycles);
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::push(double dt)
+void DrivenSolids<Backend, D, P>::push(double dt)
 {
     forEach(p_.set.context, p_.particles.n, PushSolids<D, P>{p_.particles.view(), p_.groups.data(), p_.particles.external.data(), p_.clumps.count() > 0, p_.order.sort.active(), dt});
     p_.clumps.push(dt, p_.order.slotOf.data());
 }
 
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
+bool DrivenSolids<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 {
     if (p_.still)
     {
@@ -101,7 +147,7 @@ bool DemSolver<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::beginReport()
+void DrivenSolids<Backend, D, P>::beginReport()
 {
     p_.clock.read();
     reports_.last = DemReport();
@@ -109,7 +155,7 @@ void DemSolver<Backend, D, P>::beginReport()
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::endReport()
+void DrivenSolids<Backend, D, P>::endReport()
 {
     if (p_.still)
     {
