@@ -352,7 +352,8 @@ void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words
     restoreSearch(search);
     std::vector<std::int32_t> ids(n);
     take(ids.data(), ids.size()*sizeof(std::int32_t));
-    for (int f = 0; f < p_.particles.values.fields(); ++f) if (isSaved(f)) read(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
+        if (isSaved(f)) read(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     restoreIds(ids);
     std::vector<int> all(p_.bonds.count());
     for (int k = 0; k < p_.bonds.count(); ++k) all[k] = k;

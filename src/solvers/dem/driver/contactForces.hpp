@@ -209,7 +209,8 @@ void ContactForces<Backend, D, P>::bondPass(ForceTurn turn)
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
-    if constexpr (Backend::gpu) forEachBlock(p_.set.context, (p_.bonds.count() + BondBlocks<D, P>::threads - 1)/BondBlocks<D, P>::threads, BondBlocks<D, P>{pass});
+    constexpr int threads = BondBlocks<D, P>::threads;
+    if constexpr (Backend::gpu) forEachBlock(p_.set.context, (p_.bonds.count() + threads - 1)/threads, BondBlocks<D, P>{pass});
     else forEach(p_.set.context, p_.bonds.count(), pass);
 }
 
@@ -225,7 +226,8 @@ void ContactForces<Backend, D, P>::evaluate(ForceTurn turn)
     {
         bondPass(turn);
         if constexpr (Backend::gpu)
-            forEach(p_.set.context, p_.particles.n, GatherBonds<D, P>{p_.bonds.table(), p_.bonds.force(), p_.particles.view(), forceClock(turn), p_.order.sort.active()});
+            forEach(p_.set.context, p_.particles.n, GatherBonds<D, P>
+            {p_.bonds.table(), p_.bonds.force(), p_.particles.view(), forceClock(turn), p_.order.sort.active()});
     }
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)

@@ -102,7 +102,8 @@ void DemSolver<Backend, D, P>::prime()
     p_.clock.now.active = 1;
     p_.clock.write();
     // moving walls take their places; no step has any length yet
-    if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), p_.clock.data(), p_.clock.data(), 1e300, 1e300});
+    if (p_.motion.walls())
+        forEach(p_.set.context, p_.walls.count, MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), p_.clock.data(), p_.clock.data(), 1e300, 1e300});
     neighbours_.rebuild(true);
     forces_.evaluate();
     forces_.collectForces();

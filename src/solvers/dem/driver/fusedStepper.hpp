@@ -18,8 +18,11 @@ class FusedStepper
 {
 public:
 
-    FusedStepper(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours,
-        Sleepers<Backend, D, P>& sleepers)
+    FusedStepper
+    (
+        DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks,
+        Neighbours<Backend, D, P>& neighbours, Sleepers<Backend, D, P>& sleepers
+    )
     :
         p_(parts), forces_(forces), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers)
     {}
@@ -230,7 +233,8 @@ void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
             p_.clock.now.needRebuild = 0;
             const std::int64_t before = p_.clock.now.step;
             const int begin = p_.memory.current;
-            const double left = std::min(double(p_.clock.now.lastStep - p_.clock.now.step), std::ceil((p_.clock.now.target - p_.clock.now.time)/p_.clock.now.fullDt) + 1);
+            const DemClockData& c = p_.clock.now;
+            const double left = std::min(double(c.lastStep - c.step), std::ceil((c.target - c.time)/c.fullDt) + 1);
             const double most = p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck - p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck : left;
             p_.clock.write();
             runAhead(std::int64_t(std::min(most, left)));

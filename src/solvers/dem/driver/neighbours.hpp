@@ -75,7 +75,8 @@ void Neighbours<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlac
         forcesHold = !p_.memory.moved;
         p_.memory.frames.clear(p_.set.context);
     }
-    if (!inPlace) p_.particles.values.permute(p_.set.context, p_.newOrder(), p_.particles.n, p_.particles.at.f, forcesHold ? p_.particles.at.f : p_.particles.at.m + S);
+    const SolidFieldNumbers& at = p_.particles.at;
+    if (!inPlace) p_.particles.values.permute(p_.set.context, p_.newOrder(), p_.particles.n, at.f, forcesHold ? at.f : at.m + S);
     if (ranks_.others) ranks_.settle(p_.newOrder());
     forEach(p_.set.context, p_.particles.n, PlaceSolids<D, P>{forces_.mover(), p_.order.slotOf.data()});
     settleFrames();
@@ -97,7 +98,8 @@ void Neighbours<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_
     if constexpr (Backend::gpu)
     {
         BackendMemory<Backend, D, P>& g = p_.memory;
-        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount}) if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
+        for (Array<Backend, int>* a : {&g.place, &g.found, &g.foundNear, &g.cost, &g.nearCount})
+            if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
         if (g.order.size() == 0) g.order.allocate(p_.set.context, p_.particles.n);
         p_.order.oldList.allocate(p_.set.context, p_.particles.n);                // the new shape, for now
         if (fresh) forEach(p_.set.context, p_.particles.n, RecordPlaces<D, P>{p_.set.box, p_.particles.view(), p_.order.records.view()});
@@ -123,7 +125,8 @@ ContactSearch<Backend, D, P> Neighbours<Backend, D, P>::search(const int* place)
     return ContactSearch<Backend, D, P>
     {
         // ghosts are as one body: what they do to each other is others' business
-        p_.set.box, p_.reach.classes, p_.order.records.view(), p_.order.sort.start(), place, ranks_.others ? f.calm : f.clump, f.id, p_.bonds.table(), real(p_.reach.reach),
+        p_.set.box, p_.reach.classes, p_.order.records.view(), p_.order.sort.start(), place,
+        ranks_.others ? f.calm : f.clump, f.id, p_.bonds.table(), real(p_.reach.reach),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
         real(p_.pairs.largestGap() + 0.5*double(p_.reach.halfSkin))
     };
@@ -184,7 +187,8 @@ void Neighbours<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         p_.order.list.reserve(p_.set.context, requireListed(total[1], "solid particles"), p_.pairs.histories(), p_.bonds.count() > 0);
         forEach(p_.set.context, p_.particles.n, WriteFullLists<Backend, D, P>
         {
-            search(g.place.data()), p_.order.sort.active(), p_.order.list.view(), p_.pairs.histories(), g.nearCount.data(), fresh ? nullptr : g.keptFirst.data(),
+            search(g.place.data()), p_.order.sort.active(), p_.order.list.view(), p_.pairs.histories(), g.nearCount.data(),
+            fresh ? nullptr : g.keptFirst.data(),
             g.keptPartner.data(), g.keptHistory.data()
         });
         if (!p_.walls.count) return;
@@ -226,8 +230,10 @@ std::array<int, 5> Neighbours<Backend, D, P>::countFullLists([[maybe_unused]] bo
         }
         forEach(p_.set.context, 1, CollectTotals
         {
-            fresh ? nullptr : g.keptFirst.data() + p_.particles.n, p_.order.oldList.base() + blocks, p_.walls.count ? p_.walls.memory.entryFirst.data() + p_.particles.n : nullptr,
-            p_.walls.count ? p_.walls.memory.elementFirst.data() + p_.particles.n : nullptr, p_.walls.count ? g.wallListFirst.data() + p_.particles.n : nullptr, g.totals.data()
+            fresh ? nullptr : g.keptFirst.data() + p_.particles.n, p_.order.oldList.base() + blocks,
+            p_.walls.count ? p_.walls.memory.entryFirst.data() + p_.particles.n : nullptr,
+            p_.walls.count ? p_.walls.memory.elementFirst.data() + p_.particles.n : nullptr,
+            p_.walls.count ? g.wallListFirst.data() + p_.particles.n : nullptr, g.totals.data()
         });
         p_.set.context.toHost(total.data(), g.totals.data(), sizeof(total));
     }

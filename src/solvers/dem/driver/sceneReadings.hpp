@@ -85,17 +85,18 @@ DemState SceneReadings<Backend, D, P>::motion()
     s.force = p_.particles.template vector<real>(n, p_.particles.at.f, D, false);
     s.moment = p_.particles.template vector<real>(n, p_.particles.at.m, S, true);
     const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
-    const auto radius = p_.particles.template field<real>(p_.particles.at.radius), mass = p_.particles.template field<real>(p_.particles.at.mass), inverse = p_.particles.template field<real>(p_.particles.at.inertia);
-    s.material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
-    s.group = p_.particles.template field<std::int32_t>(p_.particles.at.group);
+    const SolidFieldNumbers& at = p_.particles.at;
+    const auto radius = p_.particles.template field<real>(at.radius), mass = p_.particles.template field<real>(at.mass);
+    const auto inverse = p_.particles.template field<real>(at.inertia);
+    s.material = p_.particles.template field<std::int32_t>(at.material);
+    s.group = p_.particles.template field<std::int32_t>(at.group);
     s.clump = p_.particles.at.clump < 0 ? std::vector<std::int32_t>(n, -1) : p_.particles.template field<std::int32_t>(p_.particles.at.clump);
-    for (auto* v : {&s.material, &s.group, &s.clump}) v->resize(n);
+    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) v->resize(n);
     const std::vector<real> external = p_.particles.external.download();
     const auto calm = p_.particles.at.calm < 0 ? std::vector<std::int32_t>() : p_.particles.template field<std::int32_t>(p_.particles.at.calm);
     // leapfrog keeps velocities of half a step ago: forces are of now
     const double half = halfStep();
     for (auto* v : {&s.radius, &s.mass}) v->resize(n);
-    s.id.resize(n);
     #pragma omp parallel for schedule(static) if (n > 10000)
     for (int i = 0; i < n; ++i)
     {
@@ -238,8 +239,7 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
     const auto entry = p_.walls.memory.entry.download();
     const auto acts = wallContacts();
     const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
-    const auto force = p_.walls.memory.force.download();
-    const auto normal = p_.walls.memory.normal.download();
+    const auto force = p_.walls.memory.force.download(), normal = p_.walls.memory.normal.download();
     const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
     const std::vector<WallData> walls = p_.walls.walls.download();
     for (int i = 0; i < n; ++i)
@@ -250,7 +250,8 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
             Vec<D, double> local, f;
             for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
             const real reach = p_.pairs.reach(material[i], p_.set.input.walls[entry[e].wall].material);
-            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach), outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
+            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach),
+                outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
         }
     return out;
 }

@@ -140,7 +140,8 @@ void SceneReports<Backend, D, P>::findOffender(DemReport& report)
         report.stop = DemStop::tooFast;
         std::ostringstream s;
         s.precision(6);
-        s << "a wall goes farther in a step of " << p_.clock.now.dt << " s than the radius of the smallest particle, " << p_.reach.radii.smallest << " m" << passingCure;
+        s << "a wall goes farther in a step of " << p_.clock.now.dt << " s than the radius of the smallest particle, "
+           << p_.reach.radii.smallest << " m" << passingCure;
         report.stopMessage = s.str();
         return;
     }

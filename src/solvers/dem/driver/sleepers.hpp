@@ -68,7 +68,8 @@ void Sleepers<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
     if constexpr (Backend::gpu)
         withLaw(p_.set.laws, [&](auto law)
         {
-            forEach(p_.set.context, p_.particles.n, TakeHistories<Backend, D, P>{s, p_.order.list.view(), p_.pairs.histories(), decltype(law)::template turnsFrom<D>});
+            forEach(p_.set.context, p_.particles.n, TakeHistories<Backend, D, P>
+            {s, p_.order.list.view(), p_.pairs.histories(), decltype(law)::template turnsFrom<D>});
         });
 }
 

@@ -16,9 +16,13 @@ class SolidStepper
 public:
 
     using real = typename P::real;
+    static constexpr int stepsPerCheck = Sleepers<Backend, D, P>::stepsPerCheck;
 
-    SolidStepper(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours,
-        Sleepers<Backend, D, P>& sleepers)
+    SolidStepper
+    (
+        DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks,
+        Neighbours<Backend, D, P>& neighbours, Sleepers<Backend, D, P>& sleepers
+    )
     :
         p_(parts), forces_(forces), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers), fused_(parts, forces, ranks, neighbours, sleepers)
     {}
@@ -101,7 +105,8 @@ void SolidStepper<Backend, D, P>::finishLate()
 template<class Backend, int D, class P>
 int SolidStepper<Backend, D, P>::stepsLeft() const
 {
-    const double left = std::min(double(p_.clock.now.lastStep - p_.clock.now.step), std::ceil((p_.clock.now.target - p_.clock.now.time)/p_.clock.now.fullDt*(1 - 1e-9)));
+    const DemClockData& c = p_.clock.now;
+    const double left = std::min(double(c.lastStep - c.step), std::ceil((c.target - c.time)/c.fullDt*(1 - 1e-9)));
     return int(std::max(1.0, std::min(left, double(p_.motion.windowSteps))));
 }
 
@@ -110,7 +115,8 @@ template<class Backend, int D, class P>
 bool SolidStepper<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
-    else return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.count() && !p_.motion.walls() && p_.particles.n <= BlockLimits::particles
+    else return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.count() && !p_.motion.walls()
+      && p_.particles.n <= BlockLimits::particles
       && p_.bonds.count() <= BlockLimits::bonds && (!p_.walls.memory.entries || int(p_.memory.wallList.size()) <= BlockLimits::nearWalls);
 }
 
@@ -133,7 +139,8 @@ BlockSteps<Backend, D, P, Law> SolidStepper<Backend, D, P>::blockSteps(int count
     }
     if (p_.bonds.count())
     {
-        b.bonds = BondPass<D, P>{p_.bonds.view(p_.order.slotOf.data()), p_.set.box, p_.particles.view(), p_.order.records.view(), forces_.forceClock(ForceTurn::inStep), {}};
+        b.bonds = BondPass<D, P>
+        {p_.bonds.view(p_.order.slotOf.data()), p_.set.box, p_.particles.view(), p_.order.records.view(), forces_.forceClock(ForceTurn::inStep), {}};
         b.gather = GatherBonds<D, P>{p_.bonds.table(), p_.bonds.force(), p_.particles.view(), forces_.forceClock(ForceTurn::inStep), p_.order.sort.active()};
         b.bondCount = p_.bonds.count();
     }
@@ -194,7 +201,7 @@ void SolidStepper<Backend, D, P>::run(std::int64_t& rebuilds)
             do
             {
                 step();
-                if (p_.sleeps() && p_.clock.data()->active && p_.clock.data()->step % Sleepers<Backend, D, P>::stepsPerCheck == 0)
+                if (p_.sleeps() && p_.clock.data()->active && p_.clock.data()->step % stepsPerCheck == 0)
                 {
                     forces_.collectForces();
                     sleepers_.check(false);
@@ -204,11 +211,11 @@ void SolidStepper<Backend, D, P>::run(std::int64_t& rebuilds)
         }
         else
         {
-            steps(std::min(p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck - int(p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck) : stepsPerBatch_, stepsLeft()));
+            steps(std::min(p_.sleeps() ? stepsPerCheck - int(p_.clock.now.step % stepsPerCheck) : stepsPerBatch_, stepsLeft()));
         }
         p_.clock.read();
         if (Backend::gpu && p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) finishLate();
-        if (Backend::gpu && p_.sleeps() && p_.clock.now.step > before && p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck == 0) sleepers_.check(false);
+        if (Backend::gpu && p_.sleeps() && p_.clock.now.step > before && p_.clock.now.step % stepsPerCheck == 0) sleepers_.check(false);
         if constexpr (Backend::gpu)
         {
             // as many steps as the last neighbours lasted: those beyond switch themselves off

@@ -38,7 +38,10 @@ private:
 
 template<class Backend, int D, class P>
 WallSearch<D, P> WallContacts<Backend, D, P>::search()
-{ return WallSearch<D, P>{p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), forces_.wallReach(), p_.order.sort.active()}; }
+{
+    return WallSearch<D, P>
+    {p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), forces_.wallReach(), p_.order.sort.active()};
+}
 
 template<class Backend, int D, class P>
 void WallContacts<Backend, D, P>::count()
