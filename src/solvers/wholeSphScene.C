@@ -108,8 +108,21 @@ public:
     using FluidScene::sample;
     SampleResult sample(const std::vector<double>& points, const SightPlanes& planes) override
     {
-        SampleResult r = part_.sample(points, planes);
-        for (auto* v : {&r.volumeFraction, &r.pressure, &r.velocity, &r.centroid}) addByRank(ranks_, *v);
+        // each process may ask for places of its own: the cells that it has
+        std::vector<double> all(points);
+        join(ranks_, all);
+        SightPlanes sight(planes);
+        joinPlanes(sight, points.size()/3);
+        SampleResult r = part_.sample(all, sight);
+        std::vector<std::int64_t> before(ranks_.size() + 1, 0);
+        for (int rank = ranks_.rank(); rank < ranks_.size(); ++rank) before[rank + 1] = std::int64_t(points.size()/3);
+        const std::size_t first = std::size_t(sum(before)[ranks_.rank()]);
+        for (auto* v : {&r.volumeFraction, &r.pressure, &r.velocity, &r.centroid})
+        {
+            addByRank(ranks_, *v);
+            const std::size_t each = all.empty() ? 0 : 3*v->size()/all.size();
+            *v = std::vector<double>(v->begin() + each*first, v->begin() + each*(first + points.size()/3));
+        }
         return r;
     }
 
@@ -153,6 +166,18 @@ private:
     {
         ranks_.sum(v);
         return v;
+    }
+
+    //- Those of all processes, if any has some
+    void joinPlanes(SightPlanes& p, std::size_t points)
+    {
+        std::vector<std::int32_t> counts(points, 0);
+        for (std::size_t i = 0; i + 1 < p.first.size(); ++i) counts[i] = p.first[i + 1] - p.first[i];
+        join(ranks_, counts);
+        join(ranks_, p.normal);
+        join(ranks_, p.depth);
+        p.first.assign(p.depth.empty() ? 0 : 1, 0);
+        if (!p.depth.empty()) for (const std::int32_t n : counts) p.first.push_back(p.first.back() + n);
     }
 
     SphScene& part_;
