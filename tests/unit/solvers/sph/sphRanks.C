@@ -249,7 +249,7 @@ protected:
 TEST_P(SphRanks, damBreak)
 {
     const SphConfig c = damBreak();
-    compare(c, water(c), walls(c), stepsOf(D() == 2 ? 150 : 30), {2, 3, 4});
+    compare(c, water(c), walls(c), stepsOf(D() == 2 ? 150 : 50), {2, 3, 4});
 }
 
 TEST_P(SphRanks, leapfrogAndStationaryWalls)
