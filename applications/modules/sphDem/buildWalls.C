@@ -11,7 +11,6 @@ Description
 #include "UIndirectList.H"
 #include "packedFields.H"
 #include "sweptDomain.H"
-#include "wholeBoundary.H"
 #include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -162,7 +161,7 @@ void Foam::solverModules::sphDem::coverMotion
     }
     Foam::coverMotion
     (
-        wholeBoundary(mesh_),
+        mesh_,
         bodies_,
         reference,
         wallThickness(settings_),
@@ -175,7 +174,7 @@ void Foam::solverModules::sphDem::coverMotion
     {
         return max(box.points()() & g);
     };
-    const scalar floor = lowestPlace(wholeBoundary(mesh_), g);
+    const scalar floor = lowestPlace(mesh_, g);
     const scalar begin = runTime_.value();
     const scalar end = endOfMotion(runTime_);
     forAll(reference, body)
@@ -206,10 +205,7 @@ void Foam::solverModules::sphDem::writeWalls()
     if (!wallsWritten_ && walls_.size())
     {
         // Where setParticles writes them, too
-        if (Pstream::master())
-        {
-            writeWallPoints(walls_, runTime_.globalPath()/"VTK"/"walls.vtp");
-        }
+        writeWallPoints(walls_, runTime_.path()/"VTK"/"walls.vtp");
         wallsWritten_ = true;
     }
 }

@@ -10,7 +10,6 @@ Description
 
 #include "sphDem.H"
 #include "logPrecision.H"
-#include "logRanks.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -54,7 +53,6 @@ void Foam::solverModules::sphDem::report()
         Info<< "Put back at faces of bodies: " << contacts.atBodies
             << " times in all" << nl;
     }
-    if (ranks_.valid()) logRanks(*ranks_, report_.rank);
     logEscaped(report_.escaped.size(), run_);
     if (report_.skinExceeded)
     {

@@ -47,13 +47,11 @@ bool Foam::solverModules::sphDem::loadState
             " endTime, or another motion)"
         );
     }
+    const std::vector<std::int32_t> state(readSphState(runTime_));
 
     try
     {
-        // Of several processes the first tells the others
-        std::vector<std::int32_t> words;
-        if (Pstream::master()) words = readSphState(runTime_);
-        scene_->loadState(words);
+        scene_->loadState(state);
     }
     catch (const std::invalid_argument& e)
     {

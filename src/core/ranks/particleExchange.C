@@ -18,7 +18,6 @@ void ParticleExchange::setOwners()
     if (sole_ >= 0) owner_.assign(pieces_.count(), sole_);
     else if (bricks_.ranks()) owner_ = owners(bricks_);
     known_.assign(pieces_.count(), 0);
-    ++divisions_;
 }
 
 void ParticleExchange::gatherOn(int rank)
@@ -84,7 +83,6 @@ void ParticleExchange::divide()
     owner_ = owner;
     known_.assign(pieces_.count(), 0);
     ++counts_.divisions;
-    ++divisions_;
 }
 
 const std::vector<int>& ParticleExchange::needs(int piece)
@@ -190,11 +188,12 @@ void ParticleExchange::makeLists()
         if (kind_[i] == ghost) from[owner_[piece]].push_back(i);
         else for (const int rank : needs(piece)) to[rank].push_back(i);
     }
-    shares_.clear();
+    sendTo_.clear();
+    receiveFrom_.clear();
     for (int rank = 0; rank < transport_.size(); ++rank)
     {
-        shares_.send(rank, std::move(to[rank]));
-        shares_.receive(rank, std::move(from[rank]));
+        if (!to[rank].empty()) sendTo_.emplace_back(rank, to[rank]);
+        if (!from[rank].empty()) receiveFrom_.emplace_back(rank, from[rank]);
     }
 }
 

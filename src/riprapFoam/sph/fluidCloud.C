@@ -18,13 +18,11 @@ namespace Foam
 Foam::fluidCloud::fluidCloud
 (
     const polyMesh& mesh,
-    riprap::SphScene& part,
     riprap::SphScene& scene,
     const sphRun& run
 )
 :
     sceneCloud(mesh, "fluid"),
-    part_(part),
     scene_(scene),
     run_(run)
 {}
@@ -34,7 +32,7 @@ Foam::fluidCloud::fluidCloud
 
 void Foam::fluidCloud::fill(particleCloud& particles) const
 {
-    const riprap::FluidState fluid(part_.fluid());
+    const riprap::FluidState fluid(scene_.fluid());
 
     particles.position = toVectors(fluid.position);
     particles.vectors.set("U", toVectors(fluid.velocity));
@@ -57,11 +55,7 @@ void Foam::fluidCloud::writeState(bool picture) const
 {
     if (picture) return;
 
-    // Of several processes the first has all of it
-    std::vector<std::int32_t> words(scene_.saveState());
-    if (!Pstream::master()) return;
-
-    writeSphState(time(), std::move(words));
+    writeSphState(time(), scene_.saveState());
     writeSphRun(time(), run_);
 }
 

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphRun.H"
-#include "allRanks.H"
 #include "sceneState.H"
 
 namespace Foam
@@ -14,8 +13,7 @@ namespace Foam
 
 bool hasSphRun(const Time& time)
 {
-    // The state of all processes is with the first
-    return onAnyRank(Pstream::master() && hasState(time, "sphRun", "sphState"));
+    return hasState(time, "sphRun", "sphState");
 }
 
 
@@ -26,7 +24,7 @@ sphRun readSphRun(const Time& time)
     sphRun run;
     orDamaged(io, [&]()
     {
-        const dictionary dict(stateDictionary(io));
+        const IOdictionary dict(io);
         run.spacing = dict.get<scalar>("spacing");
         run.maxVelocity = dict.get<scalar>("maxVelocity");
         run.density = dict.getOrDefault<scalar>("density", 0);

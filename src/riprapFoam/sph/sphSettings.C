@@ -44,7 +44,7 @@ scalar fluidSpacing(const Time& time)
             IOobject
             (
                 "setParticlesDict",
-                time.caseSystem(),
+                time.system(),
                 time,
                 IOobject::MUST_READ,
                 IOobject::NO_WRITE,

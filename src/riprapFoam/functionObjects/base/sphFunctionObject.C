@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphFunctionObject.H"
-#include "dividedCloud.H"
 #include "gravityMeshObject.H"
+#include "particleCloudIO.H"
 #include "wallPoints.H"
 
 namespace Foam
@@ -135,10 +135,10 @@ std::vector<bool> Foam::functionObjects::sphFunctionObject::inSolid
     }
 
     std::vector<bool> solid(inside.size(), false);
-    const boolList fluid(inAnyCell(mesh_, inside));
-    forAll(fluid, i)
+    const labelList cell(locateParticles(mesh_, inside, labelList(), false));
+    forAll(cell, i)
     {
-        solid[i] = !fluid[i];
+        solid[i] = cell[i] < 0;
     }
 
     const autoPtr<geometryWalls> geometry(wallGeometry(time_));

@@ -5,7 +5,6 @@
 
 #include "wallForce.H"
 #include "sphDictionaries.H"
-#include "wholeBoundary.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -38,7 +37,7 @@ bool Foam::functionObjects::wallForce::read(const dictionary& dict)
     sph();
 
     groups_ = wordList(1, "fixed");
-    for (const wallMotion& motion : readSphSettings(wholeBoundary(mesh_)).walls.motion)
+    for (const wallMotion& motion : readSphSettings(mesh_).walls.motion)
     {
         groups_.append(motion.name);
     }
