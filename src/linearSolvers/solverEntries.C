@@ -24,7 +24,7 @@ const std::map<std::string, holds> entries
     {"interpolateCorrection", holds::onOff}, {"scaleCorrection", holds::onOff}, {"directSolveCoarsest", holds::onOff},
     {"agglomerator", holds::name}, {"nCellsInCoarsestLevel", holds::whole}, {"mergeLevels", holds::whole}, {"updateInterval", holds::anything},
     {"processorAgglomerator", holds::name}, {"nAgglomeratingCells", holds::whole}, {"processorAgglomeration", holds::anything},
-    {"nProcessorsPerMaster", holds::whole}, {"nCellsInMasterLevel", holds::anything}, {"nMasters", holds::whole},
+    {"nProcessorsPerMaster", holds::whole}, {"nCellsInMasterLevel", holds::anything}, {"nMasters", holds::whole}, {"nLevels", holds::whole},
     {"coarsestLevelCorr", holds::anything}, {"deflation", holds::anything}
 });
 

@@ -119,6 +119,7 @@ void Foam::sceneSolids::readInput(bool continued)
 
     if (!continued)
     {
+        requireBeforePlanes(settings_, input_);
         run_ = demRun();
         run_.initialParticles = solids.particles.size();
         run_.brokenBefore = broken;

@@ -98,33 +98,6 @@ static void requireNarrowGaps
 }
 
 
-//- A plane's normal points to the side of the particles: one that is whole
-//  behind it would be shot out
-static void requireBefore
-(
-    const demSettings& settings,
-    const riprap::DemWall& wall,
-    const riprap::DemParticles& particles
-)
-{
-    if (!wall.plane || wall.motion >= 0) return;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-    {
-        scalar before = 0;
-        for (int d = 0; d < vector::nComponents; ++d)
-        {
-            before += wall.normal[d]*(particles.position[3*i + d] - wall.point[d]);
-        }
-        if (before > -particles.radius[i]) continue;
-        FatalIOErrorInFunction(settings.dict)
-            << "Entry planes of walls: of " << wall.name.c_str() << ", particle " << label(i) << " is "
-            << -before << " m behind the entry point, and its radius is "
-            << particles.radius[i] << " m: the plane's normal must point to"
-            << " the particles" << exit(FatalIOError);
-    }
-}
-
-
 static std::vector<riprap::DemGroup> groupsOf
 (
     const demSettings& settings,
@@ -258,13 +231,44 @@ riprap::DemInput Foam::demInput
 
     requirePairs(settings, materialsOf(input.particles.material), walls);
     requireNarrowGaps(settings, input.particles.radius);
-    for (const riprap::DemWall& wall : walls)
-    {
-        requireBefore(settings, wall, input.particles);
-    }
     setBonds(settings, input, typeOfBondType);
 
     return input;
+}
+
+
+void Foam::requireBeforePlanes
+(
+    const demSettings& settings,
+    const riprap::DemInput& input
+)
+{
+    const riprap::DemParticles& particles = input.particles;
+    for (const riprap::DemWall& wall : input.walls)
+    {
+        if (!wall.plane || wall.motion >= 0)
+        {
+            continue;
+        }
+        for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+            scalar before = 0;
+            for (int d = 0; d < vector::nComponents; ++d)
+            {
+                before += wall.normal[d]*(particles.position[3*i + d] - wall.point[d]);
+            }
+            if (before > -particles.radius[i])
+            {
+                continue;
+            }
+            FatalIOErrorInFunction(settings.dict)
+                << "Entry planes of walls: of " << wall.name.c_str()
+                << ", particle " << label(particles.id.empty() ? i : particles.id[i])
+                << " is " << -before << " m behind the entry point, and its radius is "
+                << particles.radius[i] << " m: the plane's normal must point to"
+                << " the particles" << exit(FatalIOError);
+        }
+    }
 }
 
 

@@ -69,14 +69,6 @@ static scalar upTo
 }
 
 
-//- Shares of the neighbours' velocity and pressure: beyond 2 nothing is smoothed
-static scalar highestOf(const riprap::TermEntry& e)
-{
-    const word name(e.name);
-    return name == "XSPH" || name == "antiClump" ? min(e.highest, scalar(2)) : e.highest;
-}
-
-
 //- The numbers of a pair term
 static void readTerm
 (
@@ -95,7 +87,7 @@ static void readTerm
         if (term.words.empty() && &e == &term.entries[0])
         {
             const scalar value = dict.notNegativeOrNone(e.name, e.otherwise);
-            if (value > highestOf(e)) dict.between(e.name, e.otherwise, 0, highestOf(e));
+            if (value > e.highest) dict.between(e.name, e.otherwise, 0, e.highest);
             e.set(terms, value);
             continue;
         }

@@ -19,7 +19,7 @@ struct AntiClump : TermCard
     static constexpr TermEntry entries[] =
     {
         TermEntry("antiClump", "", "antiClump", &TermProperties::antiClump)
-            .in(Range::zeroOrPositive).byDefault(0.01)
+            .in(Range::zeroOrPositive).atMost(2).byDefault(0.01)
     };
     static constexpr bool needsW = true, frequent = true;
 

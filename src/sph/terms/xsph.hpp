@@ -16,7 +16,7 @@ struct Xsph : TermCard
     static constexpr const char* text = "drift with the neighbours (Monaghan 1989)";
     static constexpr TermEntry entries[] =
     {
-        TermEntry("XSPH", "", "XSPH", &TermProperties::xsph).in(Range::zeroOrPositive).byDefault(0)
+        TermEntry("XSPH", "", "XSPH", &TermProperties::xsph).in(Range::zeroOrPositive).atMost(2).byDefault(0)
     };
     static constexpr Part part = Part::density;
     static constexpr bool needsW = true, smooths = true, frequent = true;

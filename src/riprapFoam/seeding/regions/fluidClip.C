@@ -97,8 +97,8 @@ static pointField beyond(const particleRegion& region, const particlePacking& pa
 }
 
 
-// Points in groups of those that are mirror images of each other across the planes through their centre, along the two axes that are not upright. Of four the opposite ones follow
-// each other
+// Points in groups of those that are mirror images of each other across the planes through their centre, along
+// the two axes that are not upright. Of four the opposite ones follow each other
 static List<labelList> mirrorImages(const labelList& points, const pointField& x, const particlePacking& packing)
 {
     const scalar same = 1e-6*packing.spacing();
@@ -117,7 +117,8 @@ static List<labelList> mirrorImages(const labelList& points, const pointField& x
     {
         const scalar difference = apart(i, j);
         if (difference != 0) return difference < 0;
-        const bool alikeI = isPositive(i, 0) == isPositive(i, sides - 1), alikeJ = isPositive(j, 0) == isPositive(j, sides - 1);
+        const bool alikeI = isPositive(i, 0) == isPositive(i, sides - 1);
+        const bool alikeJ = isPositive(j, 0) == isPositive(j, sides - 1);
         if (alikeI != alikeJ) return alikeI;
         return isPositive(i, 0) != isPositive(j, 0) ? isPositive(j, 0) : i < j;
     });
@@ -131,8 +132,8 @@ static List<labelList> mirrorImages(const labelList& points, const pointField& x
 }
 
 
-// Those that stay when the `gone` nearest leave. Of equally near ones, of which some leave, mirror images leave together, evenly among the others: all from one side, as their order in
-// memory has it, would let a float heel
+// Those that stay when the `gone` nearest leave. Of equally near ones, of which some leave, mirror images leave
+// together, evenly among the others: all from one side, as their order in memory has it, would let a float heel
 static boolList withoutNearest(const scalarField& distance, const pointField& x, label gone, const particlePacking& packing)
 {
     const scalar same = 1e-6*packing.spacing();
@@ -155,7 +156,7 @@ static boolList withoutNearest(const scalarField& distance, const pointField& x,
     const label n = images.size(), groups = label(std::int64_t(some)*n/(end - first));
     for (label k = 0; k < groups; ++k)
     {
-        const labelList& group = images[label((2*std::int64_t(k) + 1)*n/(2*groups))];
+        const labelList& group = images[label(((2*std::int64_t(k) + 1)*n - 1)/(2*groups))];
         if (group.size() > some) continue;
         for (const label i : group) stays[i] = false;
         some -= group.size();
