@@ -232,14 +232,7 @@ DemPlan planDemScene(const DemConfig&, const DemInput&);
 
 enum class DemStop {none, notANumber, tooFast};
 
-//- What one of several processes has and has sent, all in all
-struct DemRankReport
-{
-    std::size_t owned = 0, ghosts = 0;      // particles now
-    std::int64_t arrivals = 0;              // that came from others
-    std::int64_t divisions = 0;             // of space over ranks
-    std::int64_t bytesInSteps = 0, bytesAtRebuilds = 0;
-};
+using DemRankReport = RankReport;
 
 struct DemReport
 {

@@ -31,6 +31,15 @@ using WallMotion = std::function<WallPose(int body, double t)>;
 //- A device array as the user sees it in the report of what a scene holds
 struct ArrayInfo { std::string set, name; std::size_t bytesPerParticle = 0, bytes = 0; };
 
+//- What one of several processes has and has sent, all in all
+struct RankReport
+{
+    std::size_t owned = 0, ghosts = 0;      // particles now
+    std::int64_t arrivals = 0;              // that came from others
+    std::int64_t divisions = 0;             // of space over ranks
+    std::int64_t bytesInSteps = 0, bytesAtRebuilds = 0;
+};
+
 struct KernelInfo { std::string name; std::int64_t launches = 0; double seconds = 0; };
 
 } // namespace riprap

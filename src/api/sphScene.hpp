@@ -16,6 +16,8 @@
 namespace riprap
 {
 
+class Transport;
+
 enum class EosKind {Tait, linear};
 enum class ShiftingKind {none, fickian};
 enum class WallKind {stationary, extrapolated};
@@ -74,6 +76,10 @@ struct SphConfig : FluidConfig, TermProperties
     double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
     double maxSpeedRatio = 5;               // |v|/vmax that stops the run
     bool removeWild = false;                // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
+
+    // Several processes: each is given the whole scene, and keeps its part (docs/parallel.md). Null, or of one rank: there are no others
+    Transport* ranks = nullptr;             // lives longer than the scene
+    double imbalance = 0.1;                 // the largest part may be so much above the mean before space is divided anew
 };
 
 //- The walls' true faces, which hold particles back (sph/boundary/wallFaces.hpp): segments (2D, the third vertex is not used) or triangles
@@ -134,6 +140,7 @@ struct SphReport
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
     double stopValue = 0;
+    RankReport rank;                        // of several processes. `escaped` and `wild` are of this one, the rest is of all
 };
 
 struct WallState

@@ -2,9 +2,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
-#include <algorithm>
-#include <numeric>
-#include "core/ranks/transport.hpp"
+#include "core/ranks/joinRanks.hpp"
 #include "api/wholeDemScene.hpp"
 
 namespace riprap
@@ -12,48 +10,6 @@ namespace riprap
 
 namespace
 {
-
-//- The same message to each rank; from each, in their order
-std::vector<RankBytes> toAll(Transport& ranks, const RankBytes& bytes)
-{
-    std::vector<RankBytes> in;
-    ranks.exchange(std::vector<RankBytes>(ranks.size(), bytes), in);
-    return in;
-}
-
-//- The rows of all ranks one after the other, each a message of its own
-template<class T>
-void join(Transport& ranks, std::vector<T>& values)
-{
-    RankBytes own;
-    putValues(own, values.data(), values.size());
-    values.clear();
-    for (const RankBytes& bytes : toAll(ranks, own))
-    {
-        const std::size_t before = values.size();
-        values.resize(before + bytes.size()/sizeof(T));
-        if (bytes.size()) std::memcpy(values.data() + before, bytes.data(), bytes.size());
-    }
-}
-
-//- Rows of so many values as `order` says
-template<class T>
-void arrange(std::vector<T>& values, std::size_t each, const std::vector<std::size_t>& order)
-{
-    if (values.empty()) return;
-    std::vector<T> arranged(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i) std::copy_n(values.begin() + order[i]*each, each, arranged.begin() + i*each);
-    values.swap(arranged);
-}
-
-template<class Less>
-std::vector<std::size_t> orderBy(std::size_t n, const Less& less)
-{
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), less);
-    return order;
-}
 
 class WholeDemScene : public DemScene
 {
@@ -107,7 +63,7 @@ public:
     {
         const DemEnergy here = part_.energy();
         std::vector<double> v{here.translation, here.rotation, here.potential, here.contact, here.bond, here.spring};
-        add(v);
+        addByRank(ranks_, v);
         return DemEnergy{v[0], v[1], v[2], v[3], v[4], v[5]};
     }
 
@@ -125,7 +81,7 @@ public:
         const auto each = [&](const auto& f)
         { for (DemWallForce& w : walls) for (Vector3* x : {&w.force, &w.moment, &w.normal, &w.normalMoment}) for (double& c : *x) f(c); };
         each([&](double& c) { v.push_back(c); });
-        add(v);
+        addByRank(ranks_, v);
         std::size_t k = 0;
         each([&](double& c) { c = v[k++]; });
         return walls;
@@ -145,28 +101,12 @@ public:
 
 private:
 
-    //- Entry by entry, by rank: the same bits on all of them
-    void add(std::vector<double>& v)
-    {
-        RankBytes own;
-        putValues(own, v.data(), v.size());
-        const std::size_t n = v.size();
-        std::fill(v.begin(), v.end(), 0.0);
-        for (const RankBytes& bytes : toAll(ranks_, own))
-            for (std::size_t k = 0; k < n; ++k)
-            {
-                double x;
-                std::memcpy(&x, bytes.data() + k*sizeof(x), sizeof(x));
-                v[k] += x;
-            }
-    }
-
     //- Of values of ranks, by their numbers of particles
     double mean(double value)
     {
         const double n = double(part_.motion().id.size());
         std::vector<double> v{n*value, n};
-        add(v);
+        addByRank(ranks_, v);
         return v[1] > 0 ? v[0]/v[1] : 0;
     }
 

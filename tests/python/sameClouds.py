@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Are the solids of two cases the same particles, number for number?
+"""Are the solids, or with --fluid the fluid, of two cases the same particles, number for number?
 
-    sameClouds.py CASE TIME OTHER OTHERTIME [--whole] [--close]
+    sameClouds.py CASE TIME OTHER OTHERTIME [--whole] [--close] [--fluid]
 
 CASE is read from its processors' folders, with --whole from its own time; OTHER from its own time. Files are binary. Particles are
-compared by origId: their fields to the bit, with --close positions to 1e-9 m. Prints what differs and exits with 1, else how
+compared by origId (id of the fluid): their fields to the bit, with --close positions to 1e-9 m. Prints what differs and exits with 1, else how
 many particles there are.
 """
 import glob
@@ -42,13 +42,13 @@ def readList(path):
     return [row.unpack_from(data, start + i*row.size) for i in range(count)]
 
 
-def read(folders):
+def read(folders, ids):
     """Of each particle its fields, by name"""
     particles = {}
     for folder in folders:
         names = sorted(set(os.listdir(folder)) - {'coordinates'})
         fields = {name: readList(os.path.join(folder, name)) for name in names}
-        for i, (number,) in enumerate(fields['origId']):
+        for i, (number,) in enumerate(fields[ids]):
             if number in particles:
                 raise ValueError(f'particle {number} is there twice')
             particles[number] = {name: rows[i] for name, rows in fields.items()}
@@ -57,10 +57,11 @@ def read(folders):
 
 def main(arguments):
     whole, close = '--whole' in arguments, '--close' in arguments
+    cloud, ids = ('fluid', 'id') if '--fluid' in arguments else ('solids', 'origId')
     case, time, other, otherTime = [a for a in arguments if not a.startswith('--')]
     parts = [case] if whole else sorted(glob.glob(os.path.join(case, 'processor*')))
-    a = read([os.path.join(part, time, 'lagrangian', 'solids') for part in parts])
-    b = read([os.path.join(other, otherTime, 'lagrangian', 'solids')])
+    a = read([os.path.join(part, time, 'lagrangian', cloud) for part in parts], ids)
+    b = read([os.path.join(other, otherTime, 'lagrangian', cloud)], ids)
     if set(a) != set(b) or not a:
         print(f'{len(a)} particles, and {len(b)}, or others')
         return 1

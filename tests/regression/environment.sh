@@ -132,6 +132,8 @@ check()
 }
 check includes etc/checkLayering
 check includesChecked etc/checkLayering --self-test
+check sizes etc/checkSizes
+check sizesCounted etc/checkSizes --self-test
 check python etc/checkPython
 check whitespace etc/checkWhitespace
 

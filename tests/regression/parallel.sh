@@ -1,5 +1,5 @@
 #!/bin/bash
-# riprapFoam -parallel with solver dem: clouds of 2 and 3 processes are those of one, to the bit, written, put together, divided and
+# riprapFoam -parallel with solvers dem and sphDem: clouds of 2 and 3 processes are those of one, to the bit, written, put together, divided and
 # continued; what several processes cannot do, and processes that fail
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -36,10 +36,11 @@ divide()    # N [OPTIONS]
 }
 control()   # ENDTIME INTERVAL [ENTRIES]
 {
-    dictionary system/controlDict <<<"application riprapFoam; solver dem; startFrom latestTime; startTime 0; stopAt endTime; endTime $1;
+    dictionary system/controlDict <<<"application riprapFoam; solver $solver; startFrom latestTime; startTime 0; stopAt endTime; endTime $1;
 deltaT 1e-4; adjustTimeStep yes; sampleInterval $2; writeControl adjustableRunTime; writeInterval $2; writeFormat binary; writePrecision 10;
 timePrecision 9; functions { $functions } ${3:-}"
 }
+solver=dem
 functions='energy { type solidEnergies; libs ("libriprapFoam.so"); } walls { type solidWallForce; libs ("libriprapFoam.so"); }
 grains { type groupMotion; libs ("libriprapFoam.so"); } chains { type contactChains; libs ("libriprapFoam.so"); writeControl writeTime; }'
 same()      # NAME CASE TIME OTHER OTHERTIME [OPTIONS]
@@ -54,21 +55,40 @@ sameTables()    # NAME CASE OTHER
     local said
     said=$("$python" - "$2" "$3" 2>&1 <<'END'
 import glob, os, sys
-wrong, tables = [], 0
-for path in sorted(glob.glob(os.path.join(sys.argv[2], 'postProcessing/*/*/*.dat'))):
-    if 'wallTimes' in path:
-        continue
-    tables += 1
-    a, b = ([[float(x) for x in line.split()] for line in open(p) if line[0] != '#']
-            for p in (os.path.join(sys.argv[1], os.path.relpath(path, sys.argv[2])), path))
-    bound = 1e-9*max(abs(x) for row in b for x in row)
-    same = [len(r) for r in a] == [len(r) for r in b] and all(abs(x - y) <= bound for r, q in zip(a, b) for x, y in zip(r, q))
-    if not same:
-        wrong.append(os.path.basename(path))
+wrong = []
+
+
+def rows(case, table):
+    """By time: a run that goes on begins another folder"""
+    of = {}
+    for path in sorted(glob.glob(os.path.join(case, 'postProcessing', table[0], '*', table[1])), key=lambda p: float(p.split('/')[-2])):
+        for row in ([float(x.strip('()')) for x in line.split()] for line in open(path) if line[0] != '#'):
+            of[row[0]] = row
+    return of
+
+
+names = {(p.split('/')[-3], p.split('/')[-1]) for p in glob.glob(os.path.join(sys.argv[2], 'postProcessing/*/*/*.dat')) if 'wallTimes' not in p}
+tables = len(names)
+for table in sorted(names):
+    a, b = (rows(case, table) for case in sys.argv[1:3])
+    bound = 1e-9*max(abs(x) for row in b.values() for x in row)
+    if set(a) != set(b) or not all(len(a[t]) == len(b[t]) and all(abs(x - y) <= bound for x, y in zip(a[t], b[t])) for t in b):
+        wrong.append(table[1])
 print(' '.join(wrong), tables, 'tables')
 sys.exit(bool(wrong) or tables < 4)
 END
     ) && pass "$1" || fail "$1" "other numbers: $said"
+}
+
+# Fields of the mesh, binary, number for number
+sameFields()    # NAME CASE OTHER TIME
+{
+    local field wrong=''
+    for field in p U alpha.water
+    do
+        [[ -s $2/$4/$field ]] && cmp -s <(sed '1,/^internalField/d' "$2/$4/$field") <(sed '1,/^internalField/d' "$3/$4/$field") || wrong+=" $field"
+    done
+    [[ -z $wrong ]] && pass "$1" || fail "$1" "differ:$wrong"
 }
 
 # Disks: the column of the tutorial, whose gate goes at once
@@ -145,7 +165,7 @@ do
     esac
     mv kept constant/solidProperties
 done
-refusedOn 2 solver 'Entry solver is sphDem, which runs on one process' -solver sphDem
+refusedOn 2 solver 'Entry solver is picDem, which runs on one process' -solver picDem
 refusedOn 3 count 'number of processor directories = 2 is not equal to the number of processors = 3'
 refusedOn 2 dryRun 'Options -parallel and -dry-run exclude each other' -dry-run
 
@@ -180,3 +200,77 @@ control 0.03 0.01
 onRanks 2 >log 2>&1
 says killed.goesOn 'Continuing exactly from time 0.02'
 same killed.same . 0.03 ../one 0.03
+
+# Water: the dam break of the tutorial on 2 processes, which go on; then one, then three
+cd "$case" || exit 1
+rm -rf one again disks spheres
+solver=sphDem
+functions='front { type frontPosition; libs ("libriprapFoam.so"); origin (0 0 0); direction (1 0 0); up (0 1 0); }
+level { type waterLevel; libs ("libriprapFoam.so"); points ((0.01 0 0) (0.2 0 0)); } energy { type energyBalance; libs ("libriprapFoam.so"); }
+force { type wallForce; libs ("libriprapFoam.so"); } parts { type particleForces; libs ("libriprapFoam.so"); patches (leftWall floor); }
+sensors { type particleProbes; libs ("libriprapFoam.so"); probeLocations ((0 0.05 0) (0.07 0.0 0) (0.146 0.02 0)); fields (p U rho volumeFraction); }
+mesh { type particlesToMesh; libs ("libriprapFoam.so"); writeControl writeTime; }'
+mkdir water && cd water || exit 1
+cp -r "$root"/tutorials/sphDem/damBreak/{constant,system} .
+control 0.03 0.01
+{ blockMesh && setParticles; } >log 2>&1 || fail water.made "$(oneLine | tail -c 300)"
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 2
+control 0.01 0.01
+onRanks 2 >log 2>&1
+says water.log 'Processes = 2, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+same water.0.01 . 0.01 ../one 0.01 --fluid
+control 0.02 0.01
+onRanks 2 >log 2>&1
+says water.continues 'Continuing exactly from time 0.01'
+same water.0.02 . 0.02 ../one 0.02 --fluid
+reconstructPar >log 2>&1
+same water.reconstructed . 0.02 ../one 0.02 --whole --close --fluid
+sameFields water.fields . ../one 0.02
+cp -r . ../again
+rm -rf 0.01
+control 0.03 0.01
+riprapFoam >log 2>&1
+says water.oneGoesOn 'Continuing exactly from time 0.02'
+same water.one . 0.03 ../one 0.03 --whole --fluid
+cd ../again || exit 1
+divide 3
+control 0.03 0.01
+onRanks 3 >log 2>&1
+says water.othersGoOn 'Continuing exactly from time 0.02'
+same water.three . 0.03 ../one 0.03 --fluid
+sameTables water.tables . ../one
+for word in gpu motion solids
+do
+    cp constant/sphProperties kept
+    case $word in
+        gpu) echo 'device gpu;' >>constant/sphProperties; refusedOn 3 waterGpu 'Entry device is gpu: several processes run on CPUs alone.*constant/sphProperties';;
+        motion)
+            dictionary constant/sphProperties <<<'walls { motion { piston { patches (leftWall); solidBodyMotionFunction oscillatingLinearMotion;
+oscillatingLinearMotionCoeffs { amplitude (0.002 0 0); omega 500; } } } }'
+            refusedOn 3 waterMotion 'Entry motion moves piston: walls that move in a fluid run on one process alone.*constant/sphProperties.walls';;
+        solids)
+            dictionary constant/solidProperties <<<"$glass"
+            refusedOn 3 waterSolids 'solids in its fluid, which run on one process alone.*constant/solidProperties';;
+    esac
+    mv kept constant/sphProperties
+done
+
+# Water about a cylinder among walls, through periodic sides that are cut, too; 3 processes
+cd "$case" || exit 1
+rm -rf one again water
+mkdir pier && cd pier || exit 1
+functions='energy { type energyBalance; libs ("libriprapFoam.so"); } parts { type particleForces; libs ("libriprapFoam.so"); surfaces (pier); }
+force { type wallForce; libs ("libriprapFoam.so"); } level { type waterLevel; libs ("libriprapFoam.so"); points ((0.01 0 0.02)); }'
+block 0.1 0.06 0.04 '10 6 4' "left { type cyclic; neighbourPatch right; faces ((0 4 7 3)); } right { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }
+$lower $open back { type wall; faces ((0 3 2 1)); } front { type wall; faces ((4 5 6 7)); }"
+geometry 'pier { type searchableCylinder; point1 (0.06 -0.01 0.02); point2 (0.06 0.07 0.02); radius 0.01; }'
+dictionary constant/sphProperties <<<'precision double; timeIntegration leapfrog; densityDiffusion fourtakas; XSPH 0.05;'
+regions 'column { set fluid; source box; box (0 0 0) (0.04 0.04 0.04); velocity (0.8 0 0); pressure hydrostatic; }'
+control 0.02 0.02
+setParticles >log 2>&1 || fail pier.made "$(oneLine | tail -c 300)"
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 3
+onRanks 3 >log 2>&1
+same pier.0.02 . 0.02 ../one 0.02 --fluid
+sameTables pier.tables . ../one

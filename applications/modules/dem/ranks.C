@@ -8,8 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
-#include "logPrecision.H"
-#include "moduleLog.H"
+#include "logRanks.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -34,25 +33,7 @@ void Foam::solverModules::dem::requireDivisible(const solidSet& solids) const
 void Foam::solverModules::dem::logRanks()
 {
     if (!ranks_.valid()) return;
-
-    const riprap::DemRankReport& here = report_.rank;
-    std::vector<std::int64_t> sums
-    {
-        int64_t(here.owned), int64_t(here.ghosts), here.arrivals,
-        here.bytesInSteps, here.bytesAtRebuilds
-    };
-    ranks_->sum(sums);
-    std::vector<double> most(1, here.owned);
-    ranks_->largest(most);
-
-    const int n = ranks_->size();
-    Info<< "Processes = " << n << ", largest part = "
-        << most[0]*n/max(scalar(sums[0]), scalar(1))
-        << " of the mean, ghosts = " << sums[1] << ", bricks cut = "
-        << here.divisions << nl
-        << "Sent in all: steps " << bytesText(sums[3]).c_str()
-        << ", rebuilds " << bytesText(sums[4]).c_str() << ", particles to"
-        << " other processes " << sums[2] << endl;
+    Foam::logRanks(*ranks_, report_.rank);
 }
 
 

@@ -11,6 +11,7 @@ Description
 #include "UIndirectList.H"
 #include "packedFields.H"
 #include "sweptDomain.H"
+#include "wholeBoundary.H"
 #include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -161,7 +162,7 @@ void Foam::solverModules::sphDem::coverMotion
     }
     Foam::coverMotion
     (
-        mesh_,
+        wholeBoundary(mesh_),
         bodies_,
         reference,
         wallThickness(settings_),
@@ -174,7 +175,7 @@ void Foam::solverModules::sphDem::coverMotion
     {
         return max(box.points()() & g);
     };
-    const scalar floor = lowestPlace(mesh_, g);
+    const scalar floor = lowestPlace(wholeBoundary(mesh_), g);
     const scalar begin = runTime_.value();
     const scalar end = endOfMotion(runTime_);
     forAll(reference, body)
@@ -205,7 +206,10 @@ void Foam::solverModules::sphDem::writeWalls()
     if (!wallsWritten_ && walls_.size())
     {
         // Where setParticles writes them, too
-        writeWallPoints(walls_, runTime_.path()/"VTK"/"walls.vtp");
+        if (Pstream::master())
+        {
+            writeWallPoints(walls_, runTime_.globalPath()/"VTK"/"walls.vtp");
+        }
         wallsWritten_ = true;
     }
 }

@@ -9,6 +9,7 @@ Description
 
 #include "sphDem.H"
 #include "logPrecision.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -22,7 +23,7 @@ void Foam::solverModules::sphDem::addSolids(otherSpeeds& others) const
     const vector g(gravity[0], gravity[1], gravity[2]);
 
     others.solids =
-        solids_->fallSpeed(g, lowestPlace(mesh_, g) + others.deeper);
+        solids_->fallSpeed(g, lowestPlace(wholeBoundary(mesh_), g) + others.deeper);
     others.walls = max(others.walls, solids_->movedSpeed());
 }
 

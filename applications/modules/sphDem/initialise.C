@@ -7,8 +7,38 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::sphDem::makeScene
+(
+    const riprap::FluidInput& fluid,
+    const riprap::WallInput& walls,
+    const riprap::WallMotion& motion
+)
+{
+    scene_.reset();
+    part_.reset();
+    try
+    {
+        scene_ =
+            riprap::createSphScene(settings_.config, fluid, walls, motion);
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalErrorInFunction
+            << "constant/sphProperties with the particles of "
+            << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
+            << exit(FatalError);
+    }
+    if (ranks_.valid())
+    {
+        part_ = std::move(scene_);
+        scene_ = riprap::wholeSphScene(*part_, *ranks_);
+    }
+}
+
 
 void Foam::solverModules::sphDem::buildScene
 (
@@ -25,6 +55,7 @@ void Foam::solverModules::sphDem::buildScene
 
     setSpacing(settings_, fluidSpacing(runTime_));
     config.startTime = runTime_.value();
+    config.ranks = ranks_.get();
 
     otherSpeeds others;
     const riprap::WallInput walls(buildWalls(others));
@@ -46,7 +77,7 @@ void Foam::solverModules::sphDem::buildScene
         setMaxVelocity
         (
             settings_,
-            mesh_,
+            wholeBoundary(mesh_),
             cloud.position,
             cloud.vectors["U"],
             others
@@ -85,17 +116,7 @@ void Foam::solverModules::sphDem::buildScene
     }
     else
     {
-        try
-        {
-            scene_ = riprap::createSphScene(config, fluid, walls, motion);
-        }
-        catch (const std::invalid_argument& e)
-        {
-            FatalErrorInFunction
-                << "constant/sphProperties with the particles of "
-                << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
-                << exit(FatalError);
-        }
+        makeScene(fluid, walls, motion);
     }
 
     if (!continued)
@@ -126,7 +147,7 @@ void Foam::solverModules::sphDem::registerScene()
     report_.time = scene_->time();
     report_.fluid = run_.particles;
 
-    cloud_.reset(new fluidCloud(mesh_, *scene_, run_));
+    cloud_.reset(new fluidCloud(mesh_, part_ ? *part_ : *scene_, *scene_, run_));
     sceneObject_.reset
     (
         new sphSceneObject
@@ -153,6 +174,7 @@ void Foam::solverModules::sphDem::initialise()
         solids_->clear();
     }
     scene_.reset();
+    part_.reset();
 
     const particleCloud cloud(readFluid());
 

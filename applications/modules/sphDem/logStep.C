@@ -10,6 +10,7 @@ Description
 
 #include "sphDem.H"
 #include "logPrecision.H"
+#include "logRanks.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -53,6 +54,7 @@ void Foam::solverModules::sphDem::report()
         Info<< "Put back at faces of bodies: " << contacts.atBodies
             << " times in all" << nl;
     }
+    if (ranks_.valid()) logRanks(*ranks_, report_.rank);
     logEscaped(report_.escaped.size(), run_);
     if (report_.skinExceeded)
     {

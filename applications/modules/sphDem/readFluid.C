@@ -7,15 +7,41 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "dividedCloud.H"
 #include "packedFields.H"
 #include "sceneState.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static void arrangeByIds(particleCloud& cloud)
+{
+    const labelList order(orderOf(*idsOf(cloud)));
+    const auto arrange = [&](auto& fields)
+    {
+        forAllIters(fields, iter)
+        {
+            auto& values = iter.val();
+            values = std::decay_t<decltype(values)>(values, order);
+        }
+    };
+    cloud.position = pointField(cloud.position, order);
+    cloud.cell.clear();
+    arrange(cloud.labels);
+    arrange(cloud.scalars);
+    arrange(cloud.vectors);
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 Foam::particleCloud Foam::solverModules::sphDem::readFluid() const
 {
-    requireCloud(mesh_, "fluid");
-    particleCloud cloud(readParticleCloud(mesh_, "fluid"));
+    particleCloud cloud(readWholeCloud(mesh_, "fluid"));
 
     if (cloud.size() == 0)
     {
@@ -30,6 +56,9 @@ Foam::particleCloud Foam::solverModules::sphDem::readFluid() const
     {
         cloud.labels.set("id", labelField(identity(cloud.size())));
     }
+
+    // Processors have each some: the order of one process is that of ids
+    if (Pstream::parRun()) arrangeByIds(cloud);
 
     return cloud;
 }

@@ -47,11 +47,13 @@ bool Foam::solverModules::sphDem::loadState
             " endTime, or another motion)"
         );
     }
-    const std::vector<std::int32_t> state(readSphState(runTime_));
 
     try
     {
-        scene_->loadState(state);
+        // Of several processes the first tells the others
+        std::vector<std::int32_t> words;
+        if (Pstream::master()) words = readSphState(runTime_);
+        scene_->loadState(words);
     }
     catch (const std::invalid_argument& e)
     {

@@ -5,6 +5,8 @@
 
 #include "sphDem.H"
 #include "deviceChoice.H"
+#include "particleDomain.H"
+#include "wholeBoundary.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -13,8 +15,42 @@ namespace solverModules
 {
     defineTypeNameAndDebug(sphDem, 0);
     addToRunTimeSelectionTable(solverModule, sphDem, fvMesh);
+
+    // Several processes can share it
+    static const bool divided = solverModule::divided().insert(sphDem::typeName);
 }
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Several processes: their device, and what a fluid cannot have with them
+static sphSettings settingsOfRanks(sphSettings settings)
+{
+    if (!Pstream::parRun()) return settings;
+
+    riprap::SphConfig& config = settings.config;
+    if (config.device == riprap::DeviceKind::gpu)
+    {
+        FatalIOErrorInFunction(settings.dict)
+            << "Entry device is gpu: several processes run on CPUs alone;"
+            << " valid with -parallel are auto and cpu" << exit(FatalIOError);
+    }
+    if (settings.walls.motion.size())
+    {
+        FatalIOErrorInFunction(settings.walls.dict)
+            << "Entry motion moves " << settings.walls.motion[0].name
+            << ": walls that move in a fluid run on one process alone. With"
+            << " -parallel leave motion out" << exit(FatalIOError);
+    }
+    config.device = riprap::DeviceKind::cpu;
+    return settings;
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -22,12 +58,21 @@ namespace solverModules
 Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
 :
     particleModule(runTime, mesh, "fluid"),
-    asRead_(readSphSettings(mesh)),
+    asRead_(settingsOfRanks(readSphSettings(wholeBoundary(mesh)))),
     settings_(asRead_),
     bodies_(runTime, asRead_.walls.motion)
 {
+    if (Pstream::parRun()) ranks_.reset(new pstreamTransport);
+
     if (coupledSolids::there(runTime))
     {
+        if (ranks_.valid())
+        {
+            FatalIOErrorInFunction(readConstant("solidProperties", runTime))
+                << "The case has solids in its fluid, which run on one process"
+                << " alone: -parallel takes solver sphDem without"
+                << " constant/solidProperties" << exit(FatalIOError);
+        }
         solids_.reset(new coupledSolids(runTime, mesh, asRead_, boundary_));
     }
     else if (asRead_.couples)

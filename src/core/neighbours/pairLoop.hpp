@@ -18,7 +18,7 @@
       };
 
     Gpu: gather over neighbour lists, one or several lanes a particle, no atomics on sums: bitwise repeatable.
-    Cpu: packs of neighbours over the rows of the cell grid.
+    Cpu: packs of neighbours over the rows of the cell grid. A pass may have `bool skips(int i) const`: targets of other ranks.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -69,6 +69,12 @@ inline void addRange(const Pass& pass, const Self& self, const X& xi, int begin,
     }
 }
 
+//- Pass::skips(i), where there is one: a target that is left alone
+template<class Pass>
+inline auto skips(const Pass& pass, int i, int) -> decltype(pass.skips(i)) { return pass.skips(i); }
+template<class Pass>
+inline bool skips(const Pass&, int, long) { return false; }
+
 } // namespace detail
 
 template<class Pass>
@@ -88,6 +94,7 @@ void pairLoop(Context<Cpu>& context, const Pass& pass)
             #pragma omp for schedule(dynamic, 128) nowait
             for (int i = 0; i < n; ++i)
             {
+                if (detail::skips(pass, i, 0)) continue;
                 const auto self = pass.template self<T>(i);
                 const Vec<D, typename P::position> x = pass.position(i);
                 Vec<D, typename PositionPack<P>::type> xi;

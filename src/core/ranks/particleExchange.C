@@ -18,6 +18,7 @@ void ParticleExchange::setOwners()
     if (sole_ >= 0) owner_.assign(pieces_.count(), sole_);
     else if (bricks_.ranks()) owner_ = owners(bricks_);
     known_.assign(pieces_.count(), 0);
+    ++divisions_;
 }
 
 void ParticleExchange::gatherOn(int rank)
@@ -83,6 +84,7 @@ void ParticleExchange::divide()
     owner_ = owner;
     known_.assign(pieces_.count(), 0);
     ++counts_.divisions;
+    ++divisions_;
 }
 
 const std::vector<int>& ParticleExchange::needs(int piece)
@@ -188,12 +190,11 @@ void ParticleExchange::makeLists()
         if (kind_[i] == ghost) from[owner_[piece]].push_back(i);
         else for (const int rank : needs(piece)) to[rank].push_back(i);
     }
-    sendTo_.clear();
-    receiveFrom_.clear();
+    shares_.clear();
     for (int rank = 0; rank < transport_.size(); ++rank)
     {
-        if (!to[rank].empty()) sendTo_.emplace_back(rank, to[rank]);
-        if (!from[rank].empty()) receiveFrom_.emplace_back(rank, from[rank]);
+        shares_.send(rank, std::move(to[rank]));
+        shares_.receive(rank, std::move(from[rank]));
     }
 }
 

@@ -16,7 +16,7 @@
 #include <string>
 #include "core/ranks/bricks.hpp"
 #include "core/ranks/rowPieces.hpp"
-#include "core/ranks/transport.hpp"
+#include "core/ranks/slotShares.hpp"
 
 namespace riprap
 {
@@ -62,6 +62,11 @@ public:
     template<class Put, class Take>
     void share(std::size_t each, const Put& put, const Take& take);
 
+    //- Of a cell, from the last migration on: its rank, and those besides that have its particles as ghosts. divisions() tells when these change
+    int ownerOf(std::uint32_t cell) const { return owner_[pieces_.of(int(cell))]; }
+    const std::vector<int>& ghostsOf(std::uint32_t cell) { return needs(pieces_.of(int(cell))); }
+    std::int64_t divisions() const { return divisions_; }
+
     std::int64_t total() const { return total_; }           // of all ranks
     int ownedHere() const { return ownedHere_; }
     int ghostsHere() const { return residents() - ownedHere_; }
@@ -104,9 +109,9 @@ private:
     bool everywhere_ = false;
     int ownedHere_ = 0;
 
-    std::vector<std::pair<int, std::vector<int>>> sendTo_, receiveFrom_;    // ranks, slots
-    std::vector<RankMessage> out_, in_;
+    SlotShares shares_;
     Counts counts_;
+    std::int64_t divisions_ = 0;            // of any kind, gathering included
 };
 
 template<class Pack, class Unpack>
@@ -163,27 +168,7 @@ void ParticleExchange::migrate(const std::uint32_t* cell, const Pack& pack, cons
 template<class Put, class Take>
 void ParticleExchange::share(std::size_t each, const Put& put, const Take& take)
 {
-    out_.resize(sendTo_.size());
-    in_.resize(receiveFrom_.size());
-    for (std::size_t k = 0; k < sendTo_.size(); ++k)
-    {
-        out_[k].rank = sendTo_[k].first;
-        out_[k].bytes.resize(sendTo_[k].second.size()*each);
-        unsigned char* to = out_[k].bytes.data();
-        for (const int slot : sendTo_[k].second) { put(slot, to); to += each; }
-        counts_.bytesShared += std::int64_t(out_[k].bytes.size());
-    }
-    for (std::size_t k = 0; k < receiveFrom_.size(); ++k)
-    {
-        in_[k].rank = receiveFrom_[k].first;
-        in_[k].bytes.resize(receiveFrom_[k].second.size()*each);
-    }
-    transport_.swap(out_, in_);
-    for (std::size_t k = 0; k < receiveFrom_.size(); ++k)
-    {
-        const unsigned char* from = in_[k].bytes.data();
-        for (const int slot : receiveFrom_[k].second) { take(slot, from); from += each; }
-    }
+    counts_.bytesShared += shares_.share(transport_, each, put, take);
     ++counts_.shares;
 }
 

@@ -29,13 +29,13 @@ struct ContactGather : PairModel<Backend, D, P, Law>
         Vec<D, real>& force, Spin<D, real>& moment
     ) const
     {
-        if (this->materials == 1) sumOver<true>(i, xi, self, mi, dt, force, moment);
+        if (this->alone >= 0) sumOver<true>(i, xi, self, mi, dt, force, moment);
         else sumOver<false>(i, xi, self, mi, dt, force, moment);
     }
 
 private:
 
-    //- alone: there is one material
+    //- alone: all particles are of one material
     template<bool alone>
     HD void sumOver
     (

@@ -25,7 +25,8 @@ struct PairModel
     const Parameters* parameters;       // of materials a, b: [a*materials + b]
     const real* gap;                    // likewise
     int materials;
-    Parameters sole;                    // of the first material with itself: a kernel's own arguments cost no loads
+    int alone;                          // the pair of the one material that all particles are of, whatever walls are of; -1: there are several
+    Parameters sole;                    // its numbers: a kernel's own arguments cost no loads
     real soleGap;
     ForceClock clock;
     const int* active;

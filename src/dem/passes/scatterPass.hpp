@@ -194,7 +194,7 @@ private:
     HD void collect(Batch& b, int last, int blockEnd) const
     {
         b.count = 0;
-        const bool simple = this->materials == 1 && !this->list.rest;
+        const bool simple = this->alone >= 0 && !this->list.rest;
         const T gap(largestGap);
         for (; b.next < last && b.count <= Batch::room - lanes; b.next += lanes)
         {
@@ -302,13 +302,13 @@ private:
         const ContactBody<D, T> bodyA = bodies(owner, placeA), bodyB = bodies(other, placeB);
         typename Law::template Parameters<T> parameters;
         T gap;
-        if (this->materials == 1 && !this->list.rest)
+        if (this->alone >= 0 && !this->list.rest)
         {
             constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
             T* to = reinterpret_cast<T*>(&parameters);
-            const real* one = reinterpret_cast<const real*>(this->parameters);
+            const real* one = reinterpret_cast<const real*>(this->parameters + this->alone);
             for (int k = 0; k < numbers; ++k) to[k] = T(one[k]);
-            gap = T(this->gap[0]);
+            gap = T(this->gap[this->alone]);
         }
         else setPairs(entry, parameters, gap);
         T h[4*rows + 1];

@@ -369,4 +369,18 @@ Foam::label Foam::sendToCells(const polyMesh& mesh, particleCloud& c)
 }
 
 
+Foam::boolList Foam::inAnyCell(const polyMesh& mesh, const pointField& points)
+{
+    if (Pstream::parRun()) mesh.tetBasePtIs();
+    const labelList cell(locateParticles(mesh, points, labelList(), false));
+    std::vector<std::int64_t> found(cell.size());
+    forAll(cell, i) found[i] = cell[i] >= 0;
+    if (Pstream::parRun()) pstreamTransport().sum(found);
+
+    boolList inside(points.size());
+    forAll(inside, i) inside[i] = found[i] > 0;
+    return inside;
+}
+
+
 // ************************************************************************* //

@@ -30,7 +30,7 @@ static const char* const advice =
 
 bool Foam::sceneSolids::there(const Time& time)
 {
-    return isFile(time.path()/time.constant()/"solidProperties");
+    return isFile(time.globalPath()/time.constant()/"solidProperties");
 }
 
 

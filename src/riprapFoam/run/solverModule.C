@@ -97,7 +97,7 @@ Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
                     << " process, and there are " << Pstream::nProcs()
                     << ": without -parallel it uses all cores"
                     << " (OMP_NUM_THREADS) or one GPU; on several processes"
-                    << " runs solver dem" << exit(FatalIOError);
+                    << " run solvers dem and sphDem" << exit(FatalIOError);
             }
             return constructor()(runTime, mesh);
         }

@@ -18,11 +18,13 @@ namespace Foam
 Foam::fluidCloud::fluidCloud
 (
     const polyMesh& mesh,
+    riprap::SphScene& part,
     riprap::SphScene& scene,
     const sphRun& run
 )
 :
     sceneCloud(mesh, "fluid"),
+    part_(part),
     scene_(scene),
     run_(run)
 {}
@@ -32,7 +34,7 @@ Foam::fluidCloud::fluidCloud
 
 void Foam::fluidCloud::fill(particleCloud& particles) const
 {
-    const riprap::FluidState fluid(scene_.fluid());
+    const riprap::FluidState fluid(part_.fluid());
 
     particles.position = toVectors(fluid.position);
     particles.vectors.set("U", toVectors(fluid.velocity));
@@ -55,7 +57,11 @@ void Foam::fluidCloud::writeState(bool picture) const
 {
     if (picture) return;
 
-    writeSphState(time(), scene_.saveState());
+    // Of several processes the first has all of it
+    std::vector<std::int32_t> words(scene_.saveState());
+    if (!Pstream::master()) return;
+
+    writeSphState(time(), std::move(words));
     writeSphRun(time(), run_);
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphRun.H"
+#include "allRanks.H"
 #include "sceneState.H"
 
 namespace Foam
@@ -13,7 +14,8 @@ namespace Foam
 
 bool hasSphRun(const Time& time)
 {
-    return hasState(time, "sphRun", "sphState");
+    // The state of all processes is with the first
+    return onAnyRank(Pstream::master() && hasState(time, "sphRun", "sphState"));
 }
 
 
@@ -24,7 +26,7 @@ sphRun readSphRun(const Time& time)
     sphRun run;
     orDamaged(io, [&]()
     {
-        const IOdictionary dict(io);
+        const dictionary dict(stateDictionary(io));
         run.spacing = dict.get<scalar>("spacing");
         run.maxVelocity = dict.get<scalar>("maxVelocity");
         run.density = dict.getOrDefault<scalar>("density", 0);

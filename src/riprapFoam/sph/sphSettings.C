@@ -44,7 +44,7 @@ scalar fluidSpacing(const Time& time)
             IOobject
             (
                 "setParticlesDict",
-                time.system(),
+                time.caseSystem(),
                 time,
                 IOobject::MUST_READ,
                 IOobject::NO_WRITE,

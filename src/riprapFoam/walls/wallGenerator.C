@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallGenerator.H"
-#include "particleCloudIO.H"
+#include "dividedCloud.H"
 #include "pointGrid.H"
 #include "requireMemory.H"
 #include "SortableList.H"
@@ -26,8 +26,8 @@ void wallGenerator::drop(const wallSurface& wall, wallCandidates& c, bool lattic
         bodyi >= 0 && bodies_->side(bodyi) == geometryWalls::solidSide::both;
     if (bodyi < 0)
     {
-        const labelList cell(locateParticles(space_.mesh, pointField(c.position), labelList(), false));
-        forAll(keep, i) keep[i] = cell[i] < 0;
+        const boolList fluid(inAnyCell(mesh_, pointField(c.position)));
+        forAll(keep, i) keep[i] = !fluid[i];
     }
     else if (!plate)
     {
@@ -91,8 +91,8 @@ scalarField wallGenerator::rank(const wallCandidates& c, label bodyi) const
     scalarField r(c.depth);
     if (bodyi >= 0)
     {
-        const labelList cell(locateParticles(space_.mesh, pointField(c.position), labelList(), false));
-        forAll(r, i) if (cell[i] < 0) r[i] += 2*controls_.layers*space_.spacing;
+        const boolList fluid(inAnyCell(mesh_, pointField(c.position)));
+        forAll(r, i) if (!fluid[i]) r[i] += 2*controls_.layers*space_.spacing;
     }
     return r;
 }

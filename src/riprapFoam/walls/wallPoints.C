@@ -60,11 +60,6 @@ Foam::wallPoints Foam::generateWallPoints
             << "walls need a spacing and layers above zero, not " << controls.spacing << " and "
             << controls.layers << exit(FatalError);
     }
-    if (Pstream::parRun())
-    {
-        FatalErrorInFunction
-            << "wall points are generated on the undecomposed mesh" << exit(FatalError);
-    }
 
     DynamicList<word> names;
     for (const label patchi : patchIDs) names.append(mesh.boundaryMesh()[patchi].name());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "solvers/dem/demAll.hpp"
+#include "solvers/dem/driver/demAll.hpp"
 
 std::unique_ptr<riprap::DemScene> riprap::demGpu2Double(const DemConfig& c, const DemInput& in, const DemPlan& p)
 {

@@ -5,6 +5,7 @@
 #include "solvers/sph/sphInstances.hpp"
 #include "solvers/sph/sphModels.hpp"
 #include "core/backend/device.hpp"
+#include "core/ranks/transport.hpp"
 #include "api/particleLimit.hpp"
 
 #include <algorithm>
@@ -105,6 +106,18 @@ void checkWalls(const SphConfig& c, const WallInput& w, const WallMotion& motion
     }
 }
 
+bool onSeveral(const SphConfig& c) { return c.ranks && c.ranks->size() > 1; }
+
+//- What scenes on several processes cannot have yet
+void checkRanks(const SphConfig& c, const WallInput& w, const SolidPart& solids)
+{
+    if (!onSeveral(c)) return;
+    require(c.device != DeviceKind::gpu, "several processes run on CPUs alone");
+    require(w.nBodies == 0, "walls that move in a fluid run on one process");
+    require(!solids.scene, "solids in a fluid run on one process");
+    require(c.imbalance > 0, "the imbalance that bricks may have must be positive");
+}
+
 } // namespace
 
 //- Below this many particles one GPU is no faster than a few CPU cores (docs/performance); the log quotes it
@@ -147,9 +160,10 @@ std::unique_ptr<SphScene> createSphScene
     checkNumbers(config);
     checkFluid(config, fluid);
     checkWalls(config, walls, motion);
+    checkRanks(config, walls, solids);
     // unused lanes of packs may divide by zero, and a state that blows up is the guards' business
     fedisableexcept(FE_ALL_EXCEPT);
-    const DeviceChoice choice = chooseDevice(config.device, fluid.size(), config.dimensions);
+    const DeviceChoice choice = chooseDevice(onSeveral(config) ? DeviceKind::cpu : config.device, fluid.size(), config.dimensions);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
     if (choice.device == DeviceKind::gpu)

@@ -72,10 +72,10 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             rebuild();
             ++rebuilds;
             // on the GPU a step with solids has read its clock by itself: the host waits once less
-            do { step(); if (!Backend::gpu) readClock(); } while (host_.active && !interrupted_);
+            do { step(); if (!Backend::gpu) readClock(); } while (host_.active && !stopAsked());
             if (Backend::gpu) readClock();
             if (host_.overflows()) { growLists(); continue; }
-            if (interrupted_.exchange(false)) break;
+            if (stopAsked()) { interrupted_ = false; break; }
         }
     }
     else if constexpr (Backend::gpu)
@@ -163,7 +163,8 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         setPoses(host_.time, std::max(t, host_.time));
         if constexpr (Backend::gpu) parts_.graphs.recorded = false;     // poses are part of the recorded launches
     }
-    if (interrupted_) maxSteps = 1;
+    if (others_) agreeToStop();
+    if (stopAsked()) maxSteps = 1;
     const std::int64_t before = host_.step;
     if (solids_) solids_->beginReport();
     host_.target = t;
@@ -208,6 +209,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
 {
+    if (others_) return reportRanks(report);
     const int active = activeFluid();
     report.fluid = active;
     if (active >= reported_) return;
@@ -250,10 +252,18 @@ std::vector<double> SphSolver<Backend, D, P>::suspicion(int n)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::findOffender(SphReport& report)
 {
-    const int n = activeFluid();
     if (host_.halt == Halt::solids) { report.stop = StopReason::solids; return; }     // DemScene::lastReport has more
     report.stop = host_.halt == Halt::notANumber ? StopReason::notANumber
         : (host_.halt == Halt::density ? StopReason::density : StopReason::speed);
+    if (others_) findOffenderOfRanks(report);
+    else findWorst(report);
+}
+
+//- Of those of this rank. \return what it was found by
+template<class Backend, int D, class P>
+double SphSolver<Backend, D, P>::findWorst(SphReport& report)
+{
+    const int n = activeFluid();
     const auto deviation = fluid_.template download<real>(context_, deviationField_);
     std::vector<real> v[D], a[D];
     std::vector<std::int64_t> x[D];
@@ -270,6 +280,7 @@ void SphSolver<Backend, D, P>::findOffender(SphReport& report)
     double worst = -1;
     for (int i = 0; i < n; ++i)
     {
+        if (ghost(i)) continue;
         real speed2 = 0, a2 = 0;
         for (int d = 0; d < D; ++d) { speed2 += v[d][i]*v[d][i]; a2 += a[d][i]*a[d][i]; }
         double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(double(speed2));
@@ -285,6 +296,7 @@ void SphSolver<Backend, D, P>::findOffender(SphReport& report)
         report.stopPosition = Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}};
         report.stopValue = report.stop == StopReason::notANumber ? std::sqrt(double(speed2)) : value;
     }
+    return worst;
 }
 
 } // namespace riprap

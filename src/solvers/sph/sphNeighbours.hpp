@@ -24,8 +24,10 @@ void SphSolver<Backend, D, P>::rebuild()
     keys.active = fluidSort_.active();
     keys.clock = clock_.data();
     forEach(context_, n_, keys);
+    if (others_) regroup();
     fluidSort_.sort(context_, n_);
     fluid_.permute(context_, fluidSort_.order(), n_);
+    if (others_) settleRanks();
     if constexpr (Backend::gpu) parts_.frames.clear(context_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
     if (nBodies_) rebuildWalls();
@@ -37,6 +39,7 @@ void SphSolver<Backend, D, P>::rebuild()
     // that a restart does too
     if (nBodies_ || config_.integrator == IntegratorKind::symplectic) wallPass(false);
     solidPressurePass(false);
+    if (others_) agree();
 }
 
 //- How far particles may go, now that they and the walls are in their places

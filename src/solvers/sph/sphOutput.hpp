@@ -33,6 +33,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::refreshRecords()
 {
     forEach(context_, n_, mover<RefreshRecords<Backend, D, P>>());
+    if (others_) shareRecords();
 }
 
 template<class Backend, int D, class P>
@@ -61,6 +62,10 @@ FluidState SphSolver<Backend, D, P>::fluid()
         s.pressure[i] = model_.eos.pressure(deviation[i]);
         s.smoothingLength[i] = model_.smoothingLength(deviation[i]);
     }
+    if (!others_) return s;
+    for (auto* v : {&s.position, &s.velocity}) dropGhosts(*v, 3);
+    for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) dropGhosts(*v, 1);
+    dropGhosts(s.id, 1);
     return s;
 }
 
@@ -80,6 +85,7 @@ WallState SphSolver<Backend, D, P>::walls()
     forEach(context_, nWalls_, ReadWalls<Backend, D, P>{wallRecords_.view(), wallFields().id, pressure.data()});
     const auto p = pressure.download();
     for (int i = 0; i < nWalls_; ++i) s.pressure[i] = p[i];
+    for (int i = 0; i < nWalls_; ++i) if (wallGhost(i)) s.pressure[id[i]] = 0;
     if (!nBodies_) return s;
     for (int d = 0; d < D; ++d)
     {
@@ -98,7 +104,7 @@ WallState SphSolver<Backend, D, P>::walls()
 template<class Backend, int D, class P>
 SphEnergy SphSolver<Backend, D, P>::energy()
 {
-    const auto sums = sumOver<3>(context_, activeFluid(), EnergySums<D, P>{box_, model_, fluidFields()});
+    const auto sums = sumOver<3>(context_, activeFluid(), ofOwn(EnergySums<D, P>{box_, model_, fluidFields()}));
     SphEnergy e;
     e.kinetic = sums[0];
     e.potential = sums[1];
@@ -117,14 +123,15 @@ FluidExtremes SphSolver<Backend, D, P>::extremes()
 {
     const int n = activeFluid();
     FluidExtremes e;
-    e.speed = std::sqrt(largestOver(context_, n, FluidSpeed2<D, P>{fluidFields()}));
-    e.densityDeviation = largestOver(context_, n, FluidDeviation<D, P>{fluidFields()});
+    e.speed = std::sqrt(largestOver(context_, n, ofOwn(FluidSpeed2<D, P>{fluidFields()})));
+    e.densityDeviation = largestOver(context_, n, ofOwn(FluidDeviation<D, P>{fluidFields()}));
     return e;
 }
 
 template<class Backend, int D, class P>
 FluidEnd SphSolver<Backend, D, P>::farEnd(const Vector3& direction, double reach)
 {
+    if (others_) return farEndOfRanks(direction, reach);
     Vec<D, double> lower, upper;
     for (int d = 0; d < D; ++d) { lower.c[d] = box_.lower[d]; upper.c[d] = box_.lower[d] + box_.length[d]; }
     return farEndOf<Backend, D>(context_, activeFluid(), FluidPlaces<D, P>{box_, fluidFields()}, config_.axes, direction, reach, lower, upper, emptyCoordinate_);
@@ -200,6 +207,12 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points,
     const auto sums = result.download();
     for (std::size_t i = 0; i < m; ++i)
     {
+        if (others_)
+        {
+            Vec<D, position> place;
+            for (int d = 0; d < D; ++d) place.c[d] = x[i*D + d];
+            if (others_->ownerOf(cellOfPoint(place)) != config_.ranks->rank()) continue;
+        }
         const real* s = &sums[i*channels];
         r.volumeFraction[i] = s[0];
         if (!(s[0] > 1e-6)) continue;
@@ -217,29 +230,30 @@ template<class Backend, int D, class P>
 NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
 {
     NeighbourCounts r;
-    r.particles = activeFluid();
+    r.particles = others_ ? others_->ownedHere() : activeFluid();
     refreshRecords();
     const double support = supportOf(config_);
-    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, bool solids)
+    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, const std::vector<char>& ghosts, bool solids)
     {
         if (!n || !source.start) return std::int64_t(0);
         Array<Backend, real> result;
         result.allocate(context_, n);
         const CountPass<Backend, D, P> pass{box_, grid_, {source}, target, real(support*support), result.data(), n};
         if (solids) runOverSolids(pass); else run(pass, n);
+        const std::vector<real> counts = result.download();
         std::int64_t sum = 0;
-        for (const real c : result.download()) sum += std::int64_t(c);
+        for (int i = 0; i < n; ++i) if (ghosts.empty() || !ghosts[i]) sum += std::int64_t(counts[i]);
         return sum;
     };
-    const int n = int(r.particles);
-    r.fluid = count(fluidSource(false), fluidRecords_.view(), n, false);
-    r.walls = count(wallSource(), fluidRecords_.view(), n, false);
-    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated)) r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_, false);
+    const int n = activeFluid();
+    r.fluid = count(fluidSource(false), fluidRecords_.view(), n, ghostMarks_, false);
+    r.walls = count(wallSource(), fluidRecords_.view(), n, ghostMarks_, false);
+    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated)) r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_, wallMarks_, false);
     if (!solidsMeet_) return r;
     int solids = 0;
     context_.toHost(&solids, solidSort_.active(), sizeof(int));
-    r.solids = count(solidSource(), fluidRecords_.view(), n, false);
-    r.aboutSolids = count(fluidAboutSolids(), solidRecords_.view(), solids, true);
+    r.solids = count(solidSource(), fluidRecords_.view(), n, ghostMarks_, false);
+    r.aboutSolids = count(fluidAboutSolids(), solidRecords_.view(), solids, {}, true);
     return r;
 }
 

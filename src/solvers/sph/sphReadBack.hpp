@@ -19,7 +19,7 @@ struct RefreshRecords : Mover<Backend, D, P>
 
     HD void operator()(int i) const
     {
-        if (i >= *this->count) return;
+        if (i >= *this->count || this->ghosts(i)) return;
         Vec<D, real> v;
         for (int d = 0; d < D; ++d) v.c[d] = this->fluid.v[d][i];
         this->record(i, this->position(i), v, this->fluid.deviation[i]);

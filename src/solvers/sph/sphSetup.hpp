@@ -19,6 +19,7 @@ SphSolver<Backend, D, P>::SphSolver
     n_ = int(fluid.size());
     setModel();
     setBox();
+    if (config.ranks && config.ranks->size() > 1) setRanks();
     setFluid(fluid);
     setWalls(walls);
     setFaces(walls.faces, solids);
@@ -27,6 +28,7 @@ SphSolver<Backend, D, P>::SphSolver
     allocateLists();
     if (nBodies_) setPoses(config_.startTime, config_.startTime);
     prime();
+    if (others_) fitCapacity();
 }
 
 //- What is added to the support may be travelled by a particle before neighbours are sought anew: half of it on the GPU, all of it on the CPU
@@ -250,6 +252,7 @@ void SphSolver<Backend, D, P>::prime()
     fluidPass<Part::all>(Finish::store);
     solidForcePass();
     showForces();
+    if (others_) agree();
     context_.synchronise();
     readClock();
 }

@@ -1,7 +1,7 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
     (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
-    sphOutput.hpp (everything read back) and sphState.hpp (save and load).
+    sphOutput.hpp (everything read back), sphState.hpp (save and load) and sphRanks.hpp (several processes).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,6 +15,7 @@
     #include "core/backend/graph.hpp"
     #include "core/neighbours/neighbourList.hpp"
 #endif
+#include "core/ranks/particleExchange.hpp"
 #include "coupling/bodyFaces.hpp"
 #include "coupling/solidPasses.hpp"
 #include "solvers/sph/sphFamilies.hpp"
@@ -193,6 +194,7 @@ private:
     void writeClock();
     void collectEscaped(SphReport&);
     void findOffender(SphReport&);
+    double findWorst(SphReport&);
     std::vector<double> suspicion(int n);
 
     // sphStiffness.hpp
@@ -200,6 +202,40 @@ private:
 
     // sphForces.hpp
     std::vector<real> wallPointForces(bool viscous);
+
+    // sphRanks.hpp; nothing of this is called where there is one rank
+    void setRanks();
+    void setCapacity(int n);
+    void fitCapacity();
+    void beginAnew();
+    void packParticle(int slot, RankBytes& to);
+    void unpackParticle(int slot, const unsigned char*& from);
+    void regroup();
+    void noticeLeft(int slot);
+    void settleRanks();
+    void divideWalls();
+    std::uint32_t cellOfPoint(const Vec<D, position>& x) const;
+    void shareRecords();
+    void shareWalls();
+    void agree();
+    void agreeToStop();
+    bool stopAsked() const { return others_ ? stopAgreed_ : bool(interrupted_); }
+    bool ghost(int i) const { return others_ && others_->kind(i) == ParticleExchange::ghost; }
+    bool wallGhost(int i) const { return others_ && wallMarks_[i]; }
+    GhostMarks<Backend> ghosts() const { return marks(ghostMarks_); }
+    GhostMarks<Backend> wallGhosts() const { return marks(wallMarks_); }
+    GhostMarks<Backend> marks(const std::vector<char>&) const;
+    template<class F> WithoutGhosts<Backend, F> ofOwn(const F& f) const { return {f, ghosts()}; }
+    template<class T> void dropGhosts(std::vector<T>&, int each) const;
+    void reportRanks(SphReport&);
+    void findOffenderOfRanks(SphReport&);
+    void sumOfRanks(ClockData&, double& stiffening) const;
+    void fieldOfRanks(FieldSet<Backend>&, int field, std::int32_t* to);
+    FluidEnd farEndOfRanks(const Vector3& direction, double reach);
+    std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>&);
+
+    // sphState.hpp
+    void takeState(const std::vector<std::int32_t>& words);
 
     // sphOutput.hpp
     void refreshRecords();
@@ -267,6 +303,14 @@ private:
     bool cycleFitted_ = false;  // it was too long once: lengthen in small strides
     int cyclesFull_ = 0;        // since it was, pairs of cycles all of whose steps were wanted
     std::atomic<bool> interrupted_{false};      // until a call of advance has heeded it
+
+    // Several ranks: sphRanks.hpp
+    std::unique_ptr<ParticleExchange> others_;  // null: there are none
+    SlotShares wallShares_;
+    std::vector<char> ghostMarks_, wallMarks_;
+    std::int64_t wallsDivided_ = -1, wallBytes_ = 0;    // ParticleExchange::divisions() when they were; sent so far
+    bool stopAgreed_ = false;
+    SphReport left_;                            // escaped and wild particles since the last report
 };
 
 } // namespace riprap

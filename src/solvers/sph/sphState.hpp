@@ -5,6 +5,9 @@
     walls; of the solids that have not left ids, velocity, acceleration and force (interpolated: that of the step before, too), and the state of their own scene, its length
     before it; a checksum (FNV-1a over all words before it).
 
+    Of several ranks the first is sent all fields while the state is saved: the words are those of one process, and any number of ranks goes on with
+    them.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
@@ -40,7 +43,9 @@ template<class Backend, int D, class P>
 std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
 {
     readClock();
-    const int n = activeFluid();
+    const int n = others_ ? int(others_->total()) : activeFluid();
+    double stiffening = stiffening_;
+    if (others_) sumOfRanks(host_, stiffening);
     std::vector<int> there;
     const std::vector<std::int32_t> ids = solidIds(there);
     std::vector<std::int32_t> words
@@ -50,17 +55,19 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
         int(cycleFitted_) + 2*cyclesFull_, int(there.size())
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
-    detail::appendBytes(words, &stiffening_, sizeof(stiffening_));
+    detail::appendBytes(words, &stiffening, sizeof(stiffening));
     std::size_t expected = words.size() + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
-    words.reserve(expected);
+    const bool here = !others_ || config_.ranks->rank() == 0;
+    if (here) words.reserve(expected);
     const auto append = [&](FieldSet<Backend>& set, int count)
     {
         for (int f = 0; f < set.fields(); ++f)
         {
             const std::size_t at = words.size(), bytes = std::size_t(count)*set.elementBytes(f);
-            words.resize(at + (bytes + 3)/4, 0);
-            if (count) context_.toHost(&words[at], set.bytes(f), bytes);
+            if (here) words.resize(at + (bytes + 3)/4, 0);
+            if (others_) fieldOfRanks(set, f, words.data() + at);
+            else if (count) context_.toHost(&words[at], set.bytes(f), bytes);
         }
     };
     append(fluid_, n);
@@ -80,12 +87,22 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
         words.push_back(std::int32_t(std::uint32_t(own.size())));
         words.insert(words.end(), own.begin(), own.end());
     }
+    if (others_) readClock();
+    if (!here) return {};
     words.push_back(detail::checksum(words, words.size()));
     return words;
 }
 
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+{
+    if (!others_) return takeState(words);
+    takeState(wordsOfFirst(words));
+    fitCapacity();
+}
+
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
 {
     const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
     const std::size_t clockWords = (sizeof(ClockData) + 3)/4, energyWords = sizeof(stiffening_)/4;
@@ -100,8 +117,8 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
     if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
     if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0)) fail("it has other moving walls");
     if (words[13] != nSolids_) fail("it is of " + std::to_string(words[13]) + " solid particles, the case of " + std::to_string(nSolids_));
-    const int n = words[5];
-    if (n < 0 || n > n_) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(n_));
+    const int n = words[5], most = others_ ? int(others_->total()) : n_;
+    if (n < 0 || n > most) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(most));
     std::size_t at = detail::stateHeader + clockWords + energyWords, expected = at + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
     for (int f = 0; f < words[11]; ++f) expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
@@ -126,6 +143,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
             at += (bytes + 3)/4;
         }
     };
+    if (others_) setCapacity(n);
     take(fluid_, n);
     if (nBodies_) take(wall_, nWalls_);
     n_ = reported_ = n;
@@ -143,6 +161,7 @@ void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
         allocateLists();
     }
     writeClock();
+    if (others_) beginAnew();
     rebuild();
     context_.synchronise();
 }

@@ -84,6 +84,7 @@ M SphSolver<Backend, D, P>::mover()
     m.count = fluidSort_.active();
     m.clock = clock_.data();
     m.contact = faceContact();
+    m.ghosts = ghosts();
     return m;
 }
 
@@ -135,8 +136,10 @@ void SphSolver<Backend, D, P>::wallPass(bool inStep)
         pass.model = model_;
         pass.count = nWalls_;
         pass.clock = inStep ? clock_.data() : nullptr;
+        pass.ghosts = wallGhosts();
         run(pass, nWalls_);
     });
+    if (others_) shareWalls();
 }
 
 //- Force on the walls, or that of the pressure alone; without somewhere to put it, the work that moving walls do in this step
@@ -184,7 +187,7 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
                 std::decay_t<decltype(wallTerms)>, decltype(shifts)::value
             > pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
                 terms_.shifting, model_, fluidFields(), {}, fluidSort_.active(), clock_.data(), mode,
-                solidAction()};
+                solidAction(), ghosts()};
             for (int d = 0; d < D; ++d)
                 pass.wallVelocity[d] = wallVField_ < 0 ? nullptr : wall_.template data<real>(wallVField_ + d);
             run(pass, n_);
@@ -214,6 +217,7 @@ void SphSolver<Backend, D, P>::step()
     if (config_.integrator == IntegratorKind::leapfrog)
     {
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
+        if (others_) shareRecords();
         blowBodies();
         moveWalls(false);
         moveSolids(false);
@@ -226,11 +230,13 @@ void SphSolver<Backend, D, P>::step()
     else
     {
         forEach(context_, n_, mover<SymplecticKick<Backend, D, P>>());
+        if (others_) shareRecords();
         moveWalls(true);
         moveSolids(true);
         solidPass<Part::density>();
         fluidPass<Part::density>(Finish::close);
         forEach(context_, n_, mover<SymplecticDrift<Backend, D, P>>());
+        if (others_) shareRecords();
         blowBodies();
         moveWalls(false);
         moveSolids(false);
@@ -241,6 +247,7 @@ void SphSolver<Backend, D, P>::step()
         wallForcePass(nullptr);
     }
     solidForcePass();
+    if (others_) agree();
     if (solids_ && coupling_.force == FluidForceKind::impulse) pushSolids();
 }
 

@@ -72,7 +72,7 @@ std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::faster
 {
     CountFaster<D, P, SphScene::speedClasses> count{fluidFields(), {}};
     for (int k = 0; k < SphScene::speedClasses; ++k) count.speed2[k] = speeds[k]*speeds[k];
-    const auto sums = sumOver<SphScene::speedClasses>(context_, activeFluid(), count);
+    const auto sums = sumOver<SphScene::speedClasses>(context_, activeFluid(), ofOwn(count));
     std::array<std::size_t, SphScene::speedClasses> counts;
     for (int k = 0; k < SphScene::speedClasses; ++k) counts[k] = std::size_t(sums[k]);
     return counts;
@@ -80,7 +80,7 @@ std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::faster
 
 template<class Backend, int D, class P>
 double SphSolver<Backend, D, P>::elasticEnergy()
-{ return sumOver<3>(context_, activeFluid(), EnergySums<D, P>{box_, model_, fluidFields()})[2]; }
+{ return sumOver<3>(context_, activeFluid(), ofOwn(EnergySums<D, P>{box_, model_, fluidFields()}))[2]; }
 
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSpeed)
@@ -98,9 +98,10 @@ void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSp
     stiffening_ += elasticEnergy() - elastic;
     // the next step begins with the maxima of the last pass
     readClock();
-    host_.maxima[1] = float(largestOver(context_, n, SignalSpeed<D, P>{model_, fluidFields()}));
-    host_.maxima[2] = float(largestOver(context_, n, AbsoluteDeviation<real>{deviation}));
+    host_.maxima[1] = float(largestOver(context_, n, ofOwn(SignalSpeed<D, P>{model_, fluidFields()})));
+    host_.maxima[2] = float(largestOver(context_, n, ofOwn(AbsoluteDeviation<real>{deviation})));
     writeClock();
+    if (others_) { agree(); readClock(); }
     refreshRecords();
     if constexpr (Backend::gpu) parts_.graphs.recorded = false;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/neighbours/pairLoop.hpp"
+#include "core/ranks/ghostMarks.hpp"
 #include "sph/boundary/extrapolation.hpp"
 #include "sph/boundary/wallFields.hpp"
 
@@ -32,7 +33,9 @@ struct ExtrapolatedWallPass
     FluidModel<Dim, P> model;
     int count;
     const ClockData* clock;     // in a step; null: now
+    GhostMarks<Backend> ghosts;
 
+    HD bool skips(int i) const { return ghosts(i); }
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }

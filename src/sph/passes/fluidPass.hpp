@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/neighbours/pairLoop.hpp"
+#include "core/ranks/ghostMarks.hpp"
 #include "sph/state/fluidFields.hpp"
 #include "sph/terms/term.hpp"
 #include "sph/state/clock.hpp"
@@ -127,7 +128,9 @@ struct FluidPass
     ClockData* clock;
     Finish mode;
     SolidAction<Dim, real> solids;
+    GhostMarks<Backend> ghosts;
 
+    HD bool skips(int i) const { return ghosts(i); }
     HD bool enabled() const { return clock->active; }
     HD int targets() const { return *count; }
     HD float* maxima() const { return clock->maxima; }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/neighbours/localFrames.hpp"
+#include "core/ranks/ghostMarks.hpp"
 #include "sph/boundary/faceContact.hpp"
 #include "sph/state/fluidFields.hpp"
 #include "sph/state/clock.hpp"
@@ -33,6 +34,7 @@ struct Mover
     const int* count;
     ClockData* clock;
     FaceContact<D, P> contact;
+    GhostMarks<Backend> ghosts;             // moved where they are own ones
 
     //- Move by u dt; returns the new position
     HD Vec<D, std::int64_t> moved(const Vec<D, std::int64_t>& x, const Vec<D, real>& u, double dt) const
@@ -151,7 +153,7 @@ struct LeapfrogDrift : Mover<Backend, D, P>
     HD void operator()(int i) const
     {
         const ClockData& c = *this->clock;
-        if (!c.active || i >= *this->count) return;
+        if (!c.active || i >= *this->count || this->ghosts(i)) return;
         const FluidFields<D, P>& f = this->fluid;
         const real half = real(0.5*c.dt);
         Vec<D, real> v, a;

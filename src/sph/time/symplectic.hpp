@@ -28,7 +28,7 @@ struct SymplecticKick : Mover<Backend, D, P>
     HD void operator()(int i) const
     {
         const ClockData& c = *this->clock;
-        if (!c.active || i >= *this->count) return;
+        if (!c.active || i >= *this->count || this->ghosts(i)) return;
         const FluidFields<D, P>& f = this->fluid;
         const real half = real(0.5*c.dt);
         Vec<D, real> v;
@@ -54,7 +54,7 @@ struct SymplecticDrift : Mover<Backend, D, P>
     HD void operator()(int i) const
     {
         const ClockData& c = *this->clock;
-        if (!c.active || i >= *this->count) return;
+        if (!c.active || i >= *this->count || this->ghosts(i)) return;
         const FluidFields<D, P>& f = this->fluid;
         const real half = real(0.5*c.dt);
         Vec<D, real> v, kick;

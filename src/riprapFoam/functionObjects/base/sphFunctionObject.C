@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphFunctionObject.H"
+#include "dividedCloud.H"
 #include "gravityMeshObject.H"
-#include "particleCloudIO.H"
 #include "wallPoints.H"
 
 namespace Foam
@@ -135,10 +135,10 @@ std::vector<bool> Foam::functionObjects::sphFunctionObject::inSolid
     }
 
     std::vector<bool> solid(inside.size(), false);
-    const labelList cell(locateParticles(mesh_, inside, labelList(), false));
-    forAll(cell, i)
+    const boolList fluid(inAnyCell(mesh_, inside));
+    forAll(fluid, i)
     {
-        solid[i] = cell[i] < 0;
+        solid[i] = !fluid[i];
     }
 
     const autoPtr<geometryWalls> geometry(wallGeometry(time_));

@@ -5,6 +5,7 @@
 
 #include "wallForce.H"
 #include "sphDictionaries.H"
+#include "wholeBoundary.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -37,7 +38,7 @@ bool Foam::functionObjects::wallForce::read(const dictionary& dict)
     sph();
 
     groups_ = wordList(1, "fixed");
-    for (const wallMotion& motion : readSphSettings(mesh_).walls.motion)
+    for (const wallMotion& motion : readSphSettings(wholeBoundary(mesh_)).walls.motion)
     {
         groups_.append(motion.name);
     }

@@ -122,6 +122,44 @@ TEST_P(DemEconomy, NoWallsClumpsOrientation)
     EXPECT_TRUE(any(some, "orientation"));
 }
 
+//- Materials of walls alone, or of nobody, change neither a bit nor which numbers contacts between particles read. Order does not matter
+TEST_P(DemEconomy, MaterialsOfNoParticleChangeNothing)
+{
+    for (const int D : {2, 3})
+    {
+        DemConfig c = config(D);
+        c.tangential = "history";
+        DemInput in = rows(D);
+        in.pairs[0].properties.friction = 0.5;
+        in.walls.push_back(planeWall({{0, -0.04, 0}}, {{0, 1, 0}}));
+        // rows that meet each other and the wall
+        for (std::size_t i = 0; i < in.particles.size(); ++i) in.particles.velocity[3*i + 1] = -10*in.particles.position[3*i + 1] - 0.3;
+        const auto positions = [&]
+        {
+            auto scene = createDemScene(c, in);
+            scene->advance(1, 400);
+            return scene->motion().position;
+        };
+        const std::vector<double> one = positions();
+        const DemInput start = in;
+        for (const int own : {0, 1})
+        {
+            in = start;
+            in.materials.push_back(in.materials[0]);
+            in.particles.material.assign(in.particles.size(), own);
+            in.walls[0].material = 1 - own;
+            in.pairs.resize(3, in.pairs[0]);
+            for (int k = 0; k < 3; ++k) { in.pairs[k].a = k/2; in.pairs[k].b = (k + 1)/2; }
+            EXPECT_EQ(positions(), one) << D << "D, material " << own;
+        }
+        // beside particles of another material each contact reads its own pair
+        in.particles.material[0] = 0;
+        EXPECT_EQ(positions(), one);
+        in.pairs[1].properties.normalStiffness *= 2;
+        EXPECT_NE(positions(), one);
+    }
+}
+
 RIPRAP_DEM_CASES(DemEconomy);
 
 } // namespace

@@ -3,7 +3,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
-#include "solvers/dem/demAll.hpp"
+#include "solvers/dem/driver/demAll.hpp"
 #include "dem/demTest.hpp"
 
 namespace riprap

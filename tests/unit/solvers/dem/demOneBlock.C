@@ -1,4 +1,4 @@
-/*  Steps of a small scene in one launch (solvers/dem/demBlockSteps.hpp) have the bits of those in a launch each, which is what they are while kernels are timed.
+/*  Steps of a small scene in one launch (solvers/dem/parts/demBlockSteps.hpp) have the bits of those in a launch each, which is what they are while kernels are timed.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

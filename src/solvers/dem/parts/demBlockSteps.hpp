@@ -1,5 +1,5 @@
-/*  Steps of a scene small enough for one block of the GPU: many in one launch, barriers where launches would follow one another. The passes, and so the bits, are those
-    of a launch each.
+/*  Steps of a scene small enough for one block of the GPU: many in one launch, barriers where launches would follow one another. The passes, and so
+    the bits, are those of a launch each.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,4 +1,4 @@
-/*  DemSolver: the exact state as words, so that a run continues bit for bit.
+/*  The exact state as words, so that a run continues bit for bit.
 
     Neighbours are sought anew before saving, so that the saving scene and the loading one go on with the same lists. A scene that
     particles have left is loaded by one that was made of those that stayed: particles are known by their ids, and cells are those
@@ -11,7 +11,8 @@
 */
 #pragma once
 
-#include "solvers/dem/demSolver.hpp"
+#include <map>
+#include "solvers/dem/driver/neighbours.hpp"
 
 namespace riprap
 {
@@ -61,85 +62,98 @@ struct StateReader
 
 } // namespace detail
 
-//- Bonds with both ends in the scene, in order: a scene of those that stayed has them too
 template<class Backend, int D, class P>
-std::vector<int> DemSolver<Backend, D, P>::keptBonds()
+class Checkpoint
 {
-    std::vector<int> kept;
-    if (!nBonds_) return kept;
-    const auto slotOf = slotOf_.download(), a = bondIds_[0].download(), b = bondIds_[1].download();
-    for (int k = 0; k < nBonds_; ++k) if (slotOf[a[k]] >= 0 && slotOf[b[k]] >= 0) kept.push_back(k);
-    return kept;
-}
+public:
+
+    using real = typename P::real;
+
+    Checkpoint(DemParts<Backend, D, P>& parts, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours)
+    :
+        p_(parts), ranks_(ranks), neighbours_(neighbours)
+    {}
+
+    std::vector<std::int32_t> save();
+    void load(const std::vector<std::int32_t>& words);
+
+private:
+
+    bool isSaved(int field) const;
+    int savedFields() const;
+    std::vector<std::int32_t> stateWords();
+    void takeState(const std::vector<std::int32_t>& words);
+    std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>& words) const;
+    void collectAll();
+    template<class F> void forEachMemory(F f);
+    std::size_t historyTogether() const;
+    std::size_t historyRows() const;
+    void clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const;
+    void restoreSearch(const DemSearchState&);
+    void restoreIds(const std::vector<std::int32_t>& ids);
+    template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
+
+    DemParts<Backend, D, P>& p_;
+    RankedSolids<Backend, D, P>& ranks_;
+    Neighbours<Backend, D, P>& neighbours_;
+};
 
 //- Histories lie in rows over all entries, so many numbers of an entry together in each
 template<class Backend, int D, class P>
-std::size_t DemSolver<Backend, D, P>::historyTogether() const
+std::size_t Checkpoint<Backend, D, P>::historyTogether() const
 {
     using List = ContactListView<Backend, real>;
-    return Backend::gpu ? List::wordsTogether(histories_) : List::historyWords(histories_);
+    return Backend::gpu ? List::wordsTogether(p_.pairs.histories()) : List::historyWords(p_.pairs.histories());
 }
 
 template<class Backend, int D, class P>
-std::size_t DemSolver<Backend, D, P>::historyRows() const
+std::size_t Checkpoint<Backend, D, P>::historyRows() const
 {
     const std::size_t together = historyTogether();
-    return together ? ContactListView<Backend, real>::historyWords(histories_)/together : 0;
-}
-
-//- f(array, numbers a bond) for what bonds remember
-template<class Backend, int D, class P>
-template<class F>
-void DemSolver<Backend, D, P>::forEachBondMemory(const std::vector<int>& kept, F f)
-{
-    if (kept.empty()) return;
-    f(bondRest_, 1);
-    f(bondBroken_, 1);
-    f(bondHistory_, bondHistory<D>);
-    f(bondForce_, 1);
+    return together ? ContactListView<Backend, real>::historyWords(p_.pairs.histories())/together : 0;
 }
 
 //- What does not follow from positions: contacts' histories, clumps, walls
 template<class Backend, int D, class P>
 template<class F>
-void DemSolver<Backend, D, P>::forEachMemory(F f)
+void Checkpoint<Backend, D, P>::forEachMemory(F f)
 {
-    const ContactListView<Backend, real> list = list_.view();
-    const std::size_t entries = list_.entries();
+    const ContactListView<Backend, real> list = p_.order.list.view();
+    const std::size_t entries = p_.order.list.entries();
     f(list.entry, entries*sizeof(std::uint32_t));
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q) f(list.history + q*list.stride*together, entries*together*sizeof(real));
-    if (!nWalls_) return;
-    f(walls_.data(), nWalls_*sizeof(WallData));
-    const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches;
-    f(wallMemory_.on.data(), slots*sizeof(int));
-    f(wallMemory_.normal.data(), slots*D*sizeof(real));
-    f(wallMemory_.history.data(), slots*histories_*sizeof(real));
-    f(wallMemory_.force.data(), std::size_t(wallMemory_.entries)*wallWords<D>*sizeof(real));
+    if (!p_.walls.count) return;
+    f(p_.walls.walls.data(), p_.walls.count*sizeof(WallData));
+    const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches;
+    f(p_.walls.memory.on.data(), slots*sizeof(int));
+    f(p_.walls.memory.normal.data(), slots*D*sizeof(real));
+    f(p_.walls.memory.history.data(), slots*p_.pairs.histories()*sizeof(real));
+    f(p_.walls.memory.force.data(), std::size_t(p_.walls.memory.entries)*wallWords<D>*sizeof(real));
 }
 
 //- What fills up blocks of entries, and histories of what does not touch, are whatever was there before: the same state of n particles shall be the same words
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
+void Checkpoint<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
 {
     using List = ContactListView<Backend, real>;
-    const std::size_t entries = list_.entries(), each = sizeof(real)/4, entry = at;
+    const std::size_t entries = p_.order.list.entries(), each = sizeof(real)/4, entry = at;
     const auto clear = [&](std::size_t from, std::size_t reals) { std::fill_n(words.begin() + from, reals*each, 0); };
     const auto free = [&](std::size_t e) { return !(std::uint32_t(words[entry + e]) & List::touching); };
     if (Backend::gpu)
     {
-        const std::vector<char> used = list_.used(n);
+        const std::vector<char> used = p_.order.list.used(n);
         for (std::size_t e = 0; e < entries; ++e) if (!used[e]) words[entry + e] = 0;
     }
     at += entries;
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
         for (std::size_t e = 0; e < entries; ++e) if (free(e)) clear(at + e*together*each, together);
-    if (!nWalls_) return;
-    at += nWalls_*sizeof(WallData)/4;
-    const std::size_t slots = std::size_t(wallMemory_.entries)*wallTouches, on = at;
+    if (!p_.walls.count) return;
+    at += p_.walls.count*sizeof(WallData)/4;
+    const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches, on = at;
     at += slots;
-    for (const int numbers : {D, histories_})
+    for (const int numbers : {D, p_.pairs.histories()})
     {
         for (std::size_t s = 0; s < slots; ++s) if (!words[on + s]) clear(at + s*numbers*each, numbers);
         at += slots*numbers*each;
@@ -148,53 +162,53 @@ void DemSolver<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std
 
 //- Marks of ghosts are not part of a state
 template<class Backend, int D, class P>
-bool DemSolver<Backend, D, P>::isSaved(int f) const { return f != calmField_ || sleeps(); }
+bool Checkpoint<Backend, D, P>::isSaved(int f) const { return f != p_.particles.at.calm || p_.sleeps(); }
 
 template<class Backend, int D, class P>
-int DemSolver<Backend, D, P>::savedFields() const
+int Checkpoint<Backend, D, P>::savedFields() const
 {
     int n = 0;
-    for (int f = 0; f < fields_.fields(); ++f) n += isSaved(f);
+    for (int f = 0; f < p_.particles.values.fields(); ++f) n += isSaved(f);
     return n;
 }
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::saveState()
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::save()
 {
-    if (!others_)
+    if (!ranks_.others)
     {
-        rebuild();
+        neighbours_.rebuild();
         return stateWords();
     }
-    others_->gatherOn(0);
-    rebuild();
+    ranks_.others->gatherOn(0);
+    neighbours_.rebuild();
     std::vector<std::int32_t> words = stateWords();
-    if (config_.ranks->rank() != 0) words.clear();
-    others_->gatherOn(-1);
-    rebuild();
+    if (p_.set.config.ranks->rank() != 0) words.clear();
+    ranks_.others->gatherOn(-1);
+    neighbours_.rebuild();
     return words;
 }
 
 //- Of all particles here, which have just been sorted
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::stateWords()
 {
-    readClock();
-    searchedAt_ = host_.step;
-    host_.windowEnd = -1e300;               // motions are sampled anew, by both
-    writeClock();
-    const int n = activeSolids();
-    const std::vector<int> kept = keptBonds();
+    p_.clock.read();
+    p_.reach.searchedAt = p_.clock.now.step;
+    p_.clock.now.windowEnd = -1e300;               // motions are sampled anew, by both
+    p_.clock.write();
+    const int n = p_.order.active();
+    const std::vector<int> kept = p_.bonds.kept(p_.order.slotOf);
     std::vector<std::int32_t> words
     {
-        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), histories_, n, savedFields(),
-        int(kept.size()), nClumps_, nWalls_, int(list_.entries()), wallMemory_.entries
+        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), p_.pairs.histories(), n, savedFields(),
+        int(kept.size()), p_.clumps.count(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries
     };
     // Room for most of it, without which it would be copied again and again
     std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
-    for (int f = 0; f < fields_.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*fields_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < p_.particles.values.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
-    if (nClumps_) expected += (nClumps_*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    if (p_.clumps.count()) expected += (p_.clumps.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     words.reserve(expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
@@ -202,30 +216,27 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
         words.resize(at + (bytes + 3)/4, 0);
         if (bytes) std::memcpy(&words[at], data, bytes);
     };
-    detail::StateWriter<Context<Backend>> write{context_, words};
-    write(clock_.data(), sizeof(DemClockData));
-    DemSearchState search;
-    search.radii = radii_;
-    search.skin = skin_;
-    for (int d = 0; d < D; ++d) { search.lower[d] = box_.lower[d]; search.length[d] = box_.length[d]; }
+    detail::StateWriter<Context<Backend>> write{p_.set.context, words};
+    write(p_.clock.data(), sizeof(DemClockData));
+    const DemSearchState search = p_.reach.state();
     append(&search, sizeof(search));
-    const auto key = field<std::int32_t>(idField_);
-    for (int i = 0; i < n; ++i) words.push_back(ids_[key[i]]);
-    for (int f = 0; f < fields_.fields(); ++f)
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    for (int i = 0; i < n; ++i) words.push_back(p_.particles.ids[key[i]]);
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
     {
         // keys count particles of this scene alone
-        if (f == idField_) words.resize(words.size() + n, 0);
-        else if (isSaved(f)) write(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+        if (f == p_.particles.at.id) words.resize(words.size() + n, 0);
+        else if (isSaved(f)) write(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     }
-    forEachBondMemory(kept, [&](auto& array, int numbers)
+    p_.bonds.forEachMemory(kept, [&](auto& array, int numbers)
     {
         const auto all = array.download();
         for (const int k : kept) append(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
     });
-    if (nClumps_)
+    if (p_.clumps.count())
     {
-        write(clumps_.data(), nClumps_*sizeof(ClumpData));
-        const auto offset = offset_.download();
+        write(p_.clumps.data(), p_.clumps.count()*sizeof(ClumpData));
+        const auto offset = p_.clumps.offset().download();
         for (int i = 0; i < n; ++i) append(&offset[3*std::size_t(key[i])], 3*sizeof(double));
     }
     const std::size_t memory = words.size();
@@ -236,27 +247,27 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::stateWords()
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+void Checkpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
 {
-    if (!others_) return takeState(words);
+    if (!ranks_.others) return takeState(words);
     const std::vector<std::int32_t> all = wordsOfFirst(words);
     collectAll();
     // as one process that has everything, then in parts again
-    std::unique_ptr<ParticleExchange> others(std::move(others_));
+    std::unique_ptr<ParticleExchange> others(std::move(ranks_.others));
     takeState(all);
-    others_ = std::move(others);
-    setPieces();
-    others_->begin(n_);
-    rebuild();
-    setCapacity(others_->residents() + others_->residents()/4 + 256);
-    rebuild();
+    ranks_.others = std::move(others);
+    ranks_.setPieces();
+    ranks_.others->begin(p_.particles.n);
+    neighbours_.rebuild();
+    ranks_.setCapacity();
+    neighbours_.rebuild();
 }
 
 //- The first rank's
 template<class Backend, int D, class P>
-std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
 {
-    Transport& ranks = *config_.ranks;
+    Transport& ranks = *p_.set.config.ranks;
     std::vector<RankBytes> out(ranks.size()), in;
     if (ranks.rank() == 0)
     {
@@ -273,17 +284,17 @@ std::vector<std::int32_t> DemSolver<Backend, D, P>::wordsOfFirst(const std::vect
 
 //- Memory for all particles on each rank, and who they are, in the order of ids
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::collectAll()
+void Checkpoint<Backend, D, P>::collectAll()
 {
-    Transport& ranks = *config_.ranks;
-    const auto key = field<std::int32_t>(idField_);
+    Transport& ranks = *p_.set.config.ranks;
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     std::vector<RankBytes> out(ranks.size()), in;
     RankBytes own;
-    for (int i = 0; i < others_->residents(); ++i)
+    for (int i = 0; i < ranks_.others->residents(); ++i)
     {
-        if (ghost(i)) continue;
-        const double empty = D == 2 ? emptyCoordinate_[key[i]] : 0;
-        putValues(own, &ids_[key[i]]);
+        if (ranks_.ghost(i)) continue;
+        const double empty = D == 2 ? p_.particles.emptyCoordinate[key[i]] : 0;
+        putValues(own, &p_.particles.ids[key[i]]);
         putValues(own, &empty);
     }
     out.assign(ranks.size(), own);
@@ -298,21 +309,21 @@ void DemSolver<Backend, D, P>::collectAll()
             takeValues(from, &empty);
             all[id] = empty;
         }
-    setCapacity(int(all.size()));
-    ids_.clear();
-    emptyCoordinate_.clear();
+    ranks_.setCapacity(int(all.size()));
+    p_.particles.ids.clear();
+    p_.particles.emptyCoordinate.clear();
     for (const auto& one : all)
     {
-        ids_.push_back(one.first);
-        if (D == 2) emptyCoordinate_.push_back(one.second);
+        p_.particles.ids.push_back(one.first);
+        if (D == 2) p_.particles.emptyCoordinate.push_back(one.second);
     }
     // nobody is a ghost
-    fields_.upload(context_, calmField_, std::vector<std::int32_t>(n_, -1));
+    p_.particles.values.upload(p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));
 }
 
 //- As one process that has all particles
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
+void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
 {
     const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
     constexpr std::size_t header = 13;
@@ -323,11 +334,11 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
-    if (words[5] != histories_ || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
+    if (words[5] != p_.pairs.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
     const int n = words[6];
-    if (n != n_) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(n_));
-    if (words[8] != nBonds_ || words[9] != nClumps_ || words[10] != nWalls_) fail("it has other bonds, clumps or walls");
-    detail::StateReader<Context<Backend>> read{context_, words, header};
+    if (n != p_.particles.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(p_.particles.n));
+    if (words[8] != p_.bonds.count() || words[9] != p_.clumps.count() || words[10] != p_.walls.count) fail("it has other bonds, clumps or walls");
+    detail::StateReader<Context<Backend>> read{p_.set.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
         const std::size_t next = read.at + (bytes + 3)/4;
@@ -335,68 +346,69 @@ void DemSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
         if (bytes) std::memcpy(data, &words[read.at], bytes);
         read.at = next;
     };
-    read(clock_.data(), sizeof(DemClockData));
+    read(p_.clock.data(), sizeof(DemClockData));
     DemSearchState search;
     take(&search, sizeof(search));
     restoreSearch(search);
     std::vector<std::int32_t> ids(n);
     take(ids.data(), ids.size()*sizeof(std::int32_t));
-    for (int f = 0; f < fields_.fields(); ++f) if (isSaved(f)) read(fields_.bytes(f), std::size_t(n)*fields_.elementBytes(f));
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
+        if (isSaved(f)) read(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     restoreIds(ids);
-    std::vector<int> all(nBonds_);
-    for (int k = 0; k < nBonds_; ++k) all[k] = k;
-    forEachBondMemory(all, [&](auto& array, int numbers)
+    std::vector<int> all(p_.bonds.count());
+    for (int k = 0; k < p_.bonds.count(); ++k) all[k] = k;
+    p_.bonds.forEachMemory(all, [&](auto& array, int numbers)
     {
         auto values = array.download();
-        for (int k = 0; k < nBonds_; ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
-        array.upload(context_, values);
+        for (int k = 0; k < p_.bonds.count(); ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
+        array.upload(p_.set.context, values);
     });
-    if (nClumps_)
+    if (p_.clumps.count())
     {
-        read(clumps_.data(), nClumps_*sizeof(ClumpData));
-        const auto key = field<std::int32_t>(idField_);
-        auto offset = offset_.download();
+        read(p_.clumps.data(), p_.clumps.count()*sizeof(ClumpData));
+        const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+        auto offset = p_.clumps.offset().download();
         for (int i = 0; i < n; ++i) take(&offset[3*std::size_t(key[i])], 3*sizeof(double));
-        offset_.upload(context_, offset);
+        p_.clumps.offset().upload(p_.set.context, offset);
     }
     restoreNeighbours(read, words[11], words[12]);
-    readClock();
-    host_.fullDt = plan_.timeStep;
-    host_.needRebuild = 0;
-    searchedAt_ = host_.step;
-    writeClock();
-    context_.synchronise();
+    p_.clock.read();
+    p_.clock.now.fullDt = p_.set.plan.timeStep;
+    p_.clock.now.needRebuild = 0;
+    p_.reach.searchedAt = p_.clock.now.step;
+    p_.clock.write();
+    p_.set.context.synchronise();
 }
 
 //- Cells as the saving scene had them
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::restoreSearch(const DemSearchState& s)
+void Checkpoint<Backend, D, P>::restoreSearch(const DemSearchState& s)
 {
     bool fits = true;
     for (int d = 0; d < D; ++d)
     {
-        const int axis = config_.axes[d];
-        const double lo = config_.domainMin[axis], hi = config_.domainMax[axis];
-        if (config_.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
+        const int axis = p_.set.config.axes[d];
+        const double lo = p_.set.config.domainMin[axis], hi = p_.set.config.domainMax[axis];
+        if (p_.set.config.periodic[axis]) fits = fits && lo == s.lower[d] && hi - lo == s.length[d];
         else fits = fits && lo > s.lower[d] && hi < s.lower[d] + s.length[d];
     }
     if (!fits)
         throw std::invalid_argument("saved state: it is of another domain: moving walls reach farther, as with a later endTime, or the mesh has changed");
-    const double cell = wallCell();
-    radii_ = s.radii;
-    for (int d = 0; d < D; ++d) box_.set(d, s.lower[d], s.length[d], config_.periodic[config_.axes[d]]);
-    setSkin(config_.skin >= 0 ? leastSkin() : s.skin);
-    if (wallCell() != cell) setWalls();
+    const double cell = p_.reach.wallCell();
+    p_.reach.radii = s.radii;
+    for (int d = 0; d < D; ++d) p_.set.box.set(d, s.lower[d], s.length[d], p_.set.config.periodic[p_.set.config.axes[d]]);
+    neighbours_.setSkin(p_.set.config.skin >= 0 ? p_.reach.leastSkin() : s.skin);
+    if (p_.reach.wallCell() != cell) p_.walls.set(p_.reach.wallCell(), p_.particles.n);
 }
 
 //- Whom each row of the state is about, and that all of them are there
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
+void Checkpoint<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
 {
     const int n = int(ids.size());
     const auto fail = [] { throw std::invalid_argument("saved state: it is of other particles"); };
-    std::vector<int> keyOf(n ? *std::max_element(ids_.begin(), ids_.end()) + 1 : 0, -1);
-    for (int key = 0; key < n; ++key) keyOf[ids_[key]] = key;
+    std::vector<int> keyOf(n ? *std::max_element(p_.particles.ids.begin(), p_.particles.ids.end()) + 1 : 0, -1);
+    for (int key = 0; key < n; ++key) keyOf[p_.particles.ids[key]] = key;
     std::vector<std::int32_t> keys(n);
     for (int i = 0; i < n; ++i)
     {
@@ -404,24 +416,24 @@ void DemSolver<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
         keys[i] = keyOf[ids[i]];
         keyOf[ids[i]] = -1;
     }
-    fields_.upload(context_, idField_, keys);
-    context_.toDevice(const_cast<int*>(sort_.active()), &n, sizeof(int));
-    reported_ = n;
+    p_.particles.values.upload(p_.set.context, p_.particles.at.id, keys);
+    p_.set.context.toDevice(const_cast<int*>(p_.order.sort.active()), &n, sizeof(int));
+    p_.particles.reported = n;
 }
 
 //- Lists of the restored positions, then what contacts remember
 template<class Backend, int D, class P>
 template<class Reader>
-void DemSolver<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int wallEntries)
+void Checkpoint<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int wallEntries)
 {
     const auto check = [](bool good)
     { if (!good) throw std::invalid_argument("saved state: its contacts do not fit (another skin, or walls elsewhere)"); };
     // walls' poses stand behind the lists of contacts in the words: read them ahead
     Reader ahead = read;
     ahead.at += std::size_t(entries)*(1 + historyRows()*historyTogether()*sizeof(real)/4);
-    if (nWalls_) ahead(walls_.data(), nWalls_*sizeof(WallData));
-    rebuild(true, Backend::gpu);
-    check(int(list_.entries()) == entries && wallMemory_.entries == wallEntries);
+    if (p_.walls.count) ahead(p_.walls.walls.data(), p_.walls.count*sizeof(WallData));
+    neighbours_.rebuild(true, Backend::gpu);
+    check(int(p_.order.list.entries()) == entries && p_.walls.memory.entries == wallEntries);
     forEachMemory(read);
 }
 

@@ -1,0 +1,41 @@
+/*  Which particles are of other ranks: kernels of steps leave them alone. On the CPU only; elsewhere, and on one rank, none is.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/backend/launch.hpp"
+
+namespace riprap
+{
+
+template<class Backend>
+struct GhostMarks
+{
+    HD bool operator()(int) const { return false; }
+};
+
+#ifndef __CUDACC__
+
+template<>
+struct GhostMarks<Cpu>
+{
+    const char* mark = nullptr;
+    bool operator()(int i) const { return mark && mark[i]; }
+};
+
+#endif
+
+//- A sum or maximum over particles (F::add, F::value) without ghosts
+template<class Backend, class F>
+struct WithoutGhosts
+{
+    static constexpr const char* name = F::name;
+    F f;
+    GhostMarks<Backend> ghosts;
+
+    HD void add(int i, double* sums) const { if (!ghosts(i)) f.add(i, sums); }
+    HD double value(int i) const { return ghosts(i) ? 0 : f.value(i); }
+};
+
+} // namespace riprap

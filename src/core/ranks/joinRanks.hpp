@@ -1,0 +1,81 @@
+/*  What all ranks make of what each of them has: rows one after the other, sums by rank. The same bits on all of them.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include "core/ranks/transport.hpp"
+
+namespace riprap
+{
+
+//- The same message to each rank; from each, in their order
+inline std::vector<RankBytes> toAll(Transport& ranks, const RankBytes& bytes)
+{
+    std::vector<RankBytes> in;
+    ranks.exchange(std::vector<RankBytes>(ranks.size(), bytes), in);
+    return in;
+}
+
+//- The rows of all ranks one after the other, each a message of its own
+template<class T>
+void join(Transport& ranks, std::vector<T>& values)
+{
+    RankBytes own;
+    putValues(own, values.data(), values.size());
+    values.clear();
+    for (const RankBytes& bytes : toAll(ranks, own))
+    {
+        const std::size_t before = values.size();
+        values.resize(before + bytes.size()/sizeof(T));
+        if (bytes.size()) std::memcpy(static_cast<void*>(values.data() + before), bytes.data(), bytes.size());
+    }
+}
+
+//- Entry by entry, by rank
+inline void addByRank(Transport& ranks, std::vector<double>& v)
+{
+    RankBytes own;
+    putValues(own, v.data(), v.size());
+    const std::size_t n = v.size();
+    std::fill(v.begin(), v.end(), 0.0);
+    for (const RankBytes& bytes : toAll(ranks, own))
+        for (std::size_t k = 0; k < n; ++k)
+        {
+            double x;
+            std::memcpy(&x, bytes.data() + k*sizeof(x), sizeof(x));
+            v[k] += x;
+        }
+}
+
+//- What is no number counts as infinite
+inline double largestOfRanks(Transport& ranks, double value)
+{
+    std::vector<double> v(1, value == value ? value : std::numeric_limits<double>::infinity());
+    ranks.largest(v);
+    return v[0];
+}
+
+//- Rows of so many values as `order` says
+template<class T>
+void arrange(std::vector<T>& values, std::size_t each, const std::vector<std::size_t>& order)
+{
+    if (values.empty()) return;
+    std::vector<T> arranged(values.size());
+    for (std::size_t i = 0; i < order.size(); ++i) std::copy_n(values.begin() + order[i]*each, each, arranged.begin() + i*each);
+    values.swap(arranged);
+}
+
+template<class Less>
+std::vector<std::size_t> orderBy(std::size_t n, const Less& less)
+{
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), less);
+    return order;
+}
+
+} // namespace riprap

@@ -1,0 +1,63 @@
+/*  Slots whose values ranks send each other time and again: own ones that are copies elsewhere, and copies of others'. Sender and receiver have
+    them in the same order, so no index travels.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include <utility>
+#include "core/ranks/transport.hpp"
+
+namespace riprap
+{
+
+class SlotShares
+{
+public:
+
+    void clear()
+    {
+        to_.clear();
+        from_.clear();
+    }
+
+    //- By rank, which ascends; none: nothing is sent
+    void send(int rank, std::vector<int> slots) { if (!slots.empty()) to_.emplace_back(rank, std::move(slots)); }
+    void receive(int rank, std::vector<int> slots) { if (!slots.empty()) from_.emplace_back(rank, std::move(slots)); }
+
+    //- put(slot, to) writes `each` bytes of an own slot; take(slot, from) reads those of a copy. \return bytes sent
+    template<class Put, class Take>
+    std::int64_t share(Transport& transport, std::size_t each, const Put& put, const Take& take)
+    {
+        std::int64_t sent = 0;
+        out_.resize(to_.size());
+        in_.resize(from_.size());
+        for (std::size_t k = 0; k < to_.size(); ++k)
+        {
+            out_[k].rank = to_[k].first;
+            out_[k].bytes.resize(to_[k].second.size()*each);
+            unsigned char* at = out_[k].bytes.data();
+            for (const int slot : to_[k].second) { put(slot, at); at += each; }
+            sent += std::int64_t(out_[k].bytes.size());
+        }
+        for (std::size_t k = 0; k < from_.size(); ++k)
+        {
+            in_[k].rank = from_[k].first;
+            in_[k].bytes.resize(from_[k].second.size()*each);
+        }
+        transport.swap(out_, in_);
+        for (std::size_t k = 0; k < from_.size(); ++k)
+        {
+            const unsigned char* at = in_[k].bytes.data();
+            for (const int slot : from_[k].second) { take(slot, at); at += each; }
+        }
+        return sent;
+    }
+
+private:
+
+    std::vector<std::pair<int, std::vector<int>>> to_, from_;
+    std::vector<RankMessage> out_, in_;
+};
+
+} // namespace riprap

@@ -1,0 +1,440 @@
+/*  Everything that is read back.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "core/loops/largest.hpp"
+#include "dem/passes/contactProbe.hpp"
+#include "solvers/dem/driver/contactForces.hpp"
+#include "solvers/dem/driver/rankedSolids.hpp"
+
+namespace riprap
+{
+
+template<class Backend, int D, class P>
+class SceneReadings
+{
+public:
+
+    using real = typename P::real;
+    static constexpr int S = spins<D>;
+
+    SceneReadings(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks)
+    :
+        p_(parts), forces_(forces), ranks_(ranks)
+    {}
+
+    // As DemScene has them
+    DemState particles();
+    DemState motion();
+    DemContacts contacts();
+    DemClumpState clumps();
+    DemEnergy energy();
+    double deepestOverlap();
+    std::vector<DemWallForce> wallForces();
+    std::vector<ArrayInfo> arrays() const;
+    std::vector<KernelInfo> kernels() const;
+    double neighboursPerParticle();
+    double contactsPerParticle();
+
+private:
+
+    double halfStep() const;
+    std::vector<double> orientations(int n);
+    std::vector<int> wallContacts();
+    std::vector<std::int32_t> contactCounts(int n);
+
+    DemParts<Backend, D, P>& p_;
+    ContactForces<Backend, D, P>& forces_;
+    RankedSolids<Backend, D, P>& ranks_;
+};
+
+//- By how much velocities of now are ahead of those kept
+template<class Backend, int D, class P>
+double SceneReadings<Backend, D, P>::halfStep() const
+{ return p_.set.config.integrator == DemIntegratorKind::leapfrog ? 0.5*p_.clock.now.dt : 0; }
+
+//- Quaternions of the first n, in the axes of the scene
+template<class Backend, int D, class P>
+std::vector<double> SceneReadings<Backend, D, P>::orientations(int n)
+{
+    std::vector<double> turns(4*std::size_t(n), 0.0);
+    for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+    {
+        const auto q = p_.particles.template field<real>(p_.particles.at.turn + k);
+        for (int i = 0; i < n; ++i)
+        {
+            if (D == 3) { turns[4*std::size_t(i) + k] = double(q[i]); continue; }
+            turns[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
+            turns[4*std::size_t(i) + 1 + p_.set.config.axes[2]] = p_.set.spinSign()*std::sin(0.5*double(q[i]));
+        }
+    }
+    return turns;
+}
+
+template<class Backend, int D, class P>
+DemState SceneReadings<Backend, D, P>::motion()
+{
+    p_.clock.read();
+    const int n = p_.order.active();
+    DemState s;
+    s.position = p_.particles.positions(n);
+    s.velocity = p_.particles.template vector<double>(n, p_.particles.at.v, D, false);
+    s.spin = p_.particles.template vector<real>(n, p_.particles.at.w, S, true);
+    s.force = p_.particles.template vector<real>(n, p_.particles.at.f, D, false);
+    s.moment = p_.particles.template vector<real>(n, p_.particles.at.m, S, true);
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    const SolidFieldNumbers& at = p_.particles.at;
+    const auto radius = p_.particles.template field<real>(at.radius), mass = p_.particles.template field<real>(at.mass);
+    const auto inverse = p_.particles.template field<real>(at.inertia);
+    s.material = p_.particles.template field<std::int32_t>(at.material);
+    s.group = p_.particles.template field<std::int32_t>(at.group);
+    s.clump = p_.particles.at.clump < 0 ? std::vector<std::int32_t>(n, -1) : p_.particles.template field<std::int32_t>(p_.particles.at.clump);
+    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) v->resize(n);
+    const std::vector<real> external = p_.particles.external.download();
+    const auto calm = p_.particles.at.calm < 0 ? std::vector<std::int32_t>() : p_.particles.template field<std::int32_t>(p_.particles.at.calm);
+    // leapfrog keeps velocities of half a step ago: forces are of now
+    const double half = halfStep();
+    for (auto* v : {&s.radius, &s.mass}) v->resize(n);
+    #pragma omp parallel for schedule(static) if (n > 10000)
+    for (int i = 0; i < n; ++i)
+    {
+        s.id[i] = p_.particles.ids[key[i]];
+        s.radius[i] = double(radius[i]);
+        s.mass[i] = double(mass[i]);
+        const DemGroup& g = p_.set.input.groups[s.group[i]];
+        const bool asleep = !calm.empty() && calm[i] >= asleepFrom, kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
+        const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
+        for (int d = 0; d < D; ++d)
+        {
+            const std::size_t at = 3*std::size_t(i) + p_.set.config.axes[d];
+            double& f = s.force[at];
+            double& v = s.velocity[at];
+            f += (g.gravity ? s.mass[i]*p_.set.config.gravity[p_.set.config.axes[d]] : 0) + g.force[p_.set.config.axes[d]] + (more ? double(more[d]) : 0);
+            const double damped = locallyDamped(f, v, g.localDamping) - g.viscousDamping*s.mass[i]*v;
+            if (kicked && !g.held[p_.set.config.axes[d]]) v += half*damped/s.mass[i];
+        }
+        for (int c = 0; c < S; ++c)
+        {
+            const int axis = D == 2 ? p_.set.config.axes[2] : c;
+            const std::size_t at = 3*std::size_t(i) + axis;
+            double& m = s.moment[at];
+            double& w = s.spin[at];
+            m += g.moment[axis] + (more ? (D == 2 ? p_.set.spinSign() : 1)*double(more[D + c]) : 0);
+            const double rate = locallyDamped(m, w, g.localDamping)*double(inverse[i]) - g.viscousSpinDamping*w;
+            if (kicked && !g.heldSpin) w += half*rate;
+        }
+    }
+    if (p_.particles.at.turn >= 0) s.orientation = orientations(n);
+    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment}) ranks_.dropGhosts(*v, 3);
+    for (auto* v : {&s.radius, &s.mass}) ranks_.dropGhosts(*v, 1);
+    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) ranks_.dropGhosts(*v, 1);
+    ranks_.dropGhosts(s.orientation, 4);
+    return s;
+}
+
+template<class Backend, int D, class P>
+DemState SceneReadings<Backend, D, P>::particles()
+{
+    DemState s(motion());
+    const int n = p_.order.active();
+    s.contacts = contactCounts(n);
+    ranks_.dropGhosts(s.contacts, 1);
+    s.brokenBonds = p_.bonds.brokenAt(p_.order.slotOf, n);
+    ranks_.dropGhosts(s.brokenBonds, 1);
+    return s;
+}
+
+//- Slots of walls that carry force
+template<class Backend, int D, class P>
+std::vector<int> SceneReadings<Backend, D, P>::wallContacts()
+{
+    std::vector<int> on = p_.walls.memory.on.download();
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        using Law = decltype(law);
+        if constexpr (Law::NormalLaw::reaches)
+        {
+            const auto history = p_.walls.memory.history.download();
+            for (std::size_t s = 0; s < on.size(); ++s) on[s] = on[s] && Law::NormalLaw::acts(&history[s*Law::template history<D>]);
+        }
+    });
+    return on;
+}
+
+//- Of the first n with others and with walls: as contacts() lists them, without what they are
+template<class Backend, int D, class P>
+std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
+{
+    std::vector<std::int32_t> contacts(n, 0);
+    Array<Backend, int> others;
+    others.allocate(p_.set.context, p_.order.list.entries() + 1);
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        ContactProbe<Backend, D, P, decltype(law)> probe;
+        forces_.setModel(probe);
+        forEach(p_.set.context, p_.particles.n, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
+    });
+    const auto all = others.download();
+    const auto [base, count] = p_.order.shape();
+    constexpr int width = ContactList<Backend, real>::width;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < count[i]; ++k)
+        {
+            const int j = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
+            if (j < 0 || (Backend::gpu && j < i)) continue;
+            ++contacts[i];
+            ++contacts[j];
+        }
+    if (!p_.walls.count || !p_.walls.memory.entries) return contacts;
+    const auto first = p_.walls.memory.entryFirst.download();
+    const auto acts = wallContacts();
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e) if (acts[std::size_t(e)*wallTouches]) ++contacts[i];
+    return contacts;
+}
+
+template<class Backend, int D, class P>
+DemContacts SceneReadings<Backend, D, P>::contacts()
+{
+    DemContacts out;
+    const int n = p_.order.active();
+    const std::vector<double> x = p_.particles.positions(n);
+    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    Array<Backend, ProbedContact<D, real>> probed;
+    probed.allocate(p_.set.context, p_.order.list.entries() + 1);
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        ContactProbe<Backend, D, P, decltype(law)> probe;
+        forces_.setModel(probe);
+        forEach(p_.set.context, p_.particles.n, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
+    });
+    const auto all = probed.download();
+    const auto [base, count] = p_.order.shape();
+    const auto put = [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
+    {
+        out.a.push_back(p_.particles.ids[key[i]]);
+        out.b.push_back(b);
+        out.overlap.push_back(overlap);
+        const std::size_t at = out.force.size();
+        out.force.resize(at + 3, 0.0);
+        out.point.insert(out.point.end(), x.begin() + 3*i, x.begin() + 3*i + 3);
+        for (int d = 0; d < D; ++d)
+        {
+            out.force[at + p_.set.config.axes[d]] = double(force[d]);
+            out.point[at + p_.set.config.axes[d]] += double(n[d])*arm;
+        }
+    };
+    constexpr int width = ContactList<Backend, real>::width;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < count[i] && !ranks_.ghost(i); ++k)
+        {
+            const auto& c = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
+            if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
+            put(i, p_.particles.ids[key[c.other]], c.force, double(c.overlap), c.n, double(c.arm));
+        }
+    if (!p_.walls.count || !p_.walls.memory.entries) return out;
+    const auto first = p_.walls.memory.entryFirst.download();
+    const auto entry = p_.walls.memory.entry.download();
+    const auto acts = wallContacts();
+    const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
+    const auto force = p_.walls.memory.force.download(), normal = p_.walls.memory.normal.download();
+    const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
+    const std::vector<WallData> walls = p_.walls.walls.download();
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e)
+        {
+            const int slot = e*wallTouches;
+            if (!acts[slot] || ranks_.ghost(i)) continue;
+            Vec<D, double> local, f;
+            for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
+            const real reach = p_.pairs.reach(material[i], p_.set.input.walls[entry[e].wall].material);
+            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach),
+                outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
+        }
+    return out;
+}
+
+template<class Backend, int D, class P>
+DemClumpState SceneReadings<Backend, D, P>::clumps()
+{
+    p_.clock.read();
+    return p_.clumps.state(halfStep());
+}
+
+template<class Backend, int D, class P>
+DemEnergy SceneReadings<Backend, D, P>::energy()
+{
+    DemEnergy e;
+    const DemClumpState c = clumps();
+    SumEnergies<D, P> free{};
+    forces_.setMotion(free);
+    free.box = p_.set.box;
+    free.half = real(halfStep());
+    const auto sums = sumOver<3>(p_.set.context, p_.order.active(), free);
+    e.translation = sums[0];
+    e.rotation = sums[1];
+    e.potential = sums[2];
+    p_.clumps.addEnergies(c, e);
+    e.spring = p_.clumps.springEnergy();
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        SumContactEnergy<Backend, D, P, decltype(law)> sum;
+        forces_.setModel(sum.probe);
+        if (ranks_.others) sum.calm = p_.particles.view().calm;
+        e.contact = sumOver<1>(p_.set.context, p_.order.active(), sum)[0];
+    });
+    const auto wall = p_.walls.memory.entries ? p_.walls.memory.force.download() : std::vector<real>();
+    if (!ranks_.others) for (int k = 0; k < p_.walls.memory.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
+    for (int i = 0; ranks_.others && p_.walls.memory.entries && i < p_.order.active(); ++i)
+        for (int k = p_.walls.memory.entryFirst.data()[i]; !ranks_.ghost(i) && k < p_.walls.memory.entryFirst.data()[i + 1]; ++k)
+            e.contact += double(wall[k*wallWords<D> + D + S]);
+    e.bond = p_.bonds.energy(p_.order.slotOf);
+    return e;
+}
+
+template<class Backend, int D, class P>
+double SceneReadings<Backend, D, P>::deepestOverlap()
+{
+    double most = 0;
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        DeepestOverlap<Backend, D, P, decltype(law)> deepest;
+        forces_.setModel(deepest.probe);
+        most = largestOver(p_.set.context, p_.order.active(), deepest);
+    });
+    if (!p_.walls.count || !p_.walls.memory.entries) return most;
+    const auto first = p_.walls.memory.entryFirst.download();
+    const auto entry = p_.walls.memory.entry.download();
+    const auto force = p_.walls.memory.force.download();
+    const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
+    const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
+    const int n = p_.order.active();
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
+        {
+            const double gap = double(p_.pairs.gap(material[i], p_.set.input.walls[entry[e].wall].material));
+            most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
+        }
+    return most;
+}
+
+template<class Backend, int D, class P>
+std::vector<DemWallForce> SceneReadings<Backend, D, P>::wallForces()
+{
+    std::vector<DemWallForce> out(p_.walls.count);
+    if (!p_.walls.count || !p_.walls.memory.entries) return out;
+    const int n = p_.order.active();
+    const auto first = p_.walls.memory.entryFirst.download();
+    const auto entry = p_.walls.memory.entry.download();
+    const auto force = p_.walls.memory.force.download();
+    const auto on = p_.walls.memory.on.download();
+    const auto normal = p_.walls.memory.normal.download();
+    const std::vector<WallData> walls = p_.walls.walls.download();
+    const std::vector<double> x = p_.particles.positions(n);
+    // the part of a force along the normals of an entry's touches
+    const auto alongNormals = [&](int e, const Vec<3, double>& force)
+    {
+        Vec<3, double> sum{{0, 0, 0}}, basis[wallTouches];
+        int known = 0;
+        for (int slot = e*wallTouches; slot < (e + 1)*wallTouches; ++slot)
+        {
+            if (!on[slot]) continue;
+            Vec<D, double> local;
+            for (int d = 0; d < D; ++d) local.c[d] = double(normal[slot*D + d]);
+            local = outOfFrame<D>(walls[entry[e].wall].frame.R, local);
+            Vec<3, double> b{{0, 0, 0}};
+            for (int d = 0; d < D; ++d) b.c[p_.set.config.axes[d]] = local.c[d];
+            for (int k = 0; k < known; ++k) b = b - dot(b, basis[k])*basis[k];
+            const double size = std::sqrt(squaredNorm(b));
+            if (!(size > 1e-3)) continue;           // as others
+            basis[known] = (1/size)*b;
+            sum = sum + dot(force, basis[known])*basis[known];
+            ++known;
+        }
+        return sum;
+    };
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
+        {
+            Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
+            for (int d = 0; d < D; ++d) f.c[p_.set.config.axes[d]] = -double(force[e*wallWords<D> + d]);
+            for (int c = 0; c < S; ++c)
+                m.c[D == 2 ? p_.set.config.axes[2] : c] = -(D == 2 ? p_.set.spinSign() : 1)*double(force[e*wallWords<D> + D + c]);
+            const Vec<3, double> centre{{x[3*i], x[3*i + 1], x[3*i + 2]}}, pressed = alongNormals(e, f), turned = cross(centre, pressed);
+            m = m + cross(centre, f);
+            DemWallForce& w = out[entry[e].wall];
+            for (int d = 0; d < 3; ++d)
+            {
+                w.force[d] += f.c[d];
+                w.moment[d] += m.c[d];
+                w.normal[d] += pressed.c[d];
+                w.normalMoment[d] += turned.c[d];
+            }
+        }
+    return out;
+}
+
+template<class Backend, int D, class P>
+std::vector<ArrayInfo> SceneReadings<Backend, D, P>::arrays() const
+{
+    std::vector<ArrayInfo> r;
+    const std::size_t n = std::max(p_.particles.n, 1);
+    const auto put = [&](const char* set, const std::string& name, std::size_t bytes)
+    { if (bytes) r.push_back(ArrayInfo{set, name, bytes/n, bytes}); };
+    for (const auto& f : p_.particles.values.info()) put("solids", f.name, f.bytes);
+    put("solids", "records", p_.order.records.bytes());
+    put("solids", "reference", p_.order.reference.bytes());
+    put("solids", "sort", p_.order.sort.bytes() + p_.order.inverse.bytes() + p_.order.slotOf.bytes());
+    put("contacts", "lists and histories", p_.order.list.bytes() + p_.order.oldList.bytes());
+    if constexpr (Backend::gpu)
+    {
+        put("solids", "fused steps", p_.memory.records.bytes() + p_.memory.low.bytes() + p_.memory.own.bytes() + p_.memory.frames.bytes());
+        put("contacts", "rebuilding", p_.memory.nearCount.bytes() + p_.memory.keptFirst.bytes() + p_.memory.keptPartner.bytes()
+          + p_.memory.keptHistory.bytes() + p_.memory.wallListFirst.bytes() + p_.memory.wallList.bytes());
+        put("solids", "order", p_.memory.place.bytes() + p_.memory.order.bytes() + p_.memory.cost.bytes() + p_.memory.found.bytes()
+          + p_.memory.foundNear.bytes() + p_.memory.foundWalls.bytes() + p_.memory.foundElements.bytes());
+    }
+    put("bonds", "bonds", p_.bonds.bytes());
+    put("clumps", "clumps", p_.clumps.bytes());
+    put("walls", "surfaces", p_.walls.bytes());
+    put("walls", "contacts", p_.walls.memory.bytes() + p_.walls.oldMemory.bytes());
+    return r;
+}
+
+template<class Backend, int D, class P>
+std::vector<KernelInfo> SceneReadings<Backend, D, P>::kernels() const
+{
+    std::vector<KernelInfo> r;
+    for (const auto& e : p_.set.context.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    return r;
+}
+
+template<class Backend, int D, class P>
+double SceneReadings<Backend, D, P>::neighboursPerParticle()
+{
+    std::vector<int> count(std::size_t(p_.order.list.blocks())*p_.order.list.width);
+    p_.set.context.toHost(count.data(), p_.order.list.count(), count.size()*sizeof(int));
+    double sum = 0;
+    const int n = p_.order.active();
+    for (int i = 0; i < n; ++i) sum += count[i];
+    return n ? sum*(Backend::gpu ? 1 : 2)/n : 0;
+}
+
+template<class Backend, int D, class P>
+double SceneReadings<Backend, D, P>::contactsPerParticle()
+{
+    p_.clock.read();
+    const int n = p_.order.active();
+    double contacts = 0;
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        SumContacts<Backend, D, P, decltype(law)> sum;
+        forces_.setModel(sum.probe);
+        contacts = sumOver<1>(p_.set.context, n, sum)[0];
+    });
+    return n ? 2*contacts/n : 0;
+}
+
+} // namespace riprap
