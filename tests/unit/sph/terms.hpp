@@ -103,7 +103,7 @@ public:
         const Box<D, P> box{};
         Array<Backend, real> u[D];
         Pass pass{box, CellGrid<D, P>(), {}, terms, terms,
-            KernelConstants<D, real>::template make<Kernel>(h0, spacing), {}, model, {}, {}, nullptr, nullptr, Finish::store, {}};
+            KernelConstants<D, real>::template make<Kernel>(h0, spacing), {}, model, {}, {}, nullptr, nullptr, Finish::store, {}, {}};
         for (int d = 0; d < D; ++d)
         {
             u[d].upload(context, wallVelocity[d]);
