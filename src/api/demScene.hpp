@@ -13,16 +13,15 @@
 #include <memory>
 #include <string>
 #include "api/pairProperties.hpp"
+#include "api/rankConfig.hpp"
 #include "api/sceneTypes.hpp"
 
 namespace riprap
 {
 
-class Transport;
-
 enum class DemIntegratorKind {leapfrog, velocityVerlet};
 
-struct DemConfig
+struct DemConfig : RankConfig
 {
     // Where and how
     int dimensions = 3;                     // 2: disks, 3: spheres
@@ -58,10 +57,6 @@ struct DemConfig
     double sleepAfter = 0;                  // [s]
 
     bool orientation = false;               // follow how particles have turned (output)
-
-    // Several processes: each is given the whole scene, and keeps its part (docs/parallel.md). Null, or of one rank: there are no others
-    Transport* ranks = nullptr;             // lives longer than the scene
-    double imbalance = 0.1;                 // the largest part may be so much above the mean before space is divided anew
 };
 
 struct DemMaterial

@@ -11,12 +11,11 @@
 #include <array>
 #include <memory>
 #include "api/fluidScene.hpp"
+#include "api/rankConfig.hpp"
 #include "api/termProperties.hpp"
 
 namespace riprap
 {
-
-class Transport;
 
 enum class EosKind {Tait, linear};
 enum class ShiftingKind {none, fickian};
@@ -26,7 +25,7 @@ enum class IntegratorKind {leapfrog, symplectic};
 //- Everything that the equations need, checked by the reader of dictionaries (ranges) and once more
 //  by createSphScene (consistency, std::invalid_argument). Kernel and terms by the words of their
 //  cards (solvers/sph/sphModels.hpp).
-struct SphConfig : FluidConfig, TermProperties
+struct SphConfig : FluidConfig, TermProperties, RankConfig
 {
     // How
     DeviceKind device = DeviceKind::automatic;
@@ -76,10 +75,6 @@ struct SphConfig : FluidConfig, TermProperties
     double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
     double maxSpeedRatio = 5;               // |v|/vmax that stops the run
     bool removeWild = false;                // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
-
-    // Several processes: each is given the whole scene, and keeps its part (docs/parallel.md). Null, or of one rank: there are no others
-    Transport* ranks = nullptr;             // lives longer than the scene
-    double imbalance = 0.1;                 // the largest part may be so much above the mean before space is divided anew
 };
 
 //- The walls' true faces, which hold particles back (sph/boundary/wallFaces.hpp): segments (2D, the third vertex is not used) or triangles

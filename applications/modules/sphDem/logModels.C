@@ -101,12 +101,9 @@ static void logChoice
     Info<< nl;
 }
 
-} // End namespace Foam
 
-
-void Foam::solverModules::sphDem::logTerms() const
+static void logTerms(const riprap::SphConfig& c)
 {
-    const riprap::SphConfig& c = settings_.config;
     using namespace riprap;
 
     // Where the first of the terms stands that an entry's words choose from
@@ -130,6 +127,8 @@ void Foam::solverModules::sphDem::logTerms() const
             << c.shiftingSurfaceThreshold << nl;
     }
 }
+
+} // End namespace Foam
 
 
 void Foam::solverModules::sphDem::logModels() const
@@ -173,7 +172,7 @@ void Foam::solverModules::sphDem::logModels() const
         << settings_.soundSpeedRatio << " x maxVelocity " << c.maxVelocity
         << " m/s" << (settings_.autoMaxVelocity ? " (auto)" : "") << nl;
 
-    logTerms();
+    logTerms(c);
 
     if (walls_.size())
     {

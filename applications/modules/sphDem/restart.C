@@ -32,6 +32,25 @@ bool Foam::solverModules::sphDem::canContinue(const particleCloud& cloud)
 }
 
 
+namespace Foam
+{
+
+static void warnOfOtherDensity(scalar now, scalar before)
+{
+    if (mag(now - before) > 1e-9*before)
+    {
+        WarningInFunction
+            << "Entry rho of constant/fluidProperties is " << now
+            << ", and was " << before << " in the run that is continued. The"
+            << " new one is used: every particle keeps its relative density"
+            << " rho/rho0, so that mass, density and pressure change by the"
+            << " same factor" << endl;
+    }
+}
+
+}
+
+
 bool Foam::solverModules::sphDem::loadState
 (
     const particleCloud& cloud,
@@ -51,9 +70,12 @@ bool Foam::solverModules::sphDem::loadState
     try
     {
         // Of several processes the first tells the others
-        std::vector<std::int32_t> words;
-        if (Pstream::master()) words = readSphState(runTime_);
-        scene_->loadState(words);
+        scene_->loadState
+        (
+            Pstream::master()
+          ? readSphState(runTime_)
+          : std::vector<std::int32_t>()
+        );
     }
     catch (const std::invalid_argument& e)
     {
@@ -92,15 +114,7 @@ bool Foam::solverModules::sphDem::loadState
     Info<< "Continuing exactly from time " << runTime_.timeName()
         << nl << endl;
 
-    if (mag(config.density - density) > 1e-9*density)
-    {
-        WarningInFunction
-            << "Entry rho of constant/fluidProperties is " << config.density
-            << ", and was " << density << " in the run that is continued. The"
-            << " new one is used: every particle keeps its relative density"
-            << " rho/rho0, so that mass, density and pressure change by the"
-            << " same factor" << endl;
-    }
+    warnOfOtherDensity(config.density, density);
     return true;
 }
 

@@ -38,4 +38,7 @@ struct WithoutGhosts
     HD double value(int i) const { return ghosts(i) ? 0 : f.value(i); }
 };
 
+template<class Backend, class F>
+WithoutGhosts<Backend, F> withoutGhosts(const F& f, const GhostMarks<Backend>& ghosts) { return {f, ghosts}; }
+
 } // namespace riprap

@@ -6,6 +6,14 @@
 namespace riprap
 {
 
+//- Particles of the rank that has most. owner, particles: of pieces
+static std::int64_t mostOf(const std::vector<int>& owner, const std::vector<std::int64_t>& particles)
+{
+    std::vector<std::int64_t> load(1 + std::size_t(*std::max_element(owner.begin(), owner.end())), 0);
+    for (std::size_t p = 0; p < owner.size(); ++p) load[owner[p]] += particles[p];
+    return *std::max_element(load.begin(), load.end());
+}
+
 void ParticleExchange::setPieces(const std::vector<PieceGrid>& grids, double reach)
 {
     pieces_.set(grids, reach);
@@ -54,14 +62,6 @@ std::vector<int> ParticleExchange::owners(const Bricks& bricks) const
     return r;
 }
 
-//- Particles of the rank that has most
-std::int64_t ParticleExchange::mostOf(const std::vector<int>& owner) const
-{
-    std::vector<std::int64_t> load(transport_.size(), 0);
-    for (std::size_t p = 0; p < owner.size(); ++p) load[owner[p]] += inPiece_[p];
-    return *std::max_element(load.begin(), load.end());
-}
-
 //- Bricks at first, and new ones where they are much better. Where none are they are not looked for again until the load has become more uneven, or
 //  for some time: particles may lie so that they can be shared out better
 void ParticleExchange::divide()
@@ -69,7 +69,7 @@ void ParticleExchange::divide()
     if (sole_ >= 0) return;
     constexpr int often = 16;               // migrations
     const double mean = std::max(1.0, double(total_))/transport_.size();
-    const double uneven = bricks_.ranks() ? double(mostOf(owner_))/mean : 0;
+    const double uneven = bricks_.ranks() ? double(mostOf(owner_, inPiece_))/mean : 0;
     if (bricks_.ranks() && (uneven <= 1 + imbalance_ || (uneven <= 1.05*unevenBefore_ && ++since_ < often))) return;
     since_ = 0;
     unevenBefore_ = uneven;
@@ -77,7 +77,7 @@ void ParticleExchange::divide()
     for (int p = 0; p < pieces_.count(); ++p) centres[p] = pieces_.centre(p);
     const Bricks bricks(transport_.size(), centres, inPiece_);
     const std::vector<int> owner = owners(bricks);
-    const double best = double(mostOf(owner))/mean;
+    const double best = double(mostOf(owner, inPiece_))/mean;
     if (bricks_.ranks() && best > 0.95*uneven) return;
     unevenBefore_ = best;
     bricks_ = bricks;

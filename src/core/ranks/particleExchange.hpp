@@ -81,7 +81,6 @@ private:
 
     void countAll(const std::uint32_t* cell);
     void divide();
-    std::int64_t mostOf(const std::vector<int>& owner) const;
     std::vector<int> owners(const Bricks&) const;
     void setOwners();
     const std::vector<int>& needs(int piece);

@@ -93,7 +93,7 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             if (host_.overflows()) { growLists(); continue; }
             const bool interrupted = interrupted_.exchange(false);      // heeded, whatever else ends the loop
             if (finished() || interrupted) break;
-            if (steps == stepsPerCycle_) fitCycle(int(host_.step - before));
+            if (steps == cycle_.steps) fitCycle(int(host_.step - before));
         }
     }
 }
@@ -105,7 +105,7 @@ int SphSolver<Backend, D, P>::stepsAhead() const
     double most = double(host_.lastStep - host_.step);
     // a step may turn out longer or shorter than the last: some more, and then again
     if (host_.fullDt > 0) most = std::min(most, 1.05*(host_.target - host_.time)/host_.fullDt + 2);
-    return most < stepsPerCycle_ ? std::max(1, int(most)) : stepsPerCycle_;
+    return most < cycle_.steps ? std::max(1, int(most)) : cycle_.steps;
 }
 
 //- Twice: a rebuild, and steps of which those that find their neighbours too old switch themselves off
@@ -138,18 +138,18 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::fitCycle(int taken)
 {
     constexpr int longest = 128, patience = 2;
-    if (taken < 2*stepsPerCycle_)
+    if (taken < 2*cycle_.steps)
     {
         // one that was cut short, as by a particle that left, says little
-        stepsPerCycle_ = std::max({2, taken/2, cycleFitted_ ? 7*stepsPerCycle_/8 : 2});
-        cyclesFull_ = 0;
-        cycleFitted_ = true;
+        cycle_.steps = std::max({2, taken/2, cycle_.fitted ? 7*cycle_.steps/8 : 2});
+        cycle_.full = 0;
+        cycle_.fitted = true;
     }
-    else if (!cycleFitted_) stepsPerCycle_ = std::min(longest, stepsPerCycle_ + stepsPerCycle_/2);
-    else if (++cyclesFull_ >= patience)
+    else if (!cycle_.fitted) cycle_.steps = std::min(longest, cycle_.steps + cycle_.steps/2);
+    else if (++cycle_.full >= patience)
     {
-        stepsPerCycle_ = std::min(longest, stepsPerCycle_ + std::max(1, stepsPerCycle_/16));
-        cyclesFull_ = 0;
+        cycle_.steps = std::min(longest, cycle_.steps + std::max(1, cycle_.steps/16));
+        cycle_.full = 0;
     }
 }
 
@@ -163,7 +163,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         setPoses(host_.time, std::max(t, host_.time));
         if constexpr (Backend::gpu) parts_.graphs.recorded = false;     // poses are part of the recorded launches
     }
-    if (others_) agreeToStop();
+    if (ranks_) ranks_->agreeToStop(interrupted_);
     if (stopAsked()) maxSteps = 1;
     const std::int64_t before = host_.step;
     if (solids_) solids_->beginReport();
@@ -209,7 +209,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
 {
-    if (others_) return reportRanks(report);
+    if (ranks_) return ranks_->report(report);
     const int active = activeFluid();
     report.fluid = active;
     if (active >= reported_) return;
@@ -255,8 +255,8 @@ void SphSolver<Backend, D, P>::findOffender(SphReport& report)
     if (host_.halt == Halt::solids) { report.stop = StopReason::solids; return; }     // DemScene::lastReport has more
     report.stop = host_.halt == Halt::notANumber ? StopReason::notANumber
         : (host_.halt == Halt::density ? StopReason::density : StopReason::speed);
-    if (others_) findOffenderOfRanks(report);
-    else findWorst(report);
+    const double worst = findWorst(report);
+    if (ranks_) ranks_->agreeOnOffender(report, worst);
 }
 
 //- Of those of this rank. \return what it was found by
@@ -280,7 +280,7 @@ double SphSolver<Backend, D, P>::findWorst(SphReport& report)
     double worst = -1;
     for (int i = 0; i < n; ++i)
     {
-        if (ghost(i)) continue;
+        if (ranks_ && ranks_->ghost(i)) continue;
         real speed2 = 0, a2 = 0;
         for (int d = 0; d < D; ++d) { speed2 += v[d][i]*v[d][i]; a2 += a[d][i]*a[d][i]; }
         double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(double(speed2));

@@ -15,7 +15,6 @@
 #include "solvers/sph/sphStiffness.hpp"
 #include "solvers/sph/sphOutput.hpp"
 #include "solvers/sph/sphState.hpp"
-#include "solvers/sph/sphRanks.hpp"
 #include "solvers/sph/sphInstances.hpp"
 
 namespace riprap

@@ -32,7 +32,7 @@ std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
     const auto f = wallPointForces(true);
     const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
     for (int i = 0; i < nWalls_; ++i)
-        for (int d = 0; d < D && !wallGhost(i); ++d) total[wallBodies_[id[i]] + 1][config_.axes[d]] += f[std::size_t(i)*D + d];
+        for (int d = 0; d < D && !(ranks_ && ranks_->wallGhost(i)); ++d) total[wallBodies_[id[i]] + 1][config_.axes[d]] += f[std::size_t(i)*D + d];
     return total;
 }
 
@@ -49,7 +49,7 @@ std::vector<FluidForce> SphSolver<Backend, D, P>::forcesOnWalls()
     for (int d = 0; d < D; ++d) x[d] = wall_.template download<std::int64_t>(context_, wallXField_ + d);
     for (int i = 0; i < nWalls_; ++i)
     {
-        if (wallGhost(i)) continue;
+        if (ranks_ && ranks_->wallGhost(i)) continue;
         FluidForce f;
         bool any = false;
         f.part = wallParts_[id[i]];

@@ -24,10 +24,10 @@ void SphSolver<Backend, D, P>::rebuild()
     keys.active = fluidSort_.active();
     keys.clock = clock_.data();
     forEach(context_, n_, keys);
-    if (others_) regroup();
+    if (ranks_) ranks_->migrate([this](int n) { setCapacity(n); }, [this] { return fluidFields(); });
     fluidSort_.sort(context_, n_);
     fluid_.permute(context_, fluidSort_.order(), n_);
-    if (others_) settleRanks();
+    if (ranks_) ranks_->settle(activeFluid());
     if constexpr (Backend::gpu) parts_.frames.clear(context_);
     forEach(context_, n_, mover<PlaceFluid<Backend, D, P>>());
     if (nBodies_) rebuildWalls();
@@ -39,7 +39,7 @@ void SphSolver<Backend, D, P>::rebuild()
     // that a restart does too
     if (nBodies_ || config_.integrator == IntegratorKind::symplectic) wallPass(false);
     solidPressurePass(false);
-    if (others_) agree();
+    if (ranks_) ranks_->agree(*clock_.data(), interrupted_);
 }
 
 //- How far particles may go, now that they and the walls are in their places
@@ -103,7 +103,7 @@ SearchReach<typename P::real> SphSolver<Backend, D, P>::fluidReach() const
 {
     if (!config_.variableSmoothing) return {};
     return {&clock_.data()->foundH, ClockData::growthOfH, float(model_.hMax), pairReach(0),
-        reachOfH()};
+        reachOfH<real>(config_)};
 }
 
 template<class Backend, int D, class P>

@@ -33,7 +33,7 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::refreshRecords()
 {
     forEach(context_, n_, mover<RefreshRecords<Backend, D, P>>());
-    if (others_) shareRecords();
+    if (ranks_) ranks_->shareRecords();
 }
 
 template<class Backend, int D, class P>
@@ -62,10 +62,10 @@ FluidState SphSolver<Backend, D, P>::fluid()
         s.pressure[i] = model_.eos.pressure(deviation[i]);
         s.smoothingLength[i] = model_.smoothingLength(deviation[i]);
     }
-    if (!others_) return s;
-    for (auto* v : {&s.position, &s.velocity}) dropGhosts(*v, 3);
-    for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) dropGhosts(*v, 1);
-    dropGhosts(s.id, 1);
+    if (!ranks_) return s;
+    for (auto* v : {&s.position, &s.velocity}) ranks_->dropGhosts(*v, 3);
+    for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) ranks_->dropGhosts(*v, 1);
+    ranks_->dropGhosts(s.id, 1);
     return s;
 }
 
@@ -85,7 +85,7 @@ WallState SphSolver<Backend, D, P>::walls()
     forEach(context_, nWalls_, ReadWalls<Backend, D, P>{wallRecords_.view(), wallFields().id, pressure.data()});
     const auto p = pressure.download();
     for (int i = 0; i < nWalls_; ++i) s.pressure[i] = p[i];
-    for (int i = 0; i < nWalls_; ++i) if (wallGhost(i)) s.pressure[id[i]] = 0;
+    if (ranks_) for (int i = 0; i < nWalls_; ++i) if (ranks_->wallGhost(i)) s.pressure[id[i]] = 0;
     if (!nBodies_) return s;
     for (int d = 0; d < D; ++d)
     {
@@ -104,7 +104,7 @@ WallState SphSolver<Backend, D, P>::walls()
 template<class Backend, int D, class P>
 SphEnergy SphSolver<Backend, D, P>::energy()
 {
-    const auto sums = sumOver<3>(context_, activeFluid(), ofOwn(EnergySums<D, P>{box_, model_, fluidFields()}));
+    const auto sums = sumOver<3>(context_, activeFluid(), withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()));
     SphEnergy e;
     e.kinetic = sums[0];
     e.potential = sums[1];
@@ -123,15 +123,15 @@ FluidExtremes SphSolver<Backend, D, P>::extremes()
 {
     const int n = activeFluid();
     FluidExtremes e;
-    e.speed = std::sqrt(largestOver(context_, n, ofOwn(FluidSpeed2<D, P>{fluidFields()})));
-    e.densityDeviation = largestOver(context_, n, ofOwn(FluidDeviation<D, P>{fluidFields()}));
+    e.speed = std::sqrt(largestOver(context_, n, withoutGhosts(FluidSpeed2<D, P>{fluidFields()}, ghosts())));
+    e.densityDeviation = largestOver(context_, n, withoutGhosts(FluidDeviation<D, P>{fluidFields()}, ghosts()));
     return e;
 }
 
 template<class Backend, int D, class P>
 FluidEnd SphSolver<Backend, D, P>::farEnd(const Vector3& direction, double reach)
 {
-    if (others_) return farEndOfRanks(direction, reach);
+    if (ranks_) return ranks_->farEnd(fluid().position, direction, reach);
     Vec<D, double> lower, upper;
     for (int d = 0; d < D; ++d) { lower.c[d] = box_.lower[d]; upper.c[d] = box_.lower[d] + box_.length[d]; }
     return farEndOf<Backend, D>(context_, activeFluid(), FluidPlaces<D, P>{box_, fluidFields()}, config_.axes, direction, reach, lower, upper, emptyCoordinate_);
@@ -149,16 +149,32 @@ FaceContacts SphSolver<Backend, D, P>::faceContacts()
 }
 
 //- D components of the normal and the depth, one plane after the other
-template<class Backend, int D, class P>
-std::vector<typename P::real> SphSolver<Backend, D, P>::solvedPlanes(const SightPlanes& planes) const
+template<int D, class R>
+std::vector<R> solvedPlanes(const SightPlanes& planes, const int* axes)
 {
-    std::vector<real> r;
+    std::vector<R> r;
     for (std::size_t k = 0; k < planes.depth.size(); ++k)
     {
-        for (int d = 0; d < D; ++d) r.push_back(real(planes.normal[3*k + config_.axes[d]]));
-        r.push_back(real(planes.depth[k]));
+        for (int d = 0; d < D; ++d) r.push_back(R(planes.normal[3*k + axes[d]]));
+        r.push_back(R(planes.depth[k]));
     }
     return r;
+}
+
+//- Points [m], three coordinates each, as passes have them. Points outside the box see its edge, where there is no fluid
+template<int D, class P>
+std::vector<typename P::position> placesOf(const Box<D, P>& box, const std::vector<double>& points, const int* axes)
+{
+    const std::size_t m = points.size()/3;
+    std::vector<typename P::position> x(m*D);
+    for (std::size_t i = 0; i < m; ++i)
+        for (int d = 0; d < D; ++d)
+        {
+            double p = points[3*i + axes[d]];
+            if (!box.periodic[d]) p = std::min(std::max(p, box.lower[d]), box.lower[d] + box.length[d]*(1 - 1e-9));
+            x[i*D + d] = box.pairPosition(d, box.toFixed(d, p));
+        }
+    return x;
 }
 
 template<class Backend, int D, class P>
@@ -173,16 +189,7 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points,
     if (!m || !n_) return r;
     // fluid may have left its cells by more than the search allows for
     if constexpr (Backend::gpu) if (parts_.frames.on()) sortNow();
-    std::vector<position> x(m*D);
-    for (std::size_t i = 0; i < m; ++i)
-        for (int d = 0; d < D; ++d)
-        {
-            // points outside the box see its edge, where there is no fluid
-            double p = points[3*i + config_.axes[d]];
-            if (!box_.periodic[d])
-                p = std::min(std::max(p, box_.lower[d]), box_.lower[d] + box_.length[d]*(1 - 1e-9));
-            x[i*D + d] = box_.pairPosition(d, box_.toFixed(d, p));
-        }
+    const std::vector<position> x = placesOf<D, P>(box_, points, config_.axes);
     refreshRecords();
     constexpr int channels = 2 + 2*D;
     Array<Backend, position> device;
@@ -193,7 +200,7 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points,
     if (!planes.depth.empty())
     {
         first.upload(context_, planes.first);
-        plane.upload(context_, solvedPlanes(planes));
+        plane.upload(context_, solvedPlanes<D, real>(planes, config_.axes));
     }
     withKernel(config_, [&](auto kernel, auto variable)
     {
@@ -207,12 +214,9 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points,
     const auto sums = result.download();
     for (std::size_t i = 0; i < m; ++i)
     {
-        if (others_)
-        {
-            Vec<D, position> place;
-            for (int d = 0; d < D; ++d) place.c[d] = x[i*D + d];
-            if (others_->ownerOf(cellOfPoint(place)) != config_.ranks->rank()) continue;
-        }
+        Vec<D, position> place;
+        for (int d = 0; d < D; ++d) place.c[d] = x[i*D + d];
+        if (ranks_ && !ranks_->has(place)) continue;
         const real* s = &sums[i*channels];
         r.volumeFraction[i] = s[0];
         if (!(s[0] > 1e-6)) continue;
@@ -230,10 +234,10 @@ template<class Backend, int D, class P>
 NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
 {
     NeighbourCounts r;
-    r.particles = others_ ? others_->ownedHere() : activeFluid();
+    r.particles = ranks_ ? ranks_->particles().ownedHere() : activeFluid();
     refreshRecords();
     const double support = supportOf(config_);
-    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, const std::vector<char>& ghosts, bool solids)
+    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, const GhostMarks<Backend>& ghosts, bool solids)
     {
         if (!n || !source.start) return std::int64_t(0);
         Array<Backend, real> result;
@@ -242,17 +246,19 @@ NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
         if (solids) runOverSolids(pass); else run(pass, n);
         const std::vector<real> counts = result.download();
         std::int64_t sum = 0;
-        for (int i = 0; i < n; ++i) if (ghosts.empty() || !ghosts[i]) sum += std::int64_t(counts[i]);
+        for (int i = 0; i < n; ++i) if (!ghosts(i)) sum += std::int64_t(counts[i]);
         return sum;
     };
     const int n = activeFluid();
-    r.fluid = count(fluidSource(false), fluidRecords_.view(), n, ghostMarks_, false);
-    r.walls = count(wallSource(), fluidRecords_.view(), n, ghostMarks_, false);
-    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated)) r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_, wallMarks_, false);
+    r.fluid = count(fluidSource(false), fluidRecords_.view(), n, ghosts(), false);
+    r.walls = count(wallSource(), fluidRecords_.view(), n, ghosts(), false);
+    const GhostMarks<Backend> wallGhosts = ranks_ ? ranks_->wallMarks() : GhostMarks<Backend>();
+    if (nWalls_ && (nBodies_ || config_.wallModel == WallKind::extrapolated))
+        r.aboutWalls = count(fluidSource(true), wallRecords_.view(), nWalls_, wallGhosts, false);
     if (!solidsMeet_) return r;
     int solids = 0;
     context_.toHost(&solids, solidSort_.active(), sizeof(int));
-    r.solids = count(solidSource(), fluidRecords_.view(), n, ghostMarks_, false);
+    r.solids = count(solidSource(), fluidRecords_.view(), n, ghosts(), false);
     r.aboutSolids = count(fluidAboutSolids(), solidRecords_.view(), solids, {}, true);
     return r;
 }

@@ -19,7 +19,9 @@ SphSolver<Backend, D, P>::SphSolver
     n_ = int(fluid.size());
     setModel();
     setBox();
-    if (config.ranks && config.ranks->size() > 1) setRanks();
+    if (config.ranks && config.ranks->size() > 1)
+        ranks_ = std::make_unique<FluidRanks<Backend, D, P>>(typename FluidRanks<Backend, D, P>::Scene
+            {config_, box_, grid_, fluid_, fluidRecords_, fluidSort_, wallRecords_, n_, nWalls_, emptyCoordinate_}, double(allowedWay_));
     setFluid(fluid);
     setWalls(walls);
     setFaces(walls.faces, solids);
@@ -28,19 +30,52 @@ SphSolver<Backend, D, P>::SphSolver
     allocateLists();
     if (nBodies_) setPoses(config_.startTime, config_.startTime);
     prime();
-    if (others_) fitCapacity();
+    if (ranks_) fitCapacity();
 }
 
 //- What is added to the support may be travelled by a particle before neighbours are sought anew: half of it on the GPU, all of it on the CPU
-template<class Backend, int D, class P>
-double SphSolver<Backend, D, P>::skinRatio() const
+template<class Backend, int D>
+double skinRatio(const SphConfig& config, int n)
 {
-    if (config_.skin >= 0) return config_.skin;
+    if (config.skin >= 0) return config.skin;
     if (!Backend::gpu) return 0.1;
     // small scenes are bound by launches, of which a rebuild has many
-    const bool symplectic = config_.integrator == IntegratorKind::symplectic;
-    if (n_ <= 24000) return D == 2 || symplectic ? 0.5 : 0.35;
-    return n_ > 200000 ? 0.07 : (D == 2 ? 0.2 : 0.12);
+    const bool symplectic = config.integrator == IntegratorKind::symplectic;
+    if (n <= 24000) return D == 2 || symplectic ? 0.5 : 0.35;
+    return n > 200000 ? 0.07 : (D == 2 ? 0.2 : 0.12);
+}
+
+//- Several ranks: memory for so many particles from now on; residents stay in their slots, and a rebuild does the rest
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::setCapacity(int n)
+{
+    const int active = std::min(activeFluid(), n), kept = std::min({ranks_->particles().residents(), n_, n});
+    FieldSet<Backend> old(std::move(fluid_));
+    fluid_ = FieldSet<Backend>();
+    const auto info = old.info();
+    for (int f = 0; f < old.fields(); ++f)
+    {
+        if (old.elementBytes(f) == 8) fluid_.template add<std::int64_t>(info[f].name);
+        else fluid_.template add<std::int32_t>(info[f].name);
+    }
+    fluid_.allocate(context_, n);
+    for (int f = 0; f < fluid_.fields(); ++f) std::memcpy(fluid_.bytes(f), old.bytes(f), std::size_t(kept)*old.elementBytes(f));
+    fluidRecords_ = Records<Backend, D, P>();
+    fluidRecords_.allocate(context_, n, model_.variableH);
+    fluidReference_ = Array<Backend, position>();
+    fluidReference_.allocate(context_, std::size_t(n)*D);
+    fluidSort_ = CellSort<Backend>();
+    fluidSort_.allocate(context_, n, grid_.cells);
+    context_.toDevice(const_cast<int*>(fluidSort_.active()), &active, sizeof(int));
+    n_ = n;
+}
+
+//- Several ranks: memory for what is here, and some more
+template<class Backend, int D, class P>
+void SphSolver<Backend, D, P>::fitCapacity()
+{
+    setCapacity(ranks_->room());
+    rebuild();
 }
 
 template<class Backend, int D, class P>
@@ -86,7 +121,7 @@ void SphSolver<Backend, D, P>::setBox()
     const SphConfig& c = config_;
     const double support = supportOf(c)*(c.variableSmoothing ? c.maxSmoothingGrowth : 1);
     // each row of cells must be its own neighbour at most once: a short period leaves room for a thinner skin only
-    double skin = skinRatio()*support;
+    double skin = skinRatio<Backend, D>(config_, n_)*support;
     for (int d = 0; d < D; ++d)
     {
         const double period = c.domainMax[c.axes[d]] - c.domainMin[c.axes[d]], least = 1.05*support;
@@ -252,7 +287,7 @@ void SphSolver<Backend, D, P>::prime()
     fluidPass<Part::all>(Finish::store);
     solidForcePass();
     showForces();
-    if (others_) agree();
+    if (ranks_) ranks_->agree(*clock_.data(), interrupted_);
     context_.synchronise();
     readClock();
 }

@@ -154,11 +154,10 @@ void SphSolver<Backend, D, P>::meetFluid()
 }
 
 //- What of the last two forces solids get at a fraction of the step, so that the impulse of whole steps is what docs/coupling.md has
-template<class Backend, int D, class P>
-ForceShares SphSolver<Backend, D, P>::forceShares(double fraction) const
+inline ForceShares sharesOfForces(const ClockData& clock, FluidForceKind kind, double fraction)
 {
-    const double ratio = host_.previousDt/host_.dt;     // 0 in the first step
-    if (coupling_.force != FluidForceKind::interpolated) return ForceShares{0.5*(1 + ratio), 0};
+    const double ratio = clock.previousDt/clock.dt;     // 0 in the first step
+    if (kind != FluidForceKind::interpolated) return ForceShares{0.5*(1 + ratio), 0};
     const double slope = 0.5*ratio + (ratio > 0 ? (fraction - 0.5)/ratio : 0);
     return ForceShares{1 + slope, -slope};
 }
@@ -167,6 +166,7 @@ ForceShares SphSolver<Backend, D, P>::forceShares(double fraction) const
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::advanceSolids()
 {
+    const auto forceShares = [&](double fraction) { return sharesOfForces(host_, coupling_.force, fraction); };
     const auto advance = [&](double t, double dt, int steps, const ForceShares& shares)
     {
         const double scale = dt/solids_->kickTime(dt, steps);

@@ -1,7 +1,7 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
     sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
     (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
-    sphOutput.hpp (everything read back), sphState.hpp (save and load) and sphRanks.hpp (several processes).
+    sphOutput.hpp (everything read back), sphState.hpp (save and load). Several processes: fluidRanks.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,9 +15,9 @@
     #include "core/backend/graph.hpp"
     #include "core/neighbours/neighbourList.hpp"
 #endif
-#include "core/ranks/particleExchange.hpp"
 #include "coupling/bodyFaces.hpp"
 #include "coupling/solidPasses.hpp"
+#include "solvers/sph/fluidRanks.hpp"
 #include "solvers/sph/sphFamilies.hpp"
 #include "solvers/sph/sphInstances.hpp"
 #include "solvers/sph/sphRebuild.hpp"
@@ -49,6 +49,14 @@ struct FaceArrays
     }
 };
 
+//- GPU: steps launched between two rebuilds
+struct CycleLength
+{
+    int steps = 8;
+    bool fitted = false;        // it was too long once: lengthen in small strides
+    int full = 0;               // since it was, pairs of cycles all of whose steps were wanted
+};
+
 //- What only one backend has
 template<class Backend, int D, class P> struct BackendParts { };
 
@@ -73,6 +81,10 @@ struct BackendParts<Gpu, D, P>
     int solidShift = 0;         // log2 of the lanes a solid
 };
 #endif
+
+//- How far pairs reach, in h
+template<class R>
+R reachOfH(const SphConfig& c) { return R(kernelOf(c.kernel).support); }
 
 template<class Backend, int D, class P>
 class SphSolver : public SphScene
@@ -121,11 +133,9 @@ private:
     void setFluid(const FluidInput&);
     void setWalls(const WallInput&);
     void prime();
-    double skinRatio() const;
     void setFrames();
     //- From a particle to those it must find, whose h and own are at most `h` [m]
-    real pairReach(float h) const { return grid_.radius - reachOfH()*(model_.hMax - h); }
-    real reachOfH() const { return real(kernelOf(config_.kernel).support); }
+    real pairReach(float h) const { return grid_.radius - reachOfH<real>(config_)*(model_.hMax - h); }
     SearchReach<real> fluidReach() const;
 
     static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
@@ -168,7 +178,6 @@ private:
     std::vector<std::int32_t> solidIds(std::vector<int>& there);
     SolidPoints<D, P> solidPoints();
     SolidAction<D, real> solidAction();
-    ForceShares forceShares(double fraction) const;
     void meetFluid();
     void pushSolids();
     template<class F> void withSolidTerms(bool viscous, const F&) const;
@@ -197,51 +206,19 @@ private:
     double findWorst(SphReport&);
     std::vector<double> suspicion(int n);
 
-    // sphStiffness.hpp
-    double elasticEnergy();
-
     // sphForces.hpp
     std::vector<real> wallPointForces(bool viscous);
 
-    // sphRanks.hpp; nothing of this is called where there is one rank
-    void setRanks();
+    // sphSetup.hpp; of several ranks
     void setCapacity(int n);
     void fitCapacity();
-    void beginAnew();
-    void packParticle(int slot, RankBytes& to);
-    void unpackParticle(int slot, const unsigned char*& from);
-    void regroup();
-    void noticeLeft(int slot);
-    void settleRanks();
-    void divideWalls();
-    std::uint32_t cellOfPoint(const Vec<D, position>& x) const;
-    void shareRecords();
-    void shareWalls();
-    void agree();
-    void agreeToStop();
-    bool stopAsked() const { return others_ ? stopAgreed_ : bool(interrupted_); }
-    bool ghost(int i) const { return others_ && others_->kind(i) == ParticleExchange::ghost; }
-    bool wallGhost(int i) const { return others_ && wallMarks_[i]; }
-    GhostMarks<Backend> ghosts() const { return marks(ghostMarks_); }
-    GhostMarks<Backend> wallGhosts() const { return marks(wallMarks_); }
-    GhostMarks<Backend> marks(const std::vector<char>&) const;
-    template<class F> WithoutGhosts<Backend, F> ofOwn(const F& f) const { return {f, ghosts()}; }
-    template<class T> void dropGhosts(std::vector<T>&, int each) const;
-    void reportRanks(SphReport&);
-    void findOffenderOfRanks(SphReport&);
-    void sumOfRanks(ClockData&, double& stiffening) const;
-    void fieldOfRanks(FieldSet<Backend>&, int field, std::int32_t* to);
-    FluidEnd farEndOfRanks(const Vector3& direction, double reach);
-    std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>&);
-
-    // sphState.hpp
-    void takeState(const std::vector<std::int32_t>& words);
+    GhostMarks<Backend> ghosts() const { return ranks_ ? ranks_->marks() : GhostMarks<Backend>(); }
+    bool stopAsked() const { return ranks_ ? ranks_->stopAgreed() : bool(interrupted_); }
 
     // sphOutput.hpp
     void refreshRecords();
     int activeFluid();
     void toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const;
-    std::vector<real> solvedPlanes(const SightPlanes&) const;
 
     SphConfig config_;
     WallMotion motion_;
@@ -299,18 +276,10 @@ private:
 
     BackendParts<Backend, D, P> parts_;
     int shift_ = 0;             // log2 of the lanes a particle
-    int stepsPerCycle_ = 8;     // GPU: steps launched between two rebuilds
-    bool cycleFitted_ = false;  // it was too long once: lengthen in small strides
-    int cyclesFull_ = 0;        // since it was, pairs of cycles all of whose steps were wanted
+    CycleLength cycle_;
     std::atomic<bool> interrupted_{false};      // until a call of advance has heeded it
 
-    // Several ranks: sphRanks.hpp
-    std::unique_ptr<ParticleExchange> others_;  // null: there are none
-    SlotShares wallShares_;
-    std::vector<char> ghostMarks_, wallMarks_;
-    std::int64_t wallsDivided_ = -1, wallBytes_ = 0;    // ParticleExchange::divisions() when they were; sent so far
-    bool stopAgreed_ = false;
-    SphReport left_;                            // escaped and wild particles since the last report
+    std::unique_ptr<FluidRanks<Backend, D, P>> ranks_;  // null: there is one
 };
 
 } // namespace riprap

@@ -25,6 +25,20 @@ namespace detail
 static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 8;
 static constexpr int stateHeader = 14;
 
+[[noreturn]] inline void refuseState(const std::string& why) { throw std::invalid_argument("saved state: " + why); }
+
+//- Is it a whole state of such a scene? least: words
+inline void requireState(const std::vector<std::int32_t>& words, std::size_t least, int dimensions, std::size_t real, bool gpu)
+{
+    if (words.size() < least) refuseState("too short");
+    if (words[0] != stateMagic) refuseState("not a riprap state");
+    if (words[1] != stateVersion) refuseState("version " + std::to_string(words[1]) + " is not supported");
+    if (checksum(words, words.size() - 1) != words.back()) refuseState("checksum does not match: the data are damaged");
+    if (words[2] != dimensions) refuseState("it is of " + std::to_string(words[2]) + " dimensions");
+    if (words[3] != int(real)) refuseState("it was written with another precision");
+    if (words[4] != int(gpu)) refuseState("it was written on another kind of device");
+}
+
 } // namespace detail
 
 //- By key, -1 of those that have left; and the keys of the others, ascending
@@ -43,22 +57,22 @@ template<class Backend, int D, class P>
 std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
 {
     readClock();
-    const int n = others_ ? int(others_->total()) : activeFluid();
+    const int n = ranks_ ? int(ranks_->particles().total()) : activeFluid();
     double stiffening = stiffening_;
-    if (others_) sumOfRanks(host_, stiffening);
+    if (ranks_) ranks_->sum(host_, stiffening);
     std::vector<int> there;
     const std::vector<std::int32_t> ids = solidIds(there);
     std::vector<std::int32_t> words
     {
         detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
-        stepsPerCycle_, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
-        int(cycleFitted_) + 2*cyclesFull_, int(there.size())
+        cycle_.steps, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
+        int(cycle_.fitted) + 2*cycle_.full, int(there.size())
     };
     detail::appendBytes(words, &host_, sizeof(ClockData));
     detail::appendBytes(words, &stiffening, sizeof(stiffening));
     std::size_t expected = words.size() + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
-    const bool here = !others_ || config_.ranks->rank() == 0;
+    const bool here = !ranks_ || ranks_->first();
     if (here) words.reserve(expected);
     const auto append = [&](FieldSet<Backend>& set, int count)
     {
@@ -66,7 +80,7 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
         {
             const std::size_t at = words.size(), bytes = std::size_t(count)*set.elementBytes(f);
             if (here) words.resize(at + (bytes + 3)/4, 0);
-            if (others_) fieldOfRanks(set, f, words.data() + at);
+            if (ranks_) ranks_->gather(set, f, words.data() + at);
             else if (count) context_.toHost(&words[at], set.bytes(f), bytes);
         }
     };
@@ -87,37 +101,25 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
         words.push_back(std::int32_t(std::uint32_t(own.size())));
         words.insert(words.end(), own.begin(), own.end());
     }
-    if (others_) readClock();
+    if (ranks_) readClock();
     if (!here) return {};
     words.push_back(detail::checksum(words, words.size()));
     return words;
 }
 
 template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& words)
+void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& given)
 {
-    if (!others_) return takeState(words);
-    takeState(wordsOfFirst(words));
-    fitCapacity();
-}
-
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
-{
-    const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
+    const std::vector<std::int32_t> received = ranks_ ? ranks_->ofFirst(given) : std::vector<std::int32_t>();
+    const std::vector<std::int32_t>& words = ranks_ ? received : given;
+    const auto fail = detail::refuseState;
     const std::size_t clockWords = (sizeof(ClockData) + 3)/4, energyWords = sizeof(stiffening_)/4;
-    if (words.size() < detail::stateHeader + clockWords + energyWords + 1) fail("too short");
-    if (words[0] != detail::stateMagic) fail("not a riprap state");
-    if (words[1] != detail::stateVersion) fail("version " + std::to_string(words[1]) + " is not supported");
-    if (detail::checksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
-    if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
-    if (words[3] != int(sizeof(real))) fail("it was written with another precision");
-    if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
+    detail::requireState(words, detail::stateHeader + clockWords + energyWords + 1, D, sizeof(real), Backend::gpu);
     if (words[6] != fluid_.fields()) fail("it has other fields (models were switched on or off)");
     if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
     if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0)) fail("it has other moving walls");
     if (words[13] != nSolids_) fail("it is of " + std::to_string(words[13]) + " solid particles, the case of " + std::to_string(nSolids_));
-    const int n = words[5], most = others_ ? int(others_->total()) : n_;
+    const int n = words[5], most = ranks_ ? int(ranks_->particles().total()) : n_;
     if (n < 0 || n > most) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(most));
     std::size_t at = detail::stateHeader + clockWords + energyWords, expected = at + 1;
     for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
@@ -143,14 +145,14 @@ void SphSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
             at += (bytes + 3)/4;
         }
     };
-    if (others_) setCapacity(n);
+    if (ranks_) setCapacity(n);
     take(fluid_, n);
     if (nBodies_) take(wall_, nWalls_);
     n_ = reported_ = n;
     shift_ = words[7];
-    stepsPerCycle_ = words[8];
-    cycleFitted_ = words[12] & 1;
-    cyclesFull_ = words[12]/2;
+    cycle_.steps = words[8];
+    cycle_.fitted = words[12] & 1;
+    cycle_.full = words[12]/2;
     // memory laid out by the number of particles
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
@@ -160,9 +162,10 @@ void SphSolver<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
         parts_.graphs.recorded = false;
         allocateLists();
     }
+    if (ranks_) ranks_->begin(host_, stiffening_);
     writeClock();
-    if (others_) beginAnew();
     rebuild();
+    if (ranks_) fitCapacity();
     context_.synchronise();
 }
 

@@ -136,10 +136,10 @@ void SphSolver<Backend, D, P>::wallPass(bool inStep)
         pass.model = model_;
         pass.count = nWalls_;
         pass.clock = inStep ? clock_.data() : nullptr;
-        pass.ghosts = wallGhosts();
+        if (ranks_) pass.ghosts = ranks_->wallMarks();
         run(pass, nWalls_);
     });
-    if (others_) shareWalls();
+    if (ranks_) ranks_->shareWalls();
 }
 
 //- Force on the walls, or that of the pressure alone; without somewhere to put it, the work that moving walls do in this step
@@ -217,7 +217,7 @@ void SphSolver<Backend, D, P>::step()
     if (config_.integrator == IntegratorKind::leapfrog)
     {
         forEach(context_, n_, mover<LeapfrogDrift<Backend, D, P>>());
-        if (others_) shareRecords();
+        if (ranks_) ranks_->shareRecords();
         blowBodies();
         moveWalls(false);
         moveSolids(false);
@@ -230,13 +230,13 @@ void SphSolver<Backend, D, P>::step()
     else
     {
         forEach(context_, n_, mover<SymplecticKick<Backend, D, P>>());
-        if (others_) shareRecords();
+        if (ranks_) ranks_->shareRecords();
         moveWalls(true);
         moveSolids(true);
         solidPass<Part::density>();
         fluidPass<Part::density>(Finish::close);
         forEach(context_, n_, mover<SymplecticDrift<Backend, D, P>>());
-        if (others_) shareRecords();
+        if (ranks_) ranks_->shareRecords();
         blowBodies();
         moveWalls(false);
         moveSolids(false);
@@ -247,7 +247,7 @@ void SphSolver<Backend, D, P>::step()
         wallForcePass(nullptr);
     }
     solidForcePass();
-    if (others_) agree();
+    if (ranks_) ranks_->agree(*clock_.data(), interrupted_);
     if (solids_ && coupling_.force == FluidForceKind::impulse) pushSolids();
 }
 

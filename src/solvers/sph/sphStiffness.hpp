@@ -72,21 +72,19 @@ std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::faster
 {
     CountFaster<D, P, SphScene::speedClasses> count{fluidFields(), {}};
     for (int k = 0; k < SphScene::speedClasses; ++k) count.speed2[k] = speeds[k]*speeds[k];
-    const auto sums = sumOver<SphScene::speedClasses>(context_, activeFluid(), ofOwn(count));
+    const auto sums = sumOver<SphScene::speedClasses>(context_, activeFluid(), withoutGhosts(count, ghosts()));
     std::array<std::size_t, SphScene::speedClasses> counts;
     for (int k = 0; k < SphScene::speedClasses; ++k) counts[k] = std::size_t(sums[k]);
     return counts;
 }
 
 template<class Backend, int D, class P>
-double SphSolver<Backend, D, P>::elasticEnergy()
-{ return sumOver<3>(context_, activeFluid(), ofOwn(EnergySums<D, P>{box_, model_, fluidFields()}))[2]; }
-
-template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSpeed)
 {
     if (!(maxVelocity > 0 && soundSpeed > 0)) throw std::invalid_argument("maxVelocity and the speed of sound must be positive");
     const EquationOfState<real> before = model_.eos;
+    const auto elasticEnergy = [&]
+    { return sumOver<3>(context_, activeFluid(), withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()))[2]; };
     const double elastic = elasticEnergy();
     config_.maxVelocity = maxVelocity;
     config_.soundSpeed = soundSpeed;
@@ -98,10 +96,10 @@ void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSp
     stiffening_ += elasticEnergy() - elastic;
     // the next step begins with the maxima of the last pass
     readClock();
-    host_.maxima[1] = float(largestOver(context_, n, ofOwn(SignalSpeed<D, P>{model_, fluidFields()})));
-    host_.maxima[2] = float(largestOver(context_, n, ofOwn(AbsoluteDeviation<real>{deviation})));
+    host_.maxima[1] = float(largestOver(context_, n, withoutGhosts(SignalSpeed<D, P>{model_, fluidFields()}, ghosts())));
+    host_.maxima[2] = float(largestOver(context_, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, ghosts())));
     writeClock();
-    if (others_) { agree(); readClock(); }
+    if (ranks_) { ranks_->agree(*clock_.data(), interrupted_); readClock(); }
     refreshRecords();
     if constexpr (Backend::gpu) parts_.graphs.recorded = false;
 }

@@ -1,0 +1,19 @@
+/*  How a scene is shared by several processes (docs/parallel.md).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+namespace riprap
+{
+
+class Transport;
+
+//- Each process is given the whole scene, and keeps its part
+struct RankConfig
+{
+    Transport* ranks = nullptr;             // lives longer than the scene. Null, or of one rank: there are no others
+    double imbalance = 0.1;                 // the largest part may be so much above the mean before space is divided anew
+};
+
+} // namespace riprap
