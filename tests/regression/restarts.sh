@@ -57,4 +57,11 @@ dictionary system/setParticlesDict <<<"regions ( bar { set solids; material glas
 ${grains/velocity (0.3 0 0)/velocity (0.2 0 0)} ); bonds ( all { type weak; groups (free); gapTolerance 1e-6; } );"
 setParticles >log 2>&1; exact escapesAndBreaks
 
+# Soft grains that are behind a plane when they are written
+tank2; control dem 0.04 0.02
+dictionary constant/solidProperties <<<"materials { glass { rho 2500; } } contact { normal linear; tangential history; } pairs { default { stiffness 2e3; restitution 0.5; friction 0.3; stiffnessRatio 0.3; } }
+walls { material glass; planes { net { point (0.15 0 0); normal (-1 0 0); } } } device cpu;"
+dictionary system/setParticlesDict <<<"regions ( ${grains/box (0.11 0 -1) (0.19 0.04 1)/box (0.1 0.02 -1) (0.14 0.1 1)} );"
+sed -i 's/velocity (0.3 0 0)/velocity (2 0 0)/' system/setParticlesDict; setParticles >log 2>&1; exact softPlane
+
 "${RIPRAP_PYTHON:-python3}" "$root/tests/restarts/runRestarts.py" --short 2>/dev/null
