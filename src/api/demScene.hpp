@@ -297,6 +297,18 @@ struct DemEnergy                            // [J] (2D: per metre)
     double total() const { return translation + rotation + potential + contact + bond + spring; }
 };
 
+//- Of a group: its particles and the box about them; of those that are no members of rigid bodies mass, sums of m x and m u. Components along
+//  the empty axis are 0
+struct DemGroupSums
+{
+    double particles = 0, mass = 0;
+    Vector3 massPosition{{0, 0, 0}}, momentum{{0, 0, 0}};
+    Vector3 min{{0, 0, 0}}, max{{0, 0, 0}};
+};
+
+//- Of particles that are no members of rigid bodies, about the origin; in 2D the angular one is along the empty axis
+struct DemMomentum { Vector3 linear{{0, 0, 0}}, angular{{0, 0, 0}}; };
+
 //- On the wall, and what of it is normal to where it is touched; moments about the origin
 struct DemWallForce { Vector3 force{{0, 0, 0}}, moment{{0, 0, 0}}, normal{{0, 0, 0}}, normalMoment{{0, 0, 0}}; };
 
@@ -322,6 +334,10 @@ public:
     virtual DemBondState bonds() = 0;
     virtual DemClumpState clumps() = 0;
     virtual DemEnergy energy() = 0;
+
+    //- Summed on the device: at 1e6 particles in less than a millisecond, where motion() and a loop take a hundred
+    virtual DemGroupSums groupSums(int group) = 0;
+    virtual DemMomentum momentum() = 0;
     virtual double deepestOverlap() = 0;    // of all contacts now, of the diameter of the smaller one
     virtual std::vector<DemWallForce> wallForces() = 0;     // in the order of DemInput::walls
 

@@ -67,6 +67,39 @@ public:
         return DemEnergy{v[0], v[1], v[2], v[3], v[4], v[5]};
     }
 
+    DemGroupSums groupSums(int group) override
+    {
+        const DemGroupSums here = part_.groupSums(group);
+        std::vector<double> sums{here.particles, here.mass}, most;
+        for (const Vector3& v : {here.massPosition, here.momentum}) sums.insert(sums.end(), v.begin(), v.end());
+        // a rank without any of them says nothing
+        for (int d = 0; d < 3; ++d) most.push_back(here.particles ? here.max[d] : -1e300);
+        for (int d = 0; d < 3; ++d) most.push_back(here.particles ? -here.min[d] : -1e300);
+        addByRank(ranks_, sums);
+        ranks_.largest(most);
+        DemGroupSums r;
+        r.particles = sums[0];
+        r.mass = sums[1];
+        for (int d = 0; d < 3; ++d)
+        {
+            r.massPosition[d] = sums[2 + d];
+            r.momentum[d] = sums[5 + d];
+            if (!r.particles) continue;
+            r.max[d] = most[d];
+            r.min[d] = -most[3 + d];
+        }
+        return r;
+    }
+
+    DemMomentum momentum() override
+    {
+        const DemMomentum here = part_.momentum();
+        std::vector<double> v(here.linear.begin(), here.linear.end());
+        v.insert(v.end(), here.angular.begin(), here.angular.end());
+        addByRank(ranks_, v);
+        return DemMomentum{{{v[0], v[1], v[2]}}, {{v[3], v[4], v[5]}}};
+    }
+
     double deepestOverlap() override
     {
         std::vector<double> v(1, part_.deepestOverlap());

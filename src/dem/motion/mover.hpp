@@ -273,4 +273,85 @@ struct SumEnergies : SolidMotion<D, P>
     }
 };
 
+//- Momentum of particles that are no members of clumps, about the origin: linear, then angular
+template<int D, class P>
+struct SumMomentum : SolidMotion<D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "momentum";
+
+    Box<D, P> box;
+    real half;                  // what velocities are behind
+
+    HD void add(int i, double* sums) const
+    {
+        const SolidFields<D, P>& s = this->fields;
+        if (i >= *this->active || (s.clump && s.clump[i] >= 0) || s.ghost(i)) return;
+        Vec<D, double> v = s.velocity(i), x;
+        Spin<D, real> w = s.spin(i);
+        if (this->groups[s.group[i]].motion < 0 && !s.asleep(i)) this->kick(i, v, w, half);
+        const double mass = double(s.mass[i]);
+        for (int d = 0; d < D; ++d)
+        {
+            x.c[d] = box.toMetres(d, s.x[d][i]);
+            sums[d] += mass*v.c[d];
+        }
+        for (int c = 0; c < spins<D>; ++c)
+        {
+            const int a = D == 2 ? 0 : (c + 1) % 3, b = D == 2 ? 1 : (c + 2) % 3;
+            sums[D + c] += mass*(x.c[a]*v.c[b] - x.c[b]*v.c[a]) + double(w.c[c])/double(s.inverseInertia[i]);
+        }
+    }
+};
+
+//- Particles of a group; mass, m x and m u of those that are no members of clumps
+template<int D, class P>
+struct SumGroup : SolidMotion<D, P>
+{
+    using real = typename P::real;
+    static constexpr const char* name = "groupSums";
+
+    Box<D, P> box;
+    real half;
+    int group;
+
+    HD void add(int i, double* sums) const
+    {
+        const SolidFields<D, P>& s = this->fields;
+        if (i >= *this->active || s.group[i] != group || s.ghost(i)) return;
+        sums[0] += 1;
+        if (s.clump && s.clump[i] >= 0) return;
+        Vec<D, double> v = s.velocity(i);
+        Spin<D, real> w = s.spin(i);
+        if (this->groups[group].motion < 0 && !s.asleep(i)) this->kick(i, v, w, half);
+        const double mass = double(s.mass[i]);
+        sums[1] += mass;
+        for (int d = 0; d < D; ++d)
+        {
+            sums[2 + d] += mass*box.toMetres(d, s.x[d][i]);
+            sums[2 + D + d] += mass*v.c[d];
+        }
+    }
+};
+
+//- How far particles of a group reach along an axis: up from the box's lower end, or down from its upper one [m]
+template<int D, class P>
+struct GroupReach
+{
+    static constexpr const char* name = "groupReach";
+
+    SolidFields<D, P> fields;
+    Box<D, P> box;
+    const int* active;
+    int group, axis;
+    bool up;
+
+    HD double value(int i) const
+    {
+        if (i >= *active || fields.group[i] != group || fields.ghost(i)) return 0;
+        const double x = box.toMetres(axis, fields.x[axis][i]) - box.lower[axis], reach = double(fields.radius[i]) + (up ? x : box.length[axis] - x);
+        return reach > 0 ? reach : 0;
+    }
+};
+
 } // namespace riprap

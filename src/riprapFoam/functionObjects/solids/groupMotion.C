@@ -36,9 +36,8 @@ namespace
     }
 
     // Rigid bodies with their own mass and centre
-    Motion motionOf
+    Motion motionOfBodies
     (
-        const riprap::DemState& now,
         const riprap::DemClumpState& bodies,
         const std::vector<riprap::DemClump>& clumps,
         const int group
@@ -49,6 +48,24 @@ namespace
         {
             if (clumps[k].group == group && !bodies.left[k]) addMass(clumps[k].mass, &bodies.position[3*k], &bodies.velocity[3*k], m);
         }
+        return m;
+    }
+
+    // Summed on the device
+    void addParticles(riprap::DemScene& scene, const int group, Motion& m)
+    {
+        const riprap::DemGroupSums s(scene.groupSums(group));
+        const auto vectorOf = [](const riprap::Vector3& v) { return vector(v[0], v[1], v[2]); };
+        m.particles = s.particles;
+        m.mass += s.mass;
+        m.centre += vectorOf(s.massPosition);
+        m.velocity += vectorOf(s.momentum);
+        m.extents = Foam::boundBox(vectorOf(s.min), vectorOf(s.max));
+    }
+
+    // One by one: in 2D with their places along the empty axis
+    void addParticles(const riprap::DemState& now, const int group, Motion& m)
+    {
         for (std::size_t i = 0; i < now.id.size(); ++i)
         {
             if (now.group[i] != group) continue;
@@ -65,12 +82,6 @@ namespace
             const bool member = now.clump.size() && now.clump[i] >= 0;
             if (!member) addMass(now.mass[i], &now.position[3*i], &now.velocity[3*i], m);
         }
-        if (m.mass > 0)
-        {
-            m.centre /= m.mass;
-            m.velocity /= m.mass;
-        }
-        return m;
     }
 }
 
@@ -99,7 +110,6 @@ bool Foam::functionObjects::groupMotion::read(const dictionary& dict)
 
 bool Foam::functionObjects::groupMotion::writeSample()
 {
-    const riprap::DemState& now = dem().motion();
     const std::vector<riprap::DemClump>& clumps = dem().input().clumps;
     const riprap::DemClumpState bodies
     (
@@ -111,7 +121,14 @@ bool Foam::functionObjects::groupMotion::writeSample()
     DynamicList<scalar> values;
     for (const label group : groups_)
     {
-        const Motion m(motionOf(now, bodies, clumps, group));
+        Motion m(motionOfBodies(bodies, clumps, group));
+        if (dem().settings().config.dimensions == 3) addParticles(dem().scene(), group, m);
+        else addParticles(dem().motion(), group, m);
+        if (m.mass > 0)
+        {
+            m.centre /= m.mass;
+            m.velocity /= m.mass;
+        }
         const word& name = names[group];
         columns.append
         (

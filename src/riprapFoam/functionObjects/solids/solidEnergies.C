@@ -42,8 +42,6 @@ namespace
 
     Momentum momentumOf(const Foam::demSceneObject& solids, const std::vector<riprap::DemClump>& bodies, const riprap::DemConfig& config)
     {
-        const riprap::DemState& now = solids.motion();
-        const double beta = config.dimensions == 2 ? 0.5 : 0.4;
         Momentum m;
         if (bodies.size())
         {
@@ -57,12 +55,21 @@ namespace
                   + spinMomentum(bodies[k], moving, k, config.dimensions == 2 ? config.axes[2] : -1);
             }
         }
+        if (config.dimensions == 3)
+        {
+            const riprap::DemMomentum free(solids.scene().momentum());
+            m.linear += vector(free.linear[0], free.linear[1], free.linear[2]);
+            m.angular += vector(free.angular[0], free.angular[1], free.angular[2]);
+            return m;
+        }
+        // one by one: with their places along the empty axis
+        const riprap::DemState& now = solids.motion();
         for (std::size_t i = 0; i < now.id.size(); ++i)
         {
             if (now.clump.size() && now.clump[i] >= 0) continue;
             const vector x(vectorOf(now.position, i)), u(vectorOf(now.velocity, i)), w(vectorOf(now.spin, i));
             m.linear += now.mass[i]*u;
-            m.angular += now.mass[i]*(x ^ u) + beta*now.mass[i]*Foam::sqr(now.radius[i])*w;
+            m.angular += now.mass[i]*(x ^ u) + 0.5*now.mass[i]*Foam::sqr(now.radius[i])*w;
         }
         return m;
     }

@@ -33,6 +33,8 @@ public:
     DemClumpState clumps() override { return readings_.clumps(); }
     std::vector<DemSpringState> springs() override { return p_.clumps.springs(); }
     DemEnergy energy() override { return readings_.energy(); }
+    DemGroupSums groupSums(int group) override { return readings_.groupSums(group); }
+    DemMomentum momentum() override { return readings_.momentum(); }
     double deepestOverlap() override { return readings_.deepestOverlap(); }
     std::vector<DemWallForce> wallForces() override { return readings_.wallForces(); }
     void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;

@@ -31,6 +31,8 @@ public:
     DemContacts contacts();
     DemClumpState clumps();
     DemEnergy energy();
+    DemGroupSums groupSums(int group);
+    DemMomentum momentum();
     double deepestOverlap();
     std::vector<DemWallForce> wallForces();
     std::vector<ArrayInfo> arrays() const;
@@ -292,6 +294,49 @@ DemEnergy SceneReadings<Backend, D, P>::energy()
             e.contact += double(wall[k*wallWords<D> + D + S]);
     e.bond = p_.bonds.energy(p_.order.slotOf);
     return e;
+}
+
+template<class Backend, int D, class P>
+DemGroupSums SceneReadings<Backend, D, P>::groupSums(int group)
+{
+    p_.clock.read();
+    DemGroupSums r;
+    SumGroup<D, P> sum{};
+    forces_.setMotion(sum);
+    sum.box = p_.set.box;
+    sum.half = real(halfStep());
+    sum.group = group;
+    const int n = p_.order.active();
+    const auto sums = sumOver<2 + 2*D>(p_.set.context, n, sum);
+    r.particles = sums[0];
+    r.mass = sums[1];
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = p_.set.config.axes[d];
+        r.massPosition[axis] = sums[2 + d];
+        r.momentum[axis] = sums[2 + D + d];
+        if (!r.particles) continue;
+        const auto reach = [&](bool up)
+        { return largestOver(p_.set.context, n, GroupReach<D, P>{p_.particles.view(), p_.set.box, p_.order.sort.active(), group, d, up}); };
+        r.max[axis] = p_.set.box.lower[d] + reach(true);
+        r.min[axis] = p_.set.box.lower[d] + p_.set.box.length[d] - reach(false);
+    }
+    return r;
+}
+
+template<class Backend, int D, class P>
+DemMomentum SceneReadings<Backend, D, P>::momentum()
+{
+    p_.clock.read();
+    DemMomentum r;
+    SumMomentum<D, P> sum{};
+    forces_.setMotion(sum);
+    sum.box = p_.set.box;
+    sum.half = real(halfStep());
+    const auto sums = sumOver<D + S>(p_.set.context, p_.order.active(), sum);
+    for (int d = 0; d < D; ++d) r.linear[p_.set.config.axes[d]] = sums[d];
+    for (int c = 0; c < S; ++c) r.angular[D == 2 ? p_.set.config.axes[2] : c] = (D == 2 ? p_.set.spinSign() : 1)*sums[D + c];
+    return r;
 }
 
 template<class Backend, int D, class P>
