@@ -42,7 +42,7 @@ bool Foam::pressureSolver::read(const dictionary& controls)
 
 void Foam::pressureSolver::print(const solverPerformance& solution, label comm)
 {
-    solution.print(Info.masterStream(comm));
+    if (!quiet) solution.print(Info.masterStream(comm));
     if (solutions_.size() < 2) solutions_.append(solution); else solutions_.last() = solution;
 }
 

@@ -55,6 +55,7 @@ Foam::runEffort Foam::solverModules::picDem::logEffort(scalar sampleInterval)
 Foam::runEffort Foam::solverModules::picDem::dryRun(scalar sampleInterval)
 {
     const logPrecision digits;
+    pressure_.quiet = true;
 
     Info<< "Particles" << nl << "    fluid: " << run_.particles << nl << endl;
     Foam::logMemory(arraysTogether(*scene_), run_.particles);

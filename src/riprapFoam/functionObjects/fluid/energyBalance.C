@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "energyBalance.H"
+#include "wallBodies.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -43,6 +44,14 @@ Foam::functionObjects::energyBalance::energyBalance
 void Foam::functionObjects::energyBalance::begin()
 {
     const riprap::FluidEnergy energy(fluid().fluidScene().energy());
+
+    if (onGrid() && fluid().bodies().size())
+    {
+        WarningInFunction
+            << "Column wallWork of function object " << name()
+            << " is 0 with solver picDem: the work of walls that move stands"
+            << " in dissipated and drift, with the other sign" << endl;
+    }
 
     if (!foundProperty("totalAtStart"))
     {

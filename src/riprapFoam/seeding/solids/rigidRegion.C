@@ -5,6 +5,7 @@
 */
 
 #include "principalAxes.H"
+#include "boundBox.H"
 #include "quaternion.H"
 #include "rigidEntries.H"
 #include "solidRegions.H"
@@ -104,6 +105,23 @@ static riprap::DemClump clumpOf(const rigidBody& body, bool planar, const vector
     return clump;
 }
 
+//- Coordinates of the mesh were meant, not the way from the middle. emptyAxis: in 2D
+static void warnOfCentre(const solidRegion& region, const point& centre, const label emptyAxis)
+{
+    boundBox box(region.position, false);
+    const scalar most = max(region.radius);
+    box.min() -= most*vector::one;
+    box.max() += most*vector::one;
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        if (d == emptyAxis || (centre[d] >= box.min()[d] && centre[d] <= box.max()[d])) continue;
+        WarningInFunction
+            << "Entry centreOfMass " << centre << " of region " << region.name << " is outside of its particles, which are within "
+            << box.min() << " and " << box.max() << " m. Coordinates are those of the mesh" << endl;
+        return;
+    }
+}
+
 } // namespace Foam
 
 
@@ -124,6 +142,7 @@ void Foam::makeRigid
         region.exact ? ofShape(*region.exact, space.settings.materials[region.material[0]].density) : ofParticles(space, region)
     );
     change(given, planar, config.axes[2], body);
+    if (given.centred) warnOfCentre(region, body.centre, planar ? config.axes[2] : -1);
     riprap::DemClump clump(clumpOf(body, planar, velocity, spin));
     if (!body.uniform && region.shape.size())
     {
