@@ -82,7 +82,7 @@ bad wallPatch 'walls { patches (nowhere); }' 'no patch nowhere that can be a wal
 bad wallVelocity 'walls { velocity { lower (1 0 0); } }' 'Unknown entry velocity; valid are .*motion'
 bad motionNoDict 'walls { motion { piston left; } }' 'Entry piston is no dictionary'
 bad kernelDict 'kernel { }' 'Entry kernel must be a value, not a dictionary'
-bad kernelNumber 'kernel 5;' 'expected word.*label 5'
+bad kernelNumber 'kernel 5;' 'expected word.*(label|int32) 5'
 bad semicolonNone 'antiClump none XSPH 0.5;' "Entry 'antiClump' has 2 excess tokens"
 bad semicolonAuto 'maxVelocity auto kernel wendlandC2;' "Entry 'maxVelocity' has 2 excess tokens"
 bad kernelTwice 'kernel wendlandC2 cubicSpline;' "Entry 'kernel' has 1 excess tokens"
