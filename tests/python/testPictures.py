@@ -171,6 +171,12 @@ class Files(unittest.TestCase):
                         np.array([0.0, 0.5, 1]).tobytes() + b');\nboundaryField {}\n')
             np.testing.assert_array_equal(foamFiles.volumeField(os.path.join(folder, 'alpha.water'), 3), [0, 0.5, 1])
 
+    def test_cloud_without_particles(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, 'positions'), 'w') as f:
+                f.write(madeCase.header('Cloud', 'positions', 'ascii') + '0\n(\n)\n')
+            self.assertEqual(clouds.readPositions(os.path.join(folder, 'positions')).shape, (0, 3))
+
     def test_stl(self):
         points, triangles = shapes.box((0, 0, 0), (1, 1, 1))
         with tempfile.TemporaryDirectory() as folder:

@@ -160,7 +160,7 @@ controlled writeControl 'writeControl sometimes;' 'sometimes is not in enumerati
 controlled endTime 'endTime -1;' 'Entry endTime is -1, before time 0 at which the run starts'
 controlled stopAt 'stopAt never;' 'never is not in enumeration.*endTime.*writeNow'
 controlled startFrom 'startFrom middle;' "expected startTime, firstTime or latestTime found 'middle'"
-controlled runTimeModifiable 'runTimeModifiable 17;' 'expected word, found.*label 17'
+controlled runTimeModifiable 'runTimeModifiable 17;' 'expected word, found.*(label|int32) 17'
 controlled functionValue 'functions { f 17; }' 'Entry f of functions must be a dictionary: f . type'
 controlled functionInterval 'functions { f { type wallForce; libs ("libriprapFoam.so"); writeControl adjustableRunTime; writeInterval 0; } }' 'Entry writeInterval is 0: it must be positive'
 control startTime 0.005; sed -i 's/solver sphDem;//' system/controlDict; wrong control.noSolver "'solver' not found.*controlDict"

@@ -98,7 +98,7 @@ TEST(InputFile, whatOpenFoamCanReadIsNoError)
         "a #calc \"1 + $b\"; c #eval{ sin(1) }; d #eval \"2*$a\"; code #codeStream { code #{ int x; int x; ) #}; };",
         "div(phi,U) Gauss linear; s ($x ${y} $:z.w); d [0 1 -2 0 0 0 0] (0 -9.81 0); u [s^-1] 1; v [ m s^-1 ] 2;",
         "a -1e-5; b .5; c 1.; d 1e+3; e information; f nano; g infinite;",
-        "#includeEtc \"caseDicts/a\"\n#includeFunc residuals\n#includeIfPresent \"none\"\na 1;",
+        "#includeEtc \"caseDicts/a\"\n#includeFunc cellMax\n#includeIfPresent \"none\"\na 1;",
         "3 ( inlet { type patch; } outlet { type patch; } )"
     })
     {

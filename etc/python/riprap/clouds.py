@@ -47,7 +47,7 @@ def readCloud(case, time, fields=('U', 'p'), cloud='fluid'):
 def readPositions(path):
     header, count, body = split(path)
     if header['format'] != 'binary':
-        return numbers(body).reshape(count, -1)[:, :3]
+        return numbers(body).reshape(count, -1 if count else 3)[:, :3]
     record = np.dtype([('open', 'S1'), ('x', '<f8', 3), ('cell', '<i4'), ('close', 'S1'), ('end', 'S1')])
     return np.frombuffer(_afterBracket(body).lstrip(b'\n'), record, count)['x'].copy()
 
