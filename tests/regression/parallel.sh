@@ -166,7 +166,7 @@ do
     mv kept constant/solidProperties
 done
 refusedOn 2 solver 'Entry solver is picDem, which runs on one process' -solver picDem
-refusedOn 3 count 'number of processor directories = 2 is not equal to the number of processors = 3'
+refusedOn 3 count 'umber of processor directories = 2 is not equal to the number of (processors|ranks) = 3'
 refusedOn 2 dryRun 'Options -parallel and -dry-run exclude each other' -dry-run
 
 # A file of one process that is cut short: that time is passed over by all
