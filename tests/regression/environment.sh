@@ -46,7 +46,7 @@ expect bashrcUsersFolders "FOAM_USER_APPBIN and FOAM_USER_LIBBIN stay the user's
 forCpu() { [[ $(variable RIPRAP_OPTIONS NVCC=) != *cuda* && -z $(variable RIPRAP_NVCC NVCC=) ]]; }
 expect buildForCpu "NVCC= builds for the CPU alone" forCpu
 
-architectures() { [[ $(variable RIPRAP_OPTIONS NVCC=nvcc "RIPRAP_CUDA_ARCH=80 90" RIPRAP_CPU_ARCH=) == *Opt-cuda80-90 ]]; }
+architectures() { [[ $(variable RIPRAP_OPTIONS NVCC=nvcc "RIPRAP_CUDA_ARCH=80 90" RIPRAP_CPU_ARCH=) =~ Opt(-v[0-9]+)?-cuda80-90$ ]]; }
 expect buildArchitectures "the build's name has the GPUs' architectures, and no -march when it is empty" architectures
 
 # An OpenFOAM that is sourced already, made of folders alone: what it is decides. Built with two versions, nothing mixes
