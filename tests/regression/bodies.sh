@@ -51,6 +51,7 @@ fill()      # REGIONS [SPACING of the water]
 }
 run() { riprapFoam >log 2>&1 && pass "$1" || fail "$1" "$(oneLine | grep -o 'FATAL.\{0,300\}')"; }
 motion='functions { motion { type groupMotion; libs ("libriprapFoam.so"); } }'
+turning='functions { motion { type groupMotion; libs ("libriprapFoam.so"); rotation yes; } }'
 lines='functions { motion { type groupMotion; libs ("libriprapFoam.so"); } lines { type springForces; libs ("libriprapFoam.so"); } }'
 
 # Mass, centre, inertia. The lattice of 6 x 6 disks of 5 mm in 0.065 x 0.06 m holds 0.92 of the box
@@ -109,21 +110,43 @@ says box3 'mass 0\.1 kg, .*\(1e-05 2e-05 2\.5e-05\)'
 fill "block { $wood source box; box (0 0 0) (0.02 0.03 0.04); spacing 0.01; inertia (2e-5 1e-5 0 2e-5 0 2e-5); }"
 says boxTensor3 'principal moments of inertia \((1e-05|3e-05|2e-05) '
 
+# A cube turns about any axis alike: by spin t, in degrees
+fill "block { $wood group free; source box; box (0.02 0.03 0.01) (0.04 0.05 0.03); spacing 0.005; spin (1 2 -2); }"
+control dem 0.05 "$turning"; run turns3
+for c in X:1 Y:2 Z:-2; do column "turns3${c%:*}" motion "freeRotation${c%:*}" $(awk -v w="${c#*:}" 'BEGIN {a = w*2.864789; print a - 1e-3, a + 1e-3}'); done
+rm -rf 0.* postProcessing
+
 # A hinge: small swings of a rod about its end, 2 pi sqrt(2 L/(3 g)) = 0.5184 s for L = 0.1 m: after a quarter it hangs down
 bigger() { block 0.4 0.4 0.01 '4 4 1' "$sides $lower $open $flat"; }
 bigger
 rod="$wood group rod; source box; box (0.2 0.1 0) (0.204 0.2 0.01); spacing 0.004;"
 solids 'groups { rod { constrain { hinge { point (0.202 0.2 0); } } } }'
 fill "rod { $rod spin (0 0 0.2); }"
-control dem 0.2592 "$motion"
+control dem 0.2592 "$turning"
 run hinge
+# How it has turned, by where its centre is
+turned()    # NAME
+{
+    awk '/^#/ {for (i = 2; i <= NF; ++i) {if ($i ~ /CentreX/) x = i - 1; if ($i ~ /CentreY/) y = i - 1; if ($i ~ /RotationZ/) r = i - 1}; next}
+        {a = atan2($x - 0.202, 0.2 - $y)*45/atan2(1, 1); d = a - $r; if (d*d > 1e-10) bad = bad " " $1; if (a > most) most = a; ++n}
+        END {if (!n || bad || most < 0.9) {print n + 0, "rows, most " most ", wrong at" bad; exit 1}}' postProcessing/motion/*/groupMotion.dat >turned && pass "$1" || fail "$1" "$(cat turned)"
+}
+turned hingeTurns
 # w0/w sin(w T/2) = 0; the end goes round the hinge
 column hingeBack motion rodCentreX 0.20195 0.20205
 column hingeRadius motion rodCentreY 0.1499 0.1501
 rm -rf 0.* postProcessing; control dem 0.1296 "$motion"; run hingeQuarter
 # 0.2/12.12 rad at L/2, and the sine's turn
 column hingeSwings motion rodCentreX 0.20281 0.20284
+# A continued run counts from the first start, and -postProcess from the time it begins with
+rm -rf 0.* postProcessing; control dem 0.06 "$turning"; riprapFoam >log 2>&1; control dem 0.1296 "$turning"; run hingeGoesOn
+turned hingeTurnsOn
 says hingeLog 'constrain +group rod: hinge about \(0 0 1\) through \(0\.202 0\.2 0\)'
+
+# Several bodies have no rotation of their own
+fill "rod { $rod } other { $wood group rod; source box; box (0.1 0.1 0) (0.12 0.12 0.01); spacing 0.004; }"
+solids 'groups { rod {} }'; control dem 0.1 "$turning"
+refused rotationOfTwo 'Entry rotation: group rod of solids is several bodies' riprapFoam
 
 # Guided alike by `fixed` and by `constrain`: the same motion
 block_="$wood group guided; source box; box (0.1 0.1 0) (0.12 0.12 0.01); spacing 0.004; spin (0 0 0);"

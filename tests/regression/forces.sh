@@ -129,11 +129,18 @@ solids 'held { fixed all; }'
 printf 'x,y,z\n0.2,0.09,0.005\n' >constant/disk.csv
 dictionary system/setParticlesDict <<<'spacing 0.01; packing square; regions ( pool { set fluid; source box; box (0 0 -1) (0.4 0.2 1); pressure hydrostatic; clip yes; }
 disk { set solids; material stone; group held; radius 0.05; source csv; file "disk.csv"; } );'
-control picDem 0.02 "$groups"
+mass="mass { type regionMass; libs (\"libriprapFoam.so\"); regions ( all { source box; box (0 0 0) (0.4 0.3 0.01); } low { source box; box (0 0 0) (0.4 0.1 0.01); } ); }"
+control picDem 0.02 "$groups $mass"
 cp constant/disk.csv .; setParticles >log 2>&1
 run picSolids
 near picHeld held force 3 77.05 1.5                     # rho g pi R^2, R = 5 cells
 near picHeldMoment held moment 4 0 0.1
+massOf() { awk -v c="$1" '/^#/ { for (i = 2; i <= NF; ++i) if ($i == c) k = i - 1; next } { print $k; exit }' postProcessing/mass/0/regionMass.dat; }
+is() { awk -v a="$(massOf "$2")" -v b="$3" -v bound="$4" 'BEGIN { exit !(a != "" && (a - b)^2 <= bound^2) }' && pass "$1" || fail "$1" "$2 is $(massOf "$2"), expected $3"; }
+is picMass allFluidMass 72.1 0.8                        # 80 - pi R^2 rho, cut in particles
+is picSolid allSolidMass 19.635 1e-3
+is picSolidFraction lowSolidFraction 0.19635 1e-4       # its centre is in the lower half
+is picSolids allSolids 1 0
 
 # Solids alone: a layer on the floor, and two stones on a shelf
 rm -rf 0 constant/picProperties constant/fluidProperties
@@ -151,8 +158,11 @@ shelf { $library surfaces (shelf); CofR (0.35 0.05 0); }
 shelfFromOrigin { $library surfaces (shelf); }
 kept { $library groups (kept); }
 free { $library groups (free); }
-table { type solidWallForce; libs (\"libriprapFoam.so\"); }"
+shelfInTime { $library surfaces (shelf); CofR (0.35 0.05 0); average 0.025; impulse yes; }
+table { type solidWallForce; libs (\"libriprapFoam.so\"); }
+tableMean { type solidWallForce; libs (\"libriprapFoam.so\"); average 0.025; } $mass"
 run dem
+is demMass allSolidMass "$(awk -v a="$heap" -v b="$two" 'BEGIN { print (a + b)/9.81 }')" 1e-3
 heavy=$(awk -v a="$heap" -v b="$two" 'BEGIN { print -a - b }')
 near demAll all force 3 "$heavy" 2
 near demShelf shelf force 3 "-$two" 0.05
@@ -164,6 +174,36 @@ adds demParts all floor sides shelfFromOrigin
 near demFree free force 3 "$heap" 2
 # The same as the table of walls has; what it tells about the origin
 near demTable shelf force 3 "$(awk '/^#/ { for (i = 2; i <= NF; ++i) if ($i == "shelfFy") k = i - 1; next } { last = $k } END { print last }' postProcessing/table/0/solidWallForce.dat)" 1e-8
+
+# Means and impulse against the rows that they come from, linear in between; a continued run has them, too
+inTime()    # NAME
+{
+    [[ $(cat postProcessing/shelfInTime/*/impulse.dat | grep -vc '#') -ge 31 ]] || { fail "$1" "rows are missing"; return; }
+    for kind in force:forceMean moment:momentMean
+    do
+        sort -sug <(cat postProcessing/shelf/*/${kind%:*}.dat | grep -v '#') >rows; cat postProcessing/shelfInTime/*/${kind#*:}.dat | grep -v '#' >means
+        tr -d '()' <rows >a; tr -d '()' <means >b
+        awk 'NR == FNR { t[++n] = $1; for (i = 2; i <= NF; ++i) v[n, i] = $i; next }
+            { begin = $1 - 0.025; if (begin < t[1]) begin = t[1]
+              for (i = 2; i <= NF; ++i) { sum = 0
+                for (k = 2; k <= n && t[k] <= $1 + 1e-9; ++k) { if (t[k] <= begin + 1e-9) continue
+                    from = t[k - 1] > begin ? t[k - 1] : begin; f = v[k - 1, i] + (from - t[k - 1])/(t[k] - t[k - 1])*(v[k, i] - v[k - 1, i]); sum += 0.5*(f + v[k, i])*(t[k] - from) }
+                mean = $1 > begin + 1e-9 ? sum/($1 - begin) : v[1, i]; d = mean - $i; if (d*d > 1e-14*(1 + mean*mean)) { print $1, i, mean, $i; exit } } }' a b >differs
+        [[ -s differs ]] && { fail "$1" "${kind#*:} at, column, by hand, table: $(cat differs)"; return; }
+    done
+    sort -sug <(cat postProcessing/shelf/*/force.dat | grep -v '#') | tr -d '()' >a; cat postProcessing/shelfInTime/*/impulse.dat | grep -v '#' | tr -d '()' >b
+    awk 'NR == FNR { n = $1 ""; for (i = 2; i <= NF; ++i) { if (FNR > 1) sum[i] += 0.5*($i + last[i])*($1 - t); last[i] = $i; all[n, i] = sum[i] + 0 } t = $1; next }
+        { for (i = 2; i <= NF; ++i) { d = all[$1 "", i] - $i; if (d*d > 1e-14) { print $1, i, all[$1 "", i], $i; exit } } }' a b >differs
+    [[ -s differs ]] && fail "$1" "impulse at, column, by hand, table: $(cat differs)" || pass "$1"
+}
+inTime demInTime
+near demImpulse shelfInTime impulse 3 "$(awk -v w="$two" 'BEGIN { print -0.3*w }')" 0.3
+meanOf() { awk -v c="shelf$1" '/^#/ { for (i = 2; i <= NF; ++i) if ($i == c) k = i - 1; next } { last = $k } END { print last }' postProcessing/tableMean/*/solidWallForceMean.dat; }
+near demTableMean shelfInTime forceMean 3 "$(meanOf Fy)" 1e-8
+mv postProcessing whole; rm -rf 0.2* 0.3*
+sed -i 's/startFrom startTime/startFrom latestTime/' system/controlDict; riprapFoam >log 2>&1
+cp -r whole/shelf whole/shelfInTime .; for o in shelf shelfInTime; do for f in "$o"/0/*; do awk '/^#/ || $1 < 0.1501' "$f" >part; mv part "$f"; done; cp -r "$o" postProcessing/; done
+inTime demInTimeGoesOn
 
 # What is wrong is said, with the words that are valid
 wrong()     # NAME ENTRIES MESSAGE
@@ -181,6 +221,7 @@ wrong plane 'planes (slope);' 'Entry planes .*: slope selects none; valid are \(
 wrong body 'bodies (lid);' 'Entry bodies .*: lid selects none; valid are \(\)'
 wrong group 'groups (stones);' 'Entry groups .*: stones selects none; valid are \(.*kept'
 wrong centre 'patches (floor); CofR (0 0);' 'Wrong token type'
+wrong average 'patches (floor); average -1;' 'Entry average of function object wrong is -1: it must not be negative'
 wrong foreign 'patches (floor); rhoInf 1000;' 'Unknown entry rhoInf; valid are .*CofR'
 control dem 0.3 "all { $library patches (floor); }"
 postProcess >log 2>&1

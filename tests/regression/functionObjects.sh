@@ -63,6 +63,8 @@ sensor { type particleProbes; $library fields (p); sensorRadius 0.02; probeLocat
 energy { type energyBalance; $library }
 sparse { type energyBalance; $library writeControl timeStep; writeInterval 5; }
 force { type wallForce; $library }
+mass { type regionMass; $library regions ( left { source box; box (0 0 0) (0.1 0.3 0.01); } all { source box; box (0 0 0) (0.4 0.3 0.01); }
+    disk { source cylinder; p1 (0.1 0.1 0); p2 (0.1 0.1 0.01); radius 0.052; } ); }
 volume { type volFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (alpha.water); operation volIntegrate; regionType all; writeFields no; }
 "
 
@@ -123,6 +125,14 @@ near frontParticles front/0/frontPosition.dat particles 0 401 0
 near energyPotential energy/0/energyBalance.dat potential 0 39.490 0.04
 near energyKinetic energy/0/energyBalance.dat kinetic 0 0 1e-12
 near energyDissipatedStart energy/0/energyBalance.dat dissipated 0 0 1e-9
+
+# 10 x 20 particles of 0.1 kg; 88 centres lie in the disk
+near massLeft mass/0/regionMass.dat leftFluidMass 0 20 1e-9
+near massLeftFraction mass/0/regionMass.dat leftFluidFraction 0 0.66666667 1e-7
+near massAll mass/0/regionMass.dat allFluidMass 0 40.1 1e-9
+near massDisk mass/0/regionMass.dat diskFluidMass 0 8.8 1e-9
+near massDiskFraction mass/0/regionMass.dat diskFluidFraction 0 1.0359 1e-3
+near massKept mass/0/regionMass.dat allFluidMass 0.1 40.1 1e-9
 
 # The end: the balance closes by definition, volume is kept
 now=$(value energy/0/energyBalance.dat total 0.1)
@@ -186,6 +196,12 @@ control "first { type particlesToMesh; $library } wrong { type particlesToMesh; 
 refused meshTwice 'the mesh has a field p of another owner already.*controlDict.functions.wrong' riprapFoam
 wrong unknown 'type energyBalance; fields (p);' 'Unknown entry fields; valid are .*writeInterval'
 wrong picOnly 'type momentumBalance;' 'needs a running particle scene, and there is no picScene'
+wrong massOfNothing 'type regionMass; regions ();' 'Entry regions of function object wrong is empty'
+printf 'x,y,z\n0.1,0.1,0.005\n' >constant/points.csv; cp constant/points.csv .
+wrong massOfList 'type regionMass; regions ( a { source csv; file "points.csv"; } );' 'region a: its source is no volume: box, cylinder, sphere and surface are'
+wrong massSource 'type regionMass; regions ( a { source cube; } );' 'cube.*valid are'
+wrong massEntry 'type regionMass; regions ( a { source box; box (0 0 0) (1 1 1); velocity (0 0 0); } );' 'Unknown entry velocity; valid are'
+wrong massBesides 'type regionMass; regions ( a { source box; box (0 0 1) (1 1 2); } );' 'region a: the mid-plane of the 2D mesh does not cut it'
 wrong solidsOnly 'type groupMotion;' 'needs a running scene of solids'
 wrong writeControl 'type wallForce; writeControl sometimes;' 'sometimes'
 

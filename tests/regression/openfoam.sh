@@ -90,6 +90,7 @@ do
     grep -qE "^type +$name;" "$file" || { fail "include.$name" "its type is another"; continue; }
     case $name in
         waterLevel) entries='waterLevel { points ((0.05 0 0.005)); }';;
+        regionMass) entries='regionMass { regions ( all { source box; box (0 0 0) (1 1 1); } ); }';;
         particleProbes) entries='particleProbes { probeLocations ((0.05 0.02 0.005)); }';;
         particleDisplacement) entries='particleDisplacement { points ((0.15 0.06 0.005)); }' folder=solids;;
         groupMotion|solidEnergies|solidWallForce|springForces|brokenBonds|contactChains) folder=solids;;

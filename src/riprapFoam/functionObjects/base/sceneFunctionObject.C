@@ -90,6 +90,20 @@ void Foam::functionObjects::sceneFunctionObject::add
 }
 
 
+Foam::scalarList Foam::functionObjects::sceneFunctionObject::saved(const word& property) const
+{
+    scalarList numbers;
+    if (foundProperty(property)) getProperty(property, numbers);
+    return numbers;
+}
+
+
+void Foam::functionObjects::sceneFunctionObject::save(const trailingMean& mean)
+{
+    if (mean.on()) setProperty(trailingMean::property, mean.state());
+}
+
+
 void Foam::functionObjects::sceneFunctionObject::writeAtStart()
 {
     if (!postProcess && time_.timeIndex() == time_.startTimeIndex())

@@ -12,30 +12,13 @@ namespace
 {
     // Of a reading
     constexpr std::size_t nNumbers = 6;
-
-    const Foam::word samplesProperty("averageSamples");
-
-    // In a mean; fewer are warned of
-    constexpr std::size_t enough = 10;
 }
 
 
 void Foam::functionObjects::particleProbes::readAverage(const dictionary& dict)
 {
-    // Of the run so far where the dictionary was edited, else of the one that is continued
-    std::vector<double> before(mean_.state());
-    if (before.empty() && foundProperty(samplesProperty))
-    {
-        scalarList samples;
-        getProperty(samplesProperty, samples);
-        before.assign(samples.begin(), samples.end());
-    }
-
-    average_ = notNegative(dict, "average", 0);
-    mean_ = riprap::RunningMean(average_);
-    mean_.restore(before, nNumbers*locations_.size());
+    mean_.begin(notNegative(dict, "average", 0), savedSamples(), nNumbers*locations_.size());
     sampledAt_ = -GREAT;
-    warned_ = false;
 }
 
 
@@ -76,19 +59,6 @@ Foam::functionObjects::particleProbes::asReadings
 }
 
 
-void Foam::functionObjects::particleProbes::warnOfFewSamples()
-{
-    const std::size_t n = mean_.intervals();
-    if (n == 0 || n >= enough || warned_) return;
-
-    warned_ = true;
-    IOWarningInFunction(dict_)
-        << "Entry average of function object " << name() << ": " << average_
-        << " s are " << label(n) << " samples. Take a sampleInterval in"
-        << " system/controlDict of at most " << average_/enough << endl;
-}
-
-
 const Foam::List<Foam::functionObjects::particleProbes::reading>&
 Foam::functionObjects::particleProbes::now()
 {
@@ -96,11 +66,7 @@ Foam::functionObjects::particleProbes::now()
     {
         readings_ = readings();
         sampledAt_ = time_.value();
-        if (average_ > 0)
-        {
-            mean_.add(sampledAt_, asNumbers(readings_));
-            warnOfFewSamples();
-        }
+        if (mean_.on()) mean_.add(sampledAt_, asNumbers(readings_), dict_, name());
     }
     return readings_;
 }
@@ -108,20 +74,11 @@ Foam::functionObjects::particleProbes::now()
 
 bool Foam::functionObjects::particleProbes::executeSample()
 {
-    if (average_ > 0)
-    {
-        now();
-    }
+    if (mean_.on()) now();
 
     if (time_.writeTime())
     {
-        if (average_ > 0)
-        {
-            const std::vector<double> state(mean_.state());
-            scalarList samples(state.size());
-            std::copy(state.begin(), state.end(), samples.begin());
-            setProperty(samplesProperty, samples);
-        }
+        save(mean_);
         if (body_.ofSolids())
         {
             setProperty(poseProperty(), gaugeBody::state(body_.pose()));

@@ -196,7 +196,7 @@ bool Foam::functionObjects::particleProbes::writeSample()
     for (const word& field : fields_)
     {
         writeTable(field, field, probes);
-        if (average_ > 0)
+        if (mean_.on())
         {
             writeTable(field, field + "Mean", asReadings(mean_.mean()));
         }

@@ -114,7 +114,11 @@ std::array<double, 9> Foam::functionObjects::gaugeBody::turned
 }
 
 
-void Foam::functionObjects::gaugeBody::beginSolids(const dictionary& dict)
+void Foam::functionObjects::gaugeBody::beginSolids
+(
+    const dictionary& dict,
+    const word& entry
+)
 {
     const demSceneObject& dem = *demOf(mesh_);
     const riprap::DemState& now = dem.motion();
@@ -135,14 +139,14 @@ void Foam::functionObjects::gaugeBody::beginSolids(const dictionary& dict)
 
     const char* fault =
         ids_.empty() ? "has no particles"
-      : clumps.size() > 1 ? "is several bodies: gauges ride on one"
+      : clumps.size() > 1 ? "is several bodies: this is for one"
       : ids_.size() == 1 && now.orientation.empty() ? "is one particle, of which only orientation yes; of constant/solidProperties tells how it turns"
       : ids_.size() > 1 && !tellTurns(begin_, planar) ? "lies on one line, which does not tell how it turns"
       : nullptr;
     if (fault)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry body: group " << name_ << " of solids " << fault
+            << "Entry " << entry << ": group " << name_ << " of solids " << fault
             << exit(FatalIOError);
     }
 
@@ -218,10 +222,19 @@ void Foam::functionObjects::gaugeBody::find
 }
 
 
+void Foam::functionObjects::gaugeBody::take(const label group)
+{
+    kind_ = kind::solids;
+    index_ = group;
+    name_ = solidNames()[group];
+}
+
+
 void Foam::functionObjects::gaugeBody::begin
 (
     const dictionary& dict,
-    const scalarList& before
+    const scalarList& before,
+    const word& entry
 )
 {
     if (kind_ != kind::solids) return;
@@ -232,7 +245,7 @@ void Foam::functionObjects::gaugeBody::begin
         std::copy(before.begin(), before.begin() + 9, poseAtBegin_.rotation.begin());
         std::copy(before.begin() + 9, before.end(), poseAtBegin_.translation.begin());
     }
-    beginSolids(dict);
+    beginSolids(dict, entry);
 }
 
 

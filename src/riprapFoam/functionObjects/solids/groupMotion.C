@@ -6,6 +6,8 @@
 #include "groupMotion.H"
 #include "addToRunTimeSelectionTable.H"
 #include "boundBox.H"
+#include "mathematicalConstants.H"
+#include <eigen3/Eigen/Geometry>
 
 namespace Foam
 {
@@ -63,6 +65,16 @@ namespace
         m.extents = Foam::boundBox(vectorOf(s.min), vectorOf(s.max));
     }
 
+    //- Along the axis, as long as the angle [degrees]
+    vector rotationVector(const std::array<double, 9>& r)
+    {
+        Eigen::Matrix3d matrix;
+        matrix << r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8];
+        const Eigen::AngleAxisd turn(matrix);
+        const Eigen::Vector3d v(turn.axis()*(turn.angle()*180/Foam::constant::mathematical::pi));
+        return vector(v[0], v[1], v[2]);
+    }
+
     // One by one: in 2D with their places along the empty axis
     void addParticles(const riprap::DemState& now, const int group, Motion& m)
     {
@@ -104,6 +116,51 @@ bool Foam::functionObjects::groupMotion::read(const dictionary& dict)
 {
     demFunctionObject::read(dict);
     groups_ = groups(dict);
+    readRotation(dict_);
+    return true;
+}
+
+
+Foam::word Foam::functionObjects::groupMotion::poseProperty(const label i) const
+{
+    return "pose_" + dem().settings().groupNames()[groups_[i]];
+}
+
+
+void Foam::functionObjects::groupMotion::readRotation(const dictionary& dict)
+{
+    // Of the run so far where the dictionary was edited
+    HashTable<scalarList> poses;
+    forAll(bodies_, i)
+    {
+        if (bodies_.set(i)) poses.set("pose_" + bodies_[i].name(), gaugeBody::state(bodies_[i].pose()));
+    }
+
+    bodies_.clear();
+    if (!dict.lookupOrDefault("rotation", false)) return;
+
+    // Others have zeros in all columns
+    std::vector<bool> filled(dem().settings().groups.size(), false);
+    for (const std::int32_t group : dem().motion().group) filled[group] = true;
+
+    bodies_.setSize(groups_.size());
+    forAll(groups_, i)
+    {
+        if (!filled[groups_[i]]) continue;
+        bodies_.set(i, new gaugeBody(mesh_));
+        bodies_[i].take(groups_[i]);
+        const word kept(poseProperty(i));
+        bodies_[i].begin(dict, poses.found(kept) ? poses[kept] : saved(kept), "rotation");
+    }
+}
+
+
+bool Foam::functionObjects::groupMotion::executeSample()
+{
+    for (label i = 0; time_.writeTime() && i < bodies_.size(); ++i)
+    {
+        if (bodies_.set(i)) setProperty(poseProperty(i), gaugeBody::state(bodies_[i].pose()));
+    }
     return true;
 }
 
@@ -119,8 +176,9 @@ bool Foam::functionObjects::groupMotion::writeSample()
 
     wordList columns;
     DynamicList<scalar> values;
-    for (const label group : groups_)
+    forAll(groups_, i)
     {
+        const label group = groups_[i];
         Motion m(motionOfBodies(bodies, clumps, group));
         if (dem().settings().config.dimensions == 3) addParticles(dem().scene(), group, m);
         else addParticles(dem().motion(), group, m);
@@ -145,6 +203,11 @@ bool Foam::functionObjects::groupMotion::writeSample()
             for (int d = 0; d < vector::nComponents; ++d) values.append(v[d]);
         }
         values.append(m.mass);
+        if (bodies_.empty()) continue;
+
+        columns.append(wordList({name + "RotationX", name + "RotationY", name + "RotationZ"}));
+        const vector turned(bodies_.set(i) ? rotationVector(bodies_[i].pose().rotation) : vector(Zero));
+        for (int d = 0; d < vector::nComponents; ++d) values.append(turned[d]);
     }
 
     OFstream& os = row(typeName, columns);

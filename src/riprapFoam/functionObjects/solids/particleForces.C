@@ -140,7 +140,8 @@ void Foam::functionObjects::particleForces::addContactsOnGroups()
 void Foam::functionObjects::particleForces::writeSums
 (
     const word& table,
-    const FixedList<vector, kinds>& sums
+    const sums& values,
+    const word& title
 )
 {
     static const char* const names[kinds] =
@@ -156,7 +157,7 @@ void Foam::functionObjects::particleForces::writeSums
     };
 
     wordList columns(1, column("total"));
-    DynamicList<vector> values;
+    DynamicList<vector> written;
     vector total = Zero;
     Log << "    Sum of " << table << nl;
     for (label k = 0; k < kinds; ++k)
@@ -166,9 +167,9 @@ void Foam::functionObjects::particleForces::writeSums
         if (!there) continue;
 
         columns.append(column(names[k]));
-        values.append(sums[k]);
-        total += sums[k];
-        Log << "        " << names[k] << " : " << sums[k] << nl;
+        written.append(values[k]);
+        total += values[k];
+        Log << "        " << names[k] << " : " << values[k] << nl;
     }
     Log << "        total : " << total << nl;
 
@@ -182,10 +183,10 @@ void Foam::functionObjects::particleForces::writeSums
     (
         table,
         columns,
-        List<string>({table == "force" ? "Force" : "Moment", centre.str(), ""})
+        List<string>({title, centre.str(), ""})
     );
     os  << tab << total;
-    for (const vector& value : values)
+    for (const vector& value : written)
     {
         os  << tab << value;
     }
@@ -196,7 +197,7 @@ void Foam::functionObjects::particleForces::writeSums
 Foam::wordList Foam::functionObjects::particleForces::entries() const
 {
     wordList all(forceParts::entries());
-    all.append("CofR");
+    all.append(wordList({"CofR", "average", "impulse"}));
     return all;
 }
 
@@ -225,33 +226,28 @@ bool Foam::functionObjects::particleForces::read(const dictionary& dict)
     log = dict_.lookupOrDefault("log", false);
     origin_ = dict_.lookupOrDefault<point>("CofR", Zero);
     parts_.reset(new forceParts(mesh_, dict_, name()));
+    mean_.begin(notNegative(dict_, "average", 0), savedSamples(), 2*kinds*vector::nComponents);
+    readImpulse(dict_);
+    sampledAt_ = -GREAT;
     return true;
 }
 
 
 bool Foam::functionObjects::particleForces::writeSample()
 {
-    force_ = vector(Zero);
-    moment_ = vector(Zero);
-
-    if (parts_->fluid())
-    {
-        riprap::FluidScene& scene = parts_->fluid()->fluidScene();
-        if (parts_->ofFluid().found(true))
-        {
-            addFluid(scene.forcesOnWalls(), parts_->ofFluid());
-        }
-        if (parts_->groups().found(true))
-        {
-            addFluid(scene.forcesOnSolids(), parts_->groups());
-        }
-    }
-    addContactsOnWalls();
-    addContactsOnGroups();
+    sample();
 
     Log << type() << ' ' << name() << " write:" << nl;
-    writeSums("force", force_);
-    writeSums("moment", moment_);
+    writeSums("force", force_, "Force");
+    writeSums("moment", moment_, "Moment");
+    if (mean_.on())
+    {
+        sums force, moment;
+        fromNumbers(mean_.mean(), force, moment);
+        writeSums("forceMean", force, "Mean force");
+        writeSums("momentMean", moment, "Mean moment");
+    }
+    if (wantImpulse_) writeSums("impulse", impulse_, "Impulse");
     Log << endl;
     return true;
 }

@@ -30,13 +30,31 @@ Foam::functionObjects::solidWallForce::solidWallForce
 }
 
 
-bool Foam::functionObjects::solidWallForce::writeSample()
+void Foam::functionObjects::solidWallForce::sample()
 {
-    const std::vector<riprap::DemWallForce> forces(dem().scene().wallForces());
-    const auto& walls = dem().input().walls;
+    if (sampledAt_ == time_.value()) return;
 
+    forces_.clear();
+    for (const riprap::DemWallForce& wall : dem().scene().wallForces())
+    {
+        for (const riprap::Vector3& v : {wall.force, wall.moment})
+        {
+            forces_.insert(forces_.end(), v.begin(), v.end());
+        }
+    }
+    sampledAt_ = time_.value();
+    if (mean_.on()) mean_.add(sampledAt_, forces_, dict_, name());
+}
+
+
+void Foam::functionObjects::solidWallForce::writeTable
+(
+    const word& table,
+    const std::vector<double>& values
+)
+{
     wordList columns;
-    for (const riprap::DemWall& wall : walls)
+    for (const riprap::DemWall& wall : dem().input().walls)
     {
         for (const char* what : {"Fx", "Fy", "Fz", "Mx", "My", "Mz"})
         {
@@ -44,14 +62,33 @@ bool Foam::functionObjects::solidWallForce::writeSample()
         }
     }
 
-    OFstream& os = row(typeName, columns);
-    for (std::size_t i = 0; i < walls.size(); ++i)
-    {
-        for (const riprap::Vector3& v : {forces.at(i).force, forces.at(i).moment})
-        {
-            for (const double component : v) add(os, component);
-        }
-    }
+    OFstream& os = row(table, columns);
+    for (const double value : values) add(os, value);
     os  << endl;
+}
+
+
+bool Foam::functionObjects::solidWallForce::read(const dictionary& dict)
+{
+    demFunctionObject::read(dict);
+    mean_.begin(notNegative(dict, "average", 0), savedSamples(), 6*dem().input().walls.size());
+    sampledAt_ = -GREAT;
+    return true;
+}
+
+
+bool Foam::functionObjects::solidWallForce::executeSample()
+{
+    if (mean_.on()) sample();
+    if (time_.writeTime()) save(mean_);
+    return true;
+}
+
+
+bool Foam::functionObjects::solidWallForce::writeSample()
+{
+    sample();
+    writeTable(typeName, forces_);
+    if (mean_.on()) writeTable(word(typeName + "Mean"), mean_.mean());
     return true;
 }
