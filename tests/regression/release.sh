@@ -32,6 +32,9 @@ then
     name=riprap-$version
     if cmp one/"$name.tar.gz" two/"$name.tar.gz" >>log 2>&1; then pass sourcesTwice; else fail sourcesTwice "$(tail -1 log)"; fi
     (cd one && sha256sum --quiet -c SHA256SUMS) >log 2>&1 && [[ $(wc -l <one/SHA256SUMS) == 1 ]] && pass sums || fail sums "$(cat log one/SHA256SUMS)"
+    if ! command -v xz >/dev/null; then echo "SKIP release.xz no xz"
+    elif clone/etc/release --source --xz three >log 2>&1 && xz -dc three/"$name.tar.xz" | cmp - <(gzip -dc one/"$name.tar.gz") >>log 2>&1; then pass xz
+    else fail xz "$(tail -1 log)"; fi
     tar xzf one/"$name.tar.gz"
     lost=$(diff <(git -C clone ls-files | sort; echo VERSION) <(cd "$name" && find . -type f -o -type l | sed 's,^\./,,' | sort) | grep '^[<>] ' | grep -v '^[<>] VERSION')
     [[ -z $lost && -x $name/Allwmake ]] && pass sourcesWhole || fail sourcesWhole "not the same files: $(head -3 <<<"$lost")"
