@@ -224,6 +224,7 @@ Foam::particleCloud Foam::readParticleCloud
         if (asPositions)
         {
             readPositions(&mesh, is, c);
+            if (c.cell.found(-1)) c.cell = locateParticles(mesh, c.position, c.cell, true);
         }
         else
         {

@@ -56,7 +56,8 @@ void readPositions(const polyMesh* mesh, Istream& is, particleCloud& c)
         scalar x[3];
         label celli[1];
         readEntry(is, x, celli);
-        if (mesh) checkCell(*mesh, is, i, celli[0]);
+        // -1: the cell was not looked for, as in what reconstructPar of v2512 writes
+        if (mesh && celli[0] != -1) checkCell(*mesh, is, i, celli[0]);
         c.position[i] = point(x[0], x[1], x[2]);
         c.cell[i] = celli[0];
     }
