@@ -32,7 +32,7 @@ divide()    # N [OPTIONS]
     shift
     rm -rf processor*
     dictionary system/decomposeParDict <<<"numberOfSubdomains $n; method simple; simpleCoeffs { n ($n 1 1); delta 0.001; }"
-    decomposePar "$@" >log.divide 2>&1 || tail -5 log.divide
+    FOAM_SIGFPE=false decomposePar "$@" >log.divide 2>&1 || tail -5 log.divide
 }
 control()   # ENDTIME INTERVAL [ENTRIES]
 {
