@@ -111,6 +111,11 @@ def check3D(folder, how, words):
         grey = (np.ptp(scene(image), axis=2) < 0.08) & (scene(image).mean(axis=2) < 0.72)
         tell(name + ', obstacle', grey[:, int(0.5*water.shape[1]):].mean() > 0.004, f'{grey.mean():.4f} of the picture')
         tell(name + ', colour bar', hasBar(image), 'not found')
+        said = render('-case', case, '-times', '0.1', '-o', path, '-size', '700', '-hide', 'ba.*,xHigh', *words)
+        bare = scene(picture(path))
+        left = ((np.ptp(bare, axis=2) < 0.08) & (bare.mean(axis=2) < 0.72))[:, int(0.5*water.shape[1]):].mean()
+        grey = grey[:, int(0.5*water.shape[1]):].mean()
+        tell(name + ', without what is hidden', said.returncode == 0 and left < 0.5*grey, f'{left:.4f} of the picture, with it {grey:.4f} {said.stderr.strip()}')
         # beside a time when it stands high, low water is in the lower part of its panel
         said = render('-case', case, '-times', '0,0.4', '-o', path, '-size', '1200x500', *words)
         image = picture(path)
@@ -138,6 +143,8 @@ def checkErrors(folder):
     case = os.path.join(folder, 'flat1')
     for words, wanted in ((('-field', 'T'), 'one of none, U, p'), (('-times', 'x'), 'all, first or last'), (('-times', '8:9'), 'times: 0 to 0.4'), (('-view', 'top'), 'front or back'),
                           (('-o', 'a.doc'), '.png'), (('-size', '3'), 'WxH'), (('-fps', 'x'), 'from 0.1'), (('-strip', '99'), 'from 1 to 24'), (('-range', '2,1'), 'LOW'),
+                          (('-hide', 'xHigh,ball'), '-hide ball: no patch, surface or group of bodies has that name; there are patches xLow, xHigh, yLow, yHigh; surfaces none'),
+                          (('-hide', 'a['), 'no pattern'), (('-hide', 'xLow,'), 'empty'),
                           (('-nonsense',), '-case'), (('-case', '/nowhere'), 'no such folder'), (('-case', here), 'no case'), (('-film', '-o', 'a.png'), '.gif'),
                           (('-field',), 'needs a value'), (('-film', '-strip'), 'exclude')):
         said = render(*(() if '-case' in words else ('-case', case)), *words)

@@ -13,7 +13,8 @@ sys.path[:0] = [os.path.join(here, '..', '..', 'etc', 'python'), here]
 import madeCase                                                                                         # noqa: E402
 from riprap import clouds, plotting                                                                     # noqa: E402
 from riprap.dictionaries import readDictionary                                                          # noqa: E402
-from riprap.pictures import PictureError, camera, foamFiles, motions, options, scene, shapes, sheet, style, surface     # noqa: E402
+from riprap.pictures import PictureError, camera, foamFiles, motions, options, panels, scene, shapes, sheet, style, surface     # noqa: E402
+from riprap.pictures.points import within                                                           # noqa: E402
 
 
 class Surface(unittest.TestCase):
@@ -237,6 +238,45 @@ class Scenes(unittest.TestCase):
             self.assertEqual(options.Options(['-times', '0.11,last']).chosenTimes(case), ['0.1', '0.4'])
             with self.assertRaises(PictureError):
                 options.Options(['-field', 'T']).chosenField(case)
+
+    def test_hidden_groups_and_walls(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = madeCase.damBreak(folder)
+            for time in ('0', '0.1'):
+                madeCase.cloud(case, time, 'solids', [(0.8, 0.1, 0.01), (0.85, 0.1, 0.01), (2, 0.1, 0.01)], radius=np.full(3, 0.02), group=np.array([0, 1, 1]),
+                               origId=np.arange(3))
+            madeCase.put(os.path.join(case, '0', 'uniform', 'lagrangian', 'solids'), 'cloudProperties',
+                         madeCase.header('dictionary', 'cloudProperties') + 'groups 2 ( stone far );\n')
+            made = scene.Case(case)
+            whole = made.frame('0.1', None)
+            self.assertEqual(made.names(), {'patches': ['xLow', 'xHigh', 'yLow', 'yHigh'], 'surfaces': [], 'groups': ['stone', 'far']})
+            made.hide(['f.*', 'xHigh'])
+            frame = made.frame('0.1', None)
+            self.assertEqual([len(b[0]) for b in frame.balls], [1])
+            self.assertEqual([len(whole.items) - len(frame.items), len(frame.unseen)], [1, 1])
+            # what is hidden holds no place on the picture, but the tank is as large
+            self.assertLess(max(high[0] for _, high in frame.boxes), 1.1)
+            self.assertEqual(sheet.Picture(made, ['0.1'], None).window[1][0], 1)
+            with self.assertRaisesRegex(PictureError, 'groups stone, far'):
+                made.hide(['fur'])
+
+    def test_obstacles_end_at_the_mesh(self):
+        with tempfile.TemporaryDirectory() as folder:
+            # no wall but the floor: more than the mesh is looked at
+            case = madeCase.damBreak(folder, 2, None, spacing=0.05)
+            madeCase.mesh(case, (0, 0, 0), (1, 0.3, 0.42), kinds={s: 'patch' for s in madeCase.sides if s != 'zLow'})
+            madeCase.put(os.path.join(case, 'constant'), 'geometry', madeCase.header('dictionary', 'geometry') +
+                         'column { type searchableCylinder; point1 (0.7 0.15 -0.2); point2 (0.7 0.15 1); radius 0.05; }\n')
+            made = scene.Case(case)
+            picture = sheet.Picture(made, ['0'], None)
+            frame, window = picture.frames[0], picture.window
+            self.assertGreater(window[1][2], 0.43)
+            sides = panels.contents(made, frame, picture.camera, None, window)['bounds']
+            self.assertAlmostEqual(sides[5][0][2], 0.42, delta=1e-3)
+            self.assertAlmostEqual(sides[4][0][2], 0, delta=1e-3)
+            column = [i for i in frame.items if i.kind == 'obstacle'][0]
+            cut = within(column.points[column.triangles], camera.common(window, frame.bounds), 0.1)
+            np.testing.assert_allclose((cut[:, :, 2].min(), cut[:, :, 2].max()), (0, 0.42), atol=1e-9)
 
     def test_limits(self):
         self.assertEqual(style.limits([np.array([0.0, 1, 2])], 'U')[0], 0)

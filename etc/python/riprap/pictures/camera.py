@@ -127,5 +127,11 @@ def shown(tank, boxes, up, spare=0.08):
     return low, high
 
 
+def common(window, bounds):
+    """(low, high) of what two boxes share; where they share nothing, a slice without width at the first one's rim"""
+    low, high = np.maximum(window[0], bounds[0]), np.minimum(window[1], bounds[1])
+    return np.minimum(low, window[1]), np.maximum(high, np.minimum(low, window[1]))
+
+
 def corners(low, high):
     return np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])

@@ -15,17 +15,14 @@ def draw(axis, case, frame, camera, window, colours):
     axis.set(xlim=window[:2], ylim=window[2:], aspect='equal')
     axis.grid(False)
     domain = _rectangle(*window)
-    tank = None
-    if case.box() is not None:
-        low, high = case.box()
-        tank = Path(view(np.array([low, (high[0], low[1]), high, (low[0], high[1]), low])))
+    low, high = (case.inPlane(end[None])[0] for end in frame.bounds)
+    tank = Path(view(np.array([low, (high[0], low[1]), high, (low[0], high[1]), low])))
     for item in frame.items:
         if item.kind == 'obstacle':
             _area(axis, [view(line) for line in item.lines], domain if item.hollow else None, tank, facecolor=style.obstacle, edgecolor=style.wall, linewidth=0.8, zorder=2.5)
             opened = [view(line) for line in item.lines if not _isClosed(line)]
             plates = axis.add_collection(LineCollection(opened, colors=style.wall, linewidths=2.2, capstyle='round', zorder=3.6))
-            if tank is not None:
-                plates.set_clip_path(tank, axis.transData)
+            plates.set_clip_path(tank, axis.transData)
     _water(axis, frame, view, camera, colours)
     for grid, group, value in frame.blends:
         contour = _contour(axis, grid, view)

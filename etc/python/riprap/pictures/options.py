@@ -23,6 +23,7 @@ Draws a case's water, bodies and walls, with up against g.
   -film           a film of the times: .mp4 with ffmpeg, or .gif
   -fps N          pictures a second of a film; default: 12
   -size W[xH]     pixels; default: 1400 wide, as high as the scene needs
+  -hide NAMES     what is not drawn: patches, surfaces of constant/geometry, groups of bodies; names or patterns, atmosphere,"gate.*"
   -view VIEW      3D: oblique, front, back, left, right, top, or AZIMUTH,ELEVATION in degrees; 2D: front, back
   -o FILE         .png, .pdf, .svg, .jpg; films .mp4, .gif; default: <case>.png, <case>-strip.png, <case>.mp4 in the case
   -noParaView     3D by matplotlib, as where there is no ParaView
@@ -37,7 +38,7 @@ pictures, films = ('.png', '.pdf', '.svg', '.jpg'), ('.mp4', '.gif')
 
 class Options:
     def __init__(self, words):
-        self.case, self.times, self.field, self.range, self.view, self.out = '.', None, None, None, None, None
+        self.case, self.times, self.field, self.range, self.view, self.out, self.hide = '.', None, None, None, None, None, []
         self.strip, self.count, self.film, self.rate, self.size, self.paraview = False, None, False, 12.0, (1400, None), True
         words = list(words)
         while words:
@@ -55,13 +56,13 @@ class Options:
                     self.count = int(words.pop(0))
                     if not 1 <= self.count <= most:
                         raise PictureError(f'-strip {self.count}: from 1 to {most}')
-            elif word in ('-case', '-times', '-field', '-range', '-fps', '-size', '-view', '-o'):
+            elif word in ('-case', '-times', '-field', '-range', '-fps', '-size', '-hide', '-view', '-o'):
                 # a range may begin with a minus
                 if not words or (words[0].startswith('-') and not re.match(r'-[\d.]', words[0])):
                     raise PictureError(f'{word} needs a value (-help tells)')
                 getattr(self, '_' + word[1:])(words.pop(0))
             else:
-                raise PictureError(f"unknown option {word}: -case, -times, -field, -range, -strip, -film, -fps, -size, -view, -o, -noParaView, -help")
+                raise PictureError(f"unknown option {word}: -case, -times, -field, -range, -strip, -film, -fps, -size, -hide, -view, -o, -noParaView, -help")
         if self.film and self.strip:
             raise PictureError('-film and -strip exclude each other')
         self._checkFile()
@@ -110,6 +111,16 @@ class Options:
         if not match or not 200 <= int(match.group(1)) <= 8000 or (match.group(2) and not 150 <= int(match.group(2)) <= 8000):
             raise PictureError(f'-size {value}: W or WxH in pixels, as 1400 or 1400x800, from 200x150 to 8000x8000')
         self.size = int(match.group(1)), int(match.group(2)) if match.group(2) else None
+
+    def _hide(self, value):
+        self.hide += [p.strip('"') for p in re.split(r'[,\s]+', value.strip())]
+        for pattern in self.hide:
+            try:
+                re.compile(pattern)
+            except re.error as wrong:
+                raise PictureError(f'-hide {pattern}: no pattern: {wrong}') from None
+            if not pattern:
+                raise PictureError(f'-hide {value}: a name is empty')
 
     def _view(self, value):
         self.view = value
@@ -210,6 +221,7 @@ def main(words):
 def render(options):
     from . import panels, scene, sheet
     case = scene.Case(options.case)
+    case.hide(options.hide)
     names, field = options.chosenTimes(case), options.chosenField(case)
     several = options.strip or (len(names) > 1 and not options.film)
     if several and len(names) > most:

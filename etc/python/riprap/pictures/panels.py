@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.image import imread
 
-from . import PictureError, style, surface
+from . import PictureError, camera as cameras, style, surface
 
 script = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'vtkPanels.py')
 
@@ -62,17 +62,11 @@ slack = 1e-3            # of the scene's size: walls are drawn so much inside of
 def jobOf(case, frames, camera, size, colours, window):
     inside = any(f.balls or f.blends or any(i.kind in ('body', 'obstacle') for i in f.items) for f in frames)
     water = any(f.grid is not None for f in frames)
-    planes = []
-    for d in range(3):
-        axis = np.eye(3)[d]
-        for end, sign in ((0, 1), (1, -1)):
-            point = np.array(window[end], dtype=float)
-            # nothing is cut from a tank that is shown whole
-            point[d] -= sign*2*slack*np.linalg.norm(np.subtract(window[1], window[0]))
-            planes.append((point.tolist(), (sign*axis).tolist()))
+    # nothing is cut from a tank that is shown whole
+    planes = planesOf(window, 2*slack*np.linalg.norm(np.subtract(window[1], window[0])))
     job = {
         'frames': len(frames), 'size': size, 'level': surface.level, 'ink': to_rgb(style.ink), 'plainWater': to_rgb(style.plainWater),
-        'line': max(1.0, size[0]/1100), 'length': float(np.linalg.norm(np.subtract(window[1], window[0]))), 'planes': planes,
+        'line': max(1.0, size[0]/1100), 'length': float(np.linalg.norm(np.subtract(window[1], window[0]))), 'planes': [[end.tolist() for end in plane] for plane in planes],
         'opacity': 0.48 if inside and water else 1.0, 'translucent': inside and water, 'shade': True,
         'camera': {'focus': camera.focus.tolist(), 'eye': camera.eye.tolist(), 'up': camera.up.tolist(),
                    'angle': float(np.degrees(2*np.arctan(camera.half[1])))}}
@@ -80,6 +74,17 @@ def jobOf(case, frames, camera, size, colours, window):
         job['map'] = colours.cmap(np.linspace(0, 1, 256)).tolist()
         job['range'] = [colours.norm.vmin, colours.norm.vmax]
     return job
+
+
+def planesOf(box, spare):
+    """(point, normal to within) of the six sides of a box that is larger by a length"""
+    found = []
+    for d in range(3):
+        for end, sign in ((0, 1), (1, -1)):
+            point = np.array(box[end], dtype=float)
+            point[d] -= sign*spare
+            found.append((point, sign*np.eye(3)[d]))
+    return found
 
 
 def bytesOf(colour, n):
@@ -101,6 +106,8 @@ def contents(case, frame, camera, colours, window):
             points = middle + (1 - slack)*(points - middle)
         data.update({f'meshKind{k}': kind, f'meshPoints{k}': points, f'meshTriangles{k}': triangles, f'meshColour{k}': colour})
     data['meshes'] = len(meshes)
+    # obstacles end at the mesh; faces in its sides are not cut
+    data['bounds'] = np.array(planesOf(cameras.common(window, frame.bounds), 0.1*slack*np.linalg.norm(np.subtract(*window))))
     if frame.grid is not None:
         grid = surface.closed(frame.grid)
         data['water'], data['waterPlace'] = grid.f.astype(np.float32), np.concatenate([grid.low, grid.cell])

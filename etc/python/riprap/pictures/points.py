@@ -41,7 +41,7 @@ def draw(axis, case, frame, camera, window, colours):
             continue
         corner = item.points[item.triangles]
         if item.kind != 'wall':
-            corner = within(corner, window, 0.08*np.linalg.norm(np.subtract(*window)))
+            corner = within(corner, window if item.kind == 'body' else cameras.common(window, frame.bounds), 0.08*np.linalg.norm(np.subtract(*window)))
             if not len(corner):
                 continue
         normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])

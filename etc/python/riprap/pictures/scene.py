@@ -40,6 +40,8 @@ class Frame:
         self.blends = []            # (grid, group, value): bodies of many particles
         self.blended = []           # their particles, as balls
         self.items = []             # bodies' shapes, obstacles, moving walls
+        self.unseen = []            # walls that -hide names: the tank is as large without them
+        self.bounds = None          # (low, high) of the mesh with its walls where they are now: obstacles are cut there
         self.bonds = None           # (segments, values)
         self.shown = []             # values of what is coloured
         self.boxes = []             # (low, high) of what the picture has to hold
@@ -68,6 +70,7 @@ class Case:
         self.obstacles = self._obstacles()
         self.groups = self._motions()
         self.notes = []
+        self.hidden = set()         # (kind, name) as in names()
         self._lattice = None
         self._shapes = None
         self._first = {}
@@ -124,6 +127,40 @@ class Case:
         if glob.glob(os.path.join(self.folder, 'VTK', 'bonds', 'bonds_*.vtp')):
             found += ['bonds/' + f for f in ('tension', 'stretch')]
         return found
+
+    # What is left out --------------------------------------------------------------------------------------------------------------------------
+
+    def names(self):
+        """What -hide may name, by kind"""
+        found = {'patches': [p.name for p in self.mesh.patches if p.kind != 'empty' and len(p.faces)], 'surfaces': list(self.obstacles), 'groups': []}
+        for time in self.times:
+            found['groups'] += [n for n in self.groupNames(time) if n not in found['groups']]
+        return found
+
+    def groupNames(self, time):
+        """Of the bodies, in the order of their numbers; those of another time where this one does not say"""
+        for t in [time] + self.times:
+            properties = self._read(t, 'uniform', 'lagrangian', 'solids', 'cloudProperties')
+            if 'groups' in properties:
+                text = properties['groups']
+                return text[text.find('('):].strip('() ').split()
+        return []
+
+    def hide(self, patterns):
+        """Leaves out what is named so"""
+        names = self.names() if patterns else {}
+        for pattern in patterns:
+            found = {(kind, n) for kind, of in names.items() for n in of if n == pattern or re.fullmatch(pattern, n)}
+            if not found:
+                there = '; '.join(f"{kind} {', '.join(of) or 'none'}" for kind, of in names.items())
+                raise PictureError(f'-hide {pattern}: no patch, surface or group of bodies has that name; there are {there}')
+            self.hidden |= found
+
+    def seen(self, cloud, time):
+        """The solids of a cloud whose group is drawn"""
+        away = [k for k, n in enumerate(self.groupNames(time)) if ('groups', n) in self.hidden]
+        keep = ~np.isin(cloud['group'], away)
+        return {name: values[keep] for name, values in cloud.items()}
 
     # Walls -------------------------------------------------------------------------------------------------------------------------------------
 
@@ -194,29 +231,38 @@ class Case:
     def moves(self, name):
         return any(re.fullmatch(p.strip('"'), name) for patterns, _ in self.groups for p in patterns)
 
-    def walls(self, time):
-        """Items of patches (3D: kind 'wall', and 'open' for what is no wall) and of obstacles, at a time"""
-        items = []
+    def walls(self, frame):
+        """Items of patches (3D: kind 'wall', and 'open' for what is no wall) and of obstacles, into a frame"""
+        time, reach = frame.time, []
         for patch in self.mesh.patches:
             if patch.kind == 'empty' or not len(patch.faces):
                 continue
             R, s = self.pose(patch.name, time)
             kind = 'wall' if patch.kind == 'wall' else 'open'
+            items = frame.unseen if ('patches', patch.name) in self.hidden else frame.items
+            used, inverse = np.unique(np.concatenate(patch.faces), return_inverse=True)
+            placed = self.mesh.points[used] @ R.T + s
+            reach.append((placed.min(axis=0), placed.max(axis=0)))
             if self.flat is not None:
                 lines = [self._edge(face) @ R.T + s for face in patch.faces]
                 items.append(Item(kind, lines=[line[:, self.plane] for line in lines]))
             else:
-                used, inverse = np.unique(np.concatenate(patch.faces), return_inverse=True)
                 triangles, at = [], 0
                 for face in patch.faces:
                     own = inverse[at:at + len(face)]
                     at += len(face)
                     triangles += [(own[0], own[i], own[i + 1]) for i in range(1, len(own) - 1)]
-                items.append(Item(kind, self.mesh.points[used] @ R.T + s, np.array(triangles)))
+                items.append(Item(kind, placed, np.array(triangles)))
+        low, high = (np.array(e, dtype=float) for e in zip(*reach)) if reach else (self.mesh.low[None], self.mesh.high[None])
+        frame.bounds = low.min(axis=0), high.max(axis=0)
+        if self.flat is not None:
+            for end, mesh in zip(frame.bounds, (self.mesh.low, self.mesh.high)):
+                end[self.flat] = mesh[self.flat]
         for name, (points, triangles, hollow) in self.obstacles.items():
+            if ('surfaces', name) in self.hidden:
+                continue
             R, s = self.pose(name, time)
-            items.append(self.shape('obstacle', points @ R.T + s, triangles, hollow=hollow))
-        return items
+            frame.items.append(self.shape('obstacle', points @ R.T + s, triangles, hollow=hollow))
 
     def _edge(self, face):
         """Ends of what a face of a 2D mesh is in its plane"""
@@ -355,6 +401,10 @@ class Case:
         if not n:
             return
         self._addConstants(cloud, n)
+        cloud = self.seen(cloud, frame.name)
+        n = len(cloud['positions'])
+        if not n:
+            return
         value = None if field is None else sizes(cloud[field])
         left = np.ones(n, dtype=bool)
         if 'clump' in cloud:
@@ -472,8 +522,20 @@ class Case:
         if field not in arrays:
             raise PictureError(f'{files[nearest]}: no {field}; there are {" ".join(sorted(arrays))}')
         whole = arrays['broken'] < 0.5
+        if any(kind == 'groups' for kind, _ in self.hidden):
+            whole &= self._seenBonds(frame, ends, len(points))
         frame.bonds = points[ends[whole]], sizes(arrays[field][whole])
         frame.shown.append(frame.bonds[1])
+
+    def _seenBonds(self, frame, ends, n):
+        """Which of the bonds between n particles have an end in a group that is drawn"""
+        cloud = clouds.readCloud(self.folder, frame.name, ('group',) if 'group' in self.fieldsAt(frame.name, 'solids') else (), 'solids')
+        if len(cloud['positions']) != n:
+            self.note(f'bonds of hidden groups are drawn at {frame.name}: their file is of a time with other particles')
+            return np.ones(len(ends), dtype=bool)
+        cloud['place'] = np.arange(n)
+        self._addConstants(cloud, n)
+        return np.isin(ends, self.seen(cloud, frame.name)['place']).any(axis=1)
 
     # Water -------------------------------------------------------------------------------------------------------------------------------------
 
@@ -567,7 +629,7 @@ class Case:
             self.bodies(frame, what if of == 'solids' else None)
         if of == 'bonds':
             self.bondLines(frame, what)
-        frame.items += self.walls(frame.time)
+        self.walls(frame)
         return frame
 
 

@@ -43,7 +43,7 @@ class Picture:
     def _tank(self):
         """Corners of what the walls reach in all frames; None without walls"""
         mesh = self.case.mesh
-        items = [i for frame in self.frames for i in frame.items if i.kind == 'wall']
+        items = [i for frame in self.frames for i in frame.items + frame.unseen if i.kind == 'wall']
         if not items:
             return None
         if self.case.flat is None:

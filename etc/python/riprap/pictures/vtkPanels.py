@@ -179,7 +179,9 @@ def mesh(renderer, job, data, k):
     kind = str(data[f'meshKind{k}'])
     source = polydata(data[f'meshPoints{k}'], data[f'meshTriangles{k}'])
     if kind == 'obstacle':
-        source = cutClosed(source, job['planes'])
+        source = cutClosed(source, data['bounds'])
+    elif kind == 'hollow':
+        source = cut(source, data['bounds'])
     elif kind != 'body':
         source = cut(source, job['planes'])
     colour = data[f'meshColour{k}']
