@@ -66,6 +66,15 @@ says cylinderRandom2 'pile: [0-9]+ particles, radius 0.003'
 fill "pile { set solids; material glass; source box; box (0 0 0) (0.1 0.1 0.01); radius 0.003; largestRadius 0.005; packing random; solidFraction 0.7; }"
 says random2 'pile: 1[0-9][0-9] particles, radius 0.003'
 cp 0/lagrangian/solids/positions first; setParticles >log 2>&1; cmp -s first 0/lagrangian/solids/positions && pass randomRepeats || fail randomRepeats "another packing with the same seed"
+# Sizes with shares: counts are share x solidFraction x 0.01 m2 / (pi r2), of the number with the mean area of a disk
+sizes='a { set solids; material glass; source box; box (0 0 0) (0.1 0.1 0.01); packing random; solidFraction 0.6;'
+fill "$sizes radii (0.002 0.004); shares (0.3 0.7); }"
+says sharesOfMass 'radius 0.002 m: 143 particles, 62\.[0-9]* % of the number, 29\.8[0-9]* % of the mass'     # 0.3 0.006/(pi 4e-6) = 143.2
+says sharesOfMassLarge 'radius 0.004 m: 84 particles, 37\.[0-9]* % of the number, 70\.1[0-9]* % of the mass'
+says sharesTotal 'a: 227 particles, radius 0.002 to 0.004 m, mass 15\.[0-9]* kg per metre'
+cp 0/lagrangian/solids/positions first; setParticles >log 2>&1; cmp -s first 0/lagrangian/solids/positions && pass sharesRepeat || fail sharesRepeat "another packing with the same seed"
+fill "$sizes radii (0.002 0.004); shares (0.8 0.2); sharesOf number; }"
+says sharesOfNumber 'radius 0.002 m: 239 particles, 79\.9[0-9]* % of the number'                        # 0.8 0.006/(pi (0.8 4e-6 + 0.2 16e-6)) = 238.7
 printf 'x,y,z,radius,material,group\n0.05,0.05,0,0.01,steel,held\n0.1,0.05,0,0.02,glass,free\n' >list.csv
 solids 'groups { held { fixed all; } }'
 fill 'list { set solids; source csv; file "list.csv"; material glass; }'
@@ -361,6 +370,16 @@ bad tinyRandom 'would hold about .*is the particles. radius meant' "a { set soli
 bad fraction 'Entry solidFraction is 2: it must be from 0 to 1' "a { $glass $box packing random; solidFraction 2; }"
 bad seed 'Entry seed is 1.5: it must be a whole number' "a { $glass $box packing random; solidFraction 0.5; seed 1.5; }"
 bad largest 'Entry largestRadius is 0.001, less than the particles. radius 0.005' "a { $glass $box packing random; solidFraction 0.5; largestRadius 0.001; }"
+sized="a { set solids; material glass; $box packing random; solidFraction 0.5;"
+bad shares 'Entry shares is missing: sizes need radii' "$sized radii (0.002 0.004); }"
+bad sharesFew 'Entry radii has 2 values and entry shares 1: each radius needs its share' "$sized radii (0.002 0.004); shares (1); }"
+bad sharesSum 'Entry shares adds up to 100: shares are fractions of the mass that add up to 1' "$sized radii (0.002 0.004); shares (30 70); }"
+bad sharesNegative 'Entry shares is -0.3: it must be positive' "$sized radii (0.002 0.004); shares (-0.3 1.3); }"
+bad sharesOf 'sharesOf has the unknown word volume; valid are \(number mass\)' "$sized radii (0.002 0.004); shares (0.3 0.7); sharesOf volume; }"
+bad sharesNone 'less than half a body of' "$sized radii (0.001 0.009); shares (0.99 0.01); }"
+bad sharesBoth 'Entries radii and largestRadius are both there' "$sized radii (0.002 0.004); shares (0.3 0.7); largestRadius 0.004; }"
+bad sharesCell 'Entry sharesOf is mass, but with .mass cell;. all particles have one mass: valid is number' "$sized radii (0.002 0.004); shares (0.3 0.7); mass cell; }"
+bad sharesLattice 'Entry radii needs .packing random;.' "a { set solids; material glass; $box radii (0.002 0.004); shares (0.3 0.7); }"
 bad velocity 'regions.a.velocity' "a { $glass $box velocity fast; }"
 bad spin 'regions.a.spin' "a { $glass $box spin fast; }"
 bad clipWord 'clip has the unknown word maybe' "a { $glass $box clip maybe; }"

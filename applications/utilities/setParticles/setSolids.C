@@ -10,6 +10,26 @@
 namespace Foam
 {
 
+// What rounding to whole bodies, and clipping, have made of the shares
+static void reportSizes(const solidRegion& region)
+{
+    const scalar mass = sum(region.mass);
+    for (const scalar radius : region.sizes)
+    {
+        label n = 0;
+        scalar own = 0;
+        forAll(region.radius, i)
+        {
+            if (region.radius[i] != radius) continue;
+            ++n;
+            own += region.mass[i];
+        }
+        Info<< "        radius " << radius << " m: " << n << " particles, " << 100.0*n/region.size() << " % of the number, "
+            << 100*own/mass << " % of the mass" << nl;
+    }
+}
+
+
 static void reportRegions(const List<solidRegion>& regions, const demSettings& settings)
 {
     const char* metre = settings.config.dimensions == 2 ? " per metre" : "";
@@ -27,6 +47,7 @@ static void reportRegions(const List<solidRegion>& regions, const demSettings& s
         if (region.clumps.size()) Info<< ", " << region.clumps.size() << " clumps";
         if (region.clipped) Info<< ", " << region.clipped << " clipped";
         Info<< nl;
+        reportSizes(region);
         total += region.size();
         all += mass;
     }

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "randomPacking.H"
-#include "mathematicalConstants.H"
+#include "bodyGrading.H"
 #include "pointGrid.H"
 
 #include <random>
 
 namespace Foam
 {
-
-static scalar volumeOf(scalar radius, bool planar)
-{
-    using constant::mathematical::pi;
-    return planar ? pi*sqr(radius) : 4*pi/3*pow3(radius);
-}
-
 
 // Move each of a pair by half their overlap; the largest overlap, relative to the radius
 static scalar pushApart
@@ -63,7 +56,7 @@ Foam::scalarField Foam::randomPacking::radii(scalar volume, bool planar) const
     for (;;)
     {
         const scalar radius = smallest + uniform()*(largest - smallest);
-        const scalar v = volumeOf(radius, planar);
+        const scalar v = ballVolume(radius, planar);
         if (left < 0.5*v) break;
         left -= v;
         all.append(radius);

@@ -2,6 +2,7 @@
 /*  Particles of solids in a volume: on a lattice, at random, or so that they follow its surface. */
 
 #include "bodyFaces.H"
+#include "bodyGrading.H"
 #include "fittedPacking.H"
 #include "mathematicalConstants.H"
 #include "particleSource.H"
@@ -111,17 +112,42 @@ static scalar particleRadius(checkedDictionary& dict, const solidRegion& region,
 }
 
 
-static void placeRandom
-(
-    checkedDictionary& dict,
-    const volumeSource& volume,
-    const particlePacking& frame,
-    solidRegion& region
-)
+// The radii that entries give with shares, else none
+static bodyGrading gradingOf(checkedDictionary& dict, bool sameMass)
+{
+    bodyGrading grading;
+    if (!dict.found("radii")) return grading;
+    grading = readGrading(dict);
+    for (const char* other : {"particleRadius", "largestRadius", "radius"})
+    {
+        if (!dict.isKnown(other) && dict.found(other))
+        {
+            FatalIOErrorInFunction(dict.dict())
+                << "Entries radii and " << other << " are both there: one of them says how large the particles are" << exit(FatalIOError);
+        }
+    }
+    if (sameMass && !grading.ofNumber)
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Entry sharesOf is mass, but with `mass cell;` all particles have one mass: valid is number" << exit(FatalIOError);
+    }
+    return grading;
+}
+
+
+static randomPacking readRandom(checkedDictionary& dict, const solidRegion& region, const bodyGrading& grading)
 {
     randomPacking packing;
-    packing.smallest = packing.largest = particleRadius(dict, region, false);
-    packing.largest = dict.positive("largestRadius", packing.largest);
+    if (grading.radii.size())
+    {
+        packing.smallest = min(grading.radii);
+        packing.largest = max(grading.radii);
+    }
+    else
+    {
+        packing.smallest = packing.largest = particleRadius(dict, region, false);
+        packing.largest = dict.positive("largestRadius", packing.largest);
+    }
     packing.solidFraction = dict.positive("solidFraction");
     // All of space
     dict.between("solidFraction", 1, 0, 1);
@@ -132,6 +158,22 @@ static void placeRandom
             << "Entry largestRadius is " << packing.largest << ", less than the particles' radius " << packing.smallest
             << exit(FatalIOError);
     }
+    return packing;
+}
+
+
+static void placeRandom
+(
+    checkedDictionary& dict,
+    const volumeSource& volume,
+    const particlePacking& frame,
+    bool sameMass,
+    solidRegion& region
+)
+{
+    const bodyGrading grading(gradingOf(dict, sameMass));
+    const randomPacking packing(readRandom(dict, region, grading));
+    region.sizes = grading.radii;
 
     const wholeBody whole(volume, frame);
     const scalar space = volumeOf(volume, frame);
@@ -142,7 +184,9 @@ static void placeRandom
         space/(frame.planar() ? sqr(packing.smallest) : pow3(packing.smallest)),
         "particles' radius"
     );
-    region.radius = packing.radii(space, frame.planar());
+    region.radius = grading.radii.size()
+      ? grading.fill(packing.solidFraction*space, frame.planar(), dict.dict())
+      : packing.radii(space, frame.planar());
     const bool placed = packing.place
     (
         volume.bounds(),
@@ -171,6 +215,11 @@ static void placeRegular
     solidRegion& region
 )
 {
+    if (dict.dict().found("radii"))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Entry radii needs `packing random;`: on a lattice all particles have one radius" << exit(FatalIOError);
+    }
     solidLattice lattice;
     lattice.kind = kind;
     lattice.radius = particleRadius(dict, region, true);
@@ -237,7 +286,7 @@ Foam::scalarField Foam::placeInVolume(checkedDictionary& dict, bool rigid, const
 
     if (kind == solidPackingKind::random)
     {
-        placeRandom(dict, volume, frame, region);
+        placeRandom(dict, volume, frame, cells, region);
         region.cells = volumeOf(volume, frame);
     }
     else placeRegular(dict, volume, frame, kind, region);
