@@ -193,9 +193,11 @@ rm -rf 0; refused noParticles 'lagrangian|setParticles' riprapFoam
 mesh()      # NAME MESSAGE
 {
     good
+    refused "$1.setParticles" "$2" setParticles
     refused "$1" "$2" riprapFoam
 }
 block 0.2 0.1 0.01 '20 11 1' "$sides $lower $open $flat"; mesh notSquare 'PIC needs a mesh that is one block of equal squares'
+dictionary system/setParticlesDict <<<'regions ( stones { set solids; } );'; refused notSquare.solids 'PIC needs a mesh that is one block of equal squares' setParticles
 block 0.2 0.1 0.01 '20 10 1' "$sides $lower $open $flat"
 sed -i 's/simpleGrading (1 1 1)/simpleGrading (1 3 1)/' system/blockMeshDict; blockMesh >log 2>&1; mesh graded 'PIC needs a mesh that is one block of equal squares .*without grading'
 block 0.2 0.1 0.01 '20 10 1' "$sides $lower upper { type symmetryPlane; faces ((3 7 6 2)); } $flat"; mesh patchType 'Patch upper has the type symmetryPlane.*valid are wall, patch'

@@ -6,7 +6,7 @@
 #include "OSspecific.H"
 #include "particleCloudIO.H"
 #include "particleRegions.H"
-#include "picDictionaries.H"
+#include "picGrid.H"
 #include "picObstacles.H"
 #include "sceneState.H"
 #include "sphDictionaries.H"
@@ -176,9 +176,8 @@ static void warnOfStanding(const placedSolids& placed, scalar spacing)
 
 
 // With picDem: no wall points, no equation of state
-static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const picSettings& settings)
 {
-    const picSettings settings(readPicSettings(mesh));
     const riprap::PicConfig& config = settings.config;
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
     const particlePacking packing(readPacking(dict, mesh, gravity));
@@ -200,21 +199,40 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
 
 
 // What a cloud is for: the solver's; with any other than those of water, of whichever there are properties
-static bool ofGrid(const Time& time, const word& solver)
+static bool ofGrid(const Time& time, const word& solver, bool fluid)
 {
-    if (solver == "picDem" || solver == "sphDem") return solver == "picDem";
     const fileName constant(time.path()/time.constant());
-    return !isFile(constant/"sphProperties") && isFile(constant/"picProperties");
+    const bool properties = isFile(constant/"picProperties");
+    // Solids alone need none of the water's files
+    if (!fluid) return solver == "picDem" && properties;
+    if (solver == "picDem" || solver == "sphDem") return solver == "picDem";
+    return !isFile(constant/"sphProperties") && properties;
 }
 
 } // namespace Foam
 
 
-void Foam::setFluid(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const placedSolids& placed)
+std::unique_ptr<const Foam::picSettings> Foam::gridSettings(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
-    if (ofGrid(mesh.time(), options.solver))
+    if (!ofGrid(mesh.time(), options.solver, hasSet(dict, "fluid") || !hasSet(dict, "solids"))) return nullptr;
+    auto settings = std::make_unique<const picSettings>(readPicSettings(mesh));
+    picGrid(mesh, settings->config);
+    return settings;
+}
+
+
+void Foam::setFluid
+(
+    const polyMesh& mesh,
+    const dictionary& dict,
+    const setOptions& options,
+    const picSettings* grid,
+    const placedSolids& placed
+)
+{
+    if (grid)
     {
-        setFluidOfGrid(mesh, dict, options);
+        setFluidOfGrid(mesh, dict, options, *grid);
         return;
     }
 

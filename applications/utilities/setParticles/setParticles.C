@@ -75,10 +75,11 @@ static void setCase(const argList& args)
     options.checkWalls = args.found("checkWalls");
     options.solver = args.getOrDefault<word>("solver", runTime.controlDict().getOrDefault<word>("solver", word::null));
     const bool solids = hasSet(dict, "solids");
+    const auto grid(gridSettings(*mesh, dict, options));
     // First, whatever the order of regions: water may be cut at them
     const placedSolids placed(solids ? placeSolids(*mesh, dict) : placedSolids());
     // Also where there is neither: the fluid's reader says what is wrong
-    if (!solids || hasSet(dict, "fluid")) setFluid(*mesh, dict, options, placed);
+    if (!solids || hasSet(dict, "fluid")) setFluid(*mesh, dict, options, grid.get(), placed);
     if (solids) setSolids(*mesh, dict, options, placed);
     if (!options.dryRun) recordSetParticles(runTime, dict);
 

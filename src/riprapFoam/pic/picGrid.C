@@ -5,6 +5,7 @@
 
 #include "picGrid.H"
 #include "emptyPolyPatch.H"
+#include "SubField.H"
 #include "wallPoints.H"
 #include "pic/grid/uniformGrid.hpp"
 
@@ -41,7 +42,7 @@ Foam::label Foam::picGrid::place(const point& middle) const
 }
 
 
-void Foam::picGrid::setSize(const fvMesh& mesh)
+void Foam::picGrid::setSize(const polyMesh& mesh)
 {
     // Of the first cell, which owns all its faces; all others must be like it
     DynamicList<label> corners(24);
@@ -93,7 +94,7 @@ void Foam::picGrid::setSize(const fvMesh& mesh)
 }
 
 
-void Foam::picGrid::numberCells(const fvMesh& mesh)
+void Foam::picGrid::numberCells(const polyMesh& mesh)
 {
     gridCell_.resize(mesh.nCells());
     labelList meshCell(cells_[0]*cells_[1]*cells_[2], -1);
@@ -139,7 +140,7 @@ void Foam::picGrid::numberCells(const fvMesh& mesh)
 //  are numbered in the order of wallPatches
 void Foam::picGrid::openSides
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const riprap::PicConfig& config
 )
 {
@@ -222,7 +223,7 @@ void Foam::picGrid::openSides
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::picGrid::picGrid(const fvMesh& mesh, const riprap::PicConfig& config)
+Foam::picGrid::picGrid(const polyMesh& mesh, const riprap::PicConfig& config)
 :
     dimensions_(config.dimensions),
     corner_(mesh.bounds().min())
