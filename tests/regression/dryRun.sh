@@ -95,5 +95,22 @@ pic() { dictionary constant/picProperties <<<"device cpu; $1"; }
 pic ''; regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.05 0.01); }'; fill
 passes pic '[0-9]+'
 says pic.table 'solver [0-9.]+ [0-9.]+ % 100 times fields [0-9.]+ [0-9.]+ % 10 times function objects'
+# Steps become shorter as the water becomes faster: sqrt(2 g 0.05 m) = 0.99 m/s goes half a cell in 2 0.005/(v + sqrt(v2 + 4 g 0.005)) s
+time='; its time step: 0.0048[0-9]+ s Particle steps to time 1: 139 with this step, about 20[78] at that speed Expected run time: [0-9.]+ to [0-9.]+ s'
+says pic.speed "Speed that may be reached: 0.99[0-9]* m/s, estimated by the water.s fall to the lowest place of the mesh with its velocities$time"
+geometry 'gate { type searchableBox; min (0.12 0.02 -1); max (0.14 0.2 1); }'
+pic 'walls { motion { lift { patches (gate); solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0 2 0); } } } }'
+riprapFoam -dry-run >log 2>&1; says pic.speedOfGate 'Speed that may be reached: 2.23[0-9]* m/s, estimated by .* velocities and 2 m/s of what is moved'
+rm constant/geometry
+block 0.2 0.1 0.01 '20 10 1' "left { type patch; faces ((0 4 7 3)); } right { type wall; faces ((1 2 6 5)); } $lower $open $flat"
+control picDem; dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }'
+pic 'openings { left { type velocity; velocity table ((0 (0 0 0)) (1 (3 0 0))); } }'; fill
+riprapFoam -dry-run >log 2>&1; says pic.speedOfOpening 'Speed that may be reached: 3 m/s, estimated by velocities of openings'
+pic 'openings { left { type flowRate; flowRate table ((0 0) (1 0.002)); } }'
+riprapFoam -dry-run >log 2>&1; says pic.speedOfFlow 'Speed that may be reached: 2 m/s, estimated by velocities of openings'     # 0.002 m3/s over 0.1 x 0.01 m2
+rm constant/sphProperties; tank2; rm constant/sphProperties
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }'; pic ''
+control picDem 'adjustTimeStep no; deltaT 1e-3;'; fill
+riprapFoam -dry-run >log 2>&1; says pic.fixedStep '1000 with this step, about 1000 at that speed Expected run time: [0-9.]+ s, without output'
 control picDem 'adjustTimeStep no; deltaT 0.5;'
 stops courant 'Guard at time .* s, particle step [0-9]+: particle [0-9]+ at .* would go [0-9.]+ cells in a step; guards/Courant allows 5'

@@ -10,6 +10,7 @@ Description
 
 #include "picDem.H"
 #include "deviceChoice.H"
+#include "expectedSpeed.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 
@@ -41,12 +42,25 @@ Foam::runEffort Foam::solverModules::picDem::logEffort(scalar sampleInterval)
         return runEffort();
     }
 
-    const scalar steps = length/step;
-    Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
-        << std::to_string(int64_t(ceil(steps))).c_str() << " with this step; more as the water becomes"
-        << " faster" << nl;
+    if (!run_.particles)
+    {
+        // Solids alone, with steps of their own
+        Info<< "Particle steps to time " << runTime_.endTime().value() << ": "
+            << std::to_string(int64_t(ceil(length/step))).c_str() << " with this step" << nl;
+        return logRunTime(seconds, length/step, length/step, run_.particles);
+    }
 
-    return logRunTime(seconds, steps, steps, run_.particles);
+    const particleCloud cloud(readFluid());
+    const labelList moving(bodyOfObstacle());
+    const expectedSpeed fast({mesh_, settings_.config, cloud, run_.spacing, obstacles_, moving, bodies_, solids_});
+    const scalar shortest = fast.step(settings_.config, step);
+    const scalar steps = length/step, most = length/shortest;
+    Info<< "Speed that may be reached: " << fast.value << " m/s, estimated by " << fast.by.c_str() << "; its time step: " << shortest << " s" << nl
+        << "Particle steps to time " << runTime_.endTime().value() << ": "
+        << std::to_string(int64_t(ceil(steps))).c_str() << " with this step, about "
+        << std::to_string(int64_t(ceil(most))).c_str() << " at that speed" << nl;
+
+    return logRunTime(seconds, steps, most, run_.particles);
 }
 
 

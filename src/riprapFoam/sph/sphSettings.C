@@ -101,9 +101,7 @@ scalar lowestPlace(const polyMesh& mesh, const vector& g)
 }
 
 
-//- 2 |g| H + u^2 of the particle that can become fastest; H ends half a
-//  spacing of fluid beyond the outermost particles, or at the lowest place
-static scalar largestEnergy
+scalar largestEnergy
 (
     const vector& g,
     scalar spacing,
