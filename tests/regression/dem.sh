@@ -339,6 +339,7 @@ box='source box; box (0 0 0) (0.06 0.06 0.01);'
 bad noMaterial "material' not found" "a { set solids; radius 0.005; $box }"
 bad unknownMaterial 'Unknown material wood; constant/solidProperties has \(glass steel\)' "a { set solids; material wood; radius 0.005; $box }"
 bad unknownGroup 'Unknown group beam; constant/solidProperties has \(free\)' "a { $glass group beam; $box }"
+bad nearGroup 'Unknown group fre; constant/solidProperties has .free.; did you mean free\?' "a { $glass group fre; $box }"
 bad noRadius 'Region a: How large are the particles\? Write .particleRadius' "a { set solids; material glass; $box }"
 bad diskOfOne 'Region a: radius 0\.03 is that of the cylinder, not of its particles. How large are the particles\? Write .particleRadius .* or .spacing' "a { $round }"
 bad diskRandom 'Region a: radius 0\.03 is that of the cylinder.* Write .particleRadius' "a { $round spacing 0.01; packing random; solidFraction 0.5; }"

@@ -5,7 +5,7 @@
 
 #include "pictures.H"
 #include "HashSet.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "polyMesh.H"
 #include "sceneCloud.H"
 
@@ -54,8 +54,7 @@ void Foam::pictures::check(const Time& time)
         {
             FatalIOErrorInFunction(control)
                 << "Entry pictureFields names " << field << ", which no cloud"
-                << " has; there are " << listed(known.sortedToc()).c_str()
-                << exit(FatalIOError);
+                << " has; there are " << listedFor(field, known.sortedToc()).c_str() << exit(FatalIOError);
         }
     }
 }

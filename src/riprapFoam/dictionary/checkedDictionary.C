@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkedDictionary.H"
+#include "didYouMean.H"
 #include "listed.H"
 #include "macroUse.H"
 #include <cctype>
@@ -89,31 +90,12 @@ static wordUse useOf(const std::string& name, const std::string& text)
     return use;
 }
 
-//- Letters that are to be changed, added or left out
-static label lettersApart(const word& a, const word& b)
-{
-    labelList last(identity(b.size() + 1));
-    for (std::size_t i = 0; i < a.size(); ++i)
-    {
-        labelList now(last.size());
-        now[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j)
-        {
-            const label other = last[j] + (a[i] != b[j]);
-            now[j + 1] = min(other, 1 + min(last[j + 1], now[j]));
-        }
-        last = now;
-    }
-    return last[b.size()];
-}
-
-
 //- A slip of the pen, not a name of the user's own
 static bool isLike(const word& name, const UList<word>& valid)
 {
     for (const word& other : valid)
     {
-        if (lettersApart(name, other) <= 2) return true;
+        if (slips(name, other, false) <= 2) return true;
     }
     return false;
 }
@@ -212,8 +194,7 @@ void Foam::checkedDictionary::unknownWord
 {
     FatalIOErrorInFunction(dict_)
         << "Entry " << entry << " has the unknown word " << typed
-        << "; valid are " << listed(valid).c_str()
-        << exit(FatalIOError);
+        << "; valid are " << listedFor(typed, valid).c_str() << exit(FatalIOError);
 }
 
 
@@ -226,7 +207,7 @@ void Foam::checkedDictionary::unknownEntry
     FatalIOErrorInFunction(dict_)
         << "Unknown entry " << entry
         << "; valid are " << listed(known_).c_str() << remark
-        << exit(FatalIOError);
+        << didYouMean(entry, known_).c_str() << exit(FatalIOError);
 }
 
 

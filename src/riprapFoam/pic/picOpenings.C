@@ -6,6 +6,7 @@
 #include "picOpenings.H"
 #include "checkedDictionary.H"
 #include "Function1.H"
+#include "didYouMean.H"
 #include "listed.H"
 #include "picNames.H"
 #include "singleValues.H"
@@ -37,7 +38,7 @@ static void requirePatch
     {
         FatalIOErrorInFunction(dict)
             << "There is no patch " << name << " of type patch; the mesh has "
-            << listed(wordList(open)).c_str() << exit(FatalIOError);
+            << listedFor(name, wordList(open)).c_str() << exit(FatalIOError);
     }
 }
 

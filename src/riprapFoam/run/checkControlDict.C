@@ -5,38 +5,16 @@
 
 #include "checkControlDict.H"
 #include "checkedDictionary.H"
+#include "didYouMean.H"
 #include "IFstream.H"
 #include "inputFile.H"
 #include "OSspecific.H"
 #include "timePlan.H"
 
-#include <numeric>
-#include <vector>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Letters to be put in, left out, changed, or exchanged with the next
-static label slips(const std::string& a, const std::string& b)
-{
-    std::vector<label> before, last(b.size() + 1), now(b.size() + 1);
-    std::iota(last.begin(), last.end(), 0);
-    for (std::size_t i = 1; i <= a.size(); ++i)
-    {
-        now[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j)
-        {
-            now[j] = min(min(last[j], now[j - 1]) + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) now[j] = min(now[j], before[j - 2] + 1);
-        }
-        before = last;
-        last = now;
-    }
-    return last[b.size()];
-}
-
 
 static void checkNames(const dictionary& control)
 {

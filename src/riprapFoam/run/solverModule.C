@@ -6,7 +6,7 @@
 #include "solverModule.H"
 #include "Time.H"
 #include "OSspecific.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "Pstream.H"
 
 namespace Foam
@@ -106,8 +106,7 @@ Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
     FatalIOErrorInFunction(runTime.controlDict())
         << "Unknown solver " << name << " (entry solver, or option -solver):"
         << " library " << library << " cannot be loaded or has none of that"
-        << " name; available are " << listed(availableModules()).c_str()
-        << exit(FatalIOError);
+        << " name; available are " << listedFor(name, availableModules()).c_str() << exit(FatalIOError);
 
     return nullptr;
 }

@@ -2,6 +2,7 @@
 
 #include "closedSurface.H"
 #include "OSspecific.H"
+#include "didYouMean.H"
 #include "listed.H"
 
 namespace Foam
@@ -83,8 +84,7 @@ Foam::autoPtr<Foam::triSurface> Foam::readClosedSurface(checkedDictionary& dict,
         fileNameList there(readDir(folder, fileName::FILE));
         Foam::sort(there);
         FatalIOErrorInFunction(dict.dict())
-            << "Entry file: there is no " << file << "; constant/triSurface holds " << listed(there).c_str()
-            << exit(FatalIOError);
+            << "Entry file: there is no " << file << "; constant/triSurface holds " << listedFor(name, there).c_str() << exit(FatalIOError);
     }
     autoPtr<triSurface> surface(readSurface(dict.dict(), file, scale));
     if (surface->empty())

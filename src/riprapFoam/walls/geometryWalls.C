@@ -3,7 +3,7 @@
 #include "geometryWalls.H"
 #include "checkedDictionary.H"
 #include "Enum.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "volumeType.H"
 
 namespace Foam
@@ -80,7 +80,7 @@ static const dictionary& checked(const dictionary& all)
         {
             FatalIOErrorInFunction(e.dict())
                 << "Unknown type " << type << " of " << e.keyword() << "; valid types are "
-                << listed(entriesOf().sortedToc()).c_str() << exit(FatalIOError);
+                << listedFor(type, entriesOf().sortedToc()).c_str() << exit(FatalIOError);
         }
 
         for (const word& entry : entriesOf()[type]) dict.found(entry);
@@ -124,7 +124,7 @@ Foam::geometryWalls::geometryWalls(const Time& time, const dictionary& all)
             {
                 FatalIOErrorInFunction(dicts_[i])
                     << "Unknown solidSide " << typed << "; valid ones are "
-                    << listed(sideNames.toc()).c_str() << exit(FatalIOError);
+                    << listedFor(typed, sideNames.toc()).c_str() << exit(FatalIOError);
             }
             side_[i] = sideNames.get(typed);
             if (!closed && side_[i] != solidSide::both)

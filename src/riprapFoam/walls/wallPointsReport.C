@@ -8,7 +8,7 @@
 #include "emptyPolyPatch.H"
 #include "inputFile.H"
 #include "IOdictionary.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "OSspecific.H"
 #include "particleCloudIO.H"
 #include "wallPolyPatch.H"
@@ -55,7 +55,7 @@ Foam::labelList Foam::wallPatches
         {
             FatalIOErrorInFunction(dict)
                 << "Entry patches: no patch " << name << " that can be a wall; valid ones are "
-                << listed(valid).c_str() << exit(FatalIOError);
+                << listedFor(name, valid).c_str() << exit(FatalIOError);
         }
     }
 

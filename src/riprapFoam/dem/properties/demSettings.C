@@ -5,7 +5,7 @@
 
 #include "demSettings.H"
 #include "readSolidProperties.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "particleDomain.H"
 #include "Switch.H"
 #include "Time.H"
@@ -42,8 +42,7 @@ static label indexOf
     {
         FatalIOErrorInFunction(where)
             << "Unknown " << what << ' ' << name
-            << "; constant/solidProperties has " << listed(names).c_str()
-            << exit(FatalIOError);
+            << "; constant/solidProperties has " << listedFor(name, names).c_str() << exit(FatalIOError);
     }
     return i;
 }

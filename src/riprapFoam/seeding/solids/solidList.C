@@ -4,6 +4,7 @@
 */
 
 #include "csvFile.H"
+#include "didYouMean.H"
 #include "listed.H"
 #include "solidRegions.H"
 
@@ -63,7 +64,7 @@ void Foam::readSolidList(checkedDictionary& dict, const solidSpace& space, solid
     {
         if (!valid.found(word(name, false)))
         {
-            file.fail(-1, "unknown column '" + name + "'; valid are " + listed(valid));
+            file.fail(-1, "unknown column '" + name + "'; valid are " + listedFor(name, valid));
         }
     }
 
