@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/loops/largest.hpp"
-#include "pic/grid/pressureAt.hpp"
+#include "pic/cutCells/samplePoints.hpp"
 #include "pic/grid/speed.hpp"
 #include "solvers/fluidEnd.hpp"
 #include "solvers/pic/picSolver.hpp"
@@ -129,39 +129,41 @@ PicGridState PicSolver<Backend, D, P>::grid()
 template<class Backend, int D, class P>
 SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points, const SightPlanes&)
 {
-    const std::size_t m = points.size()/3;
+    const std::size_t m = points.size()/3, most = 1 << 20;      // at once: memory on the device
     const std::vector<double> x = solved(points, true);
-    std::vector<double> p = wholePressure().download(), distance;
-    const std::vector<real> phi = phi_.download();
-    SolidField<D, real> solids{};
+    Array<Backend, double> extended, places, found;
+    SamplePoints<D, real> sample{grid_, {}, phi_.data(), wholePressure().data(), {}, nullptr, nullptr};
+    for (int d = 0; d < D; ++d) sample.u[d] = u_[d].data();
     if (cuts())
     {
-        extendPressure(grid_, phi.data(), wet_.download(), p);
-        distance = nodeDistance_.download();
-        solids.grid = grid_;
-        solids.distance = distance.data();
+        std::vector<double> p = wholePressure().download();
+        extendPressure(grid_, phi_.download().data(), wet_.download(), p);
+        extended.upload(context_, p);
+        sample.p = extended.data();
+        sample.solids.grid = grid_;
+        sample.solids.distance = nodeDistance_.data();
     }
-    std::vector<real> u[D];
-    for (int d = 0; d < D; ++d) u[d] = u_[d].download();
     SampleResult result;
     result.volumeFraction.assign(m, 0.0);
     result.pressure.assign(m, 0.0);
     result.velocity.assign(3*m, 0.0);
     result.centroid.assign(3*m, 0.0);
-    #pragma omp parallel for schedule(static) if (m > 1000)
-    for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t first = 0; first < m; first += most)
     {
-        Vec<D, double> at;
-        for (int d = 0; d < D; ++d) at.c[d] = x[i*D + d];
-        at = intoBlock(grid_, at);
-        Vec<D, double> normal;
-        if (cuts() && solids.at(at, normal) < 0) continue;
-        // linear between cells, so that 1/2 is where phi is 0, but the surface is no wider than a cell
-        const double distance = sampleCell<1>(grid_, phi.data(), at);
-        result.volumeFraction[i] = std::max(0.0, std::min(0.5 - distance/grid_.h, 1.0));
-        if (distance > grid_.h) continue;
-        result.pressure[i] = distance < 0 ? pressureAt(grid_, phi.data(), p.data(), at) : 0.0;
-        for (int d = 0; d < D; ++d) result.velocity[3*i + config_.axes[d]] = sampleFace<1>(grid_, u[d].data(), d, at);
+        const std::size_t end = std::min(m, first + most);
+        places.upload(context_, std::vector<double>(x.begin() + D*first, x.begin() + D*end));
+        found.allocate(context_, sample.values*(end - first));
+        sample.x = places.data();
+        sample.result = found.data();
+        forEach(context_, int(end - first), sample);
+        const std::vector<double> values = found.download();
+        for (std::size_t i = first; i < end; ++i)
+        {
+            const double* v = &values[sample.values*(i - first)];
+            result.volumeFraction[i] = v[0];
+            result.pressure[i] = v[1];
+            for (int d = 0; d < D; ++d) result.velocity[3*i + config_.axes[d]] = v[2 + d];
+        }
     }
     return result;
 }
