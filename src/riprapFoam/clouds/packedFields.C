@@ -73,6 +73,7 @@ void requireCloud(const polyMesh& mesh, const word& cloud)
                  ? "Have setParticles and then decomposePar been run?"
                  : "Has setParticles been run?"
                )
+            << " Entries startFrom and startTime of system/controlDict choose the time."
             << exit(FatalError);
     }
 }

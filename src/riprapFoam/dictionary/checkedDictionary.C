@@ -63,6 +63,21 @@ static bool inDirective(const std::string& text, std::size_t at)
 }
 
 
+//- What an entry that the text does not hold has come from; empty: it includes nothing
+static std::string includedBy(const std::string& text)
+{
+    std::string files;
+    const std::string directive("#include");
+    for (std::size_t at = text.find(directive); at != std::string::npos; at = text.find(directive, at + 1))
+    {
+        const std::size_t begin = text.find('"', at), end = text.find('"', begin + 1);
+        if (text.find('\n', at) < begin || end == std::string::npos) continue;
+        files += (files.empty() ? "" : " ") + text.substr(begin + 1, end - begin - 1);
+    }
+    return files.empty() ? "" : "; it stands in a file that is included (" + files + ")";
+}
+
+
 static wordUse useOf(const std::string& name, const std::string& text)
 {
     const auto inName = [](char c) { return std::isalnum(c) || c == '_'; };
@@ -239,11 +254,8 @@ void Foam::checkedDictionary::endButMacros(const wordList& elsewhere) const
 
         if (!number || elsewhere.found(name) || isLike(name, known_))
         {
-            unknownEntry
-            (
-                name,
-                ", and numbers and words that the file uses as $name"
-            );
+            const std::string where(use.plain ? "" : includedBy(text));
+            unknownEntry(name, (", and numbers and words that the file uses as $name" + where).c_str());
         }
         unused.append(name);
     }

@@ -5,10 +5,12 @@
 
 #include "particleDomain.H"
 #include "allRanks.H"
+#include "checkedDictionary.H"
 #include "cyclicPolyPatch.H"
 #include "inputFile.H"
 #include "SubField.H"
 #include "emptyPolyPatch.H"
+#include "IFstream.H"
 #include "wallPolyPatch.H"
 #include "uniformDimensionedFields.H"
 #include "Time.H"
@@ -124,6 +126,14 @@ static void readGravity(const polyMesh& mesh, particleDomain& config)
         false
     );
     checkInputFile(io.objectPath(), largestNumber);
+    IFstream file(io.objectPath());
+    if (file.good())
+    {
+        // v2512 aborts where a dictionary is in their place
+        const dictionary entries(file);
+        checkedDictionary checked(entries);
+        for (const char* name : {"dimensions", "value"}) checked.found(name);
+    }
     const uniformDimensionedVectorField g(io);
 
     if (g.dimensions() != dimAcceleration)
