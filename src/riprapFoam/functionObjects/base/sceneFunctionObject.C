@@ -5,7 +5,7 @@
 
 #include "sceneFunctionObject.H"
 #include "checkedDictionary.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "timeWriter.H"
 #include "wallTimes.H"
 
@@ -195,7 +195,7 @@ Foam::wordList Foam::functionObjects::sceneFunctionObject::fieldNames
             FatalIOErrorInFunction(dict)
                 << "Entry fields of function object " << name()
                 << ": unknown field " << field << "; valid are "
-                << listed(valid).c_str() << exit(FatalIOError);
+                << listedFor(field, valid).c_str() << exit(FatalIOError);
         }
     }
 

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "forceParts.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "picSceneObject.H"
 #include "sphSceneObject.H"
 #include "wallBodies.H"
@@ -138,7 +138,7 @@ Foam::wordList Foam::functionObjects::forceParts::selected
             FatalIOErrorInFunction(dict_)
                 << "Entry " << entry << " of function object "
                 << functionObject_ << ": " << pattern
-                << " selects none; valid are " << listed(valid).c_str()
+                << " selects none; valid are " << listedFor(pattern, valid).c_str()
                 << exit(FatalIOError);
         }
     }

@@ -5,7 +5,7 @@
 
 #include "gaugeBody.H"
 #include "demSceneObject.H"
-#include "listed.H"
+#include "didYouMean.H"
 #include "picSceneObject.H"
 #include "sphSceneObject.H"
 #include "wallBodies.H"
@@ -204,6 +204,9 @@ void Foam::functionObjects::gaugeBody::find
 
     if (walls.found(name_) == solids.found(name_))
     {
+        wordList others(walls);
+        others.append(solids);
+        if (walls.found(name_)) others.clear();
         FatalIOErrorInFunction(dict)
             << "Entry body of function object " << functionObject << ": "
             << name_
@@ -213,7 +216,7 @@ void Foam::functionObjects::gaugeBody::find
                  : " is no group of walls that moves and none of solids"
                )
             << "; valid are, of walls, " << listed(walls).c_str()
-            << ", of solids, " << listed(solids).c_str()
+            << ", of solids, " << listed(solids).c_str() << didYouMean(name_, others).c_str()
             << exit(FatalIOError);
     }
 
