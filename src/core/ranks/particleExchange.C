@@ -16,8 +16,8 @@ static std::int64_t mostOf(const std::vector<int>& owner, const std::vector<std:
 
 void ParticleExchange::setPieces(const std::vector<PieceGrid>& grids, double reach)
 {
-    // Ghosts come in whole pieces: short ones in long rows, as far as a sum of all numbers at each rebuild is cheap
-    constexpr int least = 4;
+    // Ghosts come in whole pieces: as short ones as there are, as far as a sum of all numbers at each rebuild is cheap
+    constexpr int least = 1;
     constexpr double most = 1 << 20;
     pieces_.set(grids, reach, least, most);
     setOwners();

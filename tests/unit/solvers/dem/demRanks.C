@@ -291,7 +291,7 @@ TEST_P(DemRanks, manyBlocks)
           -0.44 + 1.98*r*(i/across/across) + 1e-3*u(engine)}}, Vector3{{u(engine), u(engine), u(engine)}}, r, 0.02);
     }
     addBox(in, 3);
-    compare(c, in, 60, {2, 3});
+    compare(c, in, 150, {2, 3});
 }
 
 //- Ranks that have nothing, at first or always
