@@ -124,6 +124,9 @@ refused contactVelocityWord "expected scalar value, found on line 2: word 'never
 water 'walls { slip noSlip; motion { gone { patches (gone); solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0 0 0); } } } }'
 refused motion 'no constant/geometry: picDem moves entries of that dictionary' riprapFoam
 water ''
+cp constant/solidProperties kept; sed -i 's/stiffness [0-9.e]*/stiffness 1e18/' constant/solidProperties
+refused stiffness 'Solids would take .* steps of .* s .* in a step of the fluid, .* at most 1(000000|e\+06) are taken.*solidProperties' riprapFoam
+mv kept constant/solidProperties
 geometry 'far { type searchableBox; min (5 5 -1); max (6 6 1); }'
 refused obstacle 'Surface far of constant/geometry, .* does not meet the mesh' riprapFoam
 rm constant/geometry
