@@ -6,8 +6,7 @@
 #include "regionMass.H"
 #include "addToRunTimeSelectionTable.H"
 #include "particleRegions.H"
-#include "picSceneObject.H"
-#include "sphSceneObject.H"
+#include "runningScenes.H"
 
 namespace Foam
 {
@@ -21,19 +20,6 @@ namespace functionObjects
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-const Foam::fluidSceneObject* Foam::functionObjects::regionMass::fluid() const
-{
-    if (const auto* grid = mesh_.cfindObject<picSceneObject>(picSceneObject::typeName)) return grid;
-    return mesh_.cfindObject<sphSceneObject>(sphSceneObject::typeName);
-}
-
-
-const Foam::demSceneObject* Foam::functionObjects::regionMass::solids() const
-{
-    return mesh_.cfindObject<demSceneObject>(demSceneObject::typeName);
-}
-
-
 void Foam::functionObjects::regionMass::contents::add(const point& p, const scalar m, const scalar v)
 {
     place.append(p);
@@ -45,13 +31,11 @@ void Foam::functionObjects::regionMass::contents::add(const point& p, const scal
 Foam::functionObjects::regionMass::contents
 Foam::functionObjects::regionMass::ofFluid() const
 {
-    const riprap::FluidConfig& config = fluid()->fluidConfig();
-    const std::vector<double> x(fluid()->fluidScene().fluid().position);
+    const fluidSceneObject& scene = *runningFluid(mesh_);
+    const riprap::FluidConfig& config = scene.fluidConfig();
+    const std::vector<double> x(scene.fluidScene().fluid().position);
     const label n = x.size()/3;
-    // Of picDem they are smaller than those that the case was made with
-    const auto* grid = mesh_.cfindObject<picSceneObject>(picSceneObject::typeName);
-    const scalar spacing = grid ? grid->scene().particleSpacing() : config.spacing;
-    const scalar volume = std::pow(spacing, config.dimensions);
+    const scalar volume = std::pow(scene.particleSpacing(), config.dimensions);
 
     contents all;
     for (label i = 0; i < n; ++i)
@@ -66,9 +50,10 @@ Foam::functionObjects::regionMass::ofFluid() const
 Foam::functionObjects::regionMass::contents
 Foam::functionObjects::regionMass::ofSolids() const
 {
-    const demSettings& settings = solids()->settings();
-    const riprap::DemState& now = solids()->motion();
-    const std::vector<riprap::DemClump>& clumps = solids()->input().clumps;
+    const demSceneObject& scene = *runningSolids(mesh_);
+    const demSettings& settings = scene.settings();
+    const riprap::DemState& now = scene.motion();
+    const std::vector<riprap::DemClump>& clumps = scene.input().clumps;
 
     contents all;
     labelList materialOf(clumps.size(), 0);
@@ -84,7 +69,7 @@ Foam::functionObjects::regionMass::ofSolids() const
     }
     if (clumps.empty()) return all;
 
-    const riprap::DemClumpState bodies(solids()->scene().clumps());
+    const riprap::DemClumpState bodies(scene.scene().clumps());
     for (std::size_t k = 0; k < clumps.size(); ++k)
     {
         if (bodies.left[k]) continue;
@@ -194,7 +179,7 @@ Foam::functionObjects::regionMass::regionMass
 bool Foam::functionObjects::regionMass::read(const dictionary& dict)
 {
     sceneFunctionObject::read(dict);
-    if (!fluid() && !solids())
+    if (!runningFluid(mesh_) && !runningSolids(mesh_))
     {
         FatalIOErrorInFunction(dict_)
             << "Function object " << name() << " of type " << type()
@@ -211,7 +196,7 @@ bool Foam::functionObjects::regionMass::read(const dictionary& dict)
 
 bool Foam::functionObjects::regionMass::writeSample()
 {
-    const bool wet = fluid(), withSolids = solids();
+    const bool wet = runningFluid(mesh_), withSolids = runningSolids(mesh_);
     const contents water(wet ? ofFluid() : contents()), bodies(withSolids ? ofSolids() : contents());
 
     wordList columns;

@@ -5,8 +5,7 @@
 
 #include "forceParts.H"
 #include "didYouMean.H"
-#include "picSceneObject.H"
-#include "sphSceneObject.H"
+#include "runningScenes.H"
 #include "wallBodies.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -264,18 +263,14 @@ Foam::functionObjects::forceParts::forceParts
 const Foam::fluidSceneObject*
 Foam::functionObjects::forceParts::fluid() const
 {
-    if (mesh_.foundObject<picSceneObject>(picSceneObject::typeName))
-    {
-        return &mesh_.lookupObject<picSceneObject>(picSceneObject::typeName);
-    }
-    return mesh_.cfindObject<sphSceneObject>(sphSceneObject::typeName);
+    return runningFluid(mesh_);
 }
 
 
 const Foam::demSceneObject*
 Foam::functionObjects::forceParts::solids() const
 {
-    return mesh_.cfindObject<demSceneObject>(demSceneObject::typeName);
+    return runningSolids(mesh_);
 }
 
 

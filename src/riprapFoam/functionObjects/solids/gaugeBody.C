@@ -4,10 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "gaugeBody.H"
-#include "demSceneObject.H"
 #include "didYouMean.H"
-#include "picSceneObject.H"
-#include "sphSceneObject.H"
+#include "runningScenes.H"
 #include "wallBodies.H"
 #include "principalAxes.H"
 #include <algorithm>
@@ -15,22 +13,6 @@
 
 namespace
 {
-    const Foam::demSceneObject* demOf(const Foam::polyMesh& mesh)
-    {
-        return mesh.cfindObject<Foam::demSceneObject>(Foam::demSceneObject::typeName);
-    }
-
-    //- The scene of the fluid, by whichever solver
-    const Foam::fluidSceneObject& fluidOf(const Foam::polyMesh& mesh)
-    {
-        using namespace Foam;
-        if (mesh.foundObject<picSceneObject>(picSceneObject::typeName))
-        {
-            return mesh.lookupObject<picSceneObject>(picSceneObject::typeName);
-        }
-        return mesh.lookupObject<sphSceneObject>(sphSceneObject::typeName);
-    }
-
     //- Are the points spread enough to tell how they turn: not one, in 3D not on a line?
     bool tellTurns(const std::vector<riprap::Vector3>& points, bool planar)
     {
@@ -56,7 +38,7 @@ namespace
 
 Foam::wordList Foam::functionObjects::gaugeBody::wallNames() const
 {
-    const wallBodies& bodies = fluidOf(mesh_).bodies();
+    const wallBodies& bodies = runningFluid(mesh_)->bodies();
     wordList names(bodies.size());
     forAll(names, body)
     {
@@ -68,14 +50,14 @@ Foam::wordList Foam::functionObjects::gaugeBody::wallNames() const
 
 Foam::wordList Foam::functionObjects::gaugeBody::solidNames() const
 {
-    const demSceneObject* dem = demOf(mesh_);
+    const demSceneObject* dem = runningSolids(mesh_);
     return dem ? dem->settings().groupNames() : wordList();
 }
 
 
 void Foam::functionObjects::gaugeBody::follow(const riprap::DemState& now)
 {
-    const riprap::DemConfig& config = demOf(mesh_)->settings().config;
+    const riprap::DemConfig& config = runningSolids(mesh_)->settings().config;
 
     std::unordered_map<std::int32_t, std::size_t> at;
     for (std::size_t i = 0; i < now.id.size(); ++i)
@@ -120,7 +102,7 @@ void Foam::functionObjects::gaugeBody::beginSolids
     const word& entry
 )
 {
-    const demSceneObject& dem = *demOf(mesh_);
+    const demSceneObject& dem = *runningSolids(mesh_);
     const riprap::DemState& now = dem.motion();
     const bool planar = dem.settings().config.dimensions == 2;
 
@@ -156,7 +138,7 @@ void Foam::functionObjects::gaugeBody::beginSolids
 
 riprap::WallPose Foam::functionObjects::gaugeBody::fitted()
 {
-    const demSceneObject& dem = *demOf(mesh_);
+    const demSceneObject& dem = *runningSolids(mesh_);
     const riprap::DemConfig& config = dem.settings().config;
     const riprap::DemState& now = dem.motion();
     follow(now);
@@ -256,7 +238,7 @@ riprap::WallPose Foam::functionObjects::gaugeBody::pose()
 {
     if (kind_ == kind::walls)
     {
-        const fluidSceneObject& fluid = fluidOf(mesh_);
+        const fluidSceneObject& fluid = *runningFluid(mesh_);
         return fluid.bodies().pose(index_, fluid.fluidScene().time());
     }
     return kind_ == kind::solids ? fitted() : riprap::WallPose();
