@@ -57,6 +57,7 @@ fi
 says unknownOption "*unknown option '--nothing'*" "$root/etc/release" --nothing
 says bothAlone '*--source or --binary*' "$root/etc/release" --source --binary
 says installNowhere '*no folder given*' "$root/etc/install" --foam
+says installSmall '*--small goes with --foam*' "$root/etc/install" --small x
 mkdir full; touch full/file
 says installFull '*full is not empty' "$root/etc/install" full
 says installNotBuilt '*not built*run ./Allwmake' env NVCC= RIPRAP_CPU_ARCH=x86-64-v2 "$root/etc/install" x
@@ -118,6 +119,10 @@ rm "$moved/libexec/checkMesh"
 says cut 'checkMesh: no */libexec/checkMesh' "$moved/bin/checkMesh" -help
 rm -r "$moved/openfoam"
 says noFoam 'riprapFoam: no OpenFOAM in *' "$moved/bin/riprapFoam" -help
+
+# Without OpenFOAM's function objects and most of its programs: all that a tutorial calls is there
+"$root/etc/install" --foam --small small >log 2>&1 && [[ ! -e small/bin/snappyHexMesh && ! -e small/lib/libfieldFunctionObjects.so ]] &&
+    bare RIPRAP_PYTHON=/nowhere small/bin/riprapCase sphDem/damBreak3D -to smallCase -spacing 0.006 -endTime 0.0025 -noPlot >log 2>&1 && pass small || fail small "$(tail -3 log)"
 
 # Beside the OpenFOAM of this machine, without one inside
 "$root/etc/install" beside >log 2>&1 && [[ ! -e beside/openfoam ]] && bare RIPRAP_PYTHON=/nowhere beside/bin/riprapCase sphDem/damBreak3D -to besideCase -spacing 0.006 -endTime 0.0025 -noPlot >log 2>&1 && pass beside || fail beside "$(tail -3 log)"
