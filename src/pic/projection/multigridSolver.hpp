@@ -178,7 +178,7 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
         last = small && levels_.size() > 1;
         for (int d = 0; d < D; ++d) n[d] = (n[d] + 1)/2;
     }
-    floats_.allocate(context, floats);
+    floats_.allocate(context, floats + (1 << tileCellsLog));        // a tile's rows read beyond a coarser level that is smaller: what they find must be finite
     float* f = floats_.data();
     const auto take = [](auto*& next, const GridShape<D>& shape) { auto* p = next + shape.margin; next += shape.cells + 2*shape.margin; return p; };
     for (LevelData<D>& l : levels_)
