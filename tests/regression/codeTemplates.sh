@@ -143,3 +143,88 @@ pic 'transfer flip; filterTime -1;'; refused unusedRange 'Entry filterTime is -1
 pic 'transfer filteredFlip; filterTime 0.1; spline linear;'; refused spline 'filteredFlip does not go with splines linear; valid are .quadratic cubic.' "${run[@]}"
 pic 'transfer filteredFlip; filterTime 0.002;'; control 'adjustTimeStep no; deltaT 0.01;'
 refused fixedStep 'Entry deltaT is 0.01: transfer filteredFlip bears steps of at most 0.002 s' "${run[@]}"
+
+# Libraries of a user's own: a function object and a solver module
+export FOAM_USER_LIBBIN=$work/user/lib
+mkdir -p "$FOAM_USER_LIBBIN"
+export LD_LIBRARY_PATH=$FOAM_USER_LIBBIN:$LD_LIBRARY_PATH
+library()       # FOLDER: builds a copy of a template
+{
+    cp -r "$root/etc/codeTemplates/$1" "$work/user"
+    if (cd "$work/user/$1" && RIPRAP_WERROR=1 WM_OPTIONS=$RIPRAP_OPTIONS wmake libso) >"$work/log" 2>&1
+    then pass builds
+    else fail builds "$(grep -m1 error "$work/log")"
+    fi
+}
+suite=codeTemplates.functionObject
+pass() { echo "PASS $suite.$1"; }
+fail() { echo "FAIL $suite.$1 $2"; }
+library functionObject
+mkdir "$work/centreCase"; cd "$work/centreCase" || exit 1
+tank2
+centre='centre { type fluidCentre; libs ("libfluidCentre.so"); }'
+control "endTime 0.05; functions { $centre }"; pic ''
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
+dictionary system/setParticlesDict <<<'spacing 0.005; regions ( pool { set fluid; source box; box (0 0 -1) (0.1 0.08 1); velocity (0.1 0.2 0); } );'
+setParticles >log 2>&1
+riprapFoam >log 2>&1
+says runs '^End'
+table=postProcessing/centre/0/fluidCentre.dat
+# the block's centre, 80 particles a cell's row, and its velocity
+row() { awk -v "t=$1" '!/^#/ && $1 == t { print $2, $3, $4, $6, $7; found = 1 } END { exit !found }' "$table"; }
+row 0 | awk '{ exit !($1 > 300 && ($2 - 0.05)^2 < 1e-10 && ($3 - 0.04)^2 < 1e-10 && ($4 - 0.1)^2 < 1e-10 && ($5 - 0.2)^2 < 1e-10) }' \
+    && pass start || fail start "$(row 0)"
+row 0.05 | awk '{ exit !($2 > 0.05 && $2 < 0.07) }' && pass moves || fail moves "$(row 0.05)"
+with() { rm -rf 0.05 postProcessing; control "endTime 0.05; functions { ${centre%\}} $1 } }"; }
+with 'box (0 0 -1) (0.05 0.08 1);'
+riprapFoam >log 2>&1
+row 0 | awk '{ exit !(($2 - 0.025)^2 < 1e-10) }' && pass box || fail box "$(row 0)"
+with 'box (0 0 -1) (0.05 -0.08 1);'
+refused wrongBox 'Entry box is .*controlDict' riprapFoam
+with 'bok (0 0 -1) (0.05 0.08 1);'
+refused wrongEntry 'bok.*valid are .*box' riprapFoam
+
+suite=codeTemplates.solverModule
+library solverModule
+mkdir "$work/drifterCase"; cd "$work/drifterCase" || exit 1
+tank2
+drifter() { dictionary constant/drifterProperties <<<"$1"; }
+steps() { control "solver drifters; startFrom latestTime; adjustTimeStep no; endTime 0.4; deltaT $1; writeInterval 0.2; writePrecision 17;"; }
+steps 0.01
+drifter 'flow (0.1 0 0); relaxationTime 0.05;'
+mkdir -p 0/lagrangian/drifters
+cloud()         # FILE CLASS VALUES
+{
+    printf 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n2\n(\n%s\n)\n' "$2" "$1" "$3" >"0/lagrangian/drifters/$1"
+}
+cloud positions 'Cloud<passiveParticle>' $'(0.02 0.06 0.005) 0\n(0.01 0.07 0.005) 0'
+cloud U vectorField $'(0 0.5 0)\n(0.2 0.5 0)'
+dictionary constant/g <<<'dimensions [0 1 -2 0 0 0 0]; value (0 -1 0);'
+riprapFoam >log 2>&1
+says runs '^End'
+# w = u + tau g, x = x0 + w t + tau (v0 - w)(1 - exp(-t/tau)), v = w + (v0 - w) exp(-t/tau)
+exact()
+{
+    awk -v t="$1" 'BEGIN { tau = 0.05; k = exp(-t/tau); split("0.02 0.01", x); split("0.06 0.07", y); split("0 0.2", u)
+        for (i = 1; i < 3; ++i) printf "%.9f %.9f %.9f %.9f\n", x[i] + 0.1*t + tau*(u[i] - 0.1)*(1 - k), y[i] - 0.05*t + tau*0.55*(1 - k), 0.1 + (u[i] - 0.1)*k, -0.05 + 0.55*k }'
+}
+vectors() { grep -oE '\([-0-9.e+]+ [-0-9.e+]+ [-0-9.e+]+\)' "$1" | tr -d '()'; }
+written() { paste -d ' ' <(vectors "$1/positions") <(vectors "$1/U") | awk '{ printf "%.9f %.9f %.9f %.9f\n", $1, $2, $4, $5 }'; }
+[[ $(written 0.4/lagrangian/drifters) == "$(exact 0.4)" ]] && pass closedForm || fail closedForm "$(written 0.4/lagrangian/drifters) instead of $(exact 0.4)"
+mv 0.4 whole; steps 0.01
+riprapFoam >log 2>&1
+cmp -s 0.4/lagrangian/drifters/positions whole/lagrangian/drifters/positions && pass restart || fail restart "0.4/lagrangian/drifters/positions is not what one run writes"
+rm -rf 0.2 0.4; steps 0.08
+riprapFoam >log 2>&1
+[[ $(written 0.4/lagrangian/drifters) == "$(exact 0.4)" ]] && pass largeSteps || fail largeSteps "$(written 0.4/lagrangian/drifters)"
+rm -rf 0.2 0.4
+riprapFoam -dry-run >log 2>&1
+says dryRun '^Particle steps to time 0.4: 5$'
+[[ ! -d 0.4 ]] && pass dryRunWritesNothing || fail dryRunWritesNothing 0.4
+drifter 'flow (2 0 0); relaxationTime 0.05;'
+refused leaves 'particle [01] at .* has left the mesh' riprapFoam
+[[ ! -d 0.4 ]] && pass nothingAfterGuard || fail nothingAfterGuard 0.4
+drifter 'flow (0.1 0 0); relaxationTime -1;'
+refused wrongTime 'Entry relaxationTime is -1: it must be positive.*drifterProperties' riprapFoam
+drifter 'flow (0.1 0 0); relaxationTime 1; drag 2;'
+refused wrongEntry 'Unknown entry drag; valid are .*relaxationTime' riprapFoam

@@ -445,11 +445,12 @@ std::string Foam::timeManifest::changedSince(const word& cloud) const
 bool Foam::hasParticles(const fileName& timePath)
 {
     bool has = false;
-    for (const char* cloud : {"fluid", "solids"})
+    const fileName clouds(timePath/"lagrangian");
+    for (const fileName& cloud : readDir(clouds, fileName::DIRECTORY))
     {
         for (const char* file : {"positions", "coordinates"})
         {
-            has = has || isFile(timePath/"lagrangian"/cloud/file);
+            has = has || isFile(clouds/cloud/file);
         }
     }
     return onAnyRank(has);
