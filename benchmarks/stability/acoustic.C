@@ -54,7 +54,7 @@ bool staysQuiet(const LatticeModel& l, IntegratorKind integrator, double dt, int
 //- Growth a step of the wave that grows fastest, by theory
 double theoreticalGrowth(const LatticeModel& l, IntegratorKind integrator, double dt)
 {
-    return largestOver(l, sites, [&](const LatticeModel& m, const Wave& k)
+    return reduceMax(l, sites, [&](const LatticeModel& m, const Wave& k)
     {
         const double w = soundFrequency(m, k)*dt, d = diffusionRate(m, k)*dt, a = 0.5*artificialRate(m, k)*dt;
         if (integrator == IntegratorKind::symplectic) return symplecticGrowth(w, d, a);
@@ -67,7 +67,7 @@ double theoreticalGrowth(const LatticeModel& l, IntegratorKind integrator, doubl
 void limits(ResultTable& table, const LatticeModel& l, IntegratorKind integrator, bool quick)
 {
     const bool symplectic = integrator == IntegratorKind::symplectic;
-    const Largest fastest = largestOver(l, sites, soundFrequency);
+    const Largest fastest = reduceMax(l, sites, soundFrequency);
     const double unit = 1/fastest.value, courant = l.soundSpeed*unit/l.h();
     // round-off of theory; a criterion that a finite run can see
     const bool damped = l.diffusion + l.artificial > 0;
@@ -101,7 +101,7 @@ void limits(ResultTable& table, const LatticeModel& l, IntegratorKind integrator
 
 void growths(ResultTable& table, const LatticeModel& l, bool quick)
 {
-    const Largest fastest = largestOver(l, sites, soundFrequency);
+    const Largest fastest = reduceMax(l, sites, soundFrequency);
     const Wave k = waveOf(l, sites, fastest.m, fastest.n);
     for (const double z : {0.2, 0.3, 0.4, 0.5, 0.6})
     {

@@ -74,7 +74,7 @@ void report(ResultTable& table, const ThrownBlock& b, bool quick)
     std::snprintf(text, sizeof text, "largest dt (c0 + v)/h; impact at %.1f c0", mach);
     r.quantity = text;
     r.measured = dt/acoustic;
-    r.theory = 2/(largestOver(l, 16, soundFrequency).value*l.h());
+    r.theory = 2/(reduceMax(l, 16, soundFrequency).value*l.h());
     std::snprintf(text, sizeof text, "theory: acoustic; energy %.2f with short steps", bound - 0.1);
     r.note = text;
     table.add(r);

@@ -60,7 +60,7 @@ double growthRate(const LatticeModel&, const Wave&);
 //- The largest value of f(model, wave) over all waves of a box, and the wave numbers of it
 struct Largest { double value; int m, n; };
 template<class F>
-Largest largestOver(const LatticeModel& model, int sites, const F& f)
+Largest reduceMax(const LatticeModel& model, int sites, const F& f)
 {
     Largest r{-1e300, 0, 0};
     for (int m = 0; m <= sites/2; ++m)

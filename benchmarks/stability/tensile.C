@@ -99,7 +99,7 @@ bool holds(const LatticeModel& l)
 
 double theoreticalRate(const LatticeModel& l)
 {
-    return std::max(0.0, largestOver(l, sites, growthRate).value*l.h()/l.soundSpeed);
+    return std::max(0.0, reduceMax(l, sites, growthRate).value*l.h()/l.soundSpeed);
 }
 
 struct TermSet { const char* name; double antiClump, xsph, diffusion; };

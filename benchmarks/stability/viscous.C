@@ -53,7 +53,7 @@ void viscous(ResultTable& table, bool quick)
                 r.integrator = wordOf(integrator);
                 r.terms = "laminar";
                 r.quantity = "largest nu dt/h^2";
-                r.theory = 1/(largestOver(l, sites, viscousRate).value*unit);
+                r.theory = 1/(reduceMax(l, sites, viscousRate).value*unit);
                 r.measured = bisect(0.02, 1, quick ? 0.01 : 0.002, [&](double c) { return decays(l, integrator, c*unit); });
                 table.add(r);
             }

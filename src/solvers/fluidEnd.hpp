@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include "core/loops/collect.hpp"
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "core/simd/vec.hpp"
 #include "api/fluidScene.hpp"
 
@@ -62,7 +62,7 @@ FluidEnd farEndOf
     FluidEnd end;
     end.particles = n;
     const double rounding = 1e-12*(length + std::abs(along.from));
-    FarParticles<D, Where> far{along, largestOver(context, n, along) - reach - rounding, nullptr};
+    FarParticles<D, Where> far{along, reduceMax(context, n, along) - reach - rounding, nullptr};
     Array<Backend, double> room;
     const int m = collect(context, n, far, [&](int count)
     {

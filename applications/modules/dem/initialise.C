@@ -72,7 +72,7 @@ void Foam::solverModules::dem::buildScene(solidSet solids, bool continued)
     if (!continued)
     {
         requireBeforePlanes(settings_, input_);
-        run_ = demRun();
+        run_ = demRestart();
         run_.initialParticles = solids.particles.size();
         run_.brokenBefore = broken;
     }

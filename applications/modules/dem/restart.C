@@ -35,7 +35,7 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
         std::vector<std::int32_t> words;
         if (Pstream::master())
         {
-            words = readStateWords(runTime_, demRun::stateFile);
+            words = readStateWords(runTime_, demRestart::stateFile);
         }
         scene_->loadState(words);
     }
@@ -47,7 +47,7 @@ bool Foam::solverModules::dem::loadState(const solidSet& solids)
     if
     (
        !asWritten_
-    && !sameSolids
+    && !matchesCloud
         (
             solids.particles, *scene_, settings_.config, mesh_.bounds().mag(),
             rewritten_ ? run_.digits : 0

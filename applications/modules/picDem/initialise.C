@@ -67,7 +67,7 @@ void Foam::solverModules::picDem::buildScene
     if (!continued)
     {
         const auto passed = run_.passed;
-        run_ = picRun();
+        run_ = picRestart();
         run_.passed = passed;
         run_.initialParticles = particles;
         run_.given = config.spacing;

@@ -47,9 +47,9 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
     bodies_(runTime, asRead_.motion),
     pressure_(runTime, "p", solverOfPressure())
 {
-    if (waterSolids::there(runTime))
+    if (picSolids::there(runTime))
     {
-        solids_.reset(new waterSolids(runTime, mesh, asRead_, boundary_));
+        solids_.reset(new picSolids(runTime, mesh, asRead_, boundary_));
     }
     useDevice(asRead_.config.device, asRead_.config.dimensions, asRead_.dict);
 }

@@ -10,7 +10,7 @@ Description
 #include "checkedDictionary.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
-#include "packedFields.H"
+#include "toStdVector.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -82,8 +82,8 @@ riprap::FluidInput Foam::solverModules::picDem::fluidInput
 ) const
 {
     riprap::FluidInput fluid;
-    fluid.position = packed("fluid", "positions", cloud.position);
-    fluid.velocity = packed("fluid", "U", requiredVectors(mesh_, cloud, "U"));
+    fluid.position = toStdVector("fluid", "positions", cloud.position);
+    fluid.velocity = toStdVector("fluid", "U", requiredVectors(mesh_, cloud, "U"));
     fluid.id = uniqueIds("fluid", "id", cloud.labels["id"]);
     return fluid;
 }

@@ -16,7 +16,7 @@ Description
 
 bool Foam::solverModules::picDem::canContinue(const particleCloud& cloud)
 {
-    run_ = picRun();
+    run_ = picRestart();
     if (!hasPicRun(runTime_))
     {
         return startFromCloud();

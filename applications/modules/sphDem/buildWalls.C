@@ -9,7 +9,7 @@ Description
 
 #include "sphDem.H"
 #include "UIndirectList.H"
-#include "packedFields.H"
+#include "toStdVector.H"
 #include "sweptDomain.H"
 #include "wholeBoundary.H"
 #include "solvers/sph/sphModels.hpp"
@@ -79,7 +79,7 @@ riprap::WallFaceInput Foam::solverModules::sphDem::wallFaceInput
     const wallFaces& from = walls_.faces;
 
     riprap::WallFaceInput faces;
-    faces.point = packed("walls", "faces", pointField(from.points));
+    faces.point = toStdVector("walls", "faces", pointField(from.points));
     forAll(from.elements, i)
     {
         for (direction d = 0; d < vector::nComponents; ++d)

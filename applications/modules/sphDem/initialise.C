@@ -121,7 +121,7 @@ void Foam::solverModules::sphDem::buildScene
 
     if (!continued)
     {
-        run_ = sphRun();
+        run_ = sphRestart();
         run_.initialParticles = cloud.size();
     }
     run_.spacing = config.spacing;
@@ -179,7 +179,7 @@ void Foam::solverModules::sphDem::initialise()
     const particleCloud cloud(readFluid());
 
     const bool continued = canContinue(cloud);
-    const sphRun before(run_);
+    const sphRestart before(run_);
     buildScene(cloud, continued);
 
     if (continued && loadState(cloud, before))

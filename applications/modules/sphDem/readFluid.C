@@ -8,7 +8,7 @@ Description
 
 #include "sphDem.H"
 #include "dividedCloud.H"
-#include "packedFields.H"
+#include "toStdVector.H"
 #include "sceneState.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -72,8 +72,8 @@ riprap::FluidInput Foam::solverModules::sphDem::fluidInput
     const riprap::SphConfig& config = settings_.config;
 
     riprap::FluidInput fluid;
-    fluid.position = packed("fluid", "positions", cloud.position);
-    fluid.velocity = packed("fluid", "U", requiredVectors(mesh_, cloud, "U"));
+    fluid.position = toStdVector("fluid", "positions", cloud.position);
+    fluid.velocity = toStdVector("fluid", "U", requiredVectors(mesh_, cloud, "U"));
     fluid.id = uniqueIds("fluid", "id", cloud.labels["id"]);
 
     // Densities are those of the speed of sound at which they were written:

@@ -54,7 +54,7 @@ static void warnOfOtherDensity(scalar now, scalar before)
 bool Foam::solverModules::sphDem::loadState
 (
     const particleCloud& cloud,
-    const sphRun& before
+    const sphRestart& before
 )
 {
     const riprap::SphConfig& config = settings_.config;

@@ -64,7 +64,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
 {
     if (Pstream::parRun()) ranks_.reset(new pstreamTransport);
 
-    if (coupledSolids::there(runTime))
+    if (sphSolids::there(runTime))
     {
         if (ranks_.valid())
         {
@@ -73,7 +73,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
                 << " alone: -parallel takes solver sphDem without"
                 << " constant/solidProperties" << exit(FatalIOError);
         }
-        solids_.reset(new coupledSolids(runTime, mesh, asRead_, boundary_));
+        solids_.reset(new sphSolids(runTime, mesh, asRead_, boundary_));
     }
     else if (asRead_.couples)
     {

@@ -25,7 +25,7 @@ Foam::functionObjects::fluidCentre::fluidCentre
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     writeAtStart();
@@ -36,7 +36,7 @@ Foam::functionObjects::fluidCentre::fluidCentre
 
 bool Foam::functionObjects::fluidCentre::read(const dictionary& dict)
 {
-    sphFunctionObject::read(dict);
+    fluidFunctionObject::read(dict);
 
     box_ = boundBox(point::uniform(-GREAT), point::uniform(GREAT));
     if (dict.found("box"))

@@ -8,7 +8,7 @@
 */
 #pragma once
 
-#include "core/backend/oneBlock.hpp"
+#include "core/backend/singleBlock.hpp"
 
 namespace riprap
 {

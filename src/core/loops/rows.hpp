@@ -6,7 +6,7 @@
 */
 #pragma once
 
-#include "core/loops/deviceSum.hpp"
+#include "core/loops/deviceReduce.hpp"
 
 //- Before a loop none of whose passes reads what another writes, as those of a kernel
 #ifdef __CUDACC__

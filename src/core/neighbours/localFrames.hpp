@@ -20,7 +20,7 @@
 #include <cstring>
 #include "core/backend/launch.hpp"
 #include "core/simd/precision.hpp"
-#include "core/loops/sharedWrites.hpp"
+#include "core/loops/deterministicAtomics.hpp"
 
 namespace riprap
 {
@@ -70,8 +70,8 @@ struct LocalFrames
         {
             const int k = ordered(float(v.c[d]));
             // most are within what others have said
-            if (k < sharedRead(b + d)) lowerTo(b + d, k);
-            if (~k < sharedRead(b + D + d)) lowerTo(b + D + d, ~k);
+            if (k < sharedRead(b + d)) atomicMinimum(b + d, k);
+            if (~k < sharedRead(b + D + d)) atomicMinimum(b + D + d, ~k);
         }
     }
 
@@ -216,7 +216,7 @@ public:
             blocks_ *= frames_.n[d];
         }
         bounds_.allocate(context, std::size_t(blocks_)*2*D);
-        still_.allocate(context, blocks_);
+        immobile_.allocate(context, blocks_);
         frame_.allocate(context, blocks_);
     }
 
@@ -227,13 +227,13 @@ public:
     {
         LocalFrames<D, P> f = frames_;
         f.bounds = bounds_.data();
-        f.still = still_.data();
+        f.still = immobile_.data();
         f.frame = frame_.data();
         return f;
     }
 
     void clear(Context<Backend>& context) { if (on()) forEach(context, blocks_, ClearFrames<D, P>{view()}); }
-    void clearStill(Context<Backend>& context) { if (on()) forEach(context, blocks_, ClearStill{still_.data()}); }
+    void clearStill(Context<Backend>& context) { if (on()) forEach(context, blocks_, ClearStill{immobile_.data()}); }
 
     void settle(Context<Backend>& context, double far, double nearStill)
     {
@@ -242,12 +242,12 @@ public:
         forEach(context, blocks_, s);
     }
 
-    std::size_t bytes() const { return bounds_.bytes() + still_.bytes() + frame_.bytes(); }
+    std::size_t bytes() const { return bounds_.bytes() + immobile_.bytes() + frame_.bytes(); }
 
 private:
     LocalFrames<D, P> frames_{};
     bool periodic_[3] = {};
-    Array<Backend, int> bounds_, still_;
+    Array<Backend, int> bounds_, immobile_;
     Array<Backend, LocalFrame<D, real>> frame_;
     int blocks_ = 0;
     double width_ = 0;

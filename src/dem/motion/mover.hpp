@@ -81,7 +81,7 @@ struct MoveSolids : SolidMotion<D, P>
     position* reference[D];     // where neighbours were found
     LocalFrames<D, P> frames;       // fused steps: what the way since then is measured against
     real halfSkin;
-    real suddenWay;             // [m] more than its speed foretells, that a particle may go in a step: blows of a fluid
+    real suddenDisplacement;             // [m] more than its speed foretells, that a particle may go in a step: blows of a fluid
     std::int64_t domainMin[D], domainMax[D];        // fixed point; everything where periodic
     MotionTable motions;
     const ClumpData* clumps;    // null: there are none
@@ -187,7 +187,7 @@ struct MoveSolids : SolidMotion<D, P>
             speed2 += v.c[d]*v.c[d];
         }
         // 5/4 of a step's way must be left
-        const real distance = squareRoot(distance2), left = halfSkin - suddenWay - distance, way = real(1.25*t.fullDt);
+        const real distance = squareRoot(distance2), left = halfSkin - suddenDisplacement - distance, way = real(1.25*t.fullDt);
         const bool enough = left >= 0 && way*way*speed2 <= left*left;
         if (!enough || !inside(x)) raised->needRebuild = 1;
         // not so written that a number which is none slips through
@@ -203,7 +203,7 @@ struct MoveSolids : SolidMotion<D, P>
     HD void checkStep(int i, real speed2, const DemClockData& t, DemClockData* raised) const
     {
         const real step = real(t.dt), radius = this->fields.radius[i];
-        if (suddenWay > 0 || !(step*step*speed2 <= radius*radius)) raised->halt = DemHalt::tooFar;
+        if (suddenDisplacement > 0 || !(step*step*speed2 <= radius*radius)) raised->halt = DemHalt::tooFar;
     }
 
     //- The same against what is around it
@@ -215,8 +215,8 @@ struct MoveSolids : SolidMotion<D, P>
         Vec<D, position> from;
         for (int d = 0; d < D; ++d) from.c[d] = reference[d][i];
         const WaySince<real> way = frames.since(box, from, p, v, real(t.time - t.searched), real(1.25*t.fullDt));
-        if (!(way.relativeNext + suddenWay <= halfSkin && way.wholeNext + suddenWay <= way.limit)) raiseOnce(raised->aged);
-        if (!(way.wholeNext + suddenWay <= halfSkin)) raiseOnce(raised->aged + 1);
+        if (!(way.relativeNext + suddenDisplacement <= halfSkin && way.wholeNext + suddenDisplacement <= way.limit)) raiseOnce(raised->aged);
+        if (!(way.wholeNext + suddenDisplacement <= halfSkin)) raiseOnce(raised->aged + 1);
         const bool farHere = !(way.relative <= halfSkin && way.whole <= way.limit), farWay = !(way.whole <= halfSkin);
         if (farHere) raiseOnce(raised->far);
         if (farWay) raiseOnce(raised->far + 1);

@@ -85,13 +85,13 @@ private:
     ) const
     {
         const real toUnit = inverseRoot(maximum(r2, real(1e-30))), distance = r2*toUnit;
-        real gap = alone ? this->soleGap : this->gap[pair];
+        real gap = alone ? this->singlePairGap : this->gap[pair];
         if (this->list.rest) gap -= this->list.rest[e];
         if (self.radius + other.radius + gap <= distance) return false;
         real armA, armB;
         const auto g = pairGeometry<D, real>(self, other, toUnit*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
-        const auto f = Law::template evaluate<D, real>(alone ? this->sole : this->parameters[pair], g, armA, armB, h, fn);
+        const auto f = Law::template evaluate<D, real>(alone ? this->singlePair : this->parameters[pair], g, armA, armB, h, fn);
         this->list.template remember<H>(e, h);
         force = force + f.force;
         moment = moment + f.momentA;

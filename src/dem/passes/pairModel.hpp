@@ -26,8 +26,8 @@ struct PairModel
     const real* gap;                    // likewise
     int materials;
     int alone;                          // the pair of the one material that all particles are of, whatever walls are of; -1: there are several
-    Parameters sole;                    // its numbers: a kernel's own arguments cost no loads
-    real soleGap;
+    Parameters singlePair;                    // its numbers: a kernel's own arguments cost no loads
+    real singlePairGap;
     ForceClock clock;
     const int* active;
 

@@ -12,7 +12,7 @@
 */
 #pragma once
 
-#include "core/loops/sharedWrites.hpp"
+#include "core/loops/deterministicAtomics.hpp"
 #include "dem/state/clock.hpp"
 #include "dem/contact/contact.hpp"
 #include "dem/motion/motionTable.hpp"
@@ -300,7 +300,7 @@ private:
         }
         if (before >= 0) return;
         addShared(&passed->count, 1);
-        lowerTo(&passed->key, this->fields.id[i]);
+        atomicMinimum(&passed->key, this->fields.id[i]);
     }
 
     HD void remember(int e, int touches, const WallTouch<D>* touch, real (*h)[H + 1]) const

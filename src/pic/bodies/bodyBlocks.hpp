@@ -5,7 +5,7 @@
 */
 #pragma once
 
-#include "core/loops/sharedLowest.hpp"
+#include "core/loops/atomicMinimum.hpp"
 #include "pic/bodies/bodyShape.hpp"
 #include "pic/cutCells/apertures.hpp"
 
@@ -135,7 +135,7 @@ struct LowerDistances
             const Vec<D, double> x = nodes.position(at);
             if (ball && squaredNorm(x - ball->centre) > (ball->radius + band)*(ball->radius + band)) continue;
             const double d = shape.distance(x);
-            if (d < band) lowerTo(distance + n, d);
+            if (d < band) atomicMinimum(distance + n, d);
         }
     }
 };

@@ -10,7 +10,7 @@
 */
 #pragma once
 
-#include "core/loops/sharedWrites.hpp"
+#include "core/loops/deterministicAtomics.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
 #include "pic/grid/pressureFields.hpp"
 

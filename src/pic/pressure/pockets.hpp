@@ -10,8 +10,8 @@
 */
 #pragma once
 
-#include "core/loops/deviceSum.hpp"
-#include "core/loops/sharedWrites.hpp"
+#include "core/loops/deviceReduce.hpp"
+#include "core/loops/deterministicAtomics.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
 
 namespace riprap
@@ -31,7 +31,7 @@ HD void join(int* parent, int a, int b)
     while (a != b)
     {
         if (a < b) { const int c = a; a = b; b = c; }
-        const int old = lowerTo(parent + a, b);
+        const int old = atomicMinimum(parent + a, b);
         if (old == a) return;
         a = rootOf(parent, old);        // another has joined a meanwhile: join that one's root
         b = rootOf(parent, b);
@@ -238,7 +238,7 @@ public:
         parent_.allocate(context, shape.cells);     // zero: what no pass visits is no root but cell 0, which has no row then
         sums_.allocate(context, 3*std::size_t(shape.cells));
         scale_.allocate(context, 2);
-        partial_.allocate(context, deviceSumRoom(2));
+        partial_.allocate(context, deviceReduceRoom(2));
     }
 
     //- Finds them; returns how many cells they have

@@ -7,7 +7,7 @@
 */
 #pragma once
 
-#include "core/loops/sharedWrites.hpp"
+#include "core/loops/deterministicAtomics.hpp"
 #include "pic/pressure/level.hpp"
 
 namespace riprap

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <vector>
-#include "core/backend/oneBlock.hpp"
+#include "core/backend/singleBlock.hpp"
 #include "pic/pressure/relaxTile.hpp"
 
 namespace riprap
@@ -75,7 +75,7 @@ struct TailCycle
         while (few < levels - 1 && level[few].shape.cells > fewCells) ++few;
         around(team, 0, few, of, [&]
         {
-            team.byFew([&](const Team& part) { around(part, few, levels - 1, of, [&] { bottom(part, of(levels - 1)); }); });
+            team.byOneWarp([&](const Team& part) { around(part, few, levels - 1, of, [&] { bottom(part, of(levels - 1)); }); });
         });
     }
 
@@ -219,9 +219,9 @@ void vCycle
     if (nearTail)
     {
         const NearTail<D> near(tail);
-        oneBlock(context, near, near.floats());
+        singleBlock(context, near, near.floats());
     }
-    else oneBlock(context, tail);
+    else singleBlock(context, tail);
     for (int l = tiled - 1; l >= 0; --l)
     {
         if constexpr (!Backend::gpu)

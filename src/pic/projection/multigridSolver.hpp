@@ -7,7 +7,7 @@
 */
 #pragma once
 
-#include "core/loops/deviceSum.hpp"
+#include "core/loops/deviceReduce.hpp"
 #include "core/loops/sort.hpp"
 #include "pic/pressure/conjugateGradient.hpp"
 #include "pic/projection/coupledRows.hpp"
@@ -204,7 +204,7 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
     flags_.allocate(context, tiles + 1);
     origins_.allocate(context, tiles);
     counts_.allocate(context, tiledLevels);
-    partial_.allocate(context, deviceSumRoom(3));
+    partial_.allocate(context, deviceReduceRoom(3));
     state_.allocate(context, 1);
     for (int l = 0; l < tiledLevels; ++l)
     {

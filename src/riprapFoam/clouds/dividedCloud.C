@@ -8,7 +8,7 @@
 #include "boundBox.H"
 #include "cloud.H"
 #include "indexedOctree.H"
-#include "packedFields.H"
+#include "toStdVector.H"
 #include "pstreamTransport.H"
 #include "treeDataCell.H"
 #include <set>

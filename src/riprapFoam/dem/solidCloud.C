@@ -46,7 +46,7 @@ Foam::solidCloud::solidCloud
     const demSettings& settings,
     const riprap::DemInput& input,
     const labelList& typeOfBondType,
-    const demRun& run,
+    const demRestart& run,
     bool writesState
 )
 :
@@ -244,7 +244,7 @@ void Foam::solidCloud::writeState(bool picture) const
         std::vector<std::int32_t> words(scene_.saveState());
         if (Pstream::master())
         {
-            writeStateWords(time(), demRun::stateFile, std::move(words));
+            writeStateWords(time(), demRestart::stateFile, std::move(words));
         }
     }
     if (input_.clumps.size() && !picture)
@@ -252,7 +252,7 @@ void Foam::solidCloud::writeState(bool picture) const
         writeClumps();
     }
 
-    demRun run(run_);
+    demRestart run(run_);
     if (input_.bonds.size())
     {
         const riprap::DemState particles(scene_.motion());

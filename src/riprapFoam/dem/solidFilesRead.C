@@ -11,7 +11,7 @@ Description
 #include "HashSet.H"
 #include "listed.H"
 #include "mathematicalConstants.H"
-#include "packedFields.H"
+#include "toStdVector.H"
 #include "sceneState.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -155,14 +155,14 @@ Foam::solidSet Foam::readSolids
 
     solidSet solids;
     riprap::DemParticles& p = solids.particles;
-    p.position = packed(name, "positions", cloud.position);
-    p.velocity = packed(name, "U", requiredVectors(mesh, cloud, "U"));
+    p.position = toStdVector(name, "positions", cloud.position);
+    p.velocity = toStdVector(name, "U", requiredVectors(mesh, cloud, "U"));
     p.spin.assign(3*cloud.size(), 0);
     if (cloud.vectors.found("omega"))
     {
-        p.spin = packed(name, "omega", cloud.vectors["omega"]);
+        p.spin = toStdVector(name, "omega", cloud.vectors["omega"]);
     }
-    p.radius = packedPositive(name, "radius", requiredScalars(mesh, cloud, "radius"));
+    p.radius = toStdVectorPositive(name, "radius", requiredScalars(mesh, cloud, "radius"));
     p.material = indices
     (
         cloud, "material",
@@ -180,11 +180,11 @@ Foam::solidSet Foam::readSolids
     p.id = uniqueIds(name, "origId", cloud.labels["origId"]);
     p.mass =
         cloud.scalars.found("mass")
-      ? packedPositive(name, "mass", cloud.scalars["mass"])
+      ? toStdVectorPositive(name, "mass", cloud.scalars["mass"])
       : masses(settings, p);
     if (cloud.scalars.found("inertia"))
     {
-        p.inertia = packedPositive(name, "inertia", cloud.scalars["inertia"]);
+        p.inertia = toStdVectorPositive(name, "inertia", cloud.scalars["inertia"]);
     }
 
     readBondFiles(mesh.time(), meaning(properties, "bondTypes", typeOf), solids);

@@ -18,7 +18,7 @@ Foam::picCloud::picCloud
 (
     const polyMesh& mesh,
     riprap::PicScene& scene,
-    const picRun& run
+    const picRestart& run
 )
 :
     sceneCloud(mesh, "fluid"),

@@ -48,7 +48,7 @@ bool Foam::particleModule::notUsed(const std::string& why) const
 }
 
 
-bool Foam::particleModule::mayContinue(const runRecord& run, int64_t cloudSize)
+bool Foam::particleModule::mayContinue(const restartRecord& run, int64_t cloudSize)
 {
     if (Time::timeName(run.time) != runTime_.timeName())
     {
@@ -134,7 +134,7 @@ Foam::scalar Foam::particleModule::firstSteps
 }
 
 
-void Foam::particleModule::logEscaped(label now, const runRecord& run) const
+void Foam::particleModule::logEscaped(label now, const restartRecord& run) const
 {
     if (now)
     {

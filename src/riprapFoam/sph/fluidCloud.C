@@ -20,7 +20,7 @@ Foam::fluidCloud::fluidCloud
     const polyMesh& mesh,
     riprap::SphScene& part,
     riprap::SphScene& scene,
-    const sphRun& run
+    const sphRestart& run
 )
 :
     sceneCloud(mesh, "fluid"),

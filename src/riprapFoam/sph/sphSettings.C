@@ -7,7 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDictionaries.H"
-#include "sphRun.H"
+#include "sphRestart.H"
 #include "checkedDictionary.H"
 #include "particleCloudIO.H"
 #include "particleDomain.H"

@@ -38,14 +38,14 @@ double PicSolver<Backend, D, P>::timeStep(double speed, std::string& limit)
 }
 
 template<class Backend, int D, class P>
-double PicSolver<Backend, D, P>::fastest() { return largestOver(context_, n_, ParticleSpeed<D, real>{particles()}); }
+double PicSolver<Backend, D, P>::fastest() { return reduceMax(context_, n_, ParticleSpeed<D, real>{particles()}); }
 
 //- Of particles that water carries, and of others as far as they limit the step. of: all
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::fastestCarried(double of)
 {
     if (!(flying_ > 0) || !(config_.maxFlyingCourant > config_.maxCourant)) return of;
-    return largestOver(context_, n_, CarriedSpeed<D, real>{grid_, {particles()}, near_.data(), config_.maxCourant/config_.maxFlyingCourant});
+    return reduceMax(context_, n_, CarriedSpeed<D, real>{grid_, {particles()}, near_.data(), config_.maxCourant/config_.maxFlyingCourant});
 }
 
 template<class Backend, int D, class P>

@@ -4,7 +4,7 @@
 */
 #pragma once
 
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "pic/cutCells/samplePoints.hpp"
 #include "pic/grid/speed.hpp"
 #include "solvers/fluidEnd.hpp"
@@ -188,7 +188,7 @@ FluidExtremes PicSolver<Backend, D, P>::extremes()
 {
     Array<Backend, real> v[D];
     FluidExtremes e;
-    e.speed = largestOver(context_, n_, ParticleSpeed<D, real>{particlesNow(v)});
+    e.speed = reduceMax(context_, n_, ParticleSpeed<D, real>{particlesNow(v)});
     return e;
 }
 

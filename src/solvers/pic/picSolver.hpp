@@ -9,7 +9,7 @@
 #include <atomic>
 #include <initializer_list>
 #include "core/neighbours/cellSort.hpp"
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "pic/grid/activeRows.hpp"
 #include "pic/cutCells/extendSurface.hpp"
 #include "pic/cutCells/pushOut.hpp"

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "solvers/pic/picSolver.hpp"
-#include "solvers/stateWords.hpp"
+#include "solvers/checkpointWords.hpp"
 
 namespace riprap
 {

@@ -4,7 +4,7 @@
 */
 #pragma once
 
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "solvers/fluidEnd.hpp"
 #include "solvers/sph/sphReadBack.hpp"
 #include "solvers/sph/sphSolver.hpp"
@@ -123,8 +123,8 @@ FluidExtremes SphSolver<Backend, D, P>::extremes()
 {
     const int n = activeFluid();
     FluidExtremes e;
-    e.speed = std::sqrt(largestOver(context_, n, withoutGhosts(FluidSpeed2<D, P>{fluidFields()}, ghosts())));
-    e.densityDeviation = largestOver(context_, n, withoutGhosts(FluidDeviation<D, P>{fluidFields()}, ghosts()));
+    e.speed = std::sqrt(reduceMax(context_, n, withoutGhosts(FluidSpeed2<D, P>{fluidFields()}, ghosts())));
+    e.densityDeviation = reduceMax(context_, n, withoutGhosts(FluidDeviation<D, P>{fluidFields()}, ghosts()));
     return e;
 }
 

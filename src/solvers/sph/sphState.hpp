@@ -14,7 +14,7 @@
 
 #include <map>
 #include "solvers/sph/sphSolver.hpp"
-#include "solvers/stateWords.hpp"
+#include "solvers/checkpointWords.hpp"
 
 namespace riprap
 {

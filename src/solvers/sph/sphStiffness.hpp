@@ -7,7 +7,7 @@
 */
 #pragma once
 
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "solvers/sph/sphReadBack.hpp"
 #include "solvers/sph/sphSolver.hpp"
 
@@ -96,8 +96,8 @@ void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSp
     stiffening_ += elasticEnergy() - elastic;
     // the next step begins with the maxima of the last pass
     readClock();
-    host_.maxima[1] = float(largestOver(context_, n, withoutGhosts(SignalSpeed<D, P>{model_, fluidFields()}, ghosts())));
-    host_.maxima[2] = float(largestOver(context_, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, ghosts())));
+    host_.maxima[1] = float(reduceMax(context_, n, withoutGhosts(SignalSpeed<D, P>{model_, fluidFields()}, ghosts())));
+    host_.maxima[2] = float(reduceMax(context_, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, ghosts())));
     writeClock();
     if (ranks_) { ranks_->agree(*clock_.data(), interrupted_); readClock(); }
     refreshRecords();

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/neighbours/cellGrid.hpp"
-#include "core/loops/sharedWrites.hpp"
+#include "core/loops/deterministicAtomics.hpp"
 #include "sph/boundary/wallFaces.hpp"
 
 namespace riprap

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "picCloud.hpp"
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "pic/cutCells/pushOut.hpp"
 #include "pic/grid/speed.hpp"
 
@@ -341,7 +341,7 @@ PIC_TEST(FlyingOnesLimitTheStepLess)
         for (int d = 0; d < D; ++d) cloud.set.upload(cloud.context, D + d, v[d]);
         Array<Backend, unsigned char> near;
         near.upload(cloud.context, water);
-        const double most = largestOver(cloud.context, cloud.n, CarriedSpeed<D, typename C::real>{g, {cloud.view()}, near.data(), part});
+        const double most = reduceMax(cloud.context, cloud.n, CarriedSpeed<D, typename C::real>{g, {cloud.view()}, near.data(), part});
         EXPECT_NEAR(most, fastestFlies ? part*flying : carried, 1e-12*most);
         EXPECT_GT(most, fastestFlies ? carried : part*flying);
     }

@@ -33,7 +33,7 @@ Foam::functionObjects::energyBalance::energyBalance
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     begin();

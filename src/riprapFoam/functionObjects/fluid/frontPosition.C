@@ -8,7 +8,7 @@
 #include "levelCrossing.hpp"
 #include "particleCloudIO.H"
 #include "sphDictionaries.H"
-#include "sphRun.H"
+#include "sphRestart.H"
 #include "solvers/sph/sphModels.hpp"
 #include "OSspecific.H"
 #include "addToRunTimeSelectionTable.H"
@@ -41,7 +41,7 @@ Foam::functionObjects::frontPosition::frontPosition
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     writeAtStart();
@@ -81,7 +81,7 @@ Foam::scalar Foam::functionObjects::frontPosition::writtenSpacing
 
 bool Foam::functionObjects::frontPosition::read(const dictionary& dict)
 {
-    sphFunctionObject::read(dict);
+    fluidFunctionObject::read(dict);
     checkedDictionary(dict).positive("spacing", 1);
 
     if (hasScene())

@@ -33,7 +33,7 @@ Foam::functionObjects::momentumBalance::momentumBalance
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     pic().watchMomentum(true);

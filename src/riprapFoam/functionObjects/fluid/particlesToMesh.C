@@ -33,7 +33,7 @@ Foam::functionObjects::particlesToMesh::particlesToMesh
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     execute();
@@ -118,7 +118,7 @@ void Foam::functionObjects::particlesToMesh::writeFields(const bool onlyMissing)
 
 bool Foam::functionObjects::particlesToMesh::read(const dictionary& dict)
 {
-    sphFunctionObject::read(dict);
+    fluidFunctionObject::read(dict);
 
     minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.01);
     ownWriteControl_ = dict.found("writeControl") || dict.found("outputControl");

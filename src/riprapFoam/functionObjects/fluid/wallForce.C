@@ -25,7 +25,7 @@ Foam::functionObjects::wallForce::wallForce
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     writeAtStart();
@@ -34,7 +34,7 @@ Foam::functionObjects::wallForce::wallForce
 
 bool Foam::functionObjects::wallForce::read(const dictionary& dict)
 {
-    sphFunctionObject::read(dict);
+    fluidFunctionObject::read(dict);
     sph();
 
     groups_ = wordList(1, "fixed");

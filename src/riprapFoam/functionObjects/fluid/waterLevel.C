@@ -24,7 +24,7 @@ Foam::functionObjects::waterLevel::waterLevel
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict)
+    fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
     writeAtStart();
@@ -33,7 +33,7 @@ Foam::functionObjects::waterLevel::waterLevel
 
 bool Foam::functionObjects::waterLevel::read(const dictionary& dict)
 {
-    sphFunctionObject::read(dict);
+    fluidFunctionObject::read(dict);
 
     const vector up(upDirection(dict));
     const scalar spacing = fluid().fluidConfig().spacing;

@@ -32,7 +32,7 @@ Foam::functionObjects::particleProbes::particleProbes
     const dictionary& dict
 )
 :
-    sphFunctionObject(name, runTime, dict),
+    fluidFunctionObject(name, runTime, dict),
     body_(mesh_)
 {
     read(dict);
@@ -44,7 +44,7 @@ Foam::functionObjects::particleProbes::particleProbes
 
 bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
 {
-    sphFunctionObject::read(dict);
+    fluidFunctionObject::read(dict);
     fluid();
 
     locations_ = points(dict, "probeLocations");

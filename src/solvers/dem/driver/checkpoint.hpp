@@ -81,7 +81,7 @@ private:
 
     bool isSaved(int field) const;
     int savedFields() const;
-    std::vector<std::int32_t> stateWords();
+    std::vector<std::int32_t> checkpointWords();
     void takeState(const std::vector<std::int32_t>& words);
     std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>& words) const;
     void collectAll();
@@ -178,11 +178,11 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::save()
     if (!ranks_.others)
     {
         neighbours_.rebuild();
-        return stateWords();
+        return checkpointWords();
     }
     ranks_.others->gatherOn(0);
     neighbours_.rebuild();
-    std::vector<std::int32_t> words = stateWords();
+    std::vector<std::int32_t> words = checkpointWords();
     if (p_.set.config.ranks->rank() != 0) words.clear();
     ranks_.others->gatherOn(-1);
     neighbours_.rebuild();
@@ -191,7 +191,7 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::save()
 
 //- Of all particles here, which have just been sorted
 template<class Backend, int D, class P>
-std::vector<std::int32_t> Checkpoint<Backend, D, P>::stateWords()
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
 {
     p_.clock.read();
     p_.reach.searchedAt = p_.clock.now.step;

@@ -77,7 +77,7 @@ MoveSolids<D, P> ContactForces<Backend, D, P>::mover()
     }
     if constexpr (Backend::gpu) m.frames = p_.memory.frames.view();
     m.halfSkin = p_.reach.halfSkin;
-    m.suddenWay = p_.reach.suddenWay;
+    m.suddenDisplacement = p_.reach.suddenDisplacement;
     m.motions = p_.motion.groupTable();
     m.clumps = p_.clumps.count() ? p_.clumps.data() : nullptr;
     m.offset = p_.clumps.offset().data();

@@ -4,7 +4,7 @@
 */
 #pragma once
 
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "coupling/solidView.hpp"
 #include "dem/motion/push.hpp"
 #include "dem/motion/solidWays.hpp"
@@ -72,7 +72,7 @@ typename P::real* DrivenSolids<Backend, D, P>::external()
     ranks_.requireAlone("solids in a fluid");
     if (!p_.particles.external.size()) p_.particles.external.upload(p_.set.context, std::vector<real>(std::size_t(p_.particles.n)*(D + S), real(0)));
     p_.reach.driven = true;
-    p_.reach.suddenWay = real(0.1)*p_.reach.halfSkin;       // the fluid's blow of a step may be harder than any of the bodies' own
+    p_.reach.suddenDisplacement = real(0.1)*p_.reach.halfSkin;       // the fluid's blow of a step may be harder than any of the bodies' own
     return p_.particles.external.data();
 }
 
@@ -91,7 +91,7 @@ double DrivenSolids<Backend, D, P>::speedAtHand()
 #ifdef __CUDACC__
     if constexpr (Backend::gpu) if (p_.memory.speed.asked()) return p_.memory.speed.take();
 #endif
-    return largestOver(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
+    return reduceMax(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
 }
 
 template<class Backend, int D, class P>
@@ -99,7 +99,7 @@ int DrivenSolids<Backend, D, P>::subcycles(double dt)
 {
     if (p_.still) return 1;
     const int contacts = std::max(1, int(std::ceil(dt/p_.set.plan.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
-    const double way = 1.25*dt*speedAtHand(), room = double(p_.reach.halfSkin) - double(p_.reach.suddenWay);
+    const double way = 1.25*dt*speedAtHand(), room = double(p_.reach.halfSkin) - double(p_.reach.suddenDisplacement);
     if (!(way > 0.1*contacts*room)) return contacts;
     // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists are new where too little is left
     const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;

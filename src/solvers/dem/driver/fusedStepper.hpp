@@ -165,24 +165,24 @@ void FusedStepper<Backend, D, P>::runAhead(std::int64_t count)
 {
     if constexpr (Backend::gpu)
     {
-        auto& glances = p_.memory.glances;
+        auto& readback = p_.memory.readback;
         std::int64_t launched = 0;
         bool over = false;
         while (!over)
         {
             const bool due = stepsSince_ + launched >= stepsExpected_;
-            while (launched < count && glances.waiting() < (due ? 1 : glances.most))
+            while (launched < count && readback.waiting() < (due ? 1 : readback.most))
             {
                 const int batch = int(std::min<std::int64_t>(stepsTogether, count - launched));
                 fusedSteps(batch);
-                glances.ask(p_.set.context, p_.clock.data() + p_.memory.current);
+                readback.ask(p_.set.context, p_.clock.data() + p_.memory.current);
                 launched += batch;
             }
-            p_.clock.now = glances.take(p_.set.context);
+            p_.clock.now = readback.take(p_.set.context);
             p_.clock.now.settleAge();
-            over = !p_.clock.now.active || p_.clock.now.needRebuild || ranks_.finished() || (launched == count && !glances.waiting());
+            over = !p_.clock.now.active || p_.clock.now.needRebuild || ranks_.finished() || (launched == count && !readback.waiting());
         }
-        while (glances.waiting()) p_.clock.now = glances.take(p_.set.context);
+        while (readback.waiting()) p_.clock.now = readback.take(p_.set.context);
         p_.clock.now.settleAge();
     }
 }

@@ -108,7 +108,7 @@ void Neighbours<Backend, D, P>::findPlaces([[maybe_unused]] bool fresh, [[maybe_
         const int* walls = p_.walls.count ? g.foundWalls.data() : nullptr;
         forEach(p_.set.context, p_.particles.n, CountNeighbours<Backend, D, P>
         {search(cellOrder), p_.order.sort.active(), walls, g.found.data(), g.foundNear.data(), g.cost.data()});
-        forEach(p_.set.context, p_.particles.n, LikeWithLike
+        forEach(p_.set.context, p_.particles.n, SortByWork
         {
             p_.particles.n, p_.order.sort.active(), cellOrder, g.found.data(), g.foundNear.data(), walls, g.foundElements.data(), g.cost.data(), inPlace,
             g.place.data(), p_.order.inverse.data(), g.order.data(), p_.order.oldList.count(), g.nearCount.data(), p_.walls.memory.entryFirst.data(),

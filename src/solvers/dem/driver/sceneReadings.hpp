@@ -4,7 +4,7 @@
 */
 #pragma once
 
-#include "core/loops/largest.hpp"
+#include "core/loops/reduceMax.hpp"
 #include "dem/passes/contactProbe.hpp"
 #include "solvers/dem/driver/contactForces.hpp"
 #include "solvers/dem/driver/rankedSolids.hpp"
@@ -317,7 +317,7 @@ DemGroupSums SceneReadings<Backend, D, P>::groupSums(int group)
         r.momentum[axis] = sums[2 + D + d];
         if (!r.particles) continue;
         const auto reach = [&](bool up)
-        { return largestOver(p_.set.context, n, GroupReach<D, P>{p_.particles.view(), p_.set.box, p_.order.sort.active(), group, d, up}); };
+        { return reduceMax(p_.set.context, n, GroupReach<D, P>{p_.particles.view(), p_.set.box, p_.order.sort.active(), group, d, up}); };
         r.max[axis] = p_.set.box.lower[d] + reach(true);
         r.min[axis] = p_.set.box.lower[d] + p_.set.box.length[d] - reach(false);
     }
@@ -347,7 +347,7 @@ double SceneReadings<Backend, D, P>::deepestOverlap()
     {
         DeepestOverlap<Backend, D, P, decltype(law)> deepest;
         forces_.setModel(deepest.probe);
-        most = largestOver(p_.set.context, p_.order.active(), deepest);
+        most = reduceMax(p_.set.context, p_.order.active(), deepest);
     });
     if (!p_.walls.count || !p_.walls.memory.entries) return most;
     const auto first = p_.walls.memory.entryFirst.download();

@@ -159,7 +159,7 @@ void SolidStepper<Backend, D, P>::steps(int count)
     {
         if (fitsBlock() && !p_.set.context.profile.timing)
         {
-            withLaw(p_.set.laws, [&](auto law) { oneBlock<BlockLimits::threads>(p_.set.context, blockSteps<decltype(law)>(count)); });
+            withLaw(p_.set.laws, [&](auto law) { singleBlock<BlockLimits::threads>(p_.set.context, blockSteps<decltype(law)>(count)); });
             return;
         }
         const int together = 8;

@@ -5,7 +5,7 @@
 */
 #pragma once
 
-#include "core/backend/oneBlock.hpp"
+#include "core/backend/singleBlock.hpp"
 #include "dem/bond/bondPass.hpp"
 #include "dem/passes/gatherPass.hpp"
 #include "dem/motion/mover.hpp"

@@ -6,10 +6,10 @@
 
 #include <atomic>
 #include <map>
-#include "core/backend/glances.hpp"
+#include "core/backend/asyncReadback.hpp"
 #include "core/backend/graph.hpp"
-#include "core/loops/largest.hpp"
-#include "dem/lists/likeWithLike.hpp"
+#include "core/loops/reduceMax.hpp"
+#include "dem/lists/sortByWork.hpp"
 #include "dem/passes/collectPass.hpp"
 #include "dem/passes/fusedStep.hpp"
 #include "solvers/dem/demStill.hpp"
@@ -39,7 +39,7 @@ struct BackendMemory
     Array<Backend, real> keptHistory;
     LocalFrameMemory<Backend, D, P> frames;         // of fused steps
     int current = 0;                                // records and clock that the next step begins with
-    Glances<Backend, DemClockData> glances;
+    AsyncReadback<Backend, DemClockData> readback;
     bool moved = false;                             // forces are not yet those of the positions at hand
 
 #ifdef __CUDACC__

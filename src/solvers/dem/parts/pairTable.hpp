@@ -50,7 +50,7 @@ private:
     std::vector<real> gapOf_;   // the same
     std::vector<real> reachOf_; // what of the gaps is the law's reach
     int alone_ = -1;            // the pair of the one material that all particles are of; -1: there are several
-    std::vector<real> sole_;    // its numbers (else of the first pair), its gap behind them
+    std::vector<real> singlePair_;    // its numbers (else of the first pair), its gap behind them
     double largestGap_ = 0;
     int histories_ = 0;
 };
@@ -115,8 +115,8 @@ void PairTable<Backend, D, P>::set(const DemParticles& particles)
         // what touches is what is nearer than the largest gap there is
         if (alone_ < 0 || gaps[alone_] != real(largestGap_)) alone_ = -1;
         const int first = std::max(alone_, 0);
-        sole_.assign(all.begin() + first*numbers, all.begin() + (first + 1)*numbers);
-        sole_.push_back(gaps[first]);
+        singlePair_.assign(all.begin() + first*numbers, all.begin() + (first + 1)*numbers);
+        singlePair_.push_back(gaps[first]);
         histories_ = Law::template history<D>;
     });
 }
@@ -129,8 +129,8 @@ void PairTable<Backend, D, P>::give(PairModel<Backend, D, P, Law>& m) const
     m.gap = gaps();
     m.materials = materials();
     m.alone = alone_;
-    std::memcpy(&m.sole, sole_.data(), sizeof(m.sole));
-    m.soleGap = sole_.back();
+    std::memcpy(&m.singlePair, singlePair_.data(), sizeof(m.singlePair));
+    m.singlePairGap = singlePair_.back();
 }
 
 } // namespace riprap

@@ -34,7 +34,7 @@ public:
     SizeClasses<D, P> classes;
     std::int64_t domainMin[D], domainMax[D];    // in the box's units
     real halfSkin = 0;                          // lists hold until a particle has gone so far
-    real suddenWay = 0;                         // what a fluid's blow may add to a particle's way at once
+    real suddenDisplacement = 0;                         // what a fluid's blow may add to a particle's way at once
     double skin = 0, reach = 0;                 // beyond contact, between surfaces [m]
     bool driven = false;                        // by a fluid, whose coupling chooses steps by the skin
     std::int64_t searchedAt = 0;                // step of the last search

@@ -10,7 +10,7 @@
 #include "pic/transfer/gridToParticle.hpp"
 #include "solvers/pic/transfer/gridToParticles.hpp"
 #include "solvers/pic/transfer/picFamilies.hpp"
-#include "solvers/stateWords.hpp"
+#include "solvers/checkpointWords.hpp"
 
 namespace riprap
 {
