@@ -9,7 +9,8 @@ namespace riprap
 
 const char* wordOf(CouplingKind k)
 {
-    static const char* words[] = {"stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
+    static const char* words[] = {
+        "stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
     return words[int(k)];
 }
 
@@ -22,8 +23,9 @@ const char* wordOf(FluidForceKind k)
 void CouplingRows::add(const CouplingRow& r)
 {
     rows_.push_back(r);
-    std::printf("%-8s %-22s %-13s %-7s %-28s %8.4g: %10.4g  theory %8.4g  %s\n", r.test.c_str(), r.coupling.c_str(), r.force.c_str(), r.body.c_str(),
-        r.quantity.c_str(), r.setting, r.measured, r.theory, r.note.c_str());
+    std::printf("%-8s %-22s %-13s %-7s %-28s %8.4g: %10.4g  theory %8.4g  %s\n", r.test.c_str(),
+        r.coupling.c_str(), r.force.c_str(), r.body.c_str(), r.quantity.c_str(), r.setting,
+        r.measured, r.theory, r.note.c_str());
     std::fflush(stdout);
 }
 
@@ -34,8 +36,9 @@ void CouplingRows::write() const
     if (!out) throw std::runtime_error("cannot write " + csv_);
     std::fprintf(out, "test,coupling,force,body,quantity,setting,measured,theory,note\n");
     for (const CouplingRow& r : rows_)
-        std::fprintf(out, "%s,%s,%s,%s,%s,%.6g,%.6g,%.6g,\"%s\"\n", r.test.c_str(), r.coupling.c_str(), r.force.c_str(), r.body.c_str(),
-            r.quantity.c_str(), r.setting, r.measured, r.theory, r.note.c_str());
+        std::fprintf(out, "%s,%s,%s,%s,%s,%.6g,%.6g,%.6g,\"%s\"\n", r.test.c_str(),
+            r.coupling.c_str(), r.force.c_str(), r.body.c_str(), r.quantity.c_str(), r.setting,
+            r.measured, r.theory, r.note.c_str());
     std::fclose(out);
 }
 

@@ -12,6 +12,6 @@
 int main(int argc, char** argv)
 {
     using namespace riprap;
-    return runExperiments<CouplingRows>
-    (argc, argv, "couplingStability", {{"density", density}, {"step", step}, {"bonds", bonds}, {"leak", leak}});
+    return runExperiments<CouplingRows>(argc, argv, "couplingStability",
+        {{"density", density}, {"step", step}, {"bonds", bonds}, {"leak", leak}});
 }

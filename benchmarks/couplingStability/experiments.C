@@ -10,11 +10,13 @@ namespace riprap
 namespace
 {
 
-const CouplingKind kinds[] =
-{CouplingKind::stationary, CouplingKind::pressureGradient, CouplingKind::pressureApproximation, CouplingKind::extrapolated};
-const FluidForceKind forces[] = {FluidForceKind::held, FluidForceKind::interpolated, FluidForceKind::impulse};
+const CouplingKind kinds[] = {CouplingKind::stationary, CouplingKind::pressureGradient,
+    CouplingKind::pressureApproximation, CouplingKind::extrapolated};
+const FluidForceKind forces[] = {
+    FluidForceKind::held, FluidForceKind::interpolated, FluidForceKind::impulse};
 
-//- A run has failed when its energy has gone up by this share of the kinetic energy: what the schemes exchange in good runs is below 0.01
+//- A run has failed when its energy has gone up by this share of the kinetic energy: what the
+//  schemes exchange in good runs is below 0.01
 constexpr double failure = 0.05;
 
 bool stays(const StirredBlock& b)
@@ -23,7 +25,8 @@ bool stays(const StirredBlock& b)
     return !r.stopped && r.energy < failure;
 }
 
-//- Between a value that fails and one that does not, to two hundredths of its logarithm; the end of the range where nothing (or all) fails
+//- Between a value that fails and one that does not, to two hundredths of its logarithm; the end of
+//  the range where nothing (or all) fails
 template<class Good>
 double boundary(double bad, double good, const Good& stays)
 {
@@ -37,7 +40,8 @@ double boundary(double bad, double good, const Good& stays)
     return good;
 }
 
-//- Stiffness of the water about a solid point that moves alone [N/m]: k = rho c0^2 V_S^2 V_F sum (dW/dx)^2 over a lattice
+//- Stiffness of the water about a solid point that moves alone [N/m]: k = rho c0^2 V_S^2 V_F sum
+//  (dW/dx)^2 over a lattice
 double stiffness(const StirredBlock& b)
 {
     const double h = b.smoothing*b.spacing, size = b.sizeRatio*b.spacing;
@@ -47,13 +51,17 @@ double stiffness(const StirredBlock& b)
         for (int i = -reach; i <= reach; ++i)
         {
             const double q = std::sqrt(double(i*i + j*j))*b.spacing/h;
-            if (q > 0 && q < 2) sum += std::pow(WendlandC2::alpha(2)/std::pow(h, 4)*WendlandC2::slope(q)*i*b.spacing, 2);
+            if (q > 0 && q < 2)
+                sum += std::pow(
+                    WendlandC2::alpha(2)/std::pow(h, 4)*WendlandC2::slope(q)*i*b.spacing,
+                    2);
         }
     return b.density*b.soundSpeed*b.soundSpeed*std::pow(size, 4)*b.spacing*b.spacing*sum;
 }
 
-//- Mass of the water that sound reaches from the two sides of a square body within a step, over the water that the body displaces: a body that is
-//  half as heavy as that is stopped by the pressure of its own step
+//- Mass of the water that sound reaches from the two sides of a square body within a step, over the
+//  water that the body displaces: a body that is half as heavy as that is stopped by the pressure
+//  of its own step
 double reached(const StirredBlock& b)
 {
     const double h = b.smoothing*b.spacing, side = b.across*b.sizeRatio*b.spacing;
@@ -76,9 +84,16 @@ void density(CouplingRows& rows)
                 b.kind = kind;
                 b.settle = 0.1;
                 b.duration = 0.2;
-                const double least = boundary(0.05, 3, [&](double ratio) { b.densityRatio = ratio; return stays(b); });
-                rows.add({"density", wordOf(kind), wordOf(force), bodyOf(b), "least density ratio", b.courant, least,
-                    rigid ? 0.5*reached(b) : NAN, rigid ? "theory: half the water that sound reaches in a step" : "undamped bonds, E/(rho c0^2) = 10"});
+                const double least = boundary(0.05, 3,
+                    [&](double ratio)
+                    {
+                        b.densityRatio = ratio;
+                        return stays(b);
+                    });
+                rows.add({"density", wordOf(kind), wordOf(force), bodyOf(b), "least density ratio",
+                    b.courant, least, rigid ? 0.5*reached(b) : NAN,
+                    rigid ? "theory: half the water that sound reaches in a step"
+                          : "undamped bonds, E/(rho c0^2) = 10"});
             }
 }
 
@@ -93,8 +108,14 @@ void step(CouplingRows& rows)
                 b.force = force;
                 b.kind = kind;
                 b.densityRatio = ratio;
-                const double largest = boundary(2, 0.05, [&](double courant) { b.courant = courant; return stays(b); });
-                rows.add({"step", wordOf(kind), wordOf(force), bodyOf(b), "largest c0 dt/h", ratio, largest, NAN, "setting: density ratio"});
+                const double largest = boundary(2, 0.05,
+                    [&](double courant)
+                    {
+                        b.courant = courant;
+                        return stays(b);
+                    });
+                rows.add({"step", wordOf(kind), wordOf(force), bodyOf(b), "largest c0 dt/h", ratio,
+                    largest, NAN, "setting: density ratio"});
             }
 }
 
@@ -102,7 +123,8 @@ void bonds(CouplingRows& rows)
 {
     for (const double young : {1e5, 3e5, 1e6, 3e6, 1e7, 3e7})
         for (const FluidForceKind force : forces)
-            for (const CouplingKind kind : {CouplingKind::pressureGradient, CouplingKind::extrapolated})
+            for (const CouplingKind kind :
+                {CouplingKind::pressureGradient, CouplingKind::extrapolated})
             {
                 StirredBlock b;
                 b.force = force;
@@ -112,13 +134,22 @@ void bonds(CouplingRows& rows)
                 b.duration = 0.2;
                 const double relative = young/(b.density*b.soundSpeed*b.soundSpeed);
                 const StirredResult r = stir(b);
-                rows.add({"bonds", wordOf(kind), wordOf(force), bodyOf(b), "energy gained / kinetic", relative, r.stopped ? INFINITY : r.energy, 0,
+                rows.add({"bonds", wordOf(kind), wordOf(force), bodyOf(b),
+                    "energy gained / kinetic", relative, r.stopped ? INFINITY : r.energy, 0,
                     "setting: E/(rho c0^2); subcycles " + std::to_string(r.subcycles)});
                 if (force != FluidForceKind::held) continue;
-                // (1 - cos t)/(2 t) is at most 0.362; the water's share of a bond's stiffness, twice where solids take pressure
-                const double share = (kind == CouplingKind::extrapolated ? 2 : 1)*stiffness(b)/young;
-                const double least = boundary(1e-4, 0.5, [&](double damping) { b.dampingRatio = damping; return stays(b); });
-                rows.add({"bonds", wordOf(kind), wordOf(force), bodyOf(b), "least damping ratio", relative, least, 0.362*share,
+                // (1 - cos t)/(2 t) is at most 0.362; the water's share of a bond's stiffness,
+                // twice where solids take pressure
+                const double share = (kind == CouplingKind::extrapolated ? 2 : 1)*stiffness(b)
+                    /young;
+                const double least = boundary(1e-4, 0.5,
+                    [&](double damping)
+                    {
+                        b.dampingRatio = damping;
+                        return stays(b);
+                    });
+                rows.add({"bonds", wordOf(kind), wordOf(force), bodyOf(b), "least damping ratio",
+                    relative, least, 0.362*share,
                     "theory: 0.362 of the water's share of the stiffness, whatever the mode"});
             }
 }
@@ -139,8 +170,10 @@ void leak(CouplingRows& rows)
             b.speed = 1;
             b.duration = 0.5;
             const StirredResult r = stir(b);
-            rows.add({"leak", wordOf(kind), wordOf(b.force), bodyOf(b), "water particles in the body", size, r.stopped ? INFINITY : r.inside, 0,
-                "setting: size of solid over fluid particles; pressure 0.03 rho c0^2, speed 0.1 c0"});
+            rows.add({"leak", wordOf(kind), wordOf(b.force), bodyOf(b),
+                "water particles in the body", size, r.stopped ? INFINITY : r.inside, 0,
+                "setting: size of solid over fluid particles; pressure 0.03 rho c0^2, speed 0.1 "
+                "c0"});
         }
 }
 

@@ -11,7 +11,8 @@ namespace riprap
 namespace
 {
 
-constexpr double centreX = 0.5, centreY = 0.75;   // where the water shears: the block is pushed and turned
+// where the water shears: the block is pushed and turned
+constexpr double centreX = 0.5, centreY = 0.75;
 
 SphConfig water(const StirredBlock& b)
 {
@@ -47,7 +48,8 @@ FluidInput stirred(const StirredBlock& b)
             const double x = (i + 0.5)*b.spacing + shift(), y = (j + 0.5)*b.spacing + shift();
             if (std::abs(x - centreX) < clear && std::abs(y - centreY) < clear) continue;
             f.position.insert(f.position.end(), {x, y, 0});
-            f.velocity.insert(f.velocity.end(), {b.speed*std::sin(2*pi*y), b.speed*std::sin(2*pi*x), 0});
+            f.velocity.insert(f.velocity.end(),
+                {b.speed*std::sin(2*pi*y), b.speed*std::sin(2*pi*x), 0});
             f.density.push_back((1 + b.compression)*b.density);
         }
     return f;
@@ -71,7 +73,8 @@ SolidInput block(const StirredBlock& b, const SphConfig& c)
     p.properties.normalStiffness = 1e4;
     in.pairs.push_back(p);
 
-    const double size = b.sizeRatio*b.spacing, left = centreX - 0.5*side(b), low = centreY - 0.5*side(b), mass = b.densityRatio*b.density*size*size;
+    const double size = b.sizeRatio*b.spacing, left = centreX - 0.5*side(b),
+                 low = centreY - 0.5*side(b), mass = b.densityRatio*b.density*size*size;
     double inertia = 0;
     for (int j = 0; j < b.across; ++j)
         for (int i = 0; i < b.across; ++i)
@@ -81,7 +84,8 @@ SolidInput block(const StirredBlock& b, const SphConfig& c)
             in.particles.radius.push_back(0.5*size);
             in.particles.mass.push_back(mass);
             s.volume.push_back(size*size);
-            inertia += mass*((x - centreX)*(x - centreX) + (y - centreY)*(y - centreY) + size*size/6);
+            inertia += mass
+                *((x - centreX)*(x - centreX) + (y - centreY)*(y - centreY) + size*size/6);
         }
     if (b.rigid)
     {

@@ -1,5 +1,5 @@
-/*  A block of solid particles in stirred, pressed water without friction, in a periodic box (2D): nothing is dissipated, so that whatever total energy
-    does is the scheme's.
+/*  A block of solid particles in stirred, pressed water without friction, in a periodic box (2D):
+    nothing is dissipated, so that whatever total energy does is the scheme's.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -35,9 +35,11 @@ struct StirredBlock
 struct StirredResult
 {
     bool stopped = false;           // by a guard
-    double energy = 0;              // change of the total energy over the kinetic energy at the start, largest in size
+    // change of the total energy over the kinetic energy at the start, largest in size
+    double energy = 0;
     double end = 0;                 // the same at the end
-    double solids = 0;              // energy of the solids at the end over the kinetic energy at the start
+    // energy of the solids at the end over the kinetic energy at the start
+    double solids = 0;
     int subcycles = 0;
     int inside = 0;                 // water particles within the block at the end
     std::int64_t steps = 0;

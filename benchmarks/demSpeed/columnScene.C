@@ -32,7 +32,11 @@ struct Bed
             double v[4];
             const int read = std::sscanf(line, "%lf %lf %lf %lf", v, v + 1, v + 2, v + 3);
             if (!columns) columns = read;
-            if (read != columns || read < 3) { pclose(in); throw std::runtime_error(file + " has a line that is not x y z [r]"); }
+            if (read != columns || read < 3)
+            {
+                pclose(in);
+                throw std::runtime_error(file + " has a line that is not x y z [r]");
+            }
             position.insert(position.end(), v, v + 3);
             radius.push_back(read > 3 ? v[3] : 0.5*diameter);
         }
@@ -45,7 +49,8 @@ DemWall rectangle(const Vector3& corner, const Vector3& a, const Vector3& b)
 {
     DemWall w;
     for (int k = 0; k < 4; ++k)
-        for (int d = 0; d < 3; ++d) w.vertices.push_back(corner[d] + (k & 1 ? a[d] : 0) + (k & 2 ? b[d] : 0));
+        for (int d = 0; d < 3; ++d)
+            w.vertices.push_back(corner[d] + (k & 1 ? a[d] : 0) + (k & 2 ? b[d] : 0));
     w.elements = {0, 1, 3, 0, 3, 2};
     return w;
 }
@@ -89,7 +94,8 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     {
         const std::size_t from = i % each;
         const double r = radius[from];
-        for (int d = 0; d < 3; ++d) p.position[3*i + d] = x[3*from + d] + (d == 1 ? period*double(i/each) : 0);
+        for (int d = 0; d < 3; ++d)
+            p.position[3*i + d] = x[3*from + d] + (d == 1 ? period*double(i/each) : 0);
         p.radius[i] = r;
         p.mass[i] = density*4.0/3*M_PI*r*r*r;
     }
@@ -128,7 +134,8 @@ void writeBed(const std::string& file, const DemState& s, int copies)
     if (!out) throw std::runtime_error("cannot write " + file);
     std::vector<std::size_t> order(s.id.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+    std::sort(order.begin(), order.end(),
+        [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
     for (std::size_t k = 0; k < order.size()/copies; ++k)
     {
         const double* x = &s.position[3*order[k]];
@@ -141,7 +148,11 @@ void bondedScene(int side, DemConfig& c, DemInput& in)
 {
     const double r = 0.5*diameter, wave = 0.05;
     c.dimensions = 3;
-    for (int d = 0; d < 3; ++d) { c.domainMin[d] = -0.1*side*diameter; c.domainMax[d] = 1.1*side*diameter; }
+    for (int d = 0; d < 3; ++d)
+    {
+        c.domainMin[d] = -0.1*side*diameter;
+        c.domainMax[d] = 1.1*side*diameter;
+    }
     c.normal = "linear";
     c.tangential = "none";
     c.stepFraction = 0.1;

@@ -1,8 +1,9 @@
 /*  The largest step of undamped springs, in units of sqrt(m/k), for both integrators.
 
-    Bodies rest on each other in a periodic lattice (or are bonded) and get velocities of 1e-9 of an overlap a sqrt(m/k). The kinetic
-    energy of a stable scene stays of that size; it is unstable when it has grown 1e6-fold within 3000 steps. Theory: 2/w of the
-    lattice's fastest mode (normalModes.hpp). With dashpots, whose forces are taken at the half step: one body on a floor,
+    Bodies rest on each other in a periodic lattice (or are bonded) and get velocities of 1e-9 of an
+    overlap a sqrt(m/k). The kinetic energy of a stable scene stays of that size; it is unstable
+    when it has grown 1e6-fold within 3000 steps. Theory: 2/w of the lattice's fastest mode
+    (normalModes.hpp). With dashpots, whose forces are taken at the half step: one body on a floor,
     x^2 + 4 zeta x/(1 + zeta x/2) = 4, x = dt sqrt(k/m); packings, dem/passes/packingLimit.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -32,9 +33,14 @@ bool stable(DemConfig c, DemInput in, DemIntegratorKind integrator, double step,
     std::uniform_real_distribution<double> any(-kick, kick);
     DemParticles& p = in.particles;
     for (std::size_t i = 0; i < p.size(); ++i)
-        for (int d = 0; d < (alongXOnly ? 1 : c.dimensions); ++d) p.velocity[3*i + d] += any(random);
+        for (int d = 0; d < (alongXOnly ? 1 : c.dimensions); ++d)
+            p.velocity[3*i + d] += any(random);
     auto scene = createDemScene(c, in);
-    const auto kinetic = [&] { const DemEnergy e = scene->energy(); return e.translation + e.rotation; };
+    const auto kinetic = [&]
+    {
+        const DemEnergy e = scene->energy();
+        return e.translation + e.rotation;
+    };
     const double before = kinetic();
     for (int part = 0; part < 10; ++part)
     {
@@ -57,7 +63,8 @@ void lattice(DemResults& results, const char* name, const LatticeOptions& o)
         k.bending = c.dimensions == 2 ? 1/3.0 : 0.25;
         k.twist = 0.5*o.stiffnessRatio;
     }
-    double theory = 2/fastestMode(latticePoints(o.lattice, o.bonded ? 0 : o.overlap), c.periodic, k);
+    double theory = 2
+        /fastestMode(latticePoints(o.lattice, o.bonded ? 0 : o.overlap), c.periodic, k);
     if (o.restitution < 1)
     {
         PackedContact packed;
@@ -71,7 +78,8 @@ void lattice(DemResults& results, const char* name, const LatticeOptions& o)
     {
         const double found = bisect(0.5*theory, 1.3*theory, 2e-3*theory, [&](double step)
             { return stable(c, in, integrator, step, o.lattice == Lattice::chain && !o.bonded); });
-        results.add({"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
+        results.add(
+            {"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
     }
 }
 
@@ -87,7 +95,8 @@ void onFloor(DemResults& results, double restitution)
     addBody(in, Vector3{{0, 0, 1 - weight}}, Vector3{{0, 0, 1e-12}});
     // where the dashpot may not pull, e is reached with less damping: take the law's own
     in.pairs[0].properties.attraction = true;
-    const double ln = std::log(restitution), zeta = restitution < 1 ? -ln/std::sqrt(ln*ln + 9.8696044) : 0;
+    const double ln = std::log(restitution),
+                 zeta = restitution < 1 ? -ln/std::sqrt(ln*ln + 9.8696044) : 0;
     double theory = 0, above = 2;
     while (above - theory > 1e-9)
     {
@@ -96,9 +105,13 @@ void onFloor(DemResults& results, double restitution)
     }
     for (const DemIntegratorKind integrator : integrators)
     {
-        const double found = bisect(0.5*theory, 1.5*theory, 1e-3, [&](double step) { return stable(c, in, integrator, step, true); });
-        const std::string name = restitution < 1 ? "one body on a floor, e = " + std::to_string(restitution).substr(0, 4) : "one body on a floor";
-        results.add({"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
+        const double found = bisect(0.5*theory, 1.5*theory, 1e-3,
+            [&](double step) { return stable(c, in, integrator, step, true); });
+        const std::string name = restitution < 1
+            ? "one body on a floor, e = " + std::to_string(restitution).substr(0, 4)
+            : "one body on a floor";
+        results.add(
+            {"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
     }
 }
 
@@ -114,8 +127,9 @@ void contactLimits(DemResults& results)
     o.normal = "hertz";
     lattice(results, "chain, Hertz (k at rest)", o);
     o.normal = "linear";
-    for (const auto& [word, kind] : {std::pair<const char*, Lattice>{"square", Lattice::square}, {"hexagonal", Lattice::hexagonal},
-             {"cubic", Lattice::cubic}, {"close packing", Lattice::closePacked}})
+    for (const auto& [word, kind] : {std::pair<const char*, Lattice>{"square", Lattice::square},
+             {"hexagonal", Lattice::hexagonal}, {"cubic", Lattice::cubic},
+             {"close packing", Lattice::closePacked}})
         for (const double ratio : {0.0, 0.5, 1.0})
         {
             // without friction these two have no resistance to shear: nothing to be stable about
@@ -123,9 +137,16 @@ void contactLimits(DemResults& results)
             o.lattice = kind;
             o.tangential = ratio > 0;
             o.stiffnessRatio = ratio;
-            lattice(results, (word + (ratio > 0 ? ", kt/kn = " + std::to_string(ratio).substr(0, 3) : std::string(", smooth"))).c_str(), o);
+            lattice(results,
+                (word
+                    + (ratio > 0 ? ", kt/kn = " + std::to_string(ratio).substr(0, 3)
+                                 : std::string(", smooth")))
+                    .c_str(),
+                o);
         }
-    for (const auto& [word, kind] : {std::pair<const char*, Lattice>{"hexagonal", Lattice::hexagonal}, {"close packing", Lattice::closePacked}})
+    for (const auto& [word, kind] :
+        {std::pair<const char*, Lattice>{"hexagonal", Lattice::hexagonal},
+            {"close packing", Lattice::closePacked}})
         for (const double ratio : {0.0, 0.5})
             for (const double e : {0.9, 0.5, 0.1})
             {
@@ -133,7 +154,11 @@ void contactLimits(DemResults& results)
                 o.tangential = ratio > 0;
                 o.stiffnessRatio = ratio;
                 o.restitution = e;
-                lattice(results, (std::string(word) + (ratio > 0 ? ", kt/kn = 0.5" : ", smooth") + ", e = " + std::to_string(e).substr(0, 3)).c_str(), o);
+                lattice(results,
+                    (std::string(word) + (ratio > 0 ? ", kt/kn = 0.5" : ", smooth")
+                        + ", e = " + std::to_string(e).substr(0, 3))
+                        .c_str(),
+                    o);
             }
     o = LatticeOptions();
     o.lattice = Lattice::closePacked;
@@ -147,7 +172,8 @@ void contactLimits(DemResults& results)
     {
         o.stiffnessRatio = ratio;
         o.lattice = Lattice::chain;
-        lattice(results, ("bonded chain, ks/kn = " + std::to_string(ratio).substr(0, 4)).c_str(), o);
+        lattice(
+            results, ("bonded chain, ks/kn = " + std::to_string(ratio).substr(0, 4)).c_str(), o);
     }
     o.stiffnessRatio = 0.5;
     o.lattice = Lattice::hexagonal;

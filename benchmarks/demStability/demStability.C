@@ -2,7 +2,8 @@
 
         demStability [-csv FILE] [limits|energy|laws]...
 
-    All scenes are small and run on the CPU in double precision through createDemScene. See the header comment of each experiment.
+    All scenes are small and run on the CPU in double precision through createDemScene. See the
+    header comment of each experiment.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,5 +12,6 @@
 int main(int argc, char** argv)
 {
     using namespace riprap;
-    return runExperiments<DemResults>(argc, argv, "demStability", {{"limits", contactLimits}, {"energy", energy}, {"laws", laws}});
+    return runExperiments<DemResults>(argc, argv, "demStability",
+        {{"limits", contactLimits}, {"energy", energy}, {"laws", laws}});
 }

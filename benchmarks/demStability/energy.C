@@ -1,12 +1,14 @@
 /*  What a step costs in energy where none may be lost.
 
-    Gas: 125 elastic bodies without friction in a periodic box, 30 % of it solid, for some 100 impacts a body. Speeds are such that an impact
-    sinks in by 1 % of the radius. Largest difference of the total energy from its start, over that start; the step is a fraction of sqrt(m/k),
-    of Hertz's at the depth of a head-on impact of two bodies at their mean speed. Impacts begin and end within a step: there energy is gained or lost, of either
-    sign, so that the total does a random walk.
+    Gas: 125 elastic bodies without friction in a periodic box, 30 % of it solid, for some 100
+    impacts a body. Speeds are such that an impact sinks in by 1 % of the radius. Largest difference
+    of the total energy from its start, over that start; the step is a fraction of sqrt(m/k), of
+    Hertz's at the depth of a head-on impact of two bodies at their mean speed. Impacts begin and
+    end within a step: there energy is gained or lost, of either sign, so that the total does a
+    random walk.
 
-    Restitution: one body hits a floor with a dashpot of e = 0.5; over 40 places within the step at which it begins to touch, mean and
-    largest error of e.
+    Restitution: one body hits a floor with a dashpot of e = 0.5; over 40 places within the step at
+    which it begins to touch, mean and largest error of e.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,9 +41,12 @@ double gas(DemConfig& c, DemInput& in, std::string normal)
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
             for (int k = 0; k < n; ++k)
-                addBody(in, Vector3{{(i + 0.5)*spacing, (j + 0.5)*spacing, (k + 0.5)*spacing}}, Vector3{{any(random), any(random), any(random)}});
+                addBody(in,
+                    Vector3{{(i + 0.5)*spacing, (j + 0.5)*spacing, (k + 0.5)*spacing}},
+                    Vector3{{any(random), any(random), any(random)}});
     if (normal != "hertz") return 1;
-    // E* such that the tangent stiffness 2 E* sqrt(R* d) is 1 at the depth d of an impact at 2 speed: d = (15 m* v^2/(16 E* sqrt(R*)))^(2/5)
+    // E* such that the tangent stiffness 2 E* sqrt(R* d) is 1 at the depth d of an impact at 2
+    // speed: d = (15 m* v^2/(16 E* sqrt(R*)))^(2/5)
     const double reduced = 0.5, radius = 0.5, v = 2*speed;
     double effective = 1;
     for (int k = 0; k < 100; ++k)
@@ -75,7 +80,8 @@ void drift(DemResults& results, std::string normal, const char* name)
                 scene->advance(end*part/100);
                 worst = std::max(worst, std::abs(scene->energy().total()/before - 1));
             }
-            results.add({"drift", name, wordOf(integrator), "largest change of energy at dt / sqrt(m/k) = " + std::to_string(step).substr(0, 4),
+            results.add({"drift", name, wordOf(integrator),
+                "largest change of energy at dt / sqrt(m/k) = " + std::to_string(step).substr(0, 4),
                 worst, NAN, ""});
         }
 }
@@ -97,16 +103,20 @@ void restitution(DemResults& results)
                 in.pairs[0].properties.attraction = true;
                 c.integrator = integrator;
                 c.timeStep = step;
-                addBody(in, Vector3{{0, 0, 1 + speed*step*(3 + double(k)/places)}}, Vector3{{0, 0, -speed}});
+                addBody(in, Vector3{{0, 0, 1 + speed*step*(3 + double(k)/places)}},
+                    Vector3{{0, 0, -speed}});
                 auto scene = createDemScene(c, in);
                 scene->advance(10 + 4*step);
                 const double error = scene->particles().velocity[2]/speed/0.5 - 1;
                 mean += error/places;
                 worst = std::max(worst, std::abs(error));
             }
-            const std::string at = " error of e = 0.5 at dt / sqrt(m/k) = " + std::to_string(step).substr(0, 4);
-            results.add({"restitution", "one body on a floor", wordOf(integrator), "mean" + at, mean, 0, ""});
-            results.add({"restitution", "one body on a floor", wordOf(integrator), "largest" + at, worst, 0, ""});
+            const std::string at = " error of e = 0.5 at dt / sqrt(m/k) = "
+                + std::to_string(step).substr(0, 4);
+            results.add({"restitution", "one body on a floor", wordOf(integrator), "mean" + at,
+                mean, 0, ""});
+            results.add({"restitution", "one body on a floor", wordOf(integrator), "largest" + at,
+                worst, 0, ""});
         }
 }
 

@@ -1,9 +1,11 @@
 /*  What laws cannot do, whatever the step.
 
-    Creep: a body on a slope of 10 degrees on the one-step spring of paper 2, Eq. 8, which holds k_t V_s dt and nothing more: m g sin/(k_t dt).
-    Paper 2's stiffness k = m g/(theta dx): a body of speed v sinks into a wall by v sqrt(theta dx/g), so that the gap of 2 dx at which contact begins
-    is used up at v = 2 dx/sqrt(theta dx/g) (two equal bodies: sqrt(2) times that). With alpha the dashpot holds it longer.
-    Local damping (paper 1, Eq. 25) in free flight: a body falls at (1 - alpha) g and rises against (1 + alpha) g.
+    Creep: a body on a slope of 10 degrees on the one-step spring of paper 2, Eq. 8, which holds k_t
+    V_s dt and nothing more: m g sin/(k_t dt). Paper 2's stiffness k = m g/(theta dx): a body of
+    speed v sinks into a wall by v sqrt(theta dx/g), so that the gap of 2 dx at which contact begins
+    is used up at v = 2 dx/sqrt(theta dx/g) (two equal bodies: sqrt(2) times that). With alpha the
+    dashpot holds it longer. Local damping (paper 1, Eq. 25) in free flight: a body falls at (1 -
+    alpha) g and rises against (1 + alpha) g.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -42,8 +44,10 @@ void creep(DemResults& results)
         auto scene = createDemScene(c, in);
         const double settled = 10/(0.4*step);           // it is approached within m/(k_t dt)
         scene->advance(settled);
-        results.add({"creep", "one-step spring, 10 degrees", "leapfrog", "speed / (g sqrt(m/k)) at dt / sqrt(m/k) = " + std::to_string(step).substr(0, 4),
-            scene->particles().velocity[0]/gravity, std::sin(slope)/(0.4*step), "history spring: 0"});
+        results.add({"creep", "one-step spring, 10 degrees", "leapfrog",
+            "speed / (g sqrt(m/k)) at dt / sqrt(m/k) = " + std::to_string(step).substr(0, 4),
+            scene->particles().velocity[0]/gravity, std::sin(slope)/(0.4*step),
+            "history spring: 0"});
     }
 }
 
@@ -85,14 +89,18 @@ void cellSpring(DemResults& results)
     const double dx = 0.1, theory = 2*dx/std::sqrt(0.01*dx/gravity);
     for (const double alpha : {0.0, 0.5})
         for (const bool pair : {false, true})
-            results.add({"cellSpring", std::string(pair ? "two bodies" : "body and wall") + (alpha > 0 ? ", alpha 0.5" : ""), "leapfrog",
-                "speed that uses up the gap / (2 dx/sqrt(theta dx/g))",
-                bisect(0.2, 10, 1e-3, [&](double v) { return gapLeft(v*theory, pair, alpha) >= 0; }),
+            results.add({"cellSpring",
+                std::string(pair ? "two bodies" : "body and wall")
+                    + (alpha > 0 ? ", alpha 0.5" : ""),
+                "leapfrog", "speed that uses up the gap / (2 dx/sqrt(theta dx/g))",
+                bisect(
+                    0.2, 10, 1e-3, [&](double v) { return gapLeft(v*theory, pair, alpha) >= 0; }),
                 alpha > 0 ? NAN : (pair ? std::sqrt(2.0) : 1), ""});
     for (const bool pair : {false, true})
         for (const double v : {0.2, 0.4, 0.6, 0.8, 0.95})
             results.add({"gapLeft", pair ? "two bodies" : "body and wall", "leapfrog",
-                "gap left / (2 dx) at v / (2 dx/sqrt(theta dx/g)) = " + std::to_string(v).substr(0, 4),
+                "gap left / (2 dx) at v / (2 dx/sqrt(theta dx/g)) = "
+                    + std::to_string(v).substr(0, 4),
                 gapLeft(v*theory, pair, 0), 1 - v/(pair ? std::sqrt(2.0) : 1), ""});
 }
 
@@ -112,8 +120,10 @@ void localDamping(DemResults& results)
             addBody(in, Vector3{{0, 0, 0}}, Vector3{{0, 0, v0}});
             auto scene = createDemScene(c, in);
             scene->advance(t);
-            results.add({"localDamping", up ? "rising" : "falling", "leapfrog", "acceleration / g, alpha = " + std::to_string(alpha).substr(0, 3),
-                (v0 - scene->particles().velocity[2])/(gravity*t), up ? 1 + alpha : 1 - alpha, "without damping: 1"});
+            results.add({"localDamping", up ? "rising" : "falling", "leapfrog",
+                "acceleration / g, alpha = " + std::to_string(alpha).substr(0, 3),
+                (v0 - scene->particles().velocity[2])/(gravity*t), up ? 1 + alpha : 1 - alpha,
+                "without damping: 1"});
         }
 }
 

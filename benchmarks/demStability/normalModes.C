@@ -47,7 +47,8 @@ double fastestMode(const LatticePoints& p, const bool periodic[3], const Springs
     const std::vector<Link> all = links(p, periodic);
     const std::size_t n = p.position.size()/3;
     const double rootInertia = std::sqrt(p.dimensions == 2 ? 0.5 : 0.4);
-    const auto allowed = [&](int axis, bool spin) { return p.dimensions == 3 || (spin ? axis == 2 : axis < 2); };
+    const auto allowed = [&](int axis, bool spin)
+    { return p.dimensions == 3 || (spin ? axis == 2 : axis < 2); };
     std::mt19937 random(1);
     std::uniform_real_distribution<double> any(-1, 1);
     // displacements, then rotations times sqrt(I), of each body
@@ -77,7 +78,9 @@ double fastestMode(const LatticePoints& p, const bool periodic[3], const Springs
             Vector3 du, force;
             for (int a = 0; a < 3; ++a) du[a] = uj[a] - ui[a];
             const double along = dot(du, l.n), turn = dot(bend, l.n);
-            for (int a = 0; a < 3; ++a) force[a] = k.normal*along*l.n[a] + k.shear*(du[a] - along*l.n[a] - l.arm*swing[a]);
+            for (int a = 0; a < 3; ++a)
+                force[a] = k.normal*along*l.n[a]
+                    + k.shear*(du[a] - along*l.n[a] - l.arm*swing[a]);
             const Vector3 moment = cross(l.n, force);
             for (int a = 0; a < 3; ++a)
             {

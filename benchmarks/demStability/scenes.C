@@ -9,7 +9,8 @@ namespace riprap
 namespace
 {
 
-constexpr int cells = 6;            // of the lattice along each axis: the domain must be some search radii long
+// of the lattice along each axis: the domain must be some search radii long
+constexpr int cells = 6;
 
 } // namespace
 
@@ -17,7 +18,9 @@ LatticePoints latticePoints(Lattice lattice, double overlap)
 {
     const double s = 2 - overlap, root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);
     LatticePoints p;
-    const auto add = [&](double x, double y, double z) { p.position.insert(p.position.end(), {x, y, z}); };
+    const auto add = [&](double x, double y, double z) {
+        p.position.insert(p.position.end(), {x, y, z});
+    };
     p.dimensions = lattice == Lattice::cubic || lattice == Lattice::closePacked ? 3 : 2;
     const int n = lattice == Lattice::chain ? 2*cells : cells;
     for (int i = 0; i < n; ++i)
@@ -26,12 +29,14 @@ LatticePoints latticePoints(Lattice lattice, double overlap)
         for (int j = 0; j < n; ++j)
         {
             if (lattice == Lattice::square) add(s*(i + 0.25), s*(j + 0.25), 0);
-            if (lattice == Lattice::hexagonal) add(s*(i + 0.25 + 0.5*(j % 2)), s*root3/2*(j + 0.25), 0);
+            if (lattice == Lattice::hexagonal)
+                add(s*(i + 0.25 + 0.5*(j % 2)), s*root3/2*(j + 0.25), 0);
             if (p.dimensions == 3)
                 for (int k = 0; k < n; ++k)
                 {
                     if (lattice == Lattice::cubic) add(s*(i + 0.25), s*(j + 0.25), s*(k + 0.25));
-                    else if ((i + j + k) % 2 == 0) add(s/root2*(i + 0.25), s/root2*(j + 0.25), s/root2*(k + 0.25));
+                    else if ((i + j + k) % 2 == 0)
+                        add(s/root2*(i + 0.25), s/root2*(j + 0.25), s/root2*(k + 0.25));
                 }
         }
     }
@@ -105,14 +110,17 @@ void latticeScene(const LatticeOptions& o, DemConfig& c, DemInput& in)
     p.restitution = o.restitution;
     if (o.normal == "hertz")
     {
-        // tangent stiffness 1 at rest: 2 E* sqrt(R* overlap), with E* = E/(2 (1 - nu^2)) of two alike, R* = 1/2
+        // tangent stiffness 1 at rest: 2 E* sqrt(R* overlap), with E* = E/(2 (1 - nu^2)) of two
+        // alike, R* = 1/2
         in.materials[0].poisson = 0;
         in.materials[0].young = 1/std::sqrt(0.5*o.overlap);
         p.youngA = p.youngB = in.materials[0].young;
         p.poissonA = p.poissonB = 0;
     }
     for (std::size_t i = 0; i < points.position.size()/3; ++i)
-        addBody(in, Vector3{{points.position[3*i], points.position[3*i + 1], points.position[3*i + 2]}});
+        addBody(in,
+            Vector3{
+                {points.position[3*i], points.position[3*i + 1], points.position[3*i + 2]}});
     if (!o.bonded) return;
     DemBondType type;                           // kn A = 1
     const double area = c.dimensions == 2 ? 2 : 3.14159265358979323846;

@@ -1,4 +1,5 @@
-/*  Small scenes for experiments: periodic lattices of equal bodies that press on each other or are bonded, and single bodies.
+/*  Small scenes for experiments: periodic lattices of equal bodies that press on each other or are
+    bonded, and single bodies.
 
     Units: radius 1, mass 1, contact stiffness 1, so that sqrt(m/k) = 1 and a step is its fraction.
 
@@ -30,12 +31,17 @@ LatticePoints latticePoints(Lattice, double overlap);
 //- A scene of it at rest, double precision on the CPU, with any step allowed
 void latticeScene(const LatticeOptions&, DemConfig&, DemInput&);
 
-//- One body of radius 1 and mass 1 in a wide box, contact stiffness 1 (linear), elastic and without friction
+//- One body of radius 1 and mass 1 in a wide box, contact stiffness 1 (linear), elastic and without
+//  friction
 void singleScene(DemConfig&, DemInput&);
 void addBody(DemInput&, Vector3 x, Vector3 v = {{0, 0, 0}}, int group = 0);
 void addFloor(DemInput&, double height = 0, Vector3 normal = {{0, 0, 1}});
 
-inline const char* wordOf(DemIntegratorKind k) { return k == DemIntegratorKind::leapfrog ? "leapfrog" : "velocityVerlet"; }
-inline constexpr DemIntegratorKind integrators[] = {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet};
+inline const char* wordOf(DemIntegratorKind k)
+{
+    return k == DemIntegratorKind::leapfrog ? "leapfrog" : "velocityVerlet";
+}
+inline constexpr DemIntegratorKind integrators[] = {
+    DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet};
 
 } // namespace riprap

@@ -44,7 +44,8 @@ void addWater(GateScene& s)
             {
                 const double y = (j + 0.5)*dp;
                 s.fluid.position.insert(s.fluid.position.end(), {(i + 0.5)*dp, y, (k + 0.5)*dp});
-                s.fluid.density.push_back(s.config.density*(1 + gravity*(depth - y)/(s.config.soundSpeed*s.config.soundSpeed)));
+                s.fluid.density.push_back(s.config.density
+                    *(1 + gravity*(depth - y)/(s.config.soundSpeed*s.config.soundSpeed)));
             }
     s.fluid.velocity.assign(s.fluid.position.size(), 0.0);
 }
@@ -53,14 +54,16 @@ void addWater(GateScene& s)
 void addWalls(GateScene& s, GateKind kind, double gateBottom, double gateTop)
 {
     const double dp = s.config.spacing;
-    const int layers = int(std::ceil(2*s.config.smoothingRatio)), across = int(std::lround(width/dp)), up = int(std::lround(height/dp));
+    const int layers = int(std::ceil(2*s.config.smoothingRatio)),
+              across = int(std::lround(width/dp)), up = int(std::lround(height/dp));
     const int length = int(std::lround((width + gateThickness + outside)/dp));
     for (int k = -layers; k < across + layers; ++k)
         for (int j = -layers; j < up; ++j)
             for (int i = -layers; i < length; ++i)
             {
                 const double x = (i + 0.5)*dp, y = (j + 0.5)*dp;
-                const bool gate = x > width && x < width + gateThickness && (y > gateTop || (kind == GateKind::wall && y > gateBottom));
+                const bool gate = x > width && x < width + gateThickness
+                    && (y > gateTop || (kind == GateKind::wall && y > gateBottom));
                 if (i < 0 || j < 0 || k < 0 || k >= across || gate)
                     s.walls.position.insert(s.walls.position.end(), {x, y, (k + 0.5)*dp});
             }
@@ -81,7 +84,9 @@ void addGate(GateScene& s, const GateOptions& o, GateKind kind, double size, int
         for (int j = 0; j < rows + clampRows; ++j)
             for (int i = 0; i < through; ++i)
             {
-                in.particles.position.insert(in.particles.position.end(), {width + (i + 0.5)*size, gateHeight + (j - rows + 0.5)*size, (k + 0.5)*size});
+                in.particles.position.insert(in.particles.position.end(),
+                    {width + (i + 0.5)*size, gateHeight + (j - rows + 0.5)*size,
+                        (k + 0.5)*size});
                 in.particles.group.push_back(j >= rows || kind == GateKind::held);
             }
     const std::size_t n = in.particles.size();

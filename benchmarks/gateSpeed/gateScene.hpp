@@ -1,6 +1,7 @@
-/*  The scene that gateSpeed times: the elastic gate of Antoci et al. (2007) as deep as its tank is wide. Water 0.1 m x 0.14 m x 0.1 m at rest under its
-    pressure, behind a gate 79 mm high and 5 mm thick that hangs from a clamp (four rows), with bonds of E = 10 MPa; no local damping. In its place, for
-    comparison: the same particles held, or wall points on the water's lattice.
+/*  The scene that gateSpeed times: the elastic gate of Antoci et al. (2007) as deep as its tank is
+    wide. Water 0.1 m x 0.14 m x 0.1 m at rest under its pressure, behind a gate 79 mm high and 5 mm
+    thick that hangs from a clamp (four rows), with bonds of E = 10 MPa; no local damping. In its
+    place, for comparison: the same particles held, or wall points on the water's lattice.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,8 +1,11 @@
-/*  gateSpeed: what an elastic gate costs the water that it holds: whole steps of the same scene with a wall, with held particles and with bonded ones in
-    its place (gateScene.hpp), in one table. Medians of repeats, timed from outside; kernels in one more repeat.
+/*  gateSpeed: what an elastic gate costs the water that it holds: whole steps of the same scene
+    with a wall, with held particles and with bonded ones in its place (gateScene.hpp), in one
+    table. Medians of repeats, timed from outside; kernels in one more repeat.
 
-        gateSpeed [-device auto|cpu|gpu] [-particles N] [-size RATIO] [-integrator leapfrog|symplectic] [-solids leapfrog|velocityVerlet]
-                  [-coupling WORD] [-stepFraction F] [-precision mixed|double] [-develop N] [-steps N] [-repeat N] [-kernels 0|1]
+        gateSpeed [-device auto|cpu|gpu] [-particles N] [-size RATIO] [-integrator
+        leapfrog|symplectic] [-solids leapfrog|velocityVerlet]
+                  [-coupling WORD] [-stepFraction F] [-precision mixed|double] [-develop N] [-steps
+                  N] [-repeat N] [-kernels 0|1]
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,25 +37,54 @@ double positive(const std::string& text)
 {
     std::size_t used = 0;
     const double value = std::stod(text, &used);
-    if (used != text.size() || !(value > 0)) throw std::invalid_argument("'" + text + "' is no positive number");
+    if (used != text.size() || !(value > 0))
+        throw std::invalid_argument("'" + text + "' is no positive number");
     return value;
 }
 
 GateOptions read(int argc, char** argv)
 {
     GateOptions o;
-    const std::map<std::string, std::function<void(const std::string&)>> switches
-    {
-        {"-device", [&](const std::string& s) { o.device = valueOf<DeviceKind>({{"auto", DeviceKind::automatic}, {"cpu", DeviceKind::cpu}, {"gpu", DeviceKind::gpu}}, s); }},
-        {"-precision", [&](const std::string& s) { o.precision = valueOf<PrecisionKind>({{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}}, s); }},
-        {"-integrator", [&](const std::string& s)
-            { o.integrator = valueOf<IntegratorKind>({{"leapfrog", IntegratorKind::leapfrog}, {"symplectic", IntegratorKind::symplectic}}, s); }},
-        {"-solids", [&](const std::string& s)
-            { o.solids = valueOf<DemIntegratorKind>({{"leapfrog", DemIntegratorKind::leapfrog}, {"velocityVerlet", DemIntegratorKind::velocityVerlet}}, s); }},
-        {"-coupling", [&](const std::string& s)
+    const std::map<std::string, std::function<void(const std::string&)>> switches{
+        {"-device",
+            [&](const std::string& s)
             {
-                o.coupling = valueOf<CouplingKind>({{"stationary", CouplingKind::stationary}, {"pressureGradient", CouplingKind::pressureGradient},
-                    {"pressureApproximation", CouplingKind::pressureApproximation}, {"extrapolated", CouplingKind::extrapolated}}, s);
+                o.device = valueOf<DeviceKind>(
+                    {{"auto", DeviceKind::automatic}, {"cpu", DeviceKind::cpu},
+                        {"gpu", DeviceKind::gpu}},
+                    s);
+            }},
+        {"-precision",
+            [&](const std::string& s)
+            {
+                o.precision = valueOf<PrecisionKind>(
+                    {{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}}, s);
+            }},
+        {"-integrator",
+            [&](const std::string& s)
+            {
+                o.integrator = valueOf<IntegratorKind>(
+                    {{"leapfrog", IntegratorKind::leapfrog},
+                        {"symplectic", IntegratorKind::symplectic}},
+                    s);
+            }},
+        {"-solids",
+            [&](const std::string& s)
+            {
+                o.solids = valueOf<DemIntegratorKind>(
+                    {{"leapfrog", DemIntegratorKind::leapfrog},
+                        {"velocityVerlet", DemIntegratorKind::velocityVerlet}},
+                    s);
+            }},
+        {"-coupling",
+            [&](const std::string& s)
+            {
+                o.coupling = valueOf<CouplingKind>(
+                    {{"stationary", CouplingKind::stationary},
+                        {"pressureGradient", CouplingKind::pressureGradient},
+                        {"pressureApproximation", CouplingKind::pressureApproximation},
+                        {"extrapolated", CouplingKind::extrapolated}},
+                    s);
             }},
         {"-stepFraction", [&](const std::string& s) { o.stepFraction = positive(s); }},
         {"-particles", [&](const std::string& s) { o.particles = positive(s); }},
@@ -60,8 +92,7 @@ GateOptions read(int argc, char** argv)
         {"-develop", [&](const std::string& s) { o.develop = int(positive(s)); }},
         {"-steps", [&](const std::string& s) { o.steps = int(positive(s)); }},
         {"-repeat", [&](const std::string& s) { o.repeat = int(positive(s)); }},
-        {"-kernels", [&](const std::string& s) { o.kernels = s == "1"; }}
-    };
+        {"-kernels", [&](const std::string& s) { o.kernels = s == "1"; }}};
     for (int i = 1; i < argc; i += 2)
     {
         const auto found = switches.find(argv[i]);
@@ -69,7 +100,8 @@ GateOptions read(int argc, char** argv)
         {
             std::string valid;
             for (const auto& s : switches) valid += " " + s.first;
-            throw std::invalid_argument(std::string(argv[i]) + ": the options, each with a value, are" + valid);
+            throw std::invalid_argument(
+                std::string(argv[i]) + ": the options, each with a value, are" + valid);
         }
         found->second(argv[i + 1]);
     }
@@ -80,8 +112,10 @@ double timed(SphScene& scene, int steps, std::int64_t& rebuilds)
 {
     const auto start = std::chrono::steady_clock::now();
     const SphReport r = scene.advance(1e30, steps);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (r.stop != StopReason::none || r.steps != steps) throw std::runtime_error("the scene did not hold at t = " + std::to_string(r.time));
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (r.stop != StopReason::none || r.steps != steps)
+        throw std::runtime_error("the scene did not hold at t = " + std::to_string(r.time));
     rebuilds += r.rebuilds;
     return seconds/steps;
 }
@@ -98,7 +132,8 @@ void printKernels(SphScene& scene, int steps)
     {
         const double seconds = (k.seconds - before[k.name].seconds)/steps;
         if (k.launches > before[k.name].launches)
-            std::printf("    %-24s %10.2f us %8.2f launches a step\n", k.name.c_str(), 1e6*seconds, double(k.launches - before[k.name].launches)/steps);
+            std::printf("    %-24s %10.2f us %8.2f launches a step\n", k.name.c_str(),
+                1e6*seconds, double(k.launches - before[k.name].launches)/steps);
     }
 }
 
@@ -113,7 +148,8 @@ double measure(const GateOptions& o, GateKind kind, double alone)
         fluid = s.fluid.size();
         solids = s.solids.input.particles.size();
         bonds = s.solids.input.bonds.size();
-        scene = solids ? createSphDemScene(s.config, s.fluid, s.walls, s.solids) : createSphScene(s.config, s.fluid, s.walls);
+        scene = solids ? createSphDemScene(s.config, s.fluid, s.walls, s.solids)
+                       : createSphScene(s.config, s.fluid, s.walls);
     }
     std::int64_t rebuilds = 0;
     timed(*scene, o.develop, rebuilds);
@@ -123,8 +159,10 @@ double measure(const GateOptions& o, GateKind kind, double alone)
     std::sort(seconds.begin(), seconds.end());
     const double step = seconds[seconds.size()/2], both = double(fluid + solids)/step;
     const int subcycles = solids ? scene->coupling().subcycles : 0;
-    std::printf("%-8s %9zu %9zu %9zu %9d %10.1f %8.1f %12.4g %12.4g %8.3f %10.4g\n", names[int(kind)], fluid, solids, bonds, subcycles, 1e6*step,
-        double(o.steps)*o.repeat/double(std::max<std::int64_t>(1, rebuilds)), fluid/step, both, alone > 0 ? both/alone : 1, scene->time());
+    std::printf("%-8s %9zu %9zu %9zu %9d %10.1f %8.1f %12.4g %12.4g %8.3f %10.4g\n",
+        names[int(kind)], fluid, solids, bonds, subcycles, 1e6*step,
+        double(o.steps)*o.repeat/double(std::max<std::int64_t>(1, rebuilds)), fluid/step,
+        both, alone > 0 ? both/alone : 1, scene->time());
     std::fflush(stdout);
     if (o.kernels) printKernels(*scene, std::min(o.steps, 50));
     return fluid/step;
@@ -137,8 +175,8 @@ int main(int argc, char** argv)
     try
     {
         const GateOptions o = read(argc, argv);
-        std::printf("%-8s %9s %9s %9s %9s %10s %8s %12s %12s %8s %10s\n", "gate", "water", "solids", "bonds", "subcycles", "us/step", "rebuild",
-            "water/s", "all/s", "of wall", "t [s]");
+        std::printf("%-8s %9s %9s %9s %9s %10s %8s %12s %12s %8s %10s\n", "gate", "water", "solids",
+            "bonds", "subcycles", "us/step", "rebuild", "water/s", "all/s", "of wall", "t [s]");
         const double alone = measure(o, GateKind::wall, 0);
         measure(o, GateKind::held, alone);
         measure(o, GateKind::elastic, alone);

@@ -1,15 +1,20 @@
-/*  picDemStability: where solids in the water of particles in cells fail, by bisection. 2D, without viscosity, double precision; the last four mixed.
+/*  picDemStability: where solids in the water of particles in cells fail, by bisection. 2D, without
+    viscosity, double precision; the last four mixed.
 
         picDemStability [-csv FILE] [density|step|gap|speed|subcycles|size|thin|shapes]...
 
-    density   least density ratio at which a disk sinks or rises without blowing up, weakly and implicitly coupled, over the step
+    density   least density ratio at which a disk sinks or rises without blowing up, weakly and
+              implicitly coupled, over the step
     step      largest step, implicitly coupled, over the density ratio
     gap       least gap, in cells, with which two disks come to rest on each other and on the floor
     speed     largest speed of an impact on the floor that stays within the gap, over the stiffness
-    subcycles largest step of the solids with which two disks that meet bounce as with short steps, over their speed
-    size      disks of few cells: force of the first step, least size that sinks to the floor, heaps of several in a cell without a gap
+    subcycles largest step of the solids with which two disks that meet bounce as with short steps,
+    over their speed
+    size      disks of few cells: force of the first step, least size that sinks to the floor, heaps
+              of several in a cell without a gap
     thin      largest speed at which two disks, or one and the floor, stay apart, over the gap
-    shapes    lightest disk, square and barge that float, with and without `reflection`; largest speed at which flat bottoms enter
+    shapes    lightest disk, square and barge that float, with and without `reflection`; largest
+              speed at which flat bottoms enter
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -68,7 +73,8 @@ std::unique_ptr<PicScene> make(const Scene& s)
     if (s.step > 0) c.fixedTimeStep = s.step;
     FluidInput water;
     for (double y = 0.25*h; y < level; y += 0.5*h)
-        for (double x = 0.25*h; x < 1; x += 0.5*h) water.position.insert(water.position.end(), {x, y, 0.5});
+        for (double x = 0.25*h; x < 1; x += 0.5*h)
+            water.position.insert(water.position.end(), {x, y, 0.5});
     water.velocity.assign(water.position.size(), 0.0);
 
     auto solids = std::make_shared<PicSolids>();
@@ -142,7 +148,9 @@ void density(PicRows& rows)
                 s.step = step*unit;
                 return moves(s, 60);
             };
-            rows.add("density", weak ? "weak" : "implicit", step, "least density ratio, 60 steps (0.001: none found)", bisectRatio(1e-3, 100, false, good));
+            rows.add("density", weak ? "weak" : "implicit", step,
+                "least density ratio, 60 steps (0.001: none found)",
+                bisectRatio(1e-3, 100, false, good));
         }
 }
 
@@ -157,7 +165,8 @@ void step(PicRows& rows)
             s.step = step*unit;
             return moves(s, std::max(10, int(std::lround(4/step))));
         };
-        rows.add("step", "implicit", ratio, "largest step over sqrt(h/g), 4 sqrt(h/g)", bisectRatio(0.05, 3.2, true, good));
+        rows.add("step", "implicit", ratio, "largest step over sqrt(h/g), 4 sqrt(h/g)",
+            bisectRatio(0.05, 3.2, true, good));
     }
 }
 
@@ -171,13 +180,16 @@ void gap(PicRows& rows)
             s.gap = cells;
             s.theta = theta;
             const double pitch = 2*radius + cells*h;
-            s.at = {{{0.5, radius + cells*h + 0.2*h, 0.5}}, {{0.5 + 0.2*radius, radius + cells*h + pitch + 0.4*h, 0.5}}};
+            s.at = {{{0.5, radius + cells*h + 0.2*h, 0.5}},
+                {{0.5 + 0.2*radius, radius + cells*h + pitch + 0.4*h, 0.5}}};
             const auto scene = make(s);
             for (int k = 1; k <= 20; ++k) if (!sane(*scene, scene->advance(0.05*k))) return false;
             const std::vector<double> x = scene->solids()->particles().position;
-            return x[1] > radius && x[4] > radius && std::hypot(x[3] - x[0], x[4] - x[1]) > 2*radius;
+            return x[1] > radius && x[4] > radius
+                && std::hypot(x[3] - x[0], x[4] - x[1]) > 2*radius;
         };
-        rows.add("gap", "implicit", theta, "least gap [cells], 1 s (1e9: more than 3)", bisectRatio(0.1, 3, false, good));
+        rows.add("gap", "implicit", theta, "least gap [cells], 1 s (1e9: more than 3)",
+            bisectRatio(0.1, 3, false, good));
     }
 }
 
@@ -203,7 +215,9 @@ void speed(PicRows& rows)
             }
             return lowest > 0;
         };
-        rows.add("speed", "implicit", theta, "largest speed of an impact that stays in the gap [m/s]", bisectRatio(0.1, 30, true, good));
+        rows.add("speed", "implicit", theta,
+            "largest speed of an impact that stays in the gap [m/s]",
+            bisectRatio(0.1, 30, true, good));
     }
 }
 
@@ -211,8 +225,11 @@ void speed(PicRows& rows)
 struct Meeting
 {
     bool stopped = false;                   // or numbers that are none
-    double nearest = 1e9;                   // distance of their surfaces, as seen after steps of the water [m]
-    double before = 0, after = 0;           // speed at which they come when contact begins, and at which they go when they have parted for six steps and the water has settled [m/s]
+    // distance of their surfaces, as seen after steps of the water [m]
+    double nearest = 1e9;
+    // speed at which they come when contact begins, and at which they go when they have parted for
+    // six steps and the water has settled [m/s]
+    double before = 0, after = 0;
     double mean = 0;                        // of after/before, of all phases
     int subcycles = 0;                      // most in a step of the water
 };
@@ -232,10 +249,17 @@ Meeting meet(Scene s, double speed, int phase)
     {
         const PicReport r = scene->advance(1e30, 1);
         const DemState q = scene->solids()->particles();
-        if (r.stop != StopReason::none || q.position.size() < 6 || !std::isfinite(q.position[0] + q.position[3] + q.velocity[0] + q.velocity[3])) { m.stopped = true; return m; }
-        const double d = std::hypot(q.position[3] - q.position[0], q.position[4] - q.position[1]), closing = q.velocity[0] - q.velocity[3];
+        if (r.stop != StopReason::none || q.position.size() < 6
+            || !std::isfinite(q.position[0] + q.position[3] + q.velocity[0] + q.velocity[3]))
+        {
+            m.stopped = true;
+            return m;
+        }
+        const double d = std::hypot(q.position[3] - q.position[0], q.position[4] - q.position[1]),
+                     closing = q.velocity[0] - q.velocity[3];
         const bool inside = d < reach;
-        m.nearest = std::min(m.nearest, q.position[3] > q.position[0] ? d - 2*radius : -1.0);     // have they changed places?
+        // have they changed places?
+        m.nearest = std::min(m.nearest, q.position[3] > q.position[0] ? d - 2*radius : -1.0);
         met = met || inside || closing < 0;
         if (!met) m.before = closing;
         m.after = -closing;
@@ -267,7 +291,8 @@ Meeting meet(const Scene& s, double speed)
     return worst;
 }
 
-//- Elastic, so that nothing but steps takes or gives energy; the stiffer the contacts are, the more steps they need in one of the water, which is 0.4 cells over the speed
+//- Elastic, so that nothing but steps takes or gives energy; the stiffer the contacts are, the more
+//  steps they need in one of the water, which is 0.4 cells over the speed
 void subcycles(PicRows& rows)
 {
     for (const double theta : {0.01, 1e-3, 1e-4})
@@ -279,8 +304,15 @@ void subcycles(PicRows& rows)
             s.mixed = true;
             s.fraction = 0.01;
             const Meeting fine = meet(s, speed);
-            const std::string kind = "overlap at rest " + std::string(theta > 5e-3 ? "0.01" : theta > 5e-4 ? "0.001" : "0.0001") + " cells";
-            rows.add("subcycles", kind, speed, "speed after over before, steps of 0.01 sqrt(m/k), mean of five phases (1e9: stops)", fine.stopped ? 1e9 : fine.mean);
+            const std::string kind = "overlap at rest "
+                + std::string(theta > 5e-3 ? "0.01"
+                        : theta > 5e-4 ? "0.001"
+                                           : "0.0001")
+                + " cells";
+            rows.add("subcycles", kind, speed,
+                "speed after over before, steps of 0.01 sqrt(m/k), mean of five phases (1e9: "
+                "stops)",
+                fine.stopped ? 1e9 : fine.mean);
             int fewest = fine.subcycles;
             const auto good = [&](double fraction)
             {
@@ -291,22 +323,28 @@ void subcycles(PicRows& rows)
                 if (held) fewest = std::min(fewest, m.subcycles);
                 return held;
             };
-            rows.add("subcycles", kind, speed, "largest step over sqrt(m/k) that keeps them apart and parts them no faster than 1.05 times as they came (3.2: none found)", bisectRatio(0.02, 3.2, true, good));
+            rows.add("subcycles", kind, speed,
+                "largest step over sqrt(m/k) that keeps them apart and parts them no faster than "
+                "1.05 times as they came (3.2: none found)",
+                bisectRatio(0.02, 3.2, true, good));
             rows.add("subcycles", kind, speed, "steps in one of the water with it", fewest);
         }
 }
 
-//- Of the first step from rest in a round tank full of water against the added mass of concentric circles (Lamb, Hydrodynamics, 68): rms over places in a cell
+//- Of the first step from rest in a round tank full of water against the added mass of concentric
+//  circles (Lamb, Hydrodynamics, 68): rms over places in a cell
 double startError(double across, double ratio)
 {
     const int n = 60;
-    const double cell = 1.0/n, R = 0.45, a = 0.5*across*cell, dt = 1e-3, C = (R*R + a*a)/(R*R - a*a), theory = (ratio - 1)/(ratio + C)*g;
+    const double cell = 1.0/n, R = 0.45, a = 0.5*across*cell, dt = 1e-3,
+                 C = (R*R + a*a)/(R*R - a*a), theory = (ratio - 1)/(ratio + C)*g;
     PicObstacle tank;
     tank.name = "tank";
     tank.solidOutside = true;
     for (int i = 0; i < 400; ++i)
     {
-        tank.vertices.insert(tank.vertices.end(), {0.5 + R*std::cos(2*M_PI*i/400), 0.5 + R*std::sin(2*M_PI*i/400), 0});
+        tank.vertices.insert(tank.vertices.end(),
+            {0.5 + R*std::cos(2*M_PI*i/400), 0.5 + R*std::sin(2*M_PI*i/400), 0});
         tank.elements.insert(tank.elements.end(), {i, (i + 1) % 400});
     }
     double sum = 0;
@@ -331,7 +369,9 @@ double startError(double across, double ratio)
             c.pressureTolerance = 1e-9;
             FluidInput water;
             for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) water.position.insert(water.position.end(), {(i + 0.5)*cell, (j + 0.5)*cell, 0.5});
+                for (int i = 0; i < n; ++i)
+                    water.position.insert(
+                        water.position.end(), {(i + 0.5)*cell, (j + 0.5)*cell, 0.5});
             water.velocity.assign(water.position.size(), 0.0);
             auto solids = std::make_shared<PicSolids>();
             solids->config.domainMin = c.domainMin;
@@ -357,7 +397,8 @@ double startError(double across, double ratio)
     return std::sqrt(sum/places);
 }
 
-//- A heap of disks that touch sinks on the floor and falls apart; how far two of them, or one and the floor, come into the gap, over the gap; without one over the diameter; 1e9: stopped
+//- A heap of disks that touch sinks on the floor and falls apart; how far two of them, or one and
+//  the floor, come into the gap, over the gap; without one over the diameter; 1e9: stopped
 double heap(double across, double gap)
 {
     Scene s;
@@ -368,7 +409,8 @@ double heap(double across, double gap)
     const double reach = 2*s.size + gap*h, pitch = 1.001*reach, lowest = s.size + gap*h;
     for (int row = 0; row < 4; ++row)
         for (int k = 0; k < 4 - row; ++k)
-            s.at.push_back({{0.5 + (k - 0.5*(3 - row))*pitch, lowest + 0.01*h + row*pitch*std::sqrt(0.75), 0.5}});
+            s.at.push_back({{0.5 + (k - 0.5*(3 - row))*pitch,
+                lowest + 0.01*h + row*pitch*std::sqrt(0.75), 0.5}});
     const auto scene = make(s);
     double most = 0;
     for (int k = 1; k <= 100; ++k)
@@ -379,7 +421,8 @@ double heap(double across, double gap)
         for (std::size_t i = 0; i < x.size(); i += 3)
         {
             most = std::max(most, lowest - x[i + 1]);
-            for (std::size_t j = 0; j < i; j += 3) most = std::max(most, reach - std::hypot(x[i] - x[j], x[i + 1] - x[j + 1]));
+            for (std::size_t j = 0; j < i; j += 3)
+                most = std::max(most, reach - std::hypot(x[i] - x[j], x[i + 1] - x[j + 1]));
         }
     }
     return most/(gap > 0 ? gap*h : 2*s.size);
@@ -389,7 +432,9 @@ void size(PicRows& rows)
 {
     for (const double ratio : {0.01, 2.7})
         for (const double across : {16.0, 8.0, 6.0, 4.0, 3.0, 2.0, 1.0, 0.5})
-            rows.add("size", ratio < 1 ? "start, density ratio 0.01" : "start, density ratio 2.7", across, "error of the first acceleration, rms over nine places; 1e9: stops", startError(across, ratio));
+            rows.add("size", ratio < 1 ? "start, density ratio 0.01" : "start, density ratio 2.7",
+                across, "error of the first acceleration, rms over nine places; 1e9: stops",
+                startError(across, ratio));
     for (const double ratio : {0.5, 2.7})
     {
         const auto good = [&](double across)
@@ -402,11 +447,20 @@ void size(PicRows& rows)
             for (int k = 1; k <= 100; ++k) if (!sane(*scene, scene->advance(0.01*k))) return false;
             return true;
         };
-        rows.add("size", "moves", ratio, "least cells across that sinks or rises for 1 s (0.5: none found)", bisectRatio(0.5, 8, false, good));
+        rows.add("size", "moves", ratio,
+            "least cells across that sinks or rises for 1 s (0.5: none found)",
+            bisectRatio(0.5, 8, false, good));
     }
     for (const double gap : {0.0, 0.5, 2.0})
         for (const double across : {8.0, 4.0, 3.0, 2.0, 1.0, 0.5})
-            rows.add("size", gap > 1 ? "ten in a heap, gap 2" : gap > 0 ? "ten in a heap, gap 0.5" : "ten in a heap, gap 0", across, gap > 0 ? "most that is used of the gap in 1 s; 1e9: stops" : "largest overlap over the diameter in 1 s; 1e9: stops", heap(across, gap));
+            rows.add("size",
+                gap > 1 ? "ten in a heap, gap 2"
+                    : gap > 0 ? "ten in a heap, gap 0.5"
+                              : "ten in a heap, gap 0",
+                across,
+                gap > 0 ? "most that is used of the gap in 1 s; 1e9: stops"
+                        : "largest overlap over the diameter in 1 s; 1e9: stops",
+                heap(across, gap));
 }
 
 void thin(PicRows& rows)
@@ -437,7 +491,8 @@ void thin(PicRows& rows)
                 }
                 return lowest > 0;
             };
-            rows.add("thin", pair ? "two disks" : "disk and floor", cells, "largest speed that stays in the gap [m/s]", bisectRatio(0.05, 40, true, good));
+            rows.add("thin", pair ? "two disks" : "disk and floor", cells,
+                "largest speed that stays in the gap [m/s]", bisectRatio(0.05, 40, true, good));
         }
 }
 
@@ -450,7 +505,8 @@ bool floats(const Floater& f, double ratio, double above, double speed, bool ref
         if (s->advance(0.02*k).stop != StopReason::none) return false;
         const DemState q = s->solids()->particles();
         if (q.velocity.empty()) return false;
-        for (const double v : q.velocity) if (!(std::abs(v) < 2*speed + std::sqrt(2*g))) return false;
+        for (const double v : q.velocity)
+            if (!(std::abs(v) < 2*speed + std::sqrt(2*g))) return false;
     }
     return true;
 }
@@ -459,15 +515,28 @@ void shapes(PicRows& rows)
 {
     for (const bool reflection : {true, false})
         for (const Floater& f : floaters)
-            rows.add("shapes", std::string(f.name) + (reflection ? ", reflection" : ", no reflection"), f.half[1], "least density ratio that floats for 0.5 s, half out at the start (0.001: none found)",
-                bisectRatio(1e-3, 1, false, [&](double ratio) { return floats(f, ratio, 0, 0, reflection); }));
+            rows.add("shapes",
+                std::string(f.name) + (reflection ? ", reflection" : ", no reflection"), f.half[1],
+                "least density ratio that floats for 0.5 s, half out at the start (0.001: none "
+                "found)",
+                bisectRatio(1e-3, 1, false,
+                    [&](double ratio) { return floats(f, ratio, 0, 0, reflection); }));
     for (const Floater& f : floaters)
         for (const double ratio : {0.1, 1.0})
-            rows.add("shapes", std::string(f.name) + ", enters", ratio, "largest speed at which it enters the water [m/s] (30: none found)",
-                bisectRatio(0.5, 30, true, [&](double speed) { return floats(f, ratio, (f.turn > 0.5 ? 1.5 : 1)*f.half[1]*h + 0.3*h, speed, true); }));
+            rows.add("shapes", std::string(f.name) + ", enters", ratio,
+                "largest speed at which it enters the water [m/s] (30: none found)",
+                bisectRatio(0.5, 30, true,
+                    [&](double speed) {
+                        return floats(f, ratio, (f.turn > 0.5 ? 1.5 : 1)*f.half[1]*h + 0.3*h,
+                            speed, true);
+                    }));
 }
 
 } // namespace
 
 int main(int argc, char** argv)
-{ return runExperiments<PicRows>(argc, argv, "picDemStability", {{"density", density}, {"step", step}, {"gap", gap}, {"speed", speed}, {"subcycles", subcycles}, {"size", size}, {"thin", thin}, {"shapes", shapes}}); }
+{
+    return runExperiments<PicRows>(argc, argv, "picDemStability",
+        {{"density", density}, {"step", step}, {"gap", gap}, {"speed", speed},
+            {"subcycles", subcycles}, {"size", size}, {"thin", thin}, {"shapes", shapes}});
+}

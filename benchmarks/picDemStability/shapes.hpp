@@ -10,7 +10,8 @@
 namespace riprap
 {
 
-//- A rectangle about the origin, or a disk (of half[0]), as a lattice with points a quarter of a cell apart
+//- A rectangle about the origin, or a disk (of half[0]), as a lattice with points a quarter of a
+//  cell apart
 inline PicShape latticeOf(const double* half, bool disk, double cell)
 {
     PicShape s;
@@ -40,13 +41,14 @@ struct Floater
     double turn;                // [rad]
 };
 
-static constexpr Floater floaters[] =
-{
-    {"disk", {5, 5}, true, 0}, {"square", {5, 5}, false, 0}, {"square on its edge", {5, 5}, false, 0.785398}, {"barge", {10, 2.5}, false, 0}, {"barge, tilted", {10, 2.5}, false, 0.2}
-};
+static constexpr Floater floaters[] = {{"disk", {5, 5}, true, 0}, {"square", {5, 5}, false, 0},
+    {"square on its edge", {5, 5}, false, 0.785398}, {"barge", {10, 2.5}, false, 0},
+    {"barge, tilted", {10, 2.5}, false, 0.2}};
 
-//- Such a body in a tank of 40 x 40 cells, three quarters full: its middle so high above the surface, falling so fast
-inline std::unique_ptr<PicScene> floaterScene(const Floater& f, double ratio, double above, double speed, bool reflection)
+//- Such a body in a tank of 40 x 40 cells, three quarters full: its middle so high above the
+//  surface, falling so fast
+inline std::unique_ptr<PicScene> floaterScene(
+    const Floater& f, double ratio, double above, double speed, bool reflection)
 {
     constexpr double h = 1.0/40, g = 9.81, level = 0.75;
     PicConfig c;
@@ -65,7 +67,8 @@ inline std::unique_ptr<PicScene> floaterScene(const Floater& f, double ratio, do
     c.reflection = reflection ? 1 : 0;
     FluidInput water;
     for (double y = 0.25*h; y < level; y += 0.5*h)
-        for (double x = 0.25*h; x < 1; x += 0.5*h) water.position.insert(water.position.end(), {x, y, 0.5});
+        for (double x = 0.25*h; x < 1; x += 0.5*h)
+            water.position.insert(water.position.end(), {x, y, 0.5});
     water.velocity.assign(water.position.size(), 0.0);
     auto solids = std::make_shared<PicSolids>();
     solids->config.domainMin = c.domainMin;
@@ -86,7 +89,8 @@ inline std::unique_ptr<PicScene> floaterScene(const Floater& f, double ratio, do
     k.position = {{0.5, level + above, 0.5}};
     k.velocity = {{0, -speed, 0}};
     k.mass = 1000*ratio*solids->shapes[0].volume;
-    const double inertia = k.mass*(f.disk ? 0.5*half[0]*half[0] : (half[0]*half[0] + half[1]*half[1])/3);
+    const double inertia = k.mass
+        *(f.disk ? 0.5*half[0]*half[0] : (half[0]*half[0] + half[1]*half[1])/3);
     k.inertia = {{inertia, inertia, inertia}};
     k.orientation = {{std::cos(0.5*f.turn), 0, 0, std::sin(0.5*f.turn)}};
     k.shape = 0;

@@ -1,4 +1,5 @@
-/*  Scenes with solids smaller than those that riprap takes: of them the experiment `size` asks what would come
+/*  Scenes with solids smaller than those that riprap takes: of them the experiment `size` asks what
+    would come
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,12 +1,18 @@
 /*  picSpeed: time a step of a dam break by particles in cells, by phase.
 
-        picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box F] [--transfer flip|pic|flipPic|apic] [--affine yes|no]
-                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--reflectionTolerance T] [--steps N] [--warmUp N] [--kernels] [--repeats] [--solids N] [--solidCells M] [--pool F]
+        picSpeed [--device cpu|gpu|auto] [--precision mixed|double] [--dim 2|3] [--across N] [--box
+        F] [--transfer flip|pic|flipPic|apic] [--affine yes|no]
+                 [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--reflectionTolerance T]
+                 [--steps N] [--warmUp N] [--kernels] [--repeats] [--solids N] [--solidCells M]
+                 [--pool F]
 
-    The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a box 4 F columns wide and 2.5 F high. Steps go
-    by maxCourant 0.5. With --pool water stands F columns deep in the whole box instead. --solids: so many disks or spheres of stone, M cells across (8), fall from a lattice two cells apart that
-    begins at the floor. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each kernel and each part.
-    The particle part is transfers, motion and sort; correction of positions, surface, velocities on the grid and pressure are told apart. With --repeats the run is done once
+    The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a
+    box 4 F columns wide and 2.5 F high. Steps go by maxCourant 0.5. With --pool water stands F
+    columns deep in the whole box instead. --solids: so many disks or spheres of stone, M cells
+    across (8), fall from a lattice two cells apart that begins at the floor. A line a run: time a
+    step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each
+    kernel and each part. The particle part is transfers, motion and sort; correction of positions,
+    surface, velocities on the grid and pressure are told apart. With --repeats the run is done once
     more, and the line says whether its state is the same to the bit.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -35,7 +41,8 @@ struct Options
 };
 
 template<class T>
-T oneOf(const std::string& option, const std::string& word, std::initializer_list<std::pair<const char*, T>> words)
+T oneOf(const std::string& option, const std::string& word,
+    std::initializer_list<std::pair<const char*, T>> words)
 {
     std::string valid;
     for (const auto& w : words)
@@ -52,11 +59,22 @@ Options read(int argc, char** argv)
     for (int k = 1; k < argc; ++k)
     {
         const std::string a = argv[k];
-        const auto value = [&] { if (++k >= argc) throw std::invalid_argument(a + " needs a value"); return std::string(argv[k]); };
-        if (a == "--device") o.config.device = oneOf<DeviceKind>(a, value(), {{"cpu", DeviceKind::cpu}, {"gpu", DeviceKind::gpu}, {"auto", DeviceKind::automatic}});
-        else if (a == "--precision") o.config.precision = oneOf<PrecisionKind>(a, value(), {{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}});
+        const auto value = [&]
+        {
+            if (++k >= argc) throw std::invalid_argument(a + " needs a value");
+            return std::string(argv[k]);
+        };
+        if (a == "--device")
+            o.config.device = oneOf<DeviceKind>(a, value(),
+                {{"cpu", DeviceKind::cpu}, {"gpu", DeviceKind::gpu},
+                    {"auto", DeviceKind::automatic}});
+        else if (a == "--precision")
+            o.config.precision = oneOf<PrecisionKind>(
+                a, value(), {{"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}});
         else if (a == "--transfer") o.config.transfer = value();
-        else if (a == "--affine") o.config.transferNumbers.affine = oneOf<bool>(a, value(), {{"yes", true}, {"no", false}});
+        else if (a == "--affine")
+            o.config.transferNumbers.affine = oneOf<bool>(
+                a, value(), {{"yes", true}, {"no", false}});
         else if (a == "--dim") o.dimensions = oneOf<int>(a, value(), {{"2", 2}, {"3", 3}});
         else if (a == "--across") o.across = std::stoi(value());
         else if (a == "--box") o.box = std::stod(value());
@@ -73,7 +91,9 @@ Options read(int argc, char** argv)
         else if (a == "--repeats") o.repeats = true;
         else throw std::invalid_argument("unknown option " + a);
     }
-    if (o.across < 4 || o.steps < 1 || o.warmUp < 1 || !(o.box >= 1)) throw std::invalid_argument("--across: at least 4; --steps and --warmUp: at least 1; --box: at least 1");
+    if (o.across < 4 || o.steps < 1 || o.warmUp < 1 || !(o.box >= 1))
+        throw std::invalid_argument(
+            "--across: at least 4; --steps and --warmUp: at least 1; --box: at least 1");
     return o;
 }
 
@@ -96,11 +116,14 @@ FluidInput column(Options& o)
     const double s = 0.5*h;
     c.spacing = s;
     FluidInput f;
-    const int deep = three ? 2*o.across : 1, wide = 2*(o.pool > 0 ? c.cells[0] : o.across), high = o.pool > 0 ? int(std::lround(2*o.pool*o.across)) : 4*o.across;
+    const int deep = three ? 2*o.across : 1, wide = 2*(o.pool > 0 ? c.cells[0] : o.across),
+              high = o.pool > 0 ? int(std::lround(2*o.pool*o.across)) : 4*o.across;
     f.position.reserve(std::size_t(3)*wide*high*deep);
     for (int k = 0; k < deep; ++k)
         for (int j = 0; j < high; ++j)
-            for (int i = 0; i < wide; ++i) f.position.insert(f.position.end(), {(i + 0.5)*s, (j + 0.5)*s, three ? (k + 0.5)*s : 0.5*h});
+            for (int i = 0; i < wide; ++i)
+                f.position.insert(f.position.end(),
+                    {(i + 0.5)*s, (j + 0.5)*s, three ? (k + 0.5)*s : 0.5*h});
     f.velocity.assign(f.position.size(), 0);
     f.density.assign(f.size(), c.density);
     return f;
@@ -135,14 +158,20 @@ PicInside stones(const Options& o)
             s->input.walls.push_back(w);
         }
     int n[3];
-    for (int d = 0; d < 3; ++d) n[d] = d < o.dimensions ? int((c.domainMax[d] - c.domainMin[d])/pitch) : 1;
-    if (std::int64_t(n[0])*n[1]*n[2] < o.solids) throw std::invalid_argument("--solids: the box has no room for so many");
+    for (int d = 0; d < 3; ++d)
+        n[d] = d < o.dimensions ? int((c.domainMax[d] - c.domainMin[d])/pitch) : 1;
+    if (std::int64_t(n[0])*n[1]*n[2] < o.solids)
+        throw std::invalid_argument("--solids: the box has no room for so many");
     for (int k = 0; k < o.solids; ++k)
     {
         const int at[3] = {k % n[0], k/(n[0]*n[2]), k/n[0] % n[2]};
-        for (int d = 0; d < 3; ++d) s->input.particles.position.push_back(d < o.dimensions ? c.domainMin[d] + (at[d] + 0.5)*pitch : 0.5*h);
+        for (int d = 0; d < 3; ++d)
+            s->input.particles.position.push_back(
+                d < o.dimensions ? c.domainMin[d] + (at[d] + 0.5)*pitch : 0.5*h);
         s->input.particles.radius.push_back(radius);
-        s->input.particles.mass.push_back(density*(o.dimensions == 2 ? M_PI*radius*radius : 4*M_PI/3*radius*radius*radius));
+        s->input.particles.mass.push_back(density
+            *(o.dimensions == 2 ? M_PI*radius*radius
+                                 : 4*M_PI/3*radius*radius*radius));
     }
     inside.solids = s;
     return inside;
@@ -159,25 +188,30 @@ double seconds(PicScene& scene, std::int64_t steps, PicReport& r)
 //- The part of a step that a kernel belongs to
 const char* partOf(const std::string& kernel)
 {
-    static const std::map<std::string, const char*> parts
-    {
-        {"picKeys", "sort"}, {"sort", "sort"}, {"clearCells", "sort"}, {"countCells", "sort"}, {"scan", "sort"}, {"putInOrder", "sort"},
-        {"bodiesOfRows", "solids"}, {"bodyDistances", "solids"}, {"restoreDistances", "solids"}, {"findShares", "solids"}, {"measureShares", "solids"}, {"closeByBodies", "solids"}, {"bodyFaceVelocities", "solids"},
-        {"restoreFaces", "solids"}, {"bodyVolumes", "solids"}, {"findBodyCells", "solids"}, {"fillBodyCells", "solids"}, {"sumBodyRows", "solids"}, {"sumBodies", "solids"},
-        {"openVolumes", "solids"}, {"openWeights", "solids"}, {"markKnownCells", "solids"}, {"extendSurface", "solids"}, {"pushOut", "solids"}, {"countCoupled", "solids"}, {"fillCoupled", "solids"},
-        {"keepSorted", "solids"}, {"coupledBodies", "pressure"}, {"coupledAdd", "pressure"},
-        {"hasParticles", "to grid"}, {"listOccupied", "to grid"}, {"particleToGrid", "to grid"}, {"gatherTiles", "to grid"},
-        {"gridToParticle", "to particles"}, {"moveParticles", "motion"}, {"correctPositions", "correction of positions"},
-        {"markWetCells", "surface"}, {"markNearWater", "surface"}, {"waterVolume", "surface"}, {"countFlying", "surface"}, {"advectLevelSet", "surface"},
-        {"holdSurface", "surface"}, {"startDistance", "surface"}, {"spreadDistance", "surface"}, {"shiftSurface", "surface"}
-    };
+    static const std::map<std::string, const char*> parts{{"picKeys", "sort"}, {"sort", "sort"},
+        {"clearCells", "sort"}, {"countCells", "sort"}, {"scan", "sort"}, {"putInOrder", "sort"},
+        {"bodiesOfRows", "solids"}, {"bodyDistances", "solids"}, {"restoreDistances", "solids"},
+        {"findShares", "solids"}, {"measureShares", "solids"}, {"closeByBodies", "solids"},
+        {"bodyFaceVelocities", "solids"}, {"restoreFaces", "solids"}, {"bodyVolumes", "solids"},
+        {"findBodyCells", "solids"}, {"fillBodyCells", "solids"}, {"sumBodyRows", "solids"},
+        {"sumBodies", "solids"}, {"openVolumes", "solids"}, {"openWeights", "solids"},
+        {"markKnownCells", "solids"}, {"extendSurface", "solids"}, {"pushOut", "solids"},
+        {"countCoupled", "solids"}, {"fillCoupled", "solids"}, {"keepSorted", "solids"},
+        {"coupledBodies", "pressure"}, {"coupledAdd", "pressure"}, {"hasParticles", "to grid"},
+        {"listOccupied", "to grid"}, {"particleToGrid", "to grid"}, {"gatherTiles", "to grid"},
+        {"gridToParticle", "to particles"}, {"moveParticles", "motion"},
+        {"correctPositions", "correction of positions"}, {"markWetCells", "surface"},
+        {"markNearWater", "surface"}, {"waterVolume", "surface"}, {"countFlying", "surface"},
+        {"advectLevelSet", "surface"}, {"holdSurface", "surface"}, {"startDistance", "surface"},
+        {"spreadDistance", "surface"}, {"shiftSurface", "surface"}};
     const auto at = parts.find(kernel);
     if (at != parts.end()) return at->second;
     return kernel.compare(0, 8, "pressure") == 0 ? "pressure" : "velocities on the grid";
 }
 
 //- Launches a step, of all so far, and seconds a step of each kernel and each part
-void printKernels(const PicScene& scene, std::size_t particles, std::int64_t steps, std::int64_t allSteps)
+void printKernels(
+    const PicScene& scene, std::size_t particles, std::int64_t steps, std::int64_t allSteps)
 {
     double sum = 0, ofParticles = 0;
     std::map<std::string, double> parts;
@@ -186,12 +220,16 @@ void printKernels(const PicScene& scene, std::size_t particles, std::int64_t ste
         {
             sum += k.seconds;
             parts[partOf(k.name)] += k.seconds;
-            std::printf("    %-28s %8.1f launches, %10.3f us a step\n", k.name.c_str(), double(k.launches)/allSteps, 1e6*k.seconds/steps);
+            std::printf("    %-28s %8.1f launches, %10.3f us a step\n", k.name.c_str(),
+                double(k.launches)/allSteps, 1e6*k.seconds/steps);
         }
     std::printf("    %-28s %8s           %10.3f us a step\n", "all of these", "", 1e6*sum/steps);
-    for (const auto& p : parts) std::printf("  %-30s %8s           %10.3f us a step\n", p.first.c_str(), "", 1e6*p.second/steps);
+    for (const auto& p : parts)
+        std::printf("  %-30s %8s           %10.3f us a step\n", p.first.c_str(), "",
+            1e6*p.second/steps);
     for (const char* p : {"sort", "to grid", "to particles", "motion"}) ofParticles += parts[p];
-    std::printf("  %-30s %8s           %10.3f us a step, %.4g particle-steps/s\n", "transfers, motion and sort", "", 1e6*ofParticles/steps,
+    std::printf("  %-30s %8s           %10.3f us a step, %.4g particle-steps/s\n",
+        "transfers, motion and sort", "", 1e6*ofParticles/steps,
         double(particles)*double(steps)/ofParticles);
 }
 
@@ -213,13 +251,19 @@ int run(Options o)
         auto other = createPicScene(o.config, column(o), PicWalls(), nullptr, stones(o));
         seconds(*other, o.warmUp, second);
         seconds(*other, o.steps, second);
-        again = other->saveState() == scene->saveState() ? ", repeats to the bit" : ", DOES NOT REPEAT";
+        again = other->saveState() == scene->saveState() ? ", repeats to the bit"
+                                                         : ", DOES NOT REPEAT";
     }
     const std::int64_t cells = std::int64_t(o.config.cells[0])*o.config.cells[1]*o.config.cells[2];
-    std::printf("%s, %d threads, %dD, %zu particles, %lld cells, %lld steps: %.4g us a step, %.4g particle-steps/s; %.3g iterations a step, "
-        "%zu bytes a particle, volume error %.2g%s\n", scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
-        (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall, double(r.pressureIterations)/r.steps, bytes/n, r.volumeError, again.c_str());
-    if (o.solids) std::printf("    %d solids, %d steps of theirs in the last one, of %.4g s\n", o.solids, scene->coupling().subcycles, r.lastTimeStep);
+    std::printf("%s, %d threads, %dD, %zu particles, %lld cells, %lld steps: %.4g us a step, %.4g "
+                "particle-steps/s; %.3g iterations a step, "
+                "%zu bytes a particle, volume error %.2g%s\n",
+        scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
+        (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall,
+        double(r.pressureIterations)/r.steps, bytes/n, r.volumeError, again.c_str());
+    if (o.solids)
+        std::printf("    %d solids, %d steps of theirs in the last one, of %.4g s\n", o.solids,
+            scene->coupling().subcycles, r.lastTimeStep);
     if (!o.kernels) return 0;
     scene->timeKernels(true);
     const double timed = seconds(*scene, o.steps, r);

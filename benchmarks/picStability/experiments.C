@@ -11,7 +11,8 @@ namespace
 {
 
 struct Transfer { const char* name; const char* word; bool affine; };
-constexpr Transfer kinds[] = {{"flip", "flip", true}, {"flip, no gradients", "flip", false}, {"flipPic", "flipPic", true}, {"pic", "pic", true}, {"apic", "apic", true}};
+constexpr Transfer kinds[] = {{"flip", "flip", true}, {"flip, no gradients", "flip", false},
+    {"flipPic", "flipPic", true}, {"pic", "pic", true}, {"apic", "apic", true}};
 
 PicConfig of(const Transfer& t, int n)
 {
@@ -37,7 +38,8 @@ void step(PicRows& rows)
                 return !o.stopped && o.energy < 1.05;
             };
             const std::string kind = std::string(t.name) + ", RungeKutta" + std::to_string(order);
-            rows.add("step", kind, order, "largest Courant number, vortices", bisectRatio(0.1, 2, true, good));
+            rows.add("step", kind, order, "largest Courant number, vortices",
+                bisectRatio(0.1, 2, true, good));
         }
 }
 
@@ -92,8 +94,10 @@ void levels(PicRows& rows)
     for (int k = 0; k <= 20; ++k)
     {
         const double part = k == 0 ? 0.001 : (k == 20 ? 0.999 : 0.05*k);
-        rows.add("levels", "surface", part, "largest speed", pool(picSettings(12), 6 + part, 0).speed);
-        rows.add("levels", "floor", part, "largest speed", pool(picSettings(12), 6.5 - part, 2 + part).speed);
+        rows.add(
+            "levels", "surface", part, "largest speed", pool(picSettings(12), 6 + part, 0).speed);
+        rows.add("levels", "floor", part, "largest speed",
+            pool(picSettings(12), 6.5 - part, 2 + part).speed);
     }
 }
 

@@ -10,7 +10,8 @@
 namespace riprap
 {
 
-//- Largest Courant number, by bisection, up to the 2 that a scene takes, at which the energy of vortices does not grow by more than 5 %
+//- Largest Courant number, by bisection, up to the 2 that a scene takes, at which the energy of
+//  vortices does not grow by more than 5 %
 void step(PicRows&);
 
 //- Noise, energy and error of vortices after 4 turns over the blend
@@ -22,7 +23,8 @@ void particles(PicRows&);
 //- What steps of a sloshing tank lose or gain of volume over the tolerance of the pressure
 void tolerance(PicRows&);
 
-//- Largest speed in pools whose surface, or whose floor, lies anywhere in a cell: theta and apertures from 0 to 1
+//- Largest speed in pools whose surface, or whose floor, lies anywhere in a cell: theta and
+//  apertures from 0 to 1
 void levels(PicRows&);
 
 } // namespace riprap

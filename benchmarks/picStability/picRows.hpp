@@ -1,4 +1,5 @@
-/*  What picStability and picDemStability measure: rows, printed as they come, and written as CSV where a file is named.
+/*  What picStability and picDemStability measure: rows, printed as they come, and written as CSV
+    where a file is named.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,19 +25,25 @@ public:
         write();
     }
 
-    void add(const std::string& test, const std::string& kind, double setting, const std::string& quantity, double measured)
+    void add(const std::string& test, const std::string& kind, double setting,
+        const std::string& quantity, double measured)
     {
-        std::printf("%-10s %-32s %10.4g  %-50s %12.5g\n", test.c_str(), kind.c_str(), setting, quantity.c_str(), measured);
+        std::printf("%-10s %-32s %10.4g  %-50s %12.5g\n", test.c_str(), kind.c_str(), setting,
+            quantity.c_str(), measured);
         std::fflush(stdout);
         if (name_.empty()) return;
         char numbers[2][32];
         std::snprintf(numbers[0], sizeof numbers[0], "%.6g", setting);
         std::snprintf(numbers[1], sizeof numbers[1], "%.6g", measured);
-        csv_ << test << ",\"" << kind << "\"," << numbers[0] << ",\"" << quantity << "\"," << numbers[1] << std::endl;
+        csv_ << test << ",\"" << kind << "\"," << numbers[0] << ",\"" << quantity << "\","
+            << numbers[1] << std::endl;
     }
 
     //- Rows are there already: did all of them reach the file?
-    void write() const { if (!name_.empty() && !csv_) throw std::runtime_error("cannot write " + name_); }
+    void write() const
+    {
+        if (!name_.empty() && !csv_) throw std::runtime_error("cannot write " + name_);
+    }
 
 private:
 

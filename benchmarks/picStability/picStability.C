@@ -10,9 +10,7 @@
 int main(int argc, char** argv)
 {
     using namespace riprap;
-    return runExperiments<PicRows>
-    (
-        argc, argv, "picStability",
-        {{"step", step}, {"blend", blend}, {"particles", particles}, {"tolerance", tolerance}, {"levels", levels}}
-    );
+    return runExperiments<PicRows>(argc, argv, "picStability",
+        {{"step", step}, {"blend", blend}, {"particles", particles}, {"tolerance", tolerance},
+            {"levels", levels}});
 }

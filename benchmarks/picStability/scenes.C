@@ -36,7 +36,8 @@ FluidInput fill(const PicConfig& c, const Height& height, const Velocity& veloci
 
 void still(double, double, double* v) { v[0] = v[1] = 0; }
 
-//- rms of particles' velocities less those of the grid where they are, and of the velocities themselves
+//- rms of particles' velocities less those of the grid where they are, and of the velocities
+//  themselves
 double noiseOf(PicScene& scene)
 {
     const FluidState f = scene.fluid();
@@ -108,7 +109,11 @@ PicOutcome vortices(PicConfig c, double turns)
     {
         double v[2];
         velocity(f.position[3*i], f.position[3*i + 1], v);
-        for (int d = 0; d < 2; ++d) { error += std::pow(f.velocity[3*i + d] - v[d], 2); size += v[d]*v[d]; }
+        for (int d = 0; d < 2; ++d)
+        {
+            error += std::pow(f.velocity[3*i + d] - v[d], 2);
+            size += v[d]*v[d];
+        }
     }
     o.error = std::sqrt(error/size);
     return o;
@@ -117,8 +122,12 @@ PicOutcome vortices(PicConfig c, double turns)
 PicOutcome sloshing(PicConfig c, double periods)
 {
     const double depth = 0.5, amplitude = 0.05, k = M_PI;
-    const auto scene = createPicScene(c, fill(c, [&](double x) { return depth + amplitude*std::cos(k*x); }, still), PicWalls());
-    const double period = 2*M_PI/std::sqrt(g*k*std::tanh(k*depth)), wave = 0.25*c.density*g*amplitude*amplitude;
+    const auto scene = createPicScene(c,
+        fill(
+            c, [&](double x) { return depth + amplitude*std::cos(k*x); }, still),
+        PicWalls());
+    const double period = 2*M_PI/std::sqrt(g*k*std::tanh(k*depth)),
+                 wave = 0.25*c.density*g*amplitude*amplitude;
     PicOutcome o;
     std::int64_t iterations = 0, steps = 0;
     const FluidEnergy start = scene->energy();
@@ -154,7 +163,8 @@ PicOutcome pool(PicConfig c, double level, double floor)
         for (std::size_t i = 0; i < water.size(); ++i)
             if (water.position[3*i + 1] > y)
             {
-                above.position.insert(above.position.end(), &water.position[3*i], &water.position[3*i] + 3);
+                above.position.insert(
+                    above.position.end(), &water.position[3*i], &water.position[3*i] + 3);
                 above.velocity.insert(above.velocity.end(), 3, 0.0);
             }
         water = above;

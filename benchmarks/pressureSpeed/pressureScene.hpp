@@ -1,9 +1,11 @@
-/*  Scenes for the pressure step, as functions of the position in a box of height 1 (the last direction is up).
+/*  Scenes for the pressure step, as functions of the position in a box of height 1 (the last
+    direction is up).
 
         wavy      water to about half the height below waves, with four balls cut out
         spray     a thin film, drops of a few cells, bubbles in the water
         tank      full, closed on all sides: a singular system
-        baffles   half full, with thin walls that part it but for a gap, on faces that no coarse grid has
+        baffles   half full, with thin walls that part it but for a gap, on faces that no coarse
+                  grid has
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -28,9 +30,14 @@ struct PressureScene
     explicit PressureScene(const SpeedCase& c) : scene_(c.scene)
     {
         if (scene_ != "wavy" && scene_ != "spray" && scene_ != "tank" && scene_ != "baffles")
-            throw std::invalid_argument("unknown scene '" + scene_ + "'; valid: wavy spray tank baffles");
+            throw std::invalid_argument(
+                "unknown scene '" + scene_ + "'; valid: wavy spray tank baffles");
         grid.h = 1.0/c.n[D - 1];
-        for (int d = 0; d < D; ++d) { grid.n[d] = c.n[d]*(d == D - 1 ? c.box : 1); grid.origin[d] = 0; }
+        for (int d = 0; d < D; ++d)
+        {
+            grid.n[d] = c.n[d]*(d == D - 1 ? c.box : 1);
+            grid.origin[d] = 0;
+        }
         phi.resize(grid.cells());
         #pragma omp parallel for
         for (int i = 0; i < grid.cells(); ++i) phi[i] = R(surface(centre(grid.cellIndex(i), 0.5)));
@@ -52,7 +59,8 @@ private:
     {
         if (scene_ == "tank") return -1;
         if (scene_ == "baffles") return x[2] - 0.5007;
-        const double wave = x[2] - 0.5 - 0.08*std::sin(7*x[0] + 1)*std::cos(5*x[1]) - 0.02*std::sin(31*x[0])*std::sin(29*x[1] + 1);
+        const double wave = x[2] - 0.5 - 0.08*std::sin(7*x[0] + 1)*std::cos(5*x[1])
+            - 0.02*std::sin(31*x[0])*std::sin(29*x[1] + 1);
         if (scene_ == "wavy") return wave;
         // drops on a cubic lattice with a spacing of 12 cells above the water, bubbles below it
         const double spacing = 12*grid.h;
@@ -104,7 +112,8 @@ private:
                 const double open = 1 - solidOfFace(nodes, d, x, distance.data()).share;
                 aperture[d][f] = R(end || open < smallestAperture || baffle(d, x) ? 0 : open);
                 const auto p = centre(x, 0.5);
-                u[d][f] = R(std::sin(13*p[0] + d)*std::cos(11*p[2]) + 0.3*std::sin(91*p[0] + 57*p[1] + 73*p[2]));
+                u[d][f] = R(std::sin(13*p[0] + d)*std::cos(11*p[2])
+                    + 0.3*std::sin(91*p[0] + 57*p[1] + 73*p[2]));
             }
         }
     }

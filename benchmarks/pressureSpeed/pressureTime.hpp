@@ -26,7 +26,11 @@ SpeedRow timeStep(const SpeedCase& c)
     f.phi = phi.data();
     f.timeStep = 1e-3;
     f.density = 1000;
-    for (int d = 0; d < D; ++d) { aperture[d].upload(context, scene.aperture[d]); f.aperture[d] = aperture[d].data(); }
+    for (int d = 0; d < D; ++d)
+    {
+        aperture[d].upload(context, scene.aperture[d]);
+        f.aperture[d] = aperture[d].data();
+    }
     PressureStep<Backend, D, R> step;
     step.allocate(context, scene.grid);
     MultigridLinear solver;
@@ -47,7 +51,9 @@ SpeedRow timeStep(const SpeedCase& c)
         const auto start = std::chrono::steady_clock::now();
         const PressureReport r = step.project(context, f, solver);
         context.synchronise();
-        if (k >= 0) seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        if (k >= 0)
+            seconds.push_back(
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         const double processor = double(std::clock() - busy)/CLOCKS_PER_SEC;
         if (k == 0 || (k > 0 && processor < row.processor)) row.processor = processor;
         row.iterations = r.iterations;
@@ -73,7 +79,8 @@ SpeedRow timeStep(const SpeedCase& c)
 template<class Backend>
 SpeedRow timeIn(const SpeedCase& c)
 {
-    if (c.dimensions == 2) return c.mixed ? timeStep<Backend, 2, float>(c) : timeStep<Backend, 2, double>(c);
+    if (c.dimensions == 2)
+        return c.mixed ? timeStep<Backend, 2, float>(c) : timeStep<Backend, 2, double>(c);
     return c.mixed ? timeStep<Backend, 3, float>(c) : timeStep<Backend, 3, double>(c);
 }
 

@@ -22,7 +22,8 @@ struct CountedScene
     std::function<std::vector<KernelInfo>()> kernels;
     std::function<std::vector<ArrayInfo>()> arrays;
     std::size_t items = 0;                  // particles; of picDem: cells
-    bool sampling = false, logging = false; // samples after each step; comes back after each step, as for a line of the log
+    // samples after each step; comes back after each step, as for a line of the log
+    bool sampling = false, logging = false;
 
     template<class Scene>
     static CountedScene of(std::shared_ptr<Scene> scene, std::size_t items)

@@ -14,8 +14,9 @@ constexpr double radius = 0.005, density = 2500;
 struct Options
 {
     int dimensions = 3;
-    bool bonds = true, clumps = true, friction = true, rolling = true, walls = true, moves = true, sleeps = false, turns = true,
-        oneMaterial = false;                // else another, which nobody is of
+    bool bonds = true, clumps = true, friction = true, rolling = true, walls = true, moves = true,
+         sleeps = false, turns = true,
+         oneMaterial = false;                // else another, which nobody is of
     bool rest = false;                      // a block that lies on the floor, else it falls apart
     double box = 0.2;
     bool sampling = false, logging = false;
@@ -64,11 +65,15 @@ DemInput inputOf(const Options& o)
         for (int j = 0; j < side; ++j)
             for (int i = 0; i < side; ++i)
             {
-                in.particles.position.insert(in.particles.position.end(), {0.02 + i*apart, radius*(o.rest ? 1 : 1.2) + j*apart, 0.02 + k*apart});
+                in.particles.position.insert(in.particles.position.end(),
+                    {0.02 + i*apart, radius*(o.rest ? 1 : 1.2) + j*apart, 0.02 + k*apart});
                 // each layer slides over the one below
-                in.particles.velocity.insert(in.particles.velocity.end(), {o.rest ? 0 : 0.02*(j % 2 ? 1 : -1), o.rest ? 0 : -0.1, 0});
+                in.particles.velocity.insert(in.particles.velocity.end(),
+                    {o.rest ? 0 : 0.02*(j % 2 ? 1 : -1), o.rest ? 0 : -0.1, 0});
                 in.particles.radius.push_back(radius);
-                in.particles.mass.push_back(density*(o.dimensions == 3 ? 4.0/3*M_PI*std::pow(radius, 3) : M_PI*radius*radius));
+                in.particles.mass.push_back(density
+                    *(o.dimensions == 3 ? 4.0/3*M_PI*std::pow(radius, 3)
+                                         : M_PI*radius*radius));
             }
     const std::int32_t n = std::int32_t(in.particles.size());
     if (o.bonds)
@@ -92,11 +97,16 @@ DemInput inputOf(const Options& o)
         const double inertia = 0.4*body.mass*radius*radius;
         body.inertia = {{inertia, inertia, inertia}};
         in.clumps.push_back(body);
-        if (o.bonds && in.bonds.size() && in.bonds.b.back() == n - 1) { in.bonds.a.pop_back(); in.bonds.b.pop_back(); }
+        if (o.bonds && in.bonds.size() && in.bonds.b.back() == n - 1)
+        {
+            in.bonds.a.pop_back();
+            in.bonds.b.pop_back();
+        }
     }
     if (o.walls)
         for (int axis = 0; axis < o.dimensions; ++axis)
-            for (const bool upper : {false, true}) in.walls.push_back(plane(axis, upper ? o.box : 0, upper));
+            for (const bool upper : {false, true})
+                in.walls.push_back(plane(axis, upper ? o.box : 0, upper));
     return in;
 }
 
@@ -157,7 +167,12 @@ std::vector<Row> demRows()
     add("motion (all held)", [](Options& o) { o.moves = false; });
     add("orientation", [](Options& o) { o.turns = false; });
     add("the third dimension", [](Options& o) { o.dimensions = 2; });
-    add("all of these", [](Options& o) { o.bonds = o.clumps = o.friction = o.rolling = o.walls = o.turns = false; o.oneMaterial = true; });
+    add("all of these",
+        [](Options& o)
+        {
+            o.bonds = o.clumps = o.friction = o.rolling = o.walls = o.turns = false;
+            o.oneMaterial = true;
+        });
 
     Options rest;
     rest.rest = true;

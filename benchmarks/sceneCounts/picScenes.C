@@ -15,8 +15,8 @@ constexpr double edge = 1.0/40, radius = 4*edge;
 struct Options
 {
     int dimensions = 2;
-    bool solids = true, moves = true, obstacle = true, viscosity = true, noSlip = true, reflection = true, correction = true, absorbs = true,
-        opens = true;
+    bool solids = true, moves = true, obstacle = true, viscosity = true, noSlip = true,
+         reflection = true, correction = true, absorbs = true, opens = true;
     int dry = 1;                            // the box is so many times as long as it must be
     bool sampling = false, logging = false;
 };
@@ -121,7 +121,8 @@ std::shared_ptr<PicSolids> solidsOf(const PicConfig& c, const Options& o)
         in.particles.position.insert(in.particles.position.end(), {x, 0.3, 0.5*c.domainMax[2]});
         in.particles.velocity.insert(in.particles.velocity.end(), {0, 0, 0});
         in.particles.radius.push_back(radius);
-        in.particles.mass.push_back(1500*(c.dimensions == 3 ? 4.0/3*M_PI*std::pow(radius, 3) : M_PI*radius*radius));
+        in.particles.mass.push_back(1500
+            *(c.dimensions == 3 ? 4.0/3*M_PI*std::pow(radius, 3) : M_PI*radius*radius));
     }
     in.walls.push_back(plane(1, 0, false));
     return solids;
@@ -143,12 +144,15 @@ CountedScene make(const Options& o)
     PicInside inside;
     if (o.solids) inside.solids = solidsOf(c, o);
     if (o.obstacle && o.dimensions == 2) inside.obstacles.push_back(obstacle());
-    std::shared_ptr<PicScene> scene = createPicScene(c, waterOf(c), wallsOf(c, o), nullptr, std::move(inside));
+    std::shared_ptr<PicScene> scene = createPicScene(
+        c, waterOf(c), wallsOf(c, o), nullptr, std::move(inside));
     CountedScene s = CountedScene::of(scene, std::size_t(c.cells[0])*c.cells[1]*c.cells[2]);
     s.kernels = [scene]
     {
         std::vector<KernelInfo> all = scene->kernels();
-        if (scene->solids()) for (const KernelInfo& k : scene->solids()->kernels()) all.push_back({"solids: " + k.name, k.launches, k.seconds});
+        if (scene->solids())
+            for (const KernelInfo& k : scene->solids()->kernels())
+                all.push_back({"solids: " + k.name, k.launches, k.seconds});
         return all;
     };
     s.sample = [scene] { scene->sample({0.1, 0.1, 0.1, 0.2, 0.1, 0.1, 0.3, 0.1, 0.1}); };
@@ -199,8 +203,12 @@ std::vector<Row> picRows()
     add("position correction", [](Options& o) { o.correction = false; });
     add("zones that absorb", [](Options& o) { o.absorbs = false; });
     add("openings", [](Options& o) { o.opens = false; });
-    add("all of these", [](Options& o)
-    { o.solids = o.obstacle = o.viscosity = o.noSlip = o.reflection = o.correction = o.absorbs = o.opens = false; });
+    add("all of these",
+        [](Options& o)
+        {
+            o.solids = o.obstacle = o.viscosity = o.noSlip = o.reflection = o.correction =
+                o.absorbs = o.opens = false;
+        });
 
     Options three;
     three.dimensions = 3;

@@ -1,10 +1,14 @@
-/*  sceneCounts: what a step of small scenes takes, and of the same scenes with one thing less, on one thread of the CPU.
+/*  sceneCounts: what a step of small scenes takes, and of the same scenes with one thing less, on
+    one thread of the CPU.
 
         sceneCounts [-steps N] [-blocks N] [sphDem|picDem|dem]...
 
-    A line a scene: solver, scene, what is left out, particles (picDem: cells), kernels a step (loops over them), fields held, bytes a particle, processor
-    time a step [us], the same over that of the scene itself, what the scene has, the kernels that it has run since it was made (name=launches a step) and its
-    fields (set.name=bytes). Times: both scenes in turn, -blocks times -steps steps; the median of the ratios. -blocks 0: counts alone.
+    A line a scene: solver, scene, what is left out, particles (picDem: cells), kernels a step
+    (loops over them), fields held, bytes a particle, processor time a step [us], the same over that
+    of the scene itself, what the scene has, the kernels that it has run since it was made
+    (name=launches a step) and its
+    fields (set.name=bytes). Times: both scenes in turn, -blocks times -steps steps; the median of
+    the ratios. -blocks 0: counts alone.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -81,16 +85,29 @@ double median(std::vector<double> v)
 
 void print(const Row& r, const CountedScene& s, const Counts& c, double time, double ratio)
 {
-    std::printf("%s,%s,%s,%zu,%.4g,%zu,%.4g,%.4g,%.4g,", r.solver.c_str(), r.scene.c_str(), r.without.c_str(), s.items, c.launches, c.fields.size(),
-        double(c.bytes)/double(s.items), 1e6*time, ratio);
+    std::printf("%s,%s,%s,%zu,%.4g,%zu,%.4g,%.4g,%.4g,", r.solver.c_str(), r.scene.c_str(),
+        r.without.c_str(), s.items, c.launches, c.fields.size(), double(c.bytes)/double(s.items),
+        1e6*time, ratio);
     const char* separator = "";
-    for (const std::string& name : r.has) { std::printf("%s%s", separator, name.c_str()); separator = ";"; }
+    for (const std::string& name : r.has)
+    {
+        std::printf("%s%s", separator, name.c_str());
+        separator = ";";
+    }
     std::printf(",\"");
     separator = "";
-    for (const auto& k : c.kernels) { std::printf("%s%s=%.4g", separator, k.first.c_str(), k.second); separator = ";"; }
+    for (const auto& k : c.kernels)
+    {
+        std::printf("%s%s=%.4g", separator, k.first.c_str(), k.second);
+        separator = ";";
+    }
     std::printf("\",\"");
     separator = "";
-    for (const auto& f : c.fields) { std::printf("%s%s=%zu", separator, f.first.c_str(), f.second); separator = ";"; }
+    for (const auto& f : c.fields)
+    {
+        std::printf("%s%s=%zu", separator, f.first.c_str(), f.second);
+        separator = ";";
+    }
     std::printf("\"\n");
     std::fflush(stdout);
 }
@@ -107,7 +124,8 @@ void run(const std::vector<Row>& rows, int steps, int blocks)
         std::vector<double> times, ratios;
         for (int b = 0; b < blocks; ++b)
         {
-            const double own = seconds(*scene, steps), of = r.without.empty() ? own : seconds(*whole, steps);
+            const double own = seconds(*scene, steps),
+                         of = r.without.empty() ? own : seconds(*whole, steps);
             times.push_back(own);
             ratios.push_back(own/of);
         }
@@ -126,12 +144,14 @@ int main(int argc, char* argv[])
     {
         const bool more = i + 1 < argc;
         if (more && !std::strcmp(argv[i], "-steps")) steps = std::max(1, std::atoi(argv[++i]));
-        else if (more && !std::strcmp(argv[i], "-blocks")) blocks = std::max(0, std::atoi(argv[++i]));
+        else if (more && !std::strcmp(argv[i], "-blocks"))
+            blocks = std::max(0, std::atoi(argv[++i]));
         else asked.push_back(argv[i]);
     }
     if (asked.empty()) asked = {"sphDem", "picDem", "dem"};
     omp_set_num_threads(1);
-    std::printf("solver,scene,without,items,kernels,fields,bytes,time,timeRatio,has,kernelList,fieldList\n");
+    std::printf("solver,scene,without,items,kernels,fields,bytes,time,timeRatio,has,kernelList,"
+                "fieldList\n");
     try
     {
         for (const std::string& solver : asked)
@@ -141,7 +161,9 @@ int main(int argc, char* argv[])
             else if (solver == "dem") run(demRows(), steps, blocks);
             else
             {
-                std::fprintf(stderr, "sceneCounts: unknown %s; valid are -steps N, -blocks N, sphDem, picDem, dem\n", solver.c_str());
+                std::fprintf(stderr,
+                    "sceneCounts: unknown %s; valid are -steps N, -blocks N, sphDem, picDem, dem\n",
+                    solver.c_str());
                 return 1;
             }
         }

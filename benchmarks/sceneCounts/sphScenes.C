@@ -10,12 +10,14 @@ namespace riprap
 namespace
 {
 
-constexpr double spacing = 0.01, width = 0.5, depth = 0.3;      // of the water; a tank of two widths
+// of the water; a tank of two widths
+constexpr double spacing = 0.01, width = 0.5, depth = 0.3;
 
 struct Options
 {
     int dimensions = 2;
-    bool solids = true, bonds = true, moves = true, variableH = true, walls = true, noSlip = true, faces = true;
+    bool solids = true, bonds = true, moves = true, variableH = true, walls = true, noSlip = true,
+         faces = true;
     bool diffusion = true, xsph = true, clumps = true, shifts = true, slides = true;
     const char* viscosity = "laminarAndArtificial";
     IntegratorKind integrator = IntegratorKind::symplectic;
@@ -69,14 +71,16 @@ WallInput wallsOf(const SphConfig& c, const Options& o)
     WallInput w;
     if (!o.walls) return w;
     const double length = 2*width*o.dry;
-    const int nx = int(std::lround(length/spacing)), ny = int(std::lround(2*depth/spacing)), layers = 4;
+    const int nx = int(std::lround(length/spacing)), ny = int(std::lround(2*depth/spacing)),
+              layers = 4;
     const int nz = c.dimensions == 3 ? 10 : 1, beyond = c.dimensions == 3 ? layers : 0;
     for (int k = -beyond; k < nz + beyond; ++k)
         for (int j = -layers; j < ny; ++j)
             for (int i = -layers; i < nx + layers; ++i)
             {
                 if (i >= 0 && i < nx && j >= 0 && k >= 0 && k < nz) continue;
-                w.position.insert(w.position.end(), {(i + 0.5)*spacing, (j + 0.5)*spacing, (k + 0.5)*spacing});
+                w.position.insert(w.position.end(),
+                    {(i + 0.5)*spacing, (j + 0.5)*spacing, (k + 0.5)*spacing});
                 w.body.push_back(o.slides && i >= nx ? 0 : -1);
             }
     w.normal.assign(w.position.size(), 0);
@@ -115,7 +119,8 @@ SolidInput solidsOf(const SphConfig& c, const Options& o)
         for (int i = 0; i < 2; ++i)
             for (int j = 0; j < high; ++j)
             {
-                in.particles.position.insert(in.particles.position.end(), {width + (i + 0.5)*spacing, (j + 0.5)*spacing, (k + 0.5)*spacing});
+                in.particles.position.insert(in.particles.position.end(),
+                    {width + (i + 0.5)*spacing, (j + 0.5)*spacing, (k + 0.5)*spacing});
                 in.particles.radius.push_back(0.5*spacing);
                 in.particles.mass.push_back(1100*volume);
                 s.volume.push_back(volume);
@@ -124,7 +129,9 @@ SolidInput solidsOf(const SphConfig& c, const Options& o)
     {
         in.bondTypes.push_back(DemBondType{});
         in.bondTypes[0].normalStiffness = in.bondTypes[0].shearStiffness = 1e8;
-        in.bonds = bondsWithin(configOf(o).dimensions == 2 ? [&] { DemConfig e = d; e.dimensions = 2; return e; }() : d, in.particles, 0, 0.1*spacing);
+        DemConfig e = d;
+        if (configOf(o).dimensions == 2) e.dimensions = 2;
+        in.bonds = bondsWithin(e, in.particles, 0, 0.1*spacing);
     }
     in.walls.push_back(plane(1, 0, false));
     return s;
@@ -145,7 +152,11 @@ CountedScene make(const Options& o)
       ? createSphDemScene(c, fluid, walls, solidsOf(c, o), o.slides ? motion : WallMotion())
       : createSphScene(c, fluid, walls, o.slides ? motion : WallMotion());
     CountedScene s = CountedScene::of(scene, fluid.size());
-    s.advance = [scene](int steps) { for (const std::int64_t end = steps; steps > 0;) steps -= int(scene->advance(scene->time() + 1, end).steps); };
+    s.advance = [scene](int steps)
+    {
+        for (const std::int64_t end = steps; steps > 0;)
+            steps -= int(scene->advance(scene->time() + 1, end).steps);
+    };
     s.sample = [scene] { scene->sample({0.1, 0.1, 0, 0.2, 0.1, 0, 0.3, 0.1, 0}); };
     s.sampling = o.sampling;
     s.logging = o.logging;
@@ -196,12 +207,15 @@ std::vector<Row> sphRows()
     add("density diffusion", [](Options& o) { o.diffusion = false; });
     add("XSPH and shifting", [](Options& o) { o.xsph = o.shifts = false; });
     add("anti-clump term", [](Options& o) { o.clumps = false; });
-    add("half of the passes (leapfrog)", [](Options& o) { o.integrator = IntegratorKind::leapfrog; });
-    add("all of these but walls", [](Options& o)
-    {
-        o.solids = o.variableH = o.slides = o.faces = o.diffusion = o.xsph = o.shifts = o.clumps = o.noSlip = false;
-        o.viscosity = "none";
-    });
+    add("half of the passes (leapfrog)",
+        [](Options& o) { o.integrator = IntegratorKind::leapfrog; });
+    add("all of these but walls",
+        [](Options& o)
+        {
+            o.solids = o.variableH = o.slides = o.faces = o.diffusion = o.xsph = o.shifts =
+                o.clumps = o.noSlip = false;
+            o.viscosity = "none";
+        });
 
     Options three;
     three.dimensions = 3;

@@ -46,11 +46,13 @@ void addFluid(FluidInput& f, const SphConfig& c, int across, bool atRest)
         for (int j = 0; j < 2*across; ++j)
             for (int i = 0; i < across; ++i)
             {
-                const double x = (i + 0.5)*dp, y = (j + 0.5)*dp, z = c.dimensions == 3 ? (k + 0.5)*dp : 0;
+                const double x = (i + 0.5)*dp, y = (j + 0.5)*dp,
+                             z = c.dimensions == 3 ? (k + 0.5)*dp : 0;
                 f.position.insert(f.position.end(), {x, y, z});
                 const double speed = atRest ? 0 : rate;
                 f.velocity.insert(f.velocity.end(), {speed*x, -speed*y, 0});
-                f.density.push_back(c.density*(1 + gravity*(columnHeight - y)/(c.soundSpeed*c.soundSpeed)));
+                f.density.push_back(
+                    c.density*(1 + gravity*(columnHeight - y)/(c.soundSpeed*c.soundSpeed)));
             }
 }
 
@@ -66,7 +68,8 @@ void addWalls(WallInput& w, const SphConfig& c, int across, int layers)
             for (int i = -layers; i < length + layers; ++i)
             {
                 if (open && i == 0) i = length;
-                w.position.insert(w.position.end(), {(i + 0.5)*dp, (j + 0.5)*dp, three ? (k + 0.5)*dp : 0});
+                w.position.insert(
+                    w.position.end(), {(i + 0.5)*dp, (j + 0.5)*dp, three ? (k + 0.5)*dp : 0});
             }
         }
     w.normal.assign(w.position.size(), 0);

@@ -11,7 +11,8 @@
 namespace riprap
 {
 
-//- minimal: laminar viscosity alone; paper: with anti-clump term and XSPH; delta: artificial viscosity and density diffusion
+//- minimal: laminar viscosity alone; paper: with anti-clump term and XSPH; delta: artificial
+//  viscosity and density diffusion
 enum class TermSet {minimal, paper, delta};
 
 struct SpeedOptions
@@ -28,12 +29,14 @@ struct SpeedOptions
     double skin = -1;                       // of the support; < 0: the solver's choice
     bool atRest = false;                    // else the column starts in motion
     int develop = 300;                      // steps before anything is timed
-    int steps = 0;                          // a repeat; 0: as many as take `seconds`, at most 0.05 s of the flow
+    // a repeat; 0: as many as take `seconds`, at most 0.05 s of the flow
+    int steps = 0;
     double seconds = 0.3;
     int repeat = 7;
     bool kernels = false;
     std::string csv, note, version;
-    std::vector<std::pair<std::string, double>> goals;      // columns of the table and what they should reach
+    // columns of the table and what they should reach
+    std::vector<std::pair<std::string, double>> goals;
 };
 
 //- The words of the command line

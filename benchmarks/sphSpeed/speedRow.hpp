@@ -1,4 +1,5 @@
-/*  A row of the table of sphSpeed: what was measured of one scene, as CSV and as a line on the screen.
+/*  A row of the table of sphSpeed: what was measured of one scene, as CSV and as a line on the
+    screen.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

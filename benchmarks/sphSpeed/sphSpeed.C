@@ -1,10 +1,12 @@
-/*  sphSpeed: whole time steps of a dam break, timed. See speedOptions.C for its words, damBreakScene.hpp for the scene,
-    speedRow.C for what it prints, benchmarks/README.md for how it is meant.
+/*  sphSpeed: whole time steps of a dam break, timed. See speedOptions.C for its words,
+    damBreakScene.hpp for the scene, speedRow.C for what it prints, benchmarks/README.md for how it
+    is meant.
 
-    For each number of particles: build, develop, then repeats of many steps each, at most 0.05 s of the flow. A repeat is timed
-    from outside, with rebuilds, time-step control and the host's part in it; the median of repeats counts. Repeats that together
-    are longer than 0.05 s of the flow start from one saved state, so that all do the same work. Kernels are timed in one more
-    repeat, since timing each launch keeps the GPU from replaying recorded steps.
+    For each number of particles: build, develop, then repeats of many steps each, at most 0.05 s of
+    the flow. A repeat is timed from outside, with rebuilds, time-step control and the host's part
+    in it; the median of repeats counts. Repeats that together are longer than 0.05 s of the flow
+    start from one saved state, so that all do the same work. Kernels are timed in one more repeat,
+    since timing each launch keeps the GPU from replaying recorded steps.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,11 +36,13 @@ Timing timed(SphScene& scene, int steps)
     const std::clock_t cpu = std::clock();
     const SphReport r = scene.advance(1e30, steps);
     const double cpuSeconds = double(std::clock() - cpu)/CLOCKS_PER_SEC;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (r.stop != StopReason::none || r.steps != steps || !r.escaped.empty())
-        throw std::runtime_error("the scene did not hold at t = " + std::to_string(r.time) + ": " + std::to_string(r.escaped.size())
-          + " particles escaped, " + std::to_string(r.steps) + " of " + std::to_string(steps) + " steps taken, guard "
-          + std::to_string(int(r.stop)) + ", value " + std::to_string(r.stopValue));
+        throw std::runtime_error("the scene did not hold at t = " + std::to_string(r.time) + ": "
+            + std::to_string(r.escaped.size()) + " particles escaped, " + std::to_string(r.steps)
+            + " of " + std::to_string(steps) + " steps taken, guard " + std::to_string(int(r.stop))
+            + ", value " + std::to_string(r.stopValue));
     return Timing{seconds/steps, cpuSeconds/steps, r.steps, r.rebuilds, r.lastTimeStep};
 }
 
@@ -61,7 +65,8 @@ MachineLimits measureLimits(bool gpu, PrecisionKind precision)
     if (gpu) m.fma = mixed ? fmaPeak<float>(Gpu()) : fmaPeak<double>(Gpu());
     else m.fma = mixed ? fmaPeak<float>(Cpu()) : fmaPeak<double>(Cpu());
     if (gpu && mixed) m.gather = gatherRate(Gpu());
-    std::printf("machine: triad %.3g B/s, multiply-adds %.3g /s (%s)", m.triad, m.fma, wordOf(precision));
+    std::printf(
+        "machine: triad %.3g B/s, multiply-adds %.3g /s (%s)", m.triad, m.fma, wordOf(precision));
     if (m.gather > 0) std::printf(", gathers %.3g neighbours/s", m.gather);
     std::printf("\n");
     return known[key] = m;
@@ -94,7 +99,8 @@ void addKernels(SphScene& scene, int steps, SpeedRow& row)
         k.launches = std::int64_t(1e6*double(k.launches - before[k.name].launches)/steps);
         if (k.launches > 0) row.kernels.push_back(k);
     }
-    std::sort(row.kernels.begin(), row.kernels.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+    std::sort(row.kernels.begin(), row.kernels.end(),
+        [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
 }
 
 SpeedRow measure(const SpeedOptions& o, double particles)
@@ -140,7 +146,9 @@ SpeedRow measure(const SpeedOptions& o, double particles)
     }
     row.seconds = median(seconds);
     row.cpuSeconds = median(cpu);
-    row.spread = (*std::max_element(seconds.begin(), seconds.end()) - *std::min_element(seconds.begin(), seconds.end()))/row.seconds;
+    row.spread = (*std::max_element(seconds.begin(), seconds.end())
+                     - *std::min_element(seconds.begin(), seconds.end()))
+        /row.seconds;
     row.interval = steps/std::max(1.0, rebuilds);
     row.neighbours = scene->neighboursPerParticle();
     addMemory(*scene, row);

@@ -1,8 +1,10 @@
-/*  Operations and bytes that one particle-step takes at the least, counted by hand from the sources.
+/*  Operations and bytes that one particle-step takes at the least, counted by hand from the
+    sources.
 
-    Operations: every addition, multiplication, comparison, conversion, division and square root counts one, on real pairs only (those within
-    the support): lanes that a pack or a skin wastes are not useful work. Bytes: every array that a kernel reads or writes
-    passes memory once; neighbours' records come from caches. Work on wall points is not counted.
+    Operations: every addition, multiplication, comparison, conversion, division and square root
+    counts one, on real pairs only (those within the support): lanes that a pack or a skin wastes
+    are not useful work. Bytes: every array that a kernel reads or writes passes memory once;
+    neighbours' records come from caches. Work on wall points is not counted.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -14,10 +16,15 @@
 namespace riprap
 {
 
-//- Passes over the pairs a step. The two of a symplectic step are half passes: one of the momentum, one of the density terms
-inline int passesPerStep(IntegratorKind integrator) { return integrator == IntegratorKind::symplectic ? 2 : 1; }
+//- Passes over the pairs a step. The two of a symplectic step are half passes: one of the momentum,
+//  one of the density terms
+inline int passesPerStep(IntegratorKind integrator)
+{
+    return integrator == IntegratorKind::symplectic ? 2 : 1;
+}
 
-//- Operations on one pair in all passes of a step (src/sph/passes/fluidPass.hpp, terms/, sph/kernels/wendlandC2.hpp)
+//- Operations on one pair in all passes of a step (src/sph/passes/fluidPass.hpp, terms/,
+//  sph/kernels/wendlandC2.hpp)
 inline double operationsPerPair(const SpeedOptions& o)
 {
     const int D = o.dimensions;
@@ -28,12 +35,14 @@ inline double operationsPerPair(const SpeedOptions& o)
     const double geometry = separation + r2 + dv + root + q + gradient + massFactor;
     const double kernel = 2 + 2 + 1 + 1;    // fourth power, 2q + 1, product, factor
     // terms, and the sums they go to
-    const double pressure = 2, laminar = 6, artificial = 8, continuity = 3, momentumSums = 2 + 4*D, densitySums = 2;
+    const double pressure = 2, laminar = 6, artificial = 8, continuity = 3,
+                 momentumSums = 2 + 4*D, densitySums = 2;
     const double antiClump = 1 + 1 + 2 + 2 + 1;     // W/W(dp), sum, fourth power, factors, channel
     const double xsph = 3 + 2 + 2*D;
     const double diffusion = 1 + 2*D + 4;
     const double viscosity = o.terms == TermSet::delta ? artificial : laminar;
-    double momentum = pressure + viscosity + momentumSums, density = approach + continuity + densitySums;
+    double momentum = pressure + viscosity + momentumSums,
+           density = approach + continuity + densitySums;
     bool needsW = false;
     if (o.terms == TermSet::paper) { momentum += antiClump; density += xsph; needsW = true; }
     if (o.terms == TermSet::delta) density += diffusion;
@@ -42,10 +51,12 @@ inline double operationsPerPair(const SpeedOptions& o)
     return 2*(geometry + w) + momentum + density;
 }
 
-//- Operations on a particle outside pairs: kick, drift, equation of state, record, check of the skin, finish
+//- Operations on a particle outside pairs: kick, drift, equation of state, record, check of the
+//  skin, finish
 inline double operationsPerParticle(const SpeedOptions& o) { return 60 + 20*o.dimensions; }
 
-//- Bytes of a particle-step. listed: neighbours in the list, 0 where there is none; interval: steps between rebuilds
+//- Bytes of a particle-step. listed: neighbours in the list, 0 where there is none; interval: steps
+//  between rebuilds
 inline double bytesPerParticleStep(const SpeedOptions& o, double listed, double interval)
 {
     const int D = o.dimensions;
@@ -71,7 +82,8 @@ inline double bytesPerParticleStep(const SpeedOptions& o, double listed, double 
         step += records + list + 3*vector + r;                          // momentum pass
     }
     // keys, four passes of a radix sort, state permuted, records placed, lists written
-    const double rebuild = position + 8 + 4*16 + 2*state + 4 + position + 2*vector + r + records + records/2 + list;
+    const double rebuild = position + 8 + 4*16 + 2*state + 4 + position + 2*vector + r
+        + records + records/2 + list;
     return step + rebuild/interval;
 }
 

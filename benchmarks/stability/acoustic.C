@@ -1,7 +1,9 @@
-/*  The largest time step for sound: a density wave, or noise of all waves, in a periodic box at rest.
+/*  The largest time step for sound: a density wave, or noise of all waves, in a periodic box at
+    rest.
 
-    Theory: omega dt < 2 for the symplectic scheme; the leapfrog with predicted velocity and density grows by (omega dt)^4/4 a step
-    whatever the step is, unless something damps. omega is that of the fastest wave of the lattice.
+    Theory: omega dt < 2 for the symplectic scheme; the leapfrog with predicted velocity and density
+    grows by (omega dt)^4/4 a step whatever the step is, unless something damps. omega is that of
+    the fastest wave of the lattice.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,7 +24,8 @@ constexpr double amplitude = 1e-6;
 constexpr double tolerated = 1e-3;          // growth a step: e-fold in a thousand
 
 //- Growth of a wave's amplitude a step, from means over two windows of the run
-double measuredGrowth(const LatticeModel& l, IntegratorKind integrator, const Wave& k, double dt, int steps)
+double measuredGrowth(
+    const LatticeModel& l, IntegratorKind integrator, const Wave& k, double dt, int steps)
 {
     PeriodicLattice p = makeLattice(l, sites, integrator, dt);
     addDensityWave(p, k, amplitude);
@@ -30,14 +33,23 @@ double measuredGrowth(const LatticeModel& l, IntegratorKind integrator, const Wa
     constexpr int window = 40;
     double early = 0, late = 0;
     take(*scene, 20);
-    for (int n = 0; n < window; ++n) { take(*scene, 1); early += std::log(disturbance(*scene, p.config)); }
+    for (int n = 0; n < window; ++n)
+    {
+        take(*scene, 1);
+        early += std::log(disturbance(*scene, p.config));
+    }
     if (!take(*scene, steps - window)) return NAN;
-    for (int n = 0; n < window; ++n) { take(*scene, 1); late += std::log(disturbance(*scene, p.config)); }
+    for (int n = 0; n < window; ++n)
+    {
+        take(*scene, 1);
+        late += std::log(disturbance(*scene, p.config));
+    }
     return std::expm1((late - early)/(window*double(steps)));
 }
 
 //- Does noise of all waves stay? Its growth between the middle and the end of the run tells, a step
-bool staysQuiet(const LatticeModel& l, IntegratorKind integrator, double dt, int steps, double growth)
+bool staysQuiet(
+    const LatticeModel& l, IntegratorKind integrator, double dt, int steps, double growth)
 {
     PeriodicLattice p = makeLattice(l, sites, integrator, dt);
     addDensityNoise(p, amplitude);
@@ -54,14 +66,19 @@ bool staysQuiet(const LatticeModel& l, IntegratorKind integrator, double dt, int
 //- Growth a step of the wave that grows fastest, by theory
 double theoreticalGrowth(const LatticeModel& l, IntegratorKind integrator, double dt)
 {
-    return reduceMax(l, sites, [&](const LatticeModel& m, const Wave& k)
-    {
-        const double w = soundFrequency(m, k)*dt, d = diffusionRate(m, k)*dt, a = 0.5*artificialRate(m, k)*dt;
-        if (integrator == IntegratorKind::symplectic) return symplecticGrowth(w, d, a);
-        // v' = -a v - w r, r' = w v - d r
-        const std::complex<double> root = std::sqrt(std::complex<double>((a - d)*(a - d) - 4*w*w));
-        return std::max(leapfrogGrowth(0.5*(-a - d + root)), leapfrogGrowth(0.5*(-a - d - root)));
-    }).value;
+    return reduceMax(l, sites,
+        [&](const LatticeModel& m, const Wave& k)
+        {
+            const double w = soundFrequency(m, k)*dt, d = diffusionRate(m, k)*dt,
+                         a = 0.5*artificialRate(m, k)*dt;
+            if (integrator == IntegratorKind::symplectic) return symplecticGrowth(w, d, a);
+            // v' = -a v - w r, r' = w v - d r
+            const std::complex<double> root = std::sqrt(
+                std::complex<double>((a - d)*(a - d) - 4*w*w));
+            return std::max(
+                leapfrogGrowth(0.5*(-a - d + root)), leapfrogGrowth(0.5*(-a - d - root)));
+        })
+        .value;
 }
 
 void limits(ResultTable& table, const LatticeModel& l, IntegratorKind integrator, bool quick)
@@ -74,21 +91,27 @@ void limits(ResultTable& table, const LatticeModel& l, IntegratorKind integrator
     const double growth = symplectic || damped ? 1e-7 : tolerated, seen = std::max(growth, 2e-5);
     const int steps = damped ? 2000 : 800;
     const double tolerance = quick ? 0.02 : 0.004;
-    const double theory = bisect(0.01, 3, 1e-4, [&](double z) { return theoreticalGrowth(l, integrator, z*unit) < growth; });
+    const double theory = bisect(0.01, 3, 1e-4,
+        [&](double z) { return theoreticalGrowth(l, integrator, z*unit) < growth; });
     double measured;
     if (!symplectic && !damped)
     {
         const Wave k = waveOf(l, sites, fastest.m, fastest.n);
-        measured = bisect(0.1, 1, tolerance, [&](double z) { return measuredGrowth(l, integrator, k, z*unit, 600) < tolerated; });
+        measured = bisect(0.1, 1, tolerance,
+            [&](double z) { return measuredGrowth(l, integrator, k, z*unit, 600) < tolerated; });
     }
-    else measured = bisect(0.1, 3, tolerance, [&](double z) { return staysQuiet(l, integrator, z*unit, steps, seen); });
+    else
+        measured = bisect(0.1, 3, tolerance,
+            [&](double z) { return staysQuiet(l, integrator, z*unit, steps, seen); });
     Result r;
     r.test = "acoustic";
     r.kernel = l.kernel;
     r.ratio = l.ratio;
     r.integrator = wordOf(integrator);
-    r.terms = l.diffusion > 0 ? "densityDiffusion" : (l.artificial > 0 ? "artificial 0.02" : "none");
-    r.note = l.artificial > 0 ? "theory: damping half of the time" : (symplectic || damped ? "" : "growth of 1e-3 a step");
+    r.terms = l.diffusion > 0 ? "densityDiffusion"
+                              : (l.artificial > 0 ? "artificial 0.02" : "none");
+    r.note = l.artificial > 0 ? "theory: damping half of the time"
+                              : (symplectic || damped ? "" : "growth of 1e-3 a step");
     r.quantity = "largest omega dt";
     r.measured = measured;
     r.theory = theory;
@@ -142,7 +165,9 @@ void acoustic(ResultTable& table, bool quick)
             {
                 l.diffusion = damping == 1 ? 0.1 : 0;
                 l.artificial = damping == 2 ? 0.02 : 0;
-                for (const IntegratorKind i : {IntegratorKind::leapfrog, IntegratorKind::symplectic}) limits(table, l, i, quick);
+                for (const IntegratorKind i :
+                    {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+                    limits(table, l, i, quick);
             }
             l.artificial = 0;
             if (ratio == 1.25) growths(table, l, quick);

@@ -22,11 +22,9 @@ namespace riprap
 {
 
 template<class Table>
-int runExperiments
-(
-    int argc, char** argv, const std::string& program,
-    const std::vector<std::pair<std::string, std::function<void(Table&)>>>& experiments, const std::map<std::string, bool*>& flags = {}
-)
+int runExperiments(int argc, char** argv, const std::string& program,
+    const std::vector<std::pair<std::string, std::function<void(Table&)>>>& experiments,
+    const std::map<std::string, bool*>& flags = {})
 {
     std::string csv, words = "-csv FILE";
     for (const auto& f : flags) words += ", " + f.first;
@@ -38,10 +36,13 @@ int runExperiments
         const auto flag = flags.find(word);
         if (word == "-csv" && i + 1 < argc) csv = argv[++i];
         else if (flag != flags.end()) *flag->second = true;
-        else if (std::any_of(experiments.begin(), experiments.end(), [&](const auto& e) { return e.first == word; })) chosen.push_back(word);
+        else if (std::any_of(experiments.begin(), experiments.end(),
+                     [&](const auto& e) { return e.first == word; }))
+            chosen.push_back(word);
         else
         {
-            std::fprintf(stderr, "%s: '%s' is none of %s\n", program.c_str(), argv[i], words.c_str());
+            std::fprintf(
+                stderr, "%s: '%s' is none of %s\n", program.c_str(), argv[i], words.c_str());
             return 2;
         }
     }
@@ -49,7 +50,8 @@ int runExperiments
     {
         Table table(csv);
         for (const auto& e : experiments)
-            if (chosen.empty() || std::find(chosen.begin(), chosen.end(), e.first) != chosen.end()) e.second(table);
+            if (chosen.empty() || std::find(chosen.begin(), chosen.end(), e.first) != chosen.end())
+                e.second(table);
         table.write();
     }
     catch (const std::exception& e)
@@ -60,7 +62,8 @@ int runExperiments
     return 0;
 }
 
-//- The largest x in [low, high] for which good(x), assuming one crossing; low if none is good, high if all are
+//- The largest x in [low, high] for which good(x), assuming one crossing; low if none is good, high
+//  if all are
 template<class Good>
 double bisect(double low, double high, double tolerance, const Good& good)
 {
@@ -74,7 +77,8 @@ double bisect(double low, double high, double tolerance, const Good& good)
     return 0.5*(low + high);
 }
 
-//- The bound between good and bad, to 3 %, where good lies below it or above; the end where all are good, 0 or 1e9 where none is
+//- The bound between good and bad, to 3 %, where good lies below it or above; the end where all are
+//  good, 0 or 1e9 where none is
 template<class Good>
 double bisectRatio(double low, double high, bool goodBelow, const Good& good)
 {

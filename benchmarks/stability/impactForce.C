@@ -1,9 +1,11 @@
-/*  The largest time step for forces: a block of fluid is thrown on a flat wall. A step is too long when a guard would see NaN or the
-    energy (kinetic and elastic) exceeds what the block brought by more than a tenth of it, beyond what it does with short steps.
+/*  The largest time step for forces: a block of fluid is thrown on a flat wall. A step is too long
+    when a guard would see NaN or the energy (kinetic and elastic) exceeds what the block brought by
+    more than a tenth of it, beyond what it does with short steps.
 
-    Reported in three units: h/c0, h/(c0 + v) (acoustic limit) and sqrt(h/a), a the largest acceleration of a run with short steps (force limit).
-    Theory, for comparison: the acoustic limit of the fluid at rest, omega dt = 2. Where the measured step in units of h/(c0 + v) falls
-    below it, it is the force (and the compression, which raises the speed of sound) that binds.
+    Reported in three units: h/c0, h/(c0 + v) (acoustic limit) and sqrt(h/a), a the largest
+    acceleration of a run with short steps (force limit). Theory, for comparison: the acoustic limit
+    of the fluid at rest, omega dt = 2. Where the measured step in units of h/(c0 + v) falls below
+    it, it is the force (and the compression, which raises the speed of sound) that binds.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -60,7 +62,8 @@ void report(ResultTable& table, const ThrownBlock& b, bool quick)
     const double acoustic = b.h()/(b.soundSpeed + b.speed), mach = b.speed/b.soundSpeed;
     const double bound = largestEnergy(b, 0.05*acoustic) + 0.1;
     const double dt = acoustic
-        *bisect(0.1, 4, quick ? 0.1 : 0.02, [&](double c) { return largestEnergy(b, c*acoustic) < bound; });
+        *bisect(0.1, 4, quick ? 0.1 : 0.02,
+            [&](double c) { return largestEnergy(b, c*acoustic) < bound; });
     LatticeModel l;
     l.ratio = b.ratio;
     Result r;
@@ -95,7 +98,9 @@ void impactForce(ResultTable& table, bool quick)
             for (const double mach : {0.1, 0.3, 0.5})
                 for (const double alpha : {0.0, 0.1})
                 {
-                    if (quick && (mach != 0.3 || alpha > 0 || integrator == IntegratorKind::leapfrog)) continue;
+                    if (quick
+                        && (mach != 0.3 || alpha > 0 || integrator == IntegratorKind::leapfrog))
+                        continue;
                     ThrownBlock b;
                     b.integrator = integrator;
                     b.walls = walls;

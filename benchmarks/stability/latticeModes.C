@@ -81,7 +81,9 @@ template<class Weight>
 double cosineSum(const LatticeModel& l, const Wave& k, const Weight& weight)
 {
     double sum = 0;
-    forNeighbours(l, [&](double x, double y, double r) { sum += weight(r)*(1 - std::cos(k[0]*x + k[1]*y)); });
+    forNeighbours(l,
+        [&](double x, double y, double r)
+        { sum += weight(r)*(1 - std::cos(k[0]*x + k[1]*y)); });
     return sum;
 }
 
@@ -151,12 +153,15 @@ double soundFrequency(const LatticeModel& l, const Wave& k)
 
 double viscousRate(const LatticeModel& l, const Wave& k)
 {
-    return -2*l.viscosity*volume(l)*cosineSum(l, k, [&](double r) { return kernelAt(l, r).f*r*r/(r*r + 0.01*l.h()*l.h()); });
+    return -2*l.viscosity*volume(l)
+        *cosineSum(l, k,
+            [&](double r) { return kernelAt(l, r).f*r*r/(r*r + 0.01*l.h()*l.h()); });
 }
 
 double diffusionRate(const LatticeModel& l, const Wave& k)
 {
-    return -2*l.diffusion*l.h()*l.soundSpeed*volume(l)*cosineSum(l, k, [&](double r) { return kernelAt(l, r).f; });
+    return -2*l.diffusion*l.h()*l.soundSpeed*volume(l)
+        *cosineSum(l, k, [&](double r) { return kernelAt(l, r).f; });
 }
 
 double artificialRate(const LatticeModel& l, const Wave& k)
@@ -205,7 +210,8 @@ double leapfrogGrowth(std::complex<double> z)
 
 double symplecticGrowth(double z, double d, double a)
 {
-    // y = (v, r, g), g = a dt of the last pass:  r' = r + z (v + g/2) - d r,  g' = -z r' - a (v + g),  v' = v + (g + g')/2
+    // y = (v, r, g), g = a dt of the last pass: r' = r + z (v + g/2) - d r, g' = -z r' - a (v + g),
+    // v' = v + (g + g')/2
     const std::array<double, 3> r{{z, 1 - d, 0.5*z}}, g{{-z*r[0] - a, -z*r[1], -z*r[2] - a}};
     Matrix m{};
     for (int k = 0; k < 3; ++k)

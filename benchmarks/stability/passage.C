@@ -1,10 +1,13 @@
-/*  The speed at which particles pass a wall: a block of fluid, or a single particle, is thrown on a flat wall with as many layers of points
-    as the kernel's support needs, in short fixed steps (symplectic scheme) and in those that riprap chooses (leapfrog, with an
-    artificial viscosity of 0.02); and with riprap's defaults, with and without the wall's face. Passed is what gets deeper than half of the wall's layers: from there on the wall
-    pushes it out at the other side. Of four positions relative to the wall's points the worst counts.
+/*  The speed at which particles pass a wall: a block of fluid, or a single particle, is thrown on a
+    flat wall with as many layers of points as the kernel's support needs, in short fixed steps
+    (symplectic scheme) and in those that riprap chooses (leapfrog, with an artificial viscosity of
+    0.02); and with riprap's defaults, with and without the wall's face. Passed is what gets deeper
+    than half of the wall's layers: from there on the wall pushes it out at the other side. Of four
+    positions relative to the wall's points the worst counts.
 
-    Speeds in units of c0/10, for which the fluid's stiffness is meant. Beside the speed stand the density deviation that the block shows just
-    below it, and at the design speed: what a guard may let through, and what it need not.
+    Speeds in units of c0/10, for which the fluid's stiffness is meant. Beside the speed stand the
+    density deviation that the block shows just below it, and at the design speed: what a guard may
+    let through, and what it need not.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -72,12 +75,15 @@ void report(ResultTable& table, ThrownBlock b, bool shortSteps, bool quick)
     r.ratio = b.ratio;
     r.integrator = wordOf(b.integrator);
     r.terms = b.defaults ? "defaults" : shortSteps ? "short steps" : "adaptive steps";
-    r.walls = std::string(wordOf(b.walls)) + (b.wallRatio == 1 ? " dp" : " dp/2") + (b.impermeable ? " impermeable" : "");
+    r.walls = std::string(wordOf(b.walls)) + (b.wallRatio == 1 ? " dp" : " dp/2")
+        + (b.impermeable ? " impermeable" : "");
     const std::string what = b.side == 1 ? "particle: " : "block: ";
     r.quantity = what + "speed that passes / (c0/10)";
     r.measured = std::pow(10, limit);
     const Outcome above = run(1.05*r.measured), below = run(0.95*r.measured);
-    r.note = r.measured > 0.99*most ? "none passed" : (above.failed ? "blew up" : (r.measured < 0.32 ? "or slower" : ""));
+    r.note = r.measured > 0.99*most
+        ? "none passed"
+        : (above.failed ? "blew up" : (r.measured < 0.32 ? "or slower" : ""));
     table.add(r);
     r.note = "";
     r.quantity = what + "density deviation just below it";
@@ -113,7 +119,8 @@ void passage(ResultTable& table, bool quick)
                     b.walls = walls;
                     b.wallRatio = wallRatio;
                     b.side = side;
-                    b.integrator = shortSteps ? IntegratorKind::symplectic : IntegratorKind::leapfrog;
+                    b.integrator = shortSteps ? IntegratorKind::symplectic
+                                              : IntegratorKind::leapfrog;
                     b.artificial = shortSteps ? 0 : 0.02;
                     report(table, b, shortSteps, quick);
                 }

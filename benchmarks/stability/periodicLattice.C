@@ -16,7 +16,8 @@ double random(std::mt19937& generator) { return 2.0*generator()/4294967295.0 - 1
 
 } // namespace
 
-PeriodicLattice makeLattice(const LatticeModel& l, int sites, IntegratorKind integrator, double timeStep)
+PeriodicLattice makeLattice(
+    const LatticeModel& l, int sites, IntegratorKind integrator, double timeStep)
 {
     PeriodicLattice p;
     SphConfig& c = p.config;
@@ -57,7 +58,10 @@ PeriodicLattice makeLattice(const LatticeModel& l, int sites, IntegratorKind int
 void addDensityWave(PeriodicLattice& p, const Wave& k, double amplitude)
 {
     for (std::size_t i = 0; i < p.fluid.size(); ++i)
-        p.fluid.density[i] *= 1 + amplitude*std::cos(k[0]*p.fluid.position[3*i] + k[1]*p.fluid.position[3*i + 1] + 0.3);
+        p.fluid.density[i] *= 1
+            + amplitude
+                *std::cos(
+                    k[0]*p.fluid.position[3*i] + k[1]*p.fluid.position[3*i + 1] + 0.3);
 }
 
 void addDensityNoise(PeriodicLattice& p, double amplitude)
@@ -70,14 +74,16 @@ void addVelocityNoise(PeriodicLattice& p, double amplitude)
 {
     std::mt19937 generator(2);
     for (std::size_t i = 0; i < p.fluid.size(); ++i)
-        for (int d = 0; d < 2; ++d) p.fluid.velocity[3*i + d] += amplitude*p.config.soundSpeed*random(generator);
+        for (int d = 0; d < 2; ++d)
+            p.fluid.velocity[3*i + d] += amplitude*p.config.soundSpeed*random(generator);
 }
 
 void addPositionNoise(PeriodicLattice& p, double amplitude)
 {
     std::mt19937 generator(3);
     for (std::size_t i = 0; i < p.fluid.size(); ++i)
-        for (int d = 0; d < 2; ++d) p.fluid.position[3*i + d] += amplitude*p.config.spacing*random(generator);
+        for (int d = 0; d < 2; ++d)
+            p.fluid.position[3*i + d] += amplitude*p.config.spacing*random(generator);
 }
 
 double disturbance(SphScene& scene, const SphConfig& c)

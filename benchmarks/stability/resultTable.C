@@ -9,7 +9,10 @@
 namespace riprap
 {
 
-const char* wordOf(IntegratorKind k) { return k == IntegratorKind::leapfrog ? "leapfrog" : "symplectic"; }
+const char* wordOf(IntegratorKind k)
+{
+    return k == IntegratorKind::leapfrog ? "leapfrog" : "symplectic";
+}
 const char* wordOf(WallKind k) { return k == WallKind::stationary ? "stationary" : "extrapolated"; }
 
 namespace
@@ -28,11 +31,12 @@ std::string show(double v)
 void ResultTable::add(const Result& r)
 {
     if (rows_.empty())
-        std::printf("%-9s %-12s %5s %-11s %-18s %-13s %-40s %10s %10s  %s\n",
-            "test", "kernel", "h/dp", "integrator", "terms", "walls", "quantity", "measured", "theory", "note");
-    std::printf("%-9s %-12s %5s %-11s %-18s %-13s %-40s %10s %10s  %s\n", r.test.c_str(), r.kernel.c_str(), show(r.ratio).c_str(),
-        r.integrator.c_str(), r.terms.c_str(), r.walls.c_str(), r.quantity.c_str(), show(r.measured).c_str(),
-        show(r.theory).c_str(), r.note.c_str());
+        std::printf("%-9s %-12s %5s %-11s %-18s %-13s %-40s %10s %10s  %s\n", "test", "kernel",
+            "h/dp", "integrator", "terms", "walls", "quantity", "measured", "theory", "note");
+    std::printf("%-9s %-12s %5s %-11s %-18s %-13s %-40s %10s %10s  %s\n", r.test.c_str(),
+        r.kernel.c_str(), show(r.ratio).c_str(), r.integrator.c_str(), r.terms.c_str(),
+        r.walls.c_str(), r.quantity.c_str(), show(r.measured).c_str(), show(r.theory).c_str(),
+        r.note.c_str());
     std::fflush(stdout);
     rows_.push_back(r);
 }
@@ -44,8 +48,9 @@ void ResultTable::write() const
     if (!out) throw std::runtime_error("cannot write " + csv_);
     out << "test,kernel,ratio,integrator,terms,walls,quantity,measured,theory,note\n";
     for (const Result& r : rows_)
-        out << r.test << ',' << r.kernel << ',' << show(r.ratio) << ',' << r.integrator << ',' << r.terms << ',' << r.walls << ','
-            << r.quantity << ',' << show(r.measured) << ',' << show(r.theory) << ',' << r.note << '\n';
+        out << r.test << ',' << r.kernel << ',' << show(r.ratio) << ',' << r.integrator << ','
+            << r.terms << ',' << r.walls << ',' << r.quantity << ',' << show(r.measured) << ','
+            << show(r.theory) << ',' << r.note << '\n';
 }
 
 } // namespace riprap

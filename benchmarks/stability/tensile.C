@@ -1,10 +1,12 @@
-/*  Tensile instability: a square lattice under tension (stretched, p < 0) or compression, its sites displaced at random by a little.
+/*  Tensile instability: a square lattice under tension (stretched, p < 0) or compression, its sites
+    displaced at random by a little.
 
-    Measured: the rate at which displacements grow while they are small, beside the fastest wave of linear theory; and the tension
-    at which the lattice clumps: from displacements of 1e-3 dp, two particles come nearer than half their distance within a time of
-    500 h/c0 (an eighth of a second of the paper's dam break). Any tension makes displacements grow; under a small one they
-    end in another order, since rearranging raises the density. A square lattice is unstable under compression as well, more slowly: it is
-    not the densest.
+    Measured: the rate at which displacements grow while they are small, beside the fastest wave of
+    linear theory; and the tension at which the lattice clumps: from displacements of 1e-3 dp, two
+    particles come nearer than half their distance within a time of 500 h/c0 (an eighth of a second
+    of the paper's dam break). Any tension makes displacements grow; under a small one they end in
+    another order, since rearranging raises the density. A square lattice is unstable under
+    compression as well, more slowly: it is not the densest.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -41,7 +43,8 @@ double displacement(const FluidState& s, const FluidInput& lattice, double lengt
             const double x = s.position[3*i + d] - lattice.position[3*std::size_t(s.id[i]) + d];
             mean[d] += (u[2*i + d] = x - length*std::round(x/length))/n;
         }
-    for (std::size_t i = 0; i < n; ++i) for (int d = 0; d < 2; ++d) sum += std::pow(u[2*i + d] - mean[d], 2);
+    for (std::size_t i = 0; i < n; ++i)
+        for (int d = 0; d < 2; ++d) sum += std::pow(u[2*i + d] - mean[d], 2);
     return std::sqrt(sum/n);
 }
 
@@ -55,7 +58,8 @@ double nearestPair(const FluidState& s, double length)
             double r2 = 0;
             for (int d = 0; d < 2; ++d)
             {
-                const double x = s.position[3*i + d] - s.position[3*j + d], y = x - length*std::round(x/length);
+                const double x = s.position[3*i + d] - s.position[3*j + d],
+                             y = x - length*std::round(x/length);
                 r2 += y*y;
             }
             least = std::min(least, r2);
@@ -63,7 +67,8 @@ double nearestPair(const FluidState& s, double length)
     return std::sqrt(least);
 }
 
-//- Rate of growth between displacements of 1e-6 and 1e-4 dp, in c0/h; 0 if they do not grow that far within 10 periods
+//- Rate of growth between displacements of 1e-6 and 1e-4 dp, in c0/h; 0 if they do not grow that
+//  far within 10 periods
 double measuredRate(const LatticeModel& l)
 {
     const double unit = l.h()/l.soundSpeed, dt = 0.2*unit;
@@ -92,7 +97,8 @@ bool holds(const LatticeModel& l)
     while (scene->time() < period*unit)
     {
         if (!take(*scene, 50)) return false;
-        if (nearestPair(scene->fluid(), p.config.domainMax[0]) < 0.5*l.spacing*l.stretch) return false;
+        if (nearestPair(scene->fluid(), p.config.domainMax[0]) < 0.5*l.spacing*l.stretch)
+            return false;
     }
     return true;
 }
@@ -134,7 +140,11 @@ void tension(ResultTable& table, LatticeModel l, const TermSet& terms, bool quic
     r.ratio = l.ratio;
     r.integrator = "symplectic";
     r.terms = terms.name;
-    const auto held = [&](double logarithm) { setDeviation(l, -std::pow(10, logarithm)); return holds(l); };
+    const auto held = [&](double logarithm)
+    {
+        setDeviation(l, -std::pow(10, logarithm));
+        return holds(l);
+    };
     r.quantity = "1 - rho/rho0 that clumps in 500 h/c0";
     r.measured = std::pow(10, bisect(least, most, quick ? 0.2 : 0.05, held));
     table.add(r);
@@ -144,11 +154,9 @@ void tension(ResultTable& table, LatticeModel l, const TermSet& terms, bool quic
 
 void tensile(ResultTable& table, bool quick)
 {
-    const std::vector<TermSet> all
-    {
-        {"none", 0, 0, 0}, {"antiClump 0.01", 0.01, 0, 0}, {"antiClump 0.2", 0.2, 0, 0}, {"densityDiffusion", 0, 0, 0.1},
-        {"XSPH 0.5", 0, 0.5, 0}, {"paper", 0.01, 0.5, 0}
-    };
+    const std::vector<TermSet> all{{"none", 0, 0, 0}, {"antiClump 0.01", 0.01, 0, 0},
+        {"antiClump 0.2", 0.2, 0, 0}, {"densityDiffusion", 0, 0, 0.1}, {"XSPH 0.5", 0, 0.5, 0},
+        {"paper", 0.01, 0.5, 0}};
     LatticeModel l;
     l.spacing = 0.01;
     l.soundSpeed = 10;
@@ -165,7 +173,8 @@ void tensile(ResultTable& table, bool quick)
                 l.antiClump = terms.antiClump;
                 l.xsph = terms.xsph;
                 l.diffusion = terms.diffusion;
-                if (first || terms.antiClump + terms.xsph + terms.diffusion == 0) rates(table, l, terms, quick);
+                if (first || terms.antiClump + terms.xsph + terms.diffusion == 0)
+                    rates(table, l, terms, quick);
                 tension(table, l, terms, quick);
             }
 }

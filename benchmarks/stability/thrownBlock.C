@@ -65,14 +65,16 @@ std::unique_ptr<SphScene> throwBlock(const ThrownBlock& b)
     for (int j = 0; j < b.side; ++j)
         for (int i = 0; i < b.side; ++i)
         {
-            f.position.insert(f.position.end(), {(i + 0.5 - 0.5*b.side)*dp + b.offset*d, 2*b.h() + (j + 0.5)*dp, 0});
+            f.position.insert(f.position.end(),
+                {(i + 0.5 - 0.5*b.side)*dp + b.offset*d, 2*b.h() + (j + 0.5)*dp, 0});
             f.velocity.insert(f.velocity.end(), {0, -b.speed, 0});
             f.density.push_back(c.density);
         }
     WallInput w;
     const int across = int(half/d) - 1;
     for (int j = 1; j <= b.layers(); ++j)
-        for (int i = -across; i < across; ++i) w.position.insert(w.position.end(), {(i + 0.5)*d, (0.5 - j)*d, 0});
+        for (int i = -across; i < across; ++i)
+            w.position.insert(w.position.end(), {(i + 0.5)*d, (0.5 - j)*d, 0});
     w.normal.assign(w.position.size(), 0);
     if (b.impermeable)
     {
@@ -89,7 +91,10 @@ std::unique_ptr<SphScene> throwBlock(const ThrownBlock& b)
 double depth(SphScene& scene, const SphReport& report, const ThrownBlock& b)
 {
     double lowest = 1e30;
-    const auto see = [&](double x, double y) { if (std::abs(x) < b.floorHalf() - 4*b.h()) lowest = std::min(lowest, y); };
+    const auto see = [&](double x, double y)
+    {
+        if (std::abs(x) < b.floorHalf() - 4*b.h()) lowest = std::min(lowest, y);
+    };
     const FluidState s = scene.fluid();
     for (std::size_t i = 0; i < s.id.size(); ++i) see(s.position[3*i], s.position[3*i + 1]);
     for (const Vector3& x : report.escaped) see(x[0], x[1]);

@@ -1,4 +1,5 @@
-/*  A block of fluid, or a single particle, thrown down on a flat wall without gravity: the scene of the violent experiments (2D).
+/*  A block of fluid, or a single particle, thrown down on a flat wall without gravity: the scene of
+    the violent experiments (2D).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,7 +26,8 @@ struct ThrownBlock
     bool impermeable = false;   // the wall's face as well as its points
     bool wildRule = false;
     double courant = 0.5;       // of the defaults
-    bool forceLimit = false;    // steps are limited by force alone, with a factor of 1 (to measure accelerations)
+    // steps are limited by force alone, with a factor of 1 (to measure accelerations)
+    bool forceLimit = false;
 
     static constexpr double spacing = 0.01, soundSpeed = 10, density = 1000;
 
@@ -36,14 +38,17 @@ struct ThrownBlock
     double duration() const;    // until the block's top has come down [s]
 };
 
-//- Guards are off. The floor is so wide that nothing gets to its ends in the block's duration unless it is faster than three times the block
+//- Guards are off. The floor is so wide that nothing gets to its ends in the block's duration
+//  unless it is faster than three times the block
 std::unique_ptr<SphScene> throwBlock(const ThrownBlock&);
 
-//- Terms and limits of the step as an empty sphProperties has them, but for alpha; the rule of wild particles with its limits
+//- Terms and limits of the step as an empty sphProperties has them, but for alpha; the rule of wild
+//  particles with its limits
 void setDefaults(SphConfig&, double alpha);
 void setWildRule(SphConfig&);
 
-//- Depth of the lowest particle below the floor's surface, its ends apart [m]. Escaped particles count where they left
+//- Depth of the lowest particle below the floor's surface, its ends apart [m]. Escaped particles
+//  count where they left
 double depth(SphScene&, const SphReport&, const ThrownBlock&);
 
 } // namespace riprap

@@ -1,8 +1,9 @@
-/*  The largest time step for laminar viscosity: noise of all shear waves in a periodic box, with a viscosity beside which sound is slow
+/*  The largest time step for laminar viscosity: noise of all shear waves in a periodic box, with a
+    viscosity beside which sound is slow
     (c0 h/nu = 0.01).
 
-    Theory: both schemes see the velocity predicted to the end of the step, which for a decay is the two-step Adams-Bashforth scheme:
-    nu(k) dt < 1, nu(k) the largest rate of decay of the lattice.
+    Theory: both schemes see the velocity predicted to the end of the step, which for a decay is the
+    two-step Adams-Bashforth scheme: nu(k) dt < 1, nu(k) the largest rate of decay of the lattice.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,7 +40,8 @@ void viscous(ResultTable& table, bool quick)
     l.density = 1000;
     for (const std::string& kernel : kernelWords())
         for (const double ratio : {1.25, 1.5})
-            for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+            for (const IntegratorKind integrator :
+                {IntegratorKind::leapfrog, IntegratorKind::symplectic})
             {
                 if (quick && (ratio != 1.25 || kernel != "wendlandC2")) continue;
                 l.kernel = kernel;
@@ -54,7 +56,8 @@ void viscous(ResultTable& table, bool quick)
                 r.terms = "laminar";
                 r.quantity = "largest nu dt/h^2";
                 r.theory = 1/(reduceMax(l, sites, viscousRate).value*unit);
-                r.measured = bisect(0.02, 1, quick ? 0.01 : 0.002, [&](double c) { return decays(l, integrator, c*unit); });
+                r.measured = bisect(0.02, 1, quick ? 0.01 : 0.002,
+                    [&](double c) { return decays(l, integrator, c*unit); });
                 table.add(r);
             }
 }

@@ -1,6 +1,7 @@
 /*  What scenes of a fluid share, whatever moves it: how it is given, read back and sampled.
 
-    SI, double, host memory; vectors are stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well.
+    SI, double, host memory; vectors are stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as
+    well.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -37,9 +38,12 @@ struct FluidEnergy                            // [J] (2D: per metre of depth)
 {
     double kinetic = 0, potential = 0, elastic = 0;
     double wallWork = 0;                    // done by moving walls since the start
-    double wallPressureWork = 0;            // SPH, where walls move: what the pressure of all walls did beyond that, since the start
-    double faceWork = 0;                    // SPH: by faces of walls on particles that they put back, since the start; negative: taken
-    double stiffening = 0;                  // elastic energy that changes of the speed of sound have added since the start
+    // SPH, where walls move: what the pressure of all walls did beyond that, since the start
+    double wallPressureWork = 0;
+    // SPH: by faces of walls on particles that they put back, since the start; negative: taken
+    double faceWork = 0;
+    // elastic energy that changes of the speed of sound have added since the start
+    double stiffening = 0;
 };
 
 using SphEnergy = FluidEnergy;
@@ -65,18 +69,19 @@ struct FluidEnd
     std::vector<double> position;           // 3 m
 };
 
-//- Interpolated values at points; SPH: sum V f W / sum V W, and sum V W itself. They are those at the centroid of what was
-//  sampled, which is not the point where the fluid about it is one-sided
+//- Interpolated values at points; SPH: sum V f W / sum V W, and sum V W itself. They are those at
+//  the centroid of what was sampled, which is not the point where the fluid about it is one-sided
 struct SampleResult
 {
     std::vector<double> volumeFraction;     // m: sum of V_j W, about 1 inside, 0 outside
     std::vector<double> pressure;           // m [Pa], 0 where there is no fluid
     std::vector<double> velocity;           // 3 m [m/s]
-    std::vector<double> centroid;           // 3 m [m] of the sampled fluid, from the point; 0 where there is none
+    // 3 m [m] of the sampled fluid, from the point; 0 where there is none
+    std::vector<double> centroid;
 };
 
-//- What hides fluid from points of sampling: at point i fluid counts only where normal.(x - x_i) >= -depth for each of the planes
-//  first[i] .. first[i + 1] - 1. Empty: all of it counts
+//- What hides fluid from points of sampling: at point i fluid counts only where normal.(x - x_i) >=
+//  -depth for each of the planes first[i] .. first[i + 1] - 1. Empty: all of it counts
 struct SightPlanes
 {
     std::vector<std::int32_t> first;        // m + 1, or empty
@@ -84,10 +89,12 @@ struct SightPlanes
     std::vector<double> depth;              // of the plane behind the point [m]
 };
 
-//- Force of the fluid on a place of a wall or on a solid [N], and its moment about that place [N m] (2D: a metre of depth)
+//- Force of the fluid on a place of a wall or on a solid [N], and its moment about that place [N m]
+//  (2D: a metre of depth)
 struct FluidForce
 {
-    std::int32_t part = 0;                  // of walls the caller's number of what the place belongs to, of solids their group
+    // of walls the caller's number of what the place belongs to, of solids their group
+    std::int32_t part = 0;
     Vector3 place{{0, 0, 0}};               // [m]
     Vector3 pressure{{0, 0, 0}}, viscous{{0, 0, 0}};
     Vector3 pressureMoment{{0, 0, 0}}, viscousMoment{{0, 0, 0}};
@@ -103,14 +110,16 @@ public:
     virtual FluidEnergy energy() = 0;
     virtual FluidExtremes extremes() = 0;
 
-    //- Those no more than reach [m] behind the one that is furthest along a unit vector; a few more where round-off decides
+    //- Those no more than reach [m] behind the one that is furthest along a unit vector; a few more
+    //  where round-off decides
     virtual FluidEnd farEnd(const Vector3& direction, double reach) = 0;
 
     //- Where they are not zero, now (SPH) or in the last step (PIC)
     virtual std::vector<FluidForce> forcesOnWalls() = 0;
     virtual std::vector<FluidForce> forcesOnSolids() = 0;
 
-    //- Interpolation of the fluid at points (3 m). Particles behind the planes are left out; a grid's water ends at its walls by itself
+    //- Interpolation of the fluid at points (3 m). Particles behind the planes are left out; a
+    //  grid's water ends at its walls by itself
     virtual SampleResult sample(const std::vector<double>& points, const SightPlanes&) = 0;
     SampleResult sample(const std::vector<double>& points) { return sample(points, SightPlanes()); }
 };

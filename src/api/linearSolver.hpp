@@ -1,4 +1,5 @@
-/*  Who solves the pressure equation: on the host whoever implements solve(), on the device our multigrid.
+/*  Who solves the pressure equation: on the host whoever implements solve(), on the device our
+    multigrid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -9,13 +10,15 @@
 namespace riprap
 {
 
-//- What fvSolution and the log call our multigrid-preconditioned conjugate gradients, on the CPU too
+//- What fvSolution and the log call our multigrid-preconditioned conjugate gradients, on the CPU
+//  too
 constexpr const char* ownSolver = "cudaPCG";
 
 struct MultigridControls
 {
     double tolerance = 1e-8, relTol = 0;    // of OpenFOAM's residual
-    double reflectionTolerance = 0;         // of the first of a step's two solutions (solvers/pic/picStep.hpp); 0: tolerance
+    // of the first of a step's two solutions (solvers/pic/picStep.hpp); 0: tolerance
+    double reflectionTolerance = 0;
     int maxIter = 1000, minIter = 0;
     int sweeps = 2;                         // before and after each correction
 };
@@ -34,7 +37,8 @@ struct PressureReport
 struct BodyRows
 {
     int modes = 0;
-    bool light = true;                      // so much lighter than what it moves that it is worth a deflation (pic/bodies/deflation.hpp)
+    // so much lighter than what it moves that it is worth a deflation (pic/bodies/deflation.hpp)
+    bool light = true;
     std::vector<int> row;                   // rows beside it, ascending
     std::vector<double> u;                  // modes values a row
 };
@@ -47,18 +51,23 @@ struct RankBorder
     std::vector<double> offDiagonal;
 };
 
-//- The equations of the wet cells alone: (A + sum of U U^T) x = rhs, A symmetric positive (semi-)definite
+//- The equations of the wet cells alone: (A + sum of U U^T) x = rhs, A symmetric positive
+//  (semi-)definite
 struct ReducedSystem
 {
     int dimensions = 2;
     int n[3] = {1, 1, 1};                   // the grid,
     bool periodic[3] = {false, false, false};
     std::vector<int> cell;                  // and each row's cell in it, ascending
-    std::vector<int> owner, neighbour;      // rows of each face between two wet cells: ascending owner, then ascending neighbour
+    // rows of each face between two wet cells: ascending owner, then ascending neighbour
+    std::vector<int> owner, neighbour;
     std::vector<double> diagonal, offDiagonal, rhs, x;      // of A alone
     std::vector<BodyRows> bodies;
-    bool closed = false;                    // nowhere p = 0: the diagonals of pockets that have been tied leave no trace here
-    bool divided = false;                   // a part of a system that all ranks solve together: rows are this rank's own, all bodies (with what rows they have here) are on each
+    // nowhere p = 0: the diagonals of pockets that have been tied leave no trace here
+    bool closed = false;
+    // a part of a system that all ranks solve together: rows are this rank's own, all bodies (with
+    // what rows they have here) are on each
+    bool divided = false;
     std::vector<RankBorder> borders;        // if divided
 
     int rows() const { return int(cell.size()); }

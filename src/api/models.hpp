@@ -1,16 +1,18 @@
-/*  Model cards: what the program must know of a model stands in its header, beside its formula; a family is a table of types.
+/*  Model cards: what the program must know of a model stands in its header, beside its formula; a
+    family is a table of types.
 
         struct Hertz : ElasticNormal
         {
             static constexpr const char* word = "hertz";        // in dictionaries, in the log
             static constexpr const char* text = "...";          // one line
-            static constexpr Entry entries[] = {...};           // its numbers: names, units, ranges, defaults
+            static constexpr Entry entries[] = {...}; // its numbers: names, units, ranges, defaults
             ...
         };
         using NormalLaws = Models<LinearSpring, Hertz>;         // the table line
 
-    From the table follow words and messages, what is read, checked and printed, and the dispatch from a word to a type.
-    Several models may share a word, where another choice decides between them.
+    From the table follow words and messages, what is read, checked and printed, and the dispatch
+    from a word to a type. Several models may share a word, where another choice decides between
+    them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,12 +32,13 @@ enum class Range {positive, zeroOrPositive, fraction};      // fraction: above 0
 //- In a line of the log: the value, or only where it was set, or not at all
 enum class Shown {always, ifSet, never};
 
-//- Where something is kept in its Owner (by a name of its own, since nvcc puts brackets around a plain pointer to a member and g++ warns)
+//- Where something is kept in its Owner (by a name of its own, since nvcc puts brackets around a
+//  plain pointer to a member and g++ warns)
 template<class Owner, class Value>
 using Member = Value Owner::*;
 
-//- A number of a model, or a yes or no: where it is kept in its Owner, and what it may be. Without a place of its own it is kept by name
-//  (Owner::more), so that a new model changes no struct
+//- A number of a model, or a yes or no: where it is kept in its Owner, and what it may be. Without
+//  a place of its own it is kept by name (Owner::more), so that a new model changes no struct
 template<class Owner>
 struct ModelEntry
 {
@@ -51,21 +54,42 @@ struct ModelEntry
     Shown shown = Shown::always;
     bool perDepth = false;                  // 2D: per metre of depth
     bool calibrated = false;                // may be a calibration by elastic constants
-    double typical = 0.5, lossless = -1;    // what tests take; and where nothing is to be lost, if it decides that (>= 0)
+    // what tests take; and where nothing is to be lost, if it decides that (>= 0)
+    double typical = 0.5, lossless = -1;
 
-    constexpr ModelEntry(const char* n, const char* u, const char* w, Member<Owner, double> to = nullptr)
-    : name(n), unit(u), what(w), number(to) {}
+    constexpr ModelEntry(
+        const char* n, const char* u, const char* w, Member<Owner, double> to = nullptr)
+        : name(n), unit(u), what(w), number(to)
+    {}
     constexpr ModelEntry(const char* n, const char* w, Member<Owner, bool> to, bool otherwise)
-    : name(n), unit(""), what(w), yesNo(to), required(false), otherwise(otherwise), shown(Shown::ifSet) {}
+        : name(n), unit(""), what(w), yesNo(to), required(false), otherwise(otherwise),
+          shown(Shown::ifSet)
+    {}
 
     constexpr ModelEntry in(Range r) const { ModelEntry e = *this; e.range = r; return e; }
     constexpr ModelEntry atMost(double v) const { ModelEntry e = *this; e.highest = v; return e; }
-    constexpr ModelEntry byDefault(double v) const { ModelEntry e = *this; e.required = false; e.otherwise = v; return e; }
+    constexpr ModelEntry byDefault(double v) const
+    {
+        ModelEntry e = *this;
+        e.required = false;
+        e.otherwise = v;
+        return e;
+    }
     constexpr ModelEntry show(Shown s) const { ModelEntry e = *this; e.shown = s; return e; }
     constexpr ModelEntry perMetre() const { ModelEntry e = *this; e.perDepth = true; return e; }
     constexpr ModelEntry like(double v) const { ModelEntry e = *this; e.typical = v; return e; }
-    constexpr ModelEntry losslessAt(double v) const { ModelEntry e = *this; e.lossless = v; return e; }
-    constexpr ModelEntry orCalibration() const { ModelEntry e = *this; e.calibrated = true; return e; }
+    constexpr ModelEntry losslessAt(double v) const
+    {
+        ModelEntry e = *this;
+        e.lossless = v;
+        return e;
+    }
+    constexpr ModelEntry orCalibration() const
+    {
+        ModelEntry e = *this;
+        e.calibrated = true;
+        return e;
+    }
 
     double value(const Owner& owner) const
     {
@@ -123,7 +147,9 @@ struct Models
     {
         int k = 0;
         const bool found = ((k++ == index && (f(Model<M>()), true)) || ...);
-        if (!found) throw std::logic_error("no model " + std::to_string(index) + " in a table of " + std::to_string(size));
+        if (!found)
+            throw std::logic_error(
+                "no model " + std::to_string(index) + " in a table of " + std::to_string(size));
     }
 
     //- Index of the first model of this word for which good(Model<M>()); -1: there is none

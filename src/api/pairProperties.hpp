@@ -1,4 +1,5 @@
-/*  What is known of a pair of materials, in double, on the host. Each law makes its own parameters of it.
+/*  What is known of a pair of materials, in double, on the host. Each law makes its own parameters
+    of it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,11 +25,13 @@ struct PairProperties
     bool attraction = false;                // may the dashpot pull at the end of an impact?
     double theta = 0.01, alpha = 0;         // paper 2, Eqs. 10, 11
     double cellSize = 0, gravity = 0;       // its dx [m], |g| [m/s2]
-    double gap = 0;                         // contact begins at this distance of the surfaces [m] (Eq. 19)
+    // contact begins at this distance of the surfaces [m] (Eq. 19)
+    double gap = 0;
 
     // Tangential
     double friction = 0;                    // mu
-    double stiffnessRatio = -1;             // k_t/k_n; < 0: from Poisson's ratio, as the tangential law has it
+    // k_t/k_n; < 0: from Poisson's ratio, as the tangential law has it
+    double stiffnessRatio = -1;
     bool tangentialDamping = true;
 
     // Rolling

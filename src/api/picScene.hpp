@@ -1,7 +1,9 @@
-/*  PIC scene: the plain C++ facade between riprap's particle-in-cell solver and whoever sets a scene up.
+/*  PIC scene: the plain C++ facade between riprap's particle-in-cell solver and whoever sets a
+    scene up.
 
-    SI, double, host memory; vectors with three components in 2D as well: the empty one of the fluid is ignored, and comes back as the middle of the
-    domain. A scene owns everything that lives on its device, but not the solver of the pressure equation.
+    SI, double, host memory; vectors with three components in 2D as well: the empty one of the fluid
+    is ignored, and comes back as the middle of the domain. A scene owns everything that lives on
+    its device, but not the solver of the pressure equation.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,9 +19,11 @@
 namespace riprap
 {
 
-enum class ViscousKind {automatic, explicitly, implicitly};     // automatic: explicit where the step is small enough
+// automatic: explicit where the step is small enough
+enum class ViscousKind {automatic, explicitly, implicitly};
 
-//- Water in it loses velocity at a rate that grows from `from`, where it is 0, to `to`, as the square of the distance: pic/terms/absorb.hpp
+//- Water in it loses velocity at a rate that grows from `from`, where it is 0, to `to`, as the
+//  square of the distance: pic/terms/absorb.hpp
 struct PicAbsorber
 {
     std::string name;
@@ -33,20 +37,26 @@ enum class OpeningKind {velocity, flowRate, level};
 struct PicPassage
 {
     std::int64_t in = 0, out = 0;
-    double volume = 0;                      // of the water that came in, less what went out [m3] (2D: m2)
-    double pending = 0;                     // of that, what is not yet particles that have come or gone
+    // of the water that came in, less what went out [m3] (2D: m2)
+    double volume = 0;
+    // of that, what is not yet particles that have come or gone
+    double pending = 0;
 };
 
-//- A part of the sides through which water comes and goes (pic/openings): its velocity is given, or what flows in, over the part of it that is under water, or
-//  the height of the water that stands beyond. As functions of time [s]
+//- A part of the sides through which water comes and goes (pic/openings): its velocity is given, or
+//  what flows in, over the part of it that is under water, or the height of the water that stands
+//  beyond. As functions of time [s]
 struct PicOpening
 {
     std::string name;
     OpeningKind kind = OpeningKind::level;
     std::function<Vector3(double)> velocity;        // [m/s]
     std::function<double(double)> flowRate;         // into the domain [m3/s] (2D: m2/s)
-    std::function<double(double)> level;            // against gravity, from the world's origin [m]; of velocity and flowRate: up to which there is a flow, null: as the water stands
-    PicPassage before;                      // of a run that continues without its exact state: what had passed
+    // against gravity, from the world's origin [m]; of velocity and flowRate: up to which there is
+    // a flow, null: as the water stands
+    std::function<double(double)> level;
+    // of a run that continues without its exact state: what had passed
+    PicPassage before;
 };
 
 struct PicConfig : FluidConfig
@@ -70,7 +80,8 @@ struct PicConfig : FluidConfig
     std::string transfer = "flip";          // word of a scheme (picTransfers.hpp)
     TransferProperties transferNumbers;
     int advectionOrder = 3;                 // 2, 3
-    double reflection = 1;                  // 0 .. 1: of the advection's divergence, see picStep.hpp
+    // 0 .. 1: of the advection's divergence, see picStep.hpp
+    double reflection = 1;
     double positionCorrection = 0.05;       // coefficient, 0: off
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's
@@ -80,7 +91,8 @@ struct PicConfig : FluidConfig
 
     // Walls
     bool noSlip = false;
-    Vector3 slide[3][2] = {};               // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
+    // of sides that water sticks to, in their own plane: along x, y, z; lower, upper [m/s]
+    Vector3 slide[3][2] = {};
 
     std::vector<PicAbsorber> absorbers;
     std::vector<PicOpening> openings;
@@ -91,22 +103,29 @@ struct PicConfig : FluidConfig
     double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
     double maxTimeStep = 1e30;              // [s]
     double maxCourant = 0.5;
-    double maxFlyingCourant = 4;            // of particles that no water carries; at least maxCourant
+    // of particles that no water carries; at least maxCourant
+    double maxFlyingCourant = 4;
 
     // Guards
-    double maxCourantEver = 5;              // a particle that went this many cells in a step stops the run
-    double maxSpeed = 0;                    // [m/s], a faster particle stops the run; 0: fallSpeeds times that of a fall through the domain, or of the first step; without gravity and motion none
+    // a particle that went this many cells in a step stops the run
+    double maxCourantEver = 5;
+    // [m/s], a faster particle stops the run; 0: fallSpeeds times that of a fall through the
+    // domain, or of the first step; without gravity and motion none
+    double maxSpeed = 0;
     static constexpr double fallSpeeds = 50;
 };
 
-//- Sides of the domain, and what the faces of the grid are where they are not open water: cells' faces normal to each solved
-//  direction, in the order of UniformGrid; empty: all inner faces open, the sides of the domain closed and at rest
+//- Sides of the domain, and what the faces of the grid are where they are not open water: cells'
+//  faces normal to each solved direction, in the order of UniformGrid; empty: all inner faces open,
+//  the sides of the domain closed and at rest
 struct PicWalls
 {
     std::vector<double> aperture[3];        // 0 closed .. 1 open
     std::vector<double> wallVelocity[3];    // of the closed part along the direction [m/s]
-    std::vector<int> opening[3];            // on the sides: number of the opening a face belongs to, -1: none; empty: there are none
-    std::vector<int> part[3];               // on the sides: FluidForce::part of the wall, -1: none; empty: there are none
+    // on the sides: number of the opening a face belongs to, -1: none; empty: there are none
+    std::vector<int> opening[3];
+    // on the sides: FluidForce::part of the wall, -1: none; empty: there are none
+    std::vector<int> part[3];
 };
 
 //- A surface inside the domain, oriented or not
@@ -121,8 +140,8 @@ struct PicObstacle
     int part = 0;                           // FluidForce::part
 };
 
-//- The shape of rigid bodies by signed distances at the points of a lattice about their principal axes (2D: of the plane as given), the first
-//  axis fastest (pic/shapes/sampledShape.hpp)
+//- The shape of rigid bodies by signed distances at the points of a lattice about their principal
+//  axes (2D: of the plane as given), the first axis fastest (pic/shapes/sampledShape.hpp)
 struct PicShape
 {
     std::string name;
@@ -130,17 +149,21 @@ struct PicShape
     double step = 0;                        // [m]
     std::array<int, 3> n{{1, 1, 1}};        // points; 2D: one along the empty axis
     std::vector<double> distance;           // [m]
-    double volume = 0;                      // that distances are held to (pic/shapes/latticeVolume.hpp) [m3] (2D: m2); 0: as they have it
+    // that distances are held to (pic/shapes/latticeVolume.hpp) [m3] (2D: m2); 0: as they have it
+    double volume = 0;
 };
 
-//- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and gravity
+//- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and
+//  gravity
 struct PicSolids
 {
     DemConfig config;
     DemInput input;
     std::vector<PicShape> shapes;           // of clumps that have one (DemClump::shape)
-    bool weak = false;                      // their motion from the last step's pressure, not solved with it
-    double contactVelocity = 1;             // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
+    // their motion from the last step's pressure, not solved with it
+    bool weak = false;
+    // beta of paper 2, Eq. 20: what water between solids that touch keeps of its velocity a step
+    double contactVelocity = 1;
     double contactVelocityTime = 0;         // [s] or in this time, whatever the step; 0: a step
 };
 
@@ -161,12 +184,15 @@ struct PicReport
     double time = 0;                        // [s] reached
     double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
     std::int64_t steps = 0, totalSteps = 0;
-    std::string limit;                      // what set the last step: Courant | waves | viscous | fixed | target | maximum
+    // what set the last step: Courant | waves | viscous | fixed | target | maximum
+    std::string limit;
     double maxSpeed = 0;                    // of particles [m/s]
     double maxCourant = 0;
-    double volume = 0;                      // of water at the end [m3] (2D: m2), flying particles included
+    // of water at the end [m3] (2D: m2), flying particles included
+    double volume = 0;
     double volumeError = 0;                 // relative to what the particles stand for, at the end
-    double volumeDrift = 0;                 // sum of what the steps lost (-) or gained before it was put right, relative
+    // sum of what the steps lost (-) or gained before it was put right, relative
+    double volumeDrift = 0;
     std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
@@ -190,17 +216,22 @@ struct PicGridState
     std::vector<double> distance;           // to the surface [m], negative in water
 };
 
-//- What the kick of the last step did to momentum [N s] (2D: per metre): water = gravity + other - walls - solids
+//- What the kick of the last step did to momentum [N s] (2D: per metre): water = gravity + other -
+//  walls - solids
 struct PicMomentum
 {
     Vector3 water{{0, 0, 0}};               // of what the pressure moves, on the grid
     Vector3 gravity{{0, 0, 0}};             // its weight
-    Vector3 walls{{0, 0, 0}}, solids{{0, 0, 0}};    // by the pressure, on walls and obstacles; on solids that move with the water, shear included
-    Vector3 other{{0, 0, 0}};               // viscosity, zones that absorb waves, water beyond openings
-    Vector3 particles{{0, 0, 0}};           // what of it came to the particles; gravity on flying ones included
+    // by the pressure, on walls and obstacles; on solids that move with the water, shear included
+    Vector3 walls{{0, 0, 0}}, solids{{0, 0, 0}};
+    // viscosity, zones that absorb waves, water beyond openings
+    Vector3 other{{0, 0, 0}};
+    // what of it came to the particles; gravity on flying ones included
+    Vector3 particles{{0, 0, 0}};
 };
 
-//- fluid(): smoothingLength is the edge of the cells. energy(): elastic 0. sample(): of the grid; volumeFraction 1/2 on the surface
+//- fluid(): smoothingLength is the edge of the cells. energy(): elastic 0. sample(): of the grid;
+//  volumeFraction 1/2 on the surface
 class PicScene : public FluidScene
 {
 public:
@@ -209,8 +240,8 @@ public:
     //  shortened to end at t to round-off. Stops early when a guard fires (see PicReport::stop).
     virtual PicReport advance(double t, std::int64_t maxSteps = 0) = 0;
 
-    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none is running, the next
-    //  returns after one step
+    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none
+    //  is running, the next returns after one step
     virtual void interrupt() = 0;
 
     virtual PicGridState grid() = 0;
@@ -241,8 +272,10 @@ public:
     virtual DeviceKind device() const = 0;
 };
 
-//- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our multigrid, to pressureTolerance
+//- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our
+//  multigrid, to pressureTolerance
 //  @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)
-std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&, LinearSolver* solver = nullptr, PicInside inside = PicInside());
+std::unique_ptr<PicScene> createPicScene(const PicConfig&, const FluidInput&, const PicWalls&,
+    LinearSolver* solver = nullptr, PicInside inside = PicInside());
 
 } // namespace riprap

@@ -12,8 +12,10 @@ class Transport;
 //- Each process is given the whole scene, and keeps its part
 struct RankConfig
 {
-    Transport* ranks = nullptr;             // lives longer than the scene. Null, or of one rank: there are no others
-    double imbalance = 0.1;                 // the largest part may be so much above the mean before space is divided anew
+    // lives longer than the scene. Null, or of one rank: there are no others
+    Transport* ranks = nullptr;
+    // the largest part may be so much above the mean before space is divided anew
+    double imbalance = 0.1;
 };
 
 } // namespace riprap

@@ -1,4 +1,5 @@
-/*  What the facades of all scenes share. SI, double, host memory; no types of either side of the facade.
+/*  What the facades of all scenes share. SI, double, host memory; no types of either side of the
+    facade.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,8 +1,9 @@
 /*  SPH scene: the plain C++ facade between riprap's particle solver and whoever sets a scene up.
 
     No OpenFOAM and no CUDA appear here. All quantities are SI, double, host memory; vectors are
-    stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well: the empty one of the fluid is ignored,
-    and comes back as the middle of the domain. A scene owns everything that lives on its device.
+    stored x0 y0 z0 x1 y1 z1 ... with three components in 2D as well: the empty one of the fluid is
+    ignored, and comes back as the middle of the domain. A scene owns everything that lives on its
+    device.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -31,8 +32,9 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig
     DeviceKind device = DeviceKind::automatic;
     PrecisionKind precision = PrecisionKind::mixed;
 
-    // Domain: must hold the walls. Fluid that comes closer to its edge than escapeInset has escaped: give the walls'
-    // thickness less what a particle may penetrate. Periodic axes are wrapped.
+    // Domain: must hold the walls. Fluid that comes closer to its edge than escapeInset has
+    // escaped: give the walls' thickness less what a particle may penetrate. Periodic axes are
+    // wrapped.
     Vector3 domainMin{{0, 0, 0}}, domainMax{{1, 1, 1}};
     bool periodic[3] = {false, false, false};
     double escapeInset = 0;                 // [m]
@@ -51,7 +53,8 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig
 
     ShiftingKind shifting = ShiftingKind::none;
     double shiftingCoefficient = 2;         // A of Skillen et al. 2013
-    double shiftingSurfaceThreshold = -1;   // div(r) below which no shifting acts, under D; < 0: 1.5 (2D), 2.75 (3D)
+    // div(r) below which no shifting acts, under D; < 0: 1.5 (2D), 2.75 (3D)
+    double shiftingSurfaceThreshold = -1;
 
     // Walls
     WallKind wallModel = WallKind::extrapolated;
@@ -59,7 +62,8 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig
     bool noSlip = true;                     // wall enters viscous terms
 
     // Time
-    double startTime = 0;                   // [s] the scene's clock at creation (loadState brings its own)
+    // [s] the scene's clock at creation (loadState brings its own)
+    double startTime = 0;
     IntegratorKind integrator = IntegratorKind::leapfrog;
     bool adjustTimeStep = true;
     double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
@@ -68,16 +72,19 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig
     double forceCourant = 0.25;             // dt <= C sqrt(h/|a|max)
     double viscousCourant = 0.125;          // dt <= C h^2 rho/mu
 
-    // Neighbours: what the search radius adds to the support, as a fraction of it; < 0: chosen by the scene
+    // Neighbours: what the search radius adds to the support, as a fraction of it; < 0: chosen by
+    // the scene
     double skin = -1;
 
     // Guards
     double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
     double maxSpeedRatio = 5;               // |v|/vmax that stops the run
-    bool removeWild = false;                // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
+    // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
+    bool removeWild = false;
 };
 
-//- The walls' true faces, which hold particles back (sph/boundary/wallFaces.hpp): segments (2D, the third vertex is not used) or triangles
+//- The walls' true faces, which hold particles back (sph/boundary/wallFaces.hpp): segments (2D, the
+//  third vertex is not used) or triangles
 struct WallFaceInput
 {
     std::vector<double> point;              // 3 a point
@@ -85,7 +92,8 @@ struct WallFaceInput
     std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
     std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed
     std::vector<std::int32_t> part;         // n, faces that bound one solid together
-    std::vector<double> halfThickness;      // n [m], 0: solid behind; else a plate that reaches so far to both sides
+    // n [m], 0: solid behind; else a plate that reaches so far to both sides
+    std::vector<double> halfThickness;
     std::size_t size() const { return body.size(); }
 };
 
@@ -93,7 +101,8 @@ struct WallInput
 {
     std::vector<double> position;           // 3 n
     std::vector<double> normal;             // 3 n, unit, out of the wall into the fluid
-    std::vector<std::int32_t> body;         // n, index of the moving group, -1: fixed; empty: all fixed
+    // n, index of the moving group, -1: fixed; empty: all fixed
+    std::vector<std::int32_t> body;
     std::vector<std::int32_t> part;         // n, FluidForce::part; empty: all 0
     int nBodies = 0;
     WallFaceInput faces;                    // none: particles are held by forces alone
@@ -123,19 +132,22 @@ struct SphReport
     double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
     std::int64_t steps = 0;                 // taken in this call
     std::int64_t totalSteps = 0;
-    std::string limit;                      // what set the last step: acoustic | force | viscous | fixed | target | maximum
+    // what set the last step: acoustic | force | viscous | fixed | target | maximum
+    std::string limit;
     double maxSpeed = 0, maxDensityDeviation = 0;
     std::int64_t rebuilds = 0;              // neighbour structures built in this call
     std::size_t fluid = 0;                  // particles still in the scene
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
     std::vector<WildParticle> wild;         // those that were taken out in this call
-    bool skinExceeded = false;              // a particle moved so far that pairs may have been missed in a step
+    // a particle moved so far that pairs may have been missed in a step
+    bool skinExceeded = false;
     StopReason stop = StopReason::none;     // then: which particle, where, when, how much
     std::int32_t stopId = -1;
     Vector3 stopPosition{{0, 0, 0}};
     double stopValue = 0;
-    RankReport rank;                        // of several processes. `escaped` and `wild` are of this one, the rest is of all
+    // of several processes. `escaped` and `wild` are of this one, the rest is of all
+    RankReport rank;
 };
 
 struct WallState
@@ -143,12 +155,14 @@ struct WallState
     std::vector<double> position, velocity, pressure;   // 3 n, 3 n, n; in the order of WallInput
 };
 
-//- Pairs nearer than the support (2h at rest density) among those that the passes of a step look at now
+//- Pairs nearer than the support (2h at rest density) among those that the passes of a step look at
+//  now
 struct NeighbourCounts
 {
     std::int64_t particles = 0;
     std::int64_t fluid = 0, walls = 0, solids = 0;      // neighbours of all fluid particles
-    std::int64_t aboutWalls = 0, aboutSolids = 0;       // fluid about wall points, where anything asks for it, and about solids
+    // fluid about wall points, where anything asks for it, and about solids
+    std::int64_t aboutWalls = 0, aboutSolids = 0;
 };
 
 class DemScene;
@@ -162,8 +176,8 @@ public:
     //  shortened to end at t to round-off. Stops early when a guard fires (see SphReport::stop).
     virtual SphReport advance(double t, std::int64_t maxSteps = 0) = 0;
 
-    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none is running, the next
-    //  returns after one step
+    //- Ask a running advance to return after the step in hand (safe in a signal handler); if none
+    //  is running, the next returns after one step
     virtual void interrupt() = 0;
 
     virtual WallState walls() = 0;
@@ -183,10 +197,12 @@ public:
 
     //- How many particles are faster than each of the speeds [m/s]
     static constexpr int speedClasses = 8;
-    virtual std::array<std::size_t, speedClasses> fasterThan(const std::array<double, speedClasses>& speeds) = 0;
+    virtual std::array<std::size_t, speedClasses> fasterThan(
+        const std::array<double, speedClasses>& speeds) = 0;
 
-    //- Another maxVelocity and soundSpeed, between two calls of advance: each particle keeps its pressure, tension included, and its
-    //  velocity. Its density changes, and with it the elastic energy: SphEnergy::stiffening
+    //- Another maxVelocity and soundSpeed, between two calls of advance: each particle keeps its
+    //  pressure, tension included, and its velocity. Its density changes, and with it the elastic
+    //  energy: SphEnergy::stiffening
     virtual void setMaxVelocity(double maxVelocity, double soundSpeed) = 0;
 
     //- The step that would be taken now and what limits it
@@ -201,7 +217,8 @@ public:
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;
 
-    //- The solids of a coupled scene (api/sphDemScene.hpp), null: there are none; to be read, not to be advanced
+    //- The solids of a coupled scene (api/sphDemScene.hpp), null: there are none; to be read, not
+    //  to be advanced
     virtual DemScene* solids() { return nullptr; }
     virtual CouplingState coupling() = 0;
 };

@@ -14,7 +14,8 @@ namespace riprap
 struct TransferProperties
 {
     double picPart = 0.05;                  // share of the grid's velocity
-    bool affine = true;                     // particles keep the gradient of the grid's velocity, and bring it to the grid
+    // particles keep the gradient of the grid's velocity, and bring it to the grid
+    bool affine = true;
     std::map<std::string, double> more;     // of schemes that have numbers of their own, by name
 };
 

@@ -1,4 +1,5 @@
-/*  Faces of rigid bodies that the DEM moves, as sph/boundary/bodyContact.hpp asks for them: where they are at the end of a step, and what the body gets.
+/*  Faces of rigid bodies that the DEM moves, as sph/boundary/bodyContact.hpp asks for them: where
+    they are at the end of a step, and what the body gets.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -10,7 +11,8 @@
 namespace riprap
 {
 
-//- A body's faces are given in its principal axes, from its centre of mass. Its velocity is that which brought it here
+//- A body's faces are given in its principal axes, from its centre of mass. Its velocity is that
+//  which brought it here
 template<int D, class P>
 struct PoseBodies
 {
@@ -67,7 +69,8 @@ struct BlowBodies
         }
         ClumpData& c = bodies.clumps[k];
         if (any && bodies.groups[c.group].motion < 0)
-            accelerate(c, bodies.groups[c.group], bodies.constraints, bodies.box, impulse, moment, 1);
+            accelerate(
+                c, bodies.groups[c.group], bodies.constraints, bodies.box, impulse, moment, 1);
     }
 };
 

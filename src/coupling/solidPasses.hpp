@@ -1,5 +1,5 @@
-/*  The passes of the coupling: what solids do to the fluid, what the fluid does to solids, and the pressure that solids take
-    from the fluid (solidTerms.hpp has the equations).
+/*  The passes of the coupling: what solids do to the fluid, what the fluid does to solids, and the
+    pressure that solids take from the fluid (solidTerms.hpp has the equations).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -36,9 +36,11 @@ struct SolidToFluidPass
     using real = typename P::real;
     template<class T> using Self = PairParticle<Dim, T>;
 
-    static constexpr const char* name = part == Part::density ? "solidDensityPass" : "solidMomentumPass";
+    static constexpr const char* name = part == Part::density ? "solidDensityPass"
+                                                              : "solidMomentumPass";
     static constexpr int dimensions = Dim, sources = 1, channels = 2*Dim + 1;
-    static constexpr bool variableH = VariableH, hasMaxima = false, sparse = true;      // sums are cleared at each sort
+    // sums are cleared at each sort
+    static constexpr bool variableH = VariableH, hasMaxima = false, sparse = true;
 
     Box<Dim, P> box;
     CellGrid<Dim, P> grid;
@@ -66,19 +68,23 @@ struct SolidToFluidPass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int at, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2,
+        int at, T* sums) const
     {
         Vec<Dim, T> u;
         for (int d = 0; d < Dim; ++d) u.c[d] = loadLanes<T>(own[d] + at);
-        const PairGeometry<Dim, T> g = solidGeometry<Kernel, VariableH>(kernel, model.h0, i, j, u, dx, r2);
-        const Channels<T> c = terms.template evaluate<part, PairParticle<Dim, T>, PairGeometry<Dim, T>, T>(i, j, g);
+        const PairGeometry<Dim, T> g = solidGeometry<Kernel, VariableH>(
+            kernel, model.h0, i, j, u, dx, r2);
+        const Channels<T> c =
+            terms.template evaluate<part, PairParticle<Dim, T>, PairGeometry<Dim, T>, T>(i, j, g);
         const T m = loadLanes<T>(mass + at), mf = m*g.f;
         if constexpr (part != Part::density)
             for (int d = 0; d < Dim; ++d) sums[d] += mf*(c.radial*g.dx.c[d] + c.cross*g.dv.c[d]);
         if constexpr (part != Part::momentum)
         {
             sums[Dim] += mf*c.rate;
-            for (int d = 0; d < Dim; ++d) sums[Dim + 1 + d] -= m*g.w*c.smooth*(i.velocity.c[d] - u.c[d]);
+            for (int d = 0; d < Dim; ++d)
+                sums[Dim + 1 + d] -= m*g.w*c.smooth*(i.velocity.c[d] - u.c[d]);
         }
     }
 
@@ -88,7 +94,8 @@ struct SolidToFluidPass
         if constexpr (part != Part::momentum)
         {
             action.rate[i] = sums[Dim];
-            if (action.drift[0]) for (int d = 0; d < Dim; ++d) action.drift[d][i] = sums[Dim + 1 + d];
+            if (action.drift[0])
+                for (int d = 0; d < Dim; ++d) action.drift[d][i] = sums[Dim + 1 + d];
         }
     }
 };
@@ -126,24 +133,30 @@ struct FluidToSolidPass
         const PairParticle<Dim, real> p = solid.template load<VariableH>(i);
         Vec<Dim, T> own;
         for (int d = 0; d < Dim; ++d) own.c[d] = T(points.own[d][i]);
-        return Self<T>{{convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)}, own, T(points.mass[i])};
+        return Self<T>{{convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)}, own,
+            T(points.mass[i])};
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int,
+        T* sums) const
     {
         Vec<Dim, T> back;       // from the solid to the fluid, as the other pass has it
         for (int d = 0; d < Dim; ++d) back.c[d] = -dx.c[d];
         const PairParticle<Dim, T>& solidParticle = i;
-        const PairGeometry<Dim, T> g = solidGeometry<Kernel, VariableH>(kernel, model.h0, j, solidParticle, i.own, back, r2);
-        const Channels<T> c = terms.template evaluate<Part::momentum, PairParticle<Dim, T>, PairGeometry<Dim, T>, T>(j, solidParticle, g);
+        const PairGeometry<Dim, T> g = solidGeometry<Kernel, VariableH>(
+            kernel, model.h0, j, solidParticle, i.own, back, r2);
+        const Channels<T> c =
+            terms.template evaluate<Part::momentum, PairParticle<Dim, T>, PairGeometry<Dim, T>, T>(
+                j, solidParticle, g);
         const T mf = i.mass*g.f;
         for (int d = 0; d < Dim; ++d) sums[d] += mf*(c.radial*g.dx.c[d] + c.cross*g.dv.c[d]);
     }
 
     HD void finish(int i, const real* sums, float*) const
     {
-        for (int d = 0; d < Dim; ++d) points.force[std::size_t(points.key[i])*Dim + d] = -model.mass*sums[d];
+        for (int d = 0; d < Dim; ++d)
+            points.force[std::size_t(points.key[i])*Dim + d] = -model.mass*sums[d];
     }
 };
 
@@ -174,13 +187,17 @@ struct SolidPressurePass
     HD float* maxima() const { return nullptr; }
     HD Vec<Dim, typename P::position> position(int i) const { return solid.loadPosition(i); }
 
-    template<class T>
-    HD Self<T> self(int) const { return Self<T>{filled<Dim>(T(real(0))), T(real(0)), T(real(1)), T(model.h0)}; }
+    template<class T> HD Self<T> self(int) const
+    {
+        return Self<T>{filled<Dim>(T(real(0))), T(real(0)), T(real(1)), T(model.h0)};
+    }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int,
+        T* sums) const
     {
-        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i, j, dx, r2);
+        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(
+            kernel, model.h0, i, j, dx, r2);
         addToExtrapolation<Dim, T>(j, dx, fromAround ? g.w : T(model.mass)*g.w/j.density, sums);
     }
 
@@ -191,11 +208,14 @@ struct SolidPressurePass
         for (int d = 0; d < Dim; ++d)
         {
             u.c[d] = points.own[d][i];
-            lift.c[d] = model.gravity.c[d] - points.acceleration[std::size_t(points.key[i])*Dim + d];
+            lift.c[d] = model.gravity.c[d]
+                - points.acceleration[std::size_t(points.key[i])*Dim + d];
         }
         p.velocity = u;
         p.h = model.h0;
-        const real pressure = fromAround ? extrapolated<Dim, real>(sums, lift, u, kernel.wFactor, p.velocity) : sums[1];
+        const real pressure = fromAround
+            ? extrapolated<Dim, real>(sums, lift, u, kernel.wFactor, p.velocity)
+            : sums[1];
         p.density = model.rho0*(real(1) + model.eos.deviation(pressure));
         p.pressureTerm = pressure/(p.density*p.density);
         solid.store(i, p);

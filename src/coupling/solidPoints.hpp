@@ -1,10 +1,12 @@
-/*  Solid particles as points among the fluid: sorted into the fluid's cells by key, with records as walls have them.
+/*  Solid particles as points among the fluid: sorted into the fluid's cells by key, with records as
+    walls have them.
 
-    Over a step of the fluid a solid moves from x_n to x_{n+1}; the fluid sees it on the straight line between them, with the
-    mean velocity u = (x_{n+1} - x_n)/dt: volume that it takes is then the way that it went.
-    The acceleration that extrapolation takes is that of u, smoothed over (1 + M/m) h/c0: h/c0 is what pressure needs to pass a
-    particle, M = 2 rho0 V h/R the water about a solid particle that its pressure moves; of the parts of a rigid body M and m are the body's. Pressure of an acceleration that pressure
-    makes: taken at once, it would swing where M > m.
+    Over a step of the fluid a solid moves from x_n to x_{n+1}; the fluid sees it on the straight
+    line between them, with the mean velocity u = (x_{n+1} - x_n)/dt: volume that it takes is then
+    the way that it went. The acceleration that extrapolation takes is that of u, smoothed over (1 +
+    M/m) h/c0: h/c0 is what pressure needs to pass a particle, M = 2 rho0 V h/R the water about a
+    solid particle that its pressure moves; of the parts of a rigid body M and m are the body's.
+    Pressure of an acceleration that pressure makes: taken at once, it would swing where M > m.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -41,7 +43,8 @@ template<int D, class P>
 HD Vec<D, std::int64_t> pointPosition(const Box<D, P>& box, const SolidView<D, P>& solids, int slot)
 {
     Vec<D, std::int64_t> x;
-    for (int d = 0; d < D; ++d) x.c[d] = box.toFixedInside(d, solids.box.toMetres(d, solids.fields.x[d][slot]));
+    for (int d = 0; d < D; ++d)
+        x.c[d] = box.toFixedInside(d, solids.box.toMetres(d, solids.fields.x[d][slot]));
     return x;
 }
 
@@ -123,7 +126,8 @@ struct MeetFluid
     const int* active;
     const int* fluidStart;      // of each cell
     int* meets;                 // set to 1: whoever writes it writes the same
-    typename P::real reach;     // what may come within the support, both moving, until the next sort [m]
+    // what may come within the support, both moving, until the next sort [m]
+    typename P::real reach;
 
     HD void operator()(int i) const
     {
@@ -132,7 +136,8 @@ struct MeetFluid
         Vec<D, typename P::real> r;
         for (int d = 0; d < D; ++d) r.c[d] = box.pairRelative(d, box.pairPosition(d, x.c[d]));
         bool found = false;
-        grid.forEachRangeWithin(r, reach, fluidStart, [&](int begin, int end) { found = found || end > begin; });
+        grid.forEachRangeWithin(
+            r, reach, fluidStart, [&](int begin, int end) { found = found || end > begin; });
         if (found) *meets = 1;
     }
 };
@@ -161,7 +166,9 @@ struct FirstVelocities
         const int slot = solids.slotOf[key];
         for (int d = 0; d < D; ++d)
         {
-            points.velocity[std::size_t(key)*D + d] = slot < 0 ? 0 : typename P::real(solids.fields.v[d][slot]);
+            points.velocity[std::size_t(key)*D + d] = slot < 0
+                ? 0
+                : typename P::real(solids.fields.v[d][slot]);
             points.acceleration[std::size_t(key)*D + d] = 0;
             points.force[std::size_t(key)*D + d] = 0;
         }
@@ -184,21 +191,27 @@ struct MovePoints
     double responseTime;        // h/c0 [s]
     bool half;
     ClockData* clock;
-    LocalFrames<D, P> frames;   // GPU: what the way since the search is measured against, as the fluid's is
+    // GPU: what the way since the search is measured against, as the fluid's is
+    LocalFrames<D, P> frames;
 
     HD void operator()(int i) const
     {
         if (!clock->active || i >= *points.active) return;
         const int key = int(points.key[i]), slot = solids.slotOf[key];
         // it has left since it was sorted: where it was, until the next sort
-        if (slot < 0) { if (!half) checkSkin(i, records.loadPosition(i), filled<D>(real(0))); return; }
+        if (slot < 0)
+        {
+            if (!half) checkSkin(i, records.loadPosition(i), filled<D>(real(0)));
+            return;
+        }
         const Vec<D, std::int64_t> x = pointPosition(box, solids, slot);
         PairParticle<D, real> q = records.template load<false>(i);
         Vec<D, typename P::position> p;
         Vec<D, real> own;
         for (int d = 0; d < D; ++d)
         {
-            const std::int64_t from = points.last[d][i], way = std::int64_t(std::uint64_t(x.c[d]) - std::uint64_t(from));
+            const std::int64_t from = points.last[d][i],
+                               way = std::int64_t(std::uint64_t(x.c[d]) - std::uint64_t(from));
             const real u = real(double(way)*box.unit[d]/clock->dt);
             q.velocity.c[d] = own.c[d] = points.own[d][i] = u;
             p.c[d] = box.pairPosition(d, half ? from + way/2 : x.c[d]);
@@ -225,7 +238,10 @@ private:
             speed2 += u.c[d]*u.c[d];
         }
         if constexpr (Backend::gpu)
-            if (frames.frame) return clock->notice(frames.since(box, from, p, u, real(clock->time - clock->searched), ahead), allowedWay);
+            if (frames.frame)
+                return clock->notice(
+                    frames.since(box, from, p, u, real(clock->time - clock->searched), ahead),
+                    allowedWay);
         const real distance = squareRoot(distance2);
         if (distance > allowedWay) clock->skinViolations = 1;
         if (distance + ahead*squareRoot(speed2) > allowedWay) clock->needRebuild = 1;
@@ -241,7 +257,8 @@ private:
     {
         real& before = points.velocity[std::size_t(key)*D + d];
         real& a = points.acceleration[std::size_t(key)*D + d];
-        const double share = 1 - exp(-clock->dt/((1 + double(points.addedOfKey[key]))*responseTime));
+        const double share = 1
+            - exp(-clock->dt/((1 + double(points.addedOfKey[key]))*responseTime));
         a += real(share*((double(u) - before)/clock->dt - a));
         before = u;
         points.last[d][i] = x;
@@ -262,8 +279,9 @@ struct KeepForces
     HD void operator()(int i) const { before[i] = force[i]; }
 };
 
-//- The force that solids are given over a step, by those of its beginning and of the beginning of the step before. The fluid gets that of each
-//  instant half in the step before it and half in the one after it: the shares make the solids' impulse the same
+//- The force that solids are given over a step, by those of its beginning and of the beginning of
+//  the step before. The fluid gets that of each instant half in the step before it and half in the
+//  one after it: the shares make the solids' impulse the same
 template<int D, class P>
 struct HoldForces
 {
@@ -281,7 +299,8 @@ struct HoldForces
         for (int d = 0; d < D; ++d)
         {
             const std::size_t at = std::size_t(key)*D + d;
-            external[std::size_t(key)*width + d] = real(share*force[at] + (before ? shareBefore*before[at] : 0));
+            external[std::size_t(key)*width + d] = real(
+                share*force[at] + (before ? shareBefore*before[at] : 0));
         }
     }
 };

@@ -1,12 +1,16 @@
-/*  What a fluid particle F and a solid particle S do to each other, written once: the pass over the fluid and the pass over
-    the solids evaluate the same functors on the same arguments (fluid first), so that action and reaction differ by round-off.
+/*  What a fluid particle F and a solid particle S do to each other, written once: the pass over the
+    fluid and the pass over the solids evaluate the same functors on the same arguments (fluid
+    first), so that action and reaction differ by round-off.
 
-    The solid particle is a boundary point of the volume V_S = m_S/rho0 and acts by paper 1, Eqs. 32, 34 and 36 with
+    The solid particle is a boundary point of the volume V_S = m_S/rho0 and acts by paper 1, Eqs.
+    32, 34 and 36 with
         stationary              p_S = 0, rho_S = rho0
         pressureGradient        F_FS = - V_F V_S p_F grad W          (Eq. 40) in place of Eq. 34
-        pressureApproximation   p_S = sum p_F W m_F/rho_F            (Eq. 41), rho_S by the equation of state
-        extrapolated            p_S by Adami, Hu & Adams 2012, Eq. 27, with the solid's own acceleration
-    Viscosity and the anti-clump term (Eq. 38) are switched by the case; XSPH (Eq. 39) too, where the fluid has it.
+        pressureApproximation   p_S = sum p_F W m_F/rho_F (Eq. 41), rho_S by the equation of state
+        extrapolated            p_S by Adami, Hu & Adams 2012, Eq. 27, with the solid's own
+                                acceleration
+    Viscosity and the anti-clump term (Eq. 38) are switched by the case; XSPH (Eq. 39) too, where
+    the fluid has it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -61,13 +65,12 @@ struct SolidTerms
     }
 };
 
-//- Geometry of a pair, x_F - x_S = dx. `own` is the solid's velocity; that of its record is what laminar viscosity sees
+//- Geometry of a pair, x_F - x_S = dx. `own` is the solid's velocity; that of its record is what
+//  laminar viscosity sees
 template<class Kernel, bool VariableH, int D, class T, class R>
-HD PairGeometry<D, T> solidGeometry
-(
-    const KernelConstants<D, R>& kernel, R h0, const PairParticle<D, T>& fluid, const PairParticle<D, T>& solid,
-    const Vec<D, T>& own, const Vec<D, T>& dx, T r2
-)
+HD PairGeometry<D, T> solidGeometry(const KernelConstants<D, R>& kernel, R h0,
+    const PairParticle<D, T>& fluid, const PairParticle<D, T>& solid, const Vec<D, T>& own,
+    const Vec<D, T>& dx, T r2)
 {
     PairGeometry<D, T> g = pairGeometry<Kernel, VariableH, true>(kernel, h0, fluid, solid, dx, r2);
     g.approach = dot(fluid.velocity - own, dx);

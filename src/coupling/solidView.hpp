@@ -1,5 +1,5 @@
-/*  What the fluid's side of a coupled scene sees of its solids, and what it asks of them. Particles are named by keys, which
-    sorting does not change.
+/*  What the fluid's side of a coupled scene sees of its solids, and what it asks of them. Particles
+    are named by keys, which sorting does not change.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -53,12 +53,13 @@ public:
     //- Forces from outside, on the device: D forces, then moments, a key
     virtual typename P::real* external() = 0;
 
-    //- Steps within one step of the fluid, by contacts and by the speeds at hand: to be asked just before advanceTo, after push; and the
-    //  time over which they let a force from outside act
+    //- Steps within one step of the fluid, by contacts and by the speeds at hand: to be asked just
+    //  before advanceTo, after push; and the time over which they let a force from outside act
     virtual int subcycles(double dt) = 0;
     virtual double kickTime(double dt, int subcycles) = 0;
 
-    //- On a GPU: begin to find the speeds that subcycles() will ask for, while the caller waits for something else. Nothing may push the solids in between
+    //- On a GPU: begin to find the speeds that subcycles() will ask for, while the caller waits for
+    //  something else. Nothing may push the solids in between
     virtual void measureSpeed() = 0;
 
     //- What external() holds acts over dt at once
@@ -72,7 +73,8 @@ public:
     virtual void endReport() = 0;
 };
 
-//- Two scenes on one device read and write the same memory: the one that follows launches in the order of the other
+//- Two scenes on one device read and write the same memory: the one that follows launches in the
+//  order of the other
 template<class Backend>
 class LaunchOrder
 {

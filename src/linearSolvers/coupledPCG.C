@@ -9,46 +9,49 @@ namespace Foam
 {
     defineTypeNameAndDebug(coupledPCG, 0);
 
-    lduMatrix::solver::addsymMatrixConstructorToTable<coupledPCG> addcoupledPCGSymMatrixConstructorToTable_;
+    lduMatrix::solver::addsymMatrixConstructorToTable<coupledPCG>
+        addcoupledPCGSymMatrixConstructorToTable_;
 }
 
 
-Foam::coupledPCG::coupledPCG
-(
-    const word& fieldName,
-    const lduMatrix& matrix,
+Foam::coupledPCG::coupledPCG(const word& fieldName, const lduMatrix& matrix,
     const FieldField<Field, scalar>& interfaceBouCoeffs,
     const FieldField<Field, scalar>& interfaceIntCoeffs,
-    const lduInterfaceFieldPtrsList& interfaces,
-    const dictionary& solverControls
-)
-:
-    lduMatrix::solver(fieldName, matrix, interfaceBouCoeffs, interfaceIntCoeffs, interfaces, solverControls)
+    const lduInterfaceFieldPtrsList& interfaces, const dictionary& solverControls)
+    : lduMatrix::solver(
+        fieldName, matrix, interfaceBouCoeffs, interfaceIntCoeffs, interfaces, solverControls)
 {
     deflation_.heavyHats = true;
     const dictionary& entries = solverControls.subOrEmptyDict("deflation");
     bool wrong = false;
-    if (entries.found("localIterations")) wrong = (deflation_.localIterations = entries.get<label>("localIterations")) < 1;
-    if (entries.found("margin")) wrong = (deflation_.margin = entries.get<scalar>("margin")) < 0 || wrong;
+    if (entries.found("localIterations"))
+        wrong = (deflation_.localIterations = entries.get<label>("localIterations")) < 1;
+    if (entries.found("margin"))
+        wrong = (deflation_.margin = entries.get<scalar>("margin")) < 0 || wrong;
     if (entries.found("hats")) wrong = (deflation_.hats = entries.get<scalar>("hats")) < 0 || wrong;
     if (wrong)
     {
-        FatalIOErrorInFunction(entries) << "deflation of " << fieldName << " needs localIterations of 1 or more, a margin of 0 or more and hats of 0 or more"
+        FatalIOErrorInFunction(entries)
+            << "deflation of " << fieldName
+            << " needs localIterations of 1 or more, a margin of 0 or more and hats of 0 or more"
             << exit(FatalIOError);
     }
 }
 
 
-void Foam::coupledPCG::product(solveScalarField& ax, const solveScalarField& x, const riprap::BodyDeflation* bodies, direction cmpt) const
+void Foam::coupledPCG::product(solveScalarField& ax, const solveScalarField& x,
+    const riprap::BodyDeflation* bodies, direction cmpt) const
 {
     matrix_.Amul(ax, x, interfaceBouCoeffs_, interfaces_, cmpt);
     if (bodies) bodies->addBodies(x.begin(), ax.begin());
 }
 
 
-Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, const solveScalarField& source, const direction cmpt) const
+Foam::solverPerformance Foam::coupledPCG::scalarSolve(
+    solveScalarField& psi, const solveScalarField& source, const direction cmpt) const
 {
-    solverPerformance performance(lduMatrix::preconditioner::getName(controlDict_) + typeName, fieldName_);
+    solverPerformance performance(
+        lduMatrix::preconditioner::getName(controlDict_) + typeName, fieldName_);
     const label comm = matrix().mesh().comm();
     const label n = psi.size();
 
@@ -56,8 +59,10 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
     autoPtr<riprap::BodyDeflation> bodies;
     const wetMesh* mesh = dynamic_cast<const wetMesh*>(&matrix().mesh());
     autoPtr<processRanks> ranks;
-    if (mesh && mesh->system().divided && UPstream::nProcs(comm) > 1) ranks.reset(new processRanks(mesh->system(), comm));
-    if (mesh && !mesh->system().bodies.empty()) bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_, ranks.get()));
+    if (mesh && mesh->system().divided && UPstream::nProcs(comm) > 1)
+        ranks.reset(new processRanks(mesh->system(), comm));
+    if (mesh && !mesh->system().bodies.empty())
+        bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_, ranks.get()));
     const riprap::BodyDeflation* deflation = bodies.get();
     const bool deflates = deflation && deflation->columns() > 0;
 
@@ -78,7 +83,8 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
         if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_)) return performance;
     }
 
-    autoPtr<lduMatrix::preconditioner> preconditioner = lduMatrix::preconditioner::New(*this, controlDict_);
+    autoPtr<lduMatrix::preconditioner> preconditioner = lduMatrix::preconditioner::New(
+        *this, controlDict_);
     p = Zero;
     solveScalar rz = 0;
     do
@@ -108,16 +114,15 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(solveScalarField& psi, con
         }
         performance.finalResidual() = gSumMag(r, comm)/normFactor;
     }
-    while
-    (
-        (++performance.nIterations() < maxIter_ && !performance.checkConvergence(tolerance_, relTol_))
-     || performance.nIterations() < minIter_
-    );
+    while ((++performance.nIterations() < maxIter_
+               && !performance.checkConvergence(tolerance_, relTol_))
+        || performance.nIterations() < minIter_);
     return performance;
 }
 
 
-Foam::solverPerformance Foam::coupledPCG::solve(scalarField& psi_s, const scalarField& source, const direction cmpt) const
+Foam::solverPerformance Foam::coupledPCG::solve(
+    scalarField& psi_s, const scalarField& source, const direction cmpt) const
 {
     PrecisionAdaptor<solveScalar, scalar> psi(psi_s);
     return scalarSolve(psi.ref(), ConstPrecisionAdaptor<solveScalar, scalar>(source)(), cmpt);

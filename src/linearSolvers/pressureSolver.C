@@ -14,14 +14,15 @@ namespace
 //- Fewer rows than this are no work for GAMG, which stops when it cannot make a coarse level
 constexpr int fewRows = 200;
 
-void copy(const std::vector<double>& from, Foam::scalarField& to) { std::copy(from.begin(), from.end(), to.begin()); }
-
+void copy(const std::vector<double>& from, Foam::scalarField& to)
+{
+    std::copy(from.begin(), from.end(), to.begin());
+}
 }
 
-Foam::pressureSolver::pressureSolver(const Time& time, const word& field, const dictionary& controls)
-:
-    time_(time),
-    field_(field)
+Foam::pressureSolver::pressureSolver(
+    const Time& time, const word& field, const dictionary& controls)
+    : time_(time), field_(field)
 {
     read(controls);
 }
@@ -60,10 +61,12 @@ void Foam::pressureSolver::readDevice()
     for (const entry& e : controls_)
     {
         const word& key = e.keyword();
-        const wordList known({"solver", "tolerance", "relTol", "maxIter", "minIter", "nSweeps", "reflectionTolerance"});
+        const wordList known({"solver", "tolerance", "relTol", "maxIter", "minIter", "nSweeps",
+            "reflectionTolerance"});
         if (!known.found(key))
         {
-            FatalIOErrorInFunction(controls_) << "unknown entry '" << key << "' of solver " << deviceSolver << " for " << field_
+            FatalIOErrorInFunction(controls_)
+                << "unknown entry '" << key << "' of solver " << deviceSolver << " for " << field_
                 << ". Valid: " << known << exit(FatalIOError);
         }
     }
@@ -77,14 +80,18 @@ void Foam::pressureSolver::readDevice()
     const auto require = [&](bool good, const char* key, const char* range)
     {
         if (good) return;
-        FatalIOErrorInFunction(controls_) << key << " of solver " << deviceSolver << " for " << field_ << " must be " << range << exit(FatalIOError);
+        FatalIOErrorInFunction(controls_) << key << " of solver " << deviceSolver << " for "
+                                          << field_ << " must be " << range << exit(FatalIOError);
     };
     require(multigrid_.tolerance >= 0, "tolerance", "0 or more");
-    require(multigrid_.reflectionTolerance >= 0 && multigrid_.reflectionTolerance < 1, "reflectionTolerance", "in 0 .. 1");
+    require(multigrid_.reflectionTolerance >= 0 && multigrid_.reflectionTolerance < 1,
+        "reflectionTolerance", "in 0 .. 1");
     require(multigrid_.relTol >= 0 && multigrid_.relTol < 1, "relTol", "in 0 .. 1");
-    require(multigrid_.tolerance > 0 || multigrid_.relTol > 0, "tolerance", "positive where relTol is 0");
+    require(multigrid_.tolerance > 0 || multigrid_.relTol > 0, "tolerance",
+        "positive where relTol is 0");
     require(multigrid_.maxIter > 0, "maxIter", "1 or more");
-    require(multigrid_.minIter >= 0 && multigrid_.minIter <= multigrid_.maxIter, "minIter", "in 0 .. maxIter");
+    require(multigrid_.minIter >= 0 && multigrid_.minIter <= multigrid_.maxIter, "minIter",
+        "in 0 .. maxIter");
     require(multigrid_.sweeps > 0 && multigrid_.sweeps <= 10, "nSweeps", "in 1 .. 10");
 }
 
@@ -94,7 +101,9 @@ void Foam::pressureSolver::checkAgglomerator(dictionary& dict) const
     const word agglomerator = dict.lookupOrDefault<word>("agglomerator", "algebraicPair");
     if (agglomerator != "algebraicPair")
     {
-        FatalIOErrorInFunction(controls_) << "agglomerator " << agglomerator << " needs the geometry of a mesh, and the wet cells have none here."
+        FatalIOErrorInFunction(controls_)
+            << "agglomerator " << agglomerator
+            << " needs the geometry of a mesh, and the wet cells have none here."
             << " Valid: algebraicPair" << exit(FatalIOError);
     }
     dict.set("agglomerator", agglomerator);
@@ -108,16 +117,21 @@ void Foam::pressureSolver::checkHost()
     {
         wordList valid = lduMatrix::solver::symMatrixConstructorTablePtr_->sortedToc();
         valid.append(deviceSolver);
-        FatalIOErrorInFunction(controls_) << "unknown solver '" << name << "' for " << field_ << ". Valid: " << valid << exit(FatalIOError);
+        FatalIOErrorInFunction(controls_) << "unknown solver '" << name << "' for " << field_
+                                          << ". Valid: " << valid << exit(FatalIOError);
     }
     checkSolverEntries(controls_, field_);
     // Else it would pass while few cells are wet, which DIC serves
     const auto& known = *lduMatrix::preconditioner::symMatrixConstructorTablePtr_;
     const word preconditioner = !controls_.found("preconditioner") ? word::null
-        : controls_.isDict("preconditioner") ? controls_.subDict("preconditioner").get<word>("preconditioner") : controls_.get<word>("preconditioner");
+        : controls_.isDict("preconditioner")
+        ? controls_.subDict("preconditioner").get<word>("preconditioner")
+        : controls_.get<word>("preconditioner");
     if (preconditioner.size() && !known.found(preconditioner))
     {
-        FatalIOErrorInFunction(controls_) << "unknown preconditioner '" << preconditioner << "' for " << field_ << ". Valid: " << known.sortedToc() << exit(FatalIOError);
+        FatalIOErrorInFunction(controls_)
+            << "unknown preconditioner '" << preconditioner << "' for " << field_
+            << ". Valid: " << known.sortedToc() << exit(FatalIOError);
     }
     if (name == "GAMG") checkAgglomerator(controls_);
     if (controls_.isDict("preconditioner"))
@@ -126,8 +140,11 @@ void Foam::pressureSolver::checkHost()
     }
     else if (preconditioner == "GAMG")
     {
-        FatalIOErrorInFunction(controls_) << "preconditioner GAMG of " << field_ << " needs entries of its own (smoother ...): write it as a dictionary,"
-            << " preconditioner { preconditioner GAMG; smoother symGaussSeidel; ... }" << exit(FatalIOError);
+        FatalIOErrorInFunction(controls_)
+            << "preconditioner GAMG of " << field_
+            << " needs entries of its own (smoother ...): write it as a dictionary,"
+            << " preconditioner { preconditioner GAMG; smoother symGaussSeidel; ... }"
+            << exit(FatalIOError);
     }
 }
 
@@ -137,7 +154,9 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
     riprap::PressureReport report;
     report.solver = "";
     const bool divided = UPstream::parRun();
-    if (divided && !system.divided) FatalErrorInFunction << "the equations of " << field_ << " are not divided over the processes" << exit(FatalError);
+    if (divided && !system.divided)
+        FatalErrorInFunction << "the equations of " << field_
+                            << " are not divided over the processes" << exit(FatalError);
     const label rows = divided ? returnReduce(label(system.rows()), sumOp<label>()) : system.rows();
     if (!rows) return report;
 
@@ -151,11 +170,14 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
 
     dictionary controls(controls_);
     const bool coupled = controls.get<word>("solver") == "coupledPCG";
-    const bool moves = std::any_of(system.bodies.begin(), system.bodies.end(), [](const riprap::BodyRows& b) { return b.modes > 0; });
+    const bool moves = std::any_of(system.bodies.begin(), system.bodies.end(),
+        [](const riprap::BodyRows& b) { return b.modes > 0; });
     if (moves && !coupled)
     {
-        FatalIOErrorInFunction(controls_) << "solver " << controls.get<word>("solver") << " of " << field_
-            << " cannot move free bodies with the water. Valid: coupledPCG, " << deviceSolver << exit(FatalIOError);
+        FatalIOErrorInFunction(controls_)
+            << "solver " << controls.get<word>("solver") << " of " << field_
+            << " cannot move free bodies with the water. Valid: coupledPCG, " << deviceSolver
+            << exit(FatalIOError);
     }
     if (rows < (divided ? UPstream::nProcs(mesh.comm())*fewRows : fewRows))
     {
@@ -163,15 +185,17 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
         controls.remove("preconditioner");
         controls.set("preconditioner", "DIC");
     }
-    const solverPerformance performance =
-        lduMatrix::solver::New(field_, matrix, mesh.borderCoeffs(), mesh.borderCoeffs(), mesh.borderFields(), controls)->solve(x, rhs);
+    const solverPerformance performance = lduMatrix::solver::New(
+        field_, matrix, mesh.borderCoeffs(), mesh.borderCoeffs(), mesh.borderFields(), controls)
+                                              ->solve(x, rhs);
     print(performance, mesh.comm());
     std::copy(x.begin(), x.end(), system.x.begin());
 
     report.initialResidual = performance.initialResidual();
     report.finalResidual = performance.finalResidual();
     report.iterations = performance.nIterations();
-    report.converged = performance.converged() || performance.finalResidual() < controls.lookupOrDefault<scalar>("tolerance", 1e-6);
+    report.converged = performance.converged()
+        || performance.finalResidual() < controls.lookupOrDefault<scalar>("tolerance", 1e-6);
     return report;
 }
 
@@ -179,5 +203,7 @@ riprap::PressureReport Foam::pressureSolver::solve(riprap::ReducedSystem& system
 void Foam::pressureSolver::report(const riprap::PressureReport& r)
 {
     if (!onDevice_) return;     // OpenFOAM's solvers have printed theirs
-    print(solverPerformance(deviceSolver, field_, r.initialResidual, r.finalResidual, r.iterations, r.converged), UPstream::worldComm);
+    print(solverPerformance(
+              deviceSolver, field_, r.initialResidual, r.finalResidual, r.iterations, r.converged),
+        UPstream::worldComm);
 }

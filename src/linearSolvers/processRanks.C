@@ -20,22 +20,32 @@ void combine(std::vector<V>& values, const Op& op, Foam::label comm)
 
 }
 
-void Foam::processRanks::sum(std::vector<double>& values) const { combine<scalar>(values, plusEqOp<scalar>(), comm_); }
+void Foam::processRanks::sum(std::vector<double>& values) const
+{
+    combine<scalar>(values, plusEqOp<scalar>(), comm_);
+}
 
 
-void Foam::processRanks::least(std::vector<int>& values) const { combine<label>(values, minEqOp<label>(), comm_); }
+void Foam::processRanks::least(std::vector<int>& values) const
+{
+    combine<label>(values, minEqOp<label>(), comm_);
+}
 
 
-void Foam::processRanks::swap(const std::vector<std::vector<double>>& out, std::vector<std::vector<double>>& in) const
+void Foam::processRanks::swap(
+    const std::vector<std::vector<double>>& out, std::vector<std::vector<double>>& in) const
 {
     const label begin = UPstream::nRequests();
     const auto nonBlocking = UPstream::commsTypes::nonBlocking;
     const int tag = UPstream::msgType();
     for (std::size_t b = 0; b < in.size(); ++b)
         if (!in[b].empty())
-            UIPstream::read(nonBlocking, system_.borders[b].rank, reinterpret_cast<char*>(in[b].data()), in[b].size()*sizeof(double), tag, comm_);
+            UIPstream::read(nonBlocking, system_.borders[b].rank,
+                reinterpret_cast<char*>(in[b].data()), in[b].size()*sizeof(double), tag, comm_);
     for (std::size_t b = 0; b < out.size(); ++b)
         if (!out[b].empty())
-            UOPstream::write(nonBlocking, system_.borders[b].rank, reinterpret_cast<const char*>(out[b].data()), out[b].size()*sizeof(double), tag, comm_);
+            UOPstream::write(nonBlocking, system_.borders[b].rank,
+                reinterpret_cast<const char*>(out[b].data()), out[b].size()*sizeof(double), tag,
+                comm_);
     UPstream::waitRequests(begin);
 }

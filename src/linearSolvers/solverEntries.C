@@ -13,27 +13,34 @@ namespace
 
 enum class holds { name, nameOrDictionary, whole, number, onOff, anything };
 
-//- Of OpenFOAM v1912 to v2512: one that another solver uses may stand there, so that one word changes the solver
-const std::map<std::string, holds> entries
-({
-    {"solver", holds::name}, {"preconditioner", holds::nameOrDictionary}, {"smoother", holds::nameOrDictionary}, {"norm", holds::name},
-    {"tolerance", holds::number}, {"relTol", holds::number}, {"maxIter", holds::whole}, {"minIter", holds::whole}, {"log", holds::whole},
+//- Of OpenFOAM v1912 to v2512: one that another solver uses may stand there, so that one word
+//  changes the solver
+const std::map<std::string, holds> entries({{"solver", holds::name},
+    {"preconditioner", holds::nameOrDictionary}, {"smoother", holds::nameOrDictionary},
+    {"norm", holds::name}, {"tolerance", holds::number}, {"relTol", holds::number},
+    {"maxIter", holds::whole}, {"minIter", holds::whole}, {"log", holds::whole},
     {"nSweeps", holds::whole}, {"nVcycles", holds::whole}, {"cacheAgglomeration", holds::onOff},
-    {"nPreSweeps", holds::whole}, {"preSweepsLevelMultiplier", holds::whole}, {"maxPreSweeps", holds::whole},
-    {"nPostSweeps", holds::whole}, {"postSweepsLevelMultiplier", holds::whole}, {"maxPostSweeps", holds::whole}, {"nFinestSweeps", holds::whole},
-    {"interpolateCorrection", holds::onOff}, {"scaleCorrection", holds::onOff}, {"directSolveCoarsest", holds::onOff},
-    {"agglomerator", holds::name}, {"nCellsInCoarsestLevel", holds::whole}, {"mergeLevels", holds::whole}, {"updateInterval", holds::anything},
-    {"processorAgglomerator", holds::name}, {"nAgglomeratingCells", holds::whole}, {"processorAgglomeration", holds::anything},
-    {"nProcessorsPerMaster", holds::whole}, {"nCellsInMasterLevel", holds::anything}, {"nMasters", holds::whole}, {"nLevels", holds::whole},
-    {"coarsestLevelCorr", holds::anything}, {"deflation", holds::anything}
-});
+    {"nPreSweeps", holds::whole}, {"preSweepsLevelMultiplier", holds::whole},
+    {"maxPreSweeps", holds::whole}, {"nPostSweeps", holds::whole},
+    {"postSweepsLevelMultiplier", holds::whole}, {"maxPostSweeps", holds::whole},
+    {"nFinestSweeps", holds::whole}, {"interpolateCorrection", holds::onOff},
+    {"scaleCorrection", holds::onOff}, {"directSolveCoarsest", holds::onOff},
+    {"agglomerator", holds::name}, {"nCellsInCoarsestLevel", holds::whole},
+    {"mergeLevels", holds::whole}, {"updateInterval", holds::anything},
+    {"processorAgglomerator", holds::name}, {"nAgglomeratingCells", holds::whole},
+    {"processorAgglomeration", holds::anything}, {"nProcessorsPerMaster", holds::whole},
+    {"nCellsInMasterLevel", holds::anything}, {"nMasters", holds::whole}, {"nLevels", holds::whole},
+    {"coarsestLevelCorr", holds::anything}, {"deflation", holds::anything}});
 
-const wordList ofOpenFOAM({"PCG", "FPCG", "PPCG", "PPCR", "PBiCG", "PBiCGStab", "smoothSolver", "GAMG", "diagonal", "coupledPCG"});
+const wordList ofOpenFOAM({"PCG", "FPCG", "PPCG", "PPCR", "PBiCG", "PBiCGStab", "smoothSolver",
+    "GAMG", "diagonal", "coupledPCG"});
 
 
-[[noreturn]] void stop(const dictionary& dict, const word& entry, const word& field, const char* what)
+[[noreturn]] void stop(
+    const dictionary& dict, const word& entry, const word& field, const char* what)
 {
-    FatalIOErrorInFunction(dict) << "Entry " << entry << " of the solver of " << field << ' ' << what << exit(FatalIOError);
+    FatalIOErrorInFunction(dict) << "Entry " << entry << " of the solver of " << field << ' '
+                                << what << exit(FatalIOError);
     std::abort();
 }
 
@@ -42,7 +49,8 @@ void checkNumber(const dictionary& dict, const word& entry, const word& field)
 {
     const scalar value = dict.get<scalar>(entry);
     if (!(value >= 0)) stop(dict, entry, field, "must be 0 or more");
-    if (entry == "relTol" && value >= 1) stop(dict, entry, field, "must be less than 1: nothing would be solved");
+    if (entry == "relTol" && value >= 1)
+        stop(dict, entry, field, "must be less than 1: nothing would be solved");
 }
 
 
@@ -51,7 +59,8 @@ void checkName(const dictionary& dict, const word& entry, const word& field)
     const word name(dict.get<word>(entry));
     const auto& smoothers = *lduMatrix::smoother::symMatrixConstructorTablePtr_;
     if (entry != "smoother" || smoothers.found(name)) return;
-    FatalIOErrorInFunction(dict) << "unknown smoother '" << name << "' for " << field << ". Valid: " << smoothers.sortedToc() << exit(FatalIOError);
+    FatalIOErrorInFunction(dict) << "unknown smoother '" << name << "' for " << field
+                                << ". Valid: " << smoothers.sortedToc() << exit(FatalIOError);
 }
 
 
@@ -86,15 +95,17 @@ wordList validEntries()
 
 void checkSolverEntries(const dictionary& controls, const word& field)
 {
-    const bool foreign = controls.found("solver") && !ofOpenFOAM.found(controls.get<word>("solver"));
+    const bool foreign = controls.found("solver")
+        && !ofOpenFOAM.found(controls.get<word>("solver"));
     for (const entry& e : controls)
     {
         const auto known = entries.find(e.keyword());
         if (known != entries.end()) checkEntry(controls, e.keyword(), known->second, field);
         else if (!foreign)
         {
-            FatalIOErrorInFunction(controls) << "unknown entry '" << e.keyword() << "' of the solver of " << field << ". Valid: " << validEntries()
-                << exit(FatalIOError);
+            FatalIOErrorInFunction(controls)
+                << "unknown entry '" << e.keyword() << "' of the solver of " << field
+                << ". Valid: " << validEntries() << exit(FatalIOError);
         }
     }
 }

@@ -14,14 +14,13 @@ Foam::labelList labels(const std::vector<int>& from)
 
 }
 
-Foam::wetMesh::wetMesh(const Time& time, const riprap::ReducedSystem& system, labelList&& lower, labelList&& upper)
-:
-    objectRegistry(IOobject("wetCells", time.timeName(), time, IOobject::NO_READ, IOobject::NO_WRITE)),
-    lduPrimitiveMesh(system.rows(), lower, upper, UPstream::worldComm, true),
-    system_(system),
-    borderFields_(system.borders.size()),
-    borderCoeffs_(system.borders.size()),
-    fieldList_(system.borders.size())
+Foam::wetMesh::wetMesh(
+    const Time& time, const riprap::ReducedSystem& system, labelList&& lower, labelList&& upper)
+    : objectRegistry(
+        IOobject("wetCells", time.timeName(), time, IOobject::NO_READ, IOobject::NO_WRITE)),
+      lduPrimitiveMesh(system.rows(), lower, upper, UPstream::worldComm, true), system_(system),
+      borderFields_(system.borders.size()), borderCoeffs_(system.borders.size()),
+      fieldList_(system.borders.size())
 {
     if (system.divided) addBorders();
 }
@@ -34,15 +33,14 @@ void Foam::wetMesh::addBorders()
     {
         const riprap::RankBorder& border = system_.borders[b];
         const labelList rows(labels(border.row));
-        auto* interface = new processorGAMGInterface
-        (
-            b, rawInterfaces(), rows, labelList(), comm(), UPstream::myProcNo(comm()), border.rank, tensorField(), UPstream::msgType()
-        );
+        auto* interface = new processorGAMGInterface(b, rawInterfaces(), rows, labelList(), comm(),
+            UPstream::myProcNo(comm()), border.rank, tensorField(), UPstream::msgType());
         list.set(b, interface);
         borderFields_.set(b, new processorGAMGInterfaceField(*interface, false, 0));
         fieldList_.set(b, &borderFields_[b]);
         scalarField* coeffs = new scalarField(rows.size());
-        std::transform(border.offDiagonal.begin(), border.offDiagonal.end(), coeffs->begin(), [](double a) { return -a; });
+        std::transform(border.offDiagonal.begin(), border.offDiagonal.end(), coeffs->begin(),
+            [](double a) { return -a; });
         borderCoeffs_.set(b, coeffs);
     }
     // which become the mesh's own

@@ -1,4 +1,5 @@
-/*  FluidScene::farEnd on a device. Where has `double x(int d, int i)`: component d of particle i [m].
+/*  FluidScene::farEnd on a device. Where has `double x(int d, int i)`: component d of particle i
+    [m].
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -38,16 +39,18 @@ struct FarParticles
     double* position;           // D components each
 
     HD bool wanted(int i) const { return along.value(i) >= least; }
-    HD void put(int i, int k) const { for (int d = 0; d < D; ++d) position[D*std::size_t(k) + d] = along.where.x(d, i); }
+    HD void put(int i, int k) const
+    {
+        for (int d = 0; d < D; ++d) position[D*std::size_t(k) + d] = along.where.x(d, i);
+    }
 };
 
-//- n particles in a domain whose corners are known; empty: the coordinate along the direction that is not solved in 2D
+//- n particles in a domain whose corners are known; empty: the coordinate along the direction that
+//  is not solved in 2D
 template<class Backend, int D, class Where>
-FluidEnd farEndOf
-(
-    Context<Backend>& context, int n, const Where& where, const int* axes, const Vector3& direction, double reach,
-    const Vec<D, double>& lower, const Vec<D, double>& upper, double empty
-)
+FluidEnd farEndOf(Context<Backend>& context, int n, const Where& where, const int* axes,
+    const Vector3& direction, double reach, const Vec<D, double>& lower,
+    const Vec<D, double>& upper, double empty)
 {
     AlongDirection<D, Where> along{where, {}, 0};
     double length = 0;
@@ -74,7 +77,8 @@ FluidEnd farEndOf
     if (!m) return end;
     const std::vector<double> x = room.download();
     for (int k = 0; k < m; ++k)
-        for (int d = 0; d < D; ++d) end.position[3*std::size_t(k) + axes[d]] = x[std::size_t(k)*D + d];
+        for (int d = 0; d < D; ++d)
+            end.position[3*std::size_t(k) + axes[d]] = x[std::size_t(k)*D + d];
     return end;
 }
 

@@ -22,7 +22,9 @@ public:
         report_ = part_.advance(t, maxSteps);
         join(ranks_, report_.escapedId);
         join(ranks_, report_.escaped);
-        const auto byId = orderBy(report_.escapedId.size(), [&](std::size_t a, std::size_t b) { return report_.escapedId[a] < report_.escapedId[b]; });
+        const auto byId = orderBy(report_.escapedId.size(),
+            [&](std::size_t a, std::size_t b)
+            { return report_.escapedId[a] < report_.escapedId[b]; });
         arrange(report_.escapedId, 1, byId);
         arrange(report_.escaped, 1, byId);
         std::vector<std::int64_t> passed(1, std::int64_t(report_.passedWalls));
@@ -47,8 +49,12 @@ public:
         for (auto* v : {&c.a, &c.b}) join(ranks_, *v);
         for (auto* v : {&c.point, &c.force, &c.overlap}) join(ranks_, *v);
         // the order of pairs that have two is that of the rank that has them
-        const auto order = orderBy(c.a.size(), [&](std::size_t k, std::size_t l)
-        { return c.a[k] != c.a[l] ? c.a[k] < c.a[l] : c.b[k] != c.b[l] ? c.b[k] < c.b[l] : k < l; });
+        const auto order = orderBy(c.a.size(),
+            [&](std::size_t k, std::size_t l) {
+                return c.a[k] != c.a[l] ? c.a[k] < c.a[l]
+                    : c.b[k] != c.b[l] ? c.b[k] < c.b[l]
+                                        : k < l;
+            });
         for (auto* v : {&c.a, &c.b}) arrange(*v, 1, order);
         for (auto* v : {&c.point, &c.force}) arrange(*v, 3, order);
         arrange(c.overlap, 1, order);
@@ -62,7 +68,8 @@ public:
     DemEnergy energy() override
     {
         const DemEnergy here = part_.energy();
-        std::vector<double> v{here.translation, here.rotation, here.potential, here.contact, here.bond, here.spring};
+        std::vector<double> v{
+            here.translation, here.rotation, here.potential, here.contact, here.bond, here.spring};
         addByRank(ranks_, v);
         return DemEnergy{v[0], v[1], v[2], v[3], v[4], v[5]};
     }
@@ -71,7 +78,8 @@ public:
     {
         const DemGroupSums here = part_.groupSums(group);
         std::vector<double> sums{here.particles, here.mass}, most;
-        for (const Vector3& v : {here.massPosition, here.momentum}) sums.insert(sums.end(), v.begin(), v.end());
+        for (const Vector3& v : {here.massPosition, here.momentum})
+            sums.insert(sums.end(), v.begin(), v.end());
         // a rank without any of them says nothing
         for (int d = 0; d < 3; ++d) most.push_back(here.particles ? here.max[d] : -1e300);
         for (int d = 0; d < 3; ++d) most.push_back(here.particles ? -here.min[d] : -1e300);
@@ -112,7 +120,11 @@ public:
         std::vector<DemWallForce> walls = part_.wallForces();
         std::vector<double> v;
         const auto each = [&](const auto& f)
-        { for (DemWallForce& w : walls) for (Vector3* x : {&w.force, &w.moment, &w.normal, &w.normalMoment}) for (double& c : *x) f(c); };
+        {
+            for (DemWallForce& w : walls)
+                for (Vector3* x : {&w.force, &w.moment, &w.normal, &w.normalMoment})
+                    for (double& c : *x) f(c);
+        };
         each([&](double& c) { v.push_back(c); });
         addByRank(ranks_, v);
         std::size_t k = 0;
@@ -120,7 +132,11 @@ public:
         return walls;
     }
 
-    void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override { part_.setExternalForces(force, moment); }
+    void setExternalForces(
+        const std::vector<double>& force, const std::vector<double>& moment) override
+    {
+        part_.setExternalForces(force, moment);
+    }
     std::vector<std::int32_t> saveState() override { return part_.saveState(); }
     void loadState(const std::vector<std::int32_t>& words) override { part_.loadState(words); }
     DemPlan plan() const override { return part_.plan(); }
@@ -145,10 +161,14 @@ private:
 
     DemState whole(DemState s)
     {
-        std::vector<std::vector<double>*> vectors{&s.position, &s.velocity, &s.spin, &s.force, &s.moment}, scalars{&s.radius, &s.mass};
-        std::vector<std::vector<std::int32_t>*> labels{&s.material, &s.group, &s.clump, &s.contacts, &s.brokenBonds};
+        std::vector<std::vector<double>*> vectors{
+            &s.position, &s.velocity, &s.spin, &s.force, &s.moment},
+            scalars{&s.radius, &s.mass};
+        std::vector<std::vector<std::int32_t>*> labels{
+            &s.material, &s.group, &s.clump, &s.contacts, &s.brokenBonds};
         join(ranks_, s.id);
-        const auto order = orderBy(s.id.size(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+        const auto order = orderBy(
+            s.id.size(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
         arrange(s.id, 1, order);
         for (auto* v : vectors) { join(ranks_, *v); arrange(*v, 3, order); }
         for (auto* v : scalars) { join(ranks_, *v); arrange(*v, 1, order); }
@@ -165,6 +185,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<DemScene> wholeDemScene(DemScene& part, Transport& ranks) { return std::make_unique<WholeDemScene>(part, ranks); }
+std::unique_ptr<DemScene> wholeDemScene(DemScene& part, Transport& ranks)
+{
+    return std::make_unique<WholeDemScene>(part, ranks);
+}
 
 } // namespace riprap

@@ -24,10 +24,12 @@ public:
         join(ranks_, r.escapedId);
         join(ranks_, r.escaped);
         join(ranks_, r.wild);
-        const auto byId = orderBy(r.escapedId.size(), [&](std::size_t a, std::size_t b) { return r.escapedId[a] < r.escapedId[b]; });
+        const auto byId = orderBy(r.escapedId.size(),
+            [&](std::size_t a, std::size_t b) { return r.escapedId[a] < r.escapedId[b]; });
         arrange(r.escapedId, 1, byId);
         arrange(r.escaped, 1, byId);
-        std::sort(r.wild.begin(), r.wild.end(), [](const WildParticle& a, const WildParticle& b) { return a.id < b.id; });
+        std::sort(r.wild.begin(), r.wild.end(),
+            [](const WildParticle& a, const WildParticle& b) { return a.id < b.id; });
         return r;
     }
 
@@ -38,10 +40,15 @@ public:
     {
         FluidState s = part_.fluid();
         join(ranks_, s.id);
-        const auto byId = orderBy(s.id.size(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+        const auto byId = orderBy(
+            s.id.size(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
         arrange(s.id, 1, byId);
         for (auto* v : {&s.position, &s.velocity}) { join(ranks_, *v); arrange(*v, 3, byId); }
-        for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) { join(ranks_, *v); arrange(*v, 1, byId); }
+        for (auto* v : {&s.density, &s.pressure, &s.smoothingLength})
+        {
+            join(ranks_, *v);
+            arrange(*v, 1, byId);
+        }
         return s;
     }
 
@@ -55,7 +62,8 @@ public:
     SphEnergy energy() override
     {
         const SphEnergy e = part_.energy();
-        std::vector<double> v{e.kinetic, e.potential, e.elastic, e.wallWork, e.wallPressureWork, e.faceWork, e.stiffening};
+        std::vector<double> v{e.kinetic, e.potential, e.elastic, e.wallWork, e.wallPressureWork,
+            e.faceWork, e.stiffening};
         addByRank(ranks_, v);
         return SphEnergy{v[0], v[1], v[2], v[3], v[4], v[5], v[6]};
     }
@@ -63,7 +71,8 @@ public:
     FluidExtremes extremes() override
     {
         const FluidExtremes e = part_.extremes();
-        return FluidExtremes{largestOfRanks(ranks_, e.speed), largestOfRanks(ranks_, e.densityDeviation)};
+        return FluidExtremes{
+            largestOfRanks(ranks_, e.speed), largestOfRanks(ranks_, e.densityDeviation)};
     }
 
     FluidEnd farEnd(const Vector3& direction, double reach) override
@@ -115,13 +124,15 @@ public:
         joinPlanes(sight, points.size()/3);
         SampleResult r = part_.sample(all, sight);
         std::vector<std::int64_t> before(ranks_.size() + 1, 0);
-        for (int rank = ranks_.rank(); rank < ranks_.size(); ++rank) before[rank + 1] = std::int64_t(points.size()/3);
+        for (int rank = ranks_.rank(); rank < ranks_.size(); ++rank)
+            before[rank + 1] = std::int64_t(points.size()/3);
         const std::size_t first = std::size_t(sum(before)[ranks_.rank()]);
         for (auto* v : {&r.volumeFraction, &r.pressure, &r.velocity, &r.centroid})
         {
             addByRank(ranks_, *v);
             const std::size_t each = all.empty() ? 0 : 3*v->size()/all.size();
-            *v = std::vector<double>(v->begin() + each*first, v->begin() + each*(first + points.size()/3));
+            *v = std::vector<double>(
+                v->begin() + each*first, v->begin() + each*(first + points.size()/3));
         }
         return r;
     }
@@ -129,15 +140,20 @@ public:
     std::vector<std::int32_t> saveState() override { return part_.saveState(); }
     void loadState(const std::vector<std::int32_t>& words) override { part_.loadState(words); }
 
-    std::array<std::size_t, speedClasses> fasterThan(const std::array<double, speedClasses>& speeds) override
+    std::array<std::size_t, speedClasses> fasterThan(
+        const std::array<double, speedClasses>& speeds) override
     {
         std::array<std::size_t, speedClasses> counts = part_.fasterThan(speeds);
-        const std::vector<std::int64_t> all = sum(std::vector<std::int64_t>(counts.begin(), counts.end()));
+        const std::vector<std::int64_t> all = sum(
+            std::vector<std::int64_t>(counts.begin(), counts.end()));
         std::copy(all.begin(), all.end(), counts.begin());
         return counts;
     }
 
-    void setMaxVelocity(double maxVelocity, double soundSpeed) override { part_.setMaxVelocity(maxVelocity, soundSpeed); }
+    void setMaxVelocity(double maxVelocity, double soundSpeed) override
+    {
+        part_.setMaxVelocity(maxVelocity, soundSpeed);
+    }
     double estimateTimeStep(std::string& limit) override { return part_.estimateTimeStep(limit); }
     std::vector<ArrayInfo> arrays() const override { return part_.arrays(); }
     std::vector<KernelInfo> kernels() const override { return part_.kernels(); }
@@ -146,7 +162,8 @@ public:
     NeighbourCounts countNeighbours() override
     {
         const NeighbourCounts c = part_.countNeighbours();
-        const std::vector<std::int64_t> v = sum({c.particles, c.fluid, c.walls, c.solids, c.aboutWalls, c.aboutSolids});
+        const std::vector<std::int64_t> v = sum(
+            {c.particles, c.fluid, c.walls, c.solids, c.aboutWalls, c.aboutSolids});
         return NeighbourCounts{v[0], v[1], v[2], v[3], v[4], v[5]};
     }
 
@@ -172,12 +189,14 @@ private:
     void joinPlanes(SightPlanes& p, std::size_t points)
     {
         std::vector<std::int32_t> counts(points, 0);
-        for (std::size_t i = 0; i + 1 < p.first.size(); ++i) counts[i] = p.first[i + 1] - p.first[i];
+        for (std::size_t i = 0; i + 1 < p.first.size(); ++i)
+            counts[i] = p.first[i + 1] - p.first[i];
         join(ranks_, counts);
         join(ranks_, p.normal);
         join(ranks_, p.depth);
         p.first.assign(p.depth.empty() ? 0 : 1, 0);
-        if (!p.depth.empty()) for (const std::int32_t n : counts) p.first.push_back(p.first.back() + n);
+        if (!p.depth.empty())
+            for (const std::int32_t n : counts) p.first.push_back(p.first.back() + n);
     }
 
     SphScene& part_;
@@ -186,6 +205,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<SphScene> wholeSphScene(SphScene& part, Transport& ranks) { return std::make_unique<WholeSphScene>(part, ranks); }
+std::unique_ptr<SphScene> wholeSphScene(SphScene& part, Transport& ranks)
+{
+    return std::make_unique<WholeSphScene>(part, ranks);
+}
 
 } // namespace riprap

@@ -1,5 +1,6 @@
-/*  The pressure with free bodies solved by several processes together: p, accelerations and iterations are those of one process, wherever
-    borders cut bodies. Run by tests/regression/ranks.sh: rankTests, mpirun -np N rankTests -parallel.
+/*  The pressure with free bodies solved by several processes together: p, accelerations and
+    iterations are those of one process, wherever borders cut bodies. Run by
+    tests/regression/ranks.sh: rankTests, mpirun -np N rankTests -parallel.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -68,7 +69,11 @@ Part partOf(const ReducedSystem& s, const Division& division, int rank)
             border.offDiagonal.push_back(s.offDiagonal[f]);
         }
     }
-    for (auto& border : borders) { border.second.rank = border.first; p.borders.push_back(border.second); }
+    for (auto& border : borders)
+    {
+        border.second.rank = border.first;
+        p.borders.push_back(border.second);
+    }
     for (const riprap::BodyRows& b : s.bodies)
     {
         riprap::BodyRows here;
@@ -93,12 +98,17 @@ struct Alone
     ~Alone() { UPstream::parRun() = before; }
 };
 
-double random(unsigned& seed) { seed = seed*1664525u + 1013904223u; return seed/4294967296.0 - 0.5; }
+double random(unsigned& seed)
+{
+    seed = seed*1664525u + 1013904223u;
+    return seed/4294967296.0 - 0.5;
+}
 
 double largestOf(const std::vector<double>& a, const std::vector<double>* b = nullptr)
 {
     double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::fabs(a[i] - (b ? (*b)[i] : 0)));
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, std::fabs(a[i] - (b ? (*b)[i] : 0)));
     return most;
 }
 
@@ -113,7 +123,9 @@ struct Found
 class Together : public riprap::LinearSolver
 {
 public:
-    Together(const std::string& controls, const Division& division) : solver_(testTime(), "p", entries(controls)), division_(division) {}
+    Together(const std::string& controls, const Division& division)
+        : solver_(testTime(), "p", entries(controls)), division_(division)
+    {}
 
     Found found;
 
@@ -128,8 +140,8 @@ public:
     }
 
 private:
-
-    static std::vector<double> together(const ReducedSystem& s, const Part& part, const std::vector<double>& x)
+    static std::vector<double> together(
+        const ReducedSystem& s, const Part& part, const std::vector<double>& x)
     {
         std::vector<double> all(s.rows(), 0.0);
         for (std::size_t i = 0; i < part.whole.size(); ++i) all[part.whole[i]] = x[i];
@@ -146,7 +158,8 @@ private:
         if (ranks) ranks->sum(has);
         found.emptyRanks = int(has.back());
         has.pop_back();
-        for (const double h : has) found.mostRanksOfABody = std::max(found.mostRanksOfABody, int(h));
+        for (const double h : has)
+            found.mostRanksOfABody = std::max(found.mostRanksOfABody, int(h));
 
         riprap::DeflationControls controls;
         controls.heavyHats = true;
@@ -157,7 +170,8 @@ private:
         std::vector<double> r(s.rows()), here;
         for (double& v : r) v = random(seed);
         for (const int i : part.whole) here.push_back(r[i]);
-        std::vector<double> z(here.size(), 0.0), az(here.size()), back(here.size(), 0.0), reference(s.rows(), 0.0);
+        std::vector<double> z(here.size(), 0.0), az(here.size()), back(here.size(), 0.0),
+            reference(s.rows(), 0.0);
         divided.correct(here.data(), z.data());
         divided.product(z.data(), az.data());
         divided.correct(az.data(), back.data());
@@ -207,7 +221,9 @@ int failures = 0;
 void say(const std::string& name, const std::string& reason)
 {
     if (!reason.empty()) ++failures;
-    if (UPstream::master()) std::cout << (reason.empty() ? "PASS " : "FAIL ") << "ranks." << UPstream::nProcs() << "." << name << (reason.empty() ? "" : " " + reason) << std::endl;
+    if (UPstream::master())
+        std::cout << (reason.empty() ? "PASS " : "FAIL ") << "ranks." << UPstream::nProcs() << "."
+                  << name << (reason.empty() ? "" : " " + reason) << std::endl;
 }
 
 //- What is looked for beside p and accelerations
@@ -218,14 +234,14 @@ struct Expected
 };
 
 template<int D>
-void compare
-(
-    const std::string& name, const std::function<BallsInWater<D>()>& make, const std::vector<double>& ratio, const std::string& preconditioner, const Division& division,
-    const Expected& expected = Expected()
-)
+void compare(const std::string& name, const std::function<BallsInWater<D>()>& make,
+    const std::vector<double>& ratio, const std::string& preconditioner, const Division& division,
+    const Expected& expected = Expected())
 {
     const bool local = preconditioner != "diagonal";
-    const std::string controls = local ? coupled(1e-13) : "solver coupledPCG; preconditioner diagonal; tolerance 1e-11; relTol 0; maxIter 1000;";
+    const std::string controls = local
+        ? coupled(1e-13)
+        : "solver coupledPCG; preconditioner diagonal; tolerance 1e-11; relTol 0; maxIter 1000;";
     BallsInWater<D> one = make(), divided = make();
     std::vector<double> ratios;
     for (std::size_t b = 0; b < one.bodies.size(); ++b) ratios.push_back(ratio[b % ratio.size()]);
@@ -237,25 +253,34 @@ void compare
     double a = 0;
     for (int b = 0; b < int(one.bodies.size()); ++b)
         for (int m = 0; m < one.cut.terms[b].modes; ++m)
-            a = std::max(a, std::fabs(one.acceleration(b, m) - divided.acceleration(b, m))*(m < D ? 1 : one.bodies[b].reach)/one.g);
+            a = std::max(a,
+                std::fabs(one.acceleration(b, m) - divided.acceleration(b, m))
+                    *(m < D ? 1 : one.bodies[b].reach)/one.g);
     const double p = largestOf(one.p, &divided.p)/largestOf(one.p);
 
     std::ostringstream why;
     if (!one.report.converged || !divided.report.converged) why << "not converged; ";
     if (!(p < 1e-8)) why << "p differs by " << p << "; ";
     if (!(a < 1e-8)) why << "accelerations differ by " << a << " g; ";
-    // GAMG joins cells of one rank alone, and turns the order in which it does from one call to the next: it is not quite the same preconditioner
+    // GAMG joins cells of one rank alone, and turns the order in which it does from one call to the
+    // next: it is not quite the same preconditioner
     const int most = local ? one.report.iterations/5 : 2;
-    if (std::abs(one.report.iterations - divided.report.iterations) > most) why << divided.report.iterations << " iterations, by one process " << one.report.iterations << "; ";
-    if (f.columns[0] != f.columns[1]) why << f.columns[1] << " columns, by one process " << f.columns[0] << "; ";
+    if (std::abs(one.report.iterations - divided.report.iterations) > most)
+        why << divided.report.iterations << " iterations, by one process " << one.report.iterations
+            << "; ";
+    if (f.columns[0] != f.columns[1])
+        why << f.columns[1] << " columns, by one process " << f.columns[0] << "; ";
     if (!(f.projection < 1e-9)) why << "Q A Q is off Q by " << f.projection << "; ";
     if (!(f.same < 1e-8)) why << "Q is off that of one process by " << f.same << "; ";
     if (f.columns[0] && !(f.lowest > 0)) why << "Q is not positive; ";
-    if (expected.everywhere && f.mostRanksOfABody != UPstream::nProcs()) why << "no body is on all ranks; ";
+    if (expected.everywhere && f.mostRanksOfABody != UPstream::nProcs())
+        why << "no body is on all ranks; ";
     if (f.emptyRanks != expected.emptyRanks) why << f.emptyRanks << " ranks hold no water; ";
     if (UPstream::master())
-        std::cout << name << ": p " << p << ", a " << a << " g, iterations " << one.report.iterations << " " << divided.report.iterations << ", columns " << f.columns[0]
-            << ", Q " << f.projection << " " << f.same << ", ranks of a body " << f.mostRanksOfABody << ", without rows " << f.emptyRanks << std::endl;
+        std::cout << name << ": p " << p << ", a " << a << " g, iterations "
+                  << one.report.iterations << " " << divided.report.iterations << ", columns "
+                  << f.columns[0] << ", Q " << f.projection << " " << f.same << ", ranks of a body "
+                  << f.mostRanksOfABody << ", without rows " << f.emptyRanks << std::endl;
     say(name, why.str());
 }
 
@@ -276,7 +301,9 @@ BallsInWater<3> spheres(bool closed)
     s.addBall({{0.503, 0.497, 0.51}}, 4.3/n);
     for (const double x : {0.22, 0.77}) s.addBall({{x, 0.25, 0.28}}, 3.1/n);
     s.addBall({{0.25, 0.75, 0.76}}, 3.4/n);
-    if (!closed) for (int i = 0; i < s.grid.cells(); ++i) s.phi[i] = (s.grid.cellIndex(i).c[2] + 0.5)*s.grid.h - 0.9;
+    if (!closed)
+        for (int i = 0; i < s.grid.cells(); ++i)
+            s.phi[i] = (s.grid.cellIndex(i).c[2] + 0.5)*s.grid.h - 0.9;
     return s;
 }
 
@@ -287,7 +314,8 @@ Division parts(int side)
     return [=](const CellCorner& x)
     {
         if (ranks == 4) return (2*x[0] >= side ? 1 : 0) + (2*x[1] >= side ? 2 : 0);
-        if (ranks == 3 && 7*x[0] >= 3*side) return 7*x[0] < 4*side ? 1 : 2;     // the middle one is narrower than the body
+        // the middle one is narrower than the body
+        if (ranks == 3 && 7*x[0] >= 3*side) return 7*x[0] < 4*side ? 1 : 2;
         return ranks == 2 && 2*x[0] >= side ? 1 : 0;
     };
 }
@@ -296,7 +324,12 @@ Division parts(int side)
 Division blocks(int width)
 {
     const int ranks = UPstream::nProcs();
-    return [=](const CellCorner& x) { return (x[0]/width*5 + x[1]/width*3 + x[2]/width*7 + x[0]/width*(x[1]/width)) % ranks; };
+    return [=](const CellCorner& x)
+    {
+        return (x[0]/width*5 + x[1]/width*3 + x[2]/width*7
+                   + x[0]/width*(x[1]/width))
+            % ranks;
+    };
 }
 
 //- Layers up to a level, above which the last rank is
@@ -328,13 +361,21 @@ int main(int argc, char* argv[])
         for (const double ratio : {1e-3, 1.0, 2.7, 1e3})
         {
             if (preconditioner == "diagonal" && (ratio == 1 || ratio == 2.7)) continue;
-            compare<2>(name("disks", ratio, preconditioner), [] { return disks(false); }, {ratio}, preconditioner, parts(64), {true, 0});
-            compare<2>(name("closed", ratio, preconditioner), [] { return disks(true); }, {ratio}, preconditioner, parts(64), {true, 0});
-            compare<3>(name("spheres", ratio, preconditioner), [] { return spheres(false); }, {ratio}, preconditioner, parts(24), {true, 0});
+            compare<2>(name("disks", ratio, preconditioner), [] { return disks(false); }, {ratio},
+                preconditioner, parts(64), {true, 0});
+            compare<2>(name("closed", ratio, preconditioner), [] { return disks(true); }, {ratio},
+                preconditioner, parts(64), {true, 0});
+            compare<3>(name("spheres", ratio, preconditioner), [] { return spheres(false); },
+                {ratio}, preconditioner, parts(24), {true, 0});
         }
-        compare<2>("blocks." + preconditioner, [] { return disks(false); }, mixed, preconditioner, blocks(9));
-        compare<3>("blocks3D." + preconditioner, [] { return spheres(true); }, mixed, preconditioner, blocks(7));
-        compare<2>("layers." + preconditioner, [] { return disks(false); }, mixed, preconditioner, layers(52), {false, more});
+        compare<2>(
+            "blocks." + preconditioner, [] { return disks(false); }, mixed, preconditioner,
+            blocks(9));
+        compare<3>(
+            "blocks3D." + preconditioner, [] { return spheres(true); }, mixed, preconditioner,
+            blocks(7));
+        compare<2>("layers." + preconditioner, [] { return disks(false); }, mixed, preconditioner,
+            layers(52), {false, more});
     }
     failures += particlesOnRanks();
     return failures ? 1 : 0;

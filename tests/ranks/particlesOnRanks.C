@@ -1,4 +1,5 @@
-/*  Particles that processes share: random walks, and scenes of solids whose particles, after many steps on all processes, are the bits of one.
+/*  Particles that processes share: random walks, and scenes of solids whose particles, after many
+    steps on all processes, are the bits of one.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,12 +26,14 @@ int report(Transport& transport, const std::string& name, const std::function<st
     try { why = run(); }
     catch (const std::exception& e)
     {
-        std::cout << "FAIL ranks." << transport.size() << "." << name << " process " << transport.rank() << ": " << e.what() << std::endl;
+        std::cout << "FAIL ranks." << transport.size() << "." << name << " process "
+                  << transport.rank() << ": " << e.what() << std::endl;
         if (transport.size() == 1) return 1;
         Foam::UPstream::abort();
     }
     if (transport.rank() == 0)
-        std::cout << (why.empty() ? "PASS " : "FAIL ") << "ranks." << transport.size() << "." << name << (why.empty() ? "" : " " + why) << std::endl;
+        std::cout << (why.empty() ? "PASS " : "FAIL ") << "ranks." << transport.size() << "."
+                  << name << (why.empty() ? "" : " " + why) << std::endl;
     return !why.empty();
 }
 
@@ -43,7 +46,8 @@ void addSphere(DemInput& in, Vector3 x, Vector3 v, double radius)
     p.mass.push_back(1e4*radius*radius*radius);
 }
 
-//- Spheres of radius 14 to 20 mm, side by side in columns; on a floor between walls, or in a box without sides
+//- Spheres of radius 14 to 20 mm, side by side in columns; on a floor between walls, or in a box
+//  without sides
 DemInput spheres(int n, bool walled, double speed)
 {
     DemInput in;
@@ -59,7 +63,8 @@ DemInput spheres(int n, bool walled, double speed)
     const double spacing = walled ? 0.0404 : 1.0/across;
     for (int i = 0; i < n; ++i)
     {
-        const double k[3] = {double(i % across), double(i/across % across), double(i/across/across)};
+        const double k[3] = {
+            double(i % across), double(i/across % across), double(i/across/across)};
         Vector3 x, v;
         for (int d = 0; d < 3; ++d)
         {
@@ -125,7 +130,8 @@ std::map<std::int32_t, Row> gathered(Transport& transport, const DemState& s, st
             Row r;
             takeValues(at, &id);
             takeValues(at, r.data(), r.size());
-            if (!rows.emplace(id, r).second) why = "particle " + std::to_string(id) + " is on two processes";
+            if (!rows.emplace(id, r).second)
+                why = "particle " + std::to_string(id) + " is on two processes";
         }
     }
     return rows;
@@ -165,8 +171,11 @@ std::string sameBits(Transport& transport, const DemConfig& config, const DemInp
         different += !same || theirs[k] != double(s.contacts[i]);
     }
     if (rows.size() != s.id.size()) os << rows.size() << " particles, of " << s.id.size() << "; ";
-    if (different) os << different << " of " << s.id.size() << " particles are of other bits, the farthest is " << most << " m off; ";
-    if (report.rebuilds != one.rebuilds || report.time != one.time || report.maxSpeed != one.maxSpeed || report.particles != one.particles)
+    if (different)
+        os << different << " of " << s.id.size() << " particles are of other bits, the farthest is "
+           << most << " m off; ";
+    if (report.rebuilds != one.rebuilds || report.time != one.time
+        || report.maxSpeed != one.maxSpeed || report.particles != one.particles)
         os << "another report; ";
     if (transport.size() > 1 && arrivals[0] == 0) os << "no particle has changed its process; ";
     return os.str();
@@ -175,9 +184,12 @@ std::string sameBits(Transport& transport, const DemConfig& config, const DemInp
 std::string millionMigrations(Transport& transport)
 {
     const Tank tank(1.5, 1.2, 0.9, {{true, false, true}}, {0.03, 0.06});
-    const WalkSum o = walkOnRank(transport, tank, 6000, transport.size() == 1 ? 10 : 450, Walk{tank, 0.6, 0}, 0.1, 100);
+    const WalkSum o = walkOnRank(
+        transport, tank, 6000, transport.size() == 1 ? 10 : 450, Walk{tank, 0.6, 0}, 0.1, 100);
     if (o.leftOver != 6000) return "particles have left";
-    return transport.size() == 1 || o.arrivals > 1000000 ? "" : "only " + std::to_string(o.arrivals) + " particles have changed their process";
+    return transport.size() == 1 || o.arrivals > 1000000
+        ? ""
+        : "only " + std::to_string(o.arrivals) + " particles have changed their process";
 }
 
 } // namespace
@@ -185,7 +197,8 @@ std::string millionMigrations(Transport& transport)
 int particlesOnRanks()
 {
     Foam::pstreamTransport transport;
-    int failures = report(transport, "millionMigrations", [&] { return millionMigrations(transport); });
+    int failures = report(
+        transport, "millionMigrations", [&] { return millionMigrations(transport); });
     for (const PrecisionKind precision : {PrecisionKind::doubled, PrecisionKind::mixed})
     {
         const std::string name = precision == PrecisionKind::doubled ? ".double" : ".mixed";

@@ -1,7 +1,9 @@
-/*  What tests of device code share. A body stands in x.hpp, once; x.C compiles it for the Cpu, xGpu.cu for the Gpu.
+/*  What tests of device code share. A body stands in x.hpp, once; x.C compiles it for the Cpu,
+    xGpu.cu for the Gpu.
 
-    Everything is in unnamed namespaces or templated on the backend: both units are linked into one program. Tests are typed
-    over Case<Backend, D, P> and called e.g. Box/Cpu2Mixed.RoundTrip; without a GPU those of the Gpu are skipped, with the reason.
+    Everything is in unnamed namespaces or templated on the backend: both units are linked into one
+    program. Tests are typed over Case<Backend, D, P> and called e.g. Box/Cpu2Mixed.RoundTrip;
+    without a GPU those of the Gpu are skipped, with the reason.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,7 +41,8 @@ struct Case
     using P = Precision;
     using real = typename P::real;
     static constexpr bool mixed = sizeof(real) == 4;
-    static constexpr double epsilon = mixed ? 5.9604644775390625e-8 : 1.1102230246251565e-16;   // half a unit in the last place
+    // half a unit in the last place
+    static constexpr double epsilon = mixed ? 5.9604644775390625e-8 : 1.1102230246251565e-16;
 };
 
 using AllCases = testing::Types<Case<2, Mixed>, Case<2, Double>, Case<3, Mixed>, Case<3, Double>>;
@@ -48,7 +51,10 @@ struct CaseNames
 {
     template<class C>
     static std::string GetName(int)
-    { return std::string(Backend::gpu ? "Gpu" : "Cpu") + char('0' + C::D) + (C::mixed ? "Mixed" : "Double"); }
+    {
+        return std::string(Backend::gpu ? "Gpu" : "Cpu") + char('0' + C::D)
+            + (C::mixed ? "Mixed" : "Double");
+    }
 };
 
 //- Skips where there is no such device
@@ -80,7 +86,10 @@ class Random
 {
 public:
     explicit Random(unsigned seed) : engine_(seed) {}
-    double operator()(double low, double high) { return low + (high - low)*(engine_()/4294967296.0); }
+    double operator()(double low, double high)
+    {
+        return low + (high - low)*(engine_()/4294967296.0);
+    }
     std::uint32_t bits() { return std::uint32_t(engine_()); }
 private:
     std::mt19937 engine_;

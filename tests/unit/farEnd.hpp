@@ -16,7 +16,8 @@ namespace riprap
 inline std::vector<double> endOnHost(const std::vector<double>& x, const Vector3& n, double reach)
 {
     std::vector<double> all;
-    for (std::size_t i = 0; i < x.size(); i += 3) all.push_back(x[i]*n[0] + x[i + 1]*n[1] + x[i + 2]*n[2]);
+    for (std::size_t i = 0; i < x.size(); i += 3)
+        all.push_back(x[i]*n[0] + x[i + 1]*n[1] + x[i + 2]*n[2]);
     std::sort(all.begin(), all.end());
     std::vector<double> end;
     for (const double s : all) if (s >= all.back() - reach) end.push_back(s);
@@ -33,15 +34,19 @@ inline void expectFarEnds(FluidScene& scene, int dimensions, double density)
         {
             const FluidEnd end = scene.farEnd(n, reach);
             EXPECT_EQ(end.particles, f.id.size());
-            const std::vector<double> known = endOnHost(f.position, n, reach), found = endOnHost(end.position, n, 100);
-            ASSERT_EQ(found.size(), known.size()) << reach << " behind the first along " << n[0] << ' ' << n[1] << ' ' << n[2];
+            const std::vector<double> known = endOnHost(f.position, n, reach),
+                                      found = endOnHost(end.position, n, 100);
+            ASSERT_EQ(found.size(), known.size())
+                << reach << " behind the first along " << n[0] << ' ' << n[1] << ' ' << n[2];
             for (std::size_t k = 0; k < known.size(); ++k) ASSERT_NEAR(found[k], known[k], 1e-13);
         }
 
     FluidExtremes host;
     for (std::size_t i = 0; i < f.id.size(); ++i)
     {
-        host.speed = std::max(host.speed, std::hypot(std::hypot(f.velocity[3*i], f.velocity[3*i + 1]), f.velocity[3*i + 2]));
+        host.speed = std::max(host.speed,
+            std::hypot(
+                std::hypot(f.velocity[3*i], f.velocity[3*i + 1]), f.velocity[3*i + 2]));
         host.densityDeviation = std::max(host.densityDeviation, std::abs(f.density[i]/density - 1));
     }
     const FluidExtremes device = scene.extremes();

@@ -1,4 +1,5 @@
-/*  What tests through the facade share: one test for each device, dimension and precision, and small scenes to start from.
+/*  What tests through the facade share: one test for each device, dimension and precision, and
+    small scenes to start from.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,18 +28,25 @@ struct Setup
 };
 
 inline void PrintTo(const Setup& s, std::ostream* out)
-{ *out << (s.device == DeviceKind::gpu ? "Gpu" : "Cpu") << s.dimensions << (s.mixed() ? "Mixed" : "Double"); }
+{
+    *out << (s.device == DeviceKind::gpu ? "Gpu" : "Cpu") << s.dimensions
+        << (s.mixed() ? "Mixed" : "Double");
+}
 
 inline std::vector<Setup> setups(std::vector<int> dimensions)
 {
     std::vector<Setup> r;
     for (const DeviceKind device : {DeviceKind::cpu, DeviceKind::gpu})
         for (const int d : dimensions)
-            for (const PrecisionKind p : {PrecisionKind::mixed, PrecisionKind::doubled}) r.push_back(Setup{device, d, p});
+            for (const PrecisionKind p : {PrecisionKind::mixed, PrecisionKind::doubled})
+                r.push_back(Setup{device, d, p});
     return r;
 }
 
-inline std::string setupName(const testing::TestParamInfo<Setup>& info) { return testing::PrintToString(info.param); }
+inline std::string setupName(const testing::TestParamInfo<Setup>& info)
+{
+    return testing::PrintToString(info.param);
+}
 
 //- One particle of water
 inline FluidInput oneParticle(int dimensions, const Vector3& x, const Vector3& v)
@@ -52,8 +60,10 @@ inline FluidInput oneParticle(int dimensions, const Vector3& x, const Vector3& v
 }
 
 //- Every device, 2D and 3D (or 2D alone, where the third dimension adds nothing), both precisions
-#define RIPRAP_ALL_SETUPS(suite) INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(setups({2, 3})), setupName)
-#define RIPRAP_PLANE_SETUPS(suite) INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(setups({2})), setupName)
+#define RIPRAP_ALL_SETUPS(suite) \
+    INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(setups({2, 3})), setupName)
+#define RIPRAP_PLANE_SETUPS(suite) \
+    INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(setups({2})), setupName)
 
 class SceneTest : public testing::TestWithParam<Setup>
 {
@@ -84,36 +94,45 @@ protected:
         return c;
     }
 
-    std::unique_ptr<SphScene> scene(const SphConfig& c, const FluidInput& f, const WallInput& w = {}, WallMotion m = {}) const
+    std::unique_ptr<SphScene> scene(
+        const SphConfig& c, const FluidInput& f, const WallInput& w = {}, WallMotion m = {}) const
     { return createSphScene(c, f, w, std::move(m)); }
 
     //- Half a unit in the last place of what pairs are computed in
     double epsilon() const { return mixed() ? 6e-8 : 1.1e-16; }
 };
 
-//- A square (cubic) lattice of particles at rest, each in the centre of its own dp^D, filling [lower, upper]
+//- A square (cubic) lattice of particles at rest, each in the centre of its own dp^D, filling
+//  [lower, upper]
 inline FluidInput lattice(const SphConfig& c, const Vector3& lower, const Vector3& upper)
 {
     FluidInput f;
     int n[3] = {1, 1, 1};
-    for (int d = 0; d < c.dimensions; ++d) n[c.axes[d]] = int(std::lround((upper[c.axes[d]] - lower[c.axes[d]])/c.spacing));
+    for (int d = 0; d < c.dimensions; ++d)
+        n[c.axes[d]] = int(std::lround((upper[c.axes[d]] - lower[c.axes[d]])/c.spacing));
     for (int k = 0; k < n[2]; ++k)
         for (int j = 0; j < n[1]; ++j)
             for (int i = 0; i < n[0]; ++i)
             {
                 const int index[3] = {i, j, k};
                 for (int d = 0; d < 3; ++d)
-                    f.position.push_back(n[d] == 1 ? lower[d] : lower[d] + (index[d] + 0.5)*c.spacing);
+                    f.position.push_back(
+                        n[d] == 1 ? lower[d] : lower[d] + (index[d] + 0.5)*c.spacing);
                 f.density.push_back(c.density);
             }
     f.velocity.assign(f.position.size(), 0.0);
     return f;
 }
 
-inline double uniform(std::mt19937& engine, double low, double high) { return low + (high - low)*(engine()/4294967296.0); }
+inline double uniform(std::mt19937& engine, double low, double high)
+{
+    return low + (high - low)*(engine()/4294967296.0);
+}
 
-//- Particles off their lattice points by up to `shift` spacings, with random velocities and densities
-inline void disturb(const SphConfig& c, FluidInput& f, double shift, double speed, double deviation, unsigned seed = 1)
+//- Particles off their lattice points by up to `shift` spacings, with random velocities and
+//  densities
+inline void disturb(const SphConfig& c, FluidInput& f, double shift, double speed, double deviation,
+    unsigned seed = 1)
 {
     std::mt19937 engine(seed);
     for (std::size_t i = 0; i < f.size(); ++i)
@@ -169,7 +188,8 @@ inline std::vector<std::size_t> byId(const FluidState& s)
 {
     std::vector<std::size_t> order(s.id.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+    std::sort(order.begin(), order.end(),
+        [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
     return order;
 }
 
@@ -178,7 +198,10 @@ inline void expectSameBits(const FluidState& a, const FluidState& b)
 {
     EXPECT_EQ(a.id, b.id);
     const auto same = [](const std::vector<double>& x, const std::vector<double>& y)
-    { return x.size() == y.size() && (x.empty() || !std::memcmp(x.data(), y.data(), x.size()*sizeof(double))); };
+    {
+        return x.size() == y.size()
+            && (x.empty() || !std::memcmp(x.data(), y.data(), x.size()*sizeof(double)));
+    };
     EXPECT_TRUE(same(a.position, b.position));
     EXPECT_TRUE(same(a.velocity, b.velocity));
     EXPECT_TRUE(same(a.density, b.density));
@@ -186,8 +209,9 @@ inline void expectSameBits(const FluidState& a, const FluidState& b)
     EXPECT_TRUE(same(a.smoothingLength, b.smoothingLength));
 }
 
-//- What the last pass over the pairs gave, by id. Read from the end of the saved state: the fields that arrays() lists (each there
-//  twice, as a double buffer), those of walls if they move, one word of checksum
+//- What the last pass over the pairs gave, by id. Read from the end of the saved state: the fields
+//  that arrays() lists (each there twice, as a double buffer), those of walls if they move, one
+//  word of checksum
 struct Derivatives
 {
     std::vector<Vector3> acceleration, drift;
@@ -200,11 +224,14 @@ inline Derivatives derivatives(SphScene& scene, const SphConfig& c)
     const std::size_t n = scene.fluid().id.size();
     std::map<std::string, std::vector<double>> field;
     std::vector<ArrayInfo> fields = scene.arrays();
-    const auto end = std::find_if(fields.begin(), fields.end(), [](const ArrayInfo& a) { return a.name == "records"; });
+    const auto end = std::find_if(
+        fields.begin(), fields.end(), [](const ArrayInfo& a) { return a.name == "records"; });
     std::size_t at = words.size() - 1;
-    const bool moving = std::any_of(end, fields.end(), [](const ArrayInfo& a) { return a.name == "velocity.0"; });
+    const bool moving = std::any_of(
+        end, fields.end(), [](const ArrayInfo& a) { return a.name == "velocity.0"; });
     for (auto a = end; moving && a != fields.end(); ++a)
-        if (a->set == "wall" && a->name != "records" && a->name != "cells" && a->name != "motion") at -= a->bytes/8;
+        if (a->set == "wall" && a->name != "records" && a->name != "cells" && a->name != "motion")
+            at -= a->bytes/8;
     fields.erase(end, fields.end());
     for (const ArrayInfo& a : fields) at -= n*a.bytesPerParticle/8;
     for (const ArrayInfo& a : fields)
@@ -233,7 +260,8 @@ inline Derivatives derivatives(SphScene& scene, const SphConfig& c)
         for (int d = 0; d < c.dimensions; ++d)
         {
             r.acceleration[id][c.axes[d]] = field[std::string("acceleration") + names[d]][i];
-            if (field.count(std::string("drift") + names[d])) r.drift[id][c.axes[d]] = field[std::string("drift") + names[d]][i];
+            if (field.count(std::string("drift") + names[d]))
+                r.drift[id][c.axes[d]] = field[std::string("drift") + names[d]][i];
         }
         r.rate[id] = c.density*field["densityRate"][i];
     }

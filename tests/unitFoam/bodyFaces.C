@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Surfaces of rigid bodies as water is held off them: closed, outwards, of the volume of their shape, in the frame of the body. */
+/*  Surfaces of rigid bodies as water is held off them: closed, outwards, of the volume of their
+    shape, in the frame of the body. */
 
 #include "bodyFaces.H"
 #include "testTime.H"
@@ -34,7 +35,8 @@ namespace
         double sum = 0, area[3] = {0, 0, 0};
         for (std::size_t i = 0; i < f.size(); ++i)
         {
-            const Vector3 a = vertex(f, i, 0), b = vertex(f, i, 1), c = dimensions == 3 ? vertex(f, i, 2) : b;
+            const Vector3 a = vertex(f, i, 0), b = vertex(f, i, 1),
+                          c = dimensions == 3 ? vertex(f, i, 2) : b;
             double cross2 = 0, length2 = 0, along = 0;
             for (int d = 0; d < 3; ++d)
             {
@@ -58,7 +60,8 @@ namespace
         return Foam::bodyFaces(properties, testTime(), config(dimensions), {body});
     }
 
-    void expectVolume(int dimensions, const std::string& surface, const Vector3& centre, double expected, double tolerance)
+    void expectVolume(int dimensions, const std::string& surface, const Vector3& centre,
+        double expected, double tolerance)
     {
         riprap::DemClump body;
         body.position = centre;
@@ -70,7 +73,8 @@ namespace
         EXPECT_LT(open, 1e-9) << surface;
         // in the body's frame: the centre is the origin
         double middle[3] = {0, 0, 0};
-        for (std::size_t i = 0; i < f.point.size(); ++i) middle[i % 3] += f.point[i]/double(f.point.size()/3);
+        for (std::size_t i = 0; i < f.point.size(); ++i)
+            middle[i % 3] += f.point[i]/double(f.point.size()/3);
         for (int d = 0; d < 3; ++d)
         {
             if (dimensions == 3 || d != 1) { EXPECT_NEAR(middle[d], 0, 1e-9) << surface; }
@@ -78,20 +82,25 @@ namespace
     }
 }
 
-// A chord a hundredth of a spacing off the arc of radius R: volumes are less by 4/3 (2D) to 3 (sphere) of that over R at most
+// A chord a hundredth of a spacing off the arc of radius R: volumes are less by 4/3 (2D) to 3
+// (sphere) of that over R at most
 TEST(BodyFaces, Volumes)
 {
     const double pi = std::acos(-1.0);
     expectVolume(3, "source box; box (3 1 2) (2 5 4);", {{2.5, 3, 3}}, 8, 1e-12);
-    expectVolume(3, "source cylinder; p1 (1 1 1); p2 (1 2 3); radius 0.2;", {{1, 1.5, 2}}, pi*0.04*std::sqrt(5.0), 2e-3);
+    expectVolume(3, "source cylinder; p1 (1 1 1); p2 (1 2 3); radius 0.2;", {{1, 1.5, 2}},
+        pi*0.04*std::sqrt(5.0), 2e-3);
     expectVolume(3, "source sphere; centre (1 2 3); radius 0.1;", {{1, 2, 3}}, 4*pi/3*1e-3, 4e-3);
     expectVolume(2, "source box; box (3 0 2) (2 5 4);", {{2.5, 0, 3}}, 2, 1e-12);
-    expectVolume(2, "source cylinder; p1 (1 -1 1); p2 (1 2 1); radius 0.2;", {{1, 0, 1}}, pi*0.04, 2e-3);
-    expectVolume(2, "source cylinder; p1 (1 0.5 1); p2 (2 0.5 2); radius 0.2;", {{1.5, 0.5, 1.5}}, 0.4*std::sqrt(2.0), 1e-12);
+    expectVolume(
+        2, "source cylinder; p1 (1 -1 1); p2 (1 2 1); radius 0.2;", {{1, 0, 1}}, pi*0.04, 2e-3);
+    expectVolume(2, "source cylinder; p1 (1 0.5 1); p2 (2 0.5 2); radius 0.2;", {{1.5, 0.5, 1.5}},
+        0.4*std::sqrt(2.0), 1e-12);
     expectVolume(2, "source sphere; centre (1 0.5 3); radius 0.1;", {{1, 0.5, 3}}, pi*0.01, 3e-3);
 }
 
-//- A body that was made turned by a right angle about z: its axes are principal ones, and where it is now does not matter
+//- A body that was made turned by a right angle about z: its axes are principal ones, and where it
+//  is now does not matter
 TEST(BodyFaces, FrameOfTheBody)
 {
     riprap::DemClump body;
@@ -121,12 +130,14 @@ TEST(BodyFaces, Outlines)
     a.shape = b.shape = 0;
     for (const char* outline : {"((0 0 0) (0.3 0 0) (0 0 0.3))", "((0 0 0.3) (0.3 0 0) (0 0 0))"})
     {
-        const Foam::dictionary properties(entries(std::string("shapes { one { outline ") + outline + "; } }"));
+        const Foam::dictionary properties(
+            entries(std::string("shapes { one { outline ") + outline + "; } }"));
         const WallFaceInput f = Foam::bodyFaces(properties, testTime(), config(2), {a, b});
         EXPECT_EQ(Foam::bodiesWithFaces(f), 2);
         ASSERT_EQ(f.size(), 6u);
         double open;
         EXPECT_NEAR(volume(f, 2, open), 2*0.045, 1e-12);
     }
-    EXPECT_EQ(Foam::bodiesWithFaces(Foam::bodyFaces(entries(""), testTime(), config(2), {a, b})), 0);
+    EXPECT_EQ(
+        Foam::bodiesWithFaces(Foam::bodyFaces(entries(""), testTime(), config(2), {a, b})), 0);
 }

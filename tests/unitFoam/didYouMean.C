@@ -31,7 +31,8 @@ TEST(DidYouMean, SlipsAreCounted)
 TEST(DidYouMean, NamesTheNearest)
 {
     EXPECT_EQ(hint("solid", {"fluid", "solids"}), "; did you mean solids?");
-    EXPECT_EQ(hint("wendlandc2", {"cubicSpline", "wendlandC2", "wendlandC4"}), "; did you mean wendlandC2?");
+    EXPECT_EQ(hint("wendlandc2", {"cubicSpline", "wendlandC2", "wendlandC4"}),
+        "; did you mean wendlandC2?");
     EXPECT_EQ(hint("dme", {"dem", "sphDem", "picDem"}), "; did you mean dem?");
     EXPECT_EQ(hint("e", {"rho", "E", "nu"}), "; did you mean E?");
 }
@@ -63,5 +64,6 @@ TEST(DidYouMean, StandsBehindTheValidWords)
     catch (const IOerror& e) { value = e.message(); }
     FatalIOError.throwExceptions(before);
     EXPECT_EQ(entry, "Unknown entry spaceing; valid are (set spacing); did you mean spacing?");
-    EXPECT_EQ(value, "Entry set has the unknown word solid; valid are (fluid solids); did you mean solids?");
+    EXPECT_EQ(value,
+        "Entry set has the unknown word solid; valid are (fluid solids); did you mean solids?");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  What a dry run foretells: how often things are done, and files that are formatted but not written. */
+/*  What a dry run foretells: how often things are done, and files that are formatted but not
+    written. */
 
 #include "OSspecific.H"
 #include "runForecast.H"

@@ -1,4 +1,5 @@
-/*  Free bodies solved with the pressure: first step of a disk or sphere at rest in a closed tank, Archimedes, momentum, iterations.
+/*  Free bodies solved with the pressure: first step of a disk or sphere at rest in a closed tank,
+    Archimedes, momentum, iterations.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,7 +18,8 @@ struct FreeStep : BallsInWater<D>
 {
     using BallsInWater<D>::BallsInWater;
 
-    //- Bodies of these densities, relative to the water's; their accelerations are then in cut.terms
+    //- Bodies of these densities, relative to the water's; their accelerations are then in
+    //  cut.terms
     void solve(const std::vector<double>& ratio, const std::string& controls, bool turns = true)
     {
         pressureSolver solver(testTime(), "p", entries(controls));
@@ -30,7 +32,8 @@ struct FreeStep : BallsInWater<D>
 
 //- Acceleration of a ball at rest in the middle of a round tank twice its size, against theory
 template<int D>
-double accelerationError(double cellsARadius, double ratio, int* iterations = nullptr, double x = 0.137, double y = -0.21)
+double accelerationError(double cellsARadius, double ratio, int* iterations = nullptr,
+    double x = 0.137, double y = -0.21)
 {
     const double a = 1, tank = 2, h = a/cellsARadius;
     const int n = int(std::ceil(2*tank/h)) + 5;
@@ -41,7 +44,9 @@ double accelerationError(double cellsARadius, double ratio, int* iterations = nu
     s.addBall(c, a);
     s.solve({ratio}, coupled(1e-11));
     if (iterations) *iterations = s.report.iterations;
-    const double added = D == 2 ? (tank*tank + a*a)/(tank*tank - a*a) : 0.5*(std::pow(tank, 3) + 2*std::pow(a, 3))/(std::pow(tank, 3) - std::pow(a, 3));
+    const double added = D == 2
+        ? (tank*tank + a*a)/(tank*tank - a*a)
+        : 0.5*(std::pow(tank, 3) + 2*std::pow(a, 3))/(std::pow(tank, 3) - std::pow(a, 3));
     return s.acceleration(0)/(-s.g*(ratio - 1)/(ratio + added)) - 1;
 }
 
@@ -52,11 +57,13 @@ TEST(FreeBody, AccelerationIn2D)
         int iterations = 0;
         const double error = accelerationError<2>(10, ratio, &iterations);
         EXPECT_LT(std::fabs(error), 0.01) << "density ratio " << ratio;
-        std::cout << "2D density ratio " << ratio << ": error " << 100*error << " %, iterations " << iterations << "\n";
+        std::cout << "2D density ratio " << ratio << ": error " << 100*error << " %, iterations "
+                  << iterations << "\n";
     }
 }
 
-//- Wherever the disk lies in the grid, and worst where planes of faces touch it (0 0): less than 1 % at 10 cells a radius, of second order
+//- Wherever the disk lies in the grid, and worst where planes of faces touch it (0 0): less than 1
+//  % at 10 cells a radius, of second order
 TEST(FreeBody, ConvergesWithSecondOrderIn2D)
 {
     double rms[2] = {0, 0};
@@ -68,7 +75,8 @@ TEST(FreeBody, ConvergesWithSecondOrderIn2D)
                 if (k) { EXPECT_LT(std::fabs(error), 0.002) << x << " " << y; }
                 rms[k] += error*error/8;
             }
-    EXPECT_GT(0.25*std::log2(rms[0]/rms[1]), 1.8) << "from " << std::sqrt(rms[0]) << " to " << std::sqrt(rms[1]);
+    EXPECT_GT(0.25*std::log2(rms[0]/rms[1]), 1.8)
+        << "from " << std::sqrt(rms[0]) << " to " << std::sqrt(rms[1]);
 }
 
 TEST(FreeBody, AccelerationIn3D)
@@ -78,16 +86,19 @@ TEST(FreeBody, AccelerationIn3D)
         int iterations = 0;
         const double error = accelerationError<3>(6, ratio, &iterations);
         EXPECT_LT(std::fabs(error), 0.02) << "density ratio " << ratio;
-        std::cout << "3D density ratio " << ratio << ": error " << 100*error << " %, iterations " << iterations << "\n";
+        std::cout << "3D density ratio " << ratio << ": error " << 100*error << " %, iterations "
+                  << iterations << "\n";
     }
 }
 
 TEST(FreeBody, ArchimedesToRoundOff)
 {
     FreeStep<2> s(40, 0.05);
-    for (int i = 0; i < s.grid.cells(); ++i) s.phi[i] = (s.grid.cellIndex(i).c[1] + 0.5)*s.grid.h - 1.613;
+    for (int i = 0; i < s.grid.cells(); ++i)
+        s.phi[i] = (s.grid.cellIndex(i).c[1] + 0.5)*s.grid.h - 1.613;
     s.addBall({{1.03, 0.71}}, 0.4);
-    // held against turning: the centre of the volume that the grid sees is a second-order distance off the disk's
+    // held against turning: the centre of the volume that the grid sees is a second-order distance
+    // off the disk's
     s.solve({1.0}, coupled(1e-15), false);
     for (int m = 0; m < 2; ++m) EXPECT_LT(std::fabs(s.acceleration(0, m)), 1e-12*s.g) << m;
     // the force itself: p of water at rest, by the faces that close
@@ -98,7 +109,8 @@ TEST(FreeBody, ArchimedesToRoundOff)
     EXPECT_NEAR(force[0]/(s.density*s.g*s.cut.terms[0].volume), 0, 1e-12);
 }
 
-int iterationsWith(int side, int n, const std::vector<double>& densities, const std::string& controls = coupled(1e-8))
+int iterationsWith(int side, int n, const std::vector<double>& densities,
+    const std::string& controls = coupled(1e-8))
 {
     FreeStep<2> s(side, 1.0/side);
     fillWith(s, n);
@@ -113,12 +125,15 @@ TEST(FreeBody, IterationsOverDensitiesAndNumbers)
 {
     int fewest = 1000, most = 0;
     for (const int n : {1, 9, 33})
-        for (const auto& densities : {std::vector<double>{1e-3}, {1.0}, {1e3}, {1e-3, 1e3, 0.1, 10, 1}})
+        for (const auto& densities :
+            {std::vector<double>{1e-3}, {1.0}, {1e3}, {1e-3, 1e3, 0.1, 10, 1}})
         {
             const int iterations = iterationsWith(128, n, densities);
             fewest = std::min(fewest, iterations);
             most = std::max(most, iterations);
-            std::cout << n << " bodies, density ratio " << densities[0] << (densities.size() > 1 ? " and others" : "") << ": " << iterations << " iterations\n";
+            std::cout << n << " bodies, density ratio " << densities[0]
+                      << (densities.size() > 1 ? " and others" : "") << ": " << iterations
+                      << " iterations\n";
         }
     EXPECT_LE(most, 2*fewest);
 }
@@ -129,12 +144,15 @@ TEST(FreeBody, IterationsOfOurMultigrid)
 {
     int fewest = 1000, most = 0;
     for (const int n : {1, 33, 100})
-        for (const auto& densities : {std::vector<double>{1e-3}, {1.0}, {2.7}, {1e3}, {1e-3, 1e3, 0.1, 10, 1}})
+        for (const auto& densities :
+            {std::vector<double>{1e-3}, {1.0}, {2.7}, {1e3}, {1e-3, 1e3, 0.1, 10, 1}})
         {
             const int iterations = iterationsWith(n > 33 ? 256 : 128, n, densities, own);
             fewest = std::min(fewest, iterations);
             most = std::max(most, iterations);
-            std::cout << n << " bodies, density ratio " << densities[0] << (densities.size() > 1 ? " and others" : "") << ": " << iterations << " iterations\n";
+            std::cout << n << " bodies, density ratio " << densities[0]
+                      << (densities.size() > 1 ? " and others" : "") << ": " << iterations
+                      << " iterations\n";
         }
     EXPECT_LE(most, 2*fewest);
 }
@@ -148,10 +166,12 @@ TEST(FreeBody, OurMultigridMovesThemAlike)
         {
             fillWith(*s, 9);
             if (full) s->phi.assign(s->grid.cells(), -1);
-            s->solve({1e-3, 1e3, 0.1, 2.7, 1, 0.5, 20, 1e-2, 3}, s == &a ? coupled(1e-11) : "solver cudaPCG; tolerance 1e-11;");
+            s->solve({1e-3, 1e3, 0.1, 2.7, 1, 0.5, 20, 1e-2, 3},
+                s == &a ? coupled(1e-11) : "solver cudaPCG; tolerance 1e-11;");
         }
         for (int body = 0; body < 9; ++body)
-            for (int m = 0; m < 2; ++m) EXPECT_NEAR(a.acceleration(body, m), b.acceleration(body, m), 1e-6*a.g) << body;
+            for (int m = 0; m < 2; ++m)
+                EXPECT_NEAR(a.acceleration(body, m), b.acceleration(body, m), 1e-6*a.g) << body;
     }
 }
 
@@ -159,12 +179,14 @@ TEST(FreeBody, OurMultigridMovesThemAlike)
 TEST(FreeBody, MomentumIsExchangedExactly)
 {
     FreeStep<2> s(40, 0.05);
-    for (int i = 0; i < s.grid.cells(); ++i) s.phi[i] = (s.grid.cellIndex(i).c[1] + 0.5)*s.grid.h - 1.613;
+    for (int i = 0; i < s.grid.cells(); ++i)
+        s.phi[i] = (s.grid.cellIndex(i).c[1] + 0.5)*s.grid.h - 1.613;
     s.addBall({{1.03, 0.71}}, 0.4);
     s.u[0][s.grid.face(0, {{9, 9, 0}})] = 0.3;
     const std::vector<double> before[2] = {s.u[0], s.u[1]};
     s.solve({0.3}, coupled(1e-13));
-    // along x: change of the water in the open parts of faces, of the body, against p on the end walls
+    // along x: change of the water in the open parts of faces, of the body, against p on the end
+    // walls
     double sum = 0, walls = 0;
     for (int f = 0; f < s.grid.faces(0); ++f)
     {

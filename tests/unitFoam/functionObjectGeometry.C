@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  The pure parts of the function objects: level crossings, the fluid's front, wall coverage and sight, sensors, means over time,
-    rigid motion from particles. */
+/*  The pure parts of the function objects: level crossings, the fluid's front, wall coverage and
+    sight, sensors, means over time, rigid motion from particles. */
 
 #include "riprapFoam/functionObjects/fluid/fluidFront.hpp"
 #include "riprapFoam/functionObjects/fluid/gaugeLine.H"
@@ -53,7 +53,8 @@ TEST(FluidLevel, isExactForALinearFallAndWhateverTheInsideValue)
 
 TEST(FluidLevel, seesAJetFromAboveAndTheWaterBelowIt)
 {
-    const auto jet = [](double s) { return ramp(s, 0.8, 0.05, 1) - ramp(s, 0.6, 0.05, 1) + ramp(s, 0.2, 0.05, 1); };
+    const auto jet = [](double s)
+    { return ramp(s, 0.8, 0.05, 1) - ramp(s, 0.6, 0.05, 1) + ramp(s, 0.2, 0.05, 1); };
     const Profile p(profile(1, 200, jet));
     const FluidLevel level(fluidLevel(p.s, p.f));
     EXPECT_NEAR(level.top, 0.8, 1e-12);
@@ -72,17 +73,21 @@ TEST(FluidLevel, dryAndFullLines)
 
 TEST(FluidLevel, dropsAndThinSheetsAreNotTheSurface)
 {
-    // Water to 0.40, a drop of 0.02 at 0.98, a sheet of 0.02 at 0.7; each falls to half within 0.005
-    const auto layer = [](double s, double from, double to) { return ramp(s, to, 0.01, 1) - ramp(s, from, 0.01, 1); };
+    // Water to 0.40, a drop of 0.02 at 0.98, a sheet of 0.02 at 0.7; each falls to half within
+    // 0.005
+    const auto layer = [](double s, double from, double to)
+    { return ramp(s, to, 0.01, 1) - ramp(s, from, 0.01, 1); };
     const auto drop = [&](double s) { return layer(s, 0.97, 0.99); };
     const auto sheet = [&](double s) { return layer(s, 0.69, 0.71); };
     const auto bed = [&](double s) { return ramp(s, 0.4, 0.01, 1); };
 
-    const Profile dropAbove(profile(1.2, 1200, [&](double s) { return bed(s) + drop(s) + sheet(s); }));
+    const Profile dropAbove(
+        profile(1.2, 1200, [&](double s) { return bed(s) + drop(s) + sheet(s); }));
     EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f).top, 0.99, 1e-12) << "without a rule";
     EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.03).top, 0.4, 1e-12);
     EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.03).lowest, 0.4, 1e-12);
-    EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.019).top, 0.99, 1e-12) << "thinner than the drop";
+    EXPECT_NEAR(fluidLevel(dropAbove.s, dropAbove.f, 0.019).top, 0.99, 1e-12)
+        << "thinner than the drop";
 
     // On a dry bed: drops are no water, but the first that the line meets is told
     const Profile dry(profile(1.2, 1200, [&](double s) { return sheet(s) + drop(s); }));
@@ -94,21 +99,28 @@ TEST(FluidLevel, dropsAndThinSheetsAreNotTheSurface)
 
 TEST(FluidLevel, layersAndFilms)
 {
-    const auto layer = [](double s, double from, double to) { return ramp(s, to, 0.01, 1) - ramp(s, from, 0.01, 1); };
+    const auto layer = [](double s, double from, double to)
+    { return ramp(s, to, 0.01, 1) - ramp(s, from, 0.01, 1); };
 
     // A jet thicker than the least above a pool: seen from above, with a drop over both
-    const Profile jet(profile(1, 1000, [&](double s) { return ramp(s, 0.2, 0.01, 1) + layer(s, 0.6, 0.65) + layer(s, 0.8, 0.82); }));
+    const Profile jet(profile(1, 1000,
+        [&](double s)
+        { return ramp(s, 0.2, 0.01, 1) + layer(s, 0.6, 0.65) + layer(s, 0.8, 0.82); }));
     EXPECT_NEAR(fluidLevel(jet.s, jet.f, 0.03).top, 0.65, 1e-12);
     EXPECT_NEAR(fluidLevel(jet.s, jet.f, 0.03).lowest, 0.2, 1e-12);
 
-    // A film on the bed is water however thin; along its foot a wall halves f, so that it begins a little above
-    const Profile film(profile(1, 1000, [&](double s) { return layer(s, 0.005, 0.02) + layer(s, 0.5, 0.51); }));
+    // A film on the bed is water however thin; along its foot a wall halves f, so that it begins a
+    // little above
+    const Profile film(
+        profile(1, 1000, [&](double s) { return layer(s, 0.005, 0.02) + layer(s, 0.5, 0.51); }));
     EXPECT_NEAR(fluidLevel(film.s, film.f, 0.03).top, 0.02, 0.0025);
 
     // So is one on a solid that the line passes through, from 0.3 to 0.495; the drop above is none
-    const Profile crest(profile(1, 1000, [&](double s) { return layer(s, 0.5, 0.515) + layer(s, 0.8, 0.81); }));
+    const Profile crest(
+        profile(1, 1000, [&](double s) { return layer(s, 0.5, 0.515) + layer(s, 0.8, 0.81); }));
     std::vector<bool> solid(crest.s.size());
-    for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = crest.s[i] > 0.3 && crest.s[i] < 0.495;
+    for (std::size_t i = 0; i < solid.size(); ++i)
+        solid[i] = crest.s[i] > 0.3 && crest.s[i] < 0.495;
     EXPECT_EQ(fluidLevel(crest.s, crest.f, 0.03).top, 0);
     EXPECT_NEAR(fluidLevel(crest.s, crest.f, 0.03, solid).top, 0.515, 0.0025);
 
@@ -122,10 +134,12 @@ TEST(FluidFront, ignoresSprayAndKeepsToTheFloor)
 {
     // A block of 20 x 10 spacings, a pair ahead of it and a single one further on
     std::vector<double> x;
-    for (int i = 0; i < 20; ++i) for (int j = 0; j < 10; ++j) x.insert(x.end(), {i + 0.5, j + 0.5, 0});
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 10; ++j) x.insert(x.end(), {i + 0.5, j + 0.5, 0});
     x.insert(x.end(), {30, 3, 0, 31, 3, 0, 50, 8, 0});
     // A tongue on top
-    for (int i = 20; i < 24; ++i) for (int j = 8; j < 10; ++j) x.insert(x.end(), {i + 0.5, j + 0.5, 0});
+    for (int i = 20; i < 24; ++i)
+        for (int j = 8; j < 10; ++j) x.insert(x.end(), {i + 0.5, j + 0.5, 0});
 
     FrontRule rule;
     rule.support = 2.5;
@@ -157,11 +171,15 @@ namespace
     std::vector<double> lattice(double spacing, int n, bool corner, int D)
     {
         std::vector<double> x;
-        for (int i = -n; i < n; ++i) for (int j = -n; j < n; ++j) for (int k = D == 2 ? 0 : -n; k < (D == 2 ? 1 : n); ++k)
-        {
-            if (j < 0 || (corner && i < 0))
-                x.insert(x.end(), {(i + 0.5)*spacing, (j + 0.5)*spacing, D == 2 ? 0 : (k + 0.5)*spacing});
-        }
+        for (int i = -n; i < n; ++i)
+            for (int j = -n; j < n; ++j)
+                for (int k = D == 2 ? 0 : -n; k < (D == 2 ? 1 : n); ++k)
+                {
+                    if (j < 0 || (corner && i < 0))
+                        x.insert(x.end(),
+                            {(i + 0.5)*spacing, (j + 0.5)*spacing,
+                                D == 2 ? 0 : (k + 0.5)*spacing});
+                }
         return x;
     }
 
@@ -181,7 +199,8 @@ namespace
     //- Coverage from the points (3 n) of one set, seen at a point; with planes if asked
     struct Seen { Coverage coverage; std::vector<SightPlane> planes; };
 
-    Seen seen(const SphConfig& config, const WallPointSet& set, const Vector3& x, bool sight = false, const WallPose& pose = {})
+    Seen seen(const SphConfig& config, const WallPointSet& set, const Vector3& x,
+        bool sight = false, const WallPose& pose = {})
     {
         const WallCoverage kernel(config);
         Seen s;
@@ -192,10 +211,12 @@ namespace
         return s;
     }
 
-    WallPointSet pointSet(const SphConfig& config, const std::vector<double>& x, const Vector3& normal = {{0, 1, 0}})
+    WallPointSet pointSet(
+        const SphConfig& config, const std::vector<double>& x, const Vector3& normal = {{0, 1, 0}})
     {
         WallPointSet set(supportOf(config) + config.wallSpacing);
-        for (std::size_t i = 0; i < x.size(); i += 3) set.insert({{x[i], x[i + 1], x[i + 2]}}, normal);
+        for (std::size_t i = 0; i < x.size(); i += 3)
+            set.insert({{x[i], x[i + 1], x[i + 2]}}, normal);
         return set;
     }
 }
@@ -210,7 +231,8 @@ TEST(WallCoverage, halfOnAPlaneQuarterInACornerNothingFarAway)
             const WallPointSet plane(pointSet(config, lattice(config.wallSpacing, 8, false, D)));
             const WallPointSet corner(pointSet(config, lattice(config.wallSpacing, 8, true, D)));
             const Vector3 origin{{0, 0, 0}};
-            // Midpoint sums over lattice planes that straddle the point symmetrically; the kernel's own lattice error is 1e-3
+            // Midpoint sums over lattice planes that straddle the point symmetrically; the kernel's
+            // own lattice error is 1e-3
             EXPECT_NEAR(seen(config, plane, origin).coverage.share, 0.5, 2e-3);
             EXPECT_NEAR(seen(config, corner, origin).coverage.share, 0.25, 2e-3);
             EXPECT_EQ(seen(config, plane, {{0, 0.1, 0}}).coverage.share, 1);
@@ -225,11 +247,13 @@ TEST(WallCoverage, centroidOfTheHalfSupport)
     // Wendland C2 in 2D: 2 int r^2 W dr/(1/2) = 8 alpha h (4 B(4,5) + B(3,5)) 2 = 0.42441 h
     const SphConfig config(coverageConfig("wendlandC2", 2));
     const double h = config.smoothingRatio*config.spacing;
-    const Coverage c(seen(config, pointSet(config, lattice(config.wallSpacing, 8, false, 2)), {{0, 0, 0}}).coverage);
+    const Coverage c(seen(config, pointSet(config, lattice(config.wallSpacing, 8, false, 2)),
+        {{0, 0, 0}}).coverage);
     EXPECT_NEAR(c.offset[1], 0.42441*h, 0.013*h);   // midpoint rule at h/2.5: 3 %
     EXPECT_NEAR(c.offset[0], 0, 1e-9*h);
 
-    // What a plane hides without any wall point behind it, integrated: the same, without the lattice's error
+    // What a plane hides without any wall point behind it, integrated: the same, without the
+    // lattice's error
     const Coverage hidden(WallCoverage(config).of({}, {{{{0, 1, 0}}, 0}}));
     EXPECT_NEAR(hidden.share, 0.5, 1e-5);         // 512 shells
     EXPECT_NEAR(hidden.offset[1], 0.42441*h, 1e-4*h);
@@ -247,7 +271,8 @@ TEST(WallCoverage, ofAGroupThatHasMovedAsIfItsPointsHad)
     const WallPointSet rest(pointSet(config, lattice(config.wallSpacing, 8, true, 2)));
     const double angle = 0.7;
     WallPose pose;
-    pose.rotation = {{std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1}};
+    pose.rotation = {
+        {std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1}};
     pose.translation = {{0.3, -0.2, 0}};
 
     WallPointSet moved(supportOf(config) + config.wallSpacing);
@@ -255,10 +280,12 @@ TEST(WallCoverage, ofAGroupThatHasMovedAsIfItsPointsHad)
     for (std::size_t i = 0; i < x.size(); i += 3)
         moved.insert(placed(pose, {{x[i], x[i + 1], 0}}), turned(pose, {{0, 1, 0}}));
 
-    for (const Vector3& at : {Vector3{{0.001, 0.002, 0}}, Vector3{{0.01, 0, 0}}, Vector3{{0, 0.02, 0}}})
+    for (const Vector3& at :
+        {Vector3{{0.001, 0.002, 0}}, Vector3{{0.01, 0, 0}}, Vector3{{0, 0.02, 0}}})
     {
         const Vector3 there = placed(pose, at);
-        const Coverage a = seen(config, rest, there, false, pose).coverage, b = seen(config, moved, there).coverage;
+        const Coverage a = seen(config, rest, there, false, pose).coverage,
+                       b = seen(config, moved, there).coverage;
         EXPECT_NEAR(a.share, b.share, 1e-12);
         EXPECT_NEAR(a.offset[0], b.offset[0], 1e-14);
         EXPECT_NEAR(a.offset[1], b.offset[1], 1e-14);
@@ -273,7 +300,9 @@ TEST(WallSight, aFloorAndAWallButNoThinPlatesOtherSide)
 
     // Floor y < 0 and wall x < 0, a gauge on the wall a spacing above the floor
     WallPointSet corner(pointSet(config, lattice(dp, 8, false, 2)));
-    for (int j = 0; j < 8; ++j) for (int i = 1; i < 6; ++i) corner.insert({{-(i - 0.5)*dp, (j + 0.5)*dp, 0}}, {{1, 0, 0}});
+    for (int j = 0; j < 8; ++j)
+        for (int i = 1; i < 6; ++i)
+            corner.insert({{-(i - 0.5)*dp, (j + 0.5)*dp, 0}}, {{1, 0, 0}});
     const Seen onWall(seen(config, corner, {{0, dp, 0}}, true));
     EXPECT_TRUE(seenFrom(onWall.planes, {{0.3*dp, 0.3*dp, 0}}));
     EXPECT_FALSE(seenFrom(onWall.planes, {{-0.01*dp, 0, 0}})) << "in the wall";
@@ -283,18 +312,22 @@ TEST(WallSight, aFloorAndAWallButNoThinPlatesOtherSide)
     // In the open there is nothing to hide behind
     EXPECT_TRUE(seen(config, corner, {{0.035, 0.039, 0}}, true).planes.empty());
 
-    // A plate two points thick, x from -dp to dp: fluid beyond it counts for neither volume nor pressure
+    // A plate two points thick, x from -dp to dp: fluid beyond it counts for neither volume nor
+    // pressure
     WallPointSet plate(2*config.smoothingRatio*config.spacing + dp);
     for (int j = -12; j < 12; ++j)
-        for (const double side : {-1.0, 1.0}) plate.insert({{0.5*side*dp, (j + 0.5)*dp, 0}}, {{side, 0, 0}});
-    const Seen left(seen(config, plate, {{-dp, 0, 0}}, true)), right(seen(config, plate, {{dp, 0, 0}}, true));
+        for (const double side : {-1.0, 1.0})
+            plate.insert({{0.5*side*dp, (j + 0.5)*dp, 0}}, {{side, 0, 0}});
+    const Seen left(seen(config, plate, {{-dp, 0, 0}}, true)),
+        right(seen(config, plate, {{dp, 0, 0}}, true));
     EXPECT_FALSE(seenFrom(left.planes, {{2.5*dp, 0, 0}}));
     EXPECT_TRUE(seenFrom(left.planes, {{-2.5*dp, 0, 0}}));
     EXPECT_FALSE(seenFrom(right.planes, {{-2.5*dp, 0, 0}}));
     EXPECT_NEAR(left.coverage.share, 0.5, 2e-3);
     EXPECT_NEAR(left.coverage.offset[0], -right.coverage.offset[0], 1e-9);
     EXPECT_LT(left.coverage.offset[0], 0);
-    EXPECT_GT(seen(config, plate, {{-dp, 0, 0}}).coverage.share, 0.55) << "without planes the other side counts";
+    EXPECT_GT(seen(config, plate, {{-dp, 0, 0}}).coverage.share, 0.55)
+        << "without planes the other side counts";
 
     // On the side of a box near its top edge (a convex one): water above the top is not hidden
     WallPointSet box(2*config.smoothingRatio*config.spacing + dp);

@@ -1,4 +1,5 @@
-/*  The pressure equation solved by OpenFOAM's solvers on the wet cells alone, against riprap's multigrid.
+/*  The pressure equation solved by OpenFOAM's solvers on the wet cells alone, against riprap's
+    multigrid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -13,7 +14,8 @@ namespace
 
 using namespace Foam;
 
-//- A tank with a sloping surface, a pillar, a drop of one cell and a closed pocket, driven by velocities of any kind
+//- A tank with a sloping surface, a pillar, a drop of one cell and a closed pocket, driven by
+//  velocities of any kind
 template<int D>
 struct Tank
 {
@@ -25,7 +27,11 @@ struct Tank
         grid.h = 1.0/n;
         for (int d = 0; d < D; ++d) { grid.origin[d] = 0; grid.n[d] = n; }
         unsigned seed = 1;
-        const auto random = [&] { seed = seed*1664525u + 1013904223u; return seed/4294967296.0 - 0.5; };
+        const auto random = [&]
+        {
+            seed = seed*1664525u + 1013904223u;
+            return seed/4294967296.0 - 0.5;
+        };
         p.assign(grid.cells(), 0);
         for (int i = 0; i < grid.cells(); ++i)
         {
@@ -79,8 +85,11 @@ void compare(int n, const char* controls, const char* label)
     testing::internal::CaptureStdout();
     const auto b = theirs.project(solver);
     const std::string log = testing::internal::GetCapturedStdout();
-    EXPECT_NE(log.find(std::string(label) + ":  Solving for p, Initial residual = "), std::string::npos) << log;
-    EXPECT_NE(log.find(", No Iterations " + std::to_string(b.iterations)), std::string::npos) << log;
+    EXPECT_NE(
+        log.find(std::string(label) + ":  Solving for p, Initial residual = "), std::string::npos)
+        << log;
+    EXPECT_NE(log.find(", No Iterations " + std::to_string(b.iterations)), std::string::npos)
+        << log;
     EXPECT_TRUE(b.converged) << label << " " << b.finalResidual;
     EXPECT_EQ(a.wetCells, b.wetCells);
     double largest = 0, worst = 0;
@@ -94,8 +103,10 @@ void compare(int n, const char* controls, const char* label)
 
 const char* const pcg = "solver PCG; preconditioner DIC; tolerance 1e-13; relTol 0;";
 const char* const gamg = "solver GAMG; smoother symGaussSeidel; tolerance 1e-13; relTol 0;";
-const char* const gamgPcg = "solver PCG; preconditioner { preconditioner GAMG; smoother symGaussSeidel; tolerance 1e-2; relTol 0; nVcycles 1;"
-    " nPreSweeps 1; nPostSweeps 1; nFinestSweeps 1; directSolveCoarsest true; nCellsInCoarsestLevel 20; } tolerance 1e-13; relTol 0;";
+const char* const gamgPcg = "solver PCG; preconditioner { preconditioner GAMG; smoother "
+                            "symGaussSeidel; tolerance 1e-2; relTol 0; nVcycles 1;"
+                            " nPreSweeps 1; nPostSweeps 1; nFinestSweeps 1; directSolveCoarsest "
+                            "true; nCellsInCoarsestLevel 20; } tolerance 1e-13; relTol 0;";
 const char* const ownSolver = "solver cudaPCG; tolerance 1e-12; nSweeps 1;";
 
 TEST(PressureSolver, OpenFOAMsSolversAgreeWithTheMultigridIn2D)
@@ -132,7 +143,8 @@ std::string refusal(const char* controls)
 
 TEST(PressureSolver, WrongEntriesAreRefused)
 {
-    const auto says = [](const char* controls, const char* what) { EXPECT_NE(refusal(controls).find(what), std::string::npos) << refusal(controls); };
+    const auto says = [](const char* controls, const char* what)
+    { EXPECT_NE(refusal(controls).find(what), std::string::npos) << refusal(controls); };
     says("solver PGC;", "unknown solver 'PGC'");
     says("solver PGC;", "cudaPCG");
     says("solver cudaPCG; smoother GaussSeidel;", "unknown entry 'smoother'");

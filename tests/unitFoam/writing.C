@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Files of a time that are written while the run goes on: the same bytes as OpenFOAM's own writing gives, states of any size, and failures that are told. */
+/*  Files of a time that are written while the run goes on: the same bytes as OpenFOAM's own writing
+    gives, states of any size, and failures that are told. */
 
 #include "foamVersions/foamVersions.H"
 #include "IOField.H"
@@ -42,18 +43,11 @@ namespace
     //- A time in it, in this format
     autoPtr<Time> timeOf(const std::string& format, const std::string& compression = "off")
     {
-        autoPtr<Time> time
-        (
-            new Time
-            (
-                entries
-                (
-                    "startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1; writeControl timeStep; writeInterval 1; writeFormat " + format
-                  + "; writeCompression " + compression + "; writePrecision 9;"
-                ),
-                scratch.folder, "case", "system", "constant", false
-            )
-        );
+        autoPtr<Time> time(
+            new Time(entries("startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT "
+                             "1; writeControl timeStep; writeInterval 1; writeFormat "
+                         + format + "; writeCompression " + compression + "; writePrecision 9;"),
+                scratch.folder, "case", "system", "constant", false));
         return time;
     }
 
@@ -67,7 +61,8 @@ namespace
 
     IOobject object(const Time& time, const word& name)
     {
-        return IOobject(name, time.timeName(), "lagrangian/fluid", time, IOobject::NO_READ, IOobject::NO_WRITE, false);
+        return IOobject(name, time.timeName(), "lagrangian/fluid", time, IOobject::NO_READ,
+            IOobject::NO_WRITE, false);
     }
 
     template<class T>
@@ -80,7 +75,8 @@ namespace
                 // OpenFOAM compresses no binary files
                 if (std::string(format) == "binary" && std::string(compression) == "on") continue;
                 const autoPtr<Time> time(timeOf(format, compression));
-                const fileName path(object(time(), "values").objectPath() + (compression == std::string("on") ? ".gz" : ""));
+                const fileName path(object(time(), "values").objectPath()
+                    + (compression == std::string("on") ? ".gz" : ""));
                 IOField<T>(object(time(), "values"), values).write();
                 const std::string expected = bytes(path);
                 ASSERT_TRUE(rm(path));
@@ -90,8 +86,10 @@ namespace
                     file.add(listBody(Field<T>(values)));
                     const fileSum sum(file.write(threads));
                     EXPECT_GT(expected.size(), 100u);
-                    EXPECT_EQ(bytes(path), expected) << format << ' ' << values.size() << ' ' << threads;
-                    EXPECT_EQ(sum.bytes, compression == std::string("off") ? int64_t(expected.size()) : -1);
+                    EXPECT_EQ(bytes(path), expected)
+                        << format << ' ' << values.size() << ' ' << threads;
+                    EXPECT_EQ(sum.bytes,
+                        compression == std::string("off") ? int64_t(expected.size()) : -1);
                 }
             }
         }
@@ -101,7 +99,8 @@ namespace
     std::vector<scalar> numbers(std::size_t n)
     {
         std::mt19937_64 random(7);
-        std::vector<scalar> values{0, -0.0, 1, 1e-5, 1e-4, 123456, 1234567, 999999.5, 0.1, 2.5, 1e22, std::numeric_limits<scalar>::max()};
+        std::vector<scalar> values{0, -0.0, 1, 1e-5, 1e-4, 123456, 1234567, 999999.5, 0.1, 2.5,
+            1e22, std::numeric_limits<scalar>::max()};
         while (values.size() < n)
         {
             const uint64_t bits = random();
@@ -148,7 +147,8 @@ TEST(Writing, numbersAreThoseOfAStream)
             std::ostringstream os;
             os.precision(precision);
             os << v;
-            ASSERT_EQ(std::string(text.data(), riprap::putNumber(text.data(), v, precision)), os.str());
+            ASSERT_EQ(
+                std::string(text.data(), riprap::putNumber(text.data(), v, precision)), os.str());
         }
     }
 }
@@ -209,7 +209,8 @@ TEST(Writing, moreWordsThanAListHoldsAreSeveralLists)
     std::string text(bytes(path));
     text[text.size()/2] ^= 4;
     std::ofstream(path, std::ios::binary) << text;
-    EXPECT_NE(thrown([&]() { readStateWords(time(), "long"); }).find("its check sum is wrong"), std::string::npos);
+    EXPECT_NE(thrown([&]() { readStateWords(time(), "long"); }).find("its check sum is wrong"),
+        std::string::npos);
 }
 
 TEST(Writing, aTimeIsWholeWhenItsLastFileIs)
@@ -246,15 +247,21 @@ TEST(Writing, whatFailsIsTold)
     {
         timeWriter& writer = timeWriter::ofRun();
         writer.begin(time().path()/"3", later);
-        const std::string said = thrown([&]()
-        {
-            writtenFile file(IOobject("full", "/dev", time(), IOobject::NO_READ, IOobject::NO_WRITE, false), "scalarField", time());
-            file.add(listBody(scalarField(100000, 0.5)));
-            writer.put(std::move(file));
-            writer.finish(fileNameList());
-            writer.wait();
-        });
-        EXPECT_NE(said.find("/dev/full cannot be written: is the disk full? This time is not whole, earlier ones are"), std::string::npos) << said;
+        const std::string said = thrown(
+            [&]()
+            {
+                writtenFile file(
+                    IOobject("full", "/dev", time(), IOobject::NO_READ, IOobject::NO_WRITE, false),
+                    "scalarField", time());
+                file.add(listBody(scalarField(100000, 0.5)));
+                writer.put(std::move(file));
+                writer.finish(fileNameList());
+                writer.wait();
+            });
+        EXPECT_NE(said.find("/dev/full cannot be written: is the disk full? This time is not "
+                            "whole, earlier ones are"),
+            std::string::npos)
+            << said;
         EXPECT_TRUE(isFile(time().path()/"3/uniform/riprap/manifest.part"));
         EXPECT_FALSE(isFile(time().path()/"3/uniform/riprap/manifest"));
     }
@@ -279,8 +286,13 @@ TEST(Writing, aTimeWithoutARequiredFileFails)
         };
         mkDir(scratch.folder/"older");
         const fileName there(object(time(), "a").objectPath().substr(path.size() + 1));
-        const std::string said = thrown([&]() { write(fileNameList({there, fileName("uniform/riprap/state")})); });
-        EXPECT_NE(said.find("has been written without its file uniform/riprap/state"), std::string::npos) << said;
+        const std::string said = thrown(
+            [&]() {
+                write(fileNameList({there, fileName("uniform/riprap/state")}));
+            });
+        EXPECT_NE(
+            said.find("has been written without its file uniform/riprap/state"), std::string::npos)
+            << said;
         EXPECT_FALSE(isFile(path/"uniform/riprap/manifest"));
         EXPECT_TRUE(isDir(scratch.folder/"older"));
 

@@ -168,8 +168,9 @@ void Foam::solverModules::dem::logTimeStep() const
     logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
         << ", deltaT " << plan.timeStep << " s, limit: " << plan.cause.c_str()
         << nl;
-    logItem("") << "hard stop " << plan.hardStop << " s (0.5 sqrt(m/k), of undamped bonds all of it, or a close packing's)"
-        << (c.allowLargeStep ? ", overridden by allowLargeStep" : "") << nl;
+    logItem("") << "hard stop " << plan.hardStop
+                << " s (0.5 sqrt(m/k), of undamped bonds all of it, or a close packing's)"
+                << (c.allowLargeStep ? ", overridden by allowLargeStep" : "") << nl;
     for (const std::string& warning : plan.warnings)
     {
         logItem("warning") << warning.c_str() << nl;

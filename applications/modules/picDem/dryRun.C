@@ -52,13 +52,15 @@ Foam::runEffort Foam::solverModules::picDem::logEffort(scalar sampleInterval)
 
     const particleCloud cloud(readFluid());
     const labelList moving(bodyOfObstacle());
-    const expectedSpeed fast({mesh_, settings_.config, cloud, run_.spacing, obstacles_, moving, bodies_, solids_});
+    const expectedSpeed fast(
+        {mesh_, settings_.config, cloud, run_.spacing, obstacles_, moving, bodies_, solids_});
     const scalar shortest = fast.step(settings_.config, step);
     const scalar steps = length/step, most = length/shortest;
-    Info<< "Speed that may be reached: " << fast.value << " m/s, estimated by " << fast.by.c_str() << "; its time step: " << shortest << " s" << nl
-        << "Particle steps to time " << runTime_.endTime().value() << ": "
-        << std::to_string(int64_t(ceil(steps))).c_str() << " with this step, about "
-        << std::to_string(int64_t(ceil(most))).c_str() << " at that speed" << nl;
+    Info<< "Speed that may be reached: " << fast.value << " m/s, estimated by " << fast.by.c_str()
+        << "; its time step: " << shortest << " s" << nl << "Particle steps to time "
+        << runTime_.endTime().value() << ": " << std::to_string(int64_t(ceil(steps))).c_str()
+        << " with this step, about " << std::to_string(int64_t(ceil(most))).c_str()
+        << " at that speed" << nl;
 
     return logRunTime(seconds, steps, most, run_.particles);
 }

@@ -31,7 +31,8 @@ static scalar movedSpeed(const expectedSpeed::sources& of)
         const label body = of.bodyOfObstacle[i];
         if (body < 0) continue;
         const boundBox bounds((*of.obstacles)[i].bounds());
-        fastest = max(fastest, of.bodies.largestSpeed(body, bounds, time.value(), endOfMotion(time)));
+        fastest = max(
+            fastest, of.bodies.largestSpeed(body, bounds, time.value(), endOfMotion(time)));
     }
     return fastest;
 }
@@ -51,7 +52,8 @@ static scalar openingSpeed(const riprap::PicOpening& opening, scalar area, scala
 //- Of all, as seen at some hundred moments
 static scalar openingSpeed(const expectedSpeed::sources& of)
 {
-    const scalar thickness = of.config.dimensions == 2 ? of.mesh.bounds().span()[of.config.axes[2]] : 1;
+    const scalar thickness = of.config.dimensions == 2 ? of.mesh.bounds().span()[of.config.axes[2]]
+                                                       : 1;
     const scalar begin = of.mesh.time().value(), end = endOfMotion(of.mesh.time());
     const label moments = 200;
 
@@ -88,7 +90,9 @@ Foam::expectedSpeed::expectedSpeed(const sources& of)
         sqrt(largestEnergy(g, of.spacing, lowest, of.fluid.position, of.fluid.vectors["U"])),
         "the water's fall to the lowest place of the mesh with its velocities"
     );
-    if (of.solids) atLeast(of.solids->fallSpeed(g, lowest), "the fall of solids to the lowest place of the mesh with their velocities");
+    if (of.solids)
+        atLeast(of.solids->fallSpeed(g, lowest),
+            "the fall of solids to the lowest place of the mesh with their velocities");
     atLeast(openingSpeed(of), "velocities of openings");
 
     const scalar moved = movedSpeed(of);
@@ -107,7 +111,9 @@ Foam::expectedSpeed::expectedSpeed(const sources& of)
 Foam::scalar Foam::expectedSpeed::step(const riprap::PicConfig& config, scalar atStart) const
 {
     if (!config.adjustTimeStep) return atStart;
-    return min(atStart, scalar(riprap::courantStep(config.maxCourant, config.cellSize, value, mag(gravityOf(config)))));
+    return min(atStart,
+        scalar(riprap::courantStep(
+            config.maxCourant, config.cellSize, value, mag(gravityOf(config)))));
 }
 
 

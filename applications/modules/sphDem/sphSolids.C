@@ -34,13 +34,16 @@ Foam::sphSolids::sphSolids
     for (const demGroup& g : asRead_.groups)
     {
         // it takes a share of the unbalanced force, of which the fluid's must be a part
-        if (g.group.localDamping <= 0 || coupling_.force != riprap::FluidForceKind::impulse) continue;
+        if (g.group.localDamping <= 0 || coupling_.force != riprap::FluidForceKind::impulse)
+            continue;
         if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::held;
         else
         {
             FatalIOErrorInFunction(fluid.dict)
-                << "Entry fluidForce of couplingCoeffs is impulse, but group " << g.group.name.c_str()
-                << " of constant/solidProperties has local damping, which must see the fluid's force: valid are held and interpolated"
+                << "Entry fluidForce of couplingCoeffs is impulse, but group "
+                << g.group.name.c_str()
+                << " of constant/solidProperties has local damping, which must see the fluid's "
+                   "force: valid are held and interpolated"
                 << exit(FatalIOError);
         }
     }

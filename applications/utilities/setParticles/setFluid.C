@@ -34,17 +34,21 @@ static wallPoints makeWalls
 static void checkDensity(const particleRegion& region, const riprap::SphConfig& config)
 {
     // Where the equation of state is cut off: deeper tension has no density
-    const scalar lowest =
-        config.density*sqr(config.soundSpeed)*(config.eos == riprap::EosKind::linear ? -0.5 : -0.99/config.gamma);
+    const scalar lowest = config.density*sqr(config.soundSpeed)
+        *(config.eos == riprap::EosKind::linear ? -0.5 : -0.99/config.gamma);
 
     forAll(region.pressure, i)
     {
         const scalar rho = densityOfPressure(config, region.pressure[i]);
-        if (region.pressure[i] > lowest && mag(rho/config.density - 1) <= config.maxDensityDeviation) continue;
-        FatalIOErrorInFunction(region.dict)
-            << "Entry pressure: " << region.pressure[i] << " Pa at " << region.position[i] << " is beyond what the equation"
-            << " of state and guards/densityDeviation of constant/sphProperties allow: the density would be " << rho
-            << " kg/m3 at a sound speed of " << config.soundSpeed << " m/s" << exit(FatalIOError);
+        if (region.pressure[i] > lowest
+            && mag(rho/config.density - 1) <= config.maxDensityDeviation)
+            continue;
+        FatalIOErrorInFunction(region.dict) << "Entry pressure: " << region.pressure[i] << " Pa at "
+                                            << region.position[i] << " is beyond what the equation"
+                                            << " of state and guards/densityDeviation of "
+                                               "constant/sphProperties allow: the density would be "
+                                            << rho << " kg/m3 at a sound speed of "
+                                            << config.soundSpeed << " m/s" << exit(FatalIOError);
     }
 }
 
@@ -99,7 +103,8 @@ static particleCloud makeCloud
 }
 
 
-static void reportRegions(const List<particleRegion>& regions, const particlePacking& packing, scalar density)
+static void reportRegions(
+    const List<particleRegion>& regions, const particlePacking& packing, scalar density)
 {
     const char* metre = packing.planar() ? " per metre" : "";
     label total = 0;
@@ -113,15 +118,17 @@ static void reportRegions(const List<particleRegion>& regions, const particlePac
         Info<< nl;
         total += region.size();
     }
-    Info<< "    total: " << total << " particles, volume " << total*packing.volume() << " m3" << metre
-        << ", mass " << density*total*packing.volume() << " kg" << metre << nl << endl;
+    Info<< "    total: " << total << " particles, volume " << total*packing.volume() << " m3"
+        << metre << ", mass " << density*total*packing.volume() << " kg" << metre << nl
+        << endl;
 }
 
 
 static void reportShepard(const shepardRange& range)
 {
-    Info<< "Walls and fluid: Shepard sum over that of a lattice (" << range.lattice << ") at " << range.checked << " particles near walls ("
-        << range.leftOut << " more at free surfaces or open patches)" << nl;
+    Info<< "Walls and fluid: Shepard sum over that of a lattice (" << range.lattice << ") at "
+        << range.checked << " particles near walls (" << range.leftOut
+        << " more at free surfaces or open patches)" << nl;
     if (range.checked)
     {
         Info<< "    least " << range.least << " at " << range.leastAt << nl
@@ -132,13 +139,15 @@ static void reportShepard(const shepardRange& range)
 }
 
 
-static void write(const Time& time, const polyMesh& mesh, const particleCloud& cloud, const wallPoints& walls)
+static void write(
+    const Time& time, const polyMesh& mesh, const particleCloud& cloud, const wallPoints& walls)
 {
     // Of an earlier run: the state there would not fit these particles
     rmDir(time.timePath()/"uniform"/"riprap", true);
     rmDir(time.timePath()/"lagrangian"/cloud.name, true);
     writeParticleCloud(mesh, cloud);
-    Info<< "Written " << cloud.size() << " particles to " << time.timeName() << "/lagrangian/" << cloud.name;
+    Info<< "Written " << cloud.size() << " particles to " << time.timeName() << "/lagrangian/"
+        << cloud.name;
     if (walls.size())
     {
         writeWallPoints(walls, time.path()/"VTK"/"walls.vtp");
@@ -155,7 +164,8 @@ static List<fluidObstacle> obstacles(const placedSolids& placed)
     forAll(all, i)
     {
         const solidRegion& region = placed.regions[i];
-        all[i] = fluidObstacle{region.name, region.exact, region.position, region.radius, region.mass/sum(region.mass)};
+        all[i] = fluidObstacle{region.name, region.exact, region.position, region.radius,
+            region.mass/sum(region.mass)};
     }
     return all;
 }
@@ -168,15 +178,18 @@ static void warnOfStanding(const placedSolids& placed, scalar spacing)
     {
         if (region.clumps.empty() || region.wallGap >= (1 - 1e-6)*spacing) continue;
         IOWarningInFunction(region.dict)
-            << "Region " << region.name << " stands " << max(region.wallGap, scalar(0)) << " m off a wall, less than the water's spacing of "
-            << spacing << " m: there is no water in between, and none presses there. A body that shall be lifted needs a gap of a spacing"
+            << "Region " << region.name << " stands " << max(region.wallGap, scalar(0))
+            << " m off a wall, less than the water's spacing of " << spacing
+            << " m: there is no water in between, and none presses there. A body that shall be "
+               "lifted needs a gap of a spacing"
             << nl << endl;
     }
 }
 
 
 // With picDem: no wall points, no equation of state
-static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const picSettings& settings)
+static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const setOptions& options,
+    const picSettings& settings)
 {
     const riprap::PicConfig& config = settings.config;
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
@@ -192,13 +205,15 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
     if (options.checkWalls)
     {
         FatalErrorInFunction
-            << "-checkWalls: with solver picDem there are no wall points, of which it would tell" << exit(FatalError);
+            << "-checkWalls: with solver picDem there are no wall points, of which it would tell"
+            << exit(FatalError);
     }
     if (!options.dryRun) write(mesh.time(), mesh, allRegions(regions, packing.spacing()), noWalls);
 }
 
 
-// What a cloud is for: the solver's; with any other than those of water, of whichever there are properties
+// What a cloud is for: the solver's; with any other than those of water, of whichever there are
+// properties
 static bool ofGrid(const Time& time, const word& solver, bool fluid)
 {
     const fileName constant(time.path()/time.constant());
@@ -212,9 +227,11 @@ static bool ofGrid(const Time& time, const word& solver, bool fluid)
 } // namespace Foam
 
 
-std::unique_ptr<const Foam::picSettings> Foam::gridSettings(const polyMesh& mesh, const dictionary& dict, const setOptions& options)
+std::unique_ptr<const Foam::picSettings> Foam::gridSettings(
+    const polyMesh& mesh, const dictionary& dict, const setOptions& options)
 {
-    if (!ofGrid(mesh.time(), options.solver, hasSet(dict, "fluid") || !hasSet(dict, "solids"))) return nullptr;
+    if (!ofGrid(mesh.time(), options.solver, hasSet(dict, "fluid") || !hasSet(dict, "solids")))
+        return nullptr;
     auto settings = std::make_unique<const picSettings>(readPicSettings(mesh));
     picGrid(mesh, settings->config);
     return settings;
@@ -252,10 +269,8 @@ void Foam::setFluid
     const auto bodies(wallGeometry(mesh.time()));
     const wallPoints walls(makeWalls(mesh, settings, patches, bodies.get()));
 
-    const List<particleRegion> regions
-    (
-        readRegions(dict, packing, {mesh, bodies.get(), walls, gravity, config.density, obstacles(placed)})
-    );
+    const List<particleRegion> regions(readRegions(
+        dict, packing, {mesh, bodies.get(), walls, gravity, config.density, obstacles(placed)}));
     const particleCloud cloud(makeCloud(mesh, regions, gravity, settings));
     warnOfStanding(placed, packing.spacing());
     for (const solidRegion& region : placed.regions) requireCovered(region, mesh.time(), config);

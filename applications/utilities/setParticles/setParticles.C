@@ -3,9 +3,10 @@
 
         setParticles [-case DIR] [-solver NAME] [-dict FILE] [-dry-run] [-checkWalls]
 
-    Writes at startTime, for regions of fluid, the cloud lagrangian/fluid (positions, U, rho, p, h, id) and the wall
-    points as VTK/walls.vtp (picDem: neither rho, h nor wall points); for regions of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports
-    counts, volumes and masses by region. A state file of an earlier run at that time is removed. -dry-run: writes
+    Writes at startTime, for regions of fluid, the cloud lagrangian/fluid (positions, U, rho, p, h,
+    id) and the wall points as VTK/walls.vtp (picDem: neither rho, h nor wall points); for regions
+    of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports counts, volumes and
+    masses by region. A state file of an earlier run at that time is removed. -dry-run: writes
     nothing. -checkWalls: also says how well walls and fluid fill space together.
 */
 
@@ -49,7 +50,8 @@ static IOdictionary readDict(const Time& time, const argList& args)
 }
 
 
-// Particles are what a case starts with: at startTime, even when a run would continue from the latest
+// Particles are what a case starts with: at startTime, even when a run would continue from the
+// latest
 static void goToStart(Time& time)
 {
     const dictionary& control = time.controlDict();
@@ -73,7 +75,8 @@ static void setCase(const argList& args)
     setOptions options;
     options.dryRun = args.found("dry-run");
     options.checkWalls = args.found("checkWalls");
-    options.solver = args.getOrDefault<word>("solver", runTime.controlDict().getOrDefault<word>("solver", word::null));
+    options.solver = args.getOrDefault<word>(
+        "solver", runTime.controlDict().getOrDefault<word>("solver", word::null));
     const bool solids = hasSet(dict, "solids");
     const auto grid(gridSettings(*mesh, dict, options));
     // First, whatever the order of regions: water may be cut at them
@@ -93,11 +96,13 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
-    argList::addOption("solver", "name", "The solver module that will run, if not that of system/controlDict");
+    argList::addOption(
+        "solver", "name", "The solver module that will run, if not that of system/controlDict");
     argList::addBoolOption("dry-run", "Report only, write nothing");
     argList::addBoolOption("checkWalls", "Say how well walls and fluid fill space");
 
-    showDocumentation(argc, argv, "docs/guide/setParticles", "applications/utilities/setParticles/setParticles.C");
+    showDocumentation(argc, argv, "docs/guide/setParticles",
+        "applications/utilities/setParticles/setParticles.C");
     const argList args(argc, argv);
     writeBuildInfo(Info);
     if (!args.checkRootCase()) FatalError.exit();

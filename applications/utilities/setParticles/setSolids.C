@@ -24,8 +24,9 @@ static void reportSizes(const solidRegion& region)
             ++n;
             own += region.mass[i];
         }
-        Info<< "        radius " << radius << " m: " << n << " particles, " << 100.0*n/region.size() << " % of the number, "
-            << 100*own/mass << " % of the mass" << nl;
+        Info<< "        radius " << radius << " m: " << n << " particles, "
+            << 100.0*n/region.size() << " % of the number, " << 100*own/mass
+            << " % of the mass" << nl;
     }
 }
 
@@ -41,7 +42,8 @@ static void reportRegions(const List<solidRegion>& regions, const demSettings& s
         forAll(region.mass, i) if (region.clump[i] < 0) mass += region.mass[i];
         for (const riprap::DemClump& clump : region.clumps) mass += clump.mass;
 
-        Info<< "    " << region.name << ": " << region.size() << " particles, radius " << min(region.radius);
+        Info<< "    " << region.name << ": " << region.size() << " particles, radius "
+            << min(region.radius);
         if (max(region.radius) > min(region.radius)) Info<< " to " << max(region.radius);
         Info<< " m, mass " << mass << " kg" << metre;
         if (region.clumps.size()) Info<< ", " << region.clumps.size() << " clumps";
@@ -77,7 +79,8 @@ static void write
     writeBondFiles(time, bonds);
     writeClumpFiles(time, solids.clumps);
     Info<< "Written " << cloud.size() << " particles, " << label(bonds.a.size()) << " bonds and "
-        << label(solids.clumps.size()) << " clumps to " << time.timeName() << "/lagrangian/solids" << nl << endl;
+        << label(solids.clumps.size()) << " clumps to " << time.timeName() << "/lagrangian/solids"
+        << nl << endl;
 }
 
 } // namespace Foam
@@ -104,7 +107,8 @@ Foam::placedSolids Foam::placeSolids(const polyMesh& mesh, const dictionary& dic
 }
 
 
-void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOptions& options, const placedSolids& placed)
+void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOptions& options,
+    const placedSolids& placed)
 {
     const demSettings& settings = *placed.settings;
     const scalar tolerance = checkedDictionary(dict).notNegative("overlapTolerance", 1e-4);

@@ -1,6 +1,6 @@
-/*  A template: copy it to tests/unit beside the kernel's header. Values that are published or follow
-    from the formula; all that is common to kernels is tested by kernels.hpp, pack.C, terms.hpp and
-    sphCards.C.
+/*  A template: copy it to tests/unit beside the kernel's header. Values that are published or
+    follow from the formula; all that is common to kernels is tested by kernels.hpp, pack.C,
+    terms.hpp and sphCards.C.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,11 +1,14 @@
-/*  A template: copy it to src/pic/transfer/schemes, rename FilteredFlip and its word, replace the formula.
+/*  A template: copy it to src/pic/transfer/schemes, rename FilteredFlip and its word, replace the
+    formula.
 
-    FLIP whose particles keep of what the grid does not see only what lasts (replace by the scheme's source):
+    FLIP whose particles keep of what the grid does not see only what lasts (replace by the scheme's
+    source):
 
         d = v + sum W du - sum W u,     s += (d - s) dt/tau,        v = sum W u + s
 
-    tau [s]. At dt = tau this is FLIP, for dt << tau PIC; longer steps would overshoot. s is what the particle remembers. Linear splines, whose gradient jumps
-    between cells, would put these jumps into d.
+    tau [s]. At dt = tau this is FLIP, for dt << tau PIC; longer steps would overshoot. s is what
+    the particle remembers. Linear splines, whose gradient jumps between cells, would put these
+    jumps into d.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -19,10 +22,12 @@ namespace riprap
 struct FilteredFlip : SchemeCard
 {
     static constexpr const char* word = "filteredFlip";
-    static constexpr const char* text = "velocity of the grid, and what of the particles' own lasts";
+    static constexpr const char* text =
+        "velocity of the grid, and what of the particles' own lasts";
 
     // a number that only this scheme has is kept by name
-    static constexpr TransferEntry filterTime = TransferEntry("filterTime", "s", "time that a velocity of its own must last").like(0.05);
+    static constexpr TransferEntry filterTime =
+        TransferEntry("filterTime", "s", "time that a velocity of its own must last").like(0.05);
     static constexpr TransferEntry entries[] = {filterTime, transferEntry::affine};
 
     template<int Order> static constexpr bool goesWith = Order > 1;

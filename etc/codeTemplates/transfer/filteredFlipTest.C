@@ -1,5 +1,6 @@
-/*  A template: copy it to tests/unit beside the scheme's header. The closed form that the formula is to meet; all that is common to schemes is
-    tested by transferCards.C, picSchemes.hpp, picRows.C and picSchemeScenes.C.
+/*  A template: copy it to tests/unit beside the scheme's header. The closed form that the formula
+    is to meet; all that is common to schemes is tested by transferCards.C, picSchemes.hpp,
+    picRows.C and picSchemeScenes.C.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,7 +12,8 @@ namespace riprap
 namespace
 {
 
-//- A grid at rest: a velocity v0 that a particle has at first, and du more each step, make a (v0 + N du) in N steps, a = dt/tau
+//- A grid at rest: a velocity v0 that a particle has at first, and du more each step, make a (v0 +
+//  N du) in N steps, a = dt/tau
 TEST(FilteredFlip, KeepsWhatLasts)
 {
     TransferProperties p;
@@ -32,7 +34,9 @@ TEST(FilteredFlip, IsFlipAtTheLongestStep)
     TransferProperties p;
     FilteredFlip::filterTime.set(p, 0.1);
     double s = 0.7;
-    EXPECT_NEAR(FilteredFlip::make<double>(p, FilteredFlip::timeStep(p)).velocity(3.0, 0.5, 2.0, &s), 3.5, 1e-15);
+    EXPECT_NEAR(
+        FilteredFlip::make<double>(p, FilteredFlip::timeStep(p)).velocity(3.0, 0.5, 2.0, &s), 3.5,
+        1e-15);
 }
 
 } // namespace

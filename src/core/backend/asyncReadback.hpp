@@ -1,4 +1,5 @@
-/*  Looks at a value on the device while work goes on behind it: what it was after the launches so far, read in the order of asking.
+/*  Looks at a value on the device while work goes on behind it: what it was after the launches so
+    far, read in the order of asking.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -61,10 +62,13 @@ public:
         if (!seen_)
         {
             checkCuda(cudaMallocHost(&seen_, most*sizeof(T)), "pinned memory");
-            for (cudaEvent_t& e : done_) checkCuda(cudaEventCreateWithFlags(&e, cudaEventDisableTiming), "event");
+            for (cudaEvent_t& e : done_)
+                checkCuda(cudaEventCreateWithFlags(&e, cudaEventDisableTiming), "event");
         }
         const int k = (first_ + waiting_) % most;
-        checkCuda(cudaMemcpyAsync(seen_ + k, from, sizeof(T), cudaMemcpyDeviceToHost, context.stream), "copy");
+        checkCuda(
+            cudaMemcpyAsync(seen_ + k, from, sizeof(T), cudaMemcpyDeviceToHost, context.stream),
+            "copy");
         checkCuda(cudaEventRecord(done_[k], context.stream), "event");
         ++waiting_;
     }

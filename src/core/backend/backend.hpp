@@ -1,4 +1,5 @@
-/*  Backends: Cpu (OpenMP) and Gpu (CUDA), the context in which kernels are launched, and device memory.
+/*  Backends: Cpu (OpenMP) and Gpu (CUDA), the context in which kernels are launched, and device
+    memory.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -103,9 +104,13 @@ public:
         checkCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, stream), "copy");
         synchronise();
     }
-    void zero(void* p, std::size_t bytes) { checkCuda(cudaMemsetAsync(p, 0, bytes, stream), "memset"); }
+    void zero(void* p, std::size_t bytes)
+    {
+        checkCuda(cudaMemsetAsync(p, 0, bytes, stream), "memset");
+    }
 
-    //- Room for partial sums, kept from one sum to the next: to give memory back would wait for the device
+    //- Room for partial sums, kept from one sum to the next: to give memory back would wait for the
+    //  device
     double* parts(std::size_t n)
     {
         if (n > partsRoom_)
@@ -146,7 +151,8 @@ public:
             data_ = nullptr;
             context_ = &context;
             capacity_ = n;
-            // a register of any type may be loaded at the last element: what it finds beyond must be finite
+            // a register of any type may be loaded at the last element: what it finds beyond must
+            // be finite
             const std::size_t bytes = n*sizeof(T) + (sizeof(T) < 4 ? 64 : 16*sizeof(T));
             data_ = static_cast<T*>(context.allocate(bytes));
             context.zero(data_, bytes);

@@ -1,8 +1,9 @@
 /*  Work by blocks of threads that share memory.
 
-    A functor with `static constexpr const char* name`, `static constexpr int threads`, a type Shared without constructors and
-    `HD void operator()(const Team&, Shared&, int block) const`, and perhaps `residentBlocks` (launch.hpp). Every thread of a team must come to each of its waits. On the CPU a block is one
-    thread's work, and a team has one member.
+    A functor with `static constexpr const char* name`, `static constexpr int threads`, a type
+    Shared without constructors and `HD void operator()(const Team&, Shared&, int block) const`, and
+    perhaps `residentBlocks` (launch.hpp). Every thread of a team must come to each of its waits. On
+    the CPU a block is one thread's work, and a team has one member.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -43,7 +44,8 @@ void forEachBlock(Context<Gpu>& context, int blocks, const F& f)
     profiled(context, F::name, [&]
     {
         constexpr int resident = ResidentBlocks<F>::value;
-        if constexpr (resident > 0) blocksResident<resident><<<blocks, F::threads, 0, context.stream>>>(f);
+        if constexpr (resident > 0)
+            blocksResident<resident><<<blocks, F::threads, 0, context.stream>>>(f);
         else blocksKernel<<<blocks, F::threads, 0, context.stream>>>(f);
     });
 }

@@ -23,7 +23,8 @@ std::vector<GpuInfo> gpus(std::string& why);
 //- What is wrong with this number, nothing where that GPU is there
 std::string gpuFault(int number, const std::vector<GpuInfo>& there, const std::string& why);
 
-//- Scenes that are made after this are on that GPU. For the thread that calls, which makes and moves them
+//- Scenes that are made after this are on that GPU. For the thread that calls, which makes and
+//  moves them
 void useGpu(int number);
 
 //- Its memory now. \throw std::runtime_error where there is none

@@ -1,4 +1,5 @@
-/*  A recorded sequence of launches, replayed without the host: what makes small scenes fast on the GPU.
+/*  A recorded sequence of launches, replayed without the host: what makes small scenes fast on the
+    GPU.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,7 +28,8 @@ public:
         clear();
         context.profile.capturing = true;
         cudaGraph_t graph = nullptr;
-        checkCuda(cudaStreamBeginCapture(context.stream, cudaStreamCaptureModeThreadLocal), "capture");
+        checkCuda(
+            cudaStreamBeginCapture(context.stream, cudaStreamCaptureModeThreadLocal), "capture");
         work();
         checkCuda(cudaStreamEndCapture(context.stream, &graph), "capture");
         context.profile.capturing = false;

@@ -1,7 +1,8 @@
 /*  forEach and sums over particles: the one place where kernels start.
 
-    A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i) const`; on the GPU blocks are of 256
-    threads; `static constexpr int residentBlocks` asks for so many of 128 threads on a processor at a time.
+    A kernel is a functor with `static constexpr const char* name` and `HD void operator()(int i)
+    const`; on the GPU blocks are of 256 threads; `static constexpr int residentBlocks` asks for so
+    many of 128 threads on a processor at a time.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,7 +31,8 @@ __global__ void __launch_bounds__(256) forEachKernel(int n, F f)
     if (i < n) f(i);
 }
 
-//- For kernels that wait for memory: registers are held to what so many blocks leave to each. Small blocks share a small scene out evenly
+//- For kernels that wait for memory: registers are held to what so many blocks leave to each. Small
+//  blocks share a small scene out evenly
 static constexpr int residentThreads = 128;
 
 template<int blocks, class F>
@@ -41,7 +43,10 @@ __global__ void __launch_bounds__(residentThreads, blocks) forEachResident(int n
 }
 
 template<class F, class = void> struct ResidentBlocks { static constexpr int value = 0; };
-template<class F> struct ResidentBlocks<F, std::void_t<decltype(F::residentBlocks)>> { static constexpr int value = F::residentBlocks; };
+template<class F> struct ResidentBlocks<F, std::void_t<decltype(F::residentBlocks)>>
+{
+    static constexpr int value = F::residentBlocks;
+};
 
 //- Runs a launch under the profile: counted, and timed when asked
 template<class Launch>
@@ -70,7 +75,9 @@ void forEach(Context<Gpu>& context, int n, const F& f)
     {
         constexpr int resident = ResidentBlocks<F>::value;
         constexpr int threads = residentThreads;
-        if constexpr (resident > 0) forEachResident<resident><<<(n + threads - 1)/threads, threads, 0, context.stream>>>(n, f);
+        if constexpr (resident > 0)
+            forEachResident<resident>
+                <<<(n + threads - 1)/threads, threads, 0, context.stream>>>(n, f);
         else forEachKernel<<<(n + 255)/256, 256, 0, context.stream>>>(n, f);
     });
 }
@@ -103,7 +110,8 @@ void forEach(Context<Cpu>& context, int n, const F& f, int few = 256)
         }
         #pragma omp parallel
         {
-            const F own(f);             // of this thread: nothing that f writes can be thought to alias it
+            // of this thread: nothing that f writes can be thought to alias it
+            const F own(f);
             #pragma omp for schedule(static)
             for (int i = 0; i < n; ++i) own(i);
         }
@@ -114,7 +122,8 @@ void forEach(Context<Cpu>& context, int n, const F& f, int few = 256)
 
 #ifndef __CUDACC__
 
-//- f(t) for a few large tasks, whichever thread is free. What a task writes must not depend on the others
+//- f(t) for a few large tasks, whichever thread is free. What a task writes must not depend on the
+//  others
 template<class F>
 void forEachTask(Context<Cpu>& context, int tasks, const F& f)
 {
@@ -133,8 +142,8 @@ void forEachTask(Context<Cpu>& context, int tasks, const F& f)
 
 #endif
 
-//- Sums of N doubles over particles: f.add(i, sums). Fixed chunks, so that the result does not depend on
-//  the number of threads; partial sums are added on the host in order.
+//- Sums of N doubles over particles: f.add(i, sums). Fixed chunks, so that the result does not
+//  depend on the number of threads; partial sums are added on the host in order.
 static constexpr int sumChunks = 256, sumBlocks = 1024;     // on the CPU, on the GPU
 
 #ifdef __CUDACC__
@@ -163,7 +172,8 @@ template<int N, class F>
 std::array<double, N> sumOver(Context<Gpu>& context, int n, const F& f)
 {
     double* partial = context.parts(sumBlocks*N);
-    profiled(context, F::name, [&] { sumKernel<N><<<sumBlocks, 256, 0, context.stream>>>(n, f, partial); });
+    profiled(context, F::name,
+        [&] { sumKernel<N><<<sumBlocks, 256, 0, context.stream>>>(n, f, partial); });
     double host[sumBlocks*N];
     context.toHost(host, partial, sizeof(host));
     std::array<double, N> total{};
@@ -182,7 +192,8 @@ std::array<double, N> sumOver(Context<Cpu>& context, int n, const F& f)
         #pragma omp parallel for schedule(static)
         for (int c = 0; c < sumChunks; ++c)
         {
-            const int begin = int((long long)n*c/sumChunks), end = int((long long)n*(c + 1)/sumChunks);
+            const int begin = int((long long)n*c/sumChunks),
+                      end = int((long long)n*(c + 1)/sumChunks);
             double sums[N] = {};
             for (int i = begin; i < end; ++i) f.add(i, sums);
             for (int k = 0; k < N; ++k) partial[c*N + k] = sums[k];

@@ -1,11 +1,14 @@
 /*  What this machine can do, measured: the limits that benchmarks put beside what riprap reaches.
 
-        triad    a[i] = b[i] + s c[i], doubles, arrays far larger than caches: 24 bytes an element (McCalpin's STREAM)
+        triad    a[i] = b[i] + s c[i], doubles, arrays far larger than caches: 24 bytes an element
+                 (McCalpin's STREAM)
         fma      independent multiply-adds in registers: two operations each
-        gather   what the pair loop on the GPU loads of a neighbour and nothing else: four bytes of list and two records of
-                 16 bytes, neighbours of a perfectly sorted cubic lattice. The pair loop cannot be faster than its loads.
+        gather   what the pair loop on the GPU loads of a neighbour and nothing else: four bytes of
+                 list and two records of 16 bytes, neighbours of a perfectly sorted cubic lattice.
+                 The pair loop cannot be faster than its loads.
 
-    Best of several runs, in the first GPU or all OpenMP threads. Zero where there is no such device.
+    Best of several runs, in the first GPU or all OpenMP threads. Zero where there is no such
+    device.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

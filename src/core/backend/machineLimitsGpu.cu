@@ -32,7 +32,8 @@ double shortestTime(Context<Gpu>& context, const Launch& launch)
     return 1e-3*best;
 }
 
-__global__ void __launch_bounds__(256) triadKernel(double2* a, const double2* b, const double2* c, int n)
+__global__ void __launch_bounds__(256)
+    triadKernel(double2* a, const double2* b, const double2* c, int n)
 {
     const int i = blockIdx.x*256 + threadIdx.x;
     if (i >= n) return;
@@ -99,8 +100,12 @@ double fmaPeak(Gpu)
     Context<Gpu> context;
     Array<Gpu, Real> out;
     out.allocate(context, blocks);
-    const double time = shortestTime(context, [&]
-    { fmaKernel<Real><<<blocks, 256, 0, context.stream>>>(out.data(), Real(0.999), Real(0.001), length); });
+    const double time = shortestTime(context,
+        [&]
+        {
+            fmaKernel<Real>
+                <<<blocks, 256, 0, context.stream>>>(out.data(), Real(0.999), Real(0.001), length);
+        });
     return 2.0*8*length*256*blocks/time;
 }
 
@@ -127,11 +132,13 @@ double gatherRate(Gpu)
     a.allocate(context, n);
     b.allocate(context, n);
     out.allocate(context, n);
-    const double time = shortestTime(context, [&]
-    {
-        gatherKernel<<<n/128, 128, 0, context.stream>>>
-        (reinterpret_cast<const uint4*>(device.data()), a.data(), b.data(), perParticle, out.data());
-    });
+    const double time = shortestTime(context,
+        [&]
+        {
+            gatherKernel<<<n/128, 128, 0, context.stream>>>(
+                reinterpret_cast<const uint4*>(device.data()), a.data(), b.data(), perParticle,
+                out.data());
+        });
     return double(n)*perParticle/time;
 }
 

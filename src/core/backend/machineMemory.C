@@ -37,11 +37,16 @@ double ofSystem(const std::string& wanted)
 
 double freeMemory()
 {
-    const double limit = numberIn("/sys/fs/cgroup/memory.max"), used = numberIn("/sys/fs/cgroup/memory.current");
-    const double inContainer = limit < unknown && used < unknown ? std::max(limit - used, 0.0) : unknown;
+    const double limit = numberIn("/sys/fs/cgroup/memory.max"),
+                 used = numberIn("/sys/fs/cgroup/memory.current");
+    const double inContainer = limit < unknown && used < unknown ? std::max(limit - used, 0.0)
+                                                                 : unknown;
     return std::min(ofSystem("MemAvailable:"), inContainer);
 }
 
-double machineMemory() { return std::min(ofSystem("MemTotal:"), numberIn("/sys/fs/cgroup/memory.max")); }
+double machineMemory()
+{
+    return std::min(ofSystem("MemTotal:"), numberIn("/sys/fs/cgroup/memory.max"));
+}
 
 } // namespace riprap

@@ -1,4 +1,5 @@
-/*  What was launched how often and, on request, how long it took. Kept by name, in order of first use.
+/*  What was launched how often and, on request, how long it took. Kept by name, in order of first
+    use.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,7 +1,10 @@
-/*  Work small enough for one block of the GPU: several passes in one launch, with barriers in between.
+/*  Work small enough for one block of the GPU: several passes in one launch, with barriers in
+    between.
 
-    A functor with `static constexpr const char* name` and `HD void operator()(const Team&) const`, or `(const Team&, float* memory)` with memory of the team's own, which is near. A pass over n items is
-    team.each(n, f); the team waits for all of its members after it. On the CPU the team is one thread.
+    A functor with `static constexpr const char* name` and `HD void operator()(const Team&) const`,
+    or `(const Team&, float* memory)` with memory of the team's own, which is near. A pass over n
+    items is team.each(n, f); the team waits for all of its members after it. On the CPU the team is
+    one thread.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -58,7 +61,8 @@ __global__ void __launch_bounds__(threads) oneBlockKernel(F f)
 template<int threads = teamThreads, class F>
 void singleBlock(Context<Gpu>& context, const F& f)
 {
-    profiled(context, F::name, [&] { oneBlockKernel<threads><<<1, threads, 0, context.stream>>>(f); });
+    profiled(
+        context, F::name, [&] { oneBlockKernel<threads><<<1, threads, 0, context.stream>>>(f); });
 }
 
 static constexpr int nearThreads = 512;
@@ -78,11 +82,13 @@ inline int nearRoom(Context<Gpu>&)
 {
     int device = 0, bytes = 0;
     checkCuda(cudaGetDevice(&device), "device");
-    checkCuda(cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "shared memory");
+    checkCuda(cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
+        "shared memory");
     return bytes/int(sizeof(float));
 }
 
-//- floats: at most nearRoom(). Each unit has a kernel of its own, which must be allowed the memory: asked for where it is launched, so that linking cannot take the two from different units
+//- floats: at most nearRoom(). Each unit has a kernel of its own, which must be allowed the memory:
+//  asked for where it is launched, so that linking cannot take the two from different units
 template<class F>
 void singleBlock(Context<Gpu>& context, const F& f, int floats)
 {
@@ -90,7 +96,8 @@ void singleBlock(Context<Gpu>& context, const F& f, int floats)
     profiled(context, F::name, [&]
     {
         const auto kernel = &oneBlockNearKernel<F>;
-        checkCuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, most), F::name);
+        checkCuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, most),
+            F::name);
         kernel<<<1, nearThreads, floats*sizeof(float), context.stream>>>(f);
     });
 }

@@ -28,8 +28,12 @@ struct Permute
         const std::uint32_t j = order[i];
         for (int f = 0; f < fields; ++f)
         {
-            if (wide[f]) static_cast<std::uint64_t*>(to[f])[i] = static_cast<const std::uint64_t*>(from[f])[j];
-            else static_cast<std::uint32_t*>(to[f])[i] = static_cast<const std::uint32_t*>(from[f])[j];
+            if (wide[f])
+                static_cast<std::uint64_t*>(to[f])[i] = static_cast<const std::uint64_t*>(
+                    from[f])[j];
+            else
+                static_cast<std::uint32_t*>(to[f])[i] = static_cast<const std::uint32_t*>(
+                    from[f])[j];
         }
     }
 };
@@ -50,8 +54,9 @@ public:
         return int(fields_.size()) - 1;
     }
 
-    //- Memory for n particles. Large sets share one spare array a size of element, so that a permutation sorts field
-    //  after field; small ones, and those that ask for it, have a spare for each field and are sorted in one launch.
+    //- Memory for n particles. Large sets share one spare array a size of element, so that a
+    //  permutation sorts field after field; small ones, and those that ask for it, have a spare for
+    //  each field and are sorted in one launch.
     void allocate(Context<Backend>& context, std::size_t n, bool spareForEach = false)
     {
         tight_ = n >= tightFrom && !spareForEach;
@@ -67,7 +72,8 @@ public:
 
     static constexpr std::size_t tightFrom = 2000000;
 
-    //- Does a permutation bring back the same pointers after every second one (else: not at all soon)?
+    //- Does a permutation bring back the same pointers after every second one (else: not at all
+    //  soon)?
     bool alternates() const { return !tight_; }
 
     //- No more permutations: give the spare memory back
@@ -88,13 +94,15 @@ public:
     template<class T>
     T* data(int field) { return reinterpret_cast<T*>(fields_[field].now.data()); }
 
-    //- Spare of a field that has its own, for a sort by the caller's launch, and what ends it: spares become the fields
+    //- Spare of a field that has its own, for a sort by the caller's launch, and what ends it:
+    //  spares become the fields
     template<class T>
     T* spare(int field) { return reinterpret_cast<T*>(fields_[field].next.data()); }
     void takeSpares() { for (Field& f : fields_) f.now.swap(f.next); }
 
     //- Sort every field but those of [skipFrom, skipTo); pointers from data() change
-    void permute(Context<Backend>& context, const std::uint32_t* order, int n, int skipFrom = 0, int skipTo = 0)
+    void permute(Context<Backend>& context, const std::uint32_t* order, int n, int skipFrom = 0,
+        int skipTo = 0)
     {
         Permute p{};
         p.order = order;
@@ -102,7 +110,8 @@ public:
         {
             if (k >= skipFrom && k < skipTo) continue;
             Field& f = fields_[k];
-            Array<Backend, unsigned char>& next = !tight_ ? f.next : (f.bytes == 8 ? spare8_ : spare4_);
+            Array<Backend, unsigned char>& next = !tight_ ? f.next
+                                                          : (f.bytes == 8 ? spare8_ : spare4_);
             p.from[p.fields] = f.now.data();
             p.to[p.fields] = next.data();
             p.wide[p.fields++] = f.bytes == 8;
@@ -123,7 +132,8 @@ public:
     template<class T>
     void upload(Context<Backend>& context, int field, const std::vector<T>& host)
     {
-        if (!host.empty()) context.toDevice(fields_[field].now.data(), host.data(), host.size()*sizeof(T));
+        if (!host.empty())
+            context.toDevice(fields_[field].now.data(), host.data(), host.size()*sizeof(T));
     }
 
     struct Info { std::string name; std::size_t bytes; };
@@ -131,7 +141,8 @@ public:
     {
         std::vector<Info> r;
         for (const Field& f : fields_) r.push_back(Info{f.name, f.now.bytes() + f.next.bytes()});
-        if (spare8_.bytes() + spare4_.bytes()) r.push_back(Info{"spare", spare8_.bytes() + spare4_.bytes()});
+        if (spare8_.bytes() + spare4_.bytes())
+            r.push_back(Info{"spare", spare8_.bytes() + spare4_.bytes()});
         return r;
     }
 

@@ -1,8 +1,9 @@
 /*  Pair records: what the pair loop reads of a particle, laid out for the machine.
 
     Cpu: one array a component, so that a pack of neighbours is one load.
-    Gpu: two aligned records A (position, p/rho^2[, rho]) and B (velocity[, rho]), so that a neighbour costs two gathers.
-    The smoothing length is a third array that exists only where it varies.
+    Gpu: two aligned records A (position, p/rho^2[, rho]) and B (velocity[, rho]), so that a
+    neighbour costs two gathers. The smoothing length is a third array that exists only where it
+    varies.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -51,7 +52,10 @@ struct RecordsView<Cpu, D, P>
         return r;
     }
 
-    void storePosition(int i, const Vec<D, position>& v) const { for (int d = 0; d < D; ++d) x[d][i] = v.c[d]; }
+    void storePosition(int i, const Vec<D, position>& v) const
+    {
+        for (int d = 0; d < D; ++d) x[d][i] = v.c[d];
+    }
 
     template<bool VariableH>
     PairParticle<D, real> load(int i) const
@@ -65,7 +69,8 @@ struct RecordsView<Cpu, D, P>
     }
 
     template<bool VariableH>
-    void loadPack(int j, Vec<D, typename PositionPack<P>::type>& xj, PairParticle<D, Pack<real>>& r) const
+    void loadPack(
+        int j, Vec<D, typename PositionPack<P>::type>& xj, PairParticle<D, Pack<real>>& r) const
     {
         for (int d = 0; d < D; ++d)
         {
@@ -117,7 +122,10 @@ struct RecordsView<Gpu, D, P>
         return r;
     }
 
-    HD void storePosition(int i, const Vec<D, position>& v) const { for (int d = 0; d < D; ++d) a[i].x[d] = v.c[d]; }
+    HD void storePosition(int i, const Vec<D, position>& v) const
+    {
+        for (int d = 0; d < D; ++d) a[i].x[d] = v.c[d];
+    }
 
     template<bool VariableH>
     HD void loadAll(int i, Vec<D, position>& xi, PairParticle<D, real>& r) const
@@ -165,9 +173,12 @@ public:
         stride_ = padded;
         memory_.allocate(context, padded*(2*D + 2));
         if (withH) h_.allocate(context, padded);
-        // lanes that a pack reads past the end are discarded, but must be finite: no density or h of zero
+        // lanes that a pack reads past the end are discarded, but must be finite: no density or h
+        // of zero
         const std::vector<real> ones(padded, real(1));
-        if constexpr (!Backend::gpu) context.toDevice(memory_.data() + stride_*(2*D + 1), ones.data(), padded*sizeof(real));
+        if constexpr (!Backend::gpu)
+            context.toDevice(
+                memory_.data() + stride_*(2*D + 1), ones.data(), padded*sizeof(real));
         if (withH) context.toDevice(h_.data(), ones.data(), padded*sizeof(real));
     }
 
@@ -178,7 +189,10 @@ public:
         return v;
     }
 
-    std::size_t bytesPerParticle() const { return (2*D + 2)*sizeof(real) + (h_.size() ? sizeof(real) : 0); }
+    std::size_t bytesPerParticle() const
+    {
+        return (2*D + 2)*sizeof(real) + (h_.size() ? sizeof(real) : 0);
+    }
     std::size_t bytes() const { return memory_.bytes() + h_.bytes(); }
 
 private:

@@ -1,4 +1,5 @@
-/*  Those of n that a functor wants, brought to the host: f.wanted(i) and f.put(i, k), which writes number k of them.
+/*  Those of n that a functor wants, brought to the host: f.wanted(i) and f.put(i, k), which writes
+    number k of them.
 
     Their order is chance. Two passes: so many are counted first.
 

@@ -1,4 +1,5 @@
-/*  Writes of several threads to one place, whose outcome does not depend on their order: integers only.
+/*  Writes of several threads to one place, whose outcome does not depend on their order: integers
+    only.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,7 +21,8 @@ HD void raise(int* flag)
 #endif
 }
 
-//- The same where nearly everyone does: who finds it set leaves it alone, since as many writes to one place would wait for each other
+//- The same where nearly everyone does: who finds it set leaves it alone, since as many writes to
+//  one place would wait for each other
 HD void raiseOnce(int* flag)
 {
 #ifdef __CUDA_ARCH__
@@ -67,7 +69,9 @@ HD int atomicMinimum(int* at, int value)
     return atomicMin(at, value);
 #else
     int old = __atomic_load_n(at, __ATOMIC_RELAXED);
-    while (old > value && !__atomic_compare_exchange_n(at, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+    while (old > value
+        && !__atomic_compare_exchange_n(at, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    {}
     return old;
 #endif
 }
@@ -76,11 +80,14 @@ HD int atomicMinimum(int* at, int value)
 HD void raiseTo(float* at, float value)
 {
 #ifdef __CUDA_ARCH__
-    if (*static_cast<const volatile float*>(at) < value) atomicMax(reinterpret_cast<int*>(at), __float_as_int(value));
+    if (*static_cast<const volatile float*>(at) < value)
+        atomicMax(reinterpret_cast<int*>(at), __float_as_int(value));
 #else
     float old;
     __atomic_load(at, &old, __ATOMIC_RELAXED);
-    while (old < value && !__atomic_compare_exchange(at, &old, &value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+    while (old < value
+        && !__atomic_compare_exchange(at, &old, &value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    {}
 #endif
 }
 
@@ -93,8 +100,8 @@ HD void addShared(std::int64_t* at, std::int64_t value)
 #endif
 }
 
-//- The same where threads side by side mostly add to one place: they add up among themselves first, in three parts of the number,
-//  each of which has room for a warp's sum
+//- The same where threads side by side mostly add to one place: they add up among themselves first,
+//  in three parts of the number, each of which has room for a warp's sum
 HD void addSharedTogether(std::int64_t* at, std::int64_t value)
 {
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
@@ -105,9 +112,12 @@ HD void addSharedTogether(std::int64_t* at, std::int64_t value)
     {
         constexpr unsigned part = 0xffffff;
         const auto v = static_cast<unsigned long long>(value);
-        const unsigned long long low = __reduce_add_sync(lanes, unsigned(v) & part), middle = __reduce_add_sync(lanes, unsigned(v >> 24) & part),
-            high = __reduce_add_sync(lanes, unsigned(v >> 48));
-        if (int(threadIdx.x & 31) == __ffs(int(lanes)) - 1) atomicAdd(reinterpret_cast<unsigned long long*>(at), low + (middle << 24) + (high << 48));
+        const unsigned long long low = __reduce_add_sync(lanes, unsigned(v) & part),
+                                 middle = __reduce_add_sync(lanes, unsigned(v >> 24) & part),
+                                 high = __reduce_add_sync(lanes, unsigned(v >> 48));
+        if (int(threadIdx.x & 31) == __ffs(int(lanes)) - 1)
+            atomicAdd(
+                reinterpret_cast<unsigned long long*>(at), low + (middle << 24) + (high << 48));
         return;
     }
 #endif

@@ -1,8 +1,11 @@
-/*  A loop whose end the device decides: body(condition) launches one pass, which sets *again and tells the condition; it is repeated while *again is not zero.
+/*  A loop whose end the device decides: body(condition) launches one pass, which sets *again and
+    tells the condition; it is repeated while *again is not zero.
 
-    On the GPU the pass is recorded once, and a graph with a conditional node repeats it without the host (CUDA 12.4 and
-    later; before, or where RIPRAP_HOST_LOOPS is set in the environment, the host reads *again after each pass: compute-sanitizer does not see into such a node, and reports errors of its own). It is recorded anew after forget(): whoever changes what the pass
-    launches must call it. No allocation and no copy to the host may happen in body().
+    On the GPU the pass is recorded once, and a graph with a conditional node repeats it without the
+    host (CUDA 12.4 and later; before, or where RIPRAP_HOST_LOOPS is set in the environment, the
+    host reads *again after each pass: compute-sanitizer does not see into such a node, and reports
+    errors of its own). It is recorded anew after forget(): whoever changes what the pass launches
+    must call it. No allocation and no copy to the host may happen in body().
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -72,7 +75,8 @@ public:
 #if CUDART_VERSION >= 12040
         if (!executable_) record(context, body);
         checkCuda(cudaGraphLaunch(executable_, context.stream), "graph launch");
-        context.profile.countReplay(kernels_);      // of the first pass: how many there were, the device knows
+        // of the first pass: how many there were, the device knows
+        context.profile.countReplay(kernels_);
 #else
         if (!pass_.recorded()) pass_.record(context, [&] { body(LoopCondition()); });
         plain(context, again, [&](const LoopCondition&) { pass_.replay(context); });
@@ -99,7 +103,8 @@ private:
         cudaGraph_t whole = nullptr;
         checkCuda(cudaGraphCreate(&whole, 0), "graph");
         cudaGraphConditionalHandle handle;
-        checkCuda(cudaGraphConditionalHandleCreate(&handle, whole, 1, cudaGraphCondAssignDefault), "graph condition");
+        checkCuda(cudaGraphConditionalHandleCreate(&handle, whole, 1, cudaGraphCondAssignDefault),
+            "graph condition");
         cudaGraphNodeParams loop = {};
         loop.type = cudaGraphNodeTypeConditional;
         loop.conditional.handle = handle;
@@ -113,7 +118,9 @@ private:
     #endif
         cudaGraph_t pass = loop.conditional.phGraph_out[0];
         context.profile.capturing = true;
-        checkCuda(cudaStreamBeginCaptureToGraph(context.stream, pass, nullptr, nullptr, 0, cudaStreamCaptureModeThreadLocal), "capture");
+        checkCuda(cudaStreamBeginCaptureToGraph(
+                      context.stream, pass, nullptr, nullptr, 0, cudaStreamCaptureModeThreadLocal),
+            "capture");
         LoopCondition condition;
         condition.handle = handle;
         condition.recorded = true;

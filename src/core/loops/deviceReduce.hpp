@@ -1,5 +1,6 @@
-/*  Sums that stay on the device: sumThen(n, f, partial, finish) adds f.add(i, sums) over i and hands the totals to
-    finish(totals), which one thread of the device runs. What follows may read what it wrote, without the host.
+/*  Sums that stay on the device: sumThen(n, f, partial, finish) adds f.add(i, sums) over i and
+    hands the totals to finish(totals), which one thread of the device runs. What follows may read
+    what it wrote, without the host.
 
     Fixed chunks, added in a fixed order: the same bits whatever the number of threads.
 
@@ -40,7 +41,8 @@ __device__ void sumBlock(double (&shared)[N][256], double (&sums)[N])
     }
 }
 
-//- The block that comes last adds what the blocks have left, in their order. The first double of partial counts them, and is zero again at the end
+//- The block that comes last adds what the blocks have left, in their order. The first double of
+//  partial counts them, and is zero again at the end
 template<int N, class F, class G>
 __global__ void __launch_bounds__(256) sumThenKernel(int n, F f, double* partial, G finish)
 {
@@ -77,40 +79,47 @@ __global__ void __launch_bounds__(256) sumThenKernel(int n, F f, double* partial
 template<int N, class F, class G>
 void sumThen(Context<Gpu>& context, int n, const F& f, double* partial, const G& finish)
 {
-    const int wanted = (n + 255)/256, blocks = wanted < 1 ? 1 : wanted < deviceSumParts ? wanted : deviceSumParts;
-    profiled(context, F::name, [&] { sumThenKernel<N><<<blocks, 256, 0, context.stream>>>(n, f, partial, finish); });
+    const int wanted = (n + 255)/256,
+              blocks = wanted < 1 ? 1
+        : wanted < deviceSumParts ? wanted
+                                  : deviceSumParts;
+    profiled(context, F::name,
+        [&] { sumThenKernel<N><<<blocks, 256, 0, context.stream>>>(n, f, partial, finish); });
 }
 
 #else
 
 //- few: so many are done by one thread: a team costs more
 template<int N, class F, class G>
-void sumThen(Context<Cpu>& context, int n, const F& f, double* partial, const G& finish, int few = 4*sumChunks)
+void sumThen(Context<Cpu>& context, int n, const F& f, double* partial, const G& finish,
+    int few = 4*sumChunks)
 {
-    profiled(context, F::name, [&]
-    {
-        const auto chunk = [&](const F& own, int c)
+    profiled(context, F::name,
+        [&]
         {
-            const int begin = int((long long)n*c/sumChunks), end = int((long long)n*(c + 1)/sumChunks);
-            double sums[N] = {};
-            for (int i = begin; i < end; ++i) own.add(i, sums);
-            for (int k = 0; k < N; ++k) partial[c*N + k] = sums[k];
-        };
-        if (n <= few)
-        {
-            const F own(f);
-            for (int c = 0; c < sumChunks; ++c) chunk(own, c);
-        }
-        else
-        {
-            #pragma omp parallel
+            const auto chunk = [&](const F& own, int c)
+            {
+                const int begin = int((long long)n*c/sumChunks),
+                          end = int((long long)n*(c + 1)/sumChunks);
+                double sums[N] = {};
+                for (int i = begin; i < end; ++i) own.add(i, sums);
+                for (int k = 0; k < N; ++k) partial[c*N + k] = sums[k];
+            };
+            if (n <= few)
             {
                 const F own(f);
-                #pragma omp for schedule(static)
                 for (int c = 0; c < sumChunks; ++c) chunk(own, c);
             }
-        }
-    });
+            else
+            {
+            #pragma omp parallel
+                {
+                    const F own(f);
+                #pragma omp for schedule(static)
+                    for (int c = 0; c < sumChunks; ++c) chunk(own, c);
+                }
+            }
+        });
     double total[N] = {};
     for (int c = 0; c < sumChunks; ++c) for (int k = 0; k < N; ++k) total[k] += partial[c*N + k];
     finish(total);

@@ -1,4 +1,5 @@
-/*  The largest of a number over particles or cells: f.value(i), not below 0. A maximum does not depend on the order.
+/*  The largest of a number over particles or cells: f.value(i), not below 0. A maximum does not
+    depend on the order.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,7 +26,8 @@ __global__ void __launch_bounds__(256) largestKernel(int n, F f, double* partial
     __syncthreads();
     for (int o = 128; o > 0; o /= 2)
     {
-        if (int(threadIdx.x) < o && !(shared[threadIdx.x + o] <= shared[threadIdx.x])) shared[threadIdx.x] = shared[threadIdx.x + o];
+        if (int(threadIdx.x) < o && !(shared[threadIdx.x + o] <= shared[threadIdx.x]))
+            shared[threadIdx.x] = shared[threadIdx.x + o];
         __syncthreads();
     }
     if (threadIdx.x == 0) partial[blockIdx.x] = shared[0];
@@ -40,7 +42,8 @@ double reduceMax(Context<Gpu>& context, int n, const F& f)
     if (n <= 0) return 0;
     const int blocks = largestBlocks(n);
     double* partial = context.parts(sumBlocks);
-    profiled(context, F::name, [&] { largestKernel<<<blocks, 256, 0, context.stream>>>(n, f, partial); });
+    profiled(context, F::name,
+        [&] { largestKernel<<<blocks, 256, 0, context.stream>>>(n, f, partial); });
     double host[sumBlocks], most = 0;
     context.toHost(host, partial, blocks*sizeof(double));
     for (int b = 0; b < blocks; ++b) if (!(host[b] <= most)) most = host[b];
@@ -74,8 +77,11 @@ public:
         asked_ = true;
         if (!blocks_) return;
         double* partial = context.parts(sumBlocks);
-        profiled(context, F::name, [&] { largestKernel<<<blocks_, 256, 0, context.stream>>>(n, f, partial); });
-        checkCuda(cudaMemcpyAsync(partial_, partial, blocks_*sizeof(double), cudaMemcpyDeviceToHost, context.stream), "copy");
+        profiled(context, F::name,
+            [&] { largestKernel<<<blocks_, 256, 0, context.stream>>>(n, f, partial); });
+        checkCuda(cudaMemcpyAsync(partial_, partial, blocks_*sizeof(double),
+                      cudaMemcpyDeviceToHost, context.stream),
+            "copy");
         checkCuda(cudaEventRecord(done_, context.stream), "event");
     }
 
@@ -107,7 +113,8 @@ double reduceMax(Context<Cpu>& context, int n, const F& f)
         #pragma omp parallel for schedule(static)
         for (int c = 0; c < sumChunks; ++c)
         {
-            const int begin = int((long long)n*c/sumChunks), end = int((long long)n*(c + 1)/sumChunks);
+            const int begin = int((long long)n*c/sumChunks),
+                      end = int((long long)n*(c + 1)/sumChunks);
             double most = 0;
             for (int i = begin; i < end; ++i)
             {

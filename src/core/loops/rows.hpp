@@ -1,6 +1,8 @@
-/*  Launches on the CPU whose items are rows of cells, which registers take several at a time: a few dozen of them are work enough for two threads.
+/*  Launches on the CPU whose items are rows of cells, which registers take several at a time: a few
+    dozen of them are work enough for two threads.
 
-    What is chosen between by a condition is found before, in arrays of its own: compilers do not speculate on arithmetic that may trap, and would take such a loop one by one.
+    What is chosen between by a condition is found before, in arrays of its own: compilers do not
+    speculate on arithmetic that may trap, and would take such a loop one by one.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,7 +29,10 @@ template<class F>
 void forEachRow(Context<Cpu>& context, int n, const F& f) { forEach(context, n, f, fewRows); }
 
 template<int N, class F, class G>
-void sumRowsThen(Context<Cpu>& context, int n, const F& f, double* partial, const G& finish) { sumThen<N>(context, n, f, partial, finish, fewRows); }
+void sumRowsThen(Context<Cpu>& context, int n, const F& f, double* partial, const G& finish)
+{
+    sumThen<N>(context, n, f, partial, finish, fewRows);
+}
 
 #else
 template<int N, class F, class G> void sumRowsThen(Context<Cpu>&, int, const F&, double*, const G&);

@@ -1,5 +1,5 @@
-/*  Stable sort of (key, index) pairs and exclusive scans: CUB on the GPU, a parallel LSD radix sort on the CPU.
-    Stable and free of atomics, hence deterministic.
+/*  Stable sort of (key, index) pairs and exclusive scans: CUB on the GPU, a parallel LSD radix sort
+    on the CPU. Stable and free of atomics, hence deterministic.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,21 +27,24 @@ struct SortScratch
 
 #ifdef __CUDACC__
 
-//- Sorts keys[0], values[0] by the low `bits` of the key into keys[1], values[1]; keys[0], values[0] are lost
+//- Sorts keys[0], values[0] by the low `bits` of the key into keys[1], values[1]; keys[0],
+//  values[0] are lost
 inline void sortPairs(Context<Gpu>& context, SortScratch<Gpu>& s, int n, int bits)
 {
     cub::DoubleBuffer<std::uint32_t> keys(s.keys[0].data(), s.keys[1].data());
     cub::DoubleBuffer<std::uint32_t> values(s.values[0].data(), s.values[1].data());
     std::size_t bytes = 0;
-    checkCuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys, values, n, 0, bits, context.stream), "sort size");
+    checkCuda(
+        cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys, values, n, 0, bits, context.stream),
+        "sort size");
     if (bytes > s.temporary.size()) s.temporary.allocate(context, bytes);
-    profiled(context, "sort", [&]
-    {
-        checkCuda
-        (
-            cub::DeviceRadixSort::SortPairs(s.temporary.data(), bytes, keys, values, n, 0, bits, context.stream), "sort"
-        );
-    });
+    profiled(context, "sort",
+        [&]
+        {
+            checkCuda(cub::DeviceRadixSort::SortPairs(
+                          s.temporary.data(), bytes, keys, values, n, 0, bits, context.stream),
+                "sort");
+        });
     if (keys.Current() == s.keys[0].data())
     {
         s.keys[0].swap(s.keys[1]);
@@ -53,12 +56,16 @@ inline void sortPairs(Context<Gpu>& context, SortScratch<Gpu>& s, int n, int bit
 inline void exclusiveScan(Context<Gpu>& context, SortScratch<Gpu>& s, int* data, int n)
 {
     std::size_t bytes = 0;
-    checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, data, data, n, context.stream), "scan size");
+    checkCuda(
+        cub::DeviceScan::ExclusiveSum(nullptr, bytes, data, data, n, context.stream), "scan size");
     if (bytes > s.temporary.size()) s.temporary.allocate(context, bytes);
-    profiled(context, "scan", [&]
-    {
-        checkCuda(cub::DeviceScan::ExclusiveSum(s.temporary.data(), bytes, data, data, n, context.stream), "scan");
-    });
+    profiled(context, "scan",
+        [&]
+        {
+            checkCuda(cub::DeviceScan::ExclusiveSum(
+                          s.temporary.data(), bytes, data, data, n, context.stream),
+                "scan");
+        });
 }
 
 #else
@@ -84,7 +91,8 @@ inline void sortPairs(Context<Cpu>& context, SortScratch<Cpu>& s, int n, int bit
             {
                 int* count = &offsets[std::size_t(t)*radix];
                 std::fill(count, count + radix, 0);
-                for (int i = begin(t); i < begin(t + 1); ++i) ++count[(key[i] >> shift) & (radix - 1)];
+                for (int i = begin(t); i < begin(t + 1); ++i)
+                    ++count[(key[i] >> shift) & (radix - 1)];
             }
             int total = 0;
             for (int digit = 0; digit < radix; ++digit)

@@ -1,9 +1,10 @@
 /*  The cell-linked grid: shape, cell of a position, and the rows of cells that a sphere touches.
 
-    Cells are stored x fastest; of the other axes y before z, or where asked for the one with fewer cells: in a long scene what is near is then
-    near in memory too. A row is a line of cells along x: particles of a row's cells lie side by side in
-    memory, so a search is a few contiguous ranges. Cells are fine along x (ranges are trimmed to the sphere) and
-    1/reach of the search radius along the other axes.
+    Cells are stored x fastest; of the other axes y before z, or where asked for the one with fewer
+    cells: in a long scene what is near is then near in memory too. A row is a line of cells along
+    x: particles of a row's cells lie side by side in memory, so a search is a few contiguous
+    ranges. Cells are fine along x (ranges are trimmed to the sphere) and 1/reach of the search
+    radius along the other axes.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -31,8 +32,10 @@ struct CellGrid
     int cells = 0;
     real radius = 0;            // search radius: support plus skin [m]
 
-    //- Cover the box with cells for a search radius; about cellsPerRadius cells along x in one radius
-    void set(const Box<D, P>& box, double searchRadius, int rowReach, double cellsPerRadius, double maxCells, bool shortFirst = false)
+    //- Cover the box with cells for a search radius; about cellsPerRadius cells along x in one
+    //  radius
+    void set(const Box<D, P>& box, double searchRadius, int rowReach, double cellsPerRadius,
+        double maxCells, bool shortFirst = false)
     {
         radius = real(searchRadius);
         reach = rowReach;
@@ -45,7 +48,9 @@ struct CellGrid
         }
         const double total = count[0]*count[1]*count[2];
         // fewer than four periodic cells could be found from both sides, and twice
-        if (total > maxCells) count[0] = std::max(periodic[0] ? std::min(count[0], 4.0) : 1.0, std::floor(count[0]*maxCells/total));
+        if (total > maxCells)
+            count[0] = std::max(periodic[0] ? std::min(count[0], 4.0) : 1.0,
+                std::floor(count[0]*maxCells/total));
         for (int d = 0; d < D; ++d)
         {
             n[d] = int(count[d]);
@@ -80,29 +85,33 @@ struct CellGrid
 
     //- The same within a distance of no more than that
     template<class F>
-    HD void forEachRangeNear(const Vec<D, real>& x, real distance, const int* start, const F& f) const
+    HD void forEachRangeNear(
+        const Vec<D, real>& x, real distance, const int* start, const F& f) const
     {
         forEachRange(x, distance, reach, reach, start, f);
     }
 
     //- The same within another distance: for particles that look for others of another size
     template<class F>
-    HD void forEachRangeWithin(const Vec<D, real>& x, real distance, const int* start, const F& f) const
+    HD void forEachRangeWithin(
+        const Vec<D, real>& x, real distance, const int* start, const F& f) const
     {
-        const int y = int(distance*inverse[1]) + 1, z = D == 3 ? int(distance*inverse[D - 1]) + 1 : 0;
+        const int y = int(distance*inverse[1]) + 1,
+                  z = D == 3 ? int(distance*inverse[D - 1]) + 1 : 0;
         forEachRange(x, distance, y, z, start, f);
     }
 
 private:
-
     template<class F>
-    HD void forEachRange(const Vec<D, real>& x, real distance, int reachY, int reachZ, const int* start, const F& f) const
+    HD void forEachRange(const Vec<D, real>& x, real distance, int reachY, int reachZ,
+        const int* start, const F& f) const
     {
         const real r2 = distance*distance;
         const int cy = floorInt(x.c[1]*inverse[1]);
         if constexpr (D == 2)
         {
-            for (int dy = -reachY; dy <= reachY; ++dy) row(x, wrap(cy + dy, 1)*stride[1], r2 - square(gap(x, cy, dy, 1)), start, f);
+            for (int dy = -reachY; dy <= reachY; ++dy)
+                row(x, wrap(cy + dy, 1)*stride[1], r2 - square(gap(x, cy, dy, 1)), start, f);
         }
         else
         {
@@ -115,7 +124,8 @@ private:
                 for (int dy = -reachY; dy <= reachY; ++dy)
                 {
                     const int y = wrap(cy + dy, 1);
-                    row(x, y < 0 ? -1 : z*stride[2] + y*stride[1], rz2 - square(gap(x, cy, dy, 1)), start, f);
+                    row(x, y < 0 ? -1 : z*stride[2] + y*stride[1],
+                        rz2 - square(gap(x, cy, dy, 1)), start, f);
                 }
             }
         }
@@ -139,7 +149,8 @@ private:
     }
 
     template<class F>
-    HD void row(const Vec<D, real>& x, int first, real halfWidth2, const int* start, const F& f) const
+    HD void row(
+        const Vec<D, real>& x, int first, real halfWidth2, const int* start, const F& f) const
     {
         if (first < 0 || halfWidth2 <= 0) return;
         // a hair wider than exact, so that rounding of x never loses a neighbour

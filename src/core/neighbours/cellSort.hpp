@@ -56,7 +56,8 @@ public:
     std::uint32_t* keys() { return scratch_.keys[0].data(); }
     std::uint32_t* indices() { return scratch_.values[0].data(); }
 
-    //- After keys() and indices() were filled: sort and tabulate. Then order() says which particle goes where.
+    //- After keys() and indices() were filled: sort and tabulate. Then order() says which particle
+    //  goes where.
     void sort(Context<Backend>& context, int n)
     {
         if (n > 0) sortPairs(context, scratch_, n, bits_);
@@ -66,7 +67,10 @@ public:
     }
 
     //- data[i] becomes the sum of data[0 .. i-1], with the sort's scratch
-    void scan(Context<Backend>& context, int* data, int n) { exclusiveScan(context, scratch_, data, n); }
+    void scan(Context<Backend>& context, int* data, int n)
+    {
+        exclusiveScan(context, scratch_, data, n);
+    }
 
     //- What sorting needs is given back: for sets that never move
     void releaseScratch() { scratch_ = SortScratch<Backend>(); }

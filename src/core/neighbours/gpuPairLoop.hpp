@@ -1,7 +1,9 @@
-/*  The pair loop on the GPU: neighbour lists of four indices a load, and the kernel that folds a pass over them.
+/*  The pair loop on the GPU: neighbour lists of four indices a load, and the kernel that folds a
+    pass over them.
 
-    A particle is served by `lanes` threads (1 for large scenes, up to 8 for small ones). Thread t of a particle owns
-    a list of its own: entries [warp base + 32 k + lane] of four indices each, so that a warp's loads are coalesced.
+    A particle is served by `lanes` threads (1 for large scenes, up to 8 for small ones). Thread t
+    of a particle owns a list of its own: entries [warp base + 32 k + lane] of four indices each, so
+    that a warp's loads are coalesced.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -74,13 +76,15 @@ __device__ __forceinline__ void addList
         const uint4 q = *entry;
         const unsigned rest[3] = {q.x, q.y, q.z};
         #pragma unroll
-        for (int e = 0; e < 3; ++e) if (k + e < count) addNeighbour<S>(pass, self, xi, rest[e], sums);
+        for (int e = 0; e < 3; ++e)
+            if (k + e < count) addNeighbour<S>(pass, self, xi, rest[e], sums);
     }
 }
 
 __device__ __forceinline__ void mergeMaximum(float* target, float value)
 {
-    // values are >= 0: their bits order as integers. NaN never gets here (finish reports it as infinity).
+    // values are >= 0: their bits order as integers. NaN never gets here (finish reports it as
+    // infinity).
     if (value > *target) atomicMax(reinterpret_cast<unsigned*>(target), __float_as_uint(value));
 }
 
@@ -96,16 +100,24 @@ __device__ __forceinline__ void mergeMaxima(const Pass& pass, const float* maxim
     }
 }
 
-//- Passes few of whose targets have neighbours (`static constexpr bool sparse = true`): warps without any leave what was there, unless all
-//  targets are asked for (`HD bool all() const`)
+//- Passes few of whose targets have neighbours (`static constexpr bool sparse = true`): warps
+//  without any leave what was there, unless all targets are asked for (`HD bool all() const`)
 template<class Pass, class = void> struct Sparse { static constexpr bool value = false; };
-template<class Pass> struct Sparse<Pass, std::void_t<decltype(Pass::sparse)>> { static constexpr bool value = Pass::sparse; };
+template<class Pass> struct Sparse<Pass, std::void_t<decltype(Pass::sparse)>>
+{
+    static constexpr bool value = Pass::sparse;
+};
 
-template<class Pass> __device__ __forceinline__ auto wantsAll(const Pass& pass, int) -> decltype(pass.all()) { return pass.all(); }
+template<class Pass>
+__device__ __forceinline__ auto wantsAll(const Pass& pass, int) -> decltype(pass.all())
+{
+    return pass.all();
+}
 template<class Pass> __device__ __forceinline__ bool wantsAll(const Pass&, long) { return false; }
 
 template<class Pass>
-__global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 8 : 4) pairKernel(Pass pass, int shift)
+__global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 8 : 4)
+    pairKernel(Pass pass, int shift)
 {
     using real = typename Pass::real;
     if (!pass.enabled()) return;
@@ -113,7 +125,9 @@ __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 
     const int i = thread >> shift;
     const bool valid = i < pass.targets();
     if constexpr (Sparse<Pass>::value)
-        if (!wantsAll(pass, 0) && !__any_sync(0xffffffffu, valid && pass.source[0].list.count[thread] > 0)) return;
+        if (!wantsAll(pass, 0)
+            && !__any_sync(0xffffffffu, valid && pass.source[0].list.count[thread] > 0))
+            return;
     real sums[Pass::channels];
     for (int k = 0; k < Pass::channels; ++k) sums[k] = 0;
     if (valid)
@@ -121,10 +135,12 @@ __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 
         const auto self = pass.template self<real>(i);
         const auto xi = pass.position(i);
         addList<0>(pass, self, xi, thread, sums);
-        if constexpr (Pass::sources > 1) if (pass.source[1].start) addList<1>(pass, self, xi, thread, sums);
+        if constexpr (Pass::sources > 1)
+            if (pass.source[1].start) addList<1>(pass, self, xi, thread, sums);
     }
     for (int o = (1 << shift) >> 1; o > 0; o >>= 1)
-        for (int k = 0; k < Pass::channels; ++k) sums[k] += __shfl_xor_sync(0xffffffffu, sums[k], o);
+        for (int k = 0; k < Pass::channels; ++k)
+            sums[k] += __shfl_xor_sync(0xffffffffu, sums[k], o);
     float maxima[maximaCount] = {};
     if (valid && (thread & ((1 << shift) - 1)) == 0) pass.finish(i, sums, maxima);
     if constexpr (Pass::hasMaxima) mergeMaxima(pass, maxima);

@@ -1,13 +1,16 @@
-/*  How far particles may go before those near them have to be sought anew, measured against what is around them.
+/*  How far particles may go before those near them have to be sought anew, measured against what is
+    around them.
 
-    Lists of all pairs within R + s (the support and a skin) hold for as long as no pair has come nearer to each other by s. What moves
-    together does not: the box is cut into blocks at least L wide, each with a velocity U, the middle of those in it at the search. With d the
-    way of a particle since then, t the time, for two of one block or of blocks that touch
+    Lists of all pairs within R + s (the support and a skin) hold for as long as no pair has come
+    nearer to each other by s. What moves together does not: the box is cut into blocks at least L
+    wide, each with a velocity U, the middle of those in it at the search. With d the way of a
+    particle since then, t the time, for two of one block or of blocks that touch
 
         |d_i - d_j| <= |d_i - U_a t| + |d_j - U_b t| + |U_a - U_b| t
 
-    so that it suffices that each keeps |d - U t| + M t <= s/2, M being half of the largest |U - U'| to a block that touches its own. Two of
-    other blocks were L apart: they stay beyond R while |d| <= (L - R)/2. Points at rest have no U: who may meet one must keep |d| within what
+    so that it suffices that each keeps |d - U t| + M t <= s/2, M being half of the largest |U - U'|
+    to a block that touches its own. Two of other blocks were L apart: they stay beyond R while |d|
+    <= (L - R)/2. Points at rest have no U: who may meet one must keep |d| within what
     the lists of such points allow.
 
     U and M are maxima, which do not depend on an order: equal input, equal bits.
@@ -46,7 +49,8 @@ struct LocalFrames
 
     int n[3];
     real inverse[D];
-    int* bounds;                // of each block: D lowest velocities, D highest, as ordered integers
+    // of each block: D lowest velocities, D highest, as ordered integers
+    int* bounds;
     int* still;                 // blocks with points at rest
     LocalFrame<D, real>* frame; // null: there are no frames but the box itself
 
@@ -75,21 +79,25 @@ struct LocalFrames
         }
     }
 
-    HD void includeStill(const Box<D, P>& box, const Vec<D, position>& p) const { if (frame) raise(still + blockOf(box, p)); }
+    HD void includeStill(const Box<D, P>& box, const Vec<D, position>& p) const
+    {
+        if (frame) raise(still + blockOf(box, p));
+    }
 
     HD float lowest(int block, int d) const { return number(bounds[block*2*D + d]); }
     HD float highest(int block, int d) const { return number(~bounds[block*2*D + D + d]); }
     HD bool occupied(int block) const { return bounds[block*2*D] != unset; }
 
     //- Of a particle that was at `from` at the search, is at p now and goes on with u for up to dt
-    HD WaySince<real> since
-    (const Box<D, P>& box, const Vec<D, position>& from, const Vec<D, position>& p, const Vec<D, real>& u, real time, real dt) const
+    HD WaySince<real> since(const Box<D, P>& box, const Vec<D, position>& from,
+        const Vec<D, position>& p, const Vec<D, real>& u, real time, real dt) const
     {
         const LocalFrame<D, real>& f = frame[blockOf(box, from)];
         real relative2 = 0, whole2 = 0, relativeSpeed2 = 0, speed2 = 0;
         for (int d = 0; d < D; ++d)
         {
-            const real way = box.template separation<real>(d, p.c[d], from.c[d]), apart = way - f.velocity[d]*time;
+            const real way = box.template separation<real>(d, p.c[d], from.c[d]),
+                       apart = way - f.velocity[d]*time;
             const real faster = u.c[d] - f.velocity[d];
             whole2 += way*way;
             relative2 += apart*apart;
@@ -97,8 +105,8 @@ struct LocalFrames
             relativeSpeed2 += faster*faster;
         }
         const real relative = squareRoot(relative2) + f.spread*time, whole = squareRoot(whole2);
-        return WaySince<real>
-        {relative, relative + dt*(squareRoot(relativeSpeed2) + f.spread), whole, whole + dt*squareRoot(speed2), f.limit};
+        return WaySince<real>{relative, relative + dt*(squareRoot(relativeSpeed2) + f.spread),
+            whole, whole + dt*squareRoot(speed2), f.limit};
     }
 
 private:
@@ -126,7 +134,10 @@ struct ClearFrames
 {
     static constexpr const char* name = "clearFrames";
     LocalFrames<D, P> frames;
-    HD void operator()(int b) const { for (int k = 0; k < 2*D; ++k) frames.bounds[b*2*D + k] = LocalFrames<D, P>::unset; }
+    HD void operator()(int b) const
+    {
+        for (int k = 0; k < 2*D; ++k) frames.bounds[b*2*D + k] = LocalFrames<D, P>::unset;
+    }
 };
 
 struct ClearStill
@@ -171,7 +182,11 @@ struct SettleFrames
                     still = still || frames.still[other];
                     if (!frames.occupied(other)) continue;
                     real apart2 = 0;
-                    for (int d = 0; d < D; ++d) { const real a = u.c[d] - middle(other, d); apart2 += a*a; }
+                    for (int d = 0; d < D; ++d)
+                    {
+                        const real a = u.c[d] - middle(other, d);
+                        apart2 += a*a;
+                    }
                     most = maximum(most, apart2);
                 }
         LocalFrame<D, real>& f = frames.frame[b];
@@ -181,8 +196,10 @@ struct SettleFrames
     }
 
 private:
-
-    HD real middle(int block, int d) const { return real(0.5f*frames.lowest(block, d) + 0.5f*frames.highest(block, d)); }
+    HD real middle(int block, int d) const
+    {
+        return real(0.5f*frames.lowest(block, d) + 0.5f*frames.highest(block, d));
+    }
 
     HD int wrapped(int c, int d) const
     {
@@ -232,13 +249,20 @@ public:
         return f;
     }
 
-    void clear(Context<Backend>& context) { if (on()) forEach(context, blocks_, ClearFrames<D, P>{view()}); }
-    void clearStill(Context<Backend>& context) { if (on()) forEach(context, blocks_, ClearStill{immobile_.data()}); }
+    void clear(Context<Backend>& context)
+    {
+        if (on()) forEach(context, blocks_, ClearFrames<D, P>{view()});
+    }
+    void clearStill(Context<Backend>& context)
+    {
+        if (on()) forEach(context, blocks_, ClearStill{immobile_.data()});
+    }
 
     void settle(Context<Backend>& context, double far, double nearStill)
     {
         if (!on()) return;
-        SettleFrames<D, P> s{view(), {periodic_[0], periodic_[1], periodic_[2]}, real(far), real(nearStill)};
+        SettleFrames<D, P> s{
+            view(), {periodic_[0], periodic_[1], periodic_[2]}, real(far), real(nearStill)};
         forEach(context, blocks_, s);
     }
 

@@ -1,7 +1,9 @@
-/*  Builds and owns the neighbour lists of one ordered pair of sets (targets, sources). GPU only: the CPU walks cells.
+/*  Builds and owns the neighbour lists of one ordered pair of sets (targets, sources). GPU only:
+    the CPU walks cells.
 
-    Two layouts of one list: a fixed block for each warp (dense sets: one traversal), or blocks cut from a pool to the
-    warp's longest list (sets of which few targets have neighbours: counted first, then written).
+    Two layouts of one list: a fixed block for each warp (dense sets: one traversal), or blocks cut
+    from a pool to the warp's longest list (sets of which few targets have neighbours: counted
+    first, then written).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -16,7 +18,8 @@ namespace riprap
 //- Raised on the device when lists do not fit; the step is then off until the host has made room
 struct ListOverflow
 {
-    int needed;                 // 0: all fits; else entries (of four) a thread, or blocks of the pool
+    // 0: all fits; else entries (of four) a thread, or blocks of the pool
+    int needed;
 };
 
 template<int D, class P>
@@ -55,7 +58,8 @@ struct ListBuild
             {
                 const auto xj = source.loadPosition(j);
                 Vec<D, real> dx;
-                for (int d = 0; d < D; ++d) dx.c[d] = box.template separation<real>(d, xi.c[d], xj.c[d]);
+                for (int d = 0; d < D; ++d)
+                    dx.c[d] = box.template separation<real>(d, xi.c[d], xj.c[d]);
                 if (squaredNorm(dx) < r2max && !(sameSet && i == j)) f(unsigned(j));
             }
         };
@@ -81,7 +85,8 @@ __global__ void __launch_bounds__(pairBlock) listKernel(ListBuild<D, P> b)
         int count = 0;
         if (valid) b.forEachNeighbour(i, lane, [&](unsigned) { ++count; });
         int longest = (count + 3)/4;
-        for (int o = 16; o > 0; o /= 2) longest = max(longest, __shfl_xor_sync(0xffffffffu, longest, o));
+        for (int o = 16; o > 0; o /= 2)
+            longest = max(longest, __shfl_xor_sync(0xffffffffu, longest, o));
         unsigned first = 0;
         if ((threadIdx.x & 31) == 0 && longest) first = atomicAdd(b.poolUsed, unsigned(longest));
         base = __shfl_sync(0xffffffffu, first, 0);
@@ -105,7 +110,11 @@ __global__ void __launch_bounds__(pairBlock) listKernel(ListBuild<D, P> b)
     if (valid) b.forEachNeighbour(i, lane, [&](unsigned j)
     {
         q[0] = q[1]; q[1] = q[2]; q[2] = q[3]; q[3] = j;
-        if ((++k & 3) == 0 && k <= room) { *entry = make_uint4(q[0], q[1], q[2], q[3]); entry += 32; }
+        if ((++k & 3) == 0 && k <= room)
+        {
+            *entry = make_uint4(q[0], q[1], q[2], q[3]);
+            entry += 32;
+        }
     });
     if (k > room)
     {
@@ -129,38 +138,39 @@ public:
     //- Room for lists of n targets; capacity as in ListBuild
     void allocate(Context<Gpu>& context, int n, int shift, bool pooled, int capacity)
     {
-        const std::size_t threads = ((std::size_t(n) << shift) + detail::pairBlock - 1)/detail::pairBlock*detail::pairBlock;
+        const std::size_t threads = ((std::size_t(n) << shift) + detail::pairBlock - 1)
+            /detail::pairBlock*detail::pairBlock;
         n_ = n;
         shift_ = shift;
         pooled_ = pooled;
         capacity_ = capacity;
         const std::size_t warps = threads/32 + 1;
-        entries_.allocate(context, 32*(pooled ? std::size_t(capacity) : warps*std::size_t(capacity)));
+        entries_.allocate(
+            context, 32*(pooled ? std::size_t(capacity) : warps*std::size_t(capacity)));
         base_.allocate(context, warps);
         count_.allocate(context, threads);
         poolUsed_.allocate(context, 1);
     }
 
-    //- Lists of all pairs within a radius, not below the grid's, or within what there is to reach; name: of the launch
-    void build
-    (
-        Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid, typename P::real radius, const RecordsView<Gpu, D, P>& target,
-        const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet, int* overflow,
-        const char* name, const SearchReach<typename P::real>& reach = {}
-    )
+    //- Lists of all pairs within a radius, not below the grid's, or within what there is to reach;
+    //  name: of the launch
+    void build(Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid,
+        typename P::real radius, const RecordsView<Gpu, D, P>& target,
+        const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet,
+        int* overflow, const char* name, const SearchReach<typename P::real>& reach = {})
     {
-        const ListBuild<D, P> b
-        {
-            box, grid, target, source, radius, reach, start, targets, sameSet, shift_, capacity_, pooled_,
-            entries_.data(), base_.data(), count_.data(), poolUsed_.data(), overflow
-        };
+        const ListBuild<D, P> b{box, grid, target, source, radius, reach, start, targets, sameSet,
+            shift_, capacity_, pooled_, entries_.data(), base_.data(), count_.data(),
+            poolUsed_.data(), overflow};
         if (n_ == 0) return;
         if (pooled_) context.zero(poolUsed_.data(), sizeof(unsigned));
         const std::size_t threads = std::size_t(n_) << shift_;
-        profiled(context, name, [&]
-        {
-            detail::listKernel<<<int((threads + detail::pairBlock - 1)/detail::pairBlock), detail::pairBlock, 0, context.stream>>>(b);
-        });
+        profiled(context, name,
+            [&]
+            {
+                detail::listKernel<<<int((threads + detail::pairBlock - 1)/detail::pairBlock),
+                    detail::pairBlock, 0, context.stream>>>(b);
+            });
     }
 
     ListView view() const { return ListView{entries_.data(), base_.data(), count_.data()}; }

@@ -1,4 +1,5 @@
-/*  The one pair loop. A pass says what is accumulated over the neighbours of a particle and what is done with it:
+/*  The one pair loop. A pass says what is accumulated over the neighbours of a particle and what is
+    done with it:
 
       struct Pass
       {
@@ -7,18 +8,20 @@
           static constexpr bool variableH, hasMaxima;
           using precision, Self<T>;
           Box box; CellGrid grid;
-          Source<Backend, D, P> source[sources];                   // records, cells and lists of each source set
-          HD bool enabled() const;                                 // false: the step is off, do nothing
+          Source<Backend, D, P> source[sources]; // records, cells and lists of each source set
+          HD bool enabled() const; // false: the step is off, do nothing
           HD int targets() const;                                  // particles in use
           HD Vec position(int i) const;                            // as pairs see it
           HD Self<T> self(int i) const;                            // the target, broadcast into T
-          template<int S, class T> HD void pair(Self<T>, PairParticle<D, T> j, Vec dx, T r2, int jIndex, T* sums) const;
+          template<int S, class T> HD void pair(Self<T>, PairParticle<D, T> j, Vec dx, T r2, int
+          jIndex, T* sums) const;
           HD void finish(int i, const real* sums, float* maxima) const;   // one write a particle
-          float* maxima() const;                                   // device, maxima are merged into it
+          float* maxima() const; // device, maxima are merged into it
       };
 
-    Gpu: gather over neighbour lists, one or several lanes a particle, no atomics on sums: bitwise repeatable.
-    Cpu: packs of neighbours over the rows of the cell grid. A pass may have `bool skips(int i) const`: targets of other ranks.
+    Gpu: gather over neighbour lists, one or several lanes a particle, no atomics on sums: bitwise
+    repeatable. Cpu: packs of neighbours over the rows of the cell grid. A pass may have `bool
+    skips(int i) const`: targets of other ranks.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -51,7 +54,8 @@ namespace detail
 
 //- Adds the neighbours of source S in [begin, end) to the packed sums
 template<int S, class Pass, class Self, class X>
-inline void addRange(const Pass& pass, const Self& self, const X& xi, int begin, int end, Pack<typename Pass::real>* sums)
+inline void addRange(const Pass& pass, const Self& self, const X& xi, int begin, int end,
+    Pack<typename Pass::real>* sums)
 {
     constexpr int D = Pass::dimensions;
     using P = typename Pass::precision;
@@ -118,7 +122,8 @@ void pairLoop(Context<Cpu>& context, const Pass& pass)
             if constexpr (Pass::hasMaxima)
             {
                 #pragma omp critical (riprapMaxima)
-                for (int k = 0; k < maximaCount; ++k) pass.maxima()[k] = std::max(pass.maxima()[k], maxima[k]);
+                for (int k = 0; k < maximaCount; ++k)
+                    pass.maxima()[k] = std::max(pass.maxima()[k], maxima[k]);
             }
         }
     });

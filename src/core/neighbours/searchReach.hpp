@@ -1,4 +1,5 @@
-/*  How far a search reaches where the particles' own reach varies: as far as two of the largest there is, of which the device alone knows.
+/*  How far a search reaches where the particles' own reach varies: as far as two of the largest
+    there is, of which the device alone knows.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -20,12 +20,14 @@ Bricks::Bricks(int ranks, const std::vector<Point>& points, const std::vector<st
 int Bricks::rankOf(const Point& x) const
 {
     int node = 0;
-    while (nodes_[node].axis >= 0) node = x[nodes_[node].axis] < nodes_[node].at ? nodes_[node].below : nodes_[node].above;
+    while (nodes_[node].axis >= 0)
+        node = x[nodes_[node].axis] < nodes_[node].at ? nodes_[node].below : nodes_[node].above;
     return nodes_[node].rank;
 }
 
 //- Ranks first .. last-1 share these points; returns their node
-int Bricks::divide(int first, int last, std::vector<int>& some, const std::vector<Point>& points, const std::vector<std::int64_t>& costs)
+int Bricks::divide(int first, int last, std::vector<int>& some, const std::vector<Point>& points,
+    const std::vector<std::int64_t>& costs)
 {
     const int node = int(nodes_.size());
     nodes_.emplace_back();
@@ -39,7 +41,11 @@ int Bricks::divide(int first, int last, std::vector<int>& some, const std::vecto
     for (int d = 0; d < 3; ++d)
     {
         double low = std::numeric_limits<double>::max(), high = -low;
-        for (const int k : some) { low = std::min(low, points[k][d]); high = std::max(high, points[k][d]); }
+        for (const int k : some)
+        {
+            low = std::min(low, points[k][d]);
+            high = std::max(high, points[k][d]);
+        }
         if (high - low > longest) { longest = high - low; axis = d; }
     }
     std::sort(some.begin(), some.end(), [&](int a, int b)
@@ -49,7 +55,8 @@ int Bricks::divide(int first, int last, std::vector<int>& some, const std::vecto
     const double wanted = all*(middle - first)/(last - first);
 
     // between two points: the cut that comes nearest to it
-    double sum = 0, least = std::numeric_limits<double>::max(), at = std::numeric_limits<double>::max();
+    double sum = 0, least = std::numeric_limits<double>::max(),
+           at = std::numeric_limits<double>::max();
     std::size_t cut = some.size();
     for (std::size_t k = 0; k < some.size(); ++k)
     {
@@ -62,9 +69,14 @@ int Bricks::divide(int first, int last, std::vector<int>& some, const std::vecto
         }
         sum += double(costs[some[k]]);
     }
-    if (!(std::abs(sum - wanted) >= least)) { cut = some.size(); at = std::numeric_limits<double>::max(); }
+    if (!(std::abs(sum - wanted) >= least))
+    {
+        cut = some.size();
+        at = std::numeric_limits<double>::max();
+    }
     std::vector<int> below(some.begin(), some.begin() + cut), above(some.begin() + cut, some.end());
-    const int left = divide(first, middle, below, points, costs), right = divide(middle, last, above, points, costs);
+    const int left = divide(first, middle, below, points, costs),
+              right = divide(middle, last, above, points, costs);
     nodes_[node].axis = axis;
     nodes_[node].at = at;
     nodes_[node].below = left;

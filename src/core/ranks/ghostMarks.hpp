@@ -1,4 +1,5 @@
-/*  Which particles are of other ranks: kernels of steps leave them alone. On the CPU only; elsewhere, and on one rank, none is.
+/*  Which particles are of other ranks: kernels of steps leave them alone. On the CPU only;
+    elsewhere, and on one rank, none is.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,6 +40,9 @@ struct WithoutGhosts
 };
 
 template<class Backend, class F>
-WithoutGhosts<Backend, F> withoutGhosts(const F& f, const GhostMarks<Backend>& ghosts) { return {f, ghosts}; }
+WithoutGhosts<Backend, F> withoutGhosts(const F& f, const GhostMarks<Backend>& ghosts)
+{
+    return {f, ghosts};
+}
 
 } // namespace riprap

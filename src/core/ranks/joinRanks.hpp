@@ -1,4 +1,5 @@
-/*  What all ranks make of what each of them has: rows one after the other, sums by rank. The same bits on all of them.
+/*  What all ranks make of what each of them has: rows one after the other, sums by rank. The same
+    bits on all of them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -31,7 +32,8 @@ void join(Transport& ranks, std::vector<T>& values)
     {
         const std::size_t before = values.size();
         values.resize(before + bytes.size()/sizeof(T));
-        if (bytes.size()) std::memcpy(static_cast<void*>(values.data() + before), bytes.data(), bytes.size());
+        if (bytes.size())
+            std::memcpy(static_cast<void*>(values.data() + before), bytes.data(), bytes.size());
     }
 }
 
@@ -65,7 +67,8 @@ void arrange(std::vector<T>& values, std::size_t each, const std::vector<std::si
 {
     if (values.empty()) return;
     std::vector<T> arranged(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i) std::copy_n(values.begin() + order[i]*each, each, arranged.begin() + i*each);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        std::copy_n(values.begin() + order[i]*each, each, arranged.begin() + i*each);
     values.swap(arranged);
 }
 

@@ -7,16 +7,19 @@ namespace riprap
 {
 
 //- Particles of the rank that has most. owner, particles: of pieces
-static std::int64_t mostOf(const std::vector<int>& owner, const std::vector<std::int64_t>& particles)
+static std::int64_t mostOf(
+    const std::vector<int>& owner, const std::vector<std::int64_t>& particles)
 {
-    std::vector<std::int64_t> load(1 + std::size_t(*std::max_element(owner.begin(), owner.end())), 0);
+    std::vector<std::int64_t> load(
+        1 + std::size_t(*std::max_element(owner.begin(), owner.end())), 0);
     for (std::size_t p = 0; p < owner.size(); ++p) load[owner[p]] += particles[p];
     return *std::max_element(load.begin(), load.end());
 }
 
 void ParticleExchange::setPieces(const std::vector<PieceGrid>& grids, double reach)
 {
-    // Ghosts come in whole pieces: as short ones as there are, as far as a sum of all numbers at each rebuild is cheap
+    // Ghosts come in whole pieces: as short ones as there are, as far as a sum of all numbers at
+    // each rebuild is cheap
     constexpr int least = 1;
     constexpr double most = 1 << 20;
     pieces_.set(grids, reach, least, most);
@@ -52,7 +55,8 @@ void ParticleExchange::countAll(const std::uint32_t* cell)
 {
     inPiece_.assign(pieces_.count(), 0);
     for (int slot = 0; slot < residents(); ++slot)
-        if (kind_[slot] == owned && cell[slot] < std::uint32_t(pieces_.cells())) ++inPiece_[pieces_.of(int(cell[slot]))];
+        if (kind_[slot] == owned && cell[slot] < std::uint32_t(pieces_.cells()))
+            ++inPiece_[pieces_.of(int(cell[slot]))];
     if (!everywhere_) transport_.sum(inPiece_);
     total_ = 0;
     for (const std::int64_t n : inPiece_) total_ += n;
@@ -65,15 +69,18 @@ std::vector<int> ParticleExchange::owners(const Bricks& bricks) const
     return r;
 }
 
-//- Bricks at first, and new ones where they are much better. Where none are they are not looked for again until the load has become more uneven, or
-//  for some time: particles may lie so that they can be shared out better
+//- Bricks at first, and new ones where they are much better. Where none are they are not looked for
+//  again until the load has become more uneven, or for some time: particles may lie so that they
+//  can be shared out better
 void ParticleExchange::divide()
 {
     if (sole_ >= 0) return;
     constexpr int often = 16;               // migrations
     const double mean = std::max(1.0, double(total_))/transport_.size();
     const double uneven = bricks_.ranks() ? double(mostOf(owner_, inPiece_))/mean : 0;
-    if (bricks_.ranks() && (uneven <= 1 + imbalance_ || (uneven <= 1.05*unevenBefore_ && ++since_ < often))) return;
+    if (bricks_.ranks()
+        && (uneven <= 1 + imbalance_ || (uneven <= 1.05*unevenBefore_ && ++since_ < often)))
+        return;
     since_ = 0;
     unevenBefore_ = uneven;
     std::vector<Bricks::Point> centres(pieces_.count());
@@ -95,7 +102,8 @@ const std::vector<int>& ParticleExchange::needs(int piece)
     std::vector<int>& r = needs_[piece];
     if (known_[piece]) return r;
     r.clear();
-    for (const int other : pieces_.near(piece)) if (owner_[other] != owner_[piece]) r.push_back(owner_[other]);
+    for (const int other : pieces_.near(piece))
+        if (owner_[other] != owner_[piece]) r.push_back(owner_[other]);
     std::sort(r.begin(), r.end());
     r.erase(std::unique(r.begin(), r.end()), r.end());
     known_[piece] = 1;
@@ -105,7 +113,8 @@ const std::vector<int>& ParticleExchange::needs(int piece)
 //- By number, which ascends in the order before
 int ParticleExchange::slotOf(std::int64_t number) const
 {
-    const auto at = std::lower_bound(sequence_.begin(), sequence_.end(), number, [&](int slot, std::int64_t n) { return number_[slot] < n; });
+    const auto at = std::lower_bound(sequence_.begin(), sequence_.end(), number,
+        [&](int slot, std::int64_t n) { return number_[slot] < n; });
     return at != sequence_.end() && number_[*at] == number ? *at : -1;
 }
 
@@ -120,8 +129,9 @@ int ParticleExchange::arrive(const Header& h)
         kind_.push_back(absent);
         cell_.push_back(0);
     }
-    if (kind_[slot] != absent) throw std::logic_error("particle number " + std::to_string(h.number) + " came to rank " + std::to_string(transport_.rank())
-      + ", which has it");
+    if (kind_[slot] != absent)
+        throw std::logic_error("particle number " + std::to_string(h.number) + " came to rank "
+            + std::to_string(transport_.rank()) + ", which has it");
     kind_[slot] = h.whole ? owned : ghost;
     cell_[slot] = h.cell;
     return slot;
@@ -140,12 +150,14 @@ void ParticleExchange::makeSequence(int before)
     const auto same = [&](int a, int b) { return number_[a] == number_[b]; };
     const auto twice = std::adjacent_find(sequence_.begin(), sequence_.end(), same);
     if (twice != sequence_.end())
-        throw std::logic_error("particle number " + std::to_string(number_[*twice]) + " came to rank " + std::to_string(transport_.rank()) + " twice");
+        throw std::logic_error("particle number " + std::to_string(number_[*twice])
+            + " came to rank " + std::to_string(transport_.rank()) + " twice");
 }
 
 void ParticleExchange::settle(const std::uint32_t* order, int active)
 {
-    const auto fail = [&](const std::string& why) { throw std::logic_error("rank " + std::to_string(transport_.rank()) + ": " + why); };
+    const auto fail = [&](const std::string& why)
+    { throw std::logic_error("rank " + std::to_string(transport_.rank()) + ": " + why); };
     if (active != int(sequence_.size())) fail("particles were lost as they were sorted");
     std::vector<std::int64_t> first(pieces_.count() + 1, 0), number(active);
     for (int p = 0; p < pieces_.count(); ++p) first[p + 1] = first[p] + inPiece_[p];
@@ -174,7 +186,9 @@ void ParticleExchange::settle(const std::uint32_t* order, int active)
     if (in >= 0 && next != first[in + 1]) fail("a piece is not whole");
     std::vector<std::int64_t> all(1, ownedHere_);
     transport_.sum(all);
-    if (all[0] != total_) fail(std::to_string(all[0]) + " particles have owners, and there are " + std::to_string(total_));
+    if (all[0] != total_)
+        fail(std::to_string(all[0]) + " particles have owners, and there are "
+            + std::to_string(total_));
     number_.swap(number);
     kind_.swap(kind);
     cell_.swap(cell);
@@ -183,7 +197,8 @@ void ParticleExchange::settle(const std::uint32_t* order, int active)
     makeLists();
 }
 
-//- Whose ghosts own particles are, and who owns the ghosts: both in the order of slots, which is one order on all ranks
+//- Whose ghosts own particles are, and who owns the ghosts: both in the order of slots, which is
+//  one order on all ranks
 void ParticleExchange::makeLists()
 {
     std::vector<std::vector<int>> to(transport_.size()), from(transport_.size());

@@ -1,12 +1,15 @@
 /*  Which particles of a shared scene are on this rank, and what goes to and fro.
 
-    A rank owns the particles of its brick and has copies of those of others that its own may touch: ghosts, which act and are not
-    acted on. Particles are in slots 0 .. residents()-1, ghosts among them, in the order that one process would have: by cell, then by the order
-    before. A particle's place in that order (of all particles of all ranks) is its number until the next migration.
+    A rank owns the particles of its brick and has copies of those of others that its own may touch:
+    ghosts, which act and are not acted on. Particles are in slots 0 .. residents()-1, ghosts among
+    them, in the order that one process would have: by cell, then by the order before. A particle's
+    place in that order (of all particles of all ranks) is its number until the next migration.
 
-    A migration: cells of particles are known anew. Those that came into another's brick go there, and ghosts are chosen; arrivals take the slots behind
-    the residents, or the slot where the particle is already. The caller sorts all slots by sequence() and their cells, and settles the new order.
-    Numbers of particles are compared then: one that was lost, or is there twice, is an exception.
+    A migration: cells of particles are known anew. Those that came into another's brick go there,
+    and ghosts are chosen; arrivals take the slots behind the residents, or the slot where the
+    particle is already. The caller sorts all slots by sequence() and their cells, and settles the
+    new order. Numbers of particles are compared then: one that was lost, or is there twice, is an
+    exception.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -28,18 +31,22 @@ public:
     enum Kind : char {absent, owned, ghost};
 
     //- imbalance: the largest rank may have so much more than the mean before bricks are cut anew
-    explicit ParticleExchange(Transport& transport, double imbalance = 0.1) : transport_(transport), imbalance_(imbalance) {}
+    explicit ParticleExchange(Transport& transport, double imbalance = 0.1)
+        : transport_(transport), imbalance_(imbalance)
+    {}
 
     Transport& transport() { return transport_; }
 
-    //- Cells that particles are sorted into. Numbers of particles hold; owners and ghosts change with the next migration
+    //- Cells that particles are sorted into. Numbers of particles hold; owners and ghosts change
+    //  with the next migration
     void setPieces(const std::vector<PieceGrid>&, double reach);
 
     //- All particles are on all ranks, in slots 0 .. n-1, and of nobody
     void begin(int n);
 
-    //- cell: of each resident; at or beyond cells() it has left the domain. pack(slot, whole, bytes) appends what another rank needs of a particle that
-    //  becomes its own (whole) or its ghost; unpack(slot, whole, from) reads it in the end
+    //- cell: of each resident; at or beyond cells() it has left the domain. pack(slot, whole,
+    //  bytes) appends what another rank needs of a particle that becomes its own (whole) or its
+    //  ghost; unpack(slot, whole, from) reads it in the end
     template<class Pack, class Unpack>
     void migrate(const std::uint32_t* cell, const Pack& pack, const Unpack& unpack);
 
@@ -50,19 +57,23 @@ public:
     std::uint32_t cell(int slot) const { return cell_[slot]; }
     std::int64_t number(int slot) const { return number_[slot]; }
     int slotOf(std::int64_t number) const;                  // -1: it is not here
-    const std::vector<int>& left() const { return left_; }  // slots of own particles that are out of the domain
+    // slots of own particles that are out of the domain
+    const std::vector<int>& left() const { return left_; }
 
-    //- From the next migration on this rank has all particles; -1: each has those of its brick again
+    //- From the next migration on this rank has all particles; -1: each has those of its brick
+    //  again
     void gatherOn(int rank);
 
     //- order[i]: where the i-th was, of `active`
     void settle(const std::uint32_t* order, int active);
 
-    //- Of each step: put(slot, to) writes `each` bytes of an own particle; take(slot, from) reads those of a ghost
+    //- Of each step: put(slot, to) writes `each` bytes of an own particle; take(slot, from) reads
+    //  those of a ghost
     template<class Put, class Take>
     void share(std::size_t each, const Put& put, const Take& take);
 
-    //- Of a cell, from the last migration on: its rank, and those besides that have its particles as ghosts. divisions() tells when these change
+    //- Of a cell, from the last migration on: its rank, and those besides that have its particles
+    //  as ghosts. divisions() tells when these change
     int ownerOf(std::uint32_t cell) const { return owner_[pieces_.of(int(cell))]; }
     const std::vector<int>& ghostsOf(std::uint32_t cell) { return needs(pieces_.of(int(cell))); }
     std::int64_t divisions() const { return divisions_; }
@@ -72,7 +83,11 @@ public:
     int ghostsHere() const { return residents() - ownedHere_; }
 
     //- So far: of this rank
-    struct Counts { std::int64_t migrations = 0, divisions = 0, arrivals = 0, bytesMigrating = 0, shares = 0, bytesShared = 0; };
+    struct Counts
+    {
+        std::int64_t migrations = 0, divisions = 0, arrivals = 0, bytesMigrating = 0, shares = 0,
+                     bytesShared = 0;
+    };
     const Counts& counts() const { return counts_; }
 
 private:
@@ -93,11 +108,13 @@ private:
     RowPieces pieces_;
     Bricks bricks_;
     std::vector<int> owner_;                // of each piece
-    std::vector<std::vector<int>> needs_;   // ranks besides the owner that need its particles, where that is known
+    // ranks besides the owner that need its particles, where that is known
+    std::vector<std::vector<int>> needs_;
     std::vector<char> known_;
     std::vector<std::int64_t> inPiece_;     // particles of all ranks
     std::int64_t total_ = 0;
-    double unevenBefore_ = 0;               // most of a rank over the mean when bricks were looked for
+    // most of a rank over the mean when bricks were looked for
+    double unevenBefore_ = 0;
     int since_ = 0;                         // migrations since then
     int sole_ = -1;                         // the rank that has all
 

@@ -18,14 +18,18 @@ void RowPieces::set(const std::vector<PieceGrid>& grids, double reach, int least
     for (const PieceGrid& g : grids) rows += double(g.n[1])*g.n[2];
     for (const PieceGrid& g : grids)
     {
-        const int pieces = int(std::max(1.0, std::min(double(g.n[0]/least), std::floor(most/rows))));
+        const int pieces = int(
+            std::max(1.0, std::min(double(g.n[0]/least), std::floor(most/rows))));
         pieces_.push_back(pieces);
         first_.push_back(first_.back() + pieces*g.n[1]*g.n[2]);
         firstCell_.push_back(firstCell_.back() + g.n[0]*g.n[1]*g.n[2]);
     }
 }
 
-int RowPieces::begin(int grid, int along) const { return int((long long)grids_[grid].n[0]*along/pieces_[grid]); }
+int RowPieces::begin(int grid, int along) const
+{
+    return int((long long)grids_[grid].n[0]*along/pieces_[grid]);
+}
 
 int RowPieces::along(int grid, int x) const
 {
@@ -97,10 +101,13 @@ std::vector<int> RowPieces::near(int piece) const
             const int to = int(std::floor((high[d] + distance - b.lower[d])/b.size[d]));
             std::vector<int> in;
             if (b.periodic[d])
-                for (int c = from; c <= to && c < from + b.n[d]; ++c) in.push_back((c % b.n[d] + b.n[d]) % b.n[d]);
+                for (int c = from; c <= to && c < from + b.n[d]; ++c)
+                    in.push_back((c % b.n[d] + b.n[d]) % b.n[d]);
             else
                 // beyond the ends are the cells at the ends
-                for (int c = std::min(std::max(from, 0), b.n[d] - 1); c <= std::max(std::min(to, b.n[d] - 1), 0); ++c) in.push_back(c);
+                for (int c = std::min(std::max(from, 0), b.n[d] - 1);
+                     c <= std::max(std::min(to, b.n[d] - 1), 0); ++c)
+                    in.push_back(c);
             return in;
         };
         std::vector<int> pieces;
@@ -108,7 +115,9 @@ std::vector<int> RowPieces::near(int piece) const
         std::sort(pieces.begin(), pieces.end());
         pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
         const std::vector<int> ys = cells(1), zs = cells(2);
-        for (const int z : zs) for (const int y : ys) for (const int x : pieces) found.push_back(number(k, x, y, z));
+        for (const int z : zs)
+            for (const int y : ys)
+                for (const int x : pieces) found.push_back(number(k, x, y, z));
     }
     std::sort(found.begin(), found.end());
     return found;

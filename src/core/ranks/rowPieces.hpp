@@ -1,8 +1,9 @@
 /*  Pieces of rows of cells: the units by which a scene is divided over ranks.
 
-    Cells are stored row by row, x fastest. A piece is some cells of a row side by side, so its particles lie side by side in memory too, and pieces
-    in their order are the cells in theirs. One rank has all particles of a piece; hence where a particle stands in the order of
-    one process follows from the numbers of particles in pieces, and each rank can tell.
+    Cells are stored row by row, x fastest. A piece is some cells of a row side by side, so its
+    particles lie side by side in memory too, and pieces in their order are the cells in theirs. One
+    rank has all particles of a piece; hence where a particle stands in the order of one process
+    follows from the numbers of particles in pieces, and each rank can tell.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -29,7 +30,8 @@ public:
 
     using Point = std::array<double, 3>;
 
-    //- reach: what is added to two radii. Pieces are of `least` cells or more, and about `most` in all, unless there are more rows
+    //- reach: what is added to two radii. Pieces are of `least` cells or more, and about `most` in
+    //  all, unless there are more rows
     void set(const std::vector<PieceGrid>& grids, double reach, int least = 4, double most = 32768);
 
     int count() const { return first_.back(); }

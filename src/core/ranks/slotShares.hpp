@@ -1,5 +1,5 @@
-/*  Slots whose values ranks send each other time and again: own ones that are copies elsewhere, and copies of others'. Sender and receiver have
-    them in the same order, so no index travels.
+/*  Slots whose values ranks send each other time and again: own ones that are copies elsewhere, and
+    copies of others'. Sender and receiver have them in the same order, so no index travels.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,10 +22,17 @@ public:
     }
 
     //- By rank, which ascends; none: nothing is sent
-    void send(int rank, std::vector<int> slots) { if (!slots.empty()) to_.emplace_back(rank, std::move(slots)); }
-    void receive(int rank, std::vector<int> slots) { if (!slots.empty()) from_.emplace_back(rank, std::move(slots)); }
+    void send(int rank, std::vector<int> slots)
+    {
+        if (!slots.empty()) to_.emplace_back(rank, std::move(slots));
+    }
+    void receive(int rank, std::vector<int> slots)
+    {
+        if (!slots.empty()) from_.emplace_back(rank, std::move(slots));
+    }
 
-    //- put(slot, to) writes `each` bytes of an own slot; take(slot, from) reads those of a copy. \return bytes sent
+    //- put(slot, to) writes `each` bytes of an own slot; take(slot, from) reads those of a copy.
+    //  \return bytes sent
     template<class Put, class Take>
     std::int64_t share(Transport& transport, std::size_t each, const Put& put, const Take& take)
     {

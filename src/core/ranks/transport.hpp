@@ -1,6 +1,8 @@
-/*  What processes that share a scene send each other, whatever carries it (OpenFOAM's Pstream, threads of a test).
+/*  What processes that share a scene send each other, whatever carries it (OpenFOAM's Pstream,
+    threads of a test).
 
-    All ranks make the same calls in the same order. What comes back does not depend on which message is faster.
+    All ranks make the same calls in the same order. What comes back does not depend on which
+    message is faster.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -26,7 +28,8 @@ public:
     virtual int rank() const = 0;
     virtual int size() const = 0;
 
-    //- out[r] goes to rank r, which need not know how long it is; in[r] comes from there. Both are of length size()
+    //- out[r] goes to rank r, which need not know how long it is; in[r] comes from there. Both are
+    //  of length size()
     virtual void exchange(const std::vector<RankBytes>& out, std::vector<RankBytes>& in) = 0;
 
     //- The same between ranks that know what comes: in[k].bytes has its length already

@@ -1,4 +1,5 @@
-/*  The point of a segment (2D) or triangle (3D) that is closest to a centre, and the feature that it lies on.
+/*  The point of a segment (2D) or triangle (3D) that is closest to a centre, and the feature that
+    it lies on.
 
     Triangle: Ericson, Real-Time Collision Detection (2005), 5.1.5.
 
@@ -12,7 +13,8 @@
 namespace riprap
 {
 
-//- Features: -1 is the inside of the element; then in 3D edges 01, 12, 20 and vertices 0, 1, 2; in 2D vertices 0, 1
+//- Features: -1 is the inside of the element; then in 3D edges 01, 12, 20 and vertices 0, 1, 2; in
+//  2D vertices 0, 1
 static constexpr int insideElement = -1;
 template<int D> inline constexpr int featureCount = D == 2 ? 2 : 6;
 
@@ -46,7 +48,8 @@ HD Vec<3, double> closestPoint(const Vec<3, double>* v, const Vec<3, double>& x,
     if (vb <= 0 && d2 >= 0 && d6 <= 0) return v[0] + (d2/(d2 - d6))*ac;
     const double va = d3*d6 - d5*d4;
     feature = 1;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return v[1] + ((d4 - d3)/((d4 - d3) + (d5 - d6)))*(v[2] - v[1]);
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+        return v[1] + ((d4 - d3)/((d4 - d3) + (d5 - d6)))*(v[2] - v[1]);
     feature = insideElement;
     const double denominator = 1/(va + vb + vc);
     return v[0] + (vb*denominator)*ab + (vc*denominator)*ac;

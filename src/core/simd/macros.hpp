@@ -6,9 +6,11 @@
 
 #ifdef __CUDACC__
     #define HD __host__ __device__ __forceinline__
-    //- What is rarely called and large: it stands apart, and its registers do not burden who calls it
+    //- What is rarely called and large: it stands apart, and its registers do not burden who calls
+    //  it
     #define HD_APART __host__ __device__ __noinline__
-    //- Before a short loop over arrays that are to stay in registers. (nvcc hands the host's copy of the code to a compiler that warns of it.)
+    //- Before a short loop over arrays that are to stay in registers. (nvcc hands the host's copy
+    //  of the code to a compiler that warns of it.)
     #ifdef __CUDA_ARCH__
         #define UNROLL _Pragma("unroll")
     #else

@@ -17,7 +17,8 @@ namespace riprap
 HD float squareRoot(float a) { return sqrtf(a); }
 HD double squareRoot(double a) { return sqrt(a); }
 
-//- 1/a, 1/sqrt(a) and sqrt(a/b): in single precision on the GPU an instruction or two, where a division takes eight
+//- 1/a, 1/sqrt(a) and sqrt(a/b): in single precision on the GPU an instruction or two, where a
+//  division takes eight
 HD float inverse(float a) { return 1.0f/a; }
 HD double inverse(double a) { return 1.0/a; }
 #ifdef __CUDA_ARCH__

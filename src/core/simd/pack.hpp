@@ -1,5 +1,5 @@
-/*  Pack<R>: one vector register of R, so that the branch-free physics functors run eight (float) or four
-    (double) pairs at a time on the CPU. GCC vector extensions; never seen by nvcc.
+/*  Pack<R>: one vector register of R, so that the branch-free physics functors run eight (float) or
+    four (double) pairs at a time on the CPU. GCC vector extensions; never seen by nvcc.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -62,7 +62,10 @@ struct Pack
     Pack() = default;
     HD Pack(R s) : v(vec{} + s) {}
     HD Pack(vec w) : v(w) {}
-    HD static Pack load(const R* p) { return Pack(vec(*reinterpret_cast<const typename Types::loose*>(p))); }
+    HD static Pack load(const R* p)
+    {
+        return Pack(vec(*reinterpret_cast<const typename Types::loose*>(p)));
+    }
 };
 
 template<class R> HD Pack<R> operator+(Pack<R> a, Pack<R> b) { return Pack<R>(a.v + b.v); }
@@ -74,8 +77,14 @@ template<class R> HD Pack<R>& operator+=(Pack<R>& a, Pack<R> b) { a.v += b.v; re
 template<class R> HD Pack<R>& operator-=(Pack<R>& a, Pack<R> b) { a.v -= b.v; return a; }
 template<class R> HD Pack<R>& operator*=(Pack<R>& a, Pack<R> b) { a.v *= b.v; return a; }
 
-template<class R> HD Pack<R> maximum(Pack<R> a, Pack<R> b) { return Pack<R>(a.v > b.v ? a.v : b.v); }
-template<class R> HD Pack<R> minimum(Pack<R> a, Pack<R> b) { return Pack<R>(a.v < b.v ? a.v : b.v); }
+template<class R> HD Pack<R> maximum(Pack<R> a, Pack<R> b)
+{
+    return Pack<R>(a.v > b.v ? a.v : b.v);
+}
+template<class R> HD Pack<R> minimum(Pack<R> a, Pack<R> b)
+{
+    return Pack<R>(a.v < b.v ? a.v : b.v);
+}
 template<class R> HD Pack<R> absolute(Pack<R> a) { return maximum(a, -a); }
 
 template<class R>
@@ -91,8 +100,10 @@ template<class R> HD Pack<R> inverseRoot(Pack<R> a) { return inverse(squareRoot(
 template<class R> HD Pack<R> rootOfRatio(Pack<R> a, Pack<R> b) { return squareRoot(a/b); }
 
 //- a > b ? x : y, lane by lane
-template<class R>
-HD Pack<R> selectGreater(Pack<R> a, Pack<R> b, Pack<R> x, Pack<R> y) { return Pack<R>(a.v > b.v ? x.v : y.v); }
+template<class R> HD Pack<R> selectGreater(Pack<R> a, Pack<R> b, Pack<R> x, Pack<R> y)
+{
+    return Pack<R>(a.v > b.v ? x.v : y.v);
+}
 
 //- Four or eight 32-bit integers, as they lie in memory
 template<int lanes>
@@ -148,7 +159,8 @@ HD R sumLanes(Pack<R> a)
     return r;
 }
 
-//- Four registers as a matrix, transposed: rows of four numbers, one a lane, become one register a number, and back.
+//- Four registers as a matrix, transposed: rows of four numbers, one a lane, become one register a
+//  number, and back.
 //  Eight lanes: lane l stands in the lower half of v[l % 4], or for l >= 4 in its upper half.
 HD void transposeRows(Pack<float>* v)
 {
@@ -166,8 +178,10 @@ HD void transposeRows(Pack<float>* v)
 HD void transposeRows(Pack<double>* v)
 {
     using vec = Pack<double>::vec;
-    const vec t0 = __builtin_shufflevector(v[0].v, v[1].v, 0, 4, 2, 6), t1 = __builtin_shufflevector(v[0].v, v[1].v, 1, 5, 3, 7);
-    const vec t2 = __builtin_shufflevector(v[2].v, v[3].v, 0, 4, 2, 6), t3 = __builtin_shufflevector(v[2].v, v[3].v, 1, 5, 3, 7);
+    const vec t0 = __builtin_shufflevector(v[0].v, v[1].v, 0, 4, 2, 6),
+              t1 = __builtin_shufflevector(v[0].v, v[1].v, 1, 5, 3, 7);
+    const vec t2 = __builtin_shufflevector(v[2].v, v[3].v, 0, 4, 2, 6),
+              t3 = __builtin_shufflevector(v[2].v, v[3].v, 1, 5, 3, 7);
     v[0].v = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
     v[1].v = __builtin_shufflevector(t1, t3, 0, 1, 4, 5);
     v[2].v = __builtin_shufflevector(t0, t2, 2, 3, 6, 7);
@@ -194,7 +208,8 @@ HD void loadRows(const F& row, Pack<float>* v)
     using vec = Row<float>::vec;
     for (int l = 0; l < 4; ++l)
     {
-        const vec low = *reinterpret_cast<const Row<float>::loose*>(row(l)), high = *reinterpret_cast<const Row<float>::loose*>(row(l + 4));
+        const vec low = *reinterpret_cast<const Row<float>::loose*>(row(l)),
+                  high = *reinterpret_cast<const Row<float>::loose*>(row(l + 4));
         v[l].v = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
     }
     transposeRows(v);

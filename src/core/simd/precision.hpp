@@ -1,7 +1,8 @@
 /*  Precision is a type: what pairs are computed in, and how positions enter them.
 
-    The position of a particle is a 64-bit fixed-point number an axis (2^64 units span the box), integrated in
-    integers: translation-invariant, and periodic without a branch because differences wrap. Pairs see
+    The position of a particle is a 64-bit fixed-point number an axis (2^64 units span the box),
+    integrated in integers: translation-invariant, and periodic without a branch because differences
+    wrap. Pairs see
       Mixed : its upper 32 bits and float arithmetic (box/2^32 resolution: 2e-9 m in a box of 10 m)
       Double: double positions in the box and double arithmetic, wrapped by rounding.
 
@@ -66,7 +67,8 @@ struct Box
         return std::int64_t(u ^ 0x8000000000000000ull);
     }
 
-    //- The same for positions that may lie beyond: they are taken to the edge of a box that is not periodic
+    //- The same for positions that may lie beyond: they are taken to the edge of a box that is not
+    //  periodic
     HD std::int64_t toFixedInside(int d, double x) const
     {
         if (periodic[d]) return toFixed(d, x);

@@ -1,4 +1,5 @@
-/*  Bond forces: one thread a bond computes and keeps them, then each particle gathers its own, in order. No atomics.
+/*  Bond forces: one thread a bond computes and keeps them, then each particle gathers its own, in
+    order. No atomics.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -55,19 +56,22 @@ struct BondPass
         int unused;
         const ContactBody<D, real> a = solids.body(i, unused), b = solids.body(j, unused);
         const bool fused = clock.turn == ForceTurn::ahead;
-        const Vec<D, std::int64_t> xi = fused ? state.place(i) : fields.position(i), xj = fused ? state.place(j) : fields.position(j);
+        const Vec<D, std::int64_t> xi = fused ? state.place(i) : fields.position(i),
+                                   xj = fused ? state.place(j) : fields.position(j);
         double line[D], d2 = 0;
         for (int d = 0; d < D; ++d)
         {
             // 64 bits and double: a bond's stretch is far smaller than its length
-            line[d] = double(std::int64_t(std::uint64_t(xj.c[d]) - std::uint64_t(xi.c[d])))*box.unit[d];
+            line[d] = double(std::int64_t(std::uint64_t(xj.c[d]) - std::uint64_t(xi.c[d])))
+                *box.unit[d];
             d2 += line[d]*line[d];
         }
         const double distance = sqrt(d2);
         Vec<D, real> n;
         for (int d = 0; d < D; ++d) n.c[d] = real(line[d]/distance);
         const double stretch = distance - (double(a.radius) + double(b.radius)) - bonds.rest[k];
-        BondForce<D, real> f = bondForce(bonds.types[bonds.type[k]], a, b, n, real(distance), real(stretch), real(clock.dt()), history);
+        BondForce<D, real> f = bondForce(bonds.types[bonds.type[k]], a, b, n, real(distance),
+            real(stretch), real(clock.dt()), history);
         if (f.broken != int(BondBreak::none))
         {
             bonds.broken[k] = int(f.broken);
@@ -78,15 +82,17 @@ struct BondPass
     }
 };
 
-//- The same by blocks of the GPU. Forces and histories are records: threads that write one each write words far apart, ten times what memory
-//  must move. So a block's records pass through shared memory, whole
+//- The same by blocks of the GPU. Forces and histories are records: threads that write one each
+//  write words far apart, ten times what memory must move. So a block's records pass through shared
+//  memory, whole
 template<int D, class P>
 struct BondBlocks
 {
     using real = typename P::real;
     using Force = BondForce<D, real>;
     static constexpr const char* name = "bonds";
-    static constexpr int threads = 256, historyWords = bondHistory<D>*sizeof(real)/4, forceWords = sizeof(Force)/4;
+    static constexpr int threads = 256, historyWords = bondHistory<D>*sizeof(real)/4,
+                         forceWords = sizeof(Force)/4;
     struct Shared { alignas(8) unsigned history[threads*historyWords], force[threads*forceWords]; };
 
     BondPass<D, P> pass;
@@ -94,9 +100,12 @@ struct BondBlocks
     HD void operator()(const Team& team, Shared& shared, int block) const
     {
         if (!pass.clock.active()) return;       // the same for all threads
-        const int first = block*threads, count = pass.bonds.n - first < threads ? pass.bonds.n - first : threads;
-        unsigned* histories = reinterpret_cast<unsigned*>(pass.bonds.history) + std::size_t(first)*historyWords;
-        unsigned* forces = reinterpret_cast<unsigned*>(pass.bonds.force) + std::size_t(first)*forceWords;
+        const int first = block*threads,
+                  count = pass.bonds.n - first < threads ? pass.bonds.n - first : threads;
+        unsigned* histories = reinterpret_cast<unsigned*>(pass.bonds.history)
+            + std::size_t(first)*historyWords;
+        unsigned* forces = reinterpret_cast<unsigned*>(pass.bonds.force)
+            + std::size_t(first)*forceWords;
         team.each(count*historyWords, [&](int w) { shared.history[w] = histories[w]; });
         team.each(count, [&](int k)
         {
@@ -129,8 +138,8 @@ struct GatherBonds
     }
 
     //- What its bonds do to the particle of this key; false: it has none
-    HD static bool sum
-    (const BondTable& table, const BondForce<D, real>* force, int key, Vec<D, real>& f, Spin<D, real>& m)
+    HD static bool sum(const BondTable& table, const BondForce<D, real>* force, int key,
+        Vec<D, real>& f, Spin<D, real>& m)
     {
         const int first = table.first[key], last = table.first[key + 1];
         for (int k = first; k < last; ++k)
@@ -153,7 +162,8 @@ struct LoseBonds
 
     HD void operator()(int k) const
     {
-        if (!bonds.broken[k] && (bonds.slotOf[bonds.ids[0][k]] < 0 || bonds.slotOf[bonds.ids[1][k]] < 0))
+        if (!bonds.broken[k]
+            && (bonds.slotOf[bonds.ids[0][k]] < 0 || bonds.slotOf[bonds.ids[1][k]] < 0))
             bonds.broken[k] = int(BondBreak::lost);
     }
 };
@@ -182,7 +192,8 @@ private:
         for (int l = 0; l < list.count[owner]; ++l)
         {
             const std::size_t e = list.index(owner, l);
-            if (list.other(list.entry[e]) == partner) list.rest[e] = typename P::real(-bonds.rest[k]);
+            if (list.other(list.entry[e]) == partner)
+                list.rest[e] = typename P::real(-bonds.rest[k]);
         }
     }
 };

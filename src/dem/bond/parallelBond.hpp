@@ -1,15 +1,21 @@
-/*  Parallel bond: an elastic beam of cement between two particles (paper 1, Eqs. 17-24, corrected as ERRATA has them; Potyondy & Cundall 2004).
+/*  Parallel bond: an elastic beam of cement between two particles (paper 1, Eqs. 17-24, corrected
+    as ERRATA has them; Potyondy & Cundall 2004).
 
-        F_n = kn A (U_n - U_0)                  tension positive; U_n = d - R_A - R_B, U_0 the gap at which the bond was made
+        F_n = kn A (U_n - U_0)                  tension positive; U_n = d - R_A - R_B, U_0 the gap
+                                                at which the bond was made
         F_s <- F_s + ks A V_s dt                on A, along the motion of B past A
-        M   <- M + kn I (w_B - w_A) dt          bending; in 3D the part along n is twist, with ks J instead
-        on A: F_n n + F_s, moment a_A n x F_s + M (+ M_t n);  on B the reverse, moment a_B n x F_s - M;  a = R + U_n/2
+        M   <- M + kn I (w_B - w_A) dt          bending; in 3D the part along n is twist, with ks J
+                                                instead
+        on A: F_n n + F_s, moment a_A n x F_s + M (+ M_t n); on B the reverse, moment a_B n x F_s -
+        M; a = R + U_n/2
         2D      A = 2 Rb, I = 2/3 Rb^3 (plate of unit thickness)
         3D      A = pi Rb^2, I = pi Rb^4/4, J = 2 I; also in 2D as `cylinder`
-        breaks  in tension when F_n/A + |M| Rb/I > sigma_c, in shear when |F_s|/A + |M_t| Rb/J > tau_c
+        breaks  in tension when F_n/A + |M| Rb/I > sigma_c, in shear when |F_s|/A + |M_t| Rb/J >
+                tau_c
 
-    The normal part comes from positions, not increments: it cannot drift. A dashpot of ratio zeta may stand beside each spring:
-    c = 2 zeta sqrt(m* kn A), and alike with ks A; with reduced inertias for bending and twist.
+    The normal part comes from positions, not increments: it cannot drift. A dashpot of ratio zeta
+    may stand beside each spring: c = 2 zeta sqrt(m* kn A), and alike with ks A; with reduced
+    inertias for bending and twist.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -61,24 +67,26 @@ struct BondForce
     Spin<D, R> momentA, momentB;
     Spin<D, R> bending;         // M on A, twist included
     R normal;                   // F_n
-    std::conditional_t<sizeof(R) == 8, std::int64_t, std::int32_t> broken;      // BondBreak, as wide as a real
+    // BondBreak, as wide as a real
+    std::conditional_t<sizeof(R) == 8, std::int64_t, std::int32_t> broken;
 };
 
 //- Padding has whatever bits were there before, and they would be part of a written state
-template<int D, class R> inline constexpr bool bondForceIsFull = sizeof(BondForce<D, R>) == (D + 3*spins<D> + 2)*sizeof(R);
-static_assert(bondForceIsFull<2, float> && bondForceIsFull<3, float> && bondForceIsFull<2, double> && bondForceIsFull<3, double>);
+template<int D, class R>
+inline constexpr bool bondForceIsFull = sizeof(BondForce<D, R>)
+    == (D + 3*spins<D> + 2)*sizeof(R);
+static_assert(bondForceIsFull<2, float> && bondForceIsFull<2, double>);
+static_assert(bondForceIsFull<3, float> && bondForceIsFull<3, double>);
 
 //- stretch: U_n - U_0; h: history, read and written
 template<int D, class R>
-HD BondForce<D, R> bondForce
-(
-    const BondParameters<R>& p, const ContactBody<D, R>& a, const ContactBody<D, R>& b, const Vec<D, R>& n, R distance,
-    R stretch, R dt, R* h
-)
+HD BondForce<D, R> bondForce(const BondParameters<R>& p, const ContactBody<D, R>& a,
+    const ContactBody<D, R>& b, const Vec<D, R>& n, R distance, R stretch, R dt, R* h)
 {
     constexpr int S = spins<D>;
     const BondSection<R> s = bondSection(p, a.radius, b.radius);
-    const R half = R(0.5)*(distance - a.radius - b.radius), armA = a.radius + half, armB = b.radius + half;
+    const R half = R(0.5)*(distance - a.radius - b.radius), armA = a.radius + half,
+            armB = b.radius + half;
     ContactGeometry<D, R> g;
     g.n = n;
     setMotion(g, a, b, armA, armB);
@@ -101,14 +109,19 @@ HD BondForce<D, R> bondForce
 
     const R tension = f.normal/s.area + squareRoot(squaredNorm(bending))*s.radius/s.inertia;
     const R stress = squareRoot(squaredNorm(shear))/s.area + absolute(twist)*s.radius/s.polar;
-    f.broken = int(tension > p.tensile ? BondBreak::tension : (stress > p.shearStrength ? BondBreak::shear : BondBreak::none));
+    f.broken = int(tension > p.tensile
+            ? BondBreak::tension
+            : (stress > p.shearStrength ? BondBreak::shear : BondBreak::none));
 
     const R m = a.mass*b.mass/(a.mass + b.mass), factor = R(D == 2 ? 0.5 : 0.4);
-    const R ia = factor*a.mass*a.radius*a.radius, ib = factor*b.mass*b.radius*b.radius, inertia = ia*ib/(ia + ib);
+    const R ia = factor*a.mass*a.radius*a.radius, ib = factor*b.mass*b.radius*b.radius,
+            inertia = ia*ib/(ia + ib);
     const R normal = f.normal - p.twoZeta*squareRoot(m*p.normal*s.area)*g.approach;
     const Tangent<D, R> pull = shear + (p.twoZeta*squareRoot(m*p.shear*s.area))*g.slip;
     f.bending = bending + (p.twoZeta*squareRoot(inertia*p.normal*s.inertia))*g.roll;
-    if constexpr (D == 3) f.bending = f.bending + (twist + p.twoZeta*squareRoot(inertia*p.shear*s.polar)*twistRate)*n;
+    if constexpr (D == 3)
+        f.bending = f.bending
+            + (twist + p.twoZeta*squareRoot(inertia*p.shear*s.polar)*twistRate)*n;
     const Spin<D, R> lever = tangentMoment(n, pull);
     f.force = normal*n + fromTangent(n, pull);
     f.momentA = armA*lever + f.bending;
@@ -125,8 +138,9 @@ HD R bondEnergy(const BondParameters<R>& p, R radiusA, R radiusB, R stretch, con
     R shear2 = 0, bending2 = 0;
     for (int c = 0; c < S; ++c) { shear2 += h[c]*h[c]; bending2 += h[S + c]*h[S + c]; }
     const R twist = D == 3 ? h[bondHistory<D> - 1] : R(0);
-    return R(0.5)*(p.normal*s.area*stretch*stretch + shear2/(p.shear*s.area) + bending2/(p.normal*s.inertia)
-      + twist*twist/(p.shear*s.polar));
+    return R(0.5)
+        *(p.normal*s.area*stretch*stretch + shear2/(p.shear*s.area)
+            + bending2/(p.normal*s.inertia) + twist*twist/(p.shear*s.polar));
 }
 
 } // namespace riprap

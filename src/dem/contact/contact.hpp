@@ -1,6 +1,8 @@
-/*  A contact law is Contact<Normal, Tangential, Rolling>; its history is theirs, one after the other.
+/*  A contact law is Contact<Normal, Tangential, Rolling>; its history is theirs, one after the
+    other.
 
-    A new law is one header beside its like: its card (card.hpp), Parameters<T> (reals only), make(PairProperties), history, and its force.
+    A new law is one header beside its like: its card (card.hpp), Parameters<T> (reals only),
+    make(PairProperties), history, and its force.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -29,7 +31,8 @@ struct Contact
     using RollingLaw = Rolling;
 
     template<int D> static constexpr int tangentialAt = Normal::history;
-    template<int D> static constexpr int rollingAt = Normal::history + Tangential::template history<D>;
+    template<int D>
+    static constexpr int rollingAt = Normal::history + Tangential::template history<D>;
     template<int D> static constexpr int history = rollingAt<D> + Rolling::template history<D>;
 
     //- Reals only, so that a lane of a pack is filled by copying them one by one
@@ -52,30 +55,28 @@ struct Contact
         return r;
     }
 
-    //- From here on the history changes its sign when A and B are exchanged: vectors in space and moments do; a normal force does
-    //  not, nor does a stretch along t in 2D, since t turns with n
+    //- From here on the history changes its sign when A and B are exchanged: vectors in space and
+    //  moments do; a normal force does not, nor does a stretch along t in 2D, since t turns with n
     template<int D> static constexpr int turnsFrom = D == 3 ? tangentialAt<D> : rollingAt<D>;
 
     //- Forces of the contact; h is read and written
     template<int D, class T>
-    HD static ContactForce<D, T> evaluate
-    (
-        const Parameters<T>& p, const ContactGeometry<D, T>& g, const T& armA, const T& armB, T* h, NormalForce<T>& fn
-    )
+    HD static ContactForce<D, T> evaluate(const Parameters<T>& p, const ContactGeometry<D, T>& g,
+        const T& armA, const T& armB, T* h, NormalForce<T>& fn)
     {
         fn = Normal::force(p.normal, g, h);
         const Tangent<D, T> ft = Tangential::force(p.tangential, g, fn, h + tangentialAt<D>);
         const Spin<D, T> m = Rolling::template moment<D, T>(p.rolling, g, fn, h + rollingAt<D>);
         const Spin<D, T> turn = tangentMoment(g.n, ft);
-        return ContactForce<D, T>{fromTangent(g.n, ft) - fn.force*g.n, armA*turn + m, armB*turn - m};
+        return ContactForce<D, T>{
+            fromTangent(g.n, ft) - fn.force*g.n, armA*turn + m, armB*turn - m};
     }
 
-    //- The forces of the last step once more, from what it left in h: what is remembered has had its increment
+    //- The forces of the last step once more, from what it left in h: what is remembered has had
+    //  its increment
     template<int D, class T>
-    HD static ContactForce<D, T> repeat
-    (
-        const Parameters<T>& p, const ContactGeometry<D, T>& g, const T& armA, const T& armB, T* h, NormalForce<T>& fn
-    )
+    HD static ContactForce<D, T> repeat(const Parameters<T>& p, const ContactGeometry<D, T>& g,
+        const T& armA, const T& armB, T* h, NormalForce<T>& fn)
     {
         ContactGeometry<D, T> still = g;
         still.since = T(0.0f);
@@ -83,16 +84,18 @@ struct Contact
     }
 
     template<int D, class T>
-    HD static T energy(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, const T* h)
+    HD static T energy(const Parameters<T>& p, const ContactGeometry<D, T>& g,
+        const NormalForce<T>& fn, const T* h)
     {
-        return Normal::energy(p.normal, g, h) + Tangential::template energy<D, T>(p.tangential, fn, h + tangentialAt<D>);
+        return Normal::energy(p.normal, g, h)
+            + Tangential::template energy<D, T>(p.tangential, fn, h + tangentialAt<D>);
     }
 };
 
 //- Motion of B past A at a contact: n from A to B, arms from the centres to the contact point
 template<int D, class T>
-HD void setMotion
-(ContactGeometry<D, T>& g, const ContactBody<D, T>& a, const ContactBody<D, T>& b, const T& armA, const T& armB)
+HD void setMotion(ContactGeometry<D, T>& g, const ContactBody<D, T>& a, const ContactBody<D, T>& b,
+    const T& armA, const T& armB)
 {
     const Vec<D, T> v = b.velocity - a.velocity;
     g.approach = -dot(v, g.n);
@@ -101,13 +104,11 @@ HD void setMotion
     g.roll = withoutTwist(g.n, b.spin - a.spin);
 }
 
-//- The geometry of two particles whose centres are d apart along n (from A to B), touching from `gap` apart
+//- The geometry of two particles whose centres are d apart along n (from A to B), touching from
+//  `gap` apart
 template<int D, class T>
-HD ContactGeometry<D, T> pairGeometry
-(
-    const ContactBody<D, T>& a, const ContactBody<D, T>& b, const Vec<D, T>& n, const T& distance, const T& gap, const T& dt,
-    T& armA, T& armB
-)
+HD ContactGeometry<D, T> pairGeometry(const ContactBody<D, T>& a, const ContactBody<D, T>& b,
+    const Vec<D, T>& n, const T& distance, const T& gap, const T& dt, T& armA, T& armB)
 {
     ContactGeometry<D, T> g;
     g.n = n;
@@ -128,11 +129,9 @@ HD ContactGeometry<D, T> pairGeometry
 
 //- A particle and a wall, whose surface lies at `distance` along n and moves with `velocity` there
 template<int D, class T>
-HD ContactGeometry<D, T> wallGeometry
-(
-    const ContactBody<D, T>& a, const Vec<D, T>& velocity, const Spin<D, T>& spin, const Vec<D, T>& n, const T& distance,
-    const T& gap, const T& dt, T& armA
-)
+HD ContactGeometry<D, T> wallGeometry(const ContactBody<D, T>& a, const Vec<D, T>& velocity,
+    const Spin<D, T>& spin, const Vec<D, T>& n, const T& distance, const T& gap, const T& dt,
+    T& armA)
 {
     ContactGeometry<D, T> g;
     g.n = n;

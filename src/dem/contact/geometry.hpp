@@ -3,13 +3,14 @@
         n       unit vector from A to B                                             (paper 1, Eq. 2)
         delta   overlap, > 0: -U_n of Eq. 5, enlarged by the pair's gap (paper 2, Eq. 19)
         V_n     rate of approach, d(delta)/dt = -(v_B - v_A).n                       (Eq. 6)
-        V_s     velocity of B's surface past A's: (v_B - v_A) - (a_A w_A + a_B w_B) x n, in the contact plane (Eq. 8),
-                with arms a = R + U_n/2 to the middle of the overlap
+        V_s     velocity of B's surface past A's: (v_B - v_A) - (a_A w_A + a_B w_B) x n, in the
+                contact plane (Eq. 8), with arms a = R + U_n/2 to the middle of the overlap
         W       w_B - w_A without twist
 
-    Forces are those on A: -f_n n + f_t, with f_t along V_s (B drags A along); B gets the reverse. The moment of f_t is
-    a_A n x f_t on A and a_B n x f_t on B, since a_A + a_B = d: linear and angular momentum are kept to round-off.
-    T is a scalar or a Pack: laws are free of branches on their arguments.
+    Forces are those on A: -f_n n + f_t, with f_t along V_s (B drags A along); B gets the reverse.
+    The moment of f_t is a_A n x f_t on A and a_B n x f_t on B, since a_A + a_B = d: linear and
+    angular momentum are kept to round-off. T is a scalar or a Pack: laws are free of branches on
+    their arguments.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,7 +33,8 @@ struct ContactGeometry
     T meanMass;                 // m_ij = (m_A + m_B)/2 [kg]
     T reducedRadius;            // R* = R_A R_B/(R_A + R_B) [m]
     T dt;                       // the step that led here [s]
-    T since;                    // [s] by which what is remembered grows: dt, or 0 where a force is but read once more
+    // [s] by which what is remembered grows: dt, or 0 where a force is but read once more
+    T since;
 };
 
 //- What a normal law says
@@ -43,7 +45,8 @@ struct NormalForce
     T elastic;                  // f_n without its dashpot [N]
     T stiffness;                // df_n/d(delta) [N/m]
     T damping;                  // of the dashpot [N s/m]
-    T load;                     // by which friction and rolling are limited: f_n, and what adhesion adds to it [N]
+    // by which friction and rolling are limited: f_n, and what adhesion adds to it [N]
+    T load;
 };
 
 //- Forces and moments of a contact on A (force) and B (-force)

@@ -1,11 +1,13 @@
 /*  Which particles may touch until the next rebuild, and what each contact remembers.
 
-    Particle i's entries are index(i, 0 .. count[i]-1). On the GPU 32 particles share a block, entry k of all of them side by
-    side; lists are full (each pair at both ends), what touches or nearly so comes first, and histories are kept twice, mirrored, in
-    words of four. On the CPU a particle's entries follow one another; lists are half: a pair is with the particle that is sorted
-    first, which is never the larger class's.
+    Particle i's entries are index(i, 0 .. count[i]-1). On the GPU 32 particles share a block, entry
+    k of all of them side by side; lists are full (each pair at both ends), what touches or nearly
+    so comes first, and histories are kept twice, mirrored, in words of four. On the CPU a
+    particle's entries follow one another; lists are half: a pair is with the particle that is
+    sorted first, which is never the larger class's.
 
-    An entry is the other's index; its top bit says that the pair touched in the last step, that is, that its history holds.
+    An entry is the other's index; its top bit says that the pair touched in the last step, that is,
+    that its history holds.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -43,29 +45,41 @@ struct ContactListView : ContactListLayout
     int* owner;                 // on the CPU, of each entry: its particle
     std::size_t stride;
 
-    HD std::size_t index(int i, int k) const { return std::size_t(base[i/width]) + std::size_t(k)*width + i % width; }
+    HD std::size_t index(int i, int k) const
+    {
+        return std::size_t(base[i/width]) + std::size_t(k)*width + i % width;
+    }
 
     //- Numbers that lie together: four, or less where there are no more
-    HD static constexpr int wordsTogether(int H) { return Backend::gpu && H < 4 ? (H == 3 ? 4 : H) : 4; }
+    HD static constexpr int wordsTogether(int H)
+    {
+        return Backend::gpu && H < 4 ? (H == 3 ? 4 : H) : 4;
+    }
 
     //- Numbers kept of an entry
-    HD static constexpr int historyWords(int H) { return H ? (H + wordsTogether(H) - 1)/wordsTogether(H)*wordsTogether(H) : 0; }
+    HD static constexpr int historyWords(int H)
+    {
+        return H ? (H + wordsTogether(H) - 1)/wordsTogether(H)*wordsTogether(H) : 0;
+    }
 
     HD std::size_t place(int H, std::size_t e, int c) const
     {
         const int together = wordsTogether(H);
-        return Backend::gpu ? (std::size_t(c/together)*stride + e)*together + c % together : e*historyWords(H) + c;
+        return Backend::gpu ? (std::size_t(c/together)*stride + e)*together + c % together
+                            : e*historyWords(H) + c;
     }
 
     //- What entry e remembers, H numbers, to `to` or from there, where they lie one after the other
     HD void unload(int H, std::size_t e, R* to) const
     {
-        for (int first = 0; first < H; first += wordsTogether(H)) copyWords(wordsTogether(H), history + place(H, e, first), to + first);
+        for (int first = 0; first < H; first += wordsTogether(H))
+            copyWords(wordsTogether(H), history + place(H, e, first), to + first);
     }
 
     HD void load(int H, std::size_t e, const R* from) const
     {
-        for (int first = 0; first < H; first += wordsTogether(H)) copyWords(wordsTogether(H), from + first, history + place(H, e, first));
+        for (int first = 0; first < H; first += wordsTogether(H))
+            copyWords(wordsTogether(H), from + first, history + place(H, e, first));
     }
 
     template<int H>
@@ -78,7 +92,8 @@ struct ContactListView : ContactListLayout
         constexpr int together = wordsTogether(H);
         for (int first = 0; first < H; first += together)
         {
-            const auto w = *reinterpret_cast<const HistoryWords<together, R>*>(history + place(H, e, first));
+            const auto w = *reinterpret_cast<const HistoryWords<together, R>*>(
+                history + place(H, e, first));
             for (int c = 0; c < together && first + c < H; ++c) h[first + c] = w.c[c];
         }
     }
@@ -100,7 +115,9 @@ private:
     //- In one piece where there are four
     HD static void copyWords(int together, const R* from, R* to)
     {
-        if (together == 4) *reinterpret_cast<HistoryWords<4, R>*>(to) = *reinterpret_cast<const HistoryWords<4, R>*>(from);
+        if (together == 4)
+            *reinterpret_cast<HistoryWords<4, R>*>(
+                to) = *reinterpret_cast<const HistoryWords<4, R>*>(from);
         else for (int c = 0; c < together; ++c) to[c] = from[c];
     }
 };
@@ -134,7 +151,8 @@ public:
     //- Room for so many entries
     void reserve(Context<Backend>& context, std::size_t entries, int histories, bool rests)
     {
-        if (entries + 8 > entry_.size())         // a register that begins with the last may reach past it
+        // a register that begins with the last may reach past it
+        if (entries + 8 > entry_.size())
         {
             const std::size_t room = entries + entries/(Backend::gpu ? 16 : 8) + 64;
             entry_.allocate(context, room);
@@ -163,7 +181,11 @@ public:
     int* count() { return count_.data(); }
     int blocks() const { return blocks_; }
     std::size_t entries() const { return entries_; }
-    std::size_t bytes() const { return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes() + owner_.bytes(); }
+    std::size_t bytes() const
+    {
+        return entry_.bytes() + base_.bytes() + count_.bytes() + history_.bytes() + rest_.bytes()
+            + owner_.bytes();
+    }
 
     //- Which entries are one of the first n particles'; the others fill up blocks
     std::vector<char> used(int n) const
@@ -171,7 +193,8 @@ public:
         std::vector<char> yes(entries_, 0);
         const std::vector<int> base = base_.download(), count = count_.download();
         for (int i = 0; i < n; ++i)
-            for (int k = 0; k < count[i]; ++k) yes[std::size_t(base[i/width]) + std::size_t(k)*width + i % width] = 1;
+            for (int k = 0; k < count[i]; ++k)
+                yes[std::size_t(base[i/width]) + std::size_t(k)*width + i % width] = 1;
         return yes;
     }
 

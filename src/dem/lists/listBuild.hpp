@@ -1,4 +1,5 @@
-/*  Building contact lists: candidates of a particle over all size classes, counting, writing, and handing histories over.
+/*  Building contact lists: candidates of a particle over all size classes, counting, writing, and
+    handing histories over.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,7 +12,8 @@
 namespace riprap
 {
 
-//- Bonds of a particle: its id's references, bond << 1 | end. What is bonded does not touch, unless it shall
+//- Bonds of a particle: its id's references, bond << 1 | end. What is bonded does not touch, unless
+//  it shall
 struct BondTable
 {
     const int* first;           // of an id; null: there are no bonds
@@ -41,7 +43,8 @@ struct ContactSearch
     SizeClasses<D, P> classes;
     SolidRecords<D, P> solids;
     const int* start;           // first particle of each cell of all classes
-    const int* place;           // where the particles are that cells have side by side; null: just so
+    // where the particles are that cells have side by side; null: just so
+    const int* place;
     const std::int32_t* clump;  // null: none
     const std::int32_t* id;
     BondTable bonds;
@@ -59,21 +62,23 @@ struct ContactSearch
         for (int k = Backend::gpu ? 0 : classes.classOf(radius); k < classes.classes; ++k)
         {
             const real distance = radius + classes.largest[k] + reach;
-            classes.grid[k].forEachRangeWithin(relative, distance, start + classes.firstCell[k], [&](int begin, int end)
-            {
-                if (!Backend::gpu && begin <= i) begin = i + 1;
-                for (int k = begin; k < end; ++k)
+            classes.grid[k].forEachRangeWithin(relative, distance, start + classes.firstCell[k],
+                [&](int begin, int end)
                 {
-                    const int j = Backend::gpu ? place[k] : k;
-                    const SolidA<D, P> other = solids.a[j];
-                    Vec<D, real> dx;
-                    for (int d = 0; d < D; ++d) dx.c[d] = box.template separation<real>(d, xi.c[d], other.x[d]);
-                    const real most = radius + other.radius + reach, r2 = squaredNorm(dx);
-                    if (!(r2 < most*most) || j == i || apart(i, j)) continue;
-                    const real close = radius + other.radius + nearReach;
-                    f(j, r2 < close*close);
-                }
-            });
+                    if (!Backend::gpu && begin <= i) begin = i + 1;
+                    for (int k = begin; k < end; ++k)
+                    {
+                        const int j = Backend::gpu ? place[k] : k;
+                        const SolidA<D, P> other = solids.a[j];
+                        Vec<D, real> dx;
+                        for (int d = 0; d < D; ++d)
+                            dx.c[d] = box.template separation<real>(d, xi.c[d], other.x[d]);
+                        const real most = radius + other.radius + reach, r2 = squaredNorm(dx);
+                        if (!(r2 < most*most) || j == i || apart(i, j)) continue;
+                        const real close = radius + other.radius + nearReach;
+                        f(j, r2 < close*close);
+                    }
+                });
         }
     }
 
@@ -115,7 +120,11 @@ struct BlockEntries
     HD void operator()(int block) const
     {
         int longest = 0;
-        for (int l = 0; l < width; ++l) { const int k = count[block*width + l]; longest = k > longest ? k : longest; }
+        for (int l = 0; l < width; ++l)
+        {
+            const int k = count[block*width + l];
+            longest = k > longest ? k : longest;
+        }
         base[block] = longest*width;
     }
 };
@@ -153,8 +162,8 @@ struct InvertOrder
     HD void operator()(int i) const { inverse[order[i]] = i; }
 };
 
-//- What contacts remember, from the half lists of before the sort to those of after it (CPU). Numbers of the history from `turns` on
-//  change their sign where the other end becomes the owner
+//- What contacts remember, from the half lists of before the sort to those of after it (CPU).
+//  Numbers of the history from `turns` on change their sign where the other end becomes the owner
 template<class Backend, int H, int turns, class R>
 struct HandOver
 {
@@ -194,7 +203,8 @@ struct HandOver
     }
 };
 
-//- What touched in the last step, of particles in their new order: counted, then kept while the lists are written over
+//- What touched in the last step, of particles in their new order: counted, then kept while the
+//  lists are written over
 template<class Backend, class R, bool Write>
 struct KeepContacts
 {
@@ -264,7 +274,8 @@ struct WriteFullLists
             if (kept >= 0)
             {
                 entry |= List::touching;
-                list.load(histories, e, keptHistory + std::size_t(kept)*List::historyWords(histories));
+                list.load(
+                    histories, e, keptHistory + std::size_t(kept)*List::historyWords(histories));
             }
             list.entry[e] = entry;
             if (list.rest) list.rest[e] = 0;

@@ -1,6 +1,7 @@
-/*  Cells for particles of several sizes: particles are sorted by size class, small ones first, and each class has a grid of cells of
-    its own size. A particle looks in each class's grid just as far as it must, so that a mixture of sizes costs what its
-    contacts cost, not what the largest radius squared with the smallest spacing would.
+/*  Cells for particles of several sizes: particles are sorted by size class, small ones first, and
+    each class has a grid of cells of its own size. A particle looks in each class's grid just as
+    far as it must, so that a mixture of sizes costs what its contacts cost, not what the largest
+    radius squared with the smallest spacing would.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -13,14 +14,16 @@
 namespace riprap
 {
 
-//- Radii of a set of particles, from which the search follows: what must be remembered where the largest or the smallest have gone
+//- Radii of a set of particles, from which the search follows: what must be remembered where the
+//  largest or the smallest have gone
 struct RadiusClasses
 {
     static constexpr int most = 6;
 
     double smallest = 0, largest = 0;       // [m]
     double classes = 0;
-    double top[most] = {}, count[most] = {};    // largest radius and number of particles, from the largest class down
+    // largest radius and number of particles, from the largest class down
+    double top[most] = {}, count[most] = {};
 
     //- Classes of radii within a factor of `ratio`
     static RadiusClasses of(const std::vector<double>& given, double ratio = 1.6)
@@ -42,8 +45,10 @@ struct RadiusClasses
         for (std::size_t end = radii.size(); end > 0; ++k)
         {
             const double high = radii[end - 1];
-            const std::size_t begin = k + 1 == most ? 0
-                : std::size_t(std::lower_bound(radii.begin(), radii.begin() + end, high/ratio) - radii.begin());
+            const std::size_t begin = k + 1 == most
+                ? 0
+                : std::size_t(std::lower_bound(radii.begin(), radii.begin() + end, high/ratio)
+                    - radii.begin());
             r.top[k] = high;
             r.count[k] = double(end - begin);
             end = begin;
@@ -88,7 +93,8 @@ struct SizeClasses
         {
             const int from = classes - 1 - k;
             largest[k] = real(radii.top[from]);
-            if (double(largest[k]) < radii.top[from]) largest[k] = std::nextafter(largest[k], real(1e30));
+            if (double(largest[k]) < radii.top[from])
+                largest[k] = std::nextafter(largest[k], real(1e30));
             const double cells = std::min(1e8, std::max(1e3, 8*radii.count[from]));
             grid[k].set(box, 2*radii.top[from] + reach, 1, 2, cells, shortFirst);
             firstCell[k + 1] = firstCell[k] + grid[k].cells;

@@ -1,4 +1,5 @@
-/*  What contacts read of a particle: aligned records of four words, so that a neighbour costs two or three loads.
+/*  What contacts read of a particle: aligned records of four words, so that a neighbour costs two
+    or three loads.
 
         3D  A: position, radius     B: velocity, mass       C: spin, material
         2D  A: position, radius, mass                       B: velocity, spin, material
@@ -58,7 +59,8 @@ struct SolidRecords
         return w;
     }
 
-    HD static ContactBody<D, real> bodyOf(const SolidA<D, P>& first, const Words& words, int& material)
+    HD static ContactBody<D, real> bodyOf(
+        const SolidA<D, P>& first, const Words& words, int& material)
     {
         ContactBody<D, real> q;
         const SolidWords<P>& w = words.b;
@@ -81,7 +83,8 @@ struct SolidRecords
         return q;
     }
 
-    HD void store(int i, const Vec<D, typename P::position>& x, const ContactBody<D, real>& q, int material) const
+    HD void store(int i, const Vec<D, typename P::position>& x, const ContactBody<D, real>& q,
+        int material) const
     {
         SolidA<D, P> first;
         for (int d = 0; d < D; ++d) first.x[d] = x.c[d];

@@ -1,5 +1,6 @@
-/*  The order of particles on the GPU. Cells put together what is near each other. Then, among so many of these, those with as many
-    contacts: 32 particles take their steps at one pace, and all wait for the one with the longest list.
+/*  The order of particles on the GPU. Cells put together what is near each other. Then, among so
+    many of these, those with as many contacts: 32 particles take their steps at one pace, and all
+    wait for the one with the longest list.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -10,7 +11,8 @@
 namespace riprap
 {
 
-//- The k-th particle in the order of cells: how many entries it will have, how many of them are near, and what that costs
+//- The k-th particle in the order of cells: how many entries it will have, how many of them are
+//  near, and what that costs
 template<class Backend, int D, class P>
 struct CountNeighbours
 {
@@ -26,10 +28,17 @@ struct CountNeighbours
     HD void operator()(int k) const
     {
         int all = 0, near = 0;
-        if (k < *active) search.forEachCandidate(search.place[k], [&](int, bool isNear) { ++all; near += isNear; });
+        if (k < *active)
+            search.forEachCandidate(search.place[k],
+                [&](int, bool isNear)
+                {
+                    ++all;
+                    near += isNear;
+                });
         count[k] = all;
         nearCount[k] = near;
-        // a near pair costs about as much as four that are not. Those at walls stay together, whatever else they have
+        // a near pair costs about as much as four that are not. Those at walls stay together,
+        // whatever else they have
         cost[k] = all + 3*near + (walls && walls[k] ? 1 << 20 : 0);
     }
 };

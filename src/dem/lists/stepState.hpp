@@ -1,7 +1,9 @@
-/*  The state of solids while steps are fused (GPU): each particle's motion lies in the records that contacts read, twice, since a
-    step reads the old ones of its neighbours while it writes its own new ones; and beside them what the records have rounded away.
+/*  The state of solids while steps are fused (GPU): each particle's motion lies in the records that
+    contacts read, twice, since a step reads the old ones of its neighbours while it writes its own
+    new ones; and beside them what the records have rounded away.
 
-        mixed   x: 64-bit fixed point = the record's upper 32 bits and `low.x`;  v: record + `low.v`, 48 bits in all
+        mixed   x: 64-bit fixed point = the record's upper 32 bits and `low.x`; v: record + `low.v`,
+                48 bits in all
         double  x: `low.x`, all of it;  v: the record's
 
     A step then moves 24 words of a particle's state where the fields' own layout would take 60.
@@ -42,13 +44,15 @@ struct StepState
 
     static HD LowWords<P> lowOf(std::int64_t x, [[maybe_unused]] double v)
     {
-        if constexpr (sizeof(real) == 4) return LowWords<P>{std::uint32_t(x), float(v - double(float(v)))};
+        if constexpr (sizeof(real) == 4)
+            return LowWords<P>{std::uint32_t(x), float(v - double(float(v)))};
         else return LowWords<P>{x};
     }
 
     static HD std::int64_t whole([[maybe_unused]] position high, const LowWords<P>& l)
     {
-        if constexpr (sizeof(real) == 4) return std::int64_t(std::uint64_t(std::uint32_t(high)) << 32 | l.x);
+        if constexpr (sizeof(real) == 4)
+            return std::int64_t(std::uint64_t(std::uint32_t(high)) << 32 | l.x);
         else return l.x;
     }
 
@@ -82,9 +86,11 @@ struct OpenSteps
     HD void operator()(int i) const
     {
         if (i >= *active) return;
-        for (int d = 0; d < D; ++d) state.low[d][i] = StepState<D, P>::lowOf(fields.x[d][i], fields.v[d][i]);
+        for (int d = 0; d < D; ++d)
+            state.low[d][i] = StepState<D, P>::lowOf(fields.x[d][i], fields.v[d][i]);
         const std::int32_t id = fields.id[i];
-        const bool wall = wallFirst && wallFirst[i + 1] > wallFirst[i], bond = bondFirst && bondFirst[id + 1] > bondFirst[id];
+        const bool wall = wallFirst && wallFirst[i + 1] > wallFirst[i],
+                   bond = bondFirst && bondFirst[id + 1] > bondFirst[id];
         using Own = OwnWords<typename P::real>;
         const bool asleep = fields.asleep(i);
         state.own[i] = Own

@@ -1,9 +1,12 @@
-/*  Rigid bodies that may not do everything. A constraint is a projection of what forces do, and never stores anything: reactions do no work.
+/*  Rigid bodies that may not do everything. A constraint is a projection of what forces do, and
+    never stores anything: reactions do no work.
 
-    Centre of mass, T a projector (along a line n n^T, in a plane 1 - n n^T, none 0):      v += dt T F/m
-    About an axis n alone, J the inertia about the centre:      w += dt n.M/(n.J n),  spin w n,  L = J w n
-    Hinge, about n through a point, r from there to the centre: w += dt n.(M + r x F)/(n.J n + m |n x r|^2),  v = w n x r
-    A step turns r and the orientation by exactly w dt about n: the distance from the hinge is kept to round-off.
+    Centre of mass, T a projector (along a line n n^T, in a plane 1 - n n^T, none 0): v += dt T F/m
+    About an axis n alone, J the inertia about the centre: w += dt n.M/(n.J n), spin w n, L = J w n
+    Hinge, about n through a point, r from there to the centre: w += dt n.(M + r x F)/(n.J n + m |n
+    x r|^2), v = w n x r
+    A step turns r and the orientation by exactly w dt about n: the distance from the hinge is kept
+    to round-off.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -65,18 +68,18 @@ HD void restrain(ClumpData& c, const ClumpConstraint& s, const Box<D, P>& box)
     const double w = dot(spinOf(c, c.q), n);
     if (s.hinge) return swingAbout(c, n, armFrom(s.point, c, box), w);
     const Vec<3, double> v = vectorOf(c.v);
-    for (int d = 0; d < 3; ++d) c.v[d] = s.along[3*d]*v.c[0] + s.along[3*d + 1]*v.c[1] + s.along[3*d + 2]*v.c[2];
+    for (int d = 0; d < 3; ++d)
+        c.v[d] = s.along[3*d]*v.c[0] + s.along[3*d + 1]*v.c[1]
+            + s.along[3*d + 2]*v.c[2];
     if (s.turn == ClumpTurn::about) spinAbout(c, n, w);
     if (s.turn == ClumpTurn::none) spinAbout(c, n, 0);
 }
 
 //- Force and moment about the centre, over dt
 template<int D, class P>
-HD void accelerate
-(
-    ClumpData& c, const GroupData<D, typename P::real>& g, const ClumpConstraint* constraints, const Box<D, P>& box, const Vec<3, double>& f,
-    const Vec<3, double>& m, double dt
-)
+HD void accelerate(ClumpData& c, const GroupData<D, typename P::real>& g,
+    const ClumpConstraint* constraints, const Box<D, P>& box, const Vec<3, double>& f,
+    const Vec<3, double>& m, double dt)
 {
     if (!constraints || !constraints[c.group].any)
     {
@@ -93,7 +96,10 @@ HD void accelerate
         const double all = inertia + c.mass*squaredNorm(cross(n, r));
         return swingAbout(c, n, r, w + dt*dot(n, m + cross(r, f))/all);
     }
-    for (int d = 0; d < 3; ++d) c.v[d] += dt*(s.along[3*d]*f.c[0] + s.along[3*d + 1]*f.c[1] + s.along[3*d + 2]*f.c[2])/c.mass;
+    for (int d = 0; d < 3; ++d)
+        c.v[d] += dt
+            *(s.along[3*d]*f.c[0] + s.along[3*d + 1]*f.c[1] + s.along[3*d + 2]*f.c[2])
+            /c.mass;
     if (s.turn == ClumpTurn::about) spinAbout(c, n, w + dt*dot(n, m)/inertia);
     if (s.turn == ClumpTurn::free) for (int d = 0; d < 3; ++d) c.L[d] += dt*m.c[d];
 }
@@ -121,7 +127,8 @@ HD void swing(ClumpData& c, const ClumpConstraint& s, const Box<D, P>& box, doub
     turn(c.q, w*n, dt, next);
     const Vec<3, double> to = rotated(by, r);
     for (int e = 0; e < 4; ++e) c.q[e] = next[e];
-    for (int d = 0; d < D; ++d) c.x[d] += std::int64_t(rint((to.c[d] - r.c[d])*box.unitsPerMetre[d]));
+    for (int d = 0; d < D; ++d)
+        c.x[d] += std::int64_t(rint((to.c[d] - r.c[d])*box.unitsPerMetre[d]));
     swingAbout(c, n, to, w);
 }
 

@@ -1,7 +1,8 @@
 /*  Springs, and lines that go slack, between points of rigid bodies and points of space.
 
-    l the distance of the two, e from the anchor to the body, u the velocity of the body's point, L the unstretched length:
-        T = k (l - L) + c u.e,   F = -T e on the body;   a line: T = 0 where l <= L, and never below 0
+    l the distance of the two, e from the anchor to the body, u the velocity of the body's point, L
+    the unstretched length:
+        T = k (l - L) + c u.e,   F = -T e on the body; a line: T = 0 where l <= L, and never below 0
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,7 +33,8 @@ HD SpringPull pullOf(const SpringData& s, const ClumpData& c, const Box<D, P>& b
 {
     SpringPull pull;
     pull.arm = rotated(c.q, vectorOf(s.arm));
-    const Vec<3, double> d = armFrom(s.anchor, c, box) + pull.arm, u = vectorOf(c.v) + cross(spinOf(c, c.q), pull.arm);
+    const Vec<3, double> d = armFrom(s.anchor, c, box) + pull.arm,
+                         u = vectorOf(c.v) + cross(spinOf(c, c.q), pull.arm);
     pull.length = sqrt(squaredNorm(d));
     const Vec<3, double> e = pull.length > 0 ? (1/pull.length)*d : Vec<3, double>{{0, 0, 0}};
     const double stretch = pull.length - s.length;

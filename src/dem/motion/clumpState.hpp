@@ -20,12 +20,15 @@ struct ClumpData
     double mass, inertia[3];    // principal
     int group;
     int touching;               // members on which a contact acts now
-    int together, least;        // members that can touch a plane at once; of them at least so many share the body's mass
-    int left, unused;           // left: it is out of the domain and its members with it; it stays where that happened
+    // members that can touch a plane at once; of them at least so many share the body's mass
+    int together, least;
+    // left: it is out of the domain and its members with it; it stays where that happened
+    int left, unused;
 };
 
-//- What a contact of one member moves: of the members that touch now each has its share. Dashpots take it, so that they together have the restitution
-//  of one contact of the body. Of those that touch for the first time nobody has counted how many they are: all that can
+//- What a contact of one member moves: of the members that touch now each has its share. Dashpots
+//  take it, so that they together have the restitution of one contact of the body. Of those that
+//  touch for the first time nobody has counted how many they are: all that can
 HD double contactMass(const ClumpData& c)
 {
     if (c.touching <= 0) return c.mass/c.together;

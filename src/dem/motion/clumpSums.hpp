@@ -1,10 +1,13 @@
-/*  Sums over a clump's members of forces and of moments about its centre, sum F and sum (r x F + M) [N, N m], and what is done with them:
+/*  Sums over a clump's members of forces and of moments about its centre, sum F and sum (r x F + M)
+    [N, N m], and what is done with them:
 
-    GatherClumps: contact forces of now, with the force from outside and that of springs, are the clump's forces
+    GatherClumps: contact forces of now, with the force from outside and that of springs, are the
+    clump's forces
     PushClumps:   a blow from outside (dem/motion/push.hpp)
 
-    Of small clumps a thread sums one. A body of thousands of members would keep one thread waiting for memory all step long: of such ones a block of
-    threads sums one, each thread its share in the members' order, then halves of the block are added: always the same order, always the same bits.
+    Of small clumps a thread sums one. A body of thousands of members would keep one thread waiting
+    for memory all step long: of such ones a block of threads sums one, each thread its share in the
+    members' order, then halves of the block are added: always the same order, always the same bits.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -41,7 +44,8 @@ struct ClumpMembers
         Vec<3, double> arm{{0, 0, 0}}, force{{0, 0, 0}};
         for (int d = 0; d < D; ++d)
         {
-            arm.c[d] = double(std::int64_t(std::uint64_t(fields.x[d][i]) - std::uint64_t(c.x[d])))*box.unit[d];
+            arm.c[d] = double(std::int64_t(std::uint64_t(fields.x[d][i]) - std::uint64_t(c.x[d])))
+                *box.unit[d];
             if (contacts) force.c[d] = double(fields.f[d][i]);
             if (more) force.c[d] += double(more[d]);
             sums[d] += force.c[d];
@@ -98,7 +102,8 @@ struct PushClumps
 
     HD void use(ClumpData& c, const double* sums) const
     {
-        accelerate(c, groups[c.group], constraints, members.box, vectorOf(sums), vectorOf(sums + 3), dt);
+        accelerate(
+            c, groups[c.group], constraints, members.box, vectorOf(sums), vectorOf(sums + 3), dt);
     }
 };
 
@@ -115,7 +120,8 @@ struct EachClump
         if (!sum.active()) return;
         ClumpData& c = sum.members.clumps[k];
         double sums[7] = {};
-        for (int e = sum.members.first[k]; e < sum.members.first[k + 1]; ++e) sum.members.template add<Sum::contacts>(c, e, sums);
+        for (int e = sum.members.first[k]; e < sum.members.first[k + 1]; ++e)
+            sum.members.template add<Sum::contacts>(c, e, sums);
         sum.use(c, sums);
     }
 };
@@ -135,13 +141,16 @@ struct BlockEachClump
         if (!sum.active()) return;
         ClumpData& c = sum.members.clumps[k];
         double sums[7] = {};
-        for (int e = sum.members.first[k] + team.index; e < sum.members.first[k + 1]; e += team.size)
+        for (int e = sum.members.first[k] + team.index; e < sum.members.first[k + 1];
+             e += team.size)
             sum.members.template add<Sum::contacts>(c, e, sums);
         for (int s = 0; s < 7; ++s) shared.sums[s][team.index] = sums[s];
         team.wait();
         for (int half = team.size/2; half > 0; half /= 2)
         {
-            if (team.index < half) for (int s = 0; s < 7; ++s) shared.sums[s][team.index] += shared.sums[s][team.index + half];
+            if (team.index < half)
+                for (int s = 0; s < 7; ++s)
+                    shared.sums[s][team.index] += shared.sums[s][team.index + half];
             team.wait();
         }
         if (team.index > 0) return;
@@ -157,7 +166,8 @@ template<class Backend, class Sum>
 void sumClumps(Context<Backend>& context, int clumps, [[maybe_unused]] int largest, const Sum& sum)
 {
     if constexpr (Backend::gpu)
-        if (largest > membersOfABlock) return forEachBlock(context, clumps, BlockEachClump<Sum>{sum});
+        if (largest > membersOfABlock)
+            return forEachBlock(context, clumps, BlockEachClump<Sum>{sum});
     forEach(context, clumps, EachClump<Sum>{sum});
 }
 

@@ -1,5 +1,6 @@
-/*  Prescribed motions as the device sees them: samples over a window of time, a row of numbers each, between which is
-    interpolated linearly. Samples are half a step apart, so that whole and half steps are met exactly.
+/*  Prescribed motions as the device sees them: samples over a window of time, a row of numbers
+    each, between which is interpolated linearly. Samples are half a step apart, so that whole and
+    half steps are met exactly.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,10 +1,13 @@
-/*  Motion of particles. Forces are known at the positions at hand; a step is kick and drift, then the pass over contacts:
+/*  Motion of particles. Forces are known at the positions at hand; a step is kick and drift, then
+    the pass over contacts:
 
         leapfrog  v_{n+1/2} = v_{n-1/2} + a_n (dt_{n-1} + dt_n)/2,    x_{n+1} = x_n + v_{n+1/2} dt_n
-        Verlet    v_{n+1/2} = v_n + a_n dt/2,  x_{n+1} likewise,  v_{n+1} = v_{n+1/2} + a_{n+1} dt/2 after the pass (paper 2, Eqs. 21 to 23, X_k = X_a)
+        Verlet    v_{n+1/2} = v_n + a_n dt/2, x_{n+1} likewise, v_{n+1} = v_{n+1/2} + a_{n+1} dt/2
+                  after the pass (paper 2, Eqs. 21 to 23, X_k = X_a)
 
-    spins alike. Contacts see half-step velocities with the new positions, so that a spring's stretch is exactly what the bodies
-    did. Local damping (paper 1, Eq. 25) acts on each component of the unbalanced force and moment, viscous damping is -c m v.
+    spins alike. Contacts see half-step velocities with the new positions, so that a spring's
+    stretch is exactly what the bodies did. Local damping (paper 1, Eq. 25) acts on each component
+    of the unbalanced force and moment, viscous damping is -c m v.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,15 +37,12 @@ struct SolidMotion
     //- v and w changed by forces over dt
     HD void kick(int i, Vec<D, double>& v, Spin<D, real>& w, real dt) const
     {
-        kick(groups[fields.group[i]], external ? fields.id[i] : 0, fields.mass[i], fields.inverseInertia[i], fields.force(i),
-            fields.momentOn(i), v, w, dt);
+        kick(groups[fields.group[i]], external ? fields.id[i] : 0, fields.mass[i],
+            fields.inverseInertia[i], fields.force(i), fields.momentOn(i), v, w, dt);
     }
 
-    HD void kick
-    (
-        const GroupData<D, real>& g, int id, real mass, real inverse, Vec<D, real> f, Spin<D, real> m, Vec<D, double>& v,
-        Spin<D, real>& w, real dt
-    ) const
+    HD void kick(const GroupData<D, real>& g, int id, real mass, real inverse, Vec<D, real> f,
+        Spin<D, real> m, Vec<D, double>& v, Spin<D, real>& w, real dt) const
     {
         const real perMass = dt/mass;
         const real* more = external ? external + (long long)id*(D + spins<D>) : nullptr;
@@ -61,7 +61,8 @@ struct SolidMotion
                 f.c[d] = locallyDamped(f.c[d], speed, g.localDamping) - g.viscous*mass*speed;
             }
             for (int c = 0; c < spins<D>; ++c)
-                m.c[c] = locallyDamped(m.c[c], w.c[c], g.localDamping) - g.viscousSpin/inverse*w.c[c];
+                m.c[c] = locallyDamped(m.c[c], w.c[c], g.localDamping)
+                    - g.viscousSpin/inverse*w.c[c];
         }
         for (int d = 0; d < D; ++d) v.c[d] += double(g.free[d]*perMass*f.c[d]);
         for (int c = 0; c < spins<D>; ++c) w.c[c] += g.freeSpin*dt*inverse*m.c[c];
@@ -81,12 +82,14 @@ struct MoveSolids : SolidMotion<D, P>
     position* reference[D];     // where neighbours were found
     LocalFrames<D, P> frames;       // fused steps: what the way since then is measured against
     real halfSkin;
-    real suddenDisplacement;             // [m] more than its speed foretells, that a particle may go in a step: blows of a fluid
+    // [m] more than its speed foretells, that a particle may go in a step: blows of a fluid
+    real suddenDisplacement;
     std::int64_t domainMin[D], domainMax[D];        // fixed point; everything where periodic
     MotionTable motions;
     const ClumpData* clumps;    // null: there are none
     const double* offset;       // of a clump's member from its centre, in the body: 3 a key
-    bool sharesMass;            // do dashpots of a clump's members take the clump's mass (clumpState.hpp)?
+    // do dashpots of a clump's members take the clump's mass (clumpState.hpp)?
+    bool sharesMass;
 
     HD bool inside(const Vec<D, std::int64_t>& x) const
     {
@@ -98,7 +101,8 @@ struct MoveSolids : SolidMotion<D, P>
     HD void operator()(int i) const
     {
         const SolidFields<D, P>& s = this->fields;
-        if (this->clock->active && i < *this->active && !s.asleep(i)) move(i, s.force(i), s.momentOn(i));
+        if (this->clock->active && i < *this->active && !s.asleep(i))
+            move(i, s.force(i), s.momentOn(i));
     }
 
     HD void move(int i, const Vec<D, real>& force, const Spin<D, real>& moment) const
@@ -115,15 +119,20 @@ struct MoveSolids : SolidMotion<D, P>
             const GroupData<D, real>& group = this->groups[s.group[i]];
             const real dt = real(verlet ? 0.5*t.dt : 0.5*(t.previousDt + t.dt));
             if (group.motion >= 0) prescribe(group.motion, t.time - 0.5*t.dt, x, v, w);
-            else this->kick(group, this->external ? s.id[i] : 0, s.mass[i], s.inverseInertia[i], force, moment, v, w, dt);
-            for (int d = 0; d < D; ++d) x.c[d] += std::int64_t(rint(v.c[d]*t.dt*box.unitsPerMetre[d]));
+            else
+                this->kick(group, this->external ? s.id[i] : 0, s.mass[i], s.inverseInertia[i],
+                    force, moment, v, w, dt);
+            for (int d = 0; d < D; ++d)
+                x.c[d] += std::int64_t(rint(v.c[d]*t.dt*box.unitsPerMetre[d]));
         }
         for (int d = 0; d < D; ++d) { s.x[d][i] = x.c[d]; s.v[d][i] = v.c[d]; }
         for (int c = 0; c < spins<D>; ++c) s.w[c][i] = w.c[c];
         if (s.turn[0]) followTurn(i, w, t.dt);
         Vec<D, position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
-        solids.store(i, p, ContactBody<D, real>{convert<real>(v), w, s.radius[i], massInContacts(i)}, s.material[i]);
+        solids.store(i, p,
+            ContactBody<D, real>{convert<real>(v), w, s.radius[i], massInContacts(i)},
+            s.material[i]);
         checkSkin(i, p, x, convert<real>(v), t, this->clock);
     }
 
@@ -134,10 +143,12 @@ struct MoveSolids : SolidMotion<D, P>
     }
 
     //- A member of a rigid body is where the body has it
-    HD void follow(const ClumpData& c, int key, Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
+    HD void follow(const ClumpData& c, int key, Vec<D, std::int64_t>& x, Vec<D, double>& v,
+        Spin<D, real>& w) const
     {
         const double* o = offset + 3*(long long)key;
-        const Vec<3, double> arm = rotated(c.q, Vec<3, double>{{o[0], o[1], o[2]}}), spin = spinOf(c, c.q);
+        const Vec<3, double> arm = rotated(c.q, Vec<3, double>{{o[0], o[1], o[2]}}),
+                             spin = spinOf(c, c.q);
         const Vec<3, double> u = cross(spin, arm);
         for (int d = 0; d < D; ++d)
         {
@@ -148,10 +159,12 @@ struct MoveSolids : SolidMotion<D, P>
     }
 
     //- v = V + W x (x - centre) at time t
-    HD void prescribe(int motion, double t, const Vec<D, std::int64_t>& x, Vec<D, double>& v, Spin<D, real>& w) const
+    HD void prescribe(int motion, double t, const Vec<D, std::int64_t>& x, Vec<D, double>& v,
+        Spin<D, real>& w) const
     {
         Vec<3, double> arm{{0, 0, 0}}, spin{{0, 0, 0}};
-        for (int d = 0; d < D; ++d) arm.c[d] = box.toMetres(d, x.c[d]) - motions.at(motion, 6 + d, t);
+        for (int d = 0; d < D; ++d)
+            arm.c[d] = box.toMetres(d, x.c[d]) - motions.at(motion, 6 + d, t);
         for (int d = 0; d < 3; ++d) spin.c[d] = motions.at(motion, 3 + d, t);
         const Vec<3, double> u = cross(spin, arm);
         for (int d = 0; d < D; ++d) v.c[d] = motions.at(motion, d, t) + u.c[d];
@@ -171,12 +184,11 @@ struct MoveSolids : SolidMotion<D, P>
         }
     }
 
-    //- Ask for new neighbours before the next step could carry the particle past half the skin, or at once where this one did. Refuse a step of more
-    //  than its radius: it would go through what it meets
-    HD void checkSkin
-    (
-        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, DemClockData* raised
-    ) const
+    //- Ask for new neighbours before the next step could carry the particle past half the skin, or
+    //  at once where this one did. Refuse a step of more than its radius: it would go through what
+    //  it meets
+    HD void checkSkin(int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x,
+        const Vec<D, real>& v, const DemClockData& t, DemClockData* raised) const
     {
         if (frames.frame) return checkFrame(i, p, x, v, t, raised);
         real distance2 = 0, speed2 = 0;
@@ -187,7 +199,8 @@ struct MoveSolids : SolidMotion<D, P>
             speed2 += v.c[d]*v.c[d];
         }
         // 5/4 of a step's way must be left
-        const real distance = squareRoot(distance2), left = halfSkin - suddenDisplacement - distance, way = real(1.25*t.fullDt);
+        const real distance = squareRoot(distance2),
+                   left = halfSkin - suddenDisplacement - distance, way = real(1.25*t.fullDt);
         const bool enough = left >= 0 && way*way*speed2 <= left*left;
         if (!enough || !inside(x)) raised->needRebuild = 1;
         // not so written that a number which is none slips through
@@ -199,25 +212,29 @@ struct MoveSolids : SolidMotion<D, P>
         }
     }
 
-    //- Under a fluid's forces any way that was not foreseen is too far: steps there follow the speed (DemSolver::subcycles), so it was one blow
+    //- Under a fluid's forces any way that was not foreseen is too far: steps there follow the
+    //  speed (DemSolver::subcycles), so it was one blow
     HD void checkStep(int i, real speed2, const DemClockData& t, DemClockData* raised) const
     {
         const real step = real(t.dt), radius = this->fields.radius[i];
-        if (suddenDisplacement > 0 || !(step*step*speed2 <= radius*radius)) raised->halt = DemHalt::tooFar;
+        if (suddenDisplacement > 0 || !(step*step*speed2 <= radius*radius))
+            raised->halt = DemHalt::tooFar;
     }
 
     //- The same against what is around it
-    HD void checkFrame
-    (
-        int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, const DemClockData& t, DemClockData* raised
-    ) const
+    HD void checkFrame(int i, const Vec<D, position>& p, const Vec<D, std::int64_t>& x,
+        const Vec<D, real>& v, const DemClockData& t, DemClockData* raised) const
     {
         Vec<D, position> from;
         for (int d = 0; d < D; ++d) from.c[d] = reference[d][i];
-        const WaySince<real> way = frames.since(box, from, p, v, real(t.time - t.searched), real(1.25*t.fullDt));
-        if (!(way.relativeNext + suddenDisplacement <= halfSkin && way.wholeNext + suddenDisplacement <= way.limit)) raiseOnce(raised->aged);
+        const WaySince<real> way = frames.since(
+            box, from, p, v, real(t.time - t.searched), real(1.25*t.fullDt));
+        if (!(way.relativeNext + suddenDisplacement <= halfSkin
+                && way.wholeNext + suddenDisplacement <= way.limit))
+            raiseOnce(raised->aged);
         if (!(way.wholeNext + suddenDisplacement <= halfSkin)) raiseOnce(raised->aged + 1);
-        const bool farHere = !(way.relative <= halfSkin && way.whole <= way.limit), farWay = !(way.whole <= halfSkin);
+        const bool farHere = !(way.relative <= halfSkin && way.whole <= way.limit),
+                   farWay = !(way.whole <= halfSkin);
         if (farHere) raiseOnce(raised->far);
         if (farWay) raiseOnce(raised->far + 1);
         if (farHere && farWay) checkStep(i, squaredNorm(v), t, raised);
@@ -238,7 +255,8 @@ struct FinishVerlet : SolidMotion<D, P>
     {
         if (!this->clock->forcesDue() || i >= *this->active) return;
         const SolidFields<D, P>& s = this->fields;
-        if (s.asleep(i) || (clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0) return;
+        if (s.asleep(i) || (clumps && s.clump[i] >= 0) || this->groups[s.group[i]].motion >= 0)
+            return;
         Vec<D, double> v = s.velocity(i);
         Spin<D, real> w = s.spin(i);
         this->kick(i, v, w, real(0.5*this->clock->dt));
@@ -247,7 +265,8 @@ struct FinishVerlet : SolidMotion<D, P>
     }
 };
 
-//- Energies of particles that are no members of clumps: of translation, of rotation, in gravity. `half`: what velocities are behind
+//- Energies of particles that are no members of clumps: of translation, of rotation, in gravity.
+//  `half`: what velocities are behind
 template<int D, class P>
 struct SumEnergies : SolidMotion<D, P>
 {
@@ -269,7 +288,8 @@ struct SumEnergies : SolidMotion<D, P>
         sums[0] += 0.5*mass*squaredNorm(v);
         sums[1] += 0.5/double(s.inverseInertia[i])*double(squaredNorm(w));
         if (group.gravity > 0)
-            for (int d = 0; d < D; ++d) sums[2] -= mass*double(this->gravity[d])*box.toMetres(d, s.x[d][i]);
+            for (int d = 0; d < D; ++d)
+                sums[2] -= mass*double(this->gravity[d])*box.toMetres(d, s.x[d][i]);
     }
 };
 
@@ -299,7 +319,8 @@ struct SumMomentum : SolidMotion<D, P>
         for (int c = 0; c < spins<D>; ++c)
         {
             const int a = D == 2 ? 0 : (c + 1) % 3, b = D == 2 ? 1 : (c + 2) % 3;
-            sums[D + c] += mass*(x.c[a]*v.c[b] - x.c[b]*v.c[a]) + double(w.c[c])/double(s.inverseInertia[i]);
+            sums[D + c] += mass*(x.c[a]*v.c[b] - x.c[b]*v.c[a])
+                + double(w.c[c])/double(s.inverseInertia[i]);
         }
     }
 };
@@ -334,7 +355,8 @@ struct SumGroup : SolidMotion<D, P>
     }
 };
 
-//- How far particles of a group reach along an axis: up from the box's lower end, or down from its upper one [m]
+//- How far particles of a group reach along an axis: up from the box's lower end, or down from its
+//  upper one [m]
 template<int D, class P>
 struct GroupReach
 {
@@ -349,7 +371,8 @@ struct GroupReach
     HD double value(int i) const
     {
         if (i >= *active || fields.group[i] != group || fields.ghost(i)) return 0;
-        const double x = box.toMetres(axis, fields.x[axis][i]) - box.lower[axis], reach = double(fields.radius[i]) + (up ? x : box.length[axis] - x);
+        const double x = box.toMetres(axis, fields.x[axis][i]) - box.lower[axis],
+                     reach = double(fields.radius[i]) + (up ? x : box.length[axis] - x);
         return reach > 0 ? reach : 0;
     }
 };

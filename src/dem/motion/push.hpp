@@ -2,8 +2,9 @@
 
         v += dt F/m,   w += dt M/I;   of a clump  V += dt sum F/m,   L += dt sum (r x F + M)
 
-    as the reversible multiple-time-step method has it for slow forces (Tuckerman, Berne & Martyna 1992, J. Chem. Phys. 97, 1990). Damping does not
-    see it. Groups that move as they are told, and what is held of others, stay as they are.
+    as the reversible multiple-time-step method has it for slow forces (Tuckerman, Berne & Martyna
+    1992, J. Chem. Phys. 97, 1990). Damping does not see it. Groups that move as they are told, and
+    what is held of others, stay as they are.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -33,8 +34,10 @@ struct PushSolids
         const GroupData<D, real>& g = groups[fields.group[i]];
         if (g.motion >= 0) return;
         const real* f = external + (long long)fields.id[i]*(D + spins<D>);
-        for (int d = 0; d < D; ++d) fields.v[d][i] += double(g.free[d])*dt*double(f[d])/double(fields.mass[i]);
-        for (int c = 0; c < spins<D>; ++c) fields.w[c][i] += g.freeSpin*real(dt)*fields.inverseInertia[i]*f[D + c];
+        for (int d = 0; d < D; ++d)
+            fields.v[d][i] += double(g.free[d])*dt*double(f[d])/double(fields.mass[i]);
+        for (int c = 0; c < spins<D>; ++c)
+            fields.w[c][i] += g.freeSpin*real(dt)*fields.inverseInertia[i]*f[D + c];
     }
 };
 

@@ -1,5 +1,5 @@
-/*  Of solids as they are now, between two steps: how fast, and do neighbours hold for the next step? A fluid's blow may have changed
-    either since the last one.
+/*  Of solids as they are now, between two steps: how fast, and do neighbours hold for the next
+    step? A fluid's blow may have changed either since the last one.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

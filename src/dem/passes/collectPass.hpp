@@ -1,5 +1,6 @@
-/*  What acts on a particle, put together from what the passes over contacts, walls and bonds have left (CPU), and motion by it at once:
-    while steps follow one another forces need not be written down.
+/*  What acts on a particle, put together from what the passes over contacts, walls and bonds have
+    left (CPU), and motion by it at once: while steps follow one another forces need not be written
+    down.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -37,7 +38,8 @@ struct CollectedForce
         {
             const int slot = deferred->slotOf[s];
             if (!deferred->acts[slot]) continue;
-            for (int k = 0; k < words; ++k) total[k] += deferred->force[std::size_t(slot)*words + k];
+            for (int k = 0; k < words; ++k)
+                total[k] += deferred->force[std::size_t(slot)*words + k];
         }
         for (int d = 0; d < D; ++d) f.c[d] = total[d];
         for (int c = 0; c < spins<D>; ++c) m.c[c] = total[(D == 3 ? 4 : D) + c];

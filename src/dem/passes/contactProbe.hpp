@@ -1,4 +1,5 @@
-/*  Looks at contacts without touching what they remember: force, overlap, point and energy of an entry.
+/*  Looks at contacts without touching what they remember: force, overlap, point and energy of an
+    entry.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -41,10 +42,13 @@ struct ContactProbe : PairModel<Backend, D, P, Law>
         if (self.radius + other.radius + gap <= distance) return r;
         for (int c = 0; c < H; ++c) h[c] = this->list.template remembered<H>(e, c);
         const real dt = real(this->clock.dt());
-        const auto g = pairGeometry<D, real>(self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
+        const auto g = pairGeometry<D, real>(
+            self, other, (real(1)/distance)*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
-        const real reach = Law::NormalLaw::template reachOf<real>(this->parameters[this->pairOf(mi, mj)].normal);
-        const auto f = Law::template repeat<D, real>(this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
+        const real reach = Law::NormalLaw::template reachOf<real>(
+            this->parameters[this->pairOf(mi, mj)].normal);
+        const auto f = Law::template repeat<D, real>(
+            this->parameters[this->pairOf(mi, mj)], g, armA, armB, h, fn);
         if (!Law::NormalLaw::acts(h)) return r;
         r.other = j;
         r.force = f.force;
@@ -69,7 +73,8 @@ struct ProbeAll
     HD void operator()(int i) const
     {
         if (i >= *probe.active) return;
-        for (int k = 0; k < probe.list.count[i]; ++k) out[probe.list.index(i, k)] = probe.probe(i, k);
+        for (int k = 0; k < probe.list.count[i]; ++k)
+            out[probe.list.index(i, k)] = probe.probe(i, k);
     }
 };
 
@@ -85,7 +90,8 @@ struct ProbeOthers
     HD void operator()(int i) const
     {
         if (i >= *probe.active) return;
-        for (int k = 0; k < probe.list.count[i]; ++k) out[probe.list.index(i, k)] = probe.probe(i, k).other;
+        for (int k = 0; k < probe.list.count[i]; ++k)
+            out[probe.list.index(i, k)] = probe.probe(i, k).other;
     }
 };
 
@@ -94,7 +100,8 @@ struct SumContactEnergy
 {
     static constexpr const char* name = "contactEnergy";
     ContactProbe<Backend, D, P, Law> probe;
-    const std::int32_t* calm = nullptr;     // of a scene on several ranks: a pair is with the rank of its owner
+    // of a scene on several ranks: a pair is with the rank of its owner
+    const std::int32_t* calm = nullptr;
 
     HD void add(int i, double* sums) const
     {
@@ -120,10 +127,13 @@ struct DeepestOverlap
             const auto c = probe.probe(i, k);
             if (c.other < 0) continue;
             int a, b;
-            const double radius = minimum(double(probe.solids.body(i, a).radius), double(probe.solids.body(c.other, b).radius));
+            const double radius = minimum(double(probe.solids.body(i, a).radius),
+                double(probe.solids.body(c.other, b).radius));
             const int pair = probe.pairOf(a, b);
-            const double reach = double(Law::NormalLaw::template reachOf<real>(probe.parameters[pair].normal));
-            most = maximum(most, 0.5*(double(c.overlap) - (double(probe.gap[pair]) - reach))/radius);
+            const double reach = double(
+                Law::NormalLaw::template reachOf<real>(probe.parameters[pair].normal));
+            most = maximum(
+                most, 0.5*(double(c.overlap) - (double(probe.gap[pair]) - reach))/radius);
         }
         return most;
     }

@@ -1,9 +1,10 @@
-/*  A whole step in one kernel (GPU): forces at the positions at hand, then kick and drift. A particle reads its neighbours' old records
-    and writes its own new ones; what walls that are surfaces and bonds do to it has been put beside it by kernels of their own, over those
-    alone that have any.
+/*  A whole step in one kernel (GPU): forces at the positions at hand, then kick and drift. A
+    particle reads its neighbours' old records and writes its own new ones; what walls that are
+    surfaces and bonds do to it has been put beside it by kernels of their own, over those alone
+    that have any.
 
-    Every thread works out the step's clock for itself from that of the step before; flags go to the new clock, so that a step begins
-    for all particles or for none.
+    Every thread works out the step's clock for itself from that of the step before; flags go to the
+    new clock, so that a step begins for all particles or for none.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,7 +25,8 @@ struct FusedStep
     using position = typename P::position;
     using Own = OwnWords<real>;
     static constexpr const char* name = "step";
-    static constexpr int residentBlocks = sizeof(real) == 4 ? (Law::template history<D> > 4 ? 6 : 8) : 4;
+    static constexpr int residentBlocks = sizeof(real) == 4 ? (Law::template history<D> > 4 ? 6 : 8)
+                                                            : 4;
 
     ContactGather<Backend, D, P, Law> contacts;
     MoveSolids<D, P> mover;
@@ -50,7 +52,8 @@ struct FusedStep
         if (state.own[i].flags & Own::nearWall) addWalls(i, self, material, force, moment);
         contacts.sum(i, high, self, material, real(now->dt), force, moment);
         const Own own = state.own[i];
-        if (own.flags & Own::bonded) GatherBonds<D, P>::sum(bonds, bondForce, own.id, force, moment);
+        if (own.flags & Own::bonded)
+            GatherBonds<D, P>::sum(bonds, bondForce, own.id, force, moment);
         move(i, high, self, own, material, force, moment);
     }
 
@@ -63,7 +66,8 @@ private:
         return t.active;
     }
 
-    //- While steps go on, flags are raised by those whom they concern; what the steps before have raised stays
+    //- While steps go on, flags are raised by those whom they concern; what the steps before have
+    //  raised stays
     HD void publish(const DemClockData& t) const
     {
         next->time = t.time;
@@ -88,7 +92,8 @@ private:
     }
 
     //- Planes here; surfaces, which take more, have had their pass
-    HD void addWalls(int i, const ContactBody<D, real>& self, int material, Vec<D, real>& force, Spin<D, real>& moment) const
+    HD void addWalls(int i, const ContactBody<D, real>& self, int material, Vec<D, real>& force,
+        Spin<D, real>& moment) const
     {
         const WallMemory<D, real>& memory = walls.memory;
         for (int e = memory.entryFirst[i]; e < memory.entryFirst[i + 1]; ++e)
@@ -99,7 +104,8 @@ private:
                 Vec<D, real> f = filled<D>(real(0));
                 Spin<D, real> m = filled<spins<D>>(real(0));
                 real energy = 0, overlap = 0;
-                walls.planeForce(e, w, self, material, walls.inMetres(state.place(i)), f, m, energy, overlap);
+                walls.planeForce(
+                    e, w, self, material, walls.inMetres(state.place(i)), f, m, energy, overlap);
                 force = force + f;
                 moment = moment + m;
                 continue;
@@ -110,11 +116,8 @@ private:
         }
     }
 
-    HD void move
-    (
-        int i, const Vec<D, position>& high, const ContactBody<D, real>& self, const Own& own, int material,
-        const Vec<D, real>& force, const Spin<D, real>& moment
-    ) const
+    HD void move(int i, const Vec<D, position>& high, const ContactBody<D, real>& self,
+        const Own& own, int material, const Vec<D, real>& force, const Spin<D, real>& moment) const
     {
         // once more: cheaper than to hold it in registers all along
         const DemClockData t = ticked(*now);
@@ -129,7 +132,9 @@ private:
         }
         const GroupData<D, real>& group = mover.groups[own.group];
         if (group.motion >= 0) mover.prescribe(group.motion, t.time - 0.5*t.dt, x, v, w);
-        else mover.kick(group, own.id, self.mass, own.inverseInertia, force, moment, v, w, real(0.5*(t.previousDt + t.dt)));
+        else
+            mover.kick(group, own.id, self.mass, own.inverseInertia, force, moment, v, w,
+                real(0.5*(t.previousDt + t.dt)));
         Vec<D, position> p;
         for (int d = 0; d < D; ++d)
         {

@@ -1,7 +1,9 @@
-/*  Contact forces by gathering: every particle over its full list, nothing shared, hence repeatable bit for bit. For the GPU.
+/*  Contact forces by gathering: every particle over its full list, nothing shared, hence repeatable
+    bit for bit. For the GPU.
 
-    The loop waits for memory, not for arithmetic: a pair that touched in the last step will mostly do so again, so its neighbour's
-    velocity, spin and history are asked for together with its position; and an entry is read one ahead.
+    The loop waits for memory, not for arithmetic: a pair that touched in the last step will mostly
+    do so again, so its neighbour's velocity, spin and history are asked for together with its
+    position; and an entry is read one ahead.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -23,11 +25,8 @@ struct ContactGather : PairModel<Backend, D, P, Law>
     real largestGap;
 
     //- What all contacts do to i
-    HD void sum
-    (
-        int i, const Vec<D, typename P::position>& xi, const ContactBody<D, real>& self, int mi, real dt,
-        Vec<D, real>& force, Spin<D, real>& moment
-    ) const
+    HD void sum(int i, const Vec<D, typename P::position>& xi, const ContactBody<D, real>& self,
+        int mi, real dt, Vec<D, real>& force, Spin<D, real>& moment) const
     {
         if (this->alone >= 0) sumOver<true>(i, xi, self, mi, dt, force, moment);
         else sumOver<false>(i, xi, self, mi, dt, force, moment);
@@ -37,11 +36,8 @@ private:
 
     //- alone: all particles are of one material
     template<bool alone>
-    HD void sumOver
-    (
-        int i, const Vec<D, typename P::position>& xi, const ContactBody<D, real>& self, int mi, real dt,
-        Vec<D, real>& force, Spin<D, real>& moment
-    ) const
+    HD void sumOver(int i, const Vec<D, typename P::position>& xi, const ContactBody<D, real>& self,
+        int mi, real dt, Vec<D, real>& force, Spin<D, real>& moment) const
     {
         const List& list = this->list;
         const int count = list.count[i];
@@ -70,19 +66,19 @@ private:
                 if (!touched) words = this->solids.words(j);
                 int mj;
                 const ContactBody<D, real> other = SolidRecords<D, P>::bodyOf(aj, words, mj);
-                touches = contact<alone>(e, this->pairOf(mi, mj), self, other, dx, r2, dt, h, force, moment);
+                touches = contact<alone>(
+                    e, this->pairOf(mi, mj), self, other, dx, r2, dt, h, force, moment);
             }
-            if (touches != touched) list.entry[e] = std::uint32_t(j) | (touches ? List::touching : 0u);
+            if (touches != touched)
+                list.entry[e] = std::uint32_t(j) | (touches ? List::touching : 0u);
         }
     }
 
     //- False: they are near, but do not touch
     template<bool alone>
-    HD bool contact
-    (
-        std::size_t e, int pair, const ContactBody<D, real>& self, const ContactBody<D, real>& other, const Vec<D, real>& dx,
-        real r2, real dt, real* h, Vec<D, real>& force, Spin<D, real>& moment
-    ) const
+    HD bool contact(std::size_t e, int pair, const ContactBody<D, real>& self,
+        const ContactBody<D, real>& other, const Vec<D, real>& dx, real r2, real dt, real* h,
+        Vec<D, real>& force, Spin<D, real>& moment) const
     {
         const real toUnit = inverseRoot(maximum(r2, real(1e-30))), distance = r2*toUnit;
         real gap = alone ? this->singlePairGap : this->gap[pair];
@@ -91,7 +87,8 @@ private:
         real armA, armB;
         const auto g = pairGeometry<D, real>(self, other, toUnit*dx, distance, gap, dt, armA, armB);
         NormalForce<real> fn;
-        const auto f = Law::template evaluate<D, real>(alone ? this->singlePair : this->parameters[pair], g, armA, armB, h, fn);
+        const auto f = Law::template evaluate<D, real>(
+            alone ? this->singlePair : this->parameters[pair], g, armA, armB, h, fn);
         this->list.template remember<H>(e, h);
         force = force + f.force;
         moment = moment + f.momentA;
@@ -115,7 +112,8 @@ struct GatherPass : ContactGather<Backend, D, P, Law>
         const ContactBody<D, real> self = this->solids.body(i, material);
         Vec<D, real> force = filled<D>(real(0));
         Spin<D, real> moment = filled<spins<D>>(real(0));
-        this->sum(i, this->solids.position(i), self, material, real(this->clock.dt()), force, moment);
+        this->sum(
+            i, this->solids.position(i), self, material, real(this->clock.dt()), force, moment);
         for (int d = 0; d < D; ++d) fields.f[d][i] = force.c[d];
         for (int c = 0; c < spins<D>; ++c) fields.m[c][i] = moment.c[c];
     }

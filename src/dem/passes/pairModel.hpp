@@ -1,4 +1,5 @@
-/*  What the passes over contacts share: positions, records, and the parameters of each pair of materials.
+/*  What the passes over contacts share: positions, records, and the parameters of each pair of
+    materials.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,7 +26,9 @@ struct PairModel
     const Parameters* parameters;       // of materials a, b: [a*materials + b]
     const real* gap;                    // likewise
     int materials;
-    int alone;                          // the pair of the one material that all particles are of, whatever walls are of; -1: there are several
+    // the pair of the one material that all particles are of, whatever walls are of; -1: there are
+    // several
+    int alone;
     Parameters singlePair;                    // its numbers: a kernel's own arguments cost no loads
     real singlePairGap;
     ForceClock clock;

@@ -1,8 +1,8 @@
 /*  Contact forces over half lists, eight (or four) touching pairs at a time. For the CPU.
 
-    Particles are cut into blocks of fixed size, whichever the number of threads. A block adds to its own particles; what its pairs
-    do to particles of later blocks is put aside, entry by entry, and added by those blocks afterwards, in order: the same bits
-    for any number of threads.
+    Particles are cut into blocks of fixed size, whichever the number of threads. A block adds to
+    its own particles; what its pairs do to particles of later blocks is put aside, entry by entry,
+    and added by those blocks afterwards, in order: the same bits for any number of threads.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,7 +22,8 @@ namespace riprap
 template<int D, class R>
 struct DeferredForces
 {
-    //- Numbers kept of a particle: force and moment, in rows of four (3D: one each; 2D: one for both)
+    //- Numbers kept of a particle: force and moment, in rows of four (3D: one each; 2D: one for
+    //  both)
     static constexpr int width = D == 3 ? 8 : 4;
     static constexpr int particlesPerBlock = 4096;
 
@@ -32,16 +33,21 @@ struct DeferredForces
     std::vector<unsigned char> acts;
     std::vector<int> firstOf, slotOf;   // slots that a particle collects
 
-    //- Entries of a block that are looked at, and the first slot among them; without sleepers it is all of them
+    //- Entries of a block that are looked at, and the first slot among them; without sleepers it is
+    //  all of them
     struct Range { int begin, end, slot; };
     std::vector<Range> range;
     std::vector<int> firstRange;        // of each block
 
     std::vector<int> cuts;              // of blocks given from outside; empty: they are of one size
 
-    int begin(int block) const { return cuts.empty() ? int((long long)n*block/blocks) : cuts[block]; }
+    int begin(int block) const
+    {
+        return cuts.empty() ? int((long long)n*block/blocks) : cuts[block];
+    }
 
-    //- After a rebuild, and when someone fell asleep or woke: leave out entries between those that sleep
+    //- After a rebuild, and when someone fell asleep or woke: leave out entries between those that
+    //  sleep
     template<class List, class Asleep>
     void setRanges(const List& list, bool anyAsleep, const Asleep& asleep)
     {
@@ -77,7 +83,10 @@ struct DeferredForces
         }
     }
 
-    static int blocksOf(std::int64_t particles) { return int(std::max<std::int64_t>(1, particles/particlesPerBlock)); }
+    static int blocksOf(std::int64_t particles)
+    {
+        return int(std::max<std::int64_t>(1, particles/particlesPerBlock));
+    }
 
     //- After a rebuild. given: the first particle of each block, and the end
     template<class List>
@@ -120,7 +129,8 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     using Model = PairModel<Cpu, D, P, Law>;
     using List = ContactListView<Cpu, real>;
     static constexpr const char* name = "contacts";
-    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width, words = DeferredForces<D, real>::width;
+    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width,
+                         words = DeferredForces<D, real>::width;
     static constexpr int rows = (H + 3)/4, words4 = words/4;
     using RowOf = typename Row<real>::vec;
     using LooseRow = typename Row<real>::loose;
@@ -142,10 +152,12 @@ struct ScatterPass : PairModel<Cpu, D, P, Law>
     void operator()(int block) const
     {
         if (!this->clock.active()) return;
-        const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1), end = std::min(blockEnd, *this->active);
+        const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1),
+                  end = std::min(blockEnd, *this->active);
         if (end <= begin) return;
         for (std::size_t k = std::size_t(begin)*words; k < std::size_t(end)*words; ++k) sums[k] = 0;
-        for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k) deferred->acts[k] = 0;
+        for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k)
+            deferred->acts[k] = 0;
         Batch batch;
         for (int r = deferred->firstRange[block]; r < deferred->firstRange[block + 1]; ++r)
         {
@@ -169,7 +181,8 @@ private:
     HD Places places(const Index& index) const
     {
         T v[4];
-        loadRows([&](int l) { return reinterpret_cast<const real*>(this->solids.a + index(l)); }, v);
+        loadRows(
+            [&](int l) { return reinterpret_cast<const real*>(this->solids.a + index(l)); }, v);
         Places p;
         for (int d = 0; d < D; ++d)
         {
@@ -185,12 +198,13 @@ private:
     HD Vec<D, T> line(const Places& a, const Places& b) const
     {
         Vec<D, T> dx;
-        for (int d = 0; d < D; ++d) dx.c[d] = this->box.template separation<T>(d, b.x.c[d], a.x.c[d]);
+        for (int d = 0; d < D; ++d)
+            dx.c[d] = this->box.template separation<T>(d, b.x.c[d], a.x.c[d]);
         return dx;
     }
 
-    //- The next entries that touch, a register of candidates at a time. Those that touched and no longer do forget: what does not
-    //  touch has a history of zeros
+    //- The next entries that touch, a register of candidates at a time. Those that touched and no
+    //  longer do forget: what does not touch has a history of zeros
     HD void collect(Batch& b, int last, int blockEnd) const
     {
         b.count = 0;
@@ -212,9 +226,11 @@ private:
                 for (unsigned left = hits; left; left &= left - 1)
                 {
                     const int l = __builtin_ctz(left), e = b.next + l;
-                    if (!touches(this->list.owner[e], List::other(this->list.entry[e]), e, r2.v[l])) hits &= ~(1u << l);
+                    if (!touches(this->list.owner[e], List::other(this->list.entry[e]), e, r2.v[l]))
+                        hits &= ~(1u << l);
                 }
-            for (unsigned left = signBits(entries) & there & ~hits; left; left &= left - 1) forget(b.next + __builtin_ctz(left));
+            for (unsigned left = signBits(entries) & there & ~hits; left; left &= left - 1)
+                forget(b.next + __builtin_ctz(left));
             for (unsigned left = hits; left; left &= left - 1)
             {
                 const int l = __builtin_ctz(left), e = b.next + l, k = b.count++;
@@ -222,7 +238,8 @@ private:
                 b.entry[k] = e;
                 b.i[k] = this->list.owner[e];
                 b.j[k] = List::other(this->list.entry[e]);
-                b.slot[k] = crossing & bit ? b.nextSlot + __builtin_popcount(crossing & (bit - 1)) : -1;
+                b.slot[k] = crossing & bit ? b.nextSlot + __builtin_popcount(crossing & (bit - 1))
+                                           : -1;
             }
             b.nextSlot += __builtin_popcount(crossing);
         }
@@ -269,7 +286,8 @@ private:
 
     //- Parameters and gaps of pairs of several materials
     template<class Entry>
-    HD void setPairs(const Entry& entry, typename Law::template Parameters<T>& parameters, T& gap) const
+    HD void setPairs(
+        const Entry& entry, typename Law::template Parameters<T>& parameters, T& gap) const
     {
         constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
         alignas(32) real number[numbers][lanes], gaps[lanes];
@@ -294,7 +312,8 @@ private:
     HD void evaluate(const Batch& b, int first) const
     {
         const int used = std::min(lanes, b.count - first);
-        const auto lane = [&](int l) { return first + (l < used ? l : 0); };        // idle lanes repeat the first pair
+        // idle lanes repeat the first pair
+        const auto lane = [&](int l) { return first + (l < used ? l : 0); };
         const auto entry = [&](int l) { return b.entry[lane(l)]; };
         const auto owner = [&](int l) { return b.i[lane(l)]; };
         const auto other = [&](int l) { return b.j[lane(l)]; };
@@ -313,25 +332,31 @@ private:
         else setPairs(entry, parameters, gap);
         T h[4*rows + 1];
         for (int r = 0; r < rows; ++r)
-            loadRows([&](int l) { return this->list.history + (std::size_t(entry(l))*rows + r)*4; }, h + 4*r);
+            loadRows([&](int l)
+                { return this->list.history + (std::size_t(entry(l))*rows + r)*4; },
+                h + 4*r);
         const Vec<D, T> dx = line(placeA, placeB);
-        const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))), inverse = T(real(1))/distance;
+        const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))),
+                inverse = T(real(1))/distance;
         const Vec<D, T> n = inverse*dx;
         T armA, armB;
-        const auto g = pairGeometry<D, T>(bodyA, bodyB, n, distance, gap, T(real(this->clock.dt())), armA, armB);
+        const auto g = pairGeometry<D, T>(
+            bodyA, bodyB, n, distance, gap, T(real(this->clock.dt())), armA, armB);
         NormalForce<T> fn;
         const ContactForce<D, T> f = Law::template evaluate<D, T>(parameters, g, armA, armB, h, fn);
         scatter(b, first, used, f, h);
     }
 
-    HD void scatter(const Batch& b, int first, int used, const ContactForce<D, T>& f, const T* h) const
+    HD void scatter(
+        const Batch& b, int first, int used, const ContactForce<D, T>& f, const T* h) const
     {
         const T none(real(0));
         RowOf memory[rows + 1][lanes], onA[words4][lanes], onB[words4][lanes];
         for (int r = 0; r < rows; ++r) storeRows(h + 4*r, memory[r]);
         if constexpr (D == 3)
         {
-            const T force[4] = {f.force.c[0], f.force.c[1], f.force.c[2], none}, back[4] = {-force[0], -force[1], -force[2], none};
+            const T force[4] = {f.force.c[0], f.force.c[1], f.force.c[2], none},
+                    back[4] = {-force[0], -force[1], -force[2], none};
             const T momentA[4] = {f.momentA.c[0], f.momentA.c[1], f.momentA.c[2], none};
             const T momentB[4] = {f.momentB.c[0], f.momentB.c[1], f.momentB.c[2], none};
             storeRows(force, onA[0]);
@@ -350,7 +375,9 @@ private:
         {
             const int at = first + l, slot = b.slot[at];
             const std::size_t e = b.entry[at];
-            for (int r = 0; r < rows; ++r) *reinterpret_cast<LooseRow*>(this->list.history + (e*rows + r)*4) = memory[r][l];
+            for (int r = 0; r < rows; ++r)
+                *reinterpret_cast<LooseRow*>(
+                    this->list.history + (e*rows + r)*4) = memory[r][l];
             const int i = b.i[at], j = b.j[at];
             this->list.entry[e] = std::uint32_t(j) | List::touching;
             for (int w = 0; w < words4; ++w)
@@ -360,7 +387,9 @@ private:
             }
             for (int w = 0; w < words4; ++w)
             {
-                if (slot >= 0) *reinterpret_cast<LooseRow*>(&deferred->force[std::size_t(slot)*words + 4*w]) = onB[w][l];
+                if (slot >= 0)
+                    *reinterpret_cast<LooseRow*>(
+                        &deferred->force[std::size_t(slot)*words + 4*w]) = onB[w][l];
                 else
                 {
                     LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(j)*words + 4*w);

@@ -1,13 +1,16 @@
-/*  Particles at rest in a settled pile sleep: their contacts with each other and their motion are skipped.
+/*  Particles at rest in a settled pile sleep: their contacts with each other and their motion are
+    skipped.
 
     Every few steps, and after every search for neighbours:
         calm      for so many checks in a row |v| < v_s and |w| R < v_s
-        falls asleep, with its velocity set to zero: who is calm, and all of whose neighbours are calm or asleep
-        wakes     who has a neighbour or a bonded partner that is awake and moves faster than v_s; or a wall near that moves; or
-                  when a force from outside has changed
-    Neighbours are all in the list, touching or not: what comes near is seen before it touches. A sleeper is a wall to those awake
-    that touch it. What its contacts remember is kept: it wakes with the forces that it fell asleep with. Members of clumps and
-    particles that move as prescribed do not sleep.
+        falls asleep, with its velocity set to zero: who is calm, and all of whose neighbours are
+        calm or asleep
+        wakes     who has a neighbour or a bonded partner that is awake and moves faster than v_s;
+                  or a wall near that moves; or when a force from outside has changed
+    Neighbours are all in the list, touching or not: what comes near is seen before it touches. A
+    sleeper is a wall to those awake that touch it. What its contacts remember is kept: it wakes
+    with the forces that it fell asleep with. Members of clumps and particles that move as
+    prescribed do not sleep.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -79,7 +82,8 @@ private:
     }
 };
 
-//- What neighbours and bonded partners are doing. Threads may write the same one: it is the same number
+//- What neighbours and bonded partners are doing. Threads may write the same one: it is the same
+//  number
 template<class Backend, int D, class P>
 struct MarkRestless
 {
@@ -103,7 +107,8 @@ struct MarkRestless
         const int id = sleep.fields.id[i];
         for (int k = bonds.first[id]; k < bonds.first[id + 1]; ++k)
         {
-            const int bond = bonds.reference[k] >> 1, j = slotOf[bonds.ids[1 - (bonds.reference[k] & 1)][bond]];
+            const int bond = bonds.reference[k] >> 1,
+                      j = slotOf[bonds.ids[1 - (bonds.reference[k] & 1)][bond]];
             if (!bonds.broken[bond] && j >= 0) mark(i, j);
         }
     }
@@ -135,7 +140,8 @@ struct TakeHistories
 
     SleepState<D, P> sleep;
     ContactListView<Backend, typename P::real> list;
-    int histories, turns;           // numbers kept; from which on they change their sign at the other end
+    // numbers kept; from which on they change their sign at the other end
+    int histories, turns;
 
     HD void operator()(int i) const
     {
@@ -218,7 +224,10 @@ struct MarkChanged
     SleepState<D, P> sleep;
     const std::int32_t* changed;    // of a key
 
-    HD void operator()(int i) const { if (i < *sleep.active) sleep.wakes[i] = sleep.asleep(i) && changed[sleep.fields.id[i]]; }
+    HD void operator()(int i) const
+    {
+        if (i < *sleep.active) sleep.wakes[i] = sleep.asleep(i) && changed[sleep.fields.id[i]];
+    }
 };
 
 template<int D, class P>
@@ -226,7 +235,10 @@ struct WakeMarked
 {
     static constexpr const char* name = "wakeMarked";
     SleepState<D, P> sleep;
-    HD void operator()(int i) const { if (i < *sleep.active && sleep.wakes[i]) sleep.fields.calm[i] = 0; }
+    HD void operator()(int i) const
+    {
+        if (i < *sleep.active && sleep.wakes[i]) sleep.fields.calm[i] = 0;
+    }
 };
 
 //- How many sleep

@@ -1,5 +1,6 @@
-/*  The clock of a DEM scene, on the device: steps follow one another without the host, and switch themselves off when
-    neighbours have aged, a motion table ends, the target is reached or a guard fires.
+/*  The clock of a DEM scene, on the device: steps follow one another without the host, and switch
+    themselves off when neighbours have aged, a motion table ends, the target is reached or a guard
+    fires.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,7 +26,8 @@ struct DemClockData
     int needRebuild = 0;
     int needWindow = 0;
     DemHalt halt = DemHalt::none;
-    int aged[2] = {0, 0};                   // neighbours, by the ways of particles against those near them; by the ways alone
+    // neighbours, by the ways of particles against those near them; by the ways alone
+    int aged[2] = {0, 0};
     int far[2] = {0, 0};                    // farther than that was foreseen, likewise
 
     //- May pairs of the positions at hand be missing? Then forces wait for new neighbours
@@ -52,7 +54,8 @@ HD DemClockData ticked(DemClockData c)
 {
     c.active = 0;
     c.settleAge();
-    if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep) return c;
+    if (c.halt != DemHalt::none || c.needRebuild || c.time >= c.target || c.step >= c.lastStep)
+        return c;
     const double remaining = c.target - c.time;
     double dt = c.fullDt;
     bool last = false;
@@ -88,8 +91,8 @@ struct SetDemClock
     HD void operator()(int k) const { clocks[k] = value; }
 };
 
-//- When a pass over forces takes place. In fused steps forces are those at the start of a step that the clock has not yet come to, and
-//  what is raised is for the one after it
+//- When a pass over forces takes place. In fused steps forces are those at the start of a step that
+//  the clock has not yet come to, and what is raised is for the one after it
 enum class ForceTurn : int {inStep, ahead, always};
 
 struct ForceClock

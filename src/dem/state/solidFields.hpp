@@ -1,4 +1,5 @@
-/*  The solids' state on the device (structure of arrays, sorted together) and what is done to groups of them.
+/*  The solids' state on the device (structure of arrays, sorted together) and what is done to
+    groups of them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -23,8 +24,11 @@ struct SolidFields
     using real = typename P::real;
 
     std::int64_t* x[D];         // fixed-point position
-    double* v[D];               // velocity: of half a step ago (leapfrog) or now (Verlet) [m/s]. In single precision g dt would be
-                                // rounded to the velocity's last digit, step after step the same way
+    // velocity: of half a step ago (leapfrog) or now (Verlet) [m/s]. In single precision g dt would
+    // be
+    double* v[D];
+                                // rounded to the velocity's last digit, step after step the same
+                                // way
     real* w[spins<D>];          // spin, likewise [rad/s]
     real* f[D];                 // force now, before damping [N]
     real* m[spins<D>];          // moment now [N m]
@@ -34,7 +38,8 @@ struct SolidFields
     std::int32_t* material;
     std::int32_t* group;
     std::int32_t* clump;        // null: there are none
-    real* turn[D == 2 ? 1 : 4]; // orientation: angle, or quaternion (w, x, y, z); null: not followed
+    // orientation: angle, or quaternion (w, x, y, z); null: not followed
+    real* turn[D == 2 ? 1 : 4];
     std::int32_t* id;
     std::int32_t* calm;         // checks at rest in a row; null: nobody sleeps
 
@@ -92,7 +97,8 @@ struct GroupData
     int motion;                 // prescribed motion, -1: none
 };
 
-//- Local damping of a component (paper 1, Eq. 25): against the velocity, a share alpha of the unbalanced force
+//- Local damping of a component (paper 1, Eq. 25): against the velocity, a share alpha of the
+//  unbalanced force
 template<class R>
 HD R locallyDamped(R force, R velocity, R alpha)
 {

@@ -1,4 +1,5 @@
-/*  Moving walls: each wall's frame at the end of the step and its velocity in the middle of it, from the motion table.
+/*  Moving walls: each wall's frame at the end of the step and its velocity in the middle of it,
+    from the motion table.
 
     Numbers of a sample: rotation (9), translation (3), and their rates (12).
 
@@ -70,11 +71,9 @@ struct MoveWalls
             for (int e = 0; e < 3; ++e) x[d] += w.frame.R[3*d + e]*X[e];
         }
         const double* s = w.frame.spin;
-        const double u[3] =
-        {
-            w.frame.velocity[0] + s[1]*x[2] - s[2]*x[1], w.frame.velocity[1] + s[2]*x[0] - s[0]*x[2],
-            w.frame.velocity[2] + s[0]*x[1] - s[1]*x[0]
-        };
+        const double u[3] = {w.frame.velocity[0] + s[1]*x[2] - s[2]*x[1],
+            w.frame.velocity[1] + s[2]*x[0] - s[0]*x[2],
+            w.frame.velocity[2] + s[0]*x[1] - s[1]*x[0]};
         return u[0]*u[0] + u[1]*u[1] + u[2]*u[2];
     }
 

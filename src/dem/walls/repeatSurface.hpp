@@ -1,6 +1,7 @@
-/*  A surface at rest, repeated across periodic sides: elements within `reach` of a side are there a second time, a period away, so that a
-    particle feels beside the other side what is there. Vertices on a side are put on it exactly, so that what continues on the other side
-    shares them, and no edge is felt between the two.
+/*  A surface at rest, repeated across periodic sides: elements within `reach` of a side are there a
+    second time, a period away, so that a particle feels beside the other side what is there.
+    Vertices on a side are put on it exactly, so that what continues on the other side shares them,
+    and no edge is felt between the two.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,10 +16,12 @@ namespace riprap
 
 //- vertices: D a vertex; elements: D vertices an element. low, high: the domain along axis d
 template<int D>
-void repeatSurface(std::vector<double>& vertices, std::vector<int>& elements, int d, double low, double high, double reach)
+void repeatSurface(std::vector<double>& vertices, std::vector<int>& elements, int d, double low,
+    double high, double reach)
 {
     const double period = high - low, near = 1e-9*period;
-    const auto snapped = [&](double x) { return std::abs(x - low) < near ? low : (std::abs(x - high) < near ? high : x); };
+    const auto snapped = [&](double x)
+    { return std::abs(x - low) < near ? low : (std::abs(x - high) < near ? high : x); };
     for (std::size_t v = 0; v < vertices.size(); v += D) vertices[v + d] = snapped(vertices[v + d]);
     const std::size_t given = elements.size();
     for (const bool up : {true, false})

@@ -1,12 +1,14 @@
 /*  Forces between particles and walls.
 
-    A particle may touch a wall in up to four places: one a direction. Faces come first; an edge or vertex counts only where it is
-    the surface's closest point around there; touches whose normals differ by less than 15 degrees are one, the nearest: so
-    faces of one plane are felt as that plane, and a polygonal drum as one surface. What a touch remembers goes with its
-    normal (in the wall's frame), from element to element.
+    A particle may touch a wall in up to four places: one a direction. Faces come first; an edge or
+    vertex counts only where it is the surface's closest point around there; touches whose normals
+    differ by less than 15 degrees are one, the nearest: so faces of one plane are felt as that
+    plane, and a polygonal drum as one surface. What a touch remembers goes with its normal (in the
+    wall's frame), from element to element.
 
-    A particle stays on its side: where its centre is pressed through a surface the touch keeps its normal, and its overlap grows on beyond the
-    radius. It has passed the wall where not even that holds it, a radius behind; that is counted.
+    A particle stays on its side: where its centre is pressed through a surface the touch keeps its
+    normal, and its overlap grows on beyond the radius. It has passed the wall where not even that
+    holds it, a radius behind; that is counted.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,7 +36,8 @@ struct WallMemory
     int* on;                    // slot in use
     R* normal;                  // D a slot, in the wall's frame
     R* history;
-    R* force;                   // of an entry: on the particle (D + spins), elastic energy, largest overlap
+    // of an entry: on the particle (D + spins), elastic energy, largest overlap
+    R* force;
 };
 
 template<int D> inline constexpr int wallWords = D + spins<D> + 2;
@@ -63,7 +66,8 @@ struct WallPass : WallSearch<D, P>
     const real* gap;
     int materials;
     ForceClock clock;
-    const int* listed;          // those that are near walls, and how many; null: the kernel runs over all
+    // those that are near walls, and how many; null: the kernel runs over all
+    const int* listed;
     const int* listedCount;
     StepState<D, P> state;      // of fused steps, which add up the forces themselves
     bool adds;                  // to the fields' forces; else whoever sums them up finds them here
@@ -109,18 +113,17 @@ struct WallPass : WallSearch<D, P>
     }
 
     //- A plane is touched in one place: what that remembers is in the entry's first slot
-    HD void planeForce
-    (
-        int e, const WallData& w, const ContactBody<D, real>& body, int material, const Vec<D, double>& x, Vec<D, real>& force,
-        Spin<D, real>& moment, real& energy, real& overlap
-    ) const
+    HD void planeForce(int e, const WallData& w, const ContactBody<D, real>& body, int material,
+        const Vec<D, double>& x, Vec<D, real>& force, Spin<D, real>& moment, real& energy,
+        real& overlap) const
     {
         const int pair = material*materials + w.material, slot = e*wallTouches;
         const bool touched = memory.on[slot];
         real h[H + 1] = {};
         if (touched) for (int c = 0; c < H; ++c) h[c] = memory.history[slot*H + c];
         WallTouch<D> touch[1];
-        const bool touches = findPlane(w, intoFrame<D>(w.frame.R, w.frame.T, x), double(body.radius) + double(gap[pair]), touch[0]);
+        const bool touches = findPlane(w, intoFrame<D>(w.frame.R, w.frame.T, x),
+            double(body.radius) + double(gap[pair]), touch[0]);
         if (touches != touched)
         {
             memory.on[slot] = touches;
@@ -132,7 +135,8 @@ struct WallPass : WallSearch<D, P>
     }
 
     //- Where a particle touches a wall; returns how often
-    HD int findTouches(const WallEntry& entry, const WallData& w, const Vec<D, double>& X, double within, WallTouch<D>* touch) const
+    HD int findTouches(const WallEntry& entry, const WallData& w, const Vec<D, double>& X,
+        double within, WallTouch<D>* touch) const
     {
         int touches = 0;
         if (w.plane) return findPlane(w, X, within, touch[0]);
@@ -165,8 +169,8 @@ struct WallPass : WallSearch<D, P>
     }
 
 private:
-
-    HD static bool findPlane(const WallData& w, const Vec<D, double>& X, double within, WallTouch<D>& touch)
+    HD static bool findPlane(
+        const WallData& w, const Vec<D, double>& X, double within, WallTouch<D>& touch)
     {
         Vec<D, double> n;
         for (int d = 0; d < D; ++d) n.c[d] = -w.normal[d];
@@ -185,18 +189,18 @@ private:
             if (touch[k].distance > touch[farthest].distance) farthest = k;
             if (dot(touch[k].normal, t.normal) < 0.9659) continue;
             const bool face = t.feature == insideElement, was = touch[k].feature == insideElement;
-            if (face != was ? face && t.distance <= touch[k].distance*(1 + 1e-9) : t.distance < touch[k].distance) touch[k] = t;
+            if (face != was ? face && t.distance <= touch[k].distance*(1 + 1e-9)
+                            : t.distance < touch[k].distance)
+                touch[k] = t;
             return;
         }
         if (touches < wallTouches) touch[touches++] = t;
         else if (t.distance < touch[farthest].distance) touch[farthest] = t;
     }
 
-    HD void entryForce
-    (
-        int e, int i, const ContactBody<D, real>& body, int material, const Vec<D, double>& x, Vec<D, real>& force,
-        Spin<D, real>& moment, real& energy, real& overlap
-    ) const
+    HD void entryForce(int e, int i, const ContactBody<D, real>& body, int material,
+        const Vec<D, double>& x, Vec<D, real>& force, Spin<D, real>& moment, real& energy,
+        real& overlap) const
     {
         const WallEntry entry = memory.entry[e];
         const WallData& w = this->walls[entry.wall];
@@ -204,18 +208,18 @@ private:
         const int pair = material*materials + w.material;
         const Vec<D, double> X = intoFrame<D>(w.frame.R, w.frame.T, x);
         WallTouch<D> touch[wallTouches];
-        const int touches = findTouches(entry, w, X, double(body.radius) + double(gap[pair]), touch);
+        const int touches = findTouches(
+            entry, w, X, double(body.radius) + double(gap[pair]), touch);
         real h[wallTouches][H + 1];
         recall(e, touches, touch, h, i, body, double(gap[pair]), x);
-        for (int k = 0; k < touches; ++k) touchForce(w, pair, body, x, touch[k], h[k], force, moment, energy, overlap);
+        for (int k = 0; k < touches; ++k)
+            touchForce(w, pair, body, x, touch[k], h[k], force, moment, energy, overlap);
         remember(e, touches, touch, h);
     }
 
-    HD void touchForce
-    (
-        const WallData& w, int pair, const ContactBody<D, real>& body, const Vec<D, double>& x, const WallTouch<D>& touch, real* h,
-        Vec<D, real>& force, Spin<D, real>& moment, real& energy, real& overlap
-    ) const
+    HD void touchForce(const WallData& w, int pair, const ContactBody<D, real>& body,
+        const Vec<D, double>& x, const WallTouch<D>& touch, real* h, Vec<D, real>& force,
+        Spin<D, real>& moment, real& energy, real& overlap) const
     {
         const Vec<D, double> n = outOfFrame<D>(w.frame.R, touch.normal);
         const real distance = real(touch.distance);
@@ -223,9 +227,11 @@ private:
         Spin<D, real> spin;
         for (int c = 0; c < S; ++c) spin.c[c] = real(w.frame.spin[D == 2 ? 2 : c]);
         real armA;
-        auto g = wallGeometry<D, real>(body, velocity, spin, convert<real>(n), distance, gap[pair], real(clock.dt()), armA);
+        auto g = wallGeometry<D, real>(
+            body, velocity, spin, convert<real>(n), distance, gap[pair], real(clock.dt()), armA);
         // the difference of doubles, not of floats
-        g.overlap = maximum(real(double(body.radius) + double(gap[pair]) - touch.distance), real(1e-12));
+        g.overlap = maximum(
+            real(double(body.radius) + double(gap[pair]) - touch.distance), real(1e-12));
         NormalForce<real> fn;
         const auto f = Law::template evaluate<D, real>(parameters[pair], g, armA, real(0), h, fn);
         force = force + f.force;
@@ -244,11 +250,10 @@ private:
         return v;
     }
 
-    //- Each touch takes the history of the slot whose normal was nearest to its own, if within 25 degrees
-    HD void recall
-    (
-        int e, int touches, WallTouch<D>* touch, real (*h)[H + 1], int i, const ContactBody<D, real>& body, double gap, const Vec<D, double>& x
-    ) const
+    //- Each touch takes the history of the slot whose normal was nearest to its own, if within 25
+    //  degrees
+    HD void recall(int e, int touches, WallTouch<D>* touch, real (*h)[H + 1], int i,
+        const ContactBody<D, real>& body, double gap, const Vec<D, double>& x) const
     {
         bool taken[wallTouches] = {};
         int unknown = 0;
@@ -262,7 +267,8 @@ private:
                 const int slot = e*wallTouches + s;
                 if (!memory.on[slot] || taken[s]) continue;
                 double along = 0;
-                for (int d = 0; d < D; ++d) along += double(memory.normal[slot*D + d])*touch[k].normal.c[d];
+                for (int d = 0; d < D; ++d)
+                    along += double(memory.normal[slot*D + d])*touch[k].normal.c[d];
                 if (along > nearest) { nearest = along; best = s; }
             }
             if (best < 0) { unknown |= 1 << k; continue; }
@@ -270,27 +276,29 @@ private:
             for (int c = 0; c < H; ++c) h[k][c] = memory.history[(e*wallTouches + best)*H + c];
         }
         for (int s = 0; s < wallTouches; ++s)
-            if (memory.on[e*wallTouches + s] && !taken[s]) keepSide(e, s, touches, unknown, touch, h, i, body, gap, x);
+            if (memory.on[e*wallTouches + s] && !taken[s])
+                keepSide(e, s, touches, unknown, touch, h, i, body, gap, x);
     }
 
-    //- A touch that is gone: has its surface come to the other side of the centre, by no more than a step's way?
-    HD void keepSide
-    (
-        int e, int s, int touches, int& unknown, WallTouch<D>* touch, real (*h)[H + 1], int i, const ContactBody<D, real>& body, double gap,
-        const Vec<D, double>& x
-    ) const
+    //- A touch that is gone: has its surface come to the other side of the centre, by no more than
+    //  a step's way?
+    HD void keepSide(int e, int s, int touches, int& unknown, WallTouch<D>* touch, real (*h)[H + 1],
+        int i, const ContactBody<D, real>& body, double gap, const Vec<D, double>& x) const
     {
         const int slot = e*wallTouches + s;
         const WallFrame& frame = this->walls[memory.entry[e].wall].frame;
         const Vec<D, real> v = body.velocity - surfaceVelocity(frame, x);
-        const double way = 1.25*double(squareRoot(squaredNorm(v)))*clock.dt() + 1e-3*double(body.radius);
+        const double way = 1.25*double(squareRoot(squaredNorm(v)))*clock.dt()
+            + 1e-3*double(body.radius);
         // in front of the surface before this step
-        const double before = double(body.radius) + gap - double(memory.force[e*wallWords<D> + D + S + 1]);
+        const double before = double(body.radius) + gap
+            - double(memory.force[e*wallWords<D> + D + S + 1]);
         for (int k = 0; k < touches; ++k)
         {
             if (!(unknown >> k & 1)) continue;
             double along = 0;
-            for (int d = 0; d < D; ++d) along += double(memory.normal[slot*D + d])*touch[k].normal.c[d];
+            for (int d = 0; d < D; ++d)
+                along += double(memory.normal[slot*D + d])*touch[k].normal.c[d];
             if (along > -0.5 || before + touch[k].distance > way) continue;
             touch[k].normal = -1.0*touch[k].normal;
             touch[k].distance = -touch[k].distance;
@@ -337,7 +345,9 @@ struct HandOverWalls
             if (!fresh)
                 for (int b = from.entryFirst[before]; b < from.entryFirst[before + 1]; ++b)
                     if (from.entry[b].wall == to.entry[e].wall) past = b;
-            for (int c = 0; c < wallWords<D>; ++c) to.force[e*wallWords<D> + c] = past < 0 ? R(0) : from.force[past*wallWords<D> + c];
+            for (int c = 0; c < wallWords<D>; ++c)
+                to.force[e*wallWords<D> + c] = past < 0 ? R(0)
+                                                          : from.force[past*wallWords<D> + c];
             for (int s = 0; s < wallTouches; ++s)
             {
                 const int t = e*wallTouches + s, b = past*wallTouches + s;

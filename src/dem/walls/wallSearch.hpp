@@ -34,7 +34,8 @@ struct WallSearch
 
     //- element(e) for each element of wall w near x (in its frame)
     template<class F>
-    HD void forEachElement(const WallData& w, const Vec<D, double>& x, double distance, const F& f) const
+    HD void forEachElement(
+        const WallData& w, const Vec<D, double>& x, double distance, const F& f) const
     {
         int from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
         for (int d = 0; d < D; ++d)
@@ -56,9 +57,11 @@ struct WallSearch
                 }
     }
 
-    //- Where a particle is, and beside a periodic side where it will be once it has crossed it: their number. Walls at rest alone are
+    //- Where a particle is, and beside a periodic side where it will be once it has crossed it:
+    //  their number. Walls at rest alone are
     //- repeated there
-    HD int images(const WallData& w, const Vec<D, double>& x, double distance, Vec<D, double>* at) const
+    HD int images(
+        const WallData& w, const Vec<D, double>& x, double distance, Vec<D, double>* at) const
     {
         int count = 1;
         at[0] = x;
@@ -79,7 +82,8 @@ struct WallSearch
 
     //- element(e) for each element of a surface near a particle or one of its images, each once
     template<class F>
-    HD void forEachRepeated(const WallData& w, const Vec<D, double>& x, double distance, const F& f) const
+    HD void forEachRepeated(
+        const WallData& w, const Vec<D, double>& x, double distance, const F& f) const
     {
         Vec<D, double> at[1 << D];
         const int count = images(w, x, distance, at);
@@ -87,7 +91,8 @@ struct WallSearch
             forEachElement(w, at[image], distance, [&](int e)
             {
                 // a large element may be near several
-                for (int before = 0; before < image; ++before) if (isNear(e, at[before], distance)) return;
+                for (int before = 0; before < image; ++before)
+                    if (isNear(e, at[before], distance)) return;
                 f(e);
             });
     }
@@ -100,7 +105,8 @@ private:
         for (int d = 0; d < D; ++d)
         {
             double low = 1e300;
-            for (int k = 0; k < D; ++k) low = minimum(low, surface.vertex[surface.element[e*D + k]*D + d]);
+            for (int k = 0; k < D; ++k)
+                low = minimum(low, surface.vertex[surface.element[e*D + k]*D + d]);
             const int first = SurfaceBuilder<D>::wallCell(w, d, low);
             if (cell[d] != (first > from[d] ? first : from[d])) return false;
         }
@@ -159,7 +165,9 @@ struct FindWalls : WallSearch<D, P>
                     near = elements > before;
                 }
                 if (!near) continue;
-                if constexpr (Write) entry[entryFirst[i] + entries] = WallEntry{k, elementFirst[i] + before, elements - before, 0};
+                if constexpr (Write)
+                    entry[entryFirst[i] + entries] = WallEntry{
+                        k, elementFirst[i] + before, elements - before, 0};
                 ++entries;
             }
         }

@@ -1,8 +1,10 @@
-/*  Walls as the device sees them: planes, and surfaces of segments or triangles in a frame of their own that moves rigidly.
+/*  Walls as the device sees them: planes, and surfaces of segments or triangles in a frame of their
+    own that moves rigidly.
 
-    A surface keeps, for each edge and vertex of each element, the other vertices of the elements that share it: a closest point
-    on an edge or vertex is a contact only where it is closest on all of these (elsewhere a neighbour has a closer one). A
-    grid of cells, made once in the wall's frame, finds the elements near a particle whatever the wall's pose.
+    A surface keeps, for each edge and vertex of each element, the other vertices of the elements
+    that share it: a closest point on an edge or vertex is a contact only where it is closest on all
+    of these (elsewhere a neighbour has a closer one). A grid of cells, made once in the wall's
+    frame, finds the elements near a particle whatever the wall's pose.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -29,7 +31,8 @@ struct WallData
 {
     int material, plane, motion;        // motion -1: at rest
     int firstElement, elements;
-    int firstCell, n[3], padding;       // grid of the surface; no bits but those that are set, since a written state holds them
+    // grid of the surface; no bits but those that are set, since a written state holds them
+    int firstCell, n[3], padding;
     double point[3], normal[3];         // plane, in the wall's frame
     double low[3], high[3];             // extent in the wall's frame
     double inverseCell[3];
@@ -67,7 +70,8 @@ struct SurfaceView
         {
             const Vec<D, double> along = at(shared[k]) - p;
             const double s = dot(line, along);
-            // rounding must not lose an edge that two faces of one plane share: both point the same way, and are merged
+            // rounding must not lose an edge that two faces of one plane share: both point the same
+            // way, and are merged
             if (s > 0 && s*s > 1e-18*length2*squaredNorm(along)) return false;
         }
         return true;
@@ -82,14 +86,20 @@ public:
     std::vector<double> vertex{};
     std::vector<int> element, sharedFirst{0}, shared, cellFirst{0}, cellElement;
 
-    //- Append a surface (vertices in the solver's axes, D a vertex); fills the wall's numbers. cell: at least this large
-    void add(const std::vector<double>& vertices, const std::vector<int>& elements, double cell, WallData& wall)
+    //- Append a surface (vertices in the solver's axes, D a vertex); fills the wall's numbers.
+    //  cell: at least this large
+    void add(const std::vector<double>& vertices, const std::vector<int>& elements, double cell,
+        WallData& wall)
     {
         wall.firstElement = int(element.size())/D;
         wall.elements = int(elements.size())/D;
         const int offset = merge(vertices);
         std::vector<int> own(elements.size());
-        for (std::size_t k = 0; k < elements.size(); ++k) { own[k] = offset + same_[elements[k]]; element.push_back(own[k]); }
+        for (std::size_t k = 0; k < elements.size(); ++k)
+        {
+            own[k] = offset + same_[elements[k]];
+            element.push_back(own[k]);
+        }
         shareFeatures(own);
         makeCells(own, cell, wall);
     }
@@ -108,7 +118,8 @@ private:
         {
             const std::vector<double> x(vertices.begin() + k, vertices.begin() + k + D);
             const auto it = found.emplace(x, int(found.size())).first;
-            if (it->second == int(vertex.size())/D - offset) vertex.insert(vertex.end(), x.begin(), x.end());
+            if (it->second == int(vertex.size())/D - offset)
+                vertex.insert(vertex.end(), x.begin(), x.end());
             same_.push_back(it->second);
         }
         return offset;
@@ -116,7 +127,8 @@ private:
 
     void shareFeatures(const std::vector<int>& own)
     {
-        std::map<std::vector<int>, std::vector<int>> others;    // feature's vertices: those of its elements that are not its own
+        // feature's vertices: those of its elements that are not its own
+        std::map<std::vector<int>, std::vector<int>> others;
         const auto feature = [&](std::size_t e, int f)
         {
             std::vector<int> v;
@@ -131,7 +143,8 @@ private:
             {
                 const std::vector<int> key = feature(e, f);
                 for (int k = 0; k < D; ++k)
-                    if (!std::binary_search(key.begin(), key.end(), own[e + k])) others[key].push_back(own[e + k]);
+                    if (!std::binary_search(key.begin(), key.end(), own[e + k]))
+                        others[key].push_back(own[e + k]);
             }
         for (std::size_t e = 0; e < own.size(); e += D)
             for (int f = 0; f < featureCount<D>; ++f)
@@ -147,7 +160,12 @@ private:
     void makeCells(const std::vector<int>& own, double cell, WallData& wall)
     {
         double size = 0;
-        for (int d = 0; d < 3; ++d) { wall.low[d] = d < D ? 1e300 : 0; wall.high[d] = d < D ? -1e300 : 0; wall.n[d] = 1; }
+        for (int d = 0; d < 3; ++d)
+        {
+            wall.low[d] = d < D ? 1e300 : 0;
+            wall.high[d] = d < D ? -1e300 : 0;
+            wall.n[d] = 1;
+        }
         const auto extent = [&](std::size_t e, int d, double& low, double& high)
         {
             low = 1e300;
@@ -177,7 +195,8 @@ private:
                 total *= wall.n[d];
             }
         }
-        for (int d = 0; d < D; ++d) wall.inverseCell[d] = wall.n[d]/std::max(wall.high[d] - wall.low[d], 1e-300);
+        for (int d = 0; d < D; ++d)
+            wall.inverseCell[d] = wall.n[d]/std::max(wall.high[d] - wall.low[d], 1e-300);
         std::vector<std::vector<int>> cells(std::size_t(wall.n[0])*wall.n[1]*wall.n[2]);
         for (std::size_t e = 0; e < own.size(); e += D)
         {
@@ -192,7 +211,8 @@ private:
             for (int z = from[2]; z <= to[2]; ++z)
                 for (int y = from[1]; y <= to[1]; ++y)
                     for (int x = from[0]; x <= to[0]; ++x)
-                        cells[(std::size_t(z)*wall.n[1] + y)*wall.n[0] + x].push_back(wall.firstElement + int(e)/D);
+                        cells[(std::size_t(z)*wall.n[1] + y)*wall.n[0] + x].push_back(
+                            wall.firstElement + int(e)/D);
         }
         wall.firstCell = int(cellFirst.size()) - 1;
         for (const auto& c : cells)

@@ -1,4 +1,5 @@
-/*  A rigid body made of balls, as the grid sees it: a particle of the solids, or a clump of several.
+/*  A rigid body made of balls, as the grid sees it: a particle of the solids, or a clump of
+    several.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -11,7 +12,8 @@
 namespace riprap
 {
 
-//- Balls that lie one after the other in memory. Distance to the nearest: exact outside, in the body where balls overlap less than the true depth
+//- Balls that lie one after the other in memory. Distance to the nearest: exact outside, in the
+//  body where balls overlap less than the true depth
 template<int D>
 struct BallSet
 {
@@ -28,7 +30,8 @@ struct BallSet
     HD const Ball<D>* single() const { return count == 1 ? balls : nullptr; }
     HD const SampledShape<D>* lattice() const { return nullptr; }
 
-    //- Pieces that balls cover, from the lowest on: each adds what lies beyond the end of those before
+    //- Pieces that balls cover, from the lowest on: each adds what lies beyond the end of those
+    //  before
     HD SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const
     {
         if (count == 1) return balls[0].solidOfLine(x, axis, length);
@@ -56,12 +59,16 @@ struct BallSet
         return part;
     }
 
-    HD double behindPole(const Vec<D, double>& x, int axis) const { return nearest(x).behindPole(x, axis); }
+    HD double behindPole(const Vec<D, double>& x, int axis) const
+    {
+        return nearest(x).behindPole(x, axis);
+    }
 
     HD const Ball<D>& nearest(const Vec<D, double>& x) const
     {
         int best = 0;
-        for (int b = 1; b < count; ++b) if (balls[b].distance(x) < balls[best].distance(x)) best = b;
+        for (int b = 1; b < count; ++b)
+            if (balls[b].distance(x) < balls[best].distance(x)) best = b;
         return balls[best];
     }
 };
@@ -76,14 +83,18 @@ struct BallUnion
     double distance(const Vec<D, double>& x) const { return set().distance(x); }
     const Ball<D>* single() const { return set().single(); }
     const SampledShape<D>* lattice() const { return nullptr; }
-    SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const { return set().solidOfLine(x, axis, length); }
+    SolidPart<2> solidOfLine(const Vec<D, double>& x, int axis, double length) const
+    {
+        return set().solidOfLine(x, axis, length);
+    }
     double behindPole(const Vec<D, double>& x, int axis) const { return set().behindPole(x, axis); }
 
     //- Nothing of it is farther from a point
     double reach(const Vec<D, double>& from) const
     {
         double most = 0;
-        for (const Ball<D>& b : balls) most = maximum(most, std::sqrt(squaredNorm(b.centre - from)) + b.radius);
+        for (const Ball<D>& b : balls)
+            most = maximum(most, std::sqrt(squaredNorm(b.centre - from)) + b.radius);
         return most;
     }
 };

@@ -1,5 +1,6 @@
-/*  Bodies as kernels see them, and the work about them: each has a block of nodes, faces and cells, whose rows along the first axis are numbered through all bodies.
-    So the cost is that of the blocks, whatever the grid around them.
+/*  Bodies as kernels see them, and the work about them: each has a block of nodes, faces and cells,
+    whose rows along the first axis are numbered through all bodies. So the cost is that of the
+    blocks, whatever the grid around them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -31,7 +32,9 @@ struct PlacedBody
         for (int d = 0; d < 3; ++d) { low[d] = 0; size[d] = 1; }
         for (int d = 0; d < D; ++d)
         {
-            const int first = floorInt((centre[d] - reach - grid.origin[d])/grid.h) - blockMargin, last = floorInt((centre[d] + reach - grid.origin[d])/grid.h) + 1 + blockMargin;
+            const int first = floorInt((centre[d] - reach - grid.origin[d])/grid.h) - blockMargin,
+                      last = floorInt((centre[d] + reach - grid.origin[d])/grid.h) + 1
+                + blockMargin;
             low[d] = first > 0 ? first : 0;
             size[d] = (last < grid.n[d] ? last : grid.n[d]) - low[d] + 1;
             if (size[d] < 0) size[d] = 0;
@@ -43,7 +46,8 @@ struct PlacedBody
 //- A row of a block
 struct BlockRow { int body, j, k; };
 
-//- Threads to a row, each with every so-manieth place of it: what is worth work lies at the ends of rows, and in a few of them
+//- Threads to a row, each with every so-manieth place of it: what is worth work lies at the ends of
+//  rows, and in a few of them
 template<class Backend> inline constexpr int rowLanes = Backend::gpu ? 8 : 1;
 
 template<int D>
@@ -58,7 +62,10 @@ struct BodyBlocks
     const SampledShape<D>* sampled;
 
     HD ShapeView<D> shape(int b) const
-    { return {{ball + body[b].firstBall, body[b].balls}, body[b].sampled < 0 ? nullptr : sampled + body[b].sampled}; }
+    {
+        return {{ball + body[b].firstBall, body[b].balls},
+            body[b].sampled < 0 ? nullptr : sampled + body[b].sampled};
+    }
 
     HD BlockRow row(int r) const
     {
@@ -108,7 +115,9 @@ struct OverBlockCells
         typename UniformGrid<D>::Index c = blocks.first(row);
         for (int d = 1; d < D; ++d) if (c.c[d] >= g.n[d]) return;
         c.c[0] += lane;
-        for (int i = lane; i < blocks.body[row.body].size[0] && c.c[0] < g.n[0]; i += Lanes, c.c[0] += Lanes) f(g.cell(c));
+        for (int i = lane; i < blocks.body[row.body].size[0] && c.c[0] < g.n[0];
+             i += Lanes, c.c[0] += Lanes)
+            f(g.cell(c));
     }
 };
 
@@ -130,10 +139,13 @@ struct LowerDistances
         typename UniformGrid<D>::Index at = blocks.first(row);
         const int first = nodes.node(at);
         at.c[0] += thread % Lanes;
-        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes, at.c[0] += Lanes)
+        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0];
+             n += Lanes, at.c[0] += Lanes)
         {
             const Vec<D, double> x = nodes.position(at);
-            if (ball && squaredNorm(x - ball->centre) > (ball->radius + band)*(ball->radius + band)) continue;
+            if (ball
+                && squaredNorm(x - ball->centre) > (ball->radius + band)*(ball->radius + band))
+                continue;
             const double d = shape.distance(x);
             if (d < band) atomicMinimum(distance + n, d);
         }
@@ -153,7 +165,8 @@ struct RestoreDistances
     {
         const BlockRow row = blocks.row(thread/Lanes);
         const int first = NodeGrid<D>{blocks.grid}.node(blocks.first(row));
-        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes) distance[n] = base[n];
+        for (int n = first + thread % Lanes; n < first + blocks.body[row.body].size[0]; n += Lanes)
+            distance[n] = base[n];
     }
 };
 

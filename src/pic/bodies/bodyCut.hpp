@@ -1,5 +1,6 @@
-/*  Bodies in the grid, where the grid is: distances, apertures, wall velocities and J, of the bodies' blocks alone. What bodies have changed of the grid is put back before
-    they change it anew.
+/*  Bodies in the grid, where the grid is: distances, apertures, wall velocities and J, of the
+    bodies' blocks alone. What bodies have changed of the grid is put back before they change it
+    anew.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -46,14 +47,18 @@ public:
             faces.wallVelocity[d] = f.wallVelocity[d];
         }
         forEach(context, shareCount_, faces);
-        forEach(context, lanes*rowCount_, RestoreDistances<D, lanes>{blocks(), f.baseDistance, f.distance});
+        forEach(context, lanes*rowCount_,
+            RestoreDistances<D, lanes>{blocks(), f.baseDistance, f.distance});
     }
 
-    //- Where bodies are: shape, centre and reach of each. f: of walls alone. up: the direction across which volumes are measured
+    //- Where bodies are: shape, centre and reach of each. f: of walls alone. up: the direction
+    //  across which volumes are measured
     template<class Bodies, class R>
-    void cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up, const CutFields<D, R>& f);
+    void cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up,
+        const CutFields<D, R>& f);
 
-    //- Where the surface is, shares of what is under water: of bodies with a shape of their own. \return is there any? Wall velocities are to be set anew then
+    //- Where the surface is, shares of what is under water: of bodies with a shape of their own.
+    //  \return is there any? Wall velocities are to be set anew then
     template<class R>
     bool cutToWater(Context<Backend>& context, const R* phi, const CutFields<D, R>& f);
 
@@ -67,10 +72,12 @@ public:
 
     //- Wall velocities of bodies that move like that: modes values a body
     template<class R>
-    void setVelocities(Context<Backend>& context, const std::vector<double>& velocity, const CutFields<D, R>& f)
+    void setVelocities(
+        Context<Backend>& context, const std::vector<double>& velocity, const CutFields<D, R>& f)
     {
         velocity_.upload(context, velocity);
-        BodyFaceVelocities<D, R> v{sorted(), {}, {}, {}, share_.data(), arm_.data(), bodyOfShare_.data(), velocity_.data(), {}};
+        BodyFaceVelocities<D, R> v{sorted(), {}, {}, {}, share_.data(), arm_.data(),
+            bodyOfShare_.data(), velocity_.data(), {}};
         for (int d = 0; d < D; ++d)
         {
             v.base[d] = f.baseAperture[d];
@@ -82,13 +89,16 @@ public:
     }
 
     //- f(cell) over the cells about the bodies
-    template<class F>
-    void eachCell(Context<Backend>& context, const F& f) { forEach(context, lanes*rowCount_, OverBlockCells<D, lanes, F>{blocks(), f}); }
+    template<class F> void eachCell(Context<Backend>& context, const F& f)
+    {
+        forEach(context, lanes*rowCount_, OverBlockCells<D, lanes, F>{blocks(), f});
+    }
 
     //- J^T p of each body, modes values each
     std::vector<double> gather(Context<Backend>& context, const double* p)
     {
-        forEach(context, rowCount_, SumRowsOfBodies<modes>{cellFirst_.data(), cell_.data(), j_.data(), p, ofRow_.data()});
+        forEach(context, rowCount_,
+            SumRowsOfBodies<modes>{cellFirst_.data(), cell_.data(), j_.data(), p, ofRow_.data()});
         return sumBodies(context, modes);
     }
 
@@ -100,7 +110,11 @@ public:
     //- For solvers on the host; without masses and velocities
     std::vector<BodyTerm> terms() const;
 
-    BodyBlocks<D> blocks() const { return {grid_, bodyCount_, body_.data(), firstRow_.data(), bodyOfRow_.data(), ball_.data(), sampled_.data()}; }
+    BodyBlocks<D> blocks() const
+    {
+        return {grid_, bodyCount_, body_.data(), firstRow_.data(), bodyOfRow_.data(), ball_.data(),
+            sampled_.data()};
+    }
     int bodies() const { return bodyCount_; }
 
     //- Nodes of all blocks: of bodies near each other some are counted twice
@@ -116,17 +130,26 @@ public:
 private:
 
     template<class Bodies> void keepLattices(Context<Backend>& context, const Bodies& bodies);
-    template<class Bodies> void place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies);
+    template<class Bodies>
+    void place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies);
     void measure(Context<Backend>& context);
     void fillRows(Context<Backend>& context, int up);
     void fillCells(Context<Backend>& context);
     template<class R> CloseByBodies<D, R> closeByBodies(const CutFields<D, R>& f);
     template<class R> KeepShares<D, R> keepShares(const CutFields<D, R>& f, bool back);
 
-    ShareRows<D> shares() const { return {shareFirst_.data(), shareX_.data(), share_.data(), arm_.data()}; }
-    SortedShares<D> sorted() const { return {FaceKeys<D>(grid_), shareCount_, scratch_.keys[1].data(), scratch_.values[1].data()}; }
+    ShareRows<D> shares() const
+    {
+        return {shareFirst_.data(), shareX_.data(), share_.data(), arm_.data()};
+    }
+    SortedShares<D> sorted() const
+    {
+        return {
+            FaceKeys<D>(grid_), shareCount_, scratch_.keys[1].data(), scratch_.values[1].data()};
+    }
 
-    //- Numbers differ from step to step: some room to spare, since memory is given and taken back slowly
+    //- Numbers differ from step to step: some room to spare, since memory is given and taken back
+    //  slowly
     template<class T>
     static void makeRoom(Context<Backend>& context, Array<Backend, T>& a, std::size_t n)
     {
@@ -147,7 +170,8 @@ private:
     std::vector<double> sumBodies(Context<Backend>& context, int values)
     {
         makeRoom(context, ofBody_, std::size_t(bodyCount_)*values);
-        forEach(context, bodyCount_*values, SumBodies{values, firstRow_.data(), ofRow_.data(), ofBody_.data()});
+        forEach(context, bodyCount_*values,
+            SumBodies{values, firstRow_.data(), ofRow_.data(), ofBody_.data()});
         return ofBody_.download();
     }
 
@@ -164,17 +188,20 @@ private:
     Array<Backend, int> shareFirst_, shareX_, bodyOfShare_;     // of rows of faces; of shares
     Array<Backend, double> share_;
     Array<Backend, Vec<D, double>> arm_;
-    Array<Backend, double> keptShare_, keptAperture_;           // as the cut has made them, while shares are cut to the water
+    // as the cut has made them, while shares are cut to the water
+    Array<Backend, double> keptShare_, keptAperture_;
     Array<Backend, Vec<D, double>> keptArm_;
     bool cutToWater_ = false;
     Array<Backend, int> cellFirst_, cellX_, cell_;              // of rows of cells; of entries
     Array<Backend, double> j_, velocity_, ofRow_, ofBody_;
-    SortScratch<Backend> scratch_;                              // keys[1], values[1]: shares by faces
+    // keys[1], values[1]: shares by faces
+    SortScratch<Backend> scratch_;
 };
 
 template<class Backend, int D>
 template<class Bodies, class R>
-void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up, const CutFields<D, R>& f)
+void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& grid,
+    const Bodies& bodies, int up, const CutFields<D, R>& f)
 {
     place(context, grid, bodies);
     measure(context);
@@ -191,7 +218,8 @@ template<class Backend, int D>
 template<class R>
 CloseByBodies<D, R> BodyCut<Backend, D>::closeByBodies(const CutFields<D, R>& f)
 {
-    CloseByBodies<D, R> close{sorted(), {}, {}, share_.data(), arm_.data(), blocks(), bodyOfShare_.data(), f.distance};
+    CloseByBodies<D, R> close{
+        sorted(), {}, {}, share_.data(), arm_.data(), blocks(), bodyOfShare_.data(), f.distance};
     for (int d = 0; d < D; ++d)
     {
         close.base[d] = f.baseAperture[d];
@@ -204,14 +232,16 @@ template<class Backend, int D>
 template<class R>
 KeepShares<D, R> BodyCut<Backend, D>::keepShares(const CutFields<D, R>& f, bool back)
 {
-    KeepShares<D, R> keep{sorted(), {}, share_.data(), arm_.data(), keptAperture_.data(), keptShare_.data(), keptArm_.data(), back};
+    KeepShares<D, R> keep{sorted(), {}, share_.data(), arm_.data(), keptAperture_.data(),
+        keptShare_.data(), keptArm_.data(), back};
     for (int d = 0; d < D; ++d) keep.aperture[d] = f.aperture[d];
     return keep;
 }
 
 template<class Backend, int D>
 template<class R>
-bool BodyCut<Backend, D>::cutToWater(Context<Backend>& context, const R* phi, const CutFields<D, R>& f)
+bool BodyCut<Backend, D>::cutToWater(
+    Context<Backend>& context, const R* phi, const CutFields<D, R>& f)
 {
     forgetWater(context, f);
     if (!sampled_.size() || !shareCount_) return false;
@@ -243,7 +273,8 @@ void BodyCut<Backend, D>::keepLattices(Context<Backend>& context, const Bodies& 
 
 template<class Backend, int D>
 template<class Bodies>
-void BodyCut<Backend, D>::place(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies)
+void BodyCut<Backend, D>::place(
+    Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies)
 {
     std::vector<PlacedBody<D>> placed(bodies.size());
     std::vector<Ball<D>> balls;
@@ -298,8 +329,9 @@ void BodyCut<Backend, D>::measure(Context<Backend>& context)
         makeRoom(context, scratch_.keys[k], shareCount_);
         makeRoom(context, scratch_.values[k], shareCount_);
     }
-    forEach(context, lanes*rows, MeasureShares<D, lanes>{blocks(), faces, shareFirst_.data(), shareX_.data(), share_.data(), arm_.data(), bodyOfShare_.data(),
-        scratch_.keys[0].data(), scratch_.values[0].data()});
+    forEach(context, lanes*rows,
+        MeasureShares<D, lanes>{blocks(), faces, shareFirst_.data(), shareX_.data(), share_.data(),
+            arm_.data(), bodyOfShare_.data(), scratch_.keys[0].data(), scratch_.values[0].data()});
     int bits = 1;
     while ((std::uint64_t(1) << bits) <= faces.none()) ++bits;
     if (shareCount_) sortPairs(context, scratch_, shareCount_, bits);
@@ -312,7 +344,8 @@ void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
     forEach(context, rowCount_, VolumesOfRows<D>{blocks(), shares(), up, ofRow_.data()});
     volume_ = sumBodies(context, 1);
     for (auto* a : {&cellFirst_, &cellX_}) makeRoom(context, *a, rowCount_ + 1);
-    forEach(context, rowCount_ + 1, FindBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data()});
+    forEach(context, rowCount_ + 1,
+        FindBodyCells<D>{blocks(), shares(), cellFirst_.data(), cellX_.data()});
     entryCount_ = sumUp(context, cellFirst_, rowCount_);
     makeRoom(context, cell_, entryCount_);
     makeRoom(context, j_, std::size_t(entryCount_)*modes);
@@ -322,24 +355,30 @@ void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
 template<class Backend, int D>
 void BodyCut<Backend, D>::fillCells(Context<Backend>& context)
 {
-    forEach(context, lanes*rowCount_, FillBodyCells<D, lanes>{blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
+    forEach(context, lanes*rowCount_,
+        FillBodyCells<D, lanes>{
+            blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
 }
 
 template<class Backend, int D>
 std::vector<double> BodyCut<Backend, D>::shareOfFaces(int d) const
 {
     const FaceKeys<D> faces(grid_);
-    const std::vector<std::uint32_t> key = scratch_.keys[1].download(), number = scratch_.values[1].download();
+    const std::vector<std::uint32_t> key = scratch_.keys[1].download(),
+                                     number = scratch_.values[1].download();
     const std::vector<double> share = share_.download();
     std::vector<double> sum(grid_.faces(d), 0.0);
-    for (int q = 0; q < shareCount_; ++q) if (key[q] >= faces.first[d] && key[q] < faces.first[d + 1]) sum[key[q] - faces.first[d]] += share[number[q]];
+    for (int q = 0; q < shareCount_; ++q)
+        if (key[q] >= faces.first[d] && key[q] < faces.first[d + 1])
+            sum[key[q] - faces.first[d]] += share[number[q]];
     return sum;
 }
 
 template<class Backend, int D>
 std::vector<BodyTerm> BodyCut<Backend, D>::terms() const
 {
-    const std::vector<int> firstRow = firstRow_.download(), first = cellFirst_.download(), cell = cell_.download();
+    const std::vector<int> firstRow = firstRow_.download(), first = cellFirst_.download(),
+                           cell = cell_.download();
     const std::vector<double> j = j_.download();
     std::vector<BodyTerm> all(bodyCount_);
     for (int b = 0; b < bodyCount_; ++b)

@@ -1,6 +1,8 @@
-/*  J on the grid (bodyTerm.hpp): for each body the cells beside it, row by row of its block, with a value for each of its ways to move; and the sums J^T p.
+/*  J on the grid (bodyTerm.hpp): for each body the cells beside it, row by row of its block, with a
+    value for each of its ways to move; and the sums J^T p.
 
-    A sum is taken over each row, and then over the rows of a body: the same bits however the work is shared out.
+    A sum is taken over each row, and then over the rows of a body: the same bits however the work
+    is shared out.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,7 +36,8 @@ struct FindBodyCells
         const auto join = [&](int d, int j, int k)
         {
             if (j >= body.size[1] || k >= body.size[2]) return;
-            const int of = FaceRow<D>::number(blocks, row.body, d, j, k), n = shares.first[of + 1] - shares.first[of];
+            const int of = FaceRow<D>::number(blocks, row.body, d, j, k),
+                      n = shares.first[of + 1] - shares.first[of];
             if (!n) return;
             const int from = shares.x[of] - (d == 0), to = shares.x[of] + n - 1;
             low = from < low ? from : low;
@@ -82,10 +85,12 @@ struct FillBodyCells
                 {
                     const int rowJ = row.j + (d == 1 && side), rowK = row.k + (d == 2 && side);
                     if (rowJ >= body.size[1] || rowK >= body.size[2]) continue;
-                    const int s = shares.at(FaceRow<D>::number(blocks, row.body, d, rowJ, rowK), c.c[0] + (d == 0 && side));
+                    const int s = shares.at(FaceRow<D>::number(blocks, row.body, d, rowJ, rowK),
+                        c.c[0] + (d == 0 && side));
                     if (s < 0) continue;
                     const double flux = (side ? -1 : 1)*shares.share[s]*g.area();
-                    for (int m = 0; m < modes; ++m) sum[m] += flux*modeVelocity(m, d, shares.arm[s]);
+                    for (int m = 0; m < modes; ++m)
+                        sum[m] += flux*modeVelocity(m, d, shares.arm[s]);
                 }
             cell[at] = g.cell(c);
             for (int m = 0; m < modes; ++m) j[at*modes + m] = sum[m];

@@ -1,13 +1,20 @@
 /*  Bodies' shares of faces, and what they leave open.
 
-    Shares stand row by row of the bodies' blocks: each row of faces of a direction has those from the first to the last that may have any. Sorted by faces (stable: in the order of the
-    bodies) each face sums its own. Where bodies and walls leave less than smallestAperture of a face it is closed, and shares that sum to more than the face are scaled down to it. A face
-    that is a wall inside the grid keeps the bodies' shares, so that a body that the wall clips still has a closed surface; one of a side's wall has none, for the same reason: with a share there
-    the body would leave or enter through the wall, for which water that fills a closed tank could not make up: its pressure, known but for a constant, would stop the body at once and throw it
-    back. Of a face that several bodies close contactLeak stays open: where they touch at their true surfaces, without a gap, water would else be trapped between three disks, and its
-    incompressibility and the stiffness of the contacts would fight for the same motion. Water passes touching rocks. A slit that one body leaves of a face of a cell which solids fill together
-    is closed: no water is in such a cell, and what moves its walls would be pressed through the slit, at a speed and a pressure without bounds as it narrows. Faces at periodic ends, which
-    exist twice, have none: no body reaches across.
+    Shares stand row by row of the bodies' blocks: each row of faces of a direction has those from
+    the first to the last that may have any. Sorted by faces (stable: in the order of the bodies)
+    each face sums its own. Where bodies and walls leave less than smallestAperture of a face it is
+    closed, and shares that sum to more than the face are scaled down to it. A face that is a wall
+    inside the grid keeps the bodies' shares, so that a body that the wall clips still has a closed
+    surface; one of a side's wall has none, for the same reason: with a share there the body would
+    leave or enter through the wall, for which water that fills a closed tank could not make up: its
+    pressure, known but for a constant, would stop the body at once and throw it back. Of a face
+    that several bodies close contactLeak stays open: where they touch at their true surfaces,
+    without a gap, water would else be trapped between three disks, and its incompressibility and
+    the stiffness of the contacts would fight for the same motion. Water passes touching rocks. A
+    slit that one body leaves of a face of a cell which solids fill together is closed: no water is
+    in such a cell, and what moves its walls would be pressed through the slit, at a speed and a
+    pressure without bounds as it narrows. Faces at periodic ends, which exist twice, have none: no
+    body reaches across.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -108,7 +115,8 @@ struct FindShares
         RowInBody<D, ShapeView<D>> row(shape, nodes.position(f), at.d, g.h);
         if (row.none()) return;
         int first = -1, last = -1;
-        for (int i = 0; i < blocks.body[at.row.body].size[0] && f.c[0] < g.layers(at.d, 0); ++i, ++f.c[0])
+        for (int i = 0; i < blocks.body[at.row.body].size[0] && f.c[0] < g.layers(at.d, 0);
+             ++i, ++f.c[0])
         {
             if (g.periodic[at.d] && (f.c[at.d] == 0 || f.c[at.d] == g.n[at.d])) continue;
             if (!row.may(g.origin[0] + g.h*f.c[0])) continue;
@@ -121,12 +129,15 @@ struct FindShares
     }
 };
 
-//- A body's share of a face, of a part of its volume where the body has a shape of its own; arm: from the body's centre to the middle of the share
+//- A body's share of a face, of a part of its volume where the body has a shape of its own; arm:
+//  from the body's centre to the middle of the share
 template<int D>
-HD double measureShare(const BodyBlocks<D>& blocks, int body, int d, const typename UniformGrid<D>::Index& f, const AlongFace& volume, Vec<D, double>& arm)
+HD double measureShare(const BodyBlocks<D>& blocks, int body, int d,
+    const typename UniformGrid<D>::Index& f, const AlongFace& volume, Vec<D, double>& arm)
 {
     const UniformGrid<D>& g = blocks.grid;
-    const SolidPart<D> part = inBody(blocks.shape(body), NodeGrid<D>{g}.position(f), d, g.h, volume);
+    const SolidPart<D> part = inBody(
+        blocks.shape(body), NodeGrid<D>{g}.position(f), d, g.h, volume);
     const bool any = part.share > 0;
     int m = 0;
     for (int e = 0; e < D; ++e)
@@ -224,11 +235,15 @@ struct CloseByBodies
         const double left = before - sum;
         const bool leaks = most < before && sum > most;
         const bool slit = end - q == 1 && left < contactLeak;
-        const bool opens = leaks || (left >= smallestAperture && !(slit && besideFullCell(d, face, shapeOf(q))));
-        const double scale = leaks ? most/sum : before > 0 && !opens ? before/sum : (sum > 1 ? 1/sum : 1);
+        const bool opens = leaks
+            || (left >= smallestAperture && !(slit && besideFullCell(d, face, shapeOf(q))));
+        const double scale = leaks ? most/sum
+            : before > 0 && !opens ? before/sum
+                                   : (sum > 1 ? 1/sum : 1);
         if (leaks) sum = most;
         if (scale != 1) for (int s = q; s < end; ++s) share[sorted.number[s]] *= scale;
-        if (scale != 1 && !opens && end - q == 1 && before == 1) takeWhole(d, face, int(sorted.number[q]));
+        if (scale != 1 && !opens && end - q == 1 && before == 1)
+            takeWhole(d, face, int(sorted.number[q]));
         aperture[d][face] = R(opens ? before - sum : 0);
     }
 
@@ -258,17 +273,20 @@ struct CloseByBodies
         return false;
     }
 
-    //- The share of a body that has the face to itself is the face, its middle the face's: else the body's spin would push something into cells that it fills, which have no equation, and over those that have one it
-    //  would not sum to zero
+    //- The share of a body that has the face to itself is the face, its middle the face's: else the
+    //  body's spin would push something into cells that it fills, which have no equation, and over
+    //  those that have one it would not sum to zero
     HD void takeWhole(int d, int face, int s) const
     {
         const UniformGrid<D>& g = blocks.grid;
         const NodeGrid<D> nodes{g};
-        arm[s] = middleOfFace(nodes.position(nodes.node(g.faceIndex(d, face))), d, g.h) - blocks.body[body[s]].centre;
+        arm[s] = middleOfFace(nodes.position(nodes.node(g.faceIndex(d, face))), d, g.h)
+            - blocks.body[body[s]].centre;
     }
 };
 
-//- Bodies have nothing of the faces of the sides' walls: what a body displaces and what the water does to it sum to zero over all cells
+//- Bodies have nothing of the faces of the sides' walls: what a body displaces and what the water
+//  does to it sum to zero over all cells
 template<int D, class R>
 struct LeaveSidesAlone
 {
@@ -322,7 +340,9 @@ struct BodyFaceVelocities
         {
             const double closed = 1 - double(aperture[d][face]);
             if (!(closed > 0)) return;
-            double flux = baseVelocity[d] ? (1 - double(base[d][face]))*double(baseVelocity[d][face]) : 0;
+            double flux = baseVelocity[d]
+                ? (1 - double(base[d][face]))*double(baseVelocity[d][face])
+                : 0;
             for (int q2 = q; q2 < end; ++q2)
             {
                 const int s = int(sorted.number[q2]);
@@ -372,7 +392,8 @@ struct VolumesOfRows
         const BlockRow row = blocks.row(r);
         const int of = FaceRow<D>::number(blocks, row.body, up, row.j, row.k);
         double sum = 0;
-        for (int s = shares.first[of]; s < shares.first[of + 1]; ++s) sum += shares.share[s]*blocks.grid.area()*blocks.grid.h;
+        for (int s = shares.first[of]; s < shares.first[of + 1]; ++s)
+            sum += shares.share[s]*blocks.grid.area()*blocks.grid.h;
         volume[r] = sum;
     }
 };

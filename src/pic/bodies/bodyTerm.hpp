@@ -2,8 +2,9 @@
 
         (A + J M^-1 J^T) p = (J V* - div(a u*))/dt,    V = V* - dt M^-1 J^T p
 
-    J V is the flux that the body's velocity V pushes into each cell, s S v.n over its faces (s: the body's share of the face, v taken at the centroid
-    of that share), so that -J^T p is the force and moment of the water, by the same faces: momentum is exchanged exactly. Modes: 2D vx, vy,
+    J V is the flux that the body's velocity V pushes into each cell, s S v.n over its faces (s: the
+    body's share of the face, v taken at the centroid of that share), so that -J^T p is the force
+    and moment of the water, by the same faces: momentum is exchanged exactly. Modes: 2D vx, vy,
     spin; 3D vx, vy, vz and the spins.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -32,7 +33,8 @@ inline void rootOfInverseMass(int modes, const double* inverseMass, double* l)
             double sum = own;
             for (int k = 0; k < b; ++k) sum -= l[a*modes + k]*l[b*modes + k];
             if (a != b) l[a*modes + b] = l[b*modes + b] > 0 ? sum/l[b*modes + b] : 0;
-            else if (sum < -roundOff*own) throw std::invalid_argument("the mass of a body is not positive");
+            else if (sum < -roundOff*own)
+                throw std::invalid_argument("the mass of a body is not positive");
             else l[a*modes + a] = sum <= roundOff*own ? 0 : std::sqrt(sum);
         }
 }
@@ -41,7 +43,8 @@ inline void rootOfInverseMass(int modes, const double* inverseMass, double* l)
 inline bool isLighter(int modes, const double* inverseMass, double volume, double density)
 {
     bool lighter = false;
-    for (int m = 0; m < (modes == 3 ? 2 : 3); ++m) lighter = lighter || inverseMass[m*modes + m]*density*volume > 1;
+    for (int m = 0; m < (modes == 3 ? 2 : 3); ++m)
+        lighter = lighter || inverseMass[m*modes + m]*density*volume > 1;
     return lighter;
 }
 
@@ -52,7 +55,8 @@ struct BodyTerm
     std::vector<double> j;                  // modes values a cell [m2, m3]
     std::vector<double> inverseMass;        // modes x modes
     std::vector<double> velocity;           // V*, and then V
-    double volume = 0;                      // as its shares of the faces across `up` see it [m3]: what buoyancy acts on
+    // as its shares of the faces across `up` see it [m3]: what buoyancy acts on
+    double volume = 0;
 
     //- J^T p
     std::vector<double> gather(const double* p) const
@@ -71,7 +75,10 @@ struct BodyTerm
             for (int b = 0; b < modes; ++b) velocity[a] -= dt*inverseMass[a*modes + b]*impulse[b];
     }
 
-    bool lighterThan(double density) const { return isLighter(modes, inverseMass.data(), volume, density); }
+    bool lighterThan(double density) const
+    {
+        return isLighter(modes, inverseMass.data(), volume, density);
+    }
 
     //- L with L L^T = M^-1, by rows
     std::vector<double> rootOfInverseMass() const

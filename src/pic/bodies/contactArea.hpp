@@ -1,15 +1,20 @@
-/*  Water between solids that touch (paper 2, section 2.2.2, Eq. 20 and Figure 3). Solids keep a gap of two cells, through which more water passes than does between
-    true surfaces: particles in the contact area are slowed,
+/*  Water between solids that touch (paper 2, section 2.2.2, Eq. 20 and Figure 3). Solids keep a gap
+    of two cells, through which more water passes than does between true surfaces: particles in the
+    contact area are slowed,
 
-        v = C v,        C = beta + (1 - beta) s/(2 dx)    at the distance s < 2 dx from the contact point along the tangent,
+        v = C v,        C = beta + (1 - beta) s/(2 dx) at the distance s < 2 dx from the contact
+                        point along the tangent,
 
-    so that the area is 4 dx long. Once a step, as in the paper, slows the water the more the shorter the steps are. With a time T for which C is meant a step dt leaves
+    so that the area is 4 dx long. Once a step, as in the paper, slows the water the more the
+    shorter the steps are. With a time T for which C is meant a step dt leaves
 
         v = C^(dt/T) v,
 
-    a drag of rate ln(1/C)/T whatever the step. The paper leaves the area's width open; here it is 3 dx, the gap and what the surfaces' bend adds. The pressure drives
-    water through the area all the same, and what it gives to particles beside those that are slowed, which share their faces, nothing takes away again: with FLIP they
-    become faster step by step, without bound. So all particles in the area and up to contactBeyond from it take the grid's velocity, and v is that.
+    a drag of rate ln(1/C)/T whatever the step. The paper leaves the area's width open; here it is 3
+    dx, the gap and what the surfaces' bend adds. The pressure drives water through the area all the
+    same, and what it gives to particles beside those that are slowed, which share their faces,
+    nothing takes away again: with FLIP they become faster step by step, without bound. So all
+    particles in the area and up to contactBeyond from it take the grid's velocity, and v is that.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,7 +30,8 @@ namespace riprap
 //- Reach of the area along the tangent and along the normal, in cells
 static constexpr double contactAlong = 2, contactAcross = 1.5;
 
-//- The grid's velocity is taken so far beyond, in cells: what particles in the area share faces with
+//- The grid's velocity is taken so far beyond, in cells: what particles in the area share faces
+//  with
 static constexpr double contactBeyond = 1.5;
 
 template<int D>
@@ -35,7 +41,8 @@ struct ContactArea
     Vec<D, double> normal;      // of length 1
 };
 
-//- Boxes of the size of an area's reach: who looks at those about its own finds every area that reaches it. Areas are sorted by boxes, the first axis first
+//- Boxes of the size of an area's reach: who looks at those about its own finds every area that
+//  reaches it. Areas are sorted by boxes, the first axis first
 template<int D>
 struct ContactBoxes
 {
@@ -44,7 +51,9 @@ struct ContactBoxes
 
     explicit ContactBoxes(const UniformGrid<D>& grid)
     {
-        edge = std::sqrt((contactAlong + contactBeyond)*(contactAlong + contactBeyond) + (contactAcross + contactBeyond)*(contactAcross + contactBeyond))*grid.h;
+        edge = std::sqrt((contactAlong + contactBeyond)*(contactAlong + contactBeyond)
+                   + (contactAcross + contactBeyond)*(contactAcross + contactBeyond))
+            *grid.h;
         for (int d = 0; d < D; ++d) n[d] = int(grid.n[d]*grid.h/edge) + 3;
     }
 
@@ -74,12 +83,14 @@ struct ContactBoxes
                 const int y = at[1] + j, z = at[2] + k;
                 if (y < 0 || y >= n[1] || z < 0 || z >= n[2]) continue;
                 const int row = n[0]*(y + n[1]*z);
-                f(row + (at[0] > 0 ? at[0] - 1 : 0), row + (at[0] < n[0] - 1 ? at[0] + 1 : n[0] - 1));
+                f(row + (at[0] > 0 ? at[0] - 1 : 0),
+                    row + (at[0] < n[0] - 1 ? at[0] + 1 : n[0] - 1));
             }
     }
 };
 
-//- What is left of a velocity after so many of the steps or times for which C is meant; one: C to the bit
+//- What is left of a velocity after so many of the steps or times for which C is meant; one: C to
+//  the bit
 HD double keptVelocity(double C, double times) { return times == 1 ? C : std::pow(C, times); }
 
 template<int D, class R>
@@ -93,7 +104,8 @@ struct SlowBetweenSolids
     const int* box;                     // of each area, ascending
     const ContactArea<D>* areas;
     double beta;
-    double times;                       // how many of those that beta is meant for a step is: 1, or dt/T
+    // how many of those that beta is meant for a step is: 1, or dt/T
+    double times;
     const R* u[D];                      // the grid's velocity that particles have after the step
 
     HD void operator()(int i) const
@@ -107,17 +119,22 @@ struct SlowBetweenSolids
             for (int k = firstFrom(first); k < count && box[k] <= last; ++k)
             {
                 const Vec<D, double> r = x - areas[k].point;
-                const double across = dot(r, areas[k].normal), along2 = squaredNorm(r) - across*across;
+                const double across = dot(r, areas[k].normal),
+                             along2 = squaredNorm(r) - across*across;
                 const double along = along2 > 0 ? sqrt(along2) : 0;
-                if (along >= (contactAlong + contactBeyond)*grid.h || absolute(across) > (contactAcross + contactBeyond)*grid.h) continue;
+                if (along >= (contactAlong + contactBeyond)*grid.h
+                    || absolute(across) > (contactAcross + contactBeyond)*grid.h)
+                    continue;
                 near = true;
-                if (along >= contactAlong*grid.h || absolute(across) > contactAcross*grid.h) continue;
+                if (along >= contactAlong*grid.h || absolute(across) > contactAcross*grid.h)
+                    continue;
                 factor = minimum(factor, beta + (1 - beta)*along/(contactAlong*grid.h));
             }
         });
         if (!near) return;
         const double kept = keptVelocity(factor, times);
-        for (int d = 0; d < D; ++d) particles.v[d][i] = R(kept)*sampleFace<2, D, R>(grid, u[d], d, x);
+        for (int d = 0; d < D; ++d)
+            particles.v[d][i] = R(kept)*sampleFace<2, D, R>(grid, u[d], d, x);
     }
 
 private:

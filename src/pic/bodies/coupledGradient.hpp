@@ -1,6 +1,8 @@
-/*  Conjugate gradients for the pressure with free bodies, (A + U U^T) x = rhs, on the host: any preconditioner for A alone, deflated by the bodies
-    (deflation.hpp). Flexible: beta of Polak and Ribiere, since a V-cycle in single precision is not quite a constant operator. Residuals are OpenFOAM's
-    (conjugateGradient.hpp). Sums are taken in blocks of rows: the same bits with any number of threads.
+/*  Conjugate gradients for the pressure with free bodies, (A + U U^T) x = rhs, on the host: any
+    preconditioner for A alone, deflated by the bodies (deflation.hpp). Flexible: beta of Polak and
+    Ribiere, since a V-cycle in single precision is not quite a constant operator. Residuals are
+    OpenFOAM's (conjugateGradient.hpp). Sums are taken in blocks of rows: the same bits with any
+    number of threads.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -36,7 +38,8 @@ double sumRows(int rows, const F& f)
 
 //- precondition(const double* r, double* z): z = B r
 template<class Precondition>
-PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, const MultigridControls& controls, const Precondition& precondition)
+PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies,
+    const MultigridControls& controls, const Precondition& precondition)
 {
     constexpr double small = 1e-20;
     const int n = s.rows();
@@ -52,11 +55,19 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
         const double of = bodies.rowSum(i)*reference;
         return std::fabs(q[i] - of) + std::fabs(s.rhs[i] - of);
     });
-    double residual = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
+    double residual = sumRows(n,
+                          [&](int i)
+                          {
+                              r[i] = s.rhs[i] - q[i];
+                              return std::fabs(r[i]);
+                          })
+        /norm;
     report.initialResidual = residual;
     const auto done = [&]
     {
-        return report.iterations >= controls.minIter && (residual < controls.tolerance || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual));
+        return report.iterations >= controls.minIter
+            && (residual < controls.tolerance
+                || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual));
     };
     const bool deflates = bodies.columns() > 0;
     if (deflates && !done())        // the residual has then nothing in the span of Z
@@ -78,7 +89,9 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
             sumRows(n, [&](int i) { w[i] = r[i] - w[i]; return 0.0; });
             bodies.correct(w.data(), z.data());
         }
-        const double before = rz, change = before != 0 ? -alpha*sumRows(n, [&](int i) { return z[i]*q[i]; }) : 0;
+        const double before = rz,
+                     change = before != 0 ? -alpha*sumRows(n, [&](int i) { return z[i]*q[i]; })
+                                          : 0;
         rz = sumRows(n, [&](int i) { return z[i]*r[i]; });
         const double beta = before != 0 ? change/before : 0;
         sumRows(n, [&](int i) { p[i] = z[i] + beta*p[i]; return 0.0; });
@@ -95,7 +108,8 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies, co
         ++report.iterations;
     }
     report.finalResidual = residual;
-    report.converged = residual < controls.tolerance || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual);
+    report.converged = residual < controls.tolerance
+        || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual);
     return report;
 }
 

@@ -7,10 +7,9 @@
 namespace riprap
 {
 
-BodyDeflation::BodyDeflation(const ReducedSystem& system, const DeflationControls& controls, const Ranks* ranks)
-:
-    system_(system),
-    ranks_(ranks)
+BodyDeflation::BodyDeflation(
+    const ReducedSystem& system, const DeflationControls& controls, const Ranks* ranks)
+    : system_(system), ranks_(ranks)
 {
     connect();
     placeBodies(controls.in(system.dimensions));
@@ -25,7 +24,11 @@ void BodyDeflation::connect()
     for (std::size_t b = 0; b < s.borders.size(); ++b)
         for (const int r : s.borders[b].row) { border_.push_back(int(b)); beside_.push_back(r); }
     start_.assign(s.rows() + 1, 0);
-    for (std::size_t f = 0; f < s.owner.size(); ++f) { ++start_[s.owner[f] + 1]; ++start_[s.neighbour[f] + 1]; }
+    for (std::size_t f = 0; f < s.owner.size(); ++f)
+    {
+        ++start_[s.owner[f] + 1];
+        ++start_[s.neighbour[f] + 1];
+    }
     for (const int r : beside_) ++start_[r + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     other_.resize(start_.back());
@@ -54,7 +57,8 @@ void BodyDeflation::connect()
         there[b].resize(cell[b].size());
     }
     ranks_->swap(cell, there);
-    for (const auto& cells : there) for (const double c : cells) beyond_.push_back(cornerOf(s, int(c)));
+    for (const auto& cells : there)
+        for (const double c : cells) beyond_.push_back(cornerOf(s, int(c)));
 }
 
 //- The cells beside each body
@@ -67,7 +71,11 @@ void BodyDeflation::findBoxes()
         for (const int r : s.bodies[b].row)
         {
             const CellCorner x = cornerOf(s, s.cell[r]);
-            for (int d = 0; d < 3; ++d) { low_[b][d] = std::min(low_[b][d], x[d]); high_[b][d] = std::max(high_[b][d], x[d]); }
+            for (int d = 0; d < 3; ++d)
+            {
+                low_[b][d] = std::min(low_[b][d], x[d]);
+                high_[b][d] = std::max(high_[b][d], x[d]);
+            }
         }
     if (!ranks_) return;
     std::vector<int> ends;
@@ -75,14 +83,19 @@ void BodyDeflation::findBoxes()
         for (int d = 0; d < 3; ++d) { ends.push_back(low_[b][d]); ends.push_back(-high_[b][d]); }
     ranks_->least(ends);
     for (std::size_t b = 0; b < s.bodies.size(); ++b)
-        for (int d = 0; d < 3; ++d) { low_[b][d] = ends[6*b + 2*d]; high_[b][d] = -ends[6*b + 2*d + 1]; }
+        for (int d = 0; d < 3; ++d)
+        {
+            low_[b][d] = ends[6*b + 2*d];
+            high_[b][d] = -ends[6*b + 2*d + 1];
+        }
 }
 
 //- Local solutions for light bodies, and hats between those
 void BodyDeflation::placeBodies(const DeflationControls& controls)
 {
     const ReducedSystem& s = system_;
-    const std::size_t atOnce = ranks_ ? 64 : 1;     // together, so that ranks wait for each other less often
+    // together, so that ranks wait for each other less often
+    const std::size_t atOnce = ranks_ ? 64 : 1;
     findBoxes();
     std::vector<CellCorner> lows, highs;
     std::vector<const BodyRows*> lights;
@@ -101,7 +114,9 @@ void BodyDeflation::placeBodies(const DeflationControls& controls)
         lights.push_back(&s.bodies[b]);
         for (int d = 0; d < 3; ++d)
         {
-            const int wider = d < s.dimensions ? std::max(1, int(controls.margin*0.5*(high[d] - low[d] + 1) + 0.5)) : 0;
+            const int wider = d < s.dimensions
+                ? std::max(1, int(controls.margin*0.5*(high[d] - low[d] + 1) + 0.5))
+                : 0;
             z.low[d] = std::max(0, low[d] - wider);
             z.high[d] = std::min(s.n[d] - 1, high[d] + wider);
         }
@@ -111,12 +126,17 @@ void BodyDeflation::placeBodies(const DeflationControls& controls)
     rowOfCell_.set(s);
     whole_.assign(s.rows() + beside_.size(), 0.0);
     for (std::size_t b = 0; b < lights.size(); b += atOnce)
-        solveLocally({lights.begin() + b, lights.begin() + std::min(lights.size(), b + atOnce)}, controls.localIterations, &pieces_[b]);
-    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), [](const DeflationPiece& z) { return !z.modes; }), pieces_.end());
+        solveLocally({lights.begin() + b, lights.begin() + std::min(lights.size(), b + atOnce)},
+            controls.localIterations, &pieces_[b]);
+    pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(),
+                      [](const DeflationPiece& z) { return !z.modes; }),
+        pieces_.end());
     if (!(controls.hats > 0)) return;
     std::vector<int> closed(1, s.closed);
     if (ranks_) ranks_->least(closed);
-    for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs, controls.hats*width/lows.size(), closed[0] && controls.hatsEverywhere)) pieces_.push_back(std::move(hat));
+    for (DeflationPiece& hat : hatsBetween(s, rowOfCell_, lows, highs,
+             controls.hats*width/lows.size(), closed[0] && controls.hatsEverywhere))
+        pieces_.push_back(std::move(hat));
     dropEmpty();
     for (DeflationPiece& z : pieces_) findFaces(z);
 }
@@ -154,12 +174,17 @@ void BodyDeflation::order()
     const int count = int(pieces_.size());
     CellCorner least = pieces_[0].low, most = pieces_[0].low;
     for (const DeflationPiece& z : pieces_)
-        for (int d = 0; d < 3; ++d) { least[d] = std::min(least[d], z.low[d]); most[d] = std::max(most[d], z.low[d]); }
+        for (int d = 0; d < 3; ++d)
+        {
+            least[d] = std::min(least[d], z.low[d]);
+            most[d] = std::max(most[d], z.low[d]);
+        }
     int along = 0;
     for (int d = 1; d < 3; ++d) if (most[d] - least[d] > most[along] - least[along]) along = d;
     order_.resize(count);
     std::iota(order_.begin(), order_.end(), 0);
-    std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return pieces_[a].low[along] < pieces_[b].low[along]; });
+    std::stable_sort(order_.begin(), order_.end(),
+        [&](int a, int b) { return pieces_[a].low[along] < pieces_[b].low[along]; });
     firstColumn_.resize(count);
     for (const int b : order_) { firstColumn_[b] = columns_; columns_ += pieces_[b].modes; }
 }
@@ -171,25 +196,34 @@ double BodyDeflation::rowTimes(int row) const
     return sum;
 }
 
-//- Conjugate gradients with the diagonal on the rows in each body's box, for each column u of U. u^T A^-1 u is by how much the body moves the eigenvalue 1 of its mode
-void BodyDeflation::solveLocally(const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z)
+//- Conjugate gradients with the diagonal on the rows in each body's box, for each column u of U.
+//  u^T A^-1 u is by how much the body moves the eigenvalue 1 of its mode
+void BodyDeflation::solveLocally(
+    const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z)
 {
     constexpr double slow = 0.1;
     const ReducedSystem& s = system_;
-    struct Column { std::vector<double> r, p, q, x; double before = 0, moved = 0; bool ends = false; };
+    struct Column
+    {
+        std::vector<double> r, p, q, x;
+        double before = 0, moved = 0;
+        bool ends = false;
+    };
     std::vector<Column> columns;
     std::vector<const DeflationPiece*> at;
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
         const BodyRows& body = *bodies[b];
-        rowOfCell_.each(z[b].low, z[b].high, [&](int row, const CellCorner&) { z[b].row.push_back(row); });
+        rowOfCell_.each(
+            z[b].low, z[b].high, [&](int row, const CellCorner&) { z[b].row.push_back(row); });
         findFaces(z[b]);
         const std::size_t n = z[b].row.size();
         for (int m = 0; m < body.modes; ++m)
         {
             Column c;
             for (std::vector<double>* v : {&c.r, &c.p, &c.q, &c.x}) v->assign(n, 0.0);
-            for (std::size_t i = 0; i < body.row.size(); ++i) whole_[body.row[i]] = body.u[i*body.modes + m];
+            for (std::size_t i = 0; i < body.row.size(); ++i)
+                whole_[body.row[i]] = body.u[i*body.modes + m];
             for (std::size_t i = 0; i < n; ++i) c.r[i] = whole_[z[b].row[i]];
             for (const int row : body.row) whole_[row] = 0;
             columns.push_back(std::move(c));
@@ -215,9 +249,11 @@ void BodyDeflation::solveLocally(const std::vector<const BodyRows*>& bodies, int
             if (v.ends) continue;
             const std::vector<int>& row = at[c]->row;
             const double beta = k ? rz[c]/v.before : 0;
-            for (std::size_t i = 0; i < row.size(); ++i) v.p[i] = v.r[i]/s.diagonal[row[i]] + beta*v.p[i];
+            for (std::size_t i = 0; i < row.size(); ++i)
+                v.p[i] = v.r[i]/s.diagonal[row[i]] + beta*v.p[i];
         }
-        const std::vector<std::vector<double>> there = beyond(at, [&](std::size_t c, std::size_t i) { return columns[c].p[i]; });
+        const std::vector<std::vector<double>> there = beyond(
+            at, [&](std::size_t c, std::size_t i) { return columns[c].p[i]; });
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
             Column& v = columns[c];
@@ -228,7 +264,11 @@ void BodyDeflation::solveLocally(const std::vector<const BodyRows*>& bodies, int
             const std::vector<int>& in = at[c]->in;
             for (std::size_t i = 0; i < row.size(); ++i) whole_[row[i]] = v.p[i];
             for (std::size_t f = 0; f < in.size(); ++f) whole_[s.rows() + in[f]] = there[c][f];
-            for (std::size_t i = 0; i < row.size(); ++i) { v.q[i] = rowTimes(row[i]); part += v.p[i]*v.q[i]; }
+            for (std::size_t i = 0; i < row.size(); ++i)
+            {
+                v.q[i] = rowTimes(row[i]);
+                part += v.p[i]*v.q[i];
+            }
             pq[c] = part;
             for (const int r : row) whole_[r] = 0;
             for (const int f : in) whole_[s.rows() + f] = 0;
@@ -253,10 +293,12 @@ void BodyDeflation::solveLocally(const std::vector<const BodyRows*>& bodies, int
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
         std::vector<const std::vector<double>*> kept;
-        for (int m = 0; m < bodies[b]->modes; ++m, ++first) if (columns[first].moved > slow) kept.push_back(&columns[first].x);
+        for (int m = 0; m < bodies[b]->modes; ++m, ++first)
+            if (columns[first].moved > slow) kept.push_back(&columns[first].x);
         z[b].modes = int(kept.size());
         z[b].value.resize(z[b].row.size()*z[b].modes);
-        for (std::size_t i = 0; i < z[b].row.size(); ++i) for (int m = 0; m < z[b].modes; ++m) z[b].value[i*z[b].modes + m] = (*kept[m])[i];
+        for (std::size_t i = 0; i < z[b].row.size(); ++i)
+            for (int m = 0; m < z[b].modes; ++m) z[b].value[i*z[b].modes + m] = (*kept[m])[i];
     }
 }
 
@@ -334,7 +376,8 @@ void BodyDeflation::correct(const double* r, double* z) const
     {
         const int modes = pieces_[b].modes;
         for (std::size_t i = 0; i < pieces_[b].row.size(); ++i)
-            for (int m = 0; m < modes; ++m) c[firstColumn_[b] + m] += pieces_[b].value[i*modes + m]*r[pieces_[b].row[i]];
+            for (int m = 0; m < modes; ++m)
+                c[firstColumn_[b] + m] += pieces_[b].value[i*modes + m]*r[pieces_[b].row[i]];
     }
     sum(c);
     coarse_.solve(c);
@@ -342,7 +385,8 @@ void BodyDeflation::correct(const double* r, double* z) const
     {
         const int modes = pieces_[b].modes;
         for (std::size_t i = 0; i < pieces_[b].row.size(); ++i)
-            for (int m = 0; m < modes; ++m) z[pieces_[b].row[i]] += pieces_[b].value[i*modes + m]*c[firstColumn_[b] + m];
+            for (int m = 0; m < modes; ++m)
+                z[pieces_[b].row[i]] += pieces_[b].value[i*modes + m]*c[firstColumn_[b] + m];
     }
 }
 

@@ -10,7 +10,8 @@ namespace riprap
 {
 
 template<class F>
-std::vector<std::vector<double>> BodyDeflation::beyond(const std::vector<const DeflationPiece*>& columns, const F& value)
+std::vector<std::vector<double>> BodyDeflation::beyond(
+    const std::vector<const DeflationPiece*>& columns, const F& value)
 {
     std::vector<std::vector<double>> values(columns.size());
     if (!ranks_) return values;

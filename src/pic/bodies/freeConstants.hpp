@@ -1,7 +1,10 @@
-/*  Water of a ReducedSystem that nothing ties to p = 0, up to a constant of its own: A + U U^T takes 1 over it to nothing. Residuals must sum to zero there. Round-off of b - A x does not, and no iteration takes that away,
-    while Q, which is as large as hats over this water are small elsewhere, makes a constant of it that outgrows what is left of z in the end.
+/*  Water of a ReducedSystem that nothing ties to p = 0, up to a constant of its own: A + U U^T
+    takes 1 over it to nothing. Residuals must sum to zero there. Round-off of b - A x does not, and
+    no iteration takes that away, while Q, which is as large as hats over this water are small
+    elsewhere, makes a constant of it that outgrows what is left of z in the end.
 
-    Pockets between which bodies move water back and forth (u^T 1 is not zero over each) share one constant.
+    Pockets between which bodies move water back and forth (u^T 1 is not zero over each) share one
+    constant.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,7 +27,9 @@ public:
     //- Of a system that is not divided
     explicit FreeConstants(const ReducedSystem& s) : group_(s.rows())
     {
-        constexpr double small = 1e-9;      // of what is summed: far above round-off, far below a tie or what a body pushes through a face
+        // of what is summed: far above round-off, far below a tie or what a body pushes through a
+        // face
+        constexpr double small = 1e-9;
         std::iota(group_.begin(), group_.end(), 0);
         std::vector<double> sum(s.diagonal);
         for (std::size_t f = 0; f < s.owner.size(); ++f)
@@ -85,7 +90,11 @@ private:
         {
             std::vector<double>& sum = pushed[root(b.row[i])];
             sum.resize(b.modes, 0.0);
-            for (int m = 0; m < b.modes; ++m) { sum[m] += b.u[i*b.modes + m]; size += std::fabs(b.u[i*b.modes + m]); }
+            for (int m = 0; m < b.modes; ++m)
+            {
+                sum[m] += b.u[i*b.modes + m];
+                size += std::fabs(b.u[i*b.modes + m]);
+            }
         }
         int first = -1;
         for (const auto& pocket : pushed)

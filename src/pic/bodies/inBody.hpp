@@ -1,11 +1,16 @@
 /*  A body's share of a face, from its distances and, in 2D, its lines.
 
-    In 3D the parts of faces are exact for a ball, else by distances at points a quarter of a cell apart. In 2D they are exact. Their sum is the body's area by chords at the planes of the faces, which misses up to (h/a)^1.5 of it where a plane
-    nearly touches the body, in 3D up to (h/a)^2/4 of its volume, and its added mass with it; there the mean over the planes of half a cell on either side is taken (inPole), and both converge
-    with second order.
+    In 3D the parts of faces are exact for a ball, else by distances at points a quarter of a cell
+    apart. In 2D they are exact. Their sum is the body's area by chords at the planes of the faces,
+    which misses up to (h/a)^1.5 of it where a plane nearly touches the body, in 3D up to (h/a)^2/4
+    of its volume, and its added mass with it; there the mean over the planes of half a cell on
+    either side is taken (inPole), and both converge with second order.
 
-    Of a shape of its own that mean is by volumes, also in 3D: a share is then what the body has of the volume that the face moves, from the middle of one cell to that of the next (volume fractions: Batty,
-    Bertails & Bridson 2007, ACM Trans. Graph. 26, 100). By planes alone a flat bottom would feel nothing of its depth within a layer of cells: the force would be that of the pressure in the middle of the layer.
+    Of a shape of its own that mean is by volumes, also in 3D: a share is then what the body has of
+    the volume that the face moves, from the middle of one cell to that of the next (volume
+    fractions: Batty, Bertails & Bridson 2007, ACM Trans. Graph. 26, 100). By planes alone a flat
+    bottom would feel nothing of its depth within a layer of cells: the force would be that of the
+    pressure in the middle of the layer.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,7 +25,8 @@
 namespace riprap
 {
 
-//- Cells: a body that is farther from the middle of a face has nothing of it, nor of half a cell on either side
+//- Cells: a body that is farther from the middle of a face has nothing of it, nor of half a cell on
+//  either side
 template<int D> inline constexpr double faceReach = D == 2 ? 1 : 0.875;
 
 //- Of a face of direction d with its lower corner at x
@@ -31,11 +37,14 @@ HD Vec<D, double> middleOfFace(Vec<D, double> x, int d, double h)
     return x;
 }
 
-//- How much the surface about a face lies across its axis, 0 .. 1. Where an edge bends it, a cell beside the face tells: what lies behind the edge is as flat
+//- How much the surface about a face lies across its axis, 0 .. 1. Where an edge bends it, a cell
+//  beside the face tells: what lies behind the edge is as flat
 EITHER_SIDE template<int D>
 HD double inPole(const SampledShape<D>& shape, const Vec<D, double>& middle, int d, double h)
 {
-    // 1 - cos of the angle between normals: a cell apart less than that of a ball of three cells a radius; an edge that bends by half a right angle; half a cell apart that of a ball of eight cells
+    // 1 - cos of the angle between normals: a cell apart less than that of a ball of three cells a
+    // radius; an edge that bends by half a right angle; half a cell apart that of a ball of eight
+    // cells
     constexpr double round = 0.05, edge = 0.15, plane = 0.002;
     const Vec<D, double> normal = shape.normal(middle);
     const double own = shape.behindPole(middle, normal, d);
@@ -59,7 +68,8 @@ HD double inPole(const SampledShape<D>& shape, const Vec<D, double>& middle, int
     return 1 - least/h;
 }
 
-//- A part of the volume of a face, in cells from it along its direction: the whole lies between the middles of the two cells
+//- A part of the volume of a face, in cells from it along its direction: the whole lies between the
+//  middles of the two cells
 struct AlongFace
 {
     double from = -0.5, to = 0.5;
@@ -68,7 +78,8 @@ struct AlongFace
 };
 
 //- What a shape has of the volume of a face, by distances at points an eighth of a cell apart
-HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, int d, double h, const AlongFace& part)
+HD SolidPart<2> inVolume(
+    const SampledShape<2>& shape, const Vec<2, double>& x, int d, double h, const AlongFace& part)
 {
     constexpr int parts = 8;
     const int along = 1 - d;
@@ -99,8 +110,10 @@ HD SolidPart<2> inVolume(const SampledShape<2>& shape, const Vec<2, double>& x, 
     return sum;
 }
 
-//- A quarter of a cell apart, across the face half a cell; a part's middle is taken for that of what it has
-HD SolidPart<3> inVolume(const SampledShape<3>& shape, const Vec<3, double>& x, int d, double h, const AlongFace& part)
+//- A quarter of a cell apart, across the face half a cell; a part's middle is taken for that of
+//  what it has
+HD SolidPart<3> inVolume(
+    const SampledShape<3>& shape, const Vec<3, double>& x, int d, double h, const AlongFace& part)
 {
     constexpr int parts = 4, layers = 2;
     const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
@@ -146,9 +159,11 @@ HD SolidPart<D> between(const SolidPart<D>& a, const SolidPart<D>& b, double w)
     return part;
 }
 
-//- Faces of direction d from x along the other axis: the part in the body; of a shape of its own, in a part of the face's volume
+//- Faces of direction d from x along the other axis: the part in the body; of a shape of its own,
+//  in a part of the face's volume
 EITHER_SIDE template<class Shape>
-HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, double h, const AlongFace& volume = AlongFace())
+HD SolidPart<2> inBody(const Shape& shape, const Vec<2, double>& x, int d, double h,
+    const AlongFace& volume = AlongFace())
 {
     constexpr int planes = 8;
     const int along = 1 - d;
@@ -208,10 +223,13 @@ EITHER_SIDE HD SolidPart<3> inBallAndPole(const Ball<3>& ball, Vec<3, double> x,
     return part;
 }
 
-//- A face of direction d in 3D with its lower corner at x. Where the body is not one ball, distances at the face's corners alone would cut chords off it: of a ball of 3.75 cells
-//  a radius 2.3 % of the volume, and with it of its weight in water; those of sixteen parts leave a sixteenth of that
+//- A face of direction d in 3D with its lower corner at x. Where the body is not one ball,
+//  distances at the face's corners alone would cut chords off it: of a ball of 3.75 cells a radius
+//  2.3 % of the volume, and with it of its weight in water; those of sixteen parts leave a
+//  sixteenth of that
 EITHER_SIDE template<class Shape>
-HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h, const AlongFace& volume = AlongFace())
+HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, double h,
+    const AlongFace& volume = AlongFace())
 {
     constexpr int parts = 4;
     const int a = d == 0 ? 1 : 0, c = d == 2 ? 1 : 2;
@@ -230,7 +248,8 @@ HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, doubl
     const double middle = shape.distance(face);
     if (middle > faceReach<3>*h) return {0, {0, 0}};
     if (middle < -faceReach<3>*h) return {1, {0.5, 0.5}};
-    double low[parts + 1];      // distances at one end of a row of parts, and, as it is made, at the other
+    // distances at one end of a row of parts, and, as it is made, at the other
+    double low[parts + 1];
     for (int j = 0; j <= parts; ++j) low[j] = shape.distance(at(0, j));
     SolidPart<3> part{0, {0, 0}};
     for (int i = 0; i < parts; ++i)
@@ -256,7 +275,8 @@ HD SolidPart<3> inBody(const Shape& shape, const Vec<3, double>& x, int d, doubl
     return part;
 }
 
-//- Faces of direction d along the first axis, the lower corner of one of them at x: which may the body have a part of? Told with less work
+//- Faces of direction d along the first axis, the lower corner of one of them at x: which may the
+//  body have a part of? Told with less work
 template<int D, class Shape>
 struct RowInBody
 {
@@ -265,9 +285,11 @@ struct RowInBody
     int d;
     double h;
     const Ball<3>* ball = nullptr;
-    double half2 = 1;               // of a ball: the square of what it has of a line along the row that comes nearest to its middle
+    // of a ball: the square of what it has of a line along the row that comes nearest to its middle
+    double half2 = 1;
 
-    HD RowInBody(const Shape& of, const Vec<D, double>& first, int direction, double edge) : shape(of), x(first), d(direction), h(edge)
+    HD RowInBody(const Shape& of, const Vec<D, double>& first, int direction, double edge)
+        : shape(of), x(first), d(direction), h(edge)
     {
         if constexpr (D == 3)
             if ((ball = shape.single()))

@@ -1,6 +1,8 @@
-/*  Cholesky factors of a sparse symmetric positive definite matrix that is stored row by row from each row's first entry.
+/*  Cholesky factors of a sparse symmetric positive definite matrix that is stored row by row from
+    each row's first entry.
 
-    A pivot that loses all but dropped of its diagonal belongs to a column that the earlier ones span: it is left out, as is one whose diagonal is zero.
+    A pivot that loses all but dropped of its diagonal belongs to a column that the earlier ones
+    span: it is left out, as is one whose diagonal is zero.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -19,7 +21,8 @@ public:
     //- first[i]: column of the first entry of row i, at most i
     explicit Skyline(const std::vector<int>& first) : first_(first), start_(first.size() + 1, 0)
     {
-        for (std::size_t i = 0; i < first.size(); ++i) start_[i + 1] = start_[i] + (i - first[i] + 1);
+        for (std::size_t i = 0; i < first.size(); ++i)
+            start_[i + 1] = start_[i] + (i - first[i] + 1);
         value_.assign(start_.back(), 0.0);
     }
 

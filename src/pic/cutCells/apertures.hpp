@@ -1,7 +1,9 @@
-/*  Apertures of faces and open volumes of cells, from signed distances at the nodes of the grid (negative in solids).
+/*  Apertures of faces and open volumes of cells, from signed distances at the nodes of the grid
+    (negative in solids).
 
-    Node (i, j, k) is the lower corner of the cell of the same indices, and number i + (n0 + 1)*(j + (n1 + 1)*k).
-    Faces that are open by less than smallestAperture are closed: nothing worth its row of equations flows through.
+    Node (i, j, k) is the lower corner of the cell of the same indices, and number i + (n0 + 1)*(j +
+    (n1 + 1)*k). Faces that are open by less than smallestAperture are closed: nothing worth its row
+    of equations flows through.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -16,7 +18,8 @@ namespace riprap
 
 static constexpr double smallestAperture = 1e-3;
 
-//- Where the distance at a corner of a cell is more, in cells, no solid reaches into it: it is longer than the cell's diagonal
+//- Where the distance at a corner of a cell is more, in cells, no solid reaches into it: it is
+//  longer than the cell's diagonal
 static constexpr double clearOfCell = 1.75;
 
 //- The nodes of a grid
@@ -32,7 +35,10 @@ struct NodeGrid
         return n;
     }
 
-    HD int stride(int d) const { return d == 0 ? 1 : d == 1 ? grid.n[0] + 1 : (grid.n[0] + 1)*(grid.n[1] + 1); }
+    HD int stride(int d) const
+    {
+        return d == 0 ? 1 : d == 1 ? grid.n[0] + 1 : (grid.n[0] + 1)*(grid.n[1] + 1);
+    }
 
     HD int node(const typename UniformGrid<D>::Index& x) const
     {
@@ -78,7 +84,8 @@ struct NodeDistances
 
 //- Solid part of a face of direction d, whose lower corner is a node
 template<int D>
-HD SolidPart<D> solidOfFace(const NodeGrid<D>& nodes, int d, const typename UniformGrid<D>::Index& face, const double* distance)
+HD SolidPart<D> solidOfFace(const NodeGrid<D>& nodes, int d,
+    const typename UniformGrid<D>::Index& face, const double* distance)
 {
     const int n = nodes.node(face);
     if constexpr (D == 2) return solidOfEdge(distance[n], distance[n + nodes.stride(1 - d)]);
@@ -101,7 +108,8 @@ struct CloseFaces
 
     HD void operator()(int i) const
     {
-        const double open = double(aperture[i])*(1 - solidOfFace(nodes, d, nodes.grid.faceIndex(d, i), distance).share);
+        const double open = double(aperture[i])
+            *(1 - solidOfFace(nodes, d, nodes.grid.faceIndex(d, i), distance).share);
         aperture[i] = open < smallestAperture ? R(0) : R(open);
     }
 };
@@ -128,7 +136,8 @@ struct OpenVolumes
         if constexpr (D == 2) open[i] = R(1 - solidOfSquare(at(0), at(1), at(2), at(3)).share);
         else
         {
-            R corner[8];                // in cells: a part is wanted to the precision of what keeps it
+            // in cells: a part is wanted to the precision of what keeps it
+            R corner[8];
             bool in = true, out = true;
             for (int k = 0; k < 8; ++k)
             {

@@ -1,7 +1,8 @@
 /*  What obstacles leave open of the faces of a grid, and how fast they close the rest.
 
-    Solids that are thick against a cell cut faces by their signed distances. Thin ones (sheets; bodies in which no node or centre of a cell lies
-    deeper than thinDepth cells) also close every face between two cells whose centres they part, whole: a path of water leads from centre to
+    Solids that are thick against a cell cut faces by their signed distances. Thin ones (sheets;
+    bodies in which no node or centre of a cell lies deeper than thinDepth cells) also close every
+    face between two cells whose centres they part, whole: a path of water leads from centre to
     centre through faces, so that none leads through a thin wall, however it lies.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -40,8 +41,8 @@ template<int D>
 void partedFaces(const UniformGrid<D>& grid, const Obstacle<D>& o, std::vector<char>* closed)
 {
     Lattice<D> l = Lattice<D>::centres(grid);
-    // a surface through a centre has it on one side for lines of any direction: centres are moved by a hair, along no surface that a
-    // user would draw
+    // a surface through a centre has it on one side for lines of any direction: centres are moved
+    // by a hair, along no surface that a user would draw
     constexpr double hair[3] = {1.3e-7, 3.7e-7, 6.1e-7};
     for (int d = 0; d < D; ++d) l.origin[d] += hair[d]*grid.h;
     for (int e = 0; e < int(o.elements.size()); ++e)
@@ -54,7 +55,8 @@ void partedFaces(const UniformGrid<D>& grid, const Obstacle<D>& o, std::vector<c
             {
                 eachCrossing(o, e, d, l.position(x), [&](double at)
                 {
-                    // between centres c - 1 and c: face c. The first and the last half cell end at the sides of the domain
+                    // between centres c - 1 and c: face c. The first and the last half cell end at
+                    // the sides of the domain
                     const int c = int(std::floor((at - l.origin[d])/l.h)) + 1;
                     if (c < 0 || c > grid.n[d]) return;
                     typename UniformGrid<D>::Index f{{x[0], x[1], x[2]}};
@@ -70,7 +72,8 @@ void partedFaces(const UniformGrid<D>& grid, const Obstacle<D>& o, std::vector<c
         }
 }
 
-//- Velocity of an obstacle at a point: the rigid motion that takes its vertices from one pose to the other
+//- Velocity of an obstacle at a point: the rigid motion that takes its vertices from one pose to
+//  the other
 template<int D>
 struct RigidVelocity
 {
@@ -125,8 +128,10 @@ private:
         double c[3][3];
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                c[i][j] = m[(i + 1) % 3][(j + 1) % 3]*m[(i + 2) % 3][(j + 2) % 3] - m[(i + 1) % 3][(j + 2) % 3]*m[(i + 2) % 3][(j + 1) % 3];
-        const double det = m[0][0]*c[0][0] + m[0][1]*c[0][1] + m[0][2]*c[0][2], trace = m[0][0] + m[1][1] + m[2][2];
+                c[i][j] = m[(i + 1) % 3][(j + 1) % 3]*m[(i + 2) % 3][(j + 2) % 3]
+                    - m[(i + 1) % 3][(j + 2) % 3]*m[(i + 2) % 3][(j + 1) % 3];
+        const double det = m[0][0]*c[0][0] + m[0][1]*c[0][1] + m[0][2]*c[0][2],
+                     trace = m[0][0] + m[1][1] + m[2][2];
         if (!(det > 1e-12*trace*trace*trace)) return;
         for (int i = 0; i < 3; ++i) x[i] = (c[0][i]*rhs[0] + c[1][i]*rhs[1] + c[2][i]*rhs[2])/det;
     }
@@ -134,23 +139,31 @@ private:
 
 //- Middle of the solid part of a face, else of the face
 template<int D>
-Vec<D, double> solidMiddle(const NodeGrid<D>& nodes, int d, const typename UniformGrid<D>::Index& face, const SolidPart<D>& part)
+Vec<D, double> solidMiddle(const NodeGrid<D>& nodes, int d,
+    const typename UniformGrid<D>::Index& face, const SolidPart<D>& part)
 {
     Vec<D, double> x;
     int m = 0;
     for (int e = 0; e < D; ++e)
-        x[e] = nodes.grid.origin[e] + nodes.grid.h*(face.c[e] + (e == d ? 0 : part.share > 0 ? part.moment[m++]/part.share : 0.5));
+        x[e] = nodes.grid.origin[e]
+            + nodes.grid.h
+                *(face.c[e]
+                    + (e == d ? 0
+                            : part.share > 0 ? part.moment[m++]/part.share
+                                             : 0.5));
     return x;
 }
 
 //- Cuts a grid by obstacles; dt: of the step that moves those that move
 template<int D>
-void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& obstacles, double dt, CutGrid<D>& out)
+void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& obstacles, double dt,
+    CutGrid<D>& out)
 {
     const NodeGrid<D> nodes{grid};
     out.distance.assign(nodes.count(), bandNodes*grid.h);
     std::vector<char> closed[D];
-    std::vector<double> share[D], flux[D];      // of moving solids: part of the face, and times their velocity
+    // of moving solids: part of the face, and times their velocity
+    std::vector<double> share[D], flux[D];
     out.moves = false;
     for (int d = 0; d < D; ++d)
     {
@@ -163,7 +176,9 @@ void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& ob
     for (const Obstacle<D>& o : obstacles)
     {
         const std::vector<double> distance = obstacleDistance(grid, o);
-        if (o.closed) for (std::size_t i = 0; i < distance.size(); ++i) out.distance[i] = std::min(out.distance[i], distance[i]);
+        if (o.closed)
+            for (std::size_t i = 0; i < distance.size(); ++i)
+                out.distance[i] = std::min(out.distance[i], distance[i]);
         std::vector<char> parted[D];
         const bool thin = isThin(grid, o, distance);
         for (int d = 0; d < D; ++d) parted[d].assign(grid.faces(d), 0);
@@ -181,17 +196,23 @@ void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& ob
                 if (o.closed) part = solidOfFace(nodes, d, x, distance.data());
                 const double own = parted[d][f] ? 1 : part.share;
                 share[d][f] += own;
-                if (motion && own > 0) flux[d][f] += own*motion->along(d, solidMiddle(nodes, d, x, part));
+                if (motion && own > 0)
+                    flux[d][f] += own*motion->along(d, solidMiddle(nodes, d, x, part));
             }
     }
     for (int d = 0; d < D; ++d)
         for (int f = 0; f < grid.faces(d); ++f)
         {
             const double before = out.aperture[d][f];
-            double open = closed[d][f] ? 0 : before*(1 - solidOfFace(nodes, d, grid.faceIndex(d, f), out.distance.data()).share);
+            double open = closed[d][f] ? 0
+                                       : before
+                    *(1 - solidOfFace(nodes, d, grid.faceIndex(d, f), out.distance.data()).share);
             if (open < smallestAperture) open = 0;
             const double velocity = share[d][f] > 0 ? flux[d][f]/share[d][f] : 0;
-            if (open < 1) out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f] + (before - open)*velocity)/(1 - open);
+            if (open < 1)
+                out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f]
+                                             + (before - open)*velocity)
+                    /(1 - open);
             out.aperture[d][f] = open;
         }
     for (int d = 0; d < D; ++d) out.sealed[d].swap(closed[d]);

@@ -1,11 +1,13 @@
 /*  The surface beside solids: what particles can fill there, and phi within.
 
-    A particle fills the cells about it by the quadratic spline; beside a solid only the open part of that can ever be filled,
+    A particle fills the cells about it by the quadratic spline; beside a solid only the open part
+    of that can ever be filled,
 
         w_c = sum over the cells n about c of (1/6, 2/3, 1/6)-products times open_n,
 
-    so the fill that tells of the surface is that of the particles over w_c. Cells of which less than half is open do not ask the particles: phi is
-    continued into them and on into the solid, layer by layer, linear where it is smooth: the surface meets a wall as it comes.
+    so the fill that tells of the surface is that of the particles over w_c. Cells of which less
+    than half is open do not ask the particles: phi is continued into them and on into the solid,
+    layer by layer, linear where it is smooth: the surface meets a wall as it comes.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -37,8 +39,11 @@ struct OpenWeights
                 for (int l = -1; l <= 1; ++l)
                 {
                     const R w = part(l)*part(j)*(D == 3 ? part(k) : R(1));
-                    sum += w*(in ? open[i + l + grid.n[0]*(j + grid.n[1]*k)]
-                        : cellValue(grid, open, typename UniformGrid<D>::Index{{c.c[0] + l, c.c[1] + j, c.c[2] + k}}));
+                    sum += w
+                        *(in ? open[i + l + grid.n[0]*(j + grid.n[1]*k)]
+                              : cellValue(grid, open,
+                                  typename UniformGrid<D>::Index{
+                                      {c.c[0] + l, c.c[1] + j, c.c[2] + k}}));
                 }
         weight[i] = sum;
     }
@@ -82,7 +87,8 @@ struct ExtendSurface
             {
                 const int one = known(c, d, direction);
                 if (one < 0) continue;
-                const int two = known(c, d, 2*direction), three = two < 0 ? -1 : known(c, d, 3*direction);
+                const int two = known(c, d, 2*direction),
+                          three = two < 0 ? -1 : known(c, d, 3*direction);
                 sum += continued(one, two, three);
                 ++count;
             }
@@ -107,7 +113,10 @@ private:
 
     HD R continued(int one, int two, int three) const
     {
-        if (three < 0) return two < 0 ? phi[one] : phi[one] + maximum(-R(grid.h), minimum(phi[one] - phi[two], R(grid.h)));
+        if (three < 0)
+            return two < 0
+                ? phi[one]
+                : phi[one] + maximum(-R(grid.h), minimum(phi[one] - phi[two], R(grid.h)));
         const R s = phi[one] - phi[two], t = phi[two] - phi[three];
         if (s*t <= 0) return phi[one];
         return phi[one] + (absolute(s) < absolute(t) ? s : t);

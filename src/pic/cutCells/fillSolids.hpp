@@ -1,7 +1,10 @@
-/*  The fill of a new scene where solids are: what the particles of lagrangian/fluid left out there is water wherever its level reaches.
+/*  The fill of a new scene where solids are: what the particles of lagrangian/fluid left out there
+    is water wherever its level reaches.
 
-    A cell near a solid takes the fill of its neighbours at the same height, as far as there are any, however wide the solid is, then of those above and below: the water that
-    rests about a solid is filled as if the solid were not there, so that the surface meets it as it comes, and a film over a wide deck reaches its middle.
+    A cell near a solid takes the fill of its neighbours at the same height, as far as there are
+    any, however wide the solid is, then of those above and below: the water that rests about a
+    solid is filled as if the solid were not there, so that the surface meets it as it comes, and a
+    film over a wide deck reaches its middle.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -16,7 +19,8 @@ namespace riprap
 
 //- known: cells that no solid is near; up: the direction of gravity, -1: none
 template<int D>
-void fillSolids(const UniformGrid<D>& g, const std::vector<char>& known, const std::vector<double>& open, int up, std::vector<double>& fill)
+void fillSolids(const UniformGrid<D>& g, const std::vector<char>& known,
+    const std::vector<double>& open, int up, std::vector<double>& fill)
 {
     constexpr int layers = 8;           // twice the band of phi
     std::vector<char> filled = known;

@@ -1,7 +1,9 @@
-/*  Signed distances of an obstacle at the nodes of a grid, and at the centres of its cells which of them are solid.
+/*  Signed distances of an obstacle at the nodes of a grid, and at the centres of its cells which of
+    them are solid.
 
-    Distances are to the nearest element within a band of bandNodes cells, beyond it the band's width. The side comes from counting
-    how often the surface is crossed on the way along x: no normals, which are ambiguous at edges.
+    Distances are to the nearest element within a band of bandNodes cells, beyond it the band's
+    width. The side comes from counting how often the surface is crossed on the way along x: no
+    normals, which are ambiguous at edges.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -67,7 +69,8 @@ void eachNear(const Lattice<D>& l, const Obstacle<D>& o, int element, double wid
             a = std::min(a, x);
             b = std::max(b, x);
         }
-        const auto bounded = [&](double x, int top) { return int(std::max(-1.0, std::min(x, double(top)))); };
+        const auto bounded = [&](double x, int top)
+        { return int(std::max(-1.0, std::min(x, double(top)))); };
         low[d] = bounded(std::ceil((a - widened - l.origin[d])/l.h), l.n[d]);
         high[d] = bounded(std::floor((b + widened - l.origin[d])/l.h), l.n[d] - 1);
         low[d] = std::max(low[d], 0);
@@ -91,10 +94,12 @@ std::vector<char> solidPoints(const Lattice<D>& l, const Obstacle<D>& o)
         Lattice<D> row = l;     // the lines along x, which pass an element wherever it is along x
         row.n[0] = 1;
         row.origin[0] = o.vertices[o.elements[e][0]][0];
-        eachNear(row, o, e, 1e-9*l.h, [&](const int* x)
-        {
-            eachCrossing(o, e, 0, l.position(x), [&](double at) { crossings[x[1] + l.n[1]*x[2]].push_back(at); });
-        });
+        eachNear(row, o, e, 1e-9*l.h,
+            [&](const int* x)
+            {
+                eachCrossing(o, e, 0, l.position(x),
+                    [&](double at) { crossings[x[1] + l.n[1]*x[2]].push_back(at); });
+            });
     }
     for (int r = 0; r < rows; ++r)
     {
@@ -130,7 +135,8 @@ std::vector<double> obstacleDistance(const UniformGrid<D>& grid, const Obstacle<
         });
     }
     const std::vector<char> solid = solidPoints(l, o);
-    for (std::size_t i = 0; i < distance.size(); ++i) distance[i] = (solid[i] ? -1 : 1)*std::sqrt(distance[i]);
+    for (std::size_t i = 0; i < distance.size(); ++i)
+        distance[i] = (solid[i] ? -1 : 1)*std::sqrt(distance[i]);
     return distance;
 }
 

@@ -1,5 +1,6 @@
-/*  Particles that have come into a solid are put on its surface, the shortest way, and lose the velocity into it, and what the correction of positions gave them for
-    the way into it. Nothing thin is passed on that way.
+/*  Particles that have come into a solid are put on its surface, the shortest way, and lose the
+    velocity into it, and what the correction of positions gave them for the way into it. Nothing
+    thin is passed on that way.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -16,7 +17,8 @@ template<int D, class R>
 struct PushOut
 {
     static constexpr const char* name = "pushOut";
-    static constexpr int passes = 3;            // where surfaces are bent the first way out ends beside the surface
+    // where surfaces are bent the first way out ends beside the surface
+    static constexpr int passes = 3;
     SolidField<D, R> solids;
     PicParticles<D, R> particles;
     double margin;                              // [m]
@@ -34,7 +36,9 @@ struct PushOut
             c.c[d] = floorInt(x.c[d]/grid.h);
             inside = inside && c.c[d] >= 0 && c.c[d] < grid.n[d];
         }
-        if (!inside || solids.distance[NodeGrid<D>{grid}.node(c)] > clearOfCell*grid.h + margin || solids.clear(c, margin)) return;
+        if (!inside || solids.distance[NodeGrid<D>{grid}.node(c)] > clearOfCell*grid.h + margin
+            || solids.clear(c, margin))
+            return;
         if (!(solids.at(x, normal) < margin)) return;
         const Vec<D, double> before = x;
         for (int pass = 0; pass < passes; ++pass)
@@ -42,11 +46,14 @@ struct PushOut
             const double distance = solids.at(x, normal);
             if (!(distance < margin)) break;
             const double slope = std::sqrt(squaredNorm(normal));
-            if (!(slope > 0.1)) break;          // deeper than distances are known, or between two solids
+            // deeper than distances are known, or between two solids
+            if (!(slope > 0.1)) break;
             x = x + ((margin - distance)/maximum(slope, 0.5)/slope)*normal;
-            for (int d = 0; d < D; ++d) x.c[d] = maximum(margin, minimum(x.c[d], grid.n[d]*grid.h - margin));
+            for (int d = 0; d < D; ++d)
+                x.c[d] = maximum(margin, minimum(x.c[d], grid.n[d]*grid.h - margin));
         }
-        stopAtFaces(grid, c, x, margin, [&](int d, int face) { return solids.sealed[d][face] != 0; });
+        stopAtFaces(
+            grid, c, x, margin, [&](int d, int face) { return solids.sealed[d][face] != 0; });
         for (int d = 0; d < D; ++d) takeBack(particles, shift, i, d, x.c[d] - before.c[d]);
         const double slope2 = squaredNorm(normal);
         const Vec<D, R> wall = solids.velocity(before);

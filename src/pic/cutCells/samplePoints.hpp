@@ -1,6 +1,8 @@
-/*  What the grid's water is like at points: how much of a cell about the point is water, pressure and velocity.
+/*  What the grid's water is like at points: how much of a cell about the point is water, pressure
+    and velocity.
 
-    The fraction is linear between cells, so that 1/2 is where phi is 0, but the surface is no wider than a cell. Points in solids are dry.
+    The fraction is linear between cells, so that 1/2 is where phi is 0, but the surface is no wider
+    than a cell. Points in solids are dry.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -18,7 +20,8 @@ template<int D, class R>
 struct SamplePoints
 {
     static constexpr const char* name = "samplePoints";
-    static constexpr int values = 2 + D;        // of a point: fraction, pressure [Pa], velocity [m/s]
+    // of a point: fraction, pressure [Pa], velocity [m/s]
+    static constexpr int values = 2 + D;
     UniformGrid<D> grid;
     SolidField<D, R> solids;                    // distance nullptr: there are none
     const R* phi;

@@ -1,7 +1,8 @@
-/*  Solids as particles meet them: the signed distance between nodes, where it points, how fast the solid moves there, and faces that nothing
-    passes however it is pushed.
+/*  Solids as particles meet them: the signed distance between nodes, where it points, how fast the
+    solid moves there, and faces that nothing passes however it is pushed.
 
-    The distance is linear along each axis between the nodes. The velocity at a point is the mean of those of the closed parts of the faces about it.
+    The distance is linear along each axis between the nodes. The velocity at a point is the mean of
+    those of the closed parts of the faces about it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,7 +35,8 @@ struct SolidField
         {
             int node = first;
             for (int d = 0; d < D; ++d) node += (corner >> d & 1)*nodes.stride(d);
-            far = far && distance[node] > 2*margin;         // what is between may be a little less, by round-off
+            // what is between may be a little less, by round-off
+            far = far && distance[node] > 2*margin;
         }
         return far;
     }

@@ -1,9 +1,13 @@
-/*  Where the water of a grid presses on which part of its walls: the faces of the sides, and the surfaces of obstacles, cut along the planes of the grid.
+/*  Where the water of a grid presses on which part of its walls: the faces of the sides, and the
+    surfaces of obstacles, cut along the planes of the grid.
 
-    On a piece the pressure is that of the middle of the cell before it and what water at rest weighs from there, p + rho g.(x - x_cell). So the force on an obstacle
-    in water at rest is the weight of what it displaces, wherever it lies between the planes. Of the sides only what obstacles leave of their faces counts.
+    On a piece the pressure is that of the middle of the cell before it and what water at rest
+    weighs from there, p + rho g.(x - x_cell). So the force on an obstacle in water at rest is the
+    weight of what it displaces, wherever it lies between the planes. Of the sides only what
+    obstacles leave of their faces counts.
 
-    Elements of a surface are turned alike; which way, its volume says. Surfaces without a volume, and thin ones, are pressed from both sides.
+    Elements of a surface are turned alike; which way, its volume says. Surfaces without a volume,
+    and thin ones, are pressed from both sides.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -36,7 +40,8 @@ struct WallParts
 
 //- The parts of a convex polygon (2D: a segment) between the planes of a grid: f(points)
 template<int D, class F>
-void eachBetweenPlanes(const UniformGrid<D>& grid, std::vector<Vec<D, double>> points, int d, const F& f)
+void eachBetweenPlanes(
+    const UniformGrid<D>& grid, std::vector<Vec<D, double>> points, int d, const F& f)
 {
     if (d == D) { f(points); return; }
     constexpr double hair = 1e-9;               // cells: nearer to a plane is on it
@@ -44,7 +49,8 @@ void eachBetweenPlanes(const UniformGrid<D>& grid, std::vector<Vec<D, double>> p
     double low = 1e300, high = -1e300;
     for (const auto& x : points) { low = std::min(low, at(x)); high = std::max(high, at(x)); }
     const int last = std::min(int(std::ceil(std::min(high, 1e9) - hair)) - 1, grid.n[d]);
-    for (int plane = std::max(int(std::floor(std::max(low, -1e9) + hair)) + 1, 0); plane <= last; ++plane)
+    for (int plane = std::max(int(std::floor(std::max(low, -1e9) + hair)) + 1, 0); plane <= last;
+         ++plane)
     {
         std::vector<Vec<D, double>> below, above;
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -68,7 +74,8 @@ void eachBetweenPlanes(const UniformGrid<D>& grid, std::vector<Vec<D, double>> p
 
 //- Area and middle; 2D: the normal is right of the segment
 template<int D>
-void measurePiece(const std::vector<Vec<D, double>>& points, Vec<D, double>& area, Vec<D, double>& middle)
+void measurePiece(
+    const std::vector<Vec<D, double>>& points, Vec<D, double>& area, Vec<D, double>& middle)
 {
     if constexpr (D == 2)
     {
@@ -134,22 +141,24 @@ void addObstacle(const UniformGrid<D>& grid, const Obstacle<D>& o, int part, Wal
     const bool thin = isThin(grid, o, parts.distanceOf.back());
     const double sense = o.closed ? turnedInto(o) : 1;
     for (int e = 0; e < int(o.elements.size()); ++e)
-        eachBetweenPlanes(grid, elementPoints(o, e), 0, [&](const std::vector<Vec<D, double>>& points)
-        {
-            WallPiece<D> piece{part, int(parts.part.size()) - 1, thin, {}, {}};
-            measurePiece(points, piece.area, piece.middle);
-            if (!(squaredNorm(piece.area) > 0) || isBeyond(grid, piece.middle)) return;
-            piece.area = sense*piece.area;
-            parts.pieces.push_back(piece);
-            if (o.closed) return;
-            piece.area = -1.0*piece.area;
-            parts.pieces.push_back(piece);
-        });
+        eachBetweenPlanes(grid, elementPoints(o, e), 0,
+            [&](const std::vector<Vec<D, double>>& points)
+            {
+                WallPiece<D> piece{part, int(parts.part.size()) - 1, thin, {}, {}};
+                measurePiece(points, piece.area, piece.middle);
+                if (!(squaredNorm(piece.area) > 0) || isBeyond(grid, piece.middle)) return;
+                piece.area = sense*piece.area;
+                parts.pieces.push_back(piece);
+                if (o.closed) return;
+                piece.area = -1.0*piece.area;
+                parts.pieces.push_back(piece);
+            });
 }
 
 //- Linear along each axis between the nodes; beyond the grid that of the nearest cell
 template<int D>
-double distanceAt(const NodeGrid<D>& nodes, const std::vector<double>& distance, const Vec<D, double>& x)
+double distanceAt(
+    const NodeGrid<D>& nodes, const std::vector<double>& distance, const Vec<D, double>& x)
 {
     typename UniformGrid<D>::Index low{{0, 0, 0}};
     double part[D], sum = 0;
@@ -179,29 +188,36 @@ template<int D>
 bool isSolidAt(const Obstacle<D>& o, const Vec<D, double>& x)
 {
     int passed = 0;
-    for (int e = 0; e < int(o.elements.size()); ++e) eachCrossing(o, e, 0, x, [&](double at) { passed += at > x[0]; });
+    for (int e = 0; e < int(o.elements.size()); ++e)
+        eachCrossing(o, e, 0, x, [&](double at) { passed += at > x[0]; });
     return (passed % 2 == 1) != o.solidOutside;
 }
 
 //- After all obstacles, which these are: pieces that another one covers are dry
 template<int D>
-void dropCovered(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& obstacles, WallParts<D>& parts)
+void dropCovered(
+    const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& obstacles, WallParts<D>& parts)
 {
     constexpr double before = 1e-3;             // cells
     const NodeGrid<D> nodes{grid};
     const auto covered = [&](const WallPiece<D>& piece)
     {
-        const Vec<D, double> x = piece.middle - (before*grid.h/std::sqrt(squaredNorm(piece.area)))*piece.area;
+        const Vec<D, double> x = piece.middle
+            - (before*grid.h/std::sqrt(squaredNorm(piece.area)))*piece.area;
         for (int k = 0; k < int(obstacles.size()); ++k)
-            if (k != piece.obstacle && obstacles[k].closed && distanceAt(nodes, parts.distanceOf[k], x) < grid.h && isSolidAt(obstacles[k], x)) return true;
+            if (k != piece.obstacle && obstacles[k].closed
+                && distanceAt(nodes, parts.distanceOf[k], x) < grid.h && isSolidAt(obstacles[k], x))
+                return true;
         return false;
     };
-    parts.pieces.erase(std::remove_if(parts.pieces.begin(), parts.pieces.end(), covered), parts.pieces.end());
+    parts.pieces.erase(
+        std::remove_if(parts.pieces.begin(), parts.pieces.end(), covered), parts.pieces.end());
 }
 
 //- Mean of a face's corners
 template<int D>
-double distanceOfFace(const NodeGrid<D>& nodes, int d, const typename UniformGrid<D>::Index& face, const double* distance)
+double distanceOfFace(const NodeGrid<D>& nodes, int d, const typename UniformGrid<D>::Index& face,
+    const double* distance)
 {
     double sum = 0;
     for (int corner = 0; corner < (1 << D); ++corner)
@@ -214,9 +230,11 @@ double distanceOfFace(const NodeGrid<D>& nodes, int d, const typename UniformGri
     return sum/(1 << (D - 1));
 }
 
-//- Closed faces of the sides. sides: what is open of faces without obstacles; partOf: of the faces of the sides, -1: none
+//- Closed faces of the sides. sides: what is open of faces without obstacles; partOf: of the faces
+//  of the sides, -1: none
 template<int D>
-void addSides(const UniformGrid<D>& grid, const std::vector<double>* sides, const std::vector<int>* partOf, WallParts<D>& parts)
+void addSides(const UniformGrid<D>& grid, const std::vector<double>* sides,
+    const std::vector<int>* partOf, WallParts<D>& parts)
 {
     const NodeGrid<D> nodes{grid};
     for (int d = 0; d < D; ++d)
@@ -228,7 +246,9 @@ void addSides(const UniformGrid<D>& grid, const std::vector<double>* sides, cons
             const double left = 1 - covered.share;
             if (!(left > smallestAperture)) continue;
             WallPiece<D> piece{partOf[d][f], -1, false, {}, filled<D>(0.0)};
-            piece.middle = (1/left)*(solidMiddle(nodes, d, x, none) - covered.share*solidMiddle(nodes, d, x, covered));
+            piece.middle = (1/left)
+                *(solidMiddle(nodes, d, x, none)
+                    - covered.share*solidMiddle(nodes, d, x, covered));
             piece.middle[d] = grid.origin[d] + grid.h*x.c[d];
             piece.area[d] = (x.c[d] == 0 ? -1 : 1)*left*grid.area();
             parts.pieces.push_back(piece);
@@ -258,15 +278,18 @@ int cellBefore(const UniformGrid<D>& grid, const WallPiece<D>& piece, const std:
     return -1;
 }
 
-//- Force on a piece [N]. weight: rho g. Of a pressure what is carried to the piece makes no suction: the water ends before it
+//- Force on a piece [N]. weight: rho g. Of a pressure what is carried to the piece makes no
+//  suction: the water ends before it
 template<int D>
-Vec<D, double> pressureForce(const UniformGrid<D>& grid, const WallPiece<D>& piece, const std::vector<double>& p, const Vec<D, double>& weight)
+Vec<D, double> pressureForce(const UniformGrid<D>& grid, const WallPiece<D>& piece,
+    const std::vector<double>& p, const Vec<D, double>& weight)
 {
     const int i = cellBefore(grid, piece, p);
     if (i < 0) return filled<D>(0.0);
     const auto c = grid.cellIndex(i);
     double carried = p[i];
-    for (int d = 0; d < D; ++d) carried += weight[d]*(piece.middle[d] - grid.origin[d] - grid.h*(c.c[d] + 0.5));
+    for (int d = 0; d < D; ++d)
+        carried += weight[d]*(piece.middle[d] - grid.origin[d] - grid.h*(c.c[d] + 0.5));
     return (p[i] > 0 ? std::max(carried, 0.0) : carried)*piece.area;
 }
 

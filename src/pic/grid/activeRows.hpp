@@ -1,7 +1,9 @@
-/*  Where there is something to do about the water: rows of 32 cells that have water or particles within `reach` cells.
+/*  Where there is something to do about the water: rows of 32 cells that have water or particles
+    within `reach` cells.
 
-    Passes over these alone cost what the water costs, whatever the box around it. Found by tiles, hence somewhat generous. Rows that the water has left since they
-    were last found are listed after them: passes that must leave no trace there visit those, too.
+    Passes over these alone cost what the water costs, whatever the box around it. Found by tiles,
+    hence somewhat generous. Rows that the water has left since they were last found are listed
+    after them: passes that must leave no trace there visit those, too.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -112,8 +114,11 @@ struct FlagRows
         if (r == n) { flag[2*n] = 0; return; }
         flag[r] = 0;
         const typename UniformGrid<D>::Index c = rows.first(r);
-        const int row = tiles.n[0]*(c.c[1]/tiles.side + (D == 3 ? tiles.n[1]*(c.c[2]/tiles.side) : 0)), from = c.c[0]/tiles.side;
-        for (int i = from; i < from + rows.length/tiles.side && i < tiles.n[0]; ++i) if (near[row + i]) flag[r] = 1;
+        const int row = tiles.n[0]
+            *(c.c[1]/tiles.side + (D == 3 ? tiles.n[1]*(c.c[2]/tiles.side) : 0)),
+                  from = c.c[0]/tiles.side;
+        for (int i = from; i < from + rows.length/tiles.side && i < tiles.n[0]; ++i)
+            if (near[row + i]) flag[r] = 1;
         flag[n + r] = before[r] && !flag[r];
     }
 };
@@ -132,7 +137,8 @@ struct ListRows
     {
         const int n = rows.count();
         active[r] = before[r + 1] > before[r];
-        for (const int k : {r, n + r}) if (before[k + 1] > before[k]) list[before[k]] = rows.first(r);
+        for (const int k : {r, n + r})
+            if (before[k + 1] > before[k]) list[before[k]] = rows.first(r);
         if (r > 0) return;
         counts[0] = before[n];
         counts[1] = before[2*n];
@@ -149,15 +155,28 @@ HD void callAt(const F& f, int i, const Index& at)
 
 //- Does f add with the indices of a cell?
 template<class F, class Index, class = void> struct AddsAt : std::false_type {};
-template<class F, class Index> struct AddsAt<F, Index, std::void_t<decltype(std::declval<const F&>().add(0, std::declval<const Index&>(), static_cast<double*>(nullptr)))>> : std::true_type {};
+template<class F, class Index>
+struct AddsAt<F, Index,
+    std::void_t<decltype(std::declval<const F&>().add(
+        0, std::declval<const Index&>(), static_cast<double*>(nullptr)))>> : std::true_type
+{};
 
-//- Has f a way of its own to deal with a row of cells, from one to before an index along the first axis?
+//- Has f a way of its own to deal with a row of cells, from one to before an index along the first
+//  axis?
 template<class F, class Index, class = void> struct HasRow : std::false_type {};
-template<class F, class Index> struct HasRow<F, Index, std::void_t<decltype(std::declval<const F&>().row(std::declval<const Index&>(), 0))>> : std::true_type {};
+template<class F, class Index>
+struct HasRow<F, Index,
+    std::void_t<decltype(std::declval<const F&>().row(std::declval<const Index&>(), 0))>>
+    : std::true_type
+{};
 
 //- The same of cells whose numbers f is told too?
 template<class F, class Index, class = void> struct HasCellRow : std::false_type {};
-template<class F, class Index> struct HasCellRow<F, Index, std::void_t<decltype(std::declval<const F&>().row(0, std::declval<const Index&>(), 0))>> : std::true_type {};
+template<class F, class Index>
+struct HasCellRow<F, Index,
+    std::void_t<decltype(std::declval<const F&>().row(0, std::declval<const Index&>(), 0))>>
+    : std::true_type
+{};
 
 //- f(cell's indices) for the cells of listed rows
 template<int D, class F>
@@ -208,7 +227,8 @@ struct SumRows
         typename UniformGrid<D>::Index c = list[i/CellRows<D>::length];
         c.c[0] += i % CellRows<D>::length;
         if (c.c[0] >= grid.n[0]) return;
-        if constexpr (AddsAt<F, typename UniformGrid<D>::Index>::value) f.add(grid.cell(c), c, sums);
+        if constexpr (AddsAt<F, typename UniformGrid<D>::Index>::value)
+            f.add(grid.cell(c), c, sums);
         else f.add(grid.cell(c), sums);
     }
 };
@@ -221,10 +241,14 @@ struct OverCells
     UniformGrid<D> grid;
     F f;
 
-    HD void operator()(const typename UniformGrid<D>::Index& c) const { callAt(f, grid.cell(c), c); }
+    HD void operator()(const typename UniformGrid<D>::Index& c) const
+    {
+        callAt(f, grid.cell(c), c);
+    }
     HD void row(typename UniformGrid<D>::Index c, int end) const
     {
-        if constexpr (HasCellRow<F, typename UniformGrid<D>::Index>::value) f.row(grid.cell(c), c, end);
+        if constexpr (HasCellRow<F, typename UniformGrid<D>::Index>::value)
+            f.row(grid.cell(c), c, end);
         else
         {
             const int first = grid.cell(c) - c.c[0];
@@ -236,14 +260,17 @@ struct OverCells
 
 //- The faces of direction d below the cells of a row, and at the end of the block those above them
 template<int D, class F>
-HD void rowOfFaces(const UniformGrid<D>& grid, int d, const typename UniformGrid<D>::Index& c, int end, const F& f)
+HD void rowOfFaces(
+    const UniformGrid<D>& grid, int d, const typename UniformGrid<D>::Index& c, int end, const F& f)
 {
     for (int side = 0; side < (d > 0 && c.c[d] == grid.n[d] - 1 ? 2 : 1); ++side)
     {
         typename UniformGrid<D>::Index at = c;
         at.c[d] += side;
-        const int first = grid.face(d, at) - at.c[0], last = d == 0 && end == grid.n[0] ? end + 1 : end;
-        if constexpr (HasCellRow<F, typename UniformGrid<D>::Index>::value) f.row(first + at.c[0], at, last);
+        const int first = grid.face(d, at) - at.c[0],
+                  last = d == 0 && end == grid.n[0] ? end + 1 : end;
+        if constexpr (HasCellRow<F, typename UniformGrid<D>::Index>::value)
+            f.row(first + at.c[0], at, last);
         else
         {
             INDEPENDENT
@@ -270,14 +297,20 @@ struct OverFacesOf
         at(last);
     }
 
-    HD void row(const typename UniformGrid<D>::Index& c, int end) const { rowOfFaces(grid, d, c, end, f); }
+    HD void row(const typename UniformGrid<D>::Index& c, int end) const
+    {
+        rowOfFaces(grid, d, c, end, f);
+    }
 
 private:
-
-    HD void at(const typename UniformGrid<D>::Index& face) const { callAt(f, grid.face(d, face), face); }
+    HD void at(const typename UniformGrid<D>::Index& face) const
+    {
+        callAt(f, grid.face(d, face), face);
+    }
 };
 
-//- f[d](number of the face) for the faces below a cell along each axis d; at the end of the block those above it, too
+//- f[d](number of the face) for the faces below a cell along each axis d; at the end of the block
+//  those above it, too
 template<int D, class F>
 struct OverFaces
 {
@@ -297,7 +330,10 @@ struct OverFaces
         }
     }
 
-    HD void row(const typename UniformGrid<D>::Index& c, int end) const { for (int d = 0; d < D; ++d) rowOfFaces(grid, d, c, end, f[d]); }
+    HD void row(const typename UniformGrid<D>::Index& c, int end) const
+    {
+        for (int d = 0; d < D; ++d) rowOfFaces(grid, d, c, end, f[d]);
+    }
 };
 
 template<class Backend, int D>
@@ -306,7 +342,8 @@ class ActiveRows
 public:
     static constexpr int reach = 8;             // cells
 
-    //- All rows count as listed so far: the first time the arrays' contents are swept away everywhere
+    //- All rows count as listed so far: the first time the arrays' contents are swept away
+    //  everywhere
     void forget() { active_ = Array<Backend, unsigned char>(); count_ = all_ = 0; }
 
     //- Have they been found?
@@ -314,7 +351,8 @@ public:
 
     //- particles: tiles that have any. sort: whose scratch is used
     template<class R>
-    void find(Context<Backend>& context, const UniformGrid<D>& grid, const OccupiedTiles<Backend, D>& particles, const R* phi, CellSort<Backend>& sort)
+    void find(Context<Backend>& context, const UniformGrid<D>& grid,
+        const OccupiedTiles<Backend, D>& particles, const R* phi, CellSort<Backend>& sort)
     {
         const CellTiles<D>& tiles = particles.tiles();
         const CellRows<D> rows(grid);
@@ -324,14 +362,18 @@ public:
         flag_.allocate(context, 2*std::size_t(n) + 1);
         list_.allocate(context, n);
         counts_.allocate(context, 2);
-        forEach(context, tiles.count(), HasWater<D, R>{grid, tiles, particles.place(), phi, has_.data()});
+        forEach(context, tiles.count(),
+            HasWater<D, R>{grid, tiles, particles.place(), phi, has_.data()});
         IsNearWater<D> near{tiles, {}, has_.data(), near_.data(), reach/tiles.side};
         for (int d = 0; d < D; ++d) near.periodic[d] = grid.periodic[d];
-        for (int d = 0; d < D; ++d) if (grid.periodic[d]) near.reach = reach/tiles.side + 1;     // the last tile of a ring may be a short one
+        // the last tile of a ring may be a short one
+        for (int d = 0; d < D; ++d) if (grid.periodic[d]) near.reach = reach/tiles.side + 1;
         forEach(context, tiles.count(), near);
-        forEach(context, n + 1, FlagRows<D>{tiles, rows, near_.data(), active_.data(), flag_.data()});
+        forEach(
+            context, n + 1, FlagRows<D>{tiles, rows, near_.data(), active_.data(), flag_.data()});
         sort.scan(context, flag_.data(), 2*n + 1);
-        forEach(context, n, ListRows<D>{rows, flag_.data(), active_.data(), list_.data(), counts_.data()});
+        forEach(context, n,
+            ListRows<D>{rows, flag_.data(), active_.data(), list_.data(), counts_.data()});
         int counts[2];
         context.toHost(counts, counts_.data(), sizeof(counts));
         count_ = counts[0];
@@ -344,12 +386,16 @@ public:
     void each(Context<Backend>& context, const F& f) const { over(context, count_, f); }
 
     //- f(number of the cell)
-    template<class F>
-    void eachCell(Context<Backend>& context, const F& f) const { over(context, count_, OverCells<D, F>{grid_, f}); }
+    template<class F> void eachCell(Context<Backend>& context, const F& f) const
+    {
+        over(context, count_, OverCells<D, F>{grid_, f});
+    }
 
     //- The same also where there was water
-    template<class F>
-    void eachCellOfBoth(Context<Backend>& context, const F& f) const { over(context, all_, OverCells<D, F>{grid_, f}); }
+    template<class F> void eachCellOfBoth(Context<Backend>& context, const F& f) const
+    {
+        over(context, all_, OverCells<D, F>{grid_, f});
+    }
 
     //- make(d): what is done with the number of each face of direction d that belongs to them
     template<class Make>
@@ -361,21 +407,31 @@ public:
     }
 
     //- f(number of the face) of direction d, also where there was water
-    template<class F>
-    void eachFaceOfBoth(Context<Backend>& context, int d, const F& f) const { over(context, all_, OverFacesOf<D, F>{grid_, d, f}); }
+    template<class F> void eachFaceOfBoth(Context<Backend>& context, int d, const F& f) const
+    {
+        over(context, all_, OverFacesOf<D, F>{grid_, d, f});
+    }
 
     template<int N, class F>
     std::array<double, N> sum(Context<Backend>& context, const F& f) const
-    { return sumOver<N>(context, count_*CellRows<D>::length, SumRows<D, F>{grid_, list_.data(), f}); }
+    {
+        return sumOver<N>(
+            context, count_*CellRows<D>::length, SumRows<D, F>{grid_, list_.data(), f});
+    }
 
-    std::size_t bytes() const { return has_.bytes() + near_.bytes() + active_.bytes() + flag_.bytes() + list_.bytes(); }
+    std::size_t bytes() const
+    {
+        return has_.bytes() + near_.bytes() + active_.bytes() + flag_.bytes() + list_.bytes();
+    }
 
 private:
 
     template<class F>
     void over(Context<Backend>& context, int rows, const F& f) const
     {
-        if constexpr (Backend::gpu) forEach(context, rows*CellRows<D>::length, OverRows<D, F>{list_.data(), grid_.n[0], f});
+        if constexpr (Backend::gpu)
+            forEach(
+                context, rows*CellRows<D>::length, OverRows<D, F>{list_.data(), grid_.n[0], f});
         else forEachRow(context, rows, WholeRows<D, F>{list_.data(), grid_.n[0], f});
     }
 

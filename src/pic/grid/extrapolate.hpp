@@ -1,8 +1,10 @@
 /*  Velocities of faces where none is known, from known ones, layer by layer.
 
-    A face takes the mean over its known neighbours along the axes of u_1 + minmod(u_1 - u_2, u_2 - u_3), the values at distances of one, two and three faces:
-    linear where the field is smooth, constant where it is not. Closed faces on the sides of the block are no source: what is beyond a wall says nothing
-    about the water. Faces that are closed inside the block are filled: particles beside a solid see them, as if the water went on into it.
+    A face takes the mean over its known neighbours along the axes of u_1 + minmod(u_1 - u_2, u_2 -
+    u_3), the values at distances of one, two and three faces: linear where the field is smooth,
+    constant where it is not. Closed faces on the sides of the block are no source: what is beyond a
+    wall says nothing about the water. Faces that are closed inside the block are filled: particles
+    beside a solid see them, as if the water went on into it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -19,13 +21,16 @@ namespace riprap
 //- Layer of a face: 0 known, then the pass that has filled it
 static constexpr unsigned char closedFace = 254, unknownFace = 255;
 
-//- Through less of a face inside the block goes what a body sweeps beside it, or what leaks between bodies that touch: 13 m/s through half a per cent, in water that
-//  moves at 0.3 m/s. That is the slit's, and no velocity to continue or for particles to take
+//- Through less of a face inside the block goes what a body sweeps beside it, or what leaks between
+//  bodies that touch: 13 m/s through half a per cent, in water that moves at 0.3 m/s. That is the
+//  slit's, and no velocity to continue or for particles to take
 static constexpr double leastKnown = 0.06;
 
 //- Is it one of the faces at the two ends of its direction?
-template<int D>
-HD bool atEnd(const UniformGrid<D>& grid, int component, int along) { return !grid.periodic[component] && (along == 0 || along == grid.n[component]); }
+template<int D> HD bool atEnd(const UniformGrid<D>& grid, int component, int along)
+{
+    return !grid.periodic[component] && (along == 0 || along == grid.n[component]);
+}
 
 //- Known are faces through which a wet cell's water flows
 template<int D, class R>
@@ -35,7 +40,8 @@ struct MarkByWetCells
     UniformGrid<D> grid;
     const unsigned char* wet;   // cells
     const R* aperture;          // of this direction's faces
-    const R* distance;          // of their middles to solids that water sticks to; nullptr: there are none
+    // of their middles to solids that water sticks to; nullptr: there are none
+    const R* distance;
     int component;
     unsigned char* layer;
 
@@ -46,7 +52,8 @@ struct MarkByWetCells
         const int low = grid.cellOf(component, f, 0), high = grid.cellOf(component, f, 1);
         const bool known = (low >= 0 && wet[low]) || (high >= 0 && wet[high]);
         const bool end = atEnd(grid, component, f.c[component]);
-        // what an open face whose middle lies in the solid has is the solid's velocity, and tells nothing of the water's slope
+        // what an open face whose middle lies in the solid has is the solid's velocity, and tells
+        // nothing of the water's slope
         if (distance && !(distance[i] > R(0)) && !end) layer[i] = unknownFace;
         else if (aperture[i] > R(end ? 0 : leastKnown)) layer[i] = known ? 0 : unknownFace;
         else layer[i] = end ? closedFace : unknownFace;
@@ -63,7 +70,12 @@ struct MarkByWetCells
             (*this)(number + k, at);
         };
         int from = f.c[0], to = end;
-        if (distance || (component > 0 && (f.c[component] == 0 || f.c[component] == grid.n[component]))) { for (; from < to; ++from) one(from); return; }
+        if (distance
+            || (component > 0 && (f.c[component] == 0 || f.c[component] == grid.n[component])))
+        {
+            for (; from < to; ++from) one(from);
+            return;
+        }
         if (component == 0 && from == 0) one(from++);
         if (component == 0 && to == grid.n[0] + 1 && to > from) one(--to);
         int stride = 1;
@@ -73,7 +85,10 @@ struct MarkByWetCells
         unsigned char* is = layer + number + from;
         INDEPENDENT
         for (int k = 0; k < to - from; ++k)
-            is[k] = (upper[k] | upper[k - stride]) & static_cast<unsigned char>(open[k] > R(leastKnown)) ? static_cast<unsigned char>(0) : unknownFace;
+            is[k] = (upper[k] | upper[k - stride])
+                    & static_cast<unsigned char>(open[k] > R(leastKnown))
+                ? static_cast<unsigned char>(0)
+                : unknownFace;
     }
 };
 
@@ -95,7 +110,8 @@ struct MarkByMass
     }
 };
 
-//- One pass over the faces of a cell: those below it along each axis, at the end of the block those above it, too
+//- One pass over the faces of a cell: those below it along each axis, at the end of the block those
+//  above it, too
 template<int D, class R>
 struct Extrapolate
 {
@@ -119,7 +135,8 @@ struct Extrapolate
         }
     }
 
-    //- The same for the cells of a row, up to before index `end`: of faces that are not known only those with a known one beside them are looked at
+    //- The same for the cells of a row, up to before index `end`: of faces that are not known only
+    //  those with a known one beside them are looked at
     HD void row(const typename UniformGrid<D>::Index& c, int end) const
     {
         for (int d = 0; d < D; ++d)
@@ -180,7 +197,8 @@ private:
         if (layer[component][i] != unknownFace) return;
         bool inside = true;
         UNROLL
-        for (int d = 0; d < D; ++d) inside = inside && f.c[d] >= reach && f.c[d] < grid.layers(component, d) - reach;
+        for (int d = 0; d < D; ++d)
+            inside = inside && f.c[d] >= reach && f.c[d] < grid.layers(component, d) - reach;
         if (inside) fillFrom<true>(component, f, i);
         else fillFrom<false>(component, f, i);
     }
@@ -196,11 +214,13 @@ private:
         {
             for (int direction = -1; direction <= 1; direction += 2)
             {
-                const auto known = [&](int steps) { return along<Inside>(component, i, f.c[d], d, stride, direction*steps); };
+                const auto known = [&](int steps)
+                { return along<Inside>(component, i, f.c[d], d, stride, direction*steps); };
                 const int one = known(1);
                 if (one < 0) continue;
                 const int two = known(2), three = two < 0 ? -1 : known(3);
-                for (int k = 0; k < 4; ++k) if (k < fields) sum[k] += continued(field[k][component], one, two, three);
+                for (int k = 0; k < 4; ++k)
+                    if (k < fields) sum[k] += continued(field[k][component], one, two, three);
                 ++count;
             }
             stride *= grid.layers(component, d);

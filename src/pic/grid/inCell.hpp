@@ -1,7 +1,7 @@
 /*  The cell that a point is in, and where in it.
 
-    Particles keep that in the precision of the pairs (PlaceInCell), from one sort to the next: differences between neighbours are as exact in single
-    precision wherever in the block they are.
+    Particles keep that in the precision of the pairs (PlaceInCell), from one sort to the next:
+    differences between neighbours are as exact in single precision wherever in the block they are.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,9 +1,12 @@
-/*  What the fields of the grid are beyond the block: periodic copies, or mirror images at its sides, where a wall stands.
+/*  What the fields of the grid are beyond the block: periodic copies, or mirror images at its
+    sides, where a wall stands.
 
-    The velocity along the direction in which one looks is odd about its value at the side, u(-s) = 2 u(0) - u(s). Components along a side are even where water
-    slides; where it sticks they are continued linearly from the two nodes inside, so that neither a layer that the grid resolves is bent nor one that it does not
-    resolve is spread over a cell: the wall acts by its stress alone (pic/terms/viscosity.hpp). Scalars are even. Particles near a side are seen with
-    their images, so that what is mapped near walls is as exact as inside.
+    The velocity along the direction in which one looks is odd about its value at the side, u(-s) =
+    2 u(0) - u(s). Components along a side are even where water slides; where it sticks they are
+    continued linearly from the two nodes inside, so that neither a layer that the grid resolves is
+    bent nor one that it does not resolve is spread over a cell: the wall acts by its stress alone
+    (pic/terms/viscosity.hpp). Scalars are even. Particles near a side are seen with their images,
+    so that what is mapped near walls is as exact as inside.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,7 +27,8 @@ HD int evenNode(const UniformGrid<D>& g, int axis, int i)
     return i < 0 ? 0 : (i >= n ? n - 1 : i);            // a block of fewer cells than the stencil
 }
 
-//- Value of component d at face nodes that may lie up to two beyond the sides along d, and lie within them across
+//- Value of component d at face nodes that may lie up to two beyond the sides along d, and lie
+//  within them across
 template<int D, class R>
 HD R valueAlong(const UniformGrid<D>& g, const R* u, int d, typename UniformGrid<D>::Index f)
 {

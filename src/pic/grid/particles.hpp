@@ -1,7 +1,8 @@
-/*  Views of the particles of PIC: positions above the block's lower corner [m], velocities, the affine part where they keep it, and what a transfer
-    remembers.
+/*  Views of the particles of PIC: positions above the block's lower corner [m], velocities, the
+    affine part where they keep it, and what a transfer remembers.
 
-    Particles stand in the order of the cells that they are in; `start` tells where each cell begins.
+    Particles stand in the order of the cells that they are in; `start` tells where each cell
+    begins.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,8 +23,11 @@ struct PicParticles
     int count;
     double* x[D];
     R* v[D];
-    R* affine[D*D];             // row d: gradient of component d [1/s]; nullptr: particles keep none
-    R* memory[D*mostMemory];    // of the transfer's formula, the same number for each component; nullptr from the first that there is not
+    // row d: gradient of component d [1/s]; nullptr: particles keep none
+    R* affine[D*D];
+    // of the transfer's formula, the same number for each component; nullptr from the first that
+    // there is not
+    R* memory[D*mostMemory];
     std::int32_t* id;
     const PlaceInCell<R>* place;
     const int* start;           // cells + 1 entries; particles from start[cells] on are outside
@@ -112,7 +116,8 @@ private:
             UNROLL
             for (int k = 0; k < D*D; ++k) to.affine[k][i] = affine[k];
         }
-        for (int k = 0; k < D*mostMemory && from.memory[k]; ++k) to.memory[k][i] = from.memory[k][j];
+        for (int k = 0; k < D*mostMemory && from.memory[k]; ++k)
+            to.memory[k][i] = from.memory[k][j];
         to.id[i] = id;
     }
 };

@@ -1,5 +1,5 @@
-/*  Pressure between the centres of cells: linear, continued past the surface so that p = 0 where phi = 0, and past walls as the plane through
-    the two cells inside. Exact where p is linear.
+/*  Pressure between the centres of cells: linear, continued past the surface so that p = 0 where
+    phi = 0, and past walls as the plane through the two cells inside. Exact where p is linear.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -12,9 +12,11 @@
 namespace riprap
 {
 
-//- p of a cell; of a dry one what its wet neighbours and p = 0 on the surface between make of it, 0 if it has none
+//- p of a cell; of a dry one what its wet neighbours and p = 0 on the surface between make of it, 0
+//  if it has none
 template<int D, class R>
-HD double continuedPressure(const UniformGrid<D>& g, const R* phi, const double* p, const typename UniformGrid<D>::Index& c)
+HD double continuedPressure(
+    const UniformGrid<D>& g, const R* phi, const double* p, const typename UniformGrid<D>::Index& c)
 {
     const int i = g.cell(c);
     if (phi[i] < 0) return p[i];
@@ -31,9 +33,11 @@ HD double continuedPressure(const UniformGrid<D>& g, const R* phi, const double*
     return count ? sum/count : 0;
 }
 
-//- p of cells that solids close, from the wet ones beside them: the line through two of them, else one's value
+//- p of cells that solids close, from the wet ones beside them: the line through two of them, else
+//  one's value
 template<int D, class R>
-void extendPressure(const UniformGrid<D>& g, const R* phi, const std::vector<unsigned char>& wet, std::vector<double>& p)
+void extendPressure(const UniformGrid<D>& g, const R* phi, const std::vector<unsigned char>& wet,
+    std::vector<double>& p)
 {
     std::vector<unsigned char> known = wet;
     for (int pass = 0; pass < 2; ++pass)
@@ -63,7 +67,8 @@ void extendPressure(const UniformGrid<D>& g, const R* phi, const std::vector<uns
 
 //- p at a point of the block
 template<int D, class R>
-HD double pressureAt(const UniformGrid<D>& g, const R* phi, const double* p, const Vec<D, double>& x)
+HD double pressureAt(
+    const UniformGrid<D>& g, const R* phi, const double* p, const Vec<D, double>& x)
 {
     typename UniformGrid<D>::Index low{{0, 0, 0}};
     double fraction[D];

@@ -1,8 +1,10 @@
 /*  The largest speed of particles, which the Courant number limits:
 
-        (|u|max + |g| dt) dt <= C h,        dt <= 0.4 sqrt(h/(pi |g|)),        dt <= h^2/(2 D nu) for explicit viscosity
+        (|u|max + |g| dt) dt <= C h,        dt <= 0.4 sqrt(h/(pi |g|)), dt <= h^2/(2 D nu) for
+                                            explicit viscosity
 
-    Particles with no water about them fall freely, cell by cell (moveParticles.hpp): no field has to be followed, and C is a larger one for them.
+    Particles with no water about them fall freely, cell by cell (moveParticles.hpp): no field has
+    to be followed, and C is a larger one for them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -54,10 +56,17 @@ inline double courantStep(double courant, double h, double speed, double gravity
       ? 2*length/(speed + std::sqrt(speed*speed + 4*gravity*length)) : 1e30;
 }
 
-//- Waves of two cells, the shortest that the grid carries, have omega = sqrt(pi g/h). Steps of second order treat them well up to omega dt = 0.4
-//  (their period is 0.7 % off); at 0.6 to 1 nonlinear waves feed them, and energy grows
-inline double waveStep(double h, double gravity) { return gravity > 0 ? 0.4/std::sqrt(M_PI*gravity/h) : 1e30; }
+//- Waves of two cells, the shortest that the grid carries, have omega = sqrt(pi g/h). Steps of
+//  second order treat them well up to omega dt = 0.4 (their period is 0.7 % off); at 0.6 to 1
+//  nonlinear waves feed them, and energy grows
+inline double waveStep(double h, double gravity)
+{
+    return gravity > 0 ? 0.4/std::sqrt(M_PI*gravity/h) : 1e30;
+}
 
-inline double viscousStep(double h, double nu, int dimensions) { return nu > 0 ? h*h/(2*dimensions*nu) : 1e30; }
+inline double viscousStep(double h, double nu, int dimensions)
+{
+    return nu > 0 ? h*h/(2*dimensions*nu) : 1e30;
+}
 
 } // namespace riprap

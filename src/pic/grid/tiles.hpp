@@ -17,7 +17,10 @@ struct CellTiles
     int n[3] = {1, 1, 1};
 
     CellTiles() = default;
-    explicit CellTiles(const UniformGrid<D>& g) { for (int d = 0; d < D; ++d) n[d] = (g.n[d] + side - 1)/side; }
+    explicit CellTiles(const UniformGrid<D>& g)
+    {
+        for (int d = 0; d < D; ++d) n[d] = (g.n[d] + side - 1)/side;
+    }
 
     HD int count() const { return n[0]*n[1]*n[2]; }
 
@@ -46,7 +49,8 @@ struct HasParticles
         if (t == tiles.count()) return;
         const typename UniformGrid<D>::Index first = tiles.first(t);
         int end[3] = {1, 1, 1};
-        for (int d = 0; d < D; ++d) end[d] = first.c[d] + tiles.side < grid.n[d] ? first.c[d] + tiles.side : grid.n[d];
+        for (int d = 0; d < D; ++d)
+            end[d] = first.c[d] + tiles.side < grid.n[d] ? first.c[d] + tiles.side : grid.n[d];
         for (int k = first.c[2]; k < end[2]; ++k)
             for (int j = first.c[1]; j < end[1]; ++j)
             {

@@ -1,8 +1,10 @@
-/*  The uniform Cartesian block that the grid of PIC lives on: cells and the staggered faces of each direction.
+/*  The uniform Cartesian block that the grid of PIC lives on: cells and the staggered faces of each
+    direction.
 
-    Cell (i, j, k) is number i + n0*(j + n1*k). Faces normal to direction d form an array of their own, with n_d + 1 layers along
-    d: face (i, j, k) of direction d lies at the lower side along d of the cell of the same indices. Along a periodic direction
-    the last layer is a copy of the first. A side of the block may be a wall that water sticks to, and that slides in its own plane.
+    Cell (i, j, k) is number i + n0*(j + n1*k). Faces normal to direction d form an array of their
+    own, with n_d + 1 layers along d: face (i, j, k) of direction d lies at the lower side along d
+    of the cell of the same indices. Along a periodic direction the last layer is a copy of the
+    first. A side of the block may be a wall that water sticks to, and that slides in its own plane.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -31,7 +33,10 @@ struct UniformGrid
     HD int faces(int d) const { return layers(d, 0)*layers(d, 1)*layers(d, 2); }
 
     HD int cell(const Index& c) const { return c.c[0] + n[0]*(c.c[1] + n[1]*c.c[2]); }
-    HD int face(int d, const Index& f) const { return f.c[0] + layers(d, 0)*(f.c[1] + layers(d, 1)*f.c[2]); }
+    HD int face(int d, const Index& f) const
+    {
+        return f.c[0] + layers(d, 0)*(f.c[1] + layers(d, 1)*f.c[2]);
+    }
 
     HD Index cellIndex(int i) const { return Index{{i % n[0], i/n[0] % n[1], i/(n[0]*n[1])}}; }
     HD Index faceIndex(int d, int i) const
@@ -60,7 +65,10 @@ struct UniformGrid
     }
 
     //- The neighbour of a cell along d, offset -1 or 1; -1 beyond the block
-    HD int neighbour(Index c, int d, int offset) const { return cellOf(d, offset > 0 ? shifted(c, d) : c, offset > 0); }
+    HD int neighbour(Index c, int d, int offset) const
+    {
+        return cellOf(d, offset > 0 ? shifted(c, d) : c, offset > 0);
+    }
 
     HD double volume() const { return D == 2 ? h*h : h*h*h; }
     HD double area() const { return D == 2 ? h : h*h; }

@@ -18,7 +18,10 @@ struct MarkWetCells
     PressureFields<D, R> fields;
     unsigned char* wet;
     HD void operator()(int i) const { (*this)(i, fields.grid.cellIndex(i)); }
-    HD void operator()(int i, const typename UniformGrid<D>::Index& c) const { wet[i] = isWet(fields, i, c); }
+    HD void operator()(int i, const typename UniformGrid<D>::Index& c) const
+    {
+        wet[i] = isWet(fields, i, c);
+    }
 
     //- A row of cells from number i and indices c on, up to before `end`: most lie wholly outside
     HD void row(int i, typename UniformGrid<D>::Index c, int end) const
@@ -112,7 +115,10 @@ struct CountFlying
     PicParticles<D, R> particles;
     const unsigned char* near;
 
-    HD void add(int i, double* sums) const { if (!near[i]) sums[0] += particles.start[i + 1] - particles.start[i]; }
+    HD void add(int i, double* sums) const
+    {
+        if (!near[i]) sums[0] += particles.start[i + 1] - particles.start[i];
+    }
 };
 
 } // namespace riprap

@@ -1,11 +1,15 @@
-/*  Openings of a side, on the host: how much of each face is under water, what is given there, and the particles that come in.
+/*  Openings of a side, on the host: how much of each face is under water, what is given there, and
+    the particles that come in.
 
-    A face of which the part f is under water lets q f |S| dt in, q being the velocity into the block. That volume is kept, and each time it has become that of a
-    particle, one enters: at as many places in turn as the seeds of a cell have (the wet part of the face, in equal shares), and as far inside as the water has
-    come since: rest/(f |S|). So water that comes in evenly is as even as a lattice, and no volume is lost or made.
+    A face of which the part f is under water lets q f |S| dt in, q being the velocity into the
+    block. That volume is kept, and each time it has become that of a particle, one enters: at as
+    many places in turn as the seeds of a cell have (the wet part of the face, in equal shares), and
+    as far inside as the water has come since: rest/(f |S|). So water that comes in evenly is as
+    even as a lattice, and no volume is lost or made.
 
-    Particles leave one by one, too, often a row of them at a time, but water leaves evenly: what the flow has carried out and what has left as particles
-    is balanced for each opening, so that the water's volume does not jump.
+    Particles leave one by one, too, often a row of them at a time, but water leaves evenly: what
+    the flow has carried out and what has left as particles is balanced for each opening, so that
+    the water's volume does not jump.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -28,7 +32,8 @@ struct OpenFace
     Vec<D, double> corner;          // the lowest, above the block's [m]
     double height = 0, extent = 0;  // of its middle, and of its edges, against gravity [m]
     double open = 1;                // part that no obstacle closes
-    double wet = 0, filled = 0;     // parts: through which water may come in, and that is under water
+    // parts: through which water may come in, and that is under water
+    double wet = 0, filled = 0;
 
     double kept = 0;                // volume that has come in, less its particles' [m^D]
     int turn = 0;                   // place of the next one
@@ -44,16 +49,19 @@ struct OpenFace
     double underSurface(double phi) const { return under(height - phi); }
 };
 
-//- Faces of the sides that belong to openings: opening[d]: number of each face of direction d, -1: none. up: against gravity, of length 1
+//- Faces of the sides that belong to openings: opening[d]: number of each face of direction d, -1:
+//  none. up: against gravity, of length 1
 template<int D>
-std::vector<OpenFace<D>> openFaces(const UniformGrid<D>& grid, const std::vector<int>* opening, const Vec<D, double>& up)
+std::vector<OpenFace<D>> openFaces(
+    const UniformGrid<D>& grid, const std::vector<int>* opening, const Vec<D, double>& up)
 {
     std::vector<OpenFace<D>> faces;
     for (int d = 0; d < D; ++d)
         for (int i = 0; i < int(opening[d].size()); ++i)
         {
             const typename UniformGrid<D>::Index at = grid.faceIndex(d, i);
-            if (opening[d][i] < 0 || grid.periodic[d] || (at.c[d] != 0 && at.c[d] != grid.n[d])) continue;
+            if (opening[d][i] < 0 || grid.periodic[d] || (at.c[d] != 0 && at.c[d] != grid.n[d]))
+                continue;
             OpenFace<D> f;
             f.direction = d;
             f.face = i;
@@ -73,17 +81,17 @@ std::vector<OpenFace<D>> openFaces(const UniformGrid<D>& grid, const std::vector
 }
 
 //- What the flow has carried out, less what has left as particles, is less than a row of particles
-template<int D>
-void balance(double& owed, double more, double row) { owed = std::max(-row, std::min(owed + more, row)); }
+template<int D> void balance(double& owed, double more, double row)
+{
+    owed = std::max(-row, std::min(owed + more, row));
+}
 
-//- Places above the block's corner of the particles of `volume` that enter in dt, inward at the velocity q > 0. vertical: the direction of
-//  gravity, -1: there is none; upward: does it point to higher coordinates? perDirection: particles of a cell
+//- Places above the block's corner of the particles of `volume` that enter in dt, inward at the
+//  velocity q > 0. vertical: the direction of gravity, -1: there is none; upward: does it point to
+//  higher coordinates? perDirection: particles of a cell
 template<int D>
-void enter
-(
-    OpenFace<D>& f, const UniformGrid<D>& grid, double q, double dt, double volume, int perDirection, int vertical, bool upward, double margin,
-    std::vector<Vec<D, double>>& places
-)
+void enter(OpenFace<D>& f, const UniformGrid<D>& grid, double q, double dt, double volume,
+    int perDirection, int vertical, bool upward, double margin, std::vector<Vec<D, double>>& places)
 {
     const double area = f.wet*f.open*grid.area();
     if (!(area > 0) || !(q > 0)) return;

@@ -1,8 +1,10 @@
 /*  Faces on the sides of the block through which water comes and goes, on the backend.
 
-    Where the velocity w is given a face is closed and moves with w: that is how the pressure equation sees it (pressureFields.hpp). Where the level is given
-    it is open, and the water beyond it presses with p_b = rho g (level - height): the equation knows ends with p = 0 alone, and the rest of the
-    gradient that it would have, 2 p_b/h, is given to u* before it is solved: u* += +-2 dt p_b/(rho h).
+    Where the velocity w is given a face is closed and moves with w: that is how the pressure
+    equation sees it (pressureFields.hpp). Where the level is given it is open, and the water beyond
+    it presses with p_b = rho g (level - height): the equation knows ends with p = 0 alone, and the
+    rest of the gradient that it would have, 2 p_b/h, is given to u* before it is solved: u* += +-2
+    dt p_b/(rho h).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

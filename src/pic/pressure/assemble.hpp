@@ -1,10 +1,12 @@
-/*  The pressure equation of one cell (paper 2, Eqs. 3 to 5), times rho h/|S|, so that its coefficients are pure numbers:
+/*  The pressure equation of one cell (paper 2, Eqs. 3 to 5), times rho h/|S|, so that its
+    coefficients are pure numbers:
 
         sum over faces of a (p_c - p_n)  =  -(rho h/dt) sum over faces of +-(a u* + (1 - a) w)
 
-    a: open part of the face, w: velocity of the wall that closes the rest, + where the face's direction points out of the cell.
-    Towards a dry cell p = 0 lies at theta = phi_c/(phi_c - phi_n) of the distance (ghost fluid: Gibou et al. 2002, J. Comput.
-    Phys. 176, 205): the term is a p_c/theta. At an open end of the block p = 0 at the face itself: 2 a p_c.
+    a: open part of the face, w: velocity of the wall that closes the rest, + where the face's
+    direction points out of the cell. Towards a dry cell p = 0 lies at theta = phi_c/(phi_c - phi_n)
+    of the distance (ghost fluid: Gibou et al. 2002, J. Comput. Phys. 176, 205): the term is a
+    p_c/theta. At an open end of the block p = 0 at the face itself: 2 a p_c.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -64,7 +66,8 @@ struct MarkWetRows
         const Place<D> p = rowOfTile(shape, tile, i & ((1 << rowsLog) - 1));
         if (!shape.inside(p)) return;
         auto x = gridIndex<D>(p);
-        const int first = f.grid.cell(x), count = shape.n[0] - p.x[0] < rowCells ? shape.n[0] - p.x[0] : rowCells;
+        const int first = f.grid.cell(x),
+                  count = shape.n[0] - p.x[0] < rowCells ? shape.n[0] - p.x[0] : rowCells;
         const R surface = R(-wetDepth*f.grid.h);
         int deep = 0;
         for (int k = 0; k < count; ++k)
@@ -88,7 +91,8 @@ HD double outflow(const PressureFields<D, R>& f, const typename UniformGrid<D>::
         for (int side = 0; side < 2; ++side)
         {
             const int face = f.grid.faceOf(d, x, side);
-            const double a = f.aperture[d][face], wall = f.wallVelocity[d] ? (1 - a)*double(f.wallVelocity[d][face]) : 0;
+            const double a = f.aperture[d][face],
+                         wall = f.wallVelocity[d] ? (1 - a)*double(f.wallVelocity[d][face]) : 0;
             flux += (side ? 1 : -1)*(a*double(f.u[d][face]) + wall);
         }
     return flux;
@@ -125,7 +129,8 @@ struct Assemble
                         const int n = f.grid.neighbour(x, d, side ? 1 : -1);
                         if (n < 0) s += a/endTheta;
                         else if (!wet[n]) s += a/surfaceTheta(f.phi[cell], f.phi[n]);
-                        else if (side == 0 && n != cell) lower[d] = a;      // its own neighbour in a ring of one: no force
+                        // its own neighbour in a ring of one: no force
+                        else if (side == 0 && n != cell) lower[d] = a;
                     }
             }
         }
@@ -168,7 +173,9 @@ struct AssembleSource
     HD void row(const Place<D>& first) const
     {
         const bool in = out.shape.inside(first);
-        const int count = !in ? 0 : (out.shape.n[0] - first.x[0] < rowCells ? out.shape.n[0] - first.x[0] : rowCells);
+        const int count = !in
+            ? 0
+            : (out.shape.n[0] - first.x[0] < rowCells ? out.shape.n[0] - first.x[0] : rowCells);
         double flux[rowCells];
         for (int k = 0; k < rowCells; ++k) flux[k] = 0;
         const auto x = gridIndex<D>(first);
@@ -178,12 +185,15 @@ struct AssembleSource
             const R* a = f.aperture[d];
             const R* u = f.u[d];
             INDEPENDENT
-            for (int k = 0; k < count; ++k) flux[k] += double(a[high + k])*double(u[high + k]) - double(a[low + k])*double(u[low + k]);
+            for (int k = 0; k < count; ++k)
+                flux[k] += double(a[high + k])*double(u[high + k])
+                    - double(a[low + k])*double(u[low + k]);
             const R* w = f.wallVelocity[d];
             if (!w) continue;
             INDEPENDENT
             for (int k = 0; k < count; ++k)
-                flux[k] += (1 - double(a[high + k]))*double(w[high + k]) - (1 - double(a[low + k]))*double(w[low + k]);
+                flux[k] += (1 - double(a[high + k]))*double(w[high + k])
+                    - (1 - double(a[low + k]))*double(w[low + k]);
         }
         const int cell = in ? f.grid.cell(x) : 0;
         const double scale = -f.density*f.grid.h/f.timeStep;

@@ -1,11 +1,16 @@
-/*  Conjugate gradients in double precision over the finest level, preconditioned by a V-cycle in single precision.
+/*  Conjugate gradients in double precision over the finest level, preconditioned by a V-cycle in
+    single precision.
 
-        z = B r,  w = A z,  beta = -z.q/pq,  pq = w.z + beta z.q,  alpha = z.r/pq,  p = z + beta p,  q = w + beta q,  x += alpha p,  r -= alpha q
+        z = B r,  w = A z, beta = -z.q/pq, pq = w.z + beta z.q, alpha = z.r/pq, p = z + beta p, q =
+                  w + beta q, x += alpha p, r -= alpha q
 
-    (q = A p by that of z, so that an iteration has two passes over the grid and sums twice; after Chronopoulos & Gear 1989, J. Comput. Appl. Math. 25, 153. beta makes p exactly conjugate to
-    the one before: it is Polak's and Ribiere's, which forgives that B is not exactly linear in single precision. p.A p = w.z + beta z.q, since p_old.q_old = pq and z.q = -beta pq.)
-    Residuals are OpenFOAM's: sum |b - A x| / sum(|A x - A xRef| + |b - A xRef|) with xRef the mean of the first guess, so that
-    tolerances of fvSolution mean the same for every solver. The scalars live on the device.
+    (q = A p by that of z, so that an iteration has two passes over the grid and sums twice; after
+    Chronopoulos & Gear 1989, J. Comput. Appl. Math. 25, 153. beta makes p exactly conjugate to the
+    one before: it is Polak's and Ribiere's, which forgives that B is not exactly linear in single
+    precision. p.A p = w.z + beta z.q, since p_old.q_old = pq and z.q = -beta pq.) Residuals are
+    OpenFOAM's: sum |b - A x| / sum(|A x - A xRef| + |b - A xRef|) with xRef the mean of the first
+    guess, so that tolerances of fvSolution mean the same for every solver. The scalars live on the
+    device.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -59,7 +64,9 @@ struct FineData
             const int c = first.c + k;
             const double own = v[c];
             double sum = s[c]*own;
-            for (int d = 0; d < D; ++d) sum += a[d][c]*(own - double(v[c + by.below[d]])) + a[d][c + by.above[d]]*(own - double(v[c + by.above[d]]));
+            for (int d = 0; d < D; ++d)
+                sum += a[d][c]*(own - double(v[c + by.below[d]]))
+                    + a[d][c + by.above[d]]*(own - double(v[c + by.above[d]]));
             to[k] = sum;
         }
         INDEPENDENT
@@ -78,7 +85,9 @@ struct CgState
     HD void decide()
     {
         const bool done = residual < tolerance || (relTol > 0 && residual < relTol*initial);
-        again = ((!done || iterations < minIter) && iterations < maxIter && residual < 1e300) ? 1 : 0;      // false for NaN
+        // false for NaN
+        again = ((!done || iterations < minIter) && iterations < maxIter && residual < 1e300) ? 1
+                                                                                              : 0;
     }
 };
 
@@ -159,7 +168,8 @@ struct FirstResidual
         Place<D> c;
         if (!cells.at(i, c)) return;
         const bool unknown = f.inverse[c.c] > 0;
-        const double ax = unknown ? f.apply(c, f.x) + (coupled ? f.q[c.c] : 0) : 0, r = unknown ? f.rhs[c.c] - ax : 0;
+        const double ax = unknown ? f.apply(c, f.x) + (coupled ? f.q[c.c] : 0) : 0,
+                     r = unknown ? f.rhs[c.c] - ax : 0;
         const double reference = (f.s[c.c] + (coupled ? f.p[c.c] : 0))*state->xRef;
         f.r[c.c] = r;
         f.b[c.c] = float(r);
@@ -180,7 +190,8 @@ struct FirstResidual
         for (int k = 0; k < rowCells; ++k)
         {
             const int c = first.c + k;
-            const double ax = product[k] + whole*f.q[c], reference = (f.s[c] + whole*f.p[c])*xRef, rhs = f.rhs[c];
+            const double ax = product[k] + whole*f.q[c],
+                         reference = (f.s[c] + whole*f.p[c])*xRef, rhs = f.rhs[c];
             residual.part[k] = rhs - ax;
             norm.part[k] = std::fabs(ax - reference) + std::fabs(rhs - reference);
         }

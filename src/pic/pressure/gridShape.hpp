@@ -1,8 +1,9 @@
 /*  How a level of the multigrid lies in memory, and which of its cells a pass visits.
 
-    Cells are stored x first, each side padded to whole tiles; arrays have a margin of one plane at both ends, so that the
-    neighbours of any cell can be read. What lies beyond the grid has no coefficients. Passes visit active tiles only: those
-    with an unknown in them. Cells are red or black as the sum of their indices is even or odd.
+    Cells are stored x first, each side padded to whole tiles; arrays have a margin of one plane at
+    both ends, so that the neighbours of any cell can be read. What lies beyond the grid has no
+    coefficients. Passes visit active tiles only: those with an unknown in them. Cells are red or
+    black as the sum of their indices is even or odd.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,7 +33,9 @@ struct GridShape
     int n[D];               // cells of the grid
     int size[D];            // cells stored
     int stride[D];
-    int first[D], last[D];  // from the first cell along d to the one below it, from the last to the one above: around if periodic
+    // from the first cell along d to the one below it, from the last to the one above: around if
+    // periodic
+    int first[D], last[D];
     int tiles[D];
     int tileCount, cells, margin;
 
@@ -55,7 +58,9 @@ struct GridShape
         margin = stride[D - 1];
     }
 
-    //- The same level apart from its neighbours in memory: one cell more between rows, and between planes a row more, which nobody writes. What lies beside the grid, or beyond the cut of an odd ring, is one of them
+    //- The same level apart from its neighbours in memory: one cell more between rows, and between
+    //  planes a row more, which nobody writes. What lies beside the grid, or beyond the cut of an
+    //  odd ring, is one of them
     HD GridShape<D> spaced() const
     {
         GridShape<D> s(*this);
@@ -76,8 +81,14 @@ struct GridShape
     //- Are the ends of rows along the first axis neighbours, which they are not in memory?
     HD bool ringRows() const { return first[0] > 0; }
 
-    HD int below(const Place<D>& p, int d) const { return p.c + (p.x[d] == 0 ? first[d] : -stride[d]); }
-    HD int above(const Place<D>& p, int d) const { return p.c + (p.x[d] == n[d] - 1 ? last[d] : stride[d]); }
+    HD int below(const Place<D>& p, int d) const
+    {
+        return p.c + (p.x[d] == 0 ? first[d] : -stride[d]);
+    }
+    HD int above(const Place<D>& p, int d) const
+    {
+        return p.c + (p.x[d] == n[d] - 1 ? last[d] : stride[d]);
+    }
 
     //- Place i of all that are stored
     HD Place<D> place(int i) const
@@ -124,7 +135,8 @@ HD Place<D> rowOfTile(const GridShape<D>& shape, int t, int row)
     return p;
 }
 
-//- From a cell of a row along the first axis to its neighbours: the same for all of the row, unless the row is a ring
+//- From a cell of a row along the first axis to its neighbours: the same for all of the row, unless
+//  the row is a ring
 template<int D>
 struct RowNeighbours
 {
@@ -229,7 +241,9 @@ struct DenseCells
         p.c = 0;
         for (int d = 0; d < D - 1; ++d)
         {
-            const int quotient = size_[d] == 1 ? i : int(std::uint64_t(unsigned(i))*inverse_[d] >> 32);
+            const int quotient = size_[d] == 1
+                ? i
+                : int(std::uint64_t(unsigned(i))*inverse_[d] >> 32);
             p.x[d] = i - quotient*size_[d];
             p.c += p.x[d]*stride_[d];
             i = quotient;

@@ -2,9 +2,10 @@
 
         (A x)_c = sum over the neighbours n of a_cn (x_c - x_n)  +  s_c x_c
 
-    a stands at the lower face of a cell along each direction, s is what ties the cell to p = 0 (surface, open ends). Differences
-    before products: constants are exactly without force, however many faces a cell has. inverse = 1/(sum a + s), 0 where there
-    is no unknown. Gauss-Seidel in two colours: a sweep of one colour reads the other alone, and may run in any order.
+    a stands at the lower face of a cell along each direction, s is what ties the cell to p = 0
+    (surface, open ends). Differences before products: constants are exactly without force, however
+    many faces a cell has. inverse = 1/(sum a + s), 0 where there is no unknown. Gauss-Seidel in two
+    colours: a sweep of one colour reads the other alone, and may run in any order.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -56,7 +57,8 @@ HD int oddRow(const Place<D>& p, int colour)
     return colour & 1;
 }
 
-//- The sweep of a colour when all x are zero; those of the other colour are not read, and need not be zero in memory
+//- The sweep of a colour when all x are zero; those of the other colour are not read, and need not
+//  be zero in memory
 template<int D, class Cells>
 struct FirstSweep
 {
@@ -73,7 +75,8 @@ struct FirstSweep
     }
 };
 
-//- That sweep and the one of black cells after it, row by row: what red cells about a black one become is found on the way. Not for rings
+//- That sweep and the one of black cells after it, row by row: what red cells about a black one
+//  become is found on the way. Not for rings
 template<int D, class Cells>
 struct FirstSweeps
 {
@@ -95,7 +98,9 @@ struct FirstSweeps
         {
             const int c = p.c + k;
             float sum = 0;
-            for (int d = 0; d < D; ++d) sum += level.a[d][c]*red(c + to.below[d]) + level.a[d][c + to.above[d]]*red(c + to.above[d]);
+            for (int d = 0; d < D; ++d)
+                sum += level.a[d][c]*red(c + to.below[d])
+                    + level.a[d][c + to.above[d]]*red(c + to.above[d]);
             first[k] = red(c);
             second[k] = (level.b[c] + sum)*level.inverse[c];
         }
@@ -121,7 +126,8 @@ struct Sweep
     }
 };
 
-//- The same row by row: registers hold cells of both colours, of which one keeps what it has (and has 0 where there is no unknown). Not for rings
+//- The same row by row: registers hold cells of both colours, of which one keeps what it has (and
+//  has 0 where there is no unknown). Not for rings
 template<int D, class Cells>
 struct RowSweep
 {
@@ -143,7 +149,9 @@ struct RowSweep
         {
             const int c = p.c + k;
             float sum = 0;
-            for (int d = 0; d < D; ++d) sum += level.a[d][c]*level.x[c + to.below[d]] + level.a[d][c + to.above[d]]*level.x[c + to.above[d]];
+            for (int d = 0; d < D; ++d)
+                sum += level.a[d][c]*level.x[c + to.below[d]]
+                    + level.a[d][c + to.above[d]]*level.x[c + to.above[d]];
             relaxed[k] = (level.b[c] + sum)*level.inverse[c];
         }
         INDEPENDENT

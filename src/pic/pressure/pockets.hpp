@@ -1,10 +1,12 @@
-/*  Water without a surface: connected unknowns of which none is tied to p = 0. Their equations have a solution only if the
-    right-hand side sums to zero over the pocket, and then up to a constant.
+/*  Water without a surface: connected unknowns of which none is tied to p = 0. Their equations have
+    a solution only if the right-hand side sums to zero over the pocket, and then up to a constant.
 
-    Pockets are found by joining cells across open faces to trees whose root is the smallest cell number (K. Komura, Comput.
-    Phys. Commun. 194 (2015) 54; each cell begins under a neighbour, and ways up are shortened before the joins): the outcome does not depend on the order of the joins. What does not sum to zero (round-off, or walls
-    that squeeze a closed volume) is spread over the pocket's cells by their diagonals, and p gets a mean of zero in it. Sums
-    over pockets are of integers, so that their order does not matter either.
+    Pockets are found by joining cells across open faces to trees whose root is the smallest cell
+    number (K. Komura, Comput. Phys. Commun. 194 (2015) 54; each cell begins under a neighbour, and
+    ways up are shortened before the joins): the outcome does not depend on the order of the joins.
+    What does not sum to zero (round-off, or walls that squeeze a closed volume) is spread over the
+    pocket's cells by their diagonals, and p gets a mean of zero in it. Sums over pockets are of
+    integers, so that their order does not matter either.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -38,7 +40,8 @@ HD void join(int* parent, int a, int b)
     }
 }
 
-//- The neighbour of the smallest number that a cell is joined to, if smaller than its own: its first parent, set without a join
+//- The neighbour of the smallest number that a cell is joined to, if smaller than its own: its
+//  first parent, set without a join
 template<int D>
 HD int firstParent(const FineData<D>& f, const Place<D>& c)
 {
@@ -66,7 +69,8 @@ struct StartPockets
     }
 };
 
-//- Shorter ways to the root: a cell's parent becomes one a few parents up. Ways grow shorter by that factor each time, whatever the order
+//- Shorter ways to the root: a cell's parent becomes one a few parents up. Ways grow shorter by
+//  that factor each time, whatever the order
 template<int D>
 struct ShortenPockets
 {
@@ -107,7 +111,8 @@ struct JoinPockets
         if (!cells.at(i, c) || !(f.inverse[c.c] > 0)) return;
         const int joined = firstParent(f, c);
         for (int d = 0; d < D; ++d)
-            if (f.a[d][c.c] > 0 && f.shape.below(c, d) != joined) join(parent, c.c, f.shape.below(c, d));
+            if (f.a[d][c.c] > 0 && f.shape.below(c, d) != joined)
+                join(parent, c.c, f.shape.below(c, d));
     }
 };
 
@@ -164,8 +169,10 @@ struct KeepScale
 };
 
 //- A cell's share of what is spread: its diagonal, in 1/1024 of an open face
-template<int D>
-HD std::int64_t pocketWeight(const FineData<D>& f, int c) { return std::int64_t(1024.0/double(f.inverse[c])) + 1; }
+template<int D> HD std::int64_t pocketWeight(const FineData<D>& f, int c)
+{
+    return std::int64_t(1024.0/double(f.inverse[c])) + 1;
+}
 
 template<int D>
 struct SumPockets
@@ -235,7 +242,8 @@ public:
 
     void allocate(Context<Backend>& context, const GridShape<D>& shape)
     {
-        parent_.allocate(context, shape.cells);     // zero: what no pass visits is no root but cell 0, which has no row then
+        // zero: what no pass visits is no root but cell 0, which has no row then
+        parent_.allocate(context, shape.cells);
         sums_.allocate(context, 3*std::size_t(shape.cells));
         scale_.allocate(context, 2);
         partial_.allocate(context, deviceReduceRoom(2));
@@ -245,8 +253,10 @@ public:
     int find(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells)
     {
         forEach(context, cells.all(), StartPockets<D>{f, cells, parent_.data(), sums_.data()});
-        constexpr int times = Backend::gpu ? 5 : 1;         // cells in a row, one after the other, need but one
-        for (int k = 0; k < times; ++k) forEach(context, cells.all(), ShortenPockets<D>{f, cells, parent_.data()});
+        // cells in a row, one after the other, need but one
+        constexpr int times = Backend::gpu ? 5 : 1;
+        for (int k = 0; k < times; ++k)
+            forEach(context, cells.all(), ShortenPockets<D>{f, cells, parent_.data()});
         forEach(context, cells.all(), JoinPockets<D>{f, cells, parent_.data()});
         forEach(context, cells.all(), CountTies<D>{f, cells, parent_.data(), sums_.data()});
         measure(context, f, cells, f.rhs);
@@ -256,10 +266,16 @@ public:
     }
 
     //- After find(): the right-hand side sums to zero
-    void balance(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells) { takeMean(context, f, cells, f.rhs, true); }
+    void balance(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells)
+    {
+        takeMean(context, f, cells, f.rhs, true);
+    }
 
     //- p has a mean of zero in each
-    void level(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells) { takeMean(context, f, cells, f.x, false); }
+    void level(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells)
+    {
+        takeMean(context, f, cells, f.x, false);
+    }
 
     //- After find(): one cell of each, its first in memory
     std::vector<int> roots() const
@@ -267,24 +283,29 @@ public:
         const std::vector<int> parent = parent_.download();
         const std::vector<std::int64_t> sums = sums_.download();
         std::vector<int> r;
-        for (int c = 0; c < int(parent.size()); ++c) if (parent[c] == c && sums[3*std::size_t(c)] == 0) r.push_back(c);
+        for (int c = 0; c < int(parent.size()); ++c)
+            if (parent[c] == c && sums[3*std::size_t(c)] == 0) r.push_back(c);
         return r;
     }
 
 private:
-
-    void measure(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells, const double* value)
+    void measure(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells,
+        const double* value)
     {
         const PocketSize<D> size{f, cells, parent_.data(), sums_.data(), value};
         sumThen<2>(context, cells.all(), size, partial_.data(), KeepScale{scale_.data()});
     }
 
-    void takeMean(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells, double* value, bool byDiagonal)
+    void takeMean(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells,
+        double* value, bool byDiagonal)
     {
         measure(context, f, cells, value);
         forEach(context, cells.all(), ClearPocketSums<D>{cells, sums_.data()});
-        forEach(context, cells.all(), SumPockets<D>{f, cells, parent_.data(), sums_.data(), value, scale_.data(), byDiagonal});
-        forEach(context, cells.all(), SpreadSum<D>{f, cells, parent_.data(), sums_.data(), value, scale_.data(), byDiagonal});
+        forEach(context, cells.all(),
+            SumPockets<D>{
+                f, cells, parent_.data(), sums_.data(), value, scale_.data(), byDiagonal});
+        forEach(context, cells.all(),
+            SpreadSum<D>{f, cells, parent_.data(), sums_.data(), value, scale_.data(), byDiagonal});
     }
 
     Array<Backend, int> parent_;

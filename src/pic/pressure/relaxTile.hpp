@@ -1,8 +1,11 @@
-/*  The sweeps of a level of the V-cycle in one launch, in 2D: a block of threads takes a tile with the cells around it into shared memory, sweeps there, and writes the tile.
+/*  The sweeps of a level of the V-cycle in one launch, in 2D: a block of threads takes a tile with
+    the cells around it into shared memory, sweeps there, and writes the tile.
 
-    What it reads of cells around the tile it computes anew: each of the four half sweeps makes one more ring of them worthless, so four rings are read. (Down the first reads no neighbour, and one ring is left: enough for the residuals of the tile, which
-    the block sums for the coarse level.) The same numbers come out as of a launch for
-    each half sweep. Blocks must not read what others write: sweeps down write to a second vector, sweeps up go from there back to the first.
+    What it reads of cells around the tile it computes anew: each of the four half sweeps makes one
+    more ring of them worthless, so four rings are read. (Down the first reads no neighbour, and one
+    ring is left: enough for the residuals of the tile, which the block sums for the coarse level.)
+    The same numbers come out as of a launch for each half sweep. Blocks must not read what others
+    write: sweeps down write to a second vector, sweeps up go from there back to the first.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -26,7 +29,8 @@ struct TilePatch
     float x[height][width], b[height][width], inverse[height][width], lower[2][height][width];
 };
 
-//- Up: with the correction from the coarse level, black cells first; down: from x = 0, and residuals to the coarse level
+//- Up: with the correction from the coarse level, black cells first; down: from x = 0, and
+//  residuals to the coarse level
 template<bool Up>
 struct RelaxTile
 {
@@ -52,14 +56,22 @@ struct RelaxTile
             const int x = i % TilePatch::sideX, y = i/TilePatch::sideX;
             const int own = origin.c + x + y*level.shape.stride[1];
             const int px = x + TilePatch::rings, py = y + TilePatch::rings;
-            if (t.inverse[py][px] > 0 && origin.x[0] + x < level.shape.n[0] && origin.x[1] + y < level.shape.n[1]) to[own] = t.x[py][px];
+            if (t.inverse[py][px] > 0 && origin.x[0] + x < level.shape.n[0]
+                && origin.x[1] + y < level.shape.n[1])
+                to[own] = t.x[py][px];
         });
-        if (!Up) team.each(TilePatch::sideX*TilePatch::sideY/4, [&](int i) { restrictResidual(t, origin, i % (TilePatch::sideX/2), i/(TilePatch::sideX/2)); });
+        if (!Up)
+            team.each(TilePatch::sideX*TilePatch::sideY/4,
+                [&](int i) {
+                    restrictResidual(
+                        t, origin, i % (TilePatch::sideX/2), i/(TilePatch::sideX/2));
+                });
     }
 
 private:
 
-    //- Of the coarse cell x, y of the tile, as RestrictResidual: of its red cells, since black ones have none
+    //- Of the coarse cell x, y of the tile, as RestrictResidual: of its red cells, since black ones
+    //  have none
     HD void restrictResidual(const TilePatch& t, const TileOrigin<2>& origin, int x, int y) const
     {
         const int at[2] = {(origin.x[0] >> 1) + x, (origin.x[1] >> 1) + y};
@@ -67,12 +79,17 @@ private:
         float sum = 0;
         for (int o = 0; o < 2; ++o)
         {
-            const int cx = 2*x + o, cy = 2*y + o, px = cx + TilePatch::rings, py = cy + TilePatch::rings;
-            if (!(t.inverse[py][px] > 0) || origin.x[0] + cx >= level.shape.n[0] || origin.x[1] + cy >= level.shape.n[1]) continue;
+            const int cx = 2*x + o, cy = 2*y + o, px = cx + TilePatch::rings,
+                      py = cy + TilePatch::rings;
+            if (!(t.inverse[py][px] > 0) || origin.x[0] + cx >= level.shape.n[0]
+                || origin.x[1] + cy >= level.shape.n[1])
+                continue;
             const float own = t.x[py][px];
             float flux = 0;
-            flux += t.lower[0][py][px]*(own - t.x[py][px - 1]) + t.lower[0][py][px + 1]*(own - t.x[py][px + 1]);
-            flux += t.lower[1][py][px]*(own - t.x[py - 1][px]) + t.lower[1][py + 1][px]*(own - t.x[py + 1][px]);
+            flux += t.lower[0][py][px]*(own - t.x[py][px - 1])
+                + t.lower[0][py][px + 1]*(own - t.x[py][px + 1]);
+            flux += t.lower[1][py][px]*(own - t.x[py - 1][px])
+                + t.lower[1][py + 1][px]*(own - t.x[py + 1][px]);
             sum += t.b[py][px] - flux - level.s[origin.c + cx + cy*level.shape.stride[1]]*own;
         }
         coarse.b[at[0] + at[1]*coarse.shape.stride[1]] = sum;
@@ -88,14 +105,17 @@ private:
         {
             const int n = level.shape.n[d];
             at[d] = origin.x[d] + p[d] - TilePatch::rings;
-            if (level.shape.first[d] > 0) at[d] = at[d] < 0 ? (at[d] + TilePatch::rings*n) % n : at[d] % n;
+            if (level.shape.first[d] > 0)
+                at[d] = at[d] < 0 ? (at[d] + TilePatch::rings*n) % n : at[d] % n;
             in = in && at[d] >= 0 && at[d] < n;
         }
         const int c = at[0] + at[1]*level.shape.stride[1];
         t.inverse[py][px] = in ? level.inverse[c] : 0;
         t.b[py][px] = in ? level.b[c] : 0;
         for (int d = 0; d < 2; ++d) t.lower[d][py][px] = in ? level.a[d][c] : 0;
-        t.x[py][px] = Up && in ? from[c] + coarse.x[(at[0] >> 1) + (at[1] >> 1)*coarse.shape.stride[1]] : 0;
+        t.x[py][px] = Up && in
+            ? from[c] + coarse.x[(at[0] >> 1) + (at[1] >> 1)*coarse.shape.stride[1]]
+            : 0;
     }
 
     //- Cell i of a colour; the outermost ring has no neighbours
@@ -106,10 +126,14 @@ private:
         if (!(inverse > 0)) return;
         if (first && !Up) { t.x[y][x] = t.b[y][x]*inverse; return; }
         if (x == 0 || y == 0 || x == TilePatch::width - 1 || y == TilePatch::height - 1) return;
-        const float along = t.lower[0][y][x]*t.x[y][x - 1], beyond = t.lower[0][y][x + 1]*t.x[y][x + 1];
-        const float below = t.lower[1][y][x]*t.x[y - 1][x], above = t.lower[1][y + 1][x]*t.x[y + 1][x];
+        const float along = t.lower[0][y][x]*t.x[y][x - 1],
+                    beyond = t.lower[0][y][x + 1]*t.x[y][x + 1];
+        const float below = t.lower[1][y][x]*t.x[y - 1][x],
+                    above = t.lower[1][y + 1][x]*t.x[y + 1][x];
         // in the order of ProlongSweep and of Sweep
-        t.x[y][x] = (first ? t.b[y][x] + along + beyond + below + above : t.b[y][x] + ((along + beyond) + (below + above)))*inverse;
+        t.x[y][x] = (first ? t.b[y][x] + along + beyond + below + above
+                           : t.b[y][x] + ((along + beyond) + (below + above)))
+            *inverse;
     }
 };
 

@@ -1,7 +1,9 @@
-/*  Passes over the active tiles of a level row by row, on the CPU: a row of 32 cells is a few registers, and no cell has to find where it is.
+/*  Passes over the active tiles of a level row by row, on the CPU: a row of 32 cells is a few
+    registers, and no cell has to find where it is.
 
-    A pass that can be done so has row(first cell), or addRow(first cell, sums). Rows whose ends are neighbours (rings) are not done so. Sums of a row have a fixed order of their
-    own: they differ from those cell by cell by round-off.
+    A pass that can be done so has row(first cell), or addRow(first cell, sums). Rows whose ends are
+    neighbours (rings) are not done so. Sums of a row have a fixed order of their own: they differ
+    from those cell by cell by round-off.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -62,14 +64,25 @@ struct SumsOfRows
 template<class Backend, int D, class F>
 void eachOfTiles(Context<Backend>& context, [[maybe_unused]] bool byRows, const F& f)
 {
-    if constexpr (!Backend::gpu) if (byRows) { forEachRow(context, f.cells.rows(), RowsOf<D, F>{f}); return; }
+    if constexpr (!Backend::gpu)
+        if (byRows)
+        {
+            forEachRow(context, f.cells.rows(), RowsOf<D, F>{f});
+            return;
+        }
     forEach(context, f.cells.all(), f);
 }
 
 template<int N, class Backend, int D, class F, class G>
-void sumOfTiles(Context<Backend>& context, [[maybe_unused]] bool byRows, const F& f, double* partial, const G& finish)
+void sumOfTiles(Context<Backend>& context, [[maybe_unused]] bool byRows, const F& f,
+    double* partial, const G& finish)
 {
-    if constexpr (!Backend::gpu) if (byRows) { sumRowsThen<N>(context, f.cells.rows(), SumsOfRows<D, F>{f}, partial, finish); return; }
+    if constexpr (!Backend::gpu)
+        if (byRows)
+        {
+            sumRowsThen<N>(context, f.cells.rows(), SumsOfRows<D, F>{f}, partial, finish);
+            return;
+        }
     sumThen<N>(context, f.cells.all(), f, partial, finish);
 }
 

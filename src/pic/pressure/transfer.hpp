@@ -1,7 +1,8 @@
 /*  Between the levels of the multigrid: a coarse cell is 2^D fine ones.
 
-    Corrections are piecewise constant, residuals are summed (R = P^T). Coefficients of a coarse face: half the sum of its fine
-    ones (half, because the correction has half the slope that it should have); of ties to p = 0: the full sum.
+    Corrections are piecewise constant, residuals are summed (R = P^T). Coefficients of a coarse
+    face: half the sum of its fine ones (half, because the correction has half the slope that it
+    should have); of ties to p = 0: the full sum.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,14 +33,16 @@ HD void eachChild(const GridShape<D>& fine, const Place<D>& coarse, const F& f)
     }
 }
 
-//- Coefficients of a coarse level from the next finer one; tileFlag: of the coarse level's tiles, nullptr if it has none
+//- Coefficients of a coarse level from the next finer one; tileFlag: of the coarse level's tiles,
+//  nullptr if it has none
 template<int D>
 struct Coarsen
 {
     static constexpr const char* name = "pressureCoarsen";
     static constexpr float half = 0.5f;
     LevelData<D> fine, coarse;
-    bool oddPeriodic[D];        // colours clash around an odd ring: it is cut for the preconditioner
+    // colours clash around an odd ring: it is cut for the preconditioner
+    bool oddPeriodic[D];
     int* tileFlag;
 
     HD void operator()(int i) const { cell(coarse.shape.place(i)); }
@@ -70,12 +73,14 @@ struct Coarsen
         }
         coarse.s[i] = s;
         coarse.inverse[i] = sum > 0 ? 1/sum : 0.0f;
-        coarse.x[i] = 0;        // also where no pass comes: products with a coefficient of zero must be zero
+        // also where no pass comes: products with a coefficient of zero must be zero
+        coarse.x[i] = 0;
         if (sum > 0 && tileFlag) raise(tileFlag + coarse.shape.tileOf(c));
     }
 };
 
-//- Right-hand side of a coarse level: residuals of the fine one, whose black cells have just been relaxed and have none
+//- Right-hand side of a coarse level: residuals of the fine one, whose black cells have just been
+//  relaxed and have none
 template<int D, class Cells>
 struct RestrictResidual
 {
@@ -98,7 +103,8 @@ struct RestrictResidual
     }
 };
 
-//- The same, row by row of the coarse level: the residuals of a pair of fine cells side by side are those of a red one and nothing. Not for rings
+//- The same, row by row of the coarse level: the residuals of a pair of fine cells side by side are
+//  those of a red one and nothing. Not for rings
 template<int D, class Cells>
 struct RestrictRow
 {
@@ -111,13 +117,15 @@ struct RestrictRow
     {
         Place<D> c;
         if (!cells.row(i, c)) return;
-        const int length = cells.rowLength(), stored = fine.shape.size[0]/2 - c.x[0];       // of which the fine level has cells
+        // of which the fine level has cells
+        const int length = cells.rowLength(), stored = fine.shape.size[0]/2 - c.x[0];
         for (int from = 0; from < length; from += most)
         {
             Place<D> begin = c;
             begin.c += from;
             begin.x[0] += from;
-            const int count = length - from < most ? length - from : most, has = stored - from < count ? stored - from : count;
+            const int count = length - from < most ? length - from : most,
+                      has = stored - from < count ? stored - from : count;
             add(begin, count, has < 0 ? 0 : has);
         }
     }
@@ -143,7 +151,8 @@ private:
             if (in) addRow(p, has, sum);
         }
         INDEPENDENT
-        for (int k = 0; k < count; ++k) coarse.b[c.c + k] = coarse.inverse[c.c + k] > 0 ? sum[k] : 0.0f;
+        for (int k = 0; k < count; ++k)
+            coarse.b[c.c + k] = coarse.inverse[c.c + k] > 0 ? sum[k] : 0.0f;
     }
 
     HD void addRow(const Place<D>& p, int has, float* sum) const
@@ -157,19 +166,21 @@ private:
             const float x = fine.x[c];
             float all = 0;
             for (int d = 0; d < D; ++d)
-                all += fine.a[d][c]*(x - fine.x[c + to.below[d]]) + fine.a[d][c + to.above[d]]*(x - fine.x[c + to.above[d]]);
+                all += fine.a[d][c]*(x - fine.x[c + to.below[d]])
+                    + fine.a[d][c + to.above[d]]*(x - fine.x[c + to.above[d]]);
             residual[k] = fine.b[c] - all - fine.s[c]*x;
         }
         INDEPENDENT
-        for (int k = 0; k < 2*has; ++k) residual[k] = fine.inverse[p.c + k] > 0 ? residual[k] : 0.0f;
+        for (int k = 0; k < 2*has; ++k)
+            residual[k] = fine.inverse[p.c + k] > 0 ? residual[k] : 0.0f;
         const float* red = residual + oddRow(p, 0);
         INDEPENDENT
         for (int k = 0; k < has; ++k) sum[k] += red[2*k];
     }
 };
 
-//- Black sweep that sees the red cells corrected from the coarse level. They themselves need not be: the red sweep that follows
-//  reads black cells alone
+//- Black sweep that sees the red cells corrected from the coarse level. They themselves need not
+//  be: the red sweep that follows reads black cells alone
 template<int D, class Cells>
 struct ProlongSweep
 {
@@ -187,16 +198,26 @@ struct ProlongSweep
         for (int d = 0; d < D; ++d)
         {
             const int below = fine.shape.below(p, d), above = fine.shape.above(p, d);
-            sum += fine.a[d][p.c]*(fine.x[below] + correction(p, d, p.x[d] == 0 ? wrapped(p, d, fine.shape.n[d] - 1) : p.x[d] - 1));
-            sum += fine.a[d][above]*(fine.x[above] + correction(p, d, p.x[d] == fine.shape.n[d] - 1 ? wrapped(p, d, 0) : p.x[d] + 1));
+            sum += fine.a[d][p.c]
+                *(fine.x[below]
+                    + correction(
+                        p, d, p.x[d] == 0 ? wrapped(p, d, fine.shape.n[d] - 1) : p.x[d] - 1));
+            sum += fine.a[d][above]
+                *(fine.x[above]
+                    + correction(
+                        p, d, p.x[d] == fine.shape.n[d] - 1 ? wrapped(p, d, 0) : p.x[d] + 1));
         }
         fine.x[p.c] = sum*inverse;
     }
 
 private:
 
-    //- The index around the ring; where there is none the coefficient is zero, and the own cell will do
-    HD int wrapped(const Place<D>& p, int d, int other) const { return fine.shape.first[d] > 0 ? other : p.x[d]; }
+    //- The index around the ring; where there is none the coefficient is zero, and the own cell
+    //  will do
+    HD int wrapped(const Place<D>& p, int d, int other) const
+    {
+        return fine.shape.first[d] > 0 ? other : p.x[d];
+    }
 
     //- Of the coarse cell that holds index x along d, other indices as p's
     HD float correction(const Place<D>& p, int d, int x) const
@@ -226,7 +247,9 @@ struct ProlongRow
         float own[length + 2], beside[2*D][length];
         correct(p, p.c, own + 1);
         own[0] = p.x[0] > 0 ? fine.x[p.c - 1] + coarse.x[under(p, 0, p.x[0] - 1)] : 0.0f;
-        own[length + 1] = p.x[0] + length < shape.n[0] ? fine.x[p.c + length] + coarse.x[under(p, 0, p.x[0] + length)] : 0.0f;
+        own[length + 1] = p.x[0] + length < shape.n[0]
+            ? fine.x[p.c + length] + coarse.x[under(p, 0, p.x[0] + length)]
+            : 0.0f;
         for (int d = 1; d < D; ++d)
             for (int side = 0; side < 2; ++side)
             {

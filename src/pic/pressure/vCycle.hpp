@@ -1,8 +1,9 @@
 /*  V-cycle: `sweeps` two-colour sweeps before and after the correction from the next coarser level.
 
-    Before: red, black, red, black ...; after: black, red, ...: the mirror image, so that the cycle is a symmetric operator, as
-    conjugate gradients need it. The coarsest level gets bottomSweeps of either order. Small levels are done by one block of the
-    GPU, in one launch: their cost is latency alone.
+    Before: red, black, red, black ...; after: black, red, ...: the mirror image, so that the cycle
+    is a symmetric operator, as conjugate gradients need it. The coarsest level gets bottomSweeps of
+    either order. Small levels are done by one block of the GPU, in one launch: their cost is
+    latency alone.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -18,7 +19,8 @@ namespace riprap
 static constexpr int maxTailLevels = 14;
 static constexpr int bottomSweeps = 2;
 static constexpr int tailCells = 3000;
-static_assert(2*tailCells <= DenseCells<2>::most, "padded levels of the tail must be small enough for its quotients");
+static_assert(2*tailCells <= DenseCells<2>::most,
+    "padded levels of the tail must be small enough for its quotients");
 
 //- Each pass over n items: a launch of its own
 template<class Backend>
@@ -33,14 +35,16 @@ EITHER_SIDE template<int D, class Cells, class Executor>
 HD void relaxDown(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
 {
     run.each(cells.halves(), FirstSweep<D, Cells>{level, cells});
-    for (int k = 1; k < 2*sweeps; ++k) run.each(cells.halves(), Sweep<D, Cells>{level, cells, k & 1});
+    for (int k = 1; k < 2*sweeps; ++k)
+        run.each(cells.halves(), Sweep<D, Cells>{level, cells, k & 1});
 }
 
 //- The sweeps after the first black one
 EITHER_SIDE template<int D, class Cells, class Executor>
 HD void relaxUp(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
 {
-    for (int k = 1; k < 2*sweeps; ++k) run.each(cells.halves(), Sweep<D, Cells>{level, cells, (k + 1) & 1});
+    for (int k = 1; k < 2*sweeps; ++k)
+        run.each(cells.halves(), Sweep<D, Cells>{level, cells, (k + 1) & 1});
 }
 
 //- The same row by row, for the CPU
@@ -48,13 +52,15 @@ template<int D, class Cells, class Executor>
 void relaxDownRows(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
 {
     run.eachRow(cells.rows(), FirstSweeps<D, Cells>{level, cells});
-    for (int k = 2; k < 2*sweeps; ++k) run.eachRow(cells.rows(), RowSweep<D, Cells>{level, cells, k & 1});
+    for (int k = 2; k < 2*sweeps; ++k)
+        run.eachRow(cells.rows(), RowSweep<D, Cells>{level, cells, k & 1});
 }
 
 template<int D, class Cells, class Executor>
 void relaxUpRows(const Executor& run, const LevelData<D>& level, const Cells& cells, int sweeps)
 {
-    for (int k = 1; k < 2*sweeps; ++k) run.eachRow(cells.rows(), RowSweep<D, Cells>{level, cells, (k + 1) & 1});
+    for (int k = 1; k < 2*sweeps; ++k)
+        run.eachRow(cells.rows(), RowSweep<D, Cells>{level, cells, (k + 1) & 1});
 }
 
 //- The small levels, finest first
@@ -73,10 +79,12 @@ struct TailCycle
     {
         int few = 0;
         while (few < levels - 1 && level[few].shape.cells > fewCells) ++few;
-        around(team, 0, few, of, [&]
-        {
-            team.byOneWarp([&](const Team& part) { around(part, few, levels - 1, of, [&] { bottom(part, of(levels - 1)); }); });
-        });
+        around(team, 0, few, of,
+            [&]
+            {
+                team.byOneWarp([&](const Team& part)
+                    { around(part, few, levels - 1, of, [&] { bottom(part, of(levels - 1)); }); });
+            });
     }
 
 private:
@@ -116,7 +124,8 @@ private:
     }
 };
 
-//- The same on a copy in memory that is near: latency is what the small levels cost. Cells that others write meanwhile are nowhere read, not even for nothing (GridShape::spaced)
+//- The same on a copy in memory that is near: latency is what the small levels cost. Cells that
+//  others write meanwhile are nowhere read, not even for nothing (GridShape::spaced)
 template<int D>
 struct NearTail
 {
@@ -128,7 +137,8 @@ struct NearTail
     explicit NearTail(const TailCycle<D>& t) : tail(t)
     {
         first[0] = 0;
-        for (int l = 0; l < tail.levels; ++l) first[l + 1] = first[l] + vectors*size(tail.level[l].shape.spaced());
+        for (int l = 0; l < tail.levels; ++l)
+            first[l + 1] = first[l] + vectors*size(tail.level[l].shape.spaced());
     }
 
     int floats() const { return first[tail.levels]; }
@@ -183,13 +193,13 @@ private:
     }
 };
 
-//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a level take one launch, as far as there is one for them (2D). nearTail: the small levels are copied to memory that is near
+//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a
+//  level take one launch, as far as there is one for them (2D). nearTail: the small levels are
+//  copied to memory that is near
 template<int D, class Backend>
-void vCycle
-(
-    Context<Backend>& context, const std::vector<LevelData<D>>& level, const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
-    const std::vector<float*>& second = std::vector<float*>(), bool nearTail = false
-)
+void vCycle(Context<Backend>& context, const std::vector<LevelData<D>>& level,
+    const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
+    const std::vector<float*>& second = std::vector<float*>(), bool nearTail = false)
 {
     using Tiled = TiledCells<D>;
     const Launches<Backend> launch{context};
@@ -200,7 +210,9 @@ void vCycle
         const bool last = l + 1 == tiled;
         if (together)
         {
-            if constexpr (D == 2) forEachBlock(context, cells[l].capacity, RelaxTile<false>{level[l], cells[l], second[l], nullptr, level[l + 1]});
+            if constexpr (D == 2)
+                forEachBlock(context, cells[l].capacity,
+                    RelaxTile<false>{level[l], cells[l], second[l], nullptr, level[l + 1]});
             continue;
         }
         const DenseCells<D> dense(level[l + 1].shape);
@@ -208,13 +220,21 @@ void vCycle
             if (!level[l].shape.ringRows())
             {
                 relaxDownRows(launch, level[l], cells[l], sweeps);
-                if (!last) launch.eachRow(cells[l + 1].rows(), RestrictRow<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
-                else launch.eachRow(dense.rows(), RestrictRow<D, DenseCells<D>>{level[l], level[l + 1], dense});
+                if (!last)
+                    launch.eachRow(cells[l + 1].rows(),
+                        RestrictRow<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
+                else
+                    launch.eachRow(
+                        dense.rows(), RestrictRow<D, DenseCells<D>>{level[l], level[l + 1], dense});
                 continue;
             }
         relaxDown(launch, level[l], cells[l], sweeps);
-        if (!last) launch.each(cells[l + 1].all(), RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
-        else launch.each(dense.all(), RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], dense});
+        if (!last)
+            launch.each(cells[l + 1].all(),
+                RestrictResidual<D, Tiled>{level[l], level[l + 1], cells[l + 1]});
+        else
+            launch.each(
+                dense.all(), RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], dense});
     }
     if (nearTail)
     {
@@ -227,16 +247,20 @@ void vCycle
         if constexpr (!Backend::gpu)
             if (!together && !level[l].shape.ringRows())
             {
-                launch.eachRow(cells[l].rows(), ProlongRow<D, Tiled>{level[l], level[l + 1], cells[l]});
+                launch.eachRow(
+                    cells[l].rows(), ProlongRow<D, Tiled>{level[l], level[l + 1], cells[l]});
                 relaxUpRows(launch, level[l], cells[l], sweeps);
                 continue;
             }
         if (!together)
         {
-            launch.each(cells[l].halves(), ProlongSweep<D, Tiled>{level[l], level[l + 1], cells[l]});
+            launch.each(
+                cells[l].halves(), ProlongSweep<D, Tiled>{level[l], level[l + 1], cells[l]});
             relaxUp(launch, level[l], cells[l], sweeps);
         }
-        else if constexpr (D == 2) forEachBlock(context, cells[l].capacity, RelaxTile<true>{level[l], cells[l], level[l].x, second[l], level[l + 1]});
+        else if constexpr (D == 2)
+            forEachBlock(context, cells[l].capacity,
+                RelaxTile<true>{level[l], cells[l], level[l].x, second[l], level[l + 1]});
     }
 }
 

@@ -1,7 +1,10 @@
-/*  Free bodies in conjugate gradients where the grid is: U U^T of the rows of wet cells, U = J L with M^-1 = L L^T (pic/bodies/bodyTerm.hpp), in the units of the equation.
+/*  Free bodies in conjugate gradients where the grid is: U U^T of the rows of wet cells, U = J L
+    with M^-1 = L L^T (pic/bodies/bodyTerm.hpp), in the units of the equation.
 
-    Entries stand body by body, row by row of its block, so that a block of threads sums its U^T p; sorted by cells, each cell that bodies touch adds its own part of U (U^T p): it knows where its entries begin. Numbers are read where
-    the grid is, and launches cover what there is room for: a recorded loop stays good from step to step.
+    Entries stand body by body, row by row of its block, so that a block of threads sums its U^T p;
+    sorted by cells, each cell that bodies touch adds its own part of U (U^T p): it knows where its
+    entries begin. Numbers are read where the grid is, and launches cover what there is room for: a
+    recorded loop stays good from step to step.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,14 +33,16 @@ struct CoupledView
     const double* u;                // modes an entry
     const std::uint32_t* key;       // places of entries in ascending order,
     const std::uint32_t* number;    // and whose they are
-    const int* at;                  // of cells: one more than the number of their first entry in that order, 0: none
+    // of cells: one more than the number of their first entry in that order, 0: none
+    const int* at;
     double* ofBody;                 // U^T p
     int bodyRoom, entryRoom;
 
     bool operator==(const CoupledView& o) const
     {
-        return counts == o.counts && firstRow == o.firstRow && first == o.first && place == o.place && body == o.body && u == o.u && key == o.key && number == o.number
-            && at == o.at && ofBody == o.ofBody && bodyRoom == o.bodyRoom && entryRoom == o.entryRoom;
+        return counts == o.counts && firstRow == o.firstRow && first == o.first && place == o.place
+            && body == o.body && u == o.u && key == o.key && number == o.number && at == o.at
+            && ofBody == o.ofBody && bodyRoom == o.bodyRoom && entryRoom == o.entryRoom;
     }
 
     //- A cell's part of U (U^T p), whose entries in order begin at q
@@ -81,9 +86,11 @@ struct SumCoupled
         for (int o = team.size/2; o > 0; o /= 2)
         {
             team.wait();
-            if (team.index < o) for (int m = 0; m < modes; ++m) part[team.index][m] += part[team.index + o][m];
+            if (team.index < o)
+                for (int m = 0; m < modes; ++m) part[team.index][m] += part[team.index + o][m];
         }
-        if (team.index == 0) for (int m = 0; m < modes; ++m) bodies.ofBody[b*modes + m] = part[0][m];
+        if (team.index == 0)
+            for (int m = 0; m < modes; ++m) bodies.ofBody[b*modes + m] = part[0][m];
     }
 };
 
@@ -244,7 +251,8 @@ class CoupledRows
 public:
 
     //- Of the bodies of a cut and their L, for an equation that is assembled and set up
-    void set(Context<Backend>& context, const BodyCut<Backend, D>& cut, const std::vector<double>& root, const FineData<D>& fine)
+    void set(Context<Backend>& context, const BodyCut<Backend, D>& cut,
+        const std::vector<double>& root, const FineData<D>& fine)
     {
         constexpr int modes = bodyModes<D>;
         const int rows = cut.rows();
@@ -254,7 +262,8 @@ public:
         at_.allocate(context, fine.shape.cells);
         root_.upload(context, root);
         first_.allocate(context, std::size_t(rowRoom_) + 1);
-        const CountCoupled<D> count{cut.blocks().grid, fine, rows, cut.first(), cut.cell(), cut.j(), first_.data()};
+        const CountCoupled<D> count{
+            cut.blocks().grid, fine, rows, cut.first(), cut.cell(), cut.j(), first_.data()};
         forEach(context, rows + 1, count);
         exclusiveScan(context, scratch_, first_.data(), rows + 1);
         int entries = 0;
@@ -268,14 +277,17 @@ public:
             scratch_.keys[k].allocate(context, entryRoom_);
             scratch_.values[k].allocate(context, entryRoom_);
         }
-        forEach(context, rows, FillCoupled<D>{count, cut.blocks(), root_.data(), first_.data(), place_.data(), body_.data(), u_.data(),
-            scratch_.keys[0].data(), scratch_.values[0].data()});
+        forEach(context, rows,
+            FillCoupled<D>{count, cut.blocks(), root_.data(), first_.data(), place_.data(),
+                body_.data(), u_.data(), scratch_.keys[0].data(), scratch_.values[0].data()});
         int bits = 1;
         while ((1ll << bits) < fine.shape.cells) ++bits;
         if (entries) sortPairs(context, scratch_, entries, bits);
         key_.allocate(context, entryRoom_);
         number_.allocate(context, entryRoom_);
-        forEach(context, entries, KeepSorted{scratch_.keys[1].data(), scratch_.values[1].data(), key_.data(), number_.data(), at_.data()});
+        forEach(context, entries,
+            KeepSorted{scratch_.keys[1].data(), scratch_.values[1].data(), key_.data(),
+                number_.data(), at_.data()});
         kept_ = entries;
         std::vector<int> counts(coupledCounts);
         counts[coupledBodyCount] = cut.bodies();
@@ -286,8 +298,8 @@ public:
 
     CoupledView<D> view()
     {
-        return {counts_.data(), firstRow_, first_.data(), place_.data(), body_.data(), u_.data(), key_.data(), number_.data(), at_.data(), ofBody_.data(),
-            bodyRoom_, entryRoom_};
+        return {counts_.data(), firstRow_, first_.data(), place_.data(), body_.data(), u_.data(),
+            key_.data(), number_.data(), at_.data(), ofBody_.data(), bodyRoom_, entryRoom_};
     }
 
 private:
@@ -308,7 +320,8 @@ private:
 
 //- to += (U U^T) v; v nullptr: of ones
 template<class Backend, int D>
-void addCoupled(Context<Backend>& context, const CoupledView<D>& bodies, const double* v, double* to)
+void addCoupled(
+    Context<Backend>& context, const CoupledView<D>& bodies, const double* v, double* to)
 {
     forEachBlock(context, bodies.bodyRoom, SumCoupled<D, double>{bodies, v});
     forEach(context, bodies.entryRoom, AddCoupled<D>{bodies, to});

@@ -1,7 +1,9 @@
-/*  Conjugate gradients with a geometric multigrid as preconditioner, on one uniform grid: memory, levels and the loop.
+/*  Conjugate gradients with a geometric multigrid as preconditioner, on one uniform grid: memory,
+    levels and the loop.
 
-    Whoever assembles a system fills a, s, rhs and x of fine() (all stored cells, zero where there is nothing) and calls
-    setUp(), which makes all that follows from them; then solve(), which spends rhs.
+    Whoever assembles a system fills a, s, rhs and x of fine() (all stored cells, zero where there
+    is nothing) and calls setUp(), which makes all that follows from them; then solve(), which
+    spends rhs.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -55,7 +57,8 @@ struct Mirror
     HD bool cut(const Place<D>& c, int d, int at) const { return oddPeriodic[d] && c.x[d] == at; }
 };
 
-//- Active tiles of a level in order; before: scanned flags of all levels, first: where this level's begin
+//- Active tiles of a level in order; before: scanned flags of all levels, first: where this level's
+//  begin
 template<int D>
 struct ListTiles
 {
@@ -86,7 +89,8 @@ struct ListTiles
 
 //- Tiles of the next coarser level that hold some of the cells of tiles
 template<int D>
-std::vector<int> tilesOver(const GridShape<D>& fine, const GridShape<D>& coarse, const std::vector<int>& tiles)
+std::vector<int> tilesOver(
+    const GridShape<D>& fine, const GridShape<D>& coarse, const std::vector<int>& tiles)
 {
     std::vector<char> over(coarse.tileCount, 0);
     for (const int t : tiles)
@@ -111,16 +115,23 @@ public:
     const TiledCells<D>& fineCells() const { return cells_[0]; }
     int fineTiles() const { return active_.empty() ? 0 : active_[0]; }
 
-    //- After coefficients have changed. touched: tiles of the finest level; in others all coefficients are zero, and were so at the last call. On the CPU; nullptr: all
+    //- After coefficients have changed. touched: tiles of the finest level; in others all
+    //  coefficients are zero, and were so at the last call. On the CPU; nullptr: all
     void setUp(Context<Backend>& context, const std::vector<int>* touched = nullptr);
 
-    //- bodies: what free ones add to the matrix, whose slow modes nothing takes away: for those that are heavier than the water
-    PressureReport solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies = nullptr);
+    //- bodies: what free ones add to the matrix, whose slow modes nothing takes away: for those
+    //  that are heavier than the water
+    PressureReport solve(Context<Backend>& context, const MultigridControls& controls,
+        const CoupledView<D>* bodies = nullptr);
 
     //- One V-cycle, from fine().b to fine().z, for a loop that is not ours; after setUp()
-    void precondition(Context<Backend>& context, int sweeps) { vCycle<D>(context, levels_, cells_, tail_, sweeps, second_, near_); }
+    void precondition(Context<Backend>& context, int sweeps)
+    {
+        vCycle<D>(context, levels_, cells_, tail_, sweeps, second_, near_);
+    }
 
-    //- The sweeps of a level in one launch where there is one for them, or each in its own; before allocate()
+    //- The sweeps of a level in one launch where there is one for them, or each in its own; before
+    //  allocate()
     void sweepTogether(bool on) { together_ = on; }
 
     //- The small levels in near memory, if it holds them, or not; before allocate()
@@ -132,7 +143,8 @@ private:
 
     void chooseCapacities(const std::vector<int>& count);
     void start(Context<Backend>& context, const CoupledView<D>* bodies);
-    void iterate(Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition);
+    void iterate(
+        Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition);
     void forgetLoops() { loop_.forget(); coupledLoop_.forget(); }
     bool byRows() const { return !Backend::gpu && !fine_.shape.ringRows(); }
 
@@ -143,7 +155,8 @@ private:
     std::vector<LevelData<D>> levels_;
     std::vector<TiledCells<D>> cells_;      // of the levels that are not in the tail
     bool wantsNear_ = Backend::gpu, near_ = false;
-    std::vector<float*> second_;            // of tiled levels: another x, where sweeps are done together
+    // of tiled levels: another x, where sweeps are done together
+    std::vector<float*> second_;
     std::vector<int> firstTile_, active_;
     TailCycle<D> tail_;
     Array<Backend, float> floats_;
@@ -157,7 +170,8 @@ private:
 };
 
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int* cells, const bool* periodic)
+void MultigridSolver<Backend, D>::allocate(
+    Context<Backend>& context, const int* cells, const bool* periodic)
 {
     levels_.clear(); cells_.clear(); second_.clear(); firstTile_.clear(); active_.clear();
     forgetLoops();
@@ -174,13 +188,20 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
         level.shape.set(n, periodic, tiled);
         levels_.push_back(level);
         if (tiled) { firstTile_.push_back(tiles); tiles += level.shape.tileCount; }
-        floats += std::size_t(D + 4 + (tiled && together_))*(level.shape.cells + 2*level.shape.margin);
+        floats += std::size_t(D + 4 + (tiled && together_))
+            *(level.shape.cells + 2*level.shape.margin);
         last = small && levels_.size() > 1;
         for (int d = 0; d < D; ++d) n[d] = (n[d] + 1)/2;
     }
-    floats_.allocate(context, floats + (1 << tileCellsLog));        // a tile's rows read beyond a coarser level that is smaller: what they find must be finite
+    // a tile's rows read beyond a coarser level that is smaller: what they find must be finite
+    floats_.allocate(context, floats + (1 << tileCellsLog));
     float* f = floats_.data();
-    const auto take = [](auto*& next, const GridShape<D>& shape) { auto* p = next + shape.margin; next += shape.cells + 2*shape.margin; return p; };
+    const auto take = [](auto*& next, const GridShape<D>& shape)
+    {
+        auto* p = next + shape.margin;
+        next += shape.cells + 2*shape.margin;
+        return p;
+    };
     for (LevelData<D>& l : levels_)
     {
         for (int d = 0; d < D; ++d) l.a[d] = take(f, l.shape);
@@ -192,7 +213,8 @@ void MultigridSolver<Backend, D>::allocate(Context<Backend>& context, const int*
     double* g = doubles_.data();
     fine_.shape = shape;
     for (int d = 0; d < D; ++d) fine_.a[d] = take(g, shape);
-    for (double** v : {&fine_.s, &fine_.rhs, &fine_.x, &fine_.r, &fine_.p, &fine_.q}) *v = take(g, shape);
+    for (double** v : {&fine_.s, &fine_.rhs, &fine_.x, &fine_.r, &fine_.p, &fine_.q})
+        *v = take(g, shape);
     fine_.inverse = levels_[0].inverse;
     fine_.b = levels_[0].b;
     fine_.z = levels_[0].x;
@@ -229,7 +251,8 @@ void MultigridSolver<Backend, D>::setUp(Context<Backend>& context, const std::ve
         if constexpr (!Backend::gpu)
             if (touched && tiled)
             {
-                forEachRow(context, int(some.size()) << InTiles<D, Mirror<D>>::rowsLog, InTiles<D, std::decay_t<decltype(f)>>{shape, some.data(), f});
+                forEachRow(context, int(some.size()) << InTiles<D, Mirror<D>>::rowsLog,
+                    InTiles<D, std::decay_t<decltype(f)>>{shape, some.data(), f});
                 return;
             }
         forEach(context, shape.cells, f);
@@ -239,7 +262,8 @@ void MultigridSolver<Backend, D>::setUp(Context<Backend>& context, const std::ve
     for (std::size_t l = 1; l < levels_.size(); ++l)
     {
         const bool tiled = l < cells_.size();
-        Coarsen<D> coarsen{levels_[l - 1], levels_[l], {}, tiled ? flags_.data() + firstTile_[l] : nullptr};
+        Coarsen<D> coarsen{
+            levels_[l - 1], levels_[l], {}, tiled ? flags_.data() + firstTile_[l] : nullptr};
         for (int d = 0; d < D; ++d) coarsen.oddPeriodic[d] = odd(levels_[l].shape, d);
         if (touched && tiled) some = tilesOver(levels_[l - 1].shape, levels_[l].shape, some);
         each(levels_[l].shape, tiled, coarsen);
@@ -249,7 +273,8 @@ void MultigridSolver<Backend, D>::setUp(Context<Backend>& context, const std::ve
     {
         const GridShape<D>& shape = levels_[l].shape;
         TileOrigin<D>* list = origins_.data() + firstTile_[l];
-        forEach(context, shape.tileCount, ListTiles<D>{shape, flags_.data(), firstTile_[l], list, counts_.data() + l});
+        forEach(context, shape.tileCount,
+            ListTiles<D>{shape, flags_.data(), firstTile_[l], list, counts_.data() + l});
     }
     chooseCapacities(counts_.download());
 }
@@ -262,7 +287,9 @@ void MultigridSolver<Backend, D>::chooseCapacities(const std::vector<int>& count
     for (std::size_t l = 0; l < cells_.size(); ++l)
     {
         const int spare = Backend::gpu ? count[l]/8 + 1 : 0;
-        const int wanted = count[l] + spare < levels_[l].shape.tileCount ? count[l] + spare : levels_[l].shape.tileCount;
+        const int wanted = count[l] + spare < levels_[l].shape.tileCount
+            ? count[l] + spare
+            : levels_[l].shape.tileCount;
         int& capacity = cells_[l].capacity;
         if (count[l] <= capacity && capacity <= wanted + 2*spare) continue;
         capacity = wanted;
@@ -275,18 +302,22 @@ void MultigridSolver<Backend, D>::start(Context<Backend>& context, const Coupled
 {
     CgState* state = state_.data();
     const bool rows = byRows();
-    sumOfTiles<2, Backend, D>(context, rows, AverageGuess<D>{fine_, cells_[0]}, partial_.data(), SetReference{state});
+    sumOfTiles<2, Backend, D>(
+        context, rows, AverageGuess<D>{fine_, cells_[0]}, partial_.data(), SetReference{state});
     if (bodies)
     {
         eachOfTiles<Backend, D>(context, rows, ClearDirections<D>{fine_, cells_[0]});
         addCoupled(context, *bodies, fine_.x, fine_.q);
         addCoupled(context, *bodies, static_cast<const double*>(nullptr), fine_.p);
     }
-    sumOfTiles<2, Backend, D>(context, rows, FirstResidual<D>{fine_, cells_[0], state, bodies != nullptr}, partial_.data(), StartIterations{state});
+    sumOfTiles<2, Backend, D>(context, rows,
+        FirstResidual<D>{fine_, cells_[0], state, bodies != nullptr}, partial_.data(),
+        StartIterations{state});
 }
 
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition)
+void MultigridSolver<Backend, D>::iterate(
+    Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition)
 {
     CgState* state = state_.data();
     double* partial = partial_.data();
@@ -296,14 +327,17 @@ void MultigridSolver<Backend, D>::iterate(Context<Backend>& context, const Coupl
     if (bodies)
     {
         forEachBlock(context, bodies->bodyRoom, SumCoupled<D, float>{*bodies, fine_.z});
-        sumOfTiles<3, Backend, D>(context, rows, ApplyCoupled<D>{fine_, cells_[0], *bodies}, partial, SetDirection{state});
+        sumOfTiles<3, Backend, D>(context, rows, ApplyCoupled<D>{fine_, cells_[0], *bodies},
+            partial, SetDirection{state});
     }
     else sumOfTiles<3, Backend, D>(context, rows, apply, partial, SetDirection{state});
-    sumOfTiles<1, Backend, D>(context, rows, Advance<D>{fine_, cells_[0], state}, partial, EndIteration{state, condition});
+    sumOfTiles<1, Backend, D>(context, rows, Advance<D>{fine_, cells_[0], state}, partial,
+        EndIteration{state, condition});
 }
 
 template<class Backend, int D>
-PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies)
+PressureReport MultigridSolver<Backend, D>::solve(
+    Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies)
 {
     if (sweeps_ != controls.sweeps) forgetLoops();
     sweeps_ = controls.sweeps;
@@ -320,7 +354,10 @@ PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, con
     context.toDevice(state_.data(), &s, sizeof(s));
     start(context, bodies);
     context.toHost(&s, state_.data(), sizeof(s));
-    if (s.again) (bodies ? coupledLoop_ : loop_).run(context, &state_.data()->again, [&](const LoopCondition& c) { iterate(context, bodies, c); });
+    if (s.again)
+        (bodies ? coupledLoop_ : loop_)
+            .run(context, &state_.data()->again,
+                [&](const LoopCondition& c) { iterate(context, bodies, c); });
     context.toHost(&s, state_.data(), sizeof(s));
 
     PressureReport report;
@@ -329,7 +366,8 @@ PressureReport MultigridSolver<Backend, D>::solve(Context<Backend>& context, con
     report.finalResidual = s.residual;
     report.iterations = s.iterations;
     report.wetCells = s.cells;
-    report.converged = s.residual < s.tolerance || (s.relTol > 0 && s.residual < s.relTol*s.initial);
+    report.converged = s.residual < s.tolerance
+        || (s.relTol > 0 && s.residual < s.relTol*s.initial);
     return report;
 }
 

@@ -1,8 +1,10 @@
-/*  The pressure step: assembles the equation of the wet cells, has it solved, and projects the velocities.
+/*  The pressure step: assembles the equation of the wet cells, has it solved, and projects the
+    velocities.
 
-    The solver is ours, where the grid is (LinearSolver::onDevice), or the caller's, on the host: then the coefficients, the
-    right-hand side and p of the wet cells cross once each way. With free bodies our solver is conjugate gradients on the host with the multigrid, where
-    the grid is, as preconditioner: residuals and corrections of the wet cells cross each iteration.
+    The solver is ours, where the grid is (LinearSolver::onDevice), or the caller's, on the host:
+    then the coefficients, the right-hand side and p of the wet cells cross once each way. With free
+    bodies our solver is conjugate gradients on the host with the multigrid, where the grid is, as
+    preconditioner: residuals and corrections of the wet cells cross each iteration.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -21,13 +23,16 @@
 namespace riprap
 {
 
-//- Bodies so many times as heavy as water need no deflation: iterations are those of a wall. In 2D water has no way around but between them, and crowds move more of it
+//- Bodies so many times as heavy as water need no deflation: iterations are those of a wall. In 2D
+//  water has no way around but between them, and crowds move more of it
 template<int D> inline constexpr double heavyRatio = D == 2 ? 10 : 2;
 
-//- On a GPU so many are enough: three times as many iterations in a crowd of half of water's density, ten times at this one, take less than a loop on the host
+//- On a GPU so many are enough: three times as many iterations in a crowd of half of water's
+//  density, ten times at this one, take less than a loop on the host
 inline constexpr double heavyRatioOnDevice = 0.05;
 
-//- On a CPU with so few bodies, under a surface, so many: they are no crowd that matters, and what deflation costs an iteration is a third of a step
+//- On a CPU with so few bodies, under a surface, so many: they are no crowd that matters, and what
+//  deflation costs an iteration is a third of a step
 inline constexpr int fewBodies = 128;
 inline constexpr double heavyRatioOfFew = 2;
 
@@ -52,18 +57,22 @@ public:
         assembled_.clear();
     }
 
-    //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the pressure, on the host (those without modes are walls, which a solver may want to know of). Their V
-    //  becomes that at the end of the step. onGrid: bodies that our solver takes as they are in the grid, none of them light; what becomes of their V is the caller's. sameWater: surface and open parts are those of the last projection. rows: those about the water, where
-    //  alone faces may need a correction; nullptr: all. tolerance: of our solver, in place of its own; 0: that
-    PressureReport project
-    (
-        Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false,
-        const ActiveRows<Backend, D>* rows = nullptr, const BodiesOnGrid<Backend, D>* onGrid = nullptr, double tolerance = 0
-    )
+    //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the
+    //  pressure, on the host (those without modes are walls, which a solver may want to know of).
+    //  Their V becomes that at the end of the step. onGrid: bodies that our solver takes as they
+    //  are in the grid, none of them light; what becomes of their V is the caller's. sameWater:
+    //  surface and open parts are those of the last projection. rows: those about the water, where
+    //  alone faces may need a correction; nullptr: all. tolerance: of our solver, in place of its
+    //  own; 0: that
+    PressureReport project(Context<Backend>& context, const PressureFields<D, R>& f,
+        LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false,
+        const ActiveRows<Backend, D>* rows = nullptr,
+        const BodiesOnGrid<Backend, D>* onGrid = nullptr, double tolerance = 0)
     {
         const FineData<D>& fine = multigrid_.fine();
         if (sameWater)
-            eachOfTiles<Backend, D>(context, !fine.shape.ringRows(), AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
+            eachOfTiles<Backend, D>(context, !fine.shape.ringRows(),
+                AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
         else
         {
             if constexpr (Backend::gpu)
@@ -94,25 +103,41 @@ public:
             const CoupledView<D> view = coupled_.view();
             report = multigrid_.solve(context, *controls, &view);
         }
-        else report = controls && !free ? multigrid_.solve(context, *controls) : solveOnHost(context, f, solver, controls, free ? *bodies : std::vector<BodyTerm>());
+        else
+            report = controls && !free ? multigrid_.solve(context, *controls)
+                                       : solveOnHost(context, f, solver, controls,
+                                           free ? *bodies : std::vector<BodyTerm>());
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
-        if constexpr (Backend::gpu) forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
-        else forEachRow(context, fine.shape.tileCount << tileRowsLog, StorePressureRows<D, R>{f.grid, wet_.data(), wetTiles_.data(), fine, f.p});
-        if (rows) rows->eachFace(context, [&](int d) { return CorrectVelocity<D, R>{f, wet_.data(), d}; });
-        else for (int d = 0; d < D; ++d) forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
+        if constexpr (Backend::gpu)
+            forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
+        else
+            forEachRow(context, fine.shape.tileCount << tileRowsLog,
+                StorePressureRows<D, R>{f.grid, wet_.data(), wetTiles_.data(), fine, f.p});
+        if (rows)
+            rows->eachFace(context,
+                [&](int d) {
+                    return CorrectVelocity<D, R>{f, wet_.data(), d};
+                });
+        else
+            for (int d = 0; d < D; ++d)
+                forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
         if (free) moveBodies(context, f, *bodies);
         return report;
     }
 
     //- Which cells are wet, for wet() before a projection
-    void markWet(Context<Backend>& context, const PressureFields<D, R>& f) { forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()}); }
+    void markWet(Context<Backend>& context, const PressureFields<D, R>& f)
+    {
+        forEach(context, f.grid.cells(), MarkWet<D, R>{f, wet_.data()});
+    }
 
     //- How heavy bodies must be to be solved for where the grid is. sameWater: as of project()
     double heavyFrom(std::size_t bodies, bool sameWater) const
     {
-        const bool open = sameWater && !pocketCells_;           // closed water has no pressure to begin from, and needs the hats
+        // closed water has no pressure to begin from, and needs the hats
+        const bool open = sameWater && !pocketCells_;
         if (Backend::gpu) return heavyRatioOnDevice;
         return open && bodies <= std::size_t(fewBodies) ? heavyRatioOfFew : heavyRatio<D>;
     }
@@ -123,13 +148,13 @@ public:
     std::size_t bytes() const { return multigrid_.bytes(); }
 
 private:
-
-    PressureReport solveOnHost
-    (
-        Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const MultigridControls* controls, const std::vector<BodyTerm>& bodies
-    );
-    PressureReport solveCoupled(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls);
-    static void moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
+    PressureReport solveOnHost(Context<Backend>& context, const PressureFields<D, R>& f,
+        LinearSolver& solver, const MultigridControls* controls,
+        const std::vector<BodyTerm>& bodies);
+    PressureReport solveCoupled(Context<Backend>& context, ReducedSystem& r,
+        const std::vector<int>& stored, const MultigridControls& controls);
+    static void moveBodies(
+        Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies);
 
     static constexpr int tileRowsLog = tileCellsLog - tileLog<D>(0);
 
@@ -140,7 +165,8 @@ private:
         const int tiles = fine.shape.tileCount;
         wetTiles_.allocate(context, tiles);
         context.zero(wetTiles_.data(), tiles*sizeof(int));
-        forEachRow(context, tiles << tileRowsLog, MarkWetRows<D, R>{f, fine.shape, wet_.data(), wetTiles_.data()});
+        forEachRow(context, tiles << tileRowsLog,
+            MarkWetRows<D, R>{f, fine.shape, wet_.data(), wetTiles_.data()});
         const bool known = !assembled_.empty();
         if (!known) assembled_.assign(tiles, 1);
         std::vector<int> touched;
@@ -150,12 +176,16 @@ private:
             if (wet || assembled_[t]) touched.push_back(t);
             assembled_[t] = wet;
         }
-        forEachRow(context, int(touched.size()) << tileRowsLog, InTiles<D, Assemble<D, R>>{fine.shape, touched.data(), {f, wet_.data(), fine}});
+        forEachRow(context, int(touched.size()) << tileRowsLog,
+            InTiles<D, Assemble<D, R>>{fine.shape, touched.data(), {f, wet_.data(), fine}});
         multigrid_.setUp(context, known ? &touched : nullptr);
     }
 
     //- U = J L in the units of the equation
-    static double bodyScale(const PressureFields<D, R>& f) { return std::sqrt(f.density*f.grid.h/f.grid.area()); }
+    static double bodyScale(const PressureFields<D, R>& f)
+    {
+        return std::sqrt(f.density*f.grid.h/f.grid.area());
+    }
     static std::vector<double> scaled(std::vector<double> root, const PressureFields<D, R>& f)
     {
         for (double& l : root) l *= bodyScale(f);
@@ -181,9 +211,12 @@ int storedAt(const UniformGrid<D>& grid, const GridShape<D>& shape, int cell)
     return c;
 }
 
-//- Cells whose water and free bodies push each other. A sliver on top of a light body weighs as much as the body: solved for apart, with the body's velocity as given, it would throw it back and forth
+//- Cells whose water and free bodies push each other. A sliver on top of a light body weighs as
+//  much as the body: solved for apart, with the body's velocity as given, it would throw it back
+//  and forth
 template<int D>
-std::vector<char> besideBodies(const UniformGrid<D>& grid, const GridShape<D>& shape, const std::vector<BodyTerm>& bodies)
+std::vector<char> besideBodies(
+    const UniformGrid<D>& grid, const GridShape<D>& shape, const std::vector<BodyTerm>& bodies)
 {
     std::vector<char> beside(shape.cells, 0);
     for (const BodyTerm& b : bodies)
@@ -193,8 +226,9 @@ std::vector<char> besideBodies(const UniformGrid<D>& grid, const GridShape<D>& s
 
 //- Rows in the order of the grid: owners ascend, and so do the neighbours of each
 template<class Backend, int D, class R>
-PressureReport PressureStep<Backend, D, R>::solveOnHost
-(Context<Backend>& context, const PressureFields<D, R>& f, LinearSolver& solver, const MultigridControls* controls, const std::vector<BodyTerm>& bodies)
+PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& context,
+    const PressureFields<D, R>& f, LinearSolver& solver, const MultigridControls* controls,
+    const std::vector<BodyTerm>& bodies)
 {
     const UniformGrid<D>& grid = f.grid;
     const FineData<D>& fine = multigrid_.fine();
@@ -222,10 +256,13 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         const auto index = grid.cellIndex(i);
         double joined = 0;
         for (int d = 0; d < D; ++d) { p.x[d] = index.c[d]; p.c += p.x[d]*shape.stride[d]; }
-        for (int d = 0; d < D; ++d) joined += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
+        for (int d = 0; d < D; ++d)
+            joined += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
         const double tied = s[p.c + shape.margin];
         double& value = x[p.c + shape.margin];
-        if (!(joined > 0) && !(tied > 0 && moved[p.c]))     // a drop of one cell that no body pushes: solved here, since GAMG could not join it to any other
+        // a drop of one cell that no body pushes: solved here, since GAMG could not join it to any
+        // other
+        if (!(joined > 0) && !(tied > 0 && moved[p.c]))
         {
             if (tied > 0) { value = rhs[p.c + shape.margin]/tied; ++lone; }
             continue;
@@ -238,8 +275,8 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         r.rhs.push_back(rhs[p.c + shape.margin]);
         r.x.push_back(value);
     }
-    // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero, and solvers that factorise
-    // meet no singular matrix
+    // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero,
+    // and solvers that factorise meet no singular matrix
     if (pocketCells_ && !controls)
         for (const int c : pockets_.roots()) if (row[c] >= 0) r.diagonal[row[c]] *= 2;
     for (int own = 0; own < r.rows(); ++own)
@@ -250,7 +287,12 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         const auto add = [&](int other, double coefficient)
         {
             if (!(coefficient > 0) || row[other] <= own) return;
-            for (int k = 0; k < faces; ++k) if (face[k].first == row[other]) { face[k].second += coefficient; return; }
+            for (int k = 0; k < faces; ++k)
+                if (face[k].first == row[other])
+                {
+                    face[k].second += coefficient;
+                    return;
+                }
             face[faces++] = {row[other], coefficient};
         };
         for (int d = 0; d < D; ++d)
@@ -260,7 +302,8 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
             if (a[d][p.c + shape.margin] > 0) add(shape.below(p, d), a[d][p.c + shape.margin]);
         }
         for (int k = 1; k < faces; ++k)
-            for (int m = k; m > 0 && face[m].first < face[m - 1].first; --m) std::swap(face[m], face[m - 1]);
+            for (int m = k; m > 0 && face[m].first < face[m - 1].first; --m)
+                std::swap(face[m], face[m - 1]);
         for (int k = 0; k < faces; ++k)
         {
             r.owner.push_back(own);
@@ -290,7 +333,8 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
         }
         r.bodies.push_back(std::move(rows));
     }
-    PressureReport report = controls ? solveCoupled(context, r, stored, *controls) : solver.solve(r);
+    PressureReport report = controls ? solveCoupled(context, r, stored, *controls)
+                                     : solver.solve(r);
     report.wetCells = r.rows() + lone;
     for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];
     context.toDevice(fine.x - shape.margin, x.data(), x.size()*sizeof(double));
@@ -299,28 +343,31 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost
 
 //- stored: where each row lies on the finest level
 template<class Backend, int D, class R>
-PressureReport PressureStep<Backend, D, R>::solveCoupled
-(Context<Backend>& context, ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls)
+PressureReport PressureStep<Backend, D, R>::solveCoupled(Context<Backend>& context,
+    ReducedSystem& r, const std::vector<int>& stored, const MultigridControls& controls)
 {
     const FineData<D>& fine = multigrid_.fine();
     std::vector<float> staged(Backend::gpu ? fine.shape.cells : 0, 0.0f);
     if (!Backend::gpu) context.zero(fine.b, fine.shape.cells*sizeof(float));
-    PressureReport report = coupledGradient(r, BodyDeflation(r, DeflationControls()), controls, [&](const double* from, double* to)
-    {
-        float* b = Backend::gpu ? staged.data() : fine.b;
-        for (int i = 0; i < r.rows(); ++i) b[stored[i]] = float(from[i]);
-        if (Backend::gpu) context.toDevice(fine.b, staged.data(), staged.size()*sizeof(float));
-        multigrid_.precondition(context, controls.sweeps);
-        if (Backend::gpu) context.toHost(staged.data(), fine.z, staged.size()*sizeof(float));
-        const float* z = Backend::gpu ? staged.data() : fine.z;
-        for (int i = 0; i < r.rows(); ++i) to[i] = z[stored[i]];
-    });
+    PressureReport report = coupledGradient(r, BodyDeflation(r, DeflationControls()), controls,
+        [&](const double* from, double* to)
+        {
+            float* b = Backend::gpu ? staged.data() : fine.b;
+            for (int i = 0; i < r.rows(); ++i) b[stored[i]] = float(from[i]);
+            if (Backend::gpu)
+                context.toDevice(fine.b, staged.data(), staged.size()*sizeof(float));
+            multigrid_.precondition(context, controls.sweeps);
+            if (Backend::gpu) context.toHost(staged.data(), fine.z, staged.size()*sizeof(float));
+            const float* z = Backend::gpu ? staged.data() : fine.z;
+            for (int i = 0; i < r.rows(); ++i) to[i] = z[stored[i]];
+        });
     report.solver = ownSolver;
     return report;
 }
 
 template<class Backend, int D, class R>
-void PressureStep<Backend, D, R>::moveBodies(Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies)
+void PressureStep<Backend, D, R>::moveBodies(
+    Context<Backend>& context, const PressureFields<D, R>& f, std::vector<BodyTerm>& bodies)
 {
     std::vector<double> p(f.grid.cells());
     context.toHost(p.data(), f.p, p.size()*sizeof(double));
@@ -335,7 +382,10 @@ public:
     PressureReport last;
 
     const MultigridControls* onDevice() const override { return &controls; }
-    PressureReport solve(ReducedSystem&) override { throw std::logic_error("MultigridLinear solves where the grid is"); }
+    PressureReport solve(ReducedSystem&) override
+    {
+        throw std::logic_error("MultigridLinear solves where the grid is");
+    }
     void report(const PressureReport& r) override { last = r; }
 };
 

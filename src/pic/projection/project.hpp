@@ -1,5 +1,6 @@
-/*  What follows from the pressure: u = u* - dt/rho grad p on every open face that has a wet cell on either side, with the
-    gradient that the equation was made of, so that the fluxes of a wet cell sum to zero as closely as it was solved.
+/*  What follows from the pressure: u = u* - dt/rho grad p on every open face that has a wet cell on
+    either side, with the gradient that the equation was made of, so that the fluxes of a wet cell
+    sum to zero as closely as it was solved.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -47,7 +48,8 @@ struct StorePressureRows
         const int tile = i >> rowsLog;
         const Place<D> c = rowOfTile(fine.shape, tile, i & ((1 << rowsLog) - 1));
         if (!fine.shape.inside(c)) return;
-        const int first = grid.cell(gridIndex<D>(c)), count = grid.n[0] - c.x[0] < rowCells ? grid.n[0] - c.x[0] : rowCells;
+        const int first = grid.cell(gridIndex<D>(c)),
+                  count = grid.n[0] - c.x[0] < rowCells ? grid.n[0] - c.x[0] : rowCells;
         if (flag[tile])
         {
             INDEPENDENT
@@ -80,12 +82,17 @@ struct CorrectVelocity
         if (!wetLower && !wetUpper) return;
         double difference;
         if (wetLower && wetUpper) difference = f.p[upper] - f.p[lower];
-        else if (wetUpper) difference = f.p[upper]/(lower < 0 ? endTheta : surfaceTheta(f.phi[upper], f.phi[lower]));
-        else difference = -f.p[lower]/(upper < 0 ? endTheta : surfaceTheta(f.phi[lower], f.phi[upper]));
+        else if (wetUpper)
+            difference = f.p[upper]
+                /(lower < 0 ? endTheta : surfaceTheta(f.phi[upper], f.phi[lower]));
+        else
+            difference = -f.p[lower]
+                /(upper < 0 ? endTheta : surfaceTheta(f.phi[lower], f.phi[upper]));
         f.u[d][i] = R(double(f.u[d][i]) - f.timeStep/(f.density*f.grid.h)*difference);
     }
 
-    //- The faces of a row from number i and indices x on, up to before `end`: those between two wet cells in registers
+    //- The faces of a row from number i and indices x on, up to before `end`: those between two wet
+    //  cells in registers
     HD void row(int i, typename UniformGrid<D>::Index x, int end) const
     {
         const int number = i - x.c[0];
@@ -96,7 +103,11 @@ struct CorrectVelocity
             (*this)(number + k, at);
         };
         int from = x.c[0], to = end;
-        if (d > 0 && (x.c[d] == 0 || x.c[d] == f.grid.n[d])) { for (; from < to; ++from) one(from); return; }
+        if (d > 0 && (x.c[d] == 0 || x.c[d] == f.grid.n[d]))
+        {
+            for (; from < to; ++from) one(from);
+            return;
+        }
         if (d == 0 && from == 0) one(from++);
         if (d == 0 && to == f.grid.n[0] + 1 && to > from) one(--to);
         int stride = 1;
@@ -121,7 +132,9 @@ struct CorrectVelocity
             const int both = wet[upper + k] & wet[upper + k - stride] & int(a[k] > R(0));
             u[k] = both ? corrected : before;
         }
-        if (surface) for (int k = 0; k < count; ++k) if (wet[upper + k] != wet[upper + k - stride]) one(from + k);
+        if (surface)
+            for (int k = 0; k < count; ++k)
+                if (wet[upper + k] != wet[upper + k - stride]) one(from + k);
     }
 };
 

@@ -1,7 +1,9 @@
-/*  The solid part of a face or cell, from signed distances at its corners (negative in the solid), to second order.
+/*  The solid part of a face or cell, from signed distances at its corners (negative in the solid),
+    to second order.
 
-    An edge is cut where the distance, linear along it, is zero; a square is four triangles about its middle, where the distance is
-    the mean of the corners', and a cube 24 tetrahedra; in each the distance is linear. A distance of zero is open.
+    An edge is cut where the distance, linear along it, is zero; a square is four triangles about
+    its middle, where the distance is the mean of the corners', and a cube 24 tetrahedra; in each
+    the distance is linear. A distance of zero is open.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -12,7 +14,8 @@
 namespace riprap
 {
 
-//- Solid part of a face of side 1: its share, and share times the position of its centroid in the face (0 .. 1 each)
+//- Solid part of a face of side 1: its share, and share times the position of its centroid in the
+//  face (0 .. 1 each)
 template<int D>
 struct SolidPart
 {
@@ -34,8 +37,10 @@ HD SolidPart<2> solidOfEdge(double a, double b)
 
 struct CutCorner { double x, y, distance; };
 
-//- Adds the corner p of a triangle pqr of the given area, as far as the distance has p's sign there, times sign
-HD void addCorner(SolidPart<3>& part, const CutCorner& p, const CutCorner& q, const CutCorner& r, double area, double sign)
+//- Adds the corner p of a triangle pqr of the given area, as far as the distance has p's sign
+//  there, times sign
+HD void addCorner(SolidPart<3>& part, const CutCorner& p, const CutCorner& q, const CutCorner& r,
+    double area, double sign)
 {
     const double s = cutLength(p.distance, q.distance), t = cutLength(p.distance, r.distance);
     const double share = sign*area*s*t;
@@ -44,14 +49,16 @@ HD void addCorner(SolidPart<3>& part, const CutCorner& p, const CutCorner& q, co
     part.moment[1] += share*(p.y + (s*(q.y - p.y) + t*(r.y - p.y))/3);
 }
 
-HD void addWhole(SolidPart<3>& part, const CutCorner& p, const CutCorner& q, const CutCorner& r, double area)
+HD void addWhole(
+    SolidPart<3>& part, const CutCorner& p, const CutCorner& q, const CutCorner& r, double area)
 {
     part.share += area;
     part.moment[0] += area*(p.x + q.x + r.x)/3;
     part.moment[1] += area*(p.y + q.y + r.y)/3;
 }
 
-HD void addTriangle(SolidPart<3>& part, const CutCorner& p, const CutCorner& q, const CutCorner& r, double area)
+HD void addTriangle(
+    SolidPart<3>& part, const CutCorner& p, const CutCorner& q, const CutCorner& r, double area)
 {
     const bool inP = p.distance < 0, inQ = q.distance < 0, inR = r.distance < 0;
     const int inside = inP + inQ + inR;
@@ -71,7 +78,8 @@ HD SolidPart<3> solidOfSquare(double d00, double d10, double d01, double d11)
     if (d00 >= 0 && d10 >= 0 && d01 >= 0 && d11 >= 0) return {0, {0, 0}};
     if (d00 < 0 && d10 < 0 && d01 < 0 && d11 < 0) return {1, {0.5, 0.5}};
     SolidPart<3> part{0, {0, 0}};
-    const CutCorner a{0, 0, d00}, b{1, 0, d10}, c{1, 1, d11}, e{0, 1, d01}, m{0.5, 0.5, 0.25*(d00 + d10 + d01 + d11)};
+    const CutCorner a{0, 0, d00}, b{1, 0, d10}, c{1, 1, d11}, e{0, 1, d01},
+        m{0.5, 0.5, 0.25*(d00 + d10 + d01 + d11)};
     addTriangle(part, a, b, m, 0.25);
     addTriangle(part, b, c, m, 0.25);
     addTriangle(part, c, e, m, 0.25);
@@ -79,7 +87,8 @@ HD SolidPart<3> solidOfSquare(double d00, double d10, double d01, double d11)
     return part;
 }
 
-//- Solid share of a tetrahedron: distances at its corners, in any order. They are put in order, so that none is looked up by a number that is not known before
+//- Solid share of a tetrahedron: distances at its corners, in any order. They are put in order, so
+//  that none is looked up by a number that is not known before
 template<class T>
 HD T solidOfTetrahedron(T a, T b, T c, T d)
 {
@@ -113,7 +122,8 @@ HD T solidOfCube(const T* d)
     const auto face = [&](T p, T q, T r, T s)       // corners, around it
     {
         const T centre = T(0.25)*(p + q + r + s);
-        share += solidOfTetrahedron(middle, centre, p, q) + solidOfTetrahedron(middle, centre, q, r) + solidOfTetrahedron(middle, centre, r, s) + solidOfTetrahedron(middle, centre, s, p);
+        share += solidOfTetrahedron(middle, centre, p, q) + solidOfTetrahedron(middle, centre, q, r)
+            + solidOfTetrahedron(middle, centre, r, s) + solidOfTetrahedron(middle, centre, s, p);
     };
     face(d[0], d[2], d[6], d[4]);
     face(d[1], d[3], d[7], d[5]);

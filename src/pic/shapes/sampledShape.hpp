@@ -1,7 +1,10 @@
-/*  A solid of any shape by its signed distances at the points of a lattice in its own frame, linear between them along each axis.
+/*  A solid of any shape by its signed distances at the points of a lattice in its own frame, linear
+    between them along each axis.
 
-    Points of the lattice lie about a quarter of a cell of the grid apart, so that what is linear between them errs by less than what is linear across a cell. Edges
-    are rounded by as much. Beyond the lattice the distance is that to its nearest point more: never less than the truth to the box of the solid.
+    Points of the lattice lie about a quarter of a cell of the grid apart, so that what is linear
+    between them errs by less than what is linear across a cell. Edges are rounded by as much.
+    Beyond the lattice the distance is that to its nearest point more: never less than the truth to
+    the box of the solid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -83,7 +86,8 @@ struct SampledShape
         return lattice.at(y);
     }
 
-    //- Of the line from x along an axis: the part in the solid, by distances at the ends of eight parts
+    //- Of the line from x along an axis: the part in the solid, by distances at the ends of eight
+    //  parts
     HD SolidPart<2> solidOfLine(Vec<D, double> x, int along, double length) const
     {
         constexpr int parts = 8;
@@ -117,12 +121,17 @@ struct SampledShape
         return length > 0 ? (1/length)*n : n;
     }
 
-    //- As of a ball (shapes.hpp) whose radius is the way from the centre: zero where the surface lies across the axis
-    HD double behindPole(const Vec<D, double>& x, int across) const { return behindPole(x, normal(x), across); }
+    //- As of a ball (shapes.hpp) whose radius is the way from the centre: zero where the surface
+    //  lies across the axis
+    HD double behindPole(const Vec<D, double>& x, int across) const
+    {
+        return behindPole(x, normal(x), across);
+    }
     HD double behindPole(const Vec<D, double>& x, const Vec<D, double>& n, int across) const
     { return std::sqrt(squaredNorm(x - centre))*(1 - std::fabs(n[across])); }
 
-    //- Nothing of it is farther from its centre: the largest of the ways to points of the lattice in it, and a step
+    //- Nothing of it is farther from its centre: the largest of the ways to points of the lattice
+    //  in it, and a step
     double reach() const
     {
         double most2 = 0;

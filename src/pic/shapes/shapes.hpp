@@ -20,7 +20,10 @@ struct Ball
     Vec<D, double> centre;
     double radius;
 
-    HD double distance(const Vec<D, double>& x) const { return std::sqrt(squaredNorm(x - centre)) - radius; }
+    HD double distance(const Vec<D, double>& x) const
+    {
+        return std::sqrt(squaredNorm(x - centre)) - radius;
+    }
 
     //- Its only ball: shapes that are no ball have none
     HD const Ball* single() const { return this; }
@@ -28,8 +31,10 @@ struct Ball
     //- Its lattice: shapes that are sampled have one
     HD const SampledShape<D>* lattice() const { return nullptr; }
 
-    //- Of the line from x along an axis, in parts of its length, what lies inside: from low to high; false: nothing
-    HD bool covers(const Vec<D, double>& x, int axis, double length, double& low, double& high) const
+    //- Of the line from x along an axis, in parts of its length, what lies inside: from low to
+    //  high; false: nothing
+    HD bool covers(
+        const Vec<D, double>& x, int axis, double length, double& low, double& high) const
     {
         const Vec<D, double> r = x - centre;
         const double half2 = radius*radius - (squaredNorm(r) - r[axis]*r[axis]);
@@ -49,7 +54,8 @@ struct Ball
         return {high - low, {0.5*(high*high - low*low)}};
     }
 
-    //- How far behind the plane that touches the surface across an axis the surface lies where it is nearest to x
+    //- How far behind the plane that touches the surface across an axis the surface lies where it
+    //  is nearest to x
     HD double behindPole(const Vec<D, double>& x, int axis) const
     {
         const Vec<D, double> r = x - centre;
@@ -78,7 +84,8 @@ struct AxisBox
         double outside = 0, inside = -1e300;
         for (int d = 0; d < D; ++d)
         {
-            const double below = lower[d] - x[d], above = x[d] - upper[d], beyond = below > above ? below : above;
+            const double below = lower[d] - x[d], above = x[d] - upper[d],
+                         beyond = below > above ? below : above;
             if (beyond > 0) outside += beyond*beyond;
             inside = beyond > inside ? beyond : inside;
         }

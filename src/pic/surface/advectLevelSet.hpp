@@ -1,8 +1,10 @@
-/*  The surface carried by the flow: phi(x) becomes the phi where the flow came from, at a distance dt.
+/*  The surface carried by the flow: phi(x) becomes the phi where the flow came from, at a distance
+    dt.
 
-    The way back is a Runge-Kutta step of order 3 in the extended velocity (semi-Lagrangian: Strain 1999, J. Comput. Phys. 151); phi there
-    comes from the cubic polynomials through four cells an axis, kept within the values of the cells around the point so that a kink cannot
-    ring. Only cells within the band are carried; beyond it phi is the band's width.
+    The way back is a Runge-Kutta step of order 3 in the extended velocity (semi-Lagrangian: Strain
+    1999, J. Comput. Phys. 151); phi there comes from the cubic polynomials through four cells an
+    axis, kept within the values of the cells around the point so that a kink cannot ring. Only
+    cells within the band are carried; beyond it phi is the band's width.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -80,7 +82,8 @@ struct AdvectLevelSet
         if (absolute(from[i]) >= band) { to[i] = from[i]; return; }
         Vec<D, double> x;
         for (int d = 0; d < D; ++d) x.c[d] = (c.c[d] + 0.5)*grid.h;
-        to[i] = cubicAt(grid, from, intoBlock(grid, carried<Order, Around>(grid, u, x, -timeStep, 3)));
+        to[i] = cubicAt(
+            grid, from, intoBlock(grid, carried<Order, Around>(grid, u, x, -timeStep, 3)));
     }
 };
 

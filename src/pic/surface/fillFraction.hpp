@@ -1,10 +1,13 @@
 /*  The surface held by the particles.
 
-    The fill of a cell is what the particles put there, alpha = V_p/V_c sum_p W(x_c - x_p) with the quadratic spline. Under a flat surface at the
-    distance phi it is the spline's integral up to -phi:  alpha = 1/2 + (3/4 t - t^3/3), t = -phi/h, |t| < 1/2. The phi so found is rough, as
-    particles are, but it does not drift. So the carried phi is left alone but where a cell is as good as full and
-    phi says that it is dry, or as good as empty and phi says wet: there it is taken to the least that makes the cell what it is. Water that broke up or was lost
-    by the advection is put right, and a pool at rest stays flat however its particles lie.
+    The fill of a cell is what the particles put there, alpha = V_p/V_c sum_p W(x_c - x_p) with the
+    quadratic spline. Under a flat surface at the
+    distance phi it is the spline's integral up to -phi: alpha = 1/2 + (3/4 t - t^3/3), t = -phi/h,
+    |t| < 1/2. The phi so found is rough, as
+    particles are, but it does not drift. So the carried phi is left alone but where a cell is as
+    good as full and phi says that it is dry, or as good as empty and phi says wet: there it is
+    taken to the least that makes the cell what it is. Water that broke up or was lost by the
+    advection is put right, and a pool at rest stays flat however its particles lie.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,9 +20,11 @@
 namespace riprap
 {
 
-//- In cells: the surface that the fill tells must be further away than this for the cell to be held by it. The fill tells half a cell at most, and cells
-//  are wet from 0.01 cells on (wetDepth), so 0.49 would be the weakest hold that makes full cells wet and empty ones dry; 0.45 allows particles to leave
-//  one fortieth of the cell empty. A stronger one moves surfaces that the flow carries right: 0.3 feeds waves 1.4 % in 25 periods (docs/verification/picSloshing.md)
+//- In cells: the surface that the fill tells must be further away than this for the cell to be held
+//  by it. The fill tells half a cell at most, and cells are wet from 0.01 cells on (wetDepth), so
+//  0.49 would be the weakest hold that makes full cells wet and empty ones dry; 0.45 allows
+//  particles to leave one fortieth of the cell empty. A stronger one moves surfaces that the flow
+//  carries right: 0.3 feeds waves 1.4 % in 25 periods (docs/verification/picSloshing.md)
 static constexpr double surfaceTolerance = 0.45;
 
 //- phi/h of a flat surface that fills a cell's neighbourhood to alpha, within +-1/2
@@ -33,7 +38,8 @@ HD R surfaceOfFill(R alpha)
     return -maximum(-half, minimum(t, half));
 }
 
-//- The spline of a cell's middle for a particle at t in a cell `offset` further, seen in a mirror or not
+//- The spline of a cell's middle for a particle at t in a cell `offset` further, seen in a mirror
+//  or not
 template<class R>
 HD R fillWeight(int offset, bool mirrored, R t)
 {
@@ -41,9 +47,11 @@ HD R fillWeight(int offset, bool mirrored, R t)
     return (offset < 0) != mirrored ? R(0.5)*t*t : R(0.5)*(1 - t)*(1 - t);
 }
 
-//- From the particles of the cells about cell c; beyond the sides stand those cells' mirror images, or what comes around
+//- From the particles of the cells about cell c; beyond the sides stand those cells' mirror images,
+//  or what comes around
 template<int D, class R>
-HD R fillOf(const UniformGrid<D>& g, const PicParticles<D, R>& particles, const typename UniformGrid<D>::Index& c, R particleCells)
+HD R fillOf(const UniformGrid<D>& g, const PicParticles<D, R>& particles,
+    const typename UniformGrid<D>::Index& c, R particleCells)
 {
     const bool in = inner(g, c, 1);
     R sum = 0;
@@ -80,7 +88,8 @@ struct HoldSurface
     UniformGrid<D> grid;
     PicParticles<D, R> particles;
     R particleCells;            // volume of a particle in cells
-    const R* open;              // cells: their open parts, and what particles can fill of their neighbourhoods (cutCells/
+    // cells: their open parts, and what particles can fill of their neighbourhoods (cutCells/
+    const R* open;
     const R* openWeight;        // extendSurface.hpp); nullptr: no solids
     R* phi;
     R band;
@@ -89,9 +98,11 @@ struct HoldSurface
     {
         if (open && open[i] < R(knownOpening)) return;
         const R h = R(grid.h);
-        // deep in the water a void among particles is no bubble; far above it a single particle is no water
+        // deep in the water a void among particles is no bubble; far above it a single particle is
+        // no water
         if (absolute(phi[i]) >= band || phi[i] < R(-1.5)*h) return;
-        const R alpha = fillOf(grid, particles, c, openWeight ? particleCells/openWeight[i] : particleCells);
+        const R alpha = fillOf(
+            grid, particles, c, openWeight ? particleCells/openWeight[i] : particleCells);
         const R own = surfaceOfFill(alpha)*h, tolerance = R(surfaceTolerance)*h;
         if (own - tolerance > 0) phi[i] = maximum(phi[i], own - tolerance);
         if (own + tolerance < 0) phi[i] = minimum(phi[i], own + tolerance);

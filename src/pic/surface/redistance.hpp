@@ -1,9 +1,10 @@
 /*  phi made a distance again, in a band about the surface.
 
-    Cells next to the surface keep phi where its slope is near one already; where the flow has stretched or squeezed it, it is divided by its slope
-    (Russo & Smereka 2000, J. Comput. Phys. 163, Eq. 14). Further cells take the solution of |grad phi| = 1 from their
-    neighbours (Godunov's upwind quadratic; each pass carries it one cell on), but keep what was carried to them where that is a distance
-    still: the passes are of first order, the cubic advection is not.
+    Cells next to the surface keep phi where its slope is near one already; where the flow has
+    stretched or squeezed it, it is divided by its slope (Russo & Smereka 2000, J. Comput. Phys.
+    163, Eq. 14). Further cells take the solution of |grad phi| = 1 from their neighbours (Godunov's
+    upwind quadratic; each pass carries it one cell on), but keep what was carried to them where
+    that is a distance still: the passes are of first order, the cubic advection is not.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -35,7 +36,8 @@ HD bool atSurface(R own, const CellNeighbours<D, R>& phi)
 {
     const bool wet = own < 0;
     bool other = false;
-    for (int d = 0; d < D; ++d) other = other || (phi.below.c[d] < 0) != wet || (phi.above.c[d] < 0) != wet;
+    for (int d = 0; d < D; ++d)
+        other = other || (phi.below.c[d] < 0) != wet || (phi.above.c[d] < 0) != wet;
     return other;
 }
 
@@ -66,7 +68,8 @@ private:
         const R value = carried[i], sign = value < 0 ? R(-1) : R(1);
         const CellNeighbours<D, R> about(grid, carried, c);
         if (!atSurface(value, about)) return sign*band;
-        const R slope = slopeOf(grid, about), distance = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
+        const R slope = slopeOf(grid, about),
+                distance = fairSlope(slope) ? value : value/maximum(slope, R(0.2));
         return sign*minimum(absolute(distance), R(grid.h));
     }
 };
@@ -76,7 +79,13 @@ template<int D, class R>
 HD R godunov(R* m, R h)
 {
     for (int a = 0; a < D; ++a)
-        for (int b = a + 1; b < D; ++b) if (m[b] < m[a]) { const R t = m[a]; m[a] = m[b]; m[b] = t; }
+        for (int b = a + 1; b < D; ++b)
+            if (m[b] < m[a])
+            {
+                const R t = m[a];
+                m[a] = m[b];
+                m[b] = t;
+            }
     R value = m[0] + h;
     for (int count = 2; count <= D && value > m[count - 1]; ++count)
     {
@@ -100,7 +109,8 @@ struct SpreadDistance
 
     HD void operator()(int i) const { (*this)(grid.cellIndex(i)); }
 
-    //- A row of cells, up to before index `end`: most lie far from the surface, and so do those about them
+    //- A row of cells, up to before index `end`: most lie far from the surface, and so do those
+    //  about them
     HD void row(typename UniformGrid<D>::Index c, int end) const
     {
         const int i = grid.cell(c), count = end - c.c[0];
@@ -111,7 +121,8 @@ struct SpreadDistance
         for (int d = 0; d < D && in; ++d)
         {
             for (int k = 0; k < count; ++k)
-                close |= (absolute(from[i + k]) < band) | (absolute(from[i + k - stride]) < band) | (absolute(from[i + k + stride]) < band);
+                close |= (absolute(from[i + k]) < band) | (absolute(from[i + k - stride]) < band)
+                    | (absolute(from[i + k + stride]) < band);
             stride *= grid.n[d];
         }
         if (close) for (; c.c[0] < end; ++c.c[0]) (*this)(c);
@@ -130,12 +141,15 @@ struct SpreadDistance
             m[d] = minimum(absolute(near.below.c[d]), absolute(near.above.c[d]));
             far = far && m[d] >= band;
         }
-        if (far) { to[i] = before; return; }            // nothing has come here, and it is not at the surface
+        // nothing has come here, and it is not at the surface
+        if (far) { to[i] = before; return; }
         const CellNeighbours<D, R> about(grid, carried, c);
         if (atSurface(carried[i], about)) { to[i] = before; return; }
-        const R h = R(grid.h), distance = minimum(godunov<D>(m, h), band), own = absolute(carried[i]);
+        const R h = R(grid.h), distance = minimum(godunov<D>(m, h), band),
+                own = absolute(carried[i]);
         const R sign = carried[i] < 0 ? R(-1) : R(1);
-        const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h && fairSlope(slopeOf(grid, about));
+        const bool keep = absolute(own - distance) < R(0.3)*h && own < R(3)*h
+            && fairSlope(slopeOf(grid, about));
         to[i] = sign*(keep ? own : distance);
     }
 };

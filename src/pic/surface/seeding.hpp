@@ -1,7 +1,8 @@
 /*  The surface and the particles that a run begins with, on the host.
 
-    A cloud's particle stands for a box of its spacing; the boxes' parts of each cell are its fill alpha. phi is (1/2 - alpha) h in cells that are part
-    filled, the distance from there elsewhere, and is moved until the cut cells' parts are alpha. Where cells are seeded, each gets m^D
+    A cloud's particle stands for a box of its spacing; the boxes' parts of each cell are its fill
+    alpha. phi is (1/2 - alpha) h in cells that are part filled, the distance from there elsewhere,
+    and is moved until the cut cells' parts are alpha. Where cells are seeded, each gets m^D
     particles, one at a place of its own in each of m^D equal parts of the cell, where phi < 0.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -21,9 +22,11 @@ namespace riprap
 //- Fills that differ less than this from an empty or a full cell are taken for one
 static constexpr double wholeCell = 0.04;
 
-//- Parts of cells that boxes of edge `spacing` about the points fill, 0 .. 1; positions above the block's corner, D a point
+//- Parts of cells that boxes of edge `spacing` about the points fill, 0 .. 1; positions above the
+//  block's corner, D a point
 template<int D>
-std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<double>& x, double spacing)
+std::vector<double> fillOfBoxes(
+    const UniformGrid<D>& g, const std::vector<double>& x, double spacing)
 {
     std::vector<double> fill(g.cells(), 0.0);
     const double half = 0.5*spacing/g.h;
@@ -46,7 +49,9 @@ std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<doubl
                     typename UniformGrid<D>::Index at = c;
                     for (int d = 0; d < D; ++d)
                     {
-                        part *= std::max(0.0, std::min(s[d] + half, c.c[d] + 1.0) - std::max(s[d] - half, double(c.c[d])));
+                        part *= std::max(0.0,
+                            std::min(s[d] + half, c.c[d] + 1.0)
+                                - std::max(s[d] - half, double(c.c[d])));
                         at.c[d] = evenNode(g, d, c.c[d]);
                     }
                     fill[g.cell(at)] += part;
@@ -61,10 +66,12 @@ std::vector<double> fillOfBoxes(const UniformGrid<D>& g, const std::vector<doubl
     return fill;
 }
 
-//- phi of full and empty cells from their neighbours: a full one beside an empty one is half a cell from the surface, one beside a part filled
-//  one a cell further than that, those behind them another cell, so that slopes at the surface come out right; all others are far
+//- phi of full and empty cells from their neighbours: a full one beside an empty one is half a cell
+//  from the surface, one beside a part filled one a cell further than that, those behind them
+//  another cell, so that slopes at the surface come out right; all others are far
 template<int D, class R>
-void surroundParts(const UniformGrid<D>& g, const std::vector<double>& fill, std::vector<R>& phi, R band)
+void surroundParts(
+    const UniformGrid<D>& g, const std::vector<double>& fill, std::vector<R>& phi, R band)
 {
     const auto part = [&](int i) { return fill[i] > 0 && fill[i] < 1; };
     #pragma omp parallel for
@@ -107,7 +114,8 @@ std::vector<R> surfaceOf(const UniformGrid<D>& g, const std::vector<double>& fil
     const int n = g.cells();
     std::vector<R> carried(n), phi(n), next(n);
     for (int i = 0; i < n; ++i) carried[i] = R((0.5 - fill[i])*g.h);
-    const bool parts = std::any_of(fill.begin(), fill.end(), [](double f) { return f > 0 && f < 1; });
+    const bool parts = std::any_of(
+        fill.begin(), fill.end(), [](double f) { return f > 0 && f < 1; });
     for (int sweep = 0;; ++sweep)
     {
         surroundParts(g, fill, carried, band);
@@ -116,14 +124,16 @@ std::vector<R> surfaceOf(const UniformGrid<D>& g, const std::vector<double>& fil
         for (int pass = 0; pass < int(band/R(g.h)) + 2; ++pass)
         {
             #pragma omp parallel for
-            for (int i = 0; i < n; ++i) SpreadDistance<D, R>{g, carried.data(), phi.data(), next.data(), band}(i);
+            for (int i = 0; i < n; ++i)
+                SpreadDistance<D, R>{g, carried.data(), phi.data(), next.data(), band}(i);
             phi.swap(next);
         }
         if (sweep == sweeps || !parts) return phi;
         // towards the phi whose cut cells hold the fill
         #pragma omp parallel for
         for (int i = 0; i < n; ++i)
-            if (fill[i] > 0 && fill[i] < 1) carried[i] = phi[i] + R(0.5*(waterFraction(g, phi.data(), i, 0) - fill[i])*g.h);
+            if (fill[i] > 0 && fill[i] < 1)
+                carried[i] = phi[i] + R(0.5*(waterFraction(g, phi.data(), i, 0) - fill[i])*g.h);
     }
 }
 
@@ -136,7 +146,8 @@ inline double scattered(std::uint64_t key)
     return double((key ^ (key >> 31)) >> 11)/9007199254740992.0;
 }
 
-//- Particles of the cells, D coordinates each. jitter 0: at the middle of each part; 1: anywhere in it
+//- Particles of the cells, D coordinates each. jitter 0: at the middle of each part; 1: anywhere in
+//  it
 template<int D, class R>
 std::vector<double> seeds(const UniformGrid<D>& g, const R* phi, int perDirection, double jitter)
 {
@@ -156,7 +167,8 @@ std::vector<double> seeds(const UniformGrid<D>& g, const R* phi, int perDirectio
                 at.c[d] = g.h*(c.c[d] + (rest % perDirection + 0.5 + off)/perDirection);
                 rest /= perDirection;
             }
-            // is the middle of the part in the water? So that the number does not depend on the jitter
+            // is the middle of the part in the water? So that the number does not depend on the
+            // jitter
             Vec<D, double> middle;
             rest = part;
             for (int d = 0; d < D; ++d)
@@ -164,8 +176,10 @@ std::vector<double> seeds(const UniformGrid<D>& g, const R* phi, int perDirectio
                 middle.c[d] = g.h*(c.c[d] + (rest % perDirection + 0.5)/perDirection);
                 rest /= perDirection;
             }
-            // a hair, so that rounding does not tell between the parts of a row that lies on the surface
-            if (sampleCell<1>(g, phi, middle) < R(-1e-3*g.h)) for (int d = 0; d < D; ++d) x.push_back(at.c[d]);
+            // a hair, so that rounding does not tell between the parts of a row that lies on the
+            // surface
+            if (sampleCell<1>(g, phi, middle) < R(-1e-3*g.h))
+                for (int d = 0; d < D; ++d) x.push_back(at.c[d]);
         }
     }
     return x;

@@ -1,11 +1,13 @@
 /*  Zones that absorb waves: a beach.
 
-    In a zone water loses velocity at the rate r s^2, with s from 0 where the zone begins to 1 where it is whole, and 1 beyond:
+    In a zone water loses velocity at the rate r s^2, with s from 0 where the zone begins to 1 where
+    it is whole, and 1 beyond:
 
         u = u0/(1 + dt r s^2)
 
-    implicit, stable for any step. The square lets waves in without a step that would throw them back (Israeli & Orszag 1981, J. Comput.
-    Phys. 41, 115). Gravity comes after it: water at rest stays so.
+    implicit, stable for any step. The square lets waves in without a step that would throw them
+    back (Israeli & Orszag 1981, J. Comput. Phys. 41, 115). Gravity comes after it: water at rest
+    stays so.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,4 +1,5 @@
-/*  What acts on the grid's velocity before the pressure, u* = u + dt g, and what becomes of it after.
+/*  What acts on the grid's velocity before the pressure, u* = u + dt g, and what becomes of it
+    after.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,17 +21,20 @@ struct ApplyForces
     const R* from;
     R* u;
     R gravity;                  // g dt of this direction [m/s]
-    const R* absorb;            // rates of zones that absorb waves [1/s], nullptr: there are none (absorb.hpp)
+    // rates of zones that absorb waves [1/s], nullptr: there are none (absorb.hpp)
+    const R* absorb;
     R timeStep;
 
     HD void operator()(int i) const
     {
         const R kept = absorb ? 1/(1 + absorb[i]*timeStep) : R(1);
-        u[i] = aperture[i] > R(0) ? from[i]*kept + gravity : (wallVelocity ? wallVelocity[i] : R(0));
+        u[i] = aperture[i] > R(0) ? from[i]*kept + gravity
+                                  : (wallVelocity ? wallVelocity[i] : R(0));
     }
 };
 
-//- What the step before this one has left: `after` becomes the velocity that particles bring, less what they had beyond the projected one, which `last` becomes
+//- What the step before this one has left: `after` becomes the velocity that particles bring, less
+//  what they had beyond the projected one, which `last` becomes
 template<class R>
 struct KeepLast
 {
@@ -47,8 +51,8 @@ struct KeepLast
     }
 };
 
-//- What half a drift makes of the velocity: `after`, that of its divergence, which the pressure holds back while particles move; `last`, that of
-//  the projected velocity. See PicSolver::project
+//- What half a drift makes of the velocity: `after`, that of its divergence, which the pressure
+//  holds back while particles move; `last`, that of the projected velocity. See PicSolver::project
 template<class R>
 struct HalfDrift
 {
@@ -76,7 +80,8 @@ struct HalfImpulse
     HD void operator()(int i) const { ahead[i] = time*p[i]; }
 };
 
-//- What the water feels in a step: the pressure that is solved for, and by which particles are left ahead
+//- What the water feels in a step: the pressure that is solved for, and by which particles are left
+//  ahead
 struct WholePressure
 {
     static constexpr const char* name = "wholePressure";
@@ -89,7 +94,8 @@ struct WholePressure
     HD void operator()(int i) const { whole[i] = wet[i] ? p[i] + ahead[i]/timeStep : 0; }
 };
 
-//- Of the projected velocity u: what particles take (after), what has changed, and what carries them
+//- Of the projected velocity u: what particles take (after), what has changed, and what carries
+//  them
 template<class R>
 struct VelocityChange
 {

@@ -1,15 +1,21 @@
-/*  Viscosity on the grid, du/dt = nu lap u + F, over a step, both ways of second order in time. With d = nu dt/h^2, L = h^2 lap:
+/*  Viscosity on the grid, du/dt = nu lap u + F, over a step, both ways of second order in time.
+    With d = nu dt/h^2, L = h^2 lap:
 
-    explicit (Heun)      s = u + d L u,   u' = (u + s + d L s)/2,                                stable for d <= 1/(2 D)
-    implicit (Alexander 1977, SIAM J. Numer. Anal. 14: SDIRK of order 2, stable for any d, and stiff parts decay), c = 1 - 1/sqrt 2
+    explicit (Heun)      s = u + d L u, u' = (u + s + d L s)/2, stable for d <= 1/(2 D)
+    implicit (Alexander 1977, SIAM J. Numer. Anal. 14: SDIRK of order 2, stable for any d, and stiff
+    parts decay), c = 1 - 1/sqrt 2
         (1 - c d L) s  = u + c F dt
         (1 - c d L) u' = u + (1 - c) (d L s + F dt) + c F dt
 
-    F, in the implicit one, is gravity and the last pressure's: what is left between walls is then no more than what they do not balance. The pressure's part is taken
-    off again, for the projection to find it anew. L u is the sum of differences to the faces about of the same direction; beyond a side that water sticks to it is what makes the wall's
-    velocity at the wall; beyond the surface the explicit one finds the extended velocity, the implicit one nothing. Sides that water slides along and faces without a velocity are no neighbours.
-    Faces whose middle lies in a solid that water sticks to have its velocity w; between one of those and a face in the water the surface lies at the part theta of h, and the difference is
-    (w - u)/theta (ghost fluid).
+    F, in the implicit one, is gravity and the last pressure's: what is left between walls is then
+    no more than what they do not balance. The pressure's part is taken off again, for the
+    projection to find it anew. L u is the sum of differences to the faces about of the same
+    direction; beyond a side that water sticks to it is what makes the wall's velocity at the wall;
+    beyond the surface the explicit one finds the extended velocity, the implicit one nothing. Sides
+    that water slides along and faces without a velocity are no neighbours. Faces whose middle lies
+    in a solid that water sticks to have its velocity w; between one of those and a face in the
+    water the surface lies at the part theta of h, and the difference is (w - u)/theta (ghost
+    fluid).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -38,10 +44,12 @@ struct FaceDistances
     HD void operator()(int i) const
     {
         const int n = nodes.node(nodes.grid.faceIndex(component, i));
-        if constexpr (D == 2) to[i] = R(0.5*(distance[n] + distance[n + nodes.stride(1 - component)]));
+        if constexpr (D == 2)
+            to[i] = R(0.5*(distance[n] + distance[n + nodes.stride(1 - component)]));
         else
         {
-            const int a = nodes.stride(component == 0 ? 1 : 0), b = nodes.stride(component == 2 ? 1 : 2);
+            const int a = nodes.stride(component == 0 ? 1 : 0),
+                      b = nodes.stride(component == 2 ? 1 : 2);
             to[i] = R(0.25*(distance[n] + distance[n + a] + distance[n + b] + distance[n + a + b]));
         }
     }
@@ -57,27 +65,44 @@ struct ViscousFaces
     const R* wallVelocity;      // nullptr: walls rest
     bool homogeneous;           // as if all walls rested
     const R* distance;          // to solids that water sticks to; nullptr: there are none
-    const R* solidVelocity;     // of those, at faces on either side of their surfaces; nullptr: they rest
+    // of those, at faces on either side of their surfaces; nullptr: they rest
+    const R* solidVelocity;
 
     HD bool inSolid(int i) const { return distance && !(distance[i] > R(0)); }
-    HD R velocityOfWall(int i) const { return wallVelocity && !homogeneous ? wallVelocity[i] : R(0); }
-    HD R velocityOfSolid(int i) const { return solidVelocity && !homogeneous ? solidVelocity[i] : R(0); }
+    HD R velocityOfWall(int i) const
+    {
+        return wallVelocity && !homogeneous ? wallVelocity[i] : R(0);
+    }
+    HD R velocityOfSolid(int i) const
+    {
+        return solidVelocity && !homogeneous ? solidVelocity[i] : R(0);
+    }
 
     //- Part of the way from face i in the water to face j in a solid
-    HD R theta(int i, int j) const { return maximum(distance[i]/(distance[i] - distance[j]), R(nearestSolid)); }
+    HD R theta(int i, int j) const
+    {
+        return maximum(distance[i]/(distance[i] - distance[j]), R(nearestSolid));
+    }
 
     //- Velocity of the solid where that way ends
-    HD R onSurface(int i, int j, R theta) const { return velocityOfSolid(i) + theta*(velocityOfSolid(j) - velocityOfSolid(i)); }
+    HD R onSurface(int i, int j, R theta) const
+    {
+        return velocityOfSolid(i) + theta*(velocityOfSolid(j) - velocityOfSolid(i));
+    }
 
     //- Does the equation hold there? The last layer along a periodic direction is a copy
     HD bool open(int i) const
     {
         if (layer[i] == unknownFace || layer[i] == closedFace || inSolid(i)) return false;
-        return !grid.periodic[component] || grid.faceIndex(component, i).c[component] < grid.n[component];
+        return !grid.periodic[component]
+            || grid.faceIndex(component, i).c[component] < grid.n[component];
     }
 
     //- L u
-    HD R laplacian(const R* u, int i) const { return laplacian(u, i, grid.faceIndex(component, i)); }
+    HD R laplacian(const R* u, int i) const
+    {
+        return laplacian(u, i, grid.faceIndex(component, i));
+    }
 
     HD R laplacian(const R* u, int i, const typename UniformGrid<D>::Index& f) const
     {
@@ -102,7 +127,9 @@ struct ViscousFaces
                 }
                 else if (grid.periodic[d]) value = faceValue(grid, u, component, at);
                 else if (d == component || !grid.sticks[d][offset > 0]) continue;
-                else value = (homogeneous ? R(0) : 2*R(grid.slide[d][offset > 0][component])) - u[i];
+                else
+                    value = (homogeneous ? R(0) : 2*R(grid.slide[d][offset > 0][component]))
+                        - u[i];
                 sum += value - u[i];
             }
         return sum;
@@ -124,7 +151,8 @@ struct Diffuse
     {
         const unsigned char layer = faces.layer[i];
         const R own = a*u[i] + b*from[i];
-        to[i] = layer == unknownFace || layer == closedFace ? own : own + c*faces.laplacian(from, i, f);
+        to[i] = layer == unknownFace || layer == closedFace ? own
+                                                            : own + c*faces.laplacian(from, i, f);
     }
 };
 
@@ -159,7 +187,10 @@ struct ViscousResidual
     R* p;
     R k;
 
-    HD void operator()(int i) const { p[i] = r[i] = faces.open(i) ? b[i] - x[i] + k*faces.laplacian(x, i) : R(0); }
+    HD void operator()(int i) const
+    {
+        p[i] = r[i] = faces.open(i) ? b[i] - x[i] + k*faces.laplacian(x, i) : R(0);
+    }
 };
 
 //- q = (1 - k L) p
@@ -172,7 +203,10 @@ struct ViscousProduct
     R* q;
     R k;
 
-    HD void operator()(int i) const { q[i] = faces.open(i) ? p[i] - k*faces.laplacian(p, i) : R(0); }
+    HD void operator()(int i) const
+    {
+        q[i] = faces.open(i) ? p[i] - k*faces.laplacian(p, i) : R(0);
+    }
 };
 
 //- Faces in solids that water sticks to have the solid's velocity
@@ -211,10 +245,14 @@ struct FaceDot
     const R* a;
     const R* b;
 
-    HD void add(int i, double* sums) const { if (faces.open(i)) sums[0] += double(a[i])*double(b[i]); }
+    HD void add(int i, double* sums) const
+    {
+        if (faces.open(i)) sums[0] += double(a[i])*double(b[i]);
+    }
 };
 
-//- The last pressure in cells that have become wet since, which have none: that of their neighbours and what rests between
+//- The last pressure in cells that have become wet since, which have none: that of their neighbours
+//  and what rests between
 template<int D>
 struct PressureOfNewCells
 {

@@ -1,10 +1,11 @@
 /*  B-splines of order 1 (linear), 2 (quadratic) and 3 (cubic) on a line of nodes one unit apart.
 
         B1(s) = 1 - |s|                                         |s| < 1
-        B2(s) = 3/4 - s^2                                       |s| < 1/2,      (3/2 - |s|)^2/2         |s| < 3/2
-        B3(s) = |s|^3/2 - s^2 + 2/3                             |s| < 1,        (2 - |s|)^3/6           |s| < 2
+        B2(s) = 3/4 - s^2 |s| < 1/2, (3/2 - |s|)^2/2 |s| < 3/2
+        B3(s) = |s|^3/2 - s^2 + 2/3 |s| < 1, (2 - |s|)^3/6 |s| < 2
 
-    Steffen, Kirby & Berzins (2008), Int. J. Numer. Meth. Eng. 76. Each sums to 1 over the nodes and reproduces a linear field.
+    Steffen, Kirby & Berzins (2008), Int. J. Numer. Meth. Eng. 76. Each sums to 1 over the nodes and
+    reproduces a linear field.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,7 +23,8 @@ struct BSpline
     static constexpr int nodes = Order + 1;
     static constexpr double support = 0.5*(Order + 1);      // half width, in distances of nodes
 
-    //- sum of B(s - i) (i - s)^2 over the nodes: what divides the first moment of a field in an affine map (orders 2, 3)
+    //- sum of B(s - i) (i - s)^2 over the nodes: what divides the first moment of a field in an
+    //  affine map (orders 2, 3)
     static constexpr double secondMoment = Order == 2 ? 0.25 : 1.0/3.0;
 
     //- The first node of those that see a point at s
@@ -34,7 +36,8 @@ struct BSpline
         else return floorInt(s) - 1;
     }
 
-    //- The same for a point in the cell that s is counted from, s being 0 .. 1 from a face (`faces`) or -0.5 .. 0.5 from the cell's middle
+    //- The same for a point in the cell that s is counted from, s being 0 .. 1 from a face
+    //  (`faces`) or -0.5 .. 0.5 from the cell's middle
     template<class R>
     HD static int firstInCell(R s, [[maybe_unused]] bool faces)
     {

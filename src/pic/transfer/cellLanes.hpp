@@ -1,7 +1,10 @@
-/*  Grid to particles and their motion on the CPU in 2D with quadratic splines: the particles of a cell in the lanes of a register.
+/*  Grid to particles and their motion on the CPU in 2D with quadratic splines: the particles of a
+    cell in the lanes of a register.
 
-    All of them see the same nodes, four along a component's own axis and three across it, so that each node is read once for a cell and nothing is gathered; a node that a particle does not see has no
-    weight. The numbers are those of GridToParticle and MoveParticles to round-off. Cells beside the sides, and those without water about them, are done by these.
+    All of them see the same nodes, four along a component's own axis and three across it, so that
+    each node is read once for a cell and nothing is gathered; a node that a particle does not see
+    has no weight. The numbers are those of GridToParticle and MoveParticles to round-off. Cells
+    beside the sides, and those without water about them, are done by these.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -28,7 +31,8 @@ struct LaneLine
     using Lanes = Pack<R>;
     Lanes w[Nodes];
 
-    //- Three weights of consecutive nodes: of four nodes where it is `upper` those from the second on
+    //- Three weights of consecutive nodes: of four nodes where it is `upper` those from the second
+    //  on
     void set(const Lanes* three, typename Lanes::mask upper)
     {
         const typename Lanes::vec none{};
@@ -62,7 +66,8 @@ struct ParticleLanes
             const typename Lanes::mask upper = t[a].v >= Lanes(R(0.5)).v, never = t[a].v != t[a].v;
             const Lanes f(upper ? t[a].v : (t[a] + Lanes(R(1))).v);
             line<Moments>(f, upper, own[a], ownSlope[a], ownCurvature[a]);
-            line<Moments>(t[a] - Lanes(R(0.5)) + Lanes(R(1)), never, across[a], acrossSlope[a], acrossCurvature[a]);
+            line<Moments>(t[a] - Lanes(R(0.5)) + Lanes(R(1)), never, across[a], acrossSlope[a],
+                acrossCurvature[a]);
         }
     }
 
@@ -79,9 +84,9 @@ struct ParticleLanes
     }
 
 private:
-
     template<bool Moments, int Nodes>
-    static void line(Lanes f, typename Lanes::mask upper, LaneLine<R, Nodes>& w, LaneLine<R, Nodes>& slope, LaneLine<R, Nodes>& curvature)
+    static void line(Lanes f, typename Lanes::mask upper, LaneLine<R, Nodes>& w,
+        LaneLine<R, Nodes>& slope, LaneLine<R, Nodes>& curvature)
     {
         const Lanes a = Lanes(R(1.5)) - f, b = f - Lanes(R(1)), c = f - Lanes(R(0.5)), half(R(0.5));
         const Lanes value[3] = {half*a*a, Lanes(R(0.75)) - b*b, half*c*c};
@@ -89,12 +94,14 @@ private:
         if constexpr (Moments)
         {
             const Lanes scale(R(1/BSpline<2>::secondMoment));
-            const Lanes moment[3] = {value[0]*(Lanes(R(0)) - f)*scale, value[1]*(Lanes(R(1)) - f)*scale, value[2]*(Lanes(R(2)) - f)*scale};
+            const Lanes moment[3] = {value[0]*(Lanes(R(0)) - f)*scale,
+                value[1]*(Lanes(R(1)) - f)*scale, value[2]*(Lanes(R(2)) - f)*scale};
             slope.set(moment, upper);
         }
         else
         {
-            const Lanes first[3] = {-a, Lanes(R(-2))*b, c}, second[3] = {Lanes(R(1)), Lanes(R(-2)), Lanes(R(1))};
+            const Lanes first[3] = {-a, Lanes(R(-2))*b, c},
+                        second[3] = {Lanes(R(1)), Lanes(R(-2)), Lanes(R(1))};
             slope.set(first, upper);
             curvature.set(second, upper);
         }
@@ -103,7 +110,8 @@ private:
 
 //- Cells of a tile that have particles: few(cell, its indices, first particle, last + 1)
 template<class F>
-void eachCellOf(const UniformGrid<2>& grid, const CellTiles<2>& tiles, int tile, const int* start, const F& f)
+void eachCellOf(
+    const UniformGrid<2>& grid, const CellTiles<2>& tiles, int tile, const int* start, const F& f)
 {
     const UniformGrid<2>::Index first = tiles.first(tile);
     UniformGrid<2>::Index c = first;
@@ -126,12 +134,17 @@ struct GridToCells
 
     void operator()(int t) const
     {
-        eachCellOf(one.grid, tiles, list[t], one.particles.start, [&](int cell, const UniformGrid<2>::Index& c, int from, int to)
-        {
-            if (!one.nearWater[cell] || !inner(one.grid, c, 1)) { for (int p = from; p < to; ++p) one(p); return; }
-            const bool bounds = one.nearWater[cell] == someWater && one.formula.keepsOwn();
-            for (int p = from; p < to; p += Lanes::width) take(c, p, to - p, bounds);
-        });
+        eachCellOf(one.grid, tiles, list[t], one.particles.start,
+            [&](int cell, const UniformGrid<2>::Index& c, int from, int to)
+            {
+                if (!one.nearWater[cell] || !inner(one.grid, c, 1))
+                {
+                    for (int p = from; p < to; ++p) one(p);
+                    return;
+                }
+                const bool bounds = one.nearWater[cell] == someWater && one.formula.keepsOwn();
+                for (int p = from; p < to; p += Lanes::width) take(c, p, to - p, bounds);
+            });
     }
 
 private:
@@ -142,18 +155,18 @@ private:
         w.template set<true>(one.particles.place + p);
         Lanes before[2], grid[2], now[2];
         for (int d = 0; d < 2; ++d) before[d] = Lanes::load(one.particles.v[d] + p);
-        component<0>(w.own[0], w.ownSlope[0], w.across[1], w.acrossSlope[1], c, p, count, before[0], grid[0], now[0]);
-        component<1>(w.across[0], w.acrossSlope[0], w.own[1], w.ownSlope[1], c, p, count, before[1], grid[1], now[1]);
+        component<0>(w.own[0], w.ownSlope[0], w.across[1], w.acrossSlope[1], c, p, count, before[0],
+            grid[0], now[0]);
+        component<1>(w.across[0], w.acrossSlope[0], w.own[1], w.ownSlope[1], c, p, count, before[1],
+            grid[1], now[1]);
         if (bounds) bound(before, grid, now);
         for (int d = 0; d < 2; ++d) w.store(now[d], one.particles.v[d] + p, count);
     }
 
     template<int d, int Nx, int Ny>
-    void component
-    (
-        const LaneLine<R, Nx>& wx, const LaneLine<R, Nx>& sx, const LaneLine<R, Ny>& wy, const LaneLine<R, Ny>& sy, const UniformGrid<2>::Index& c, int p, int count,
-        Lanes before, Lanes& ofGrid, Lanes& now
-    ) const
+    void component(const LaneLine<R, Nx>& wx, const LaneLine<R, Nx>& sx, const LaneLine<R, Ny>& wy,
+        const LaneLine<R, Ny>& sy, const UniformGrid<2>::Index& c, int p, int count, Lanes before,
+        Lanes& ofGrid, Lanes& now) const
     {
         const int width = one.grid.layers(d, 0), first = c.c[0] - 1 + width*(c.c[1] - 1);
         Lanes value(R(0)), x(R(0)), y(R(0)), change(R(0));
@@ -182,9 +195,11 @@ private:
         }
         constexpr int memory = Formula::memory;
         Lanes kept[memory + 1];
-        for (int k = 0; k < memory; ++k) kept[k] = Lanes::load(one.particles.memory[d*memory + k] + p);
+        for (int k = 0; k < memory; ++k)
+            kept[k] = Lanes::load(one.particles.memory[d*memory + k] + p);
         now = one.formula.velocity(before, change, value, kept);
-        for (int k = 0; k < memory; ++k) ParticleLanes<R>::store(kept[k], one.particles.memory[d*memory + k] + p, count);
+        for (int k = 0; k < memory; ++k)
+            ParticleLanes<R>::store(kept[k], one.particles.memory[d*memory + k] + p, count);
     }
 
     //- GridToParticle::bound
@@ -204,13 +219,15 @@ private:
         const Lanes most = maximum(fallen2, grid2);
         const typename Lanes::mask faster = (now2.v > most.v) & (off2.v > Lanes(R(0)).v);
         const Lanes under = maximum(mixed*mixed + off2*(most - grid2), Lanes(R(0)));
-        const Lanes part = minimum(Lanes(R(1)), (squareRoot(under) - mixed)/Lanes(faster ? off2.v : Lanes(R(1)).v));
+        const Lanes part = minimum(
+            Lanes(R(1)), (squareRoot(under) - mixed)/Lanes(faster ? off2.v : Lanes(R(1)).v));
         for (int d = 0; d < 2; ++d) now[d] = Lanes(faster ? (grid[d] + part*off[d]).v : now[d].v);
     }
 };
 
 template<class R, bool Around, class Formula>
-GridToCells<R, Around, Formula> cellsOf(const GridToParticle<2, 2, R, Around, Formula>& one, const CellTiles<2>& tiles, const int* list)
+GridToCells<R, Around, Formula> cellsOf(
+    const GridToParticle<2, 2, R, Around, Formula>& one, const CellTiles<2>& tiles, const int* list)
 { return {one, tiles, list}; }
 
 template<class R, bool Around>
@@ -224,11 +241,17 @@ struct MoveCells
 
     void operator()(int t) const
     {
-        eachCellOf(one.grid, tiles, list[t], one.particles.start, [&](int cell, const UniformGrid<2>::Index& c, int from, int to)
-        {
-            if (!one.nearWater[cell] || !inner(one.grid, c, 1)) { for (int p = from; p < to; ++p) one(p); return; }
-            for (int p = from; p < to; p += Lanes::width) move(c, p, to - p < Lanes::width ? to - p : Lanes::width);
-        });
+        eachCellOf(one.grid, tiles, list[t], one.particles.start,
+            [&](int cell, const UniformGrid<2>::Index& c, int from, int to)
+            {
+                if (!one.nearWater[cell] || !inner(one.grid, c, 1))
+                {
+                    for (int p = from; p < to; ++p) one(p);
+                    return;
+                }
+                for (int p = from; p < to; p += Lanes::width)
+                    move(c, p, to - p < Lanes::width ? to - p : Lanes::width);
+            });
     }
 
 private:
@@ -246,11 +269,9 @@ private:
     };
 
     template<int d, int Nx, int Ny>
-    Field find
-    (
-        const LaneLine<R, Nx>& wx, const LaneLine<R, Nx>& sx, const LaneLine<R, Nx>& cx, const LaneLine<R, Ny>& wy, const LaneLine<R, Ny>& sy, const LaneLine<R, Ny>& cy,
-        const UniformGrid<2>::Index& c
-    ) const
+    Field find(const LaneLine<R, Nx>& wx, const LaneLine<R, Nx>& sx, const LaneLine<R, Nx>& cx,
+        const LaneLine<R, Ny>& wy, const LaneLine<R, Ny>& sy, const LaneLine<R, Ny>& cy,
+        const UniformGrid<2>::Index& c) const
     {
         const int width = one.grid.layers(d, 0), first = c.c[0] - 1 + width*(c.c[1] - 1);
         const Lanes none(R(0));
@@ -279,12 +300,12 @@ private:
     {
         ParticleLanes<R> w;
         w.template set<false>(one.particles.place + p);
-        const Field f[2] =
-        {
-            find<0>(w.own[0], w.ownSlope[0], w.ownCurvature[0], w.across[1], w.acrossSlope[1], w.acrossCurvature[1], c),
-            find<1>(w.across[0], w.acrossSlope[0], w.acrossCurvature[0], w.own[1], w.ownSlope[1], w.ownCurvature[1], c)
-        };
-        const Lanes cells(R(one.timeStep*one.inverse)), half = Lanes(R(0.5))*cells, more = Lanes(R(0.75))*cells;
+        const Field f[2] = {find<0>(w.own[0], w.ownSlope[0], w.ownCurvature[0], w.across[1],
+                                w.acrossSlope[1], w.acrossCurvature[1], c),
+            find<1>(w.across[0], w.acrossSlope[0], w.acrossCurvature[0], w.own[1], w.ownSlope[1],
+                w.ownCurvature[1], c)};
+        const Lanes cells(R(one.timeStep*one.inverse)), half = Lanes(R(0.5))*cells,
+                                                          more = Lanes(R(0.75))*cells;
         Lanes k1[2], k2[2], k3[2];
         for (int d = 0; d < 2; ++d) k1[d] = f[d].value;
         for (int d = 0; d < 2; ++d) k2[d] = f[d].at(half*k1[0], half*k1[1]);
@@ -295,7 +316,10 @@ private:
             if (!(farthest.v[l] < R(1))) { one(p + l); continue; }      // of a cell: stage by stage
             Vec<2, double> to;
             for (int d = 0; d < 2; ++d)
-                to.c[d] = one.particles.x[d][p + l] + (one.order == 2 ? one.timeStep*k2[d].v[l] : (one.timeStep/9)*(2.0*k1[d].v[l] + 3.0*k2[d].v[l] + 4.0*k3[d].v[l]));
+                to.c[d] = one.particles.x[d][p + l]
+                    + (one.order == 2 ? one.timeStep*k2[d].v[l]
+                                      : (one.timeStep/9)
+                                *(2.0*k1[d].v[l] + 3.0*k2[d].v[l] + 4.0*k3[d].v[l]));
             one.arriveInWater(p + l, c, to);
         }
     }

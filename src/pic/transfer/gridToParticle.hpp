@@ -1,12 +1,15 @@
-/*  Grid to particles: what the step has made of the grid's velocity u, a change by du. A scheme's formula (schemes/) says what of it a particle takes:
+/*  Grid to particles: what the step has made of the grid's velocity u, a change by du. A scheme's
+    formula (schemes/) says what of it a particle takes:
 
-        v_p = formula(v_p, sum_f W du_f, sum_f W u_f),      C_p the affine part of u where particles keep it
+        v_p = formula(v_p, sum_f W du_f, sum_f W u_f), C_p the affine part of u where particles keep
+        it
 
     Particles with no water about them fall: v_p += g dt.
 
-    Beside the surface du is that of the water continued to faces that no pressure has projected. A particle that moves with that water is given what it is given. One
-    that does not, spray at a wall or between solids, would gain energy from nowhere, at each step again: there v_p is taken towards the grid's velocity u by
-    as much as it takes to
+    Beside the surface du is that of the water continued to faces that no pressure has projected. A
+    particle that moves with that water is given what it is given. One that does not, spray at a
+    wall or between solids, would gain energy from nowhere, at each step again: there v_p is taken
+    towards the grid's velocity u by as much as it takes to
 
         |v_p| <= max(|v_p + g dt| before, |u|)
 
@@ -27,13 +30,15 @@ template<int Order, int D, class R, bool Around, class Formula>
 struct GridToParticle
 {
     static constexpr const char* name = "gridToParticle";
-    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 8 : 0;       // measured to be fastest
+    // measured to be fastest
+    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 8 : 0;
     UniformGrid<D> grid;
     double inverse;             // 1/h
     PicParticles<D, R> particles;
     const R* u[D];
     const R* du[D];
-    const unsigned char* nearWater;     // cells: are some or all of the cells about it wet? (wetCells.hpp)
+    // cells: are some or all of the cells about it wet? (wetCells.hpp)
+    const unsigned char* nearWater;
     Formula formula;
     bool affine;
     R fall[D];                  // g dt [m/s]
@@ -61,7 +66,8 @@ private:
 
     //- asked: for the grid's velocity
     template<bool Affine>
-    HD void takeAll(const Vec<D, double>& x, const InCell<D, R>& at, int i, bool asked, R* ofGrid, R& fallen2) const
+    HD void takeAll(const Vec<D, double>& x, const InCell<D, R>& at, int i, bool asked, R* ofGrid,
+        R& fallen2) const
     {
         using Inner = InnerNodes<Order, D, R, Affine>;
         const auto fallen = [&]([[maybe_unused]] int d)
@@ -121,15 +127,18 @@ private:
     HD R give(int d, int i, R velocity, R change, [[maybe_unused]] const R* gradient) const
     {
         constexpr int memory = Formula::memory;
-        if constexpr (Affine) for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
+        if constexpr (Affine)
+            for (int a = 0; a < D; ++a) particles.affine[d*D + a][i] = gradient[a];
         R kept[memory + 1] = {};
         for (int k = 0; k < memory; ++k) kept[k] = particles.memory[d*memory + k][i];
-        particles.v[d][i] = formula.velocity(Formula::own ? particles.v[d][i] : R(0), change, velocity, kept);
+        particles.v[d][i] = formula.velocity(
+            Formula::own ? particles.v[d][i] : R(0), change, velocity, kept);
         for (int k = 0; k < memory; ++k) particles.memory[d*memory + k][i] = kept[k];
         return velocity;
     }
 
-    //- u + s (v - u) with the largest s up to 1 that is no faster than the faster of u and the particle that has but fallen
+    //- u + s (v - u) with the largest s up to 1 that is no faster than the faster of u and the
+    //  particle that has but fallen
     HD void bound(const R* ofGrid, R fallen2, int i) const
     {
         R grid2 = 0, now2 = 0, mixed = 0, off2 = 0;
@@ -144,11 +153,13 @@ private:
         const R most = maximum(fallen2, grid2);
         if (!(now2 > most) || !(off2 > R(0))) return;
         const R part = minimum(R(1), (squareRoot(mixed*mixed + off2*(most - grid2)) - mixed)/off2);
-        for (int d = 0; d < D; ++d) particles.v[d][i] = ofGrid[d] + part*(particles.v[d][i] - ofGrid[d]);
+        for (int d = 0; d < D; ++d)
+            particles.v[d][i] = ofGrid[d] + part*(particles.v[d][i] - ofGrid[d]);
     }
 };
 
-//- Velocities of one direction at the time of the positions, for output: with the part of the last change that is still to come
+//- Velocities of one direction at the time of the positions, for output: with the part of the last
+//  change that is still to come
 template<int Order, int D, class R>
 struct VelocityNow
 {
@@ -166,7 +177,8 @@ struct VelocityNow
     {
         const Vec<D, double> x = particles.position(i);
         const bool water = nearWater[InCell<D, R>(grid, x).cell(grid)];
-        result[i] = particles.v[component][i] + (water ? part*sampleFace<Order>(grid, du, component, x) : fall);
+        result[i] = particles.v[component][i]
+            + (water ? part*sampleFace<Order>(grid, du, component, x) : fall);
     }
 };
 

@@ -1,6 +1,8 @@
-/*  The nodes about a point whose nodes, of all components of the velocity, are blocks of memory: of quadratic splines in all cells but those beside a periodic end, of others
-    in cells away from the sides. Weights are found once for all components: along an axis a component's nodes lie either on faces (its own axis) or at the middles
-    of cells; those beyond a side are folded as a window folds them.
+/*  The nodes about a point whose nodes, of all components of the velocity, are blocks of memory: of
+    quadratic splines in all cells but those beside a periodic end, of others in cells away from the
+    sides. Weights are found once for all components: along an axis a component's nodes lie either
+    on faces (its own axis) or at the middles of cells; those beyond a side are folded as a window
+    folds them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -105,14 +107,18 @@ struct InnerNodes
     }
 
     //- Component d at a point in cell c
-    HD R sum(const UniformGrid<D>& g, const int* c, int d, const R* u) const { return window(g, c, d).sum(u); }
+    HD R sum(const UniformGrid<D>& g, const int* c, int d, const R* u) const
+    {
+        return window(g, c, d).sum(u);
+    }
 
 private:
 
     HD const Line& along(int a, int d) const { return a == d ? own[a] : across[a]; }
 };
 
-//- Velocity of the grid at a point t in cell c, where the nodes are blocks; \return whether they are
+//- Velocity of the grid at a point t in cell c, where the nodes are blocks; \return whether they
+//  are
 template<int Order, int D, class R>
 HD bool sampleInside(const UniformGrid<D>& g, const R* const* u, const int* c, const R* t, R* v)
 {

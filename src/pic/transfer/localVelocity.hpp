@@ -2,9 +2,10 @@
 
         u(x + h s) = u + G s + 1/2 s (H s)
 
-    G and H are the derivatives of what B-splines of order 2 or 3 make of the grid's velocity. A Runge-Kutta step of order 3 that starts there needs no more: what is left
-    out is of the third order in s, as is the step's own error (where s leaves the piece of a quadratic spline, s^2 times a jump of H that is of the order of h); and the
-    grid is read once, not once a stage.
+    G and H are the derivatives of what B-splines of order 2 or 3 make of the grid's velocity. A
+    Runge-Kutta step of order 3 that starts there needs no more: what is left out is of the third
+    order in s, as is the step's own error (where s leaves the piece of a quadratic spline, s^2
+    times a jump of H that is of the order of h); and the grid is read once, not once a stage.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -37,7 +38,8 @@ struct LocalField
         return sum;
     }
 
-    //- Of nodes first[..], with the weights of the value, of its slope and of its curvature along each axis
+    //- Of nodes first[..], with the weights of the value, of its slope and of its curvature along
+    //  each axis
     template<int Nodes, class W>
     HD void sum(const R* first, const int* stride, const W& weights)
     {
@@ -126,7 +128,10 @@ struct InnerLines
     const LineOfNodes<Order, R>* across;
     int component;
 
-    HD const LineOfNodes<Order, R>& along(int a) const { return a == component ? own[a] : across[a]; }
+    HD const LineOfNodes<Order, R>& along(int a) const
+    {
+        return a == component ? own[a] : across[a];
+    }
     HD R w(int a, int i) const { return along(a).w[i]; }
     HD R slope(int a, int i) const { return along(a).slope[i]; }
     HD R curvature(int a, int i) const { return along(a).curvature[i]; }
@@ -190,7 +195,8 @@ struct LocalVelocity
 
 //- The same in any cell; \return false where the nodes are no block (window.hpp)
 template<int Order, int D, class R>
-HD bool findAnywhere(LocalVelocity<Order, D, R>& local, const UniformGrid<D>& g, const R* const* u, const InCell<D, R>& x)
+HD bool findAnywhere(LocalVelocity<Order, D, R>& local, const UniformGrid<D>& g, const R* const* u,
+    const InCell<D, R>& x)
 {
     constexpr int nodes = Order + 1, beyond = nodes/2;
     for (int d = 0; d < D; ++d)
@@ -205,7 +211,10 @@ HD bool findAnywhere(LocalVelocity<Order, D, R>& local, const UniformGrid<D>& g,
             int low = x.c[a] + line.low;
             const int layers = g.layers(d, a);
             const bool outside = low < 0 || low + Order >= layers;
-            if (outside && (g.periodic[a] || layers < nodes || low < -beyond || low + Order >= layers + beyond)) return false;
+            if (outside
+                && (g.periodic[a] || layers < nodes || low < -beyond
+                    || low + Order >= layers + beyond))
+                return false;
             if (outside)
             {
                 foldWeights<Order>(g, d, a, low, line.slope);

@@ -1,14 +1,19 @@
 /*  Particles carried through the step's velocity field, which is frozen meanwhile.
 
-    order 2:    x += dt u(x + dt/2 u(x))                                                            (midpoint)
-    order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9,  k2 = u(x + dt/2 k1),  k3 = u(x + 3/4 dt k2)        (Ralston 1962)
+    order 2:    x += dt u(x + dt/2 u(x)) (midpoint)
+    order 3:    x += dt (2 k1 + 3 k2 + 4 k3)/9, k2 = u(x + dt/2 k1), k3 = u(x + 3/4 dt k2) (Ralston
+                1962)
 
-    Splines of order 2 and 3 are looked at once a step, where it begins (localVelocity.hpp), and where a particle goes farther than a cell at each stage.
+    Splines of order 2 and 3 are looked at once a step, where it begins (localVelocity.hpp), and
+    where a particle goes farther than a cell at each stage.
 
-    Particles with no water about them fall: x += dt v, in pieces of a cell at most; those that come to the water on the way are carried by it from there. Sides of the block that are closed keep
-    particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is open they leave. Closed faces inside the block let
-    no particle pass either. What walls take back of the way that the correction of positions has pushed a particle is taken back from its velocity as well: it has
-    become that of a place that is not reached, and in a corner, where particles push each other against walls step by step, it would grow without bound.
+    Particles with no water about them fall: x += dt v, in pieces of a cell at most; those that come
+    to the water on the way are carried by it from there. Sides of the block that are closed keep
+    particles inside, at least `margin` away; they lose the velocity into the wall. Where a side is
+    open they leave. Closed faces inside the block let no particle pass either. What walls take back
+    of the way that the correction of positions has pushed a particle is taken back from its
+    velocity as well: it has become that of a place that is not reached, and in a corner, where
+    particles push each other against walls step by step, it would grow without bound.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,7 +29,8 @@
 namespace riprap
 {
 
-//- Velocity of the grid at a point anywhere. Around: also where the block ends in itself, or is narrower than the spline
+//- Velocity of the grid at a point anywhere. Around: also where the block ends in itself, or is
+//  narrower than the spline
 template<int Order, bool Around, int D, class R>
 HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, Vec<D, double> x)
 {
@@ -50,7 +56,8 @@ HD Vec<D, double> intoBlock(const UniformGrid<D>& g, Vec<D, double> x)
     for (int d = 0; d < D; ++d)
     {
         const double length = g.n[d]*g.h;
-        if (g.periodic[d]) x.c[d] = x.c[d] < 0 ? x.c[d] + length : (x.c[d] >= length ? x.c[d] - length : x.c[d]);
+        if (g.periodic[d])
+            x.c[d] = x.c[d] < 0 ? x.c[d] + length : (x.c[d] >= length ? x.c[d] - length : x.c[d]);
         else x.c[d] = maximum(0.0, minimum(x.c[d], length));
     }
     return x;
@@ -58,10 +65,12 @@ HD Vec<D, double> intoBlock(const UniformGrid<D>& g, Vec<D, double> x)
 
 //- The same for a point anywhere in the block. By value: no caller's variable must have an address
 template<int Order, bool Around, int D, class R>
-HD_APART Vec<D, double> carriedAnywhere(UniformGrid<D> g, Vec<3, const R*> field, Vec<D, double> x, double dt, int order)
+HD_APART Vec<D, double> carriedAnywhere(
+    UniformGrid<D> g, Vec<3, const R*> field, Vec<D, double> x, double dt, int order)
 {
     const R* const u[3] = {field.c[0], field.c[1], field.c[2]};
-    const auto ahead = [&](const Vec<D, R>& v, double by) { return intoBlock(g, x + by*convert<double>(v)); };
+    const auto ahead = [&](const Vec<D, R>& v, double by)
+    { return intoBlock(g, x + by*convert<double>(v)); };
     const Vec<D, R> k1 = sampleVelocity<Order, Around>(g, u, x);
     const Vec<D, R> k2 = sampleVelocity<Order, Around>(g, u, ahead(k1, 0.5*dt));
     if (order == 2) return x + dt*convert<double>(k2);
@@ -71,7 +80,8 @@ HD_APART Vec<D, double> carriedAnywhere(UniformGrid<D> g, Vec<3, const R*> field
 
 //- Where the field takes a point in dt (negative: where it came from). at: its place; inverse: 1/h
 template<int Order, bool Around = true, int D, class R>
-HD Vec<D, double> carried(const UniformGrid<D>& g, double inverse, const R* const* u, const InCell<D, R>& at, const Vec<D, double>& x, double dt, int order)
+HD Vec<D, double> carried(const UniformGrid<D>& g, double inverse, const R* const* u,
+    const InCell<D, R>& at, const Vec<D, double>& x, double dt, int order)
 {
     R k1[D], k2[D], k3[D];
     const R cells = R(dt*inverse);
@@ -93,19 +103,24 @@ HD Vec<D, double> carried(const UniformGrid<D>& g, double inverse, const R* cons
         const InCell<D, R> more = at.ahead(k2, R(0.75)*cells);
         inside = sampleInside<Order>(g, u, more.c, more.t, k3);
     }
-    if (!inside) return carriedAnywhere<Order, Around>(g, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, dt, order);
+    if (!inside)
+        return carriedAnywhere<Order, Around>(
+            g, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, dt, order);
     UNROLL
     for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + (dt/9)*(2.0*k1[d] + 3.0*k2[d] + 4.0*k3[d]);
     return to;
 }
 
 template<int Order, bool Around = true, int D, class R>
-HD Vec<D, double> carried(const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x, double dt, int order)
+HD Vec<D, double> carried(
+    const UniformGrid<D>& g, const R* const* u, const Vec<D, double>& x, double dt, int order)
 { return carried<Order, Around>(g, 1/g.h, u, InCell<D, R>(g, x), x, dt, order); }
 
-//- A step through what is known of the field about its beginning; \return whether it stays so near that this is enough
+//- A step through what is known of the field about its beginning; \return whether it stays so near
+//  that this is enough
 template<int Order, int D, class R>
-HD bool carriedBy(const LocalVelocity<Order, D, R>& local, R cells, const Vec<D, double>& x, double dt, int order, Vec<D, double>& to)
+HD bool carriedBy(const LocalVelocity<Order, D, R>& local, R cells, const Vec<D, double>& x,
+    double dt, int order, Vec<D, double>& to)
 {
     constexpr R farthest = 1;           // cells
     R k1[D], k2[D], s[D];
@@ -127,24 +142,30 @@ HD bool carriedBy(const LocalVelocity<Order, D, R>& local, R cells, const Vec<D,
     UNROLL
     for (int d = 0; d < D; ++d) s[d] = R(0.75)*cells*k2[d];
     UNROLL
-    for (int d = 0; d < D; ++d) to.c[d] = x.c[d] + (dt/9)*(2.0*k1[d] + 3.0*k2[d] + 4.0*local.of[d].at(s));
+    for (int d = 0; d < D; ++d)
+        to.c[d] = x.c[d] + (dt/9)*(2.0*k1[d] + 3.0*k2[d] + 4.0*local.of[d].at(s));
     return near;
 }
 
 //- The same for a point anywhere in the block
 template<int Order, bool Around, int D, class R>
-HD_APART Vec<D, double> carriedBeside(UniformGrid<D> g, Vec<3, const R*> field, Vec<D, double> x, double dt, int order)
+HD_APART Vec<D, double> carriedBeside(
+    UniformGrid<D> g, Vec<3, const R*> field, Vec<D, double> x, double dt, int order)
 {
     const R* const u[3] = {field.c[0], field.c[1], field.c[2]};
     LocalVelocity<Order, D, R> local;
     Vec<D, double> to;
-    if (findAnywhere(local, g, u, InCell<D, R>(g, x)) && carriedBy(local, R(dt/g.h), x, dt, order, to)) return to;
+    if (findAnywhere(local, g, u, InCell<D, R>(g, x))
+        && carriedBy(local, R(dt/g.h), x, dt, order, to))
+        return to;
     return carriedAnywhere<Order, Around>(g, field, x, dt, order);
 }
 
-//- Where the field takes a particle: splines of order 2 and 3 are looked at once, for where the particle is
+//- Where the field takes a particle: splines of order 2 and 3 are looked at once, for where the
+//  particle is
 template<int Order, bool Around = true, int D, class R>
-HD Vec<D, double> carriedNear(const UniformGrid<D>& g, double inverse, const R* const* u, const InCell<D, R>& at, const Vec<D, double>& x, double dt, int order)
+HD Vec<D, double> carriedNear(const UniformGrid<D>& g, double inverse, const R* const* u,
+    const InCell<D, R>& at, const Vec<D, double>& x, double dt, int order)
 {
     if constexpr (Order == 1) return carried<Order, Around>(g, inverse, u, at, x, dt, order);
     else
@@ -173,20 +194,25 @@ template<int Order, int D, class R, bool Around = true>
 struct MoveParticles
 {
     static constexpr const char* name = "moveParticles";
-    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 8 : 0;       // measured to be fastest
+    // measured to be fastest
+    static constexpr int residentBlocks = D == 3 && Order <= 2 && sizeof(R) == 4 ? 8 : 0;
     UniformGrid<D> grid;
     double inverse;             // 1/h
     PicParticles<D, R> particles;
     const R* u[D];
     const R* aperture[D];
     const unsigned char* nearWater;
-    R* shift[D];                // what position correction adds [m], and what walls have left of it; nullptr: none
-    const unsigned char* gate[D];       // closed faces of the sides through which water leaves; nullptr: there are none
+    // what position correction adds [m], and what walls have left of it; nullptr: none
+    R* shift[D];
+    // closed faces of the sides through which water leaves; nullptr: there are none
+    const unsigned char* gate[D];
     double timeStep;
     int order;                  // 2 or 3
     bool inside;                // are there closed faces inside the block?
     double margin;              // [m]
-    std::uint32_t* keys;        // cells that particles come to, and their numbers, for the sort; nullptr: they will be moved again
+    // cells that particles come to, and their numbers, for the sort; nullptr: they will be moved
+    // again
+    std::uint32_t* keys;
     std::uint32_t* indices;
 
     HD void operator()(int i) const
@@ -194,7 +220,9 @@ struct MoveParticles
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(inverse, x);
         const typename UniformGrid<D>::Index c = at.index();
-        if (nearWater[grid.cell(c)]) arriveInWater(i, c, carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order));
+        if (nearWater[grid.cell(c)])
+            arriveInWater(
+                i, c, carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order));
         else fly(i, c, x);
     }
 
@@ -203,7 +231,9 @@ struct MoveParticles
     {
         double most = 0;
         for (int d = 0; d < D; ++d) most = maximum(most, double(absolute(particles.v[d][i])));
-        const int pieces = most*timeStep*inverse < maxPieces ? 1 + int(most*timeStep*inverse) : maxPieces;
+        const int pieces = most*timeStep*inverse < maxPieces
+            ? 1 + int(most*timeStep*inverse)
+            : maxPieces;
         const double piece = timeStep/pieces;
         for (int k = 1; k < pieces; ++k)
         {
@@ -211,12 +241,18 @@ struct MoveParticles
             const InCell<D, R> at(inverse, to);
             bool in = true;
             for (int d = 0; d < D; ++d) in = in && at.c[d] >= 0 && at.c[d] < grid.n[d];
-            if (!in) { arrive(i, c, x + (timeStep - (k - 1)*piece)*convert<double>(velocity(i))); return; }
+            if (!in)
+            {
+                arrive(i, c, x + (timeStep - (k - 1)*piece)*convert<double>(velocity(i)));
+                return;
+            }
             x = to;
             c = at.index();
             if (!nearWater[grid.cell(c)]) continue;
             const double left = timeStep - k*piece;
-            arrive(i, c, carriedAnywhere<Order, Around>(grid, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, left, order));
+            arrive(i, c,
+                carriedAnywhere<Order, Around>(
+                    grid, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, left, order));
             return;
         }
         arrive(i, c, x + piece*convert<double>(velocity(i)));
@@ -248,11 +284,13 @@ private:
     static constexpr int maxPieces = 64;
 
     //- The way from cell c as far as closed faces inside the block let it
-    HD Vec<D, double> stopped(int i, const typename UniformGrid<D>::Index& c, Vec<D, double> to) const
+    HD Vec<D, double> stopped(
+        int i, const typename UniformGrid<D>::Index& c, Vec<D, double> to) const
     {
         if (!inside) return to;
         const Vec<D, double> free = to;
-        const int at = stopAtFaces(grid, c, to, margin, [&](int d, int face) { return !(aperture[d][face] > R(0)); });
+        const int at = stopAtFaces(
+            grid, c, to, margin, [&](int d, int face) { return !(aperture[d][face] > R(0)); });
         if (at) for (int d = 0; d < D; ++d)
         {
             takeBack(particles, shift, i, d, to.c[d] - free.c[d]);

@@ -2,13 +2,18 @@
 
         m_f = sum_p W(x_f - x_p),       m_f u_f = sum_p W(x_f - x_p) (v_p + C_p.(x_f - x_p))
 
-    in units of a particle's mass; C_p only with APIC (Jiang et al. 2015, Eqs. 8-10). W, a product of B-splines, sums to one over the faces: mass and momentum
-    are conserved to round-off, and with APIC angular momentum about the nodes. At the sides of the block images of the particles count as well (mirror.hpp):
-    the mass stays, the wall takes momentum; where water comes in by a side that moves with w, images have 2 w - v. What runs along a side that water sticks to has no image: the particles' gradients tell what it is there.
+    in units of a particle's mass; C_p only with APIC (Jiang et al. 2015, Eqs. 8-10). W, a product
+    of B-splines, sums to one over the faces: mass and momentum are conserved to round-off, and with
+    APIC angular momentum about the nodes. At the sides of the block images of the particles count
+    as well (mirror.hpp): the mass stays, the wall takes momentum; where water comes in by a side
+    that moves with w, images have 2 w - v. What runs along a side that water sticks to has no
+    image: the particles' gradients tell what it is there.
 
-    In two passes, so that the weights of a particle are found once: a block of threads takes a tile of 64 cells, each of which sums its own particles over the faces that
-    they can see; then cell by cell of that neighbourhood all of them add theirs to the tile's sums, different cells to different faces. Each face adds what the
-    tiles about it have for it, in their order: the same input gives the same bits.
+    In two passes, so that the weights of a particle are found once: a block of threads takes a tile
+    of 64 cells, each of which sums its own particles over the faces that they can see; then cell by
+    cell of that neighbourhood all of them add theirs to the tile's sums, different cells to
+    different faces. Each face adds what the tiles about it have for it, in their order: the same
+    input gives the same bits.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,18 +29,28 @@
 namespace riprap
 {
 
-//- Faces that particles of a cell can see: along the faces' own direction from cell + low on, count of them; across it likewise
+//- Faces that particles of a cell can see: along the faces' own direction from cell + low on, count
+//  of them; across it likewise
 template<int Order>
 struct SeenFaces
 {
     static constexpr int low = Order == 1 ? 0 : -1, count = Order == 1 ? 2 : 4;
     static constexpr int lowAcross = Order == 3 ? -2 : -1, countAcross = Order == 3 ? 5 : 3;
 
-    template<int D> static constexpr int all() { return count*countAcross*(D == 3 ? countAcross : 1); }
+    template<int D> static constexpr int all()
+    {
+        return count*countAcross*(D == 3 ? countAcross : 1);
+    }
 
     //- Along an axis, of all cells of a tile
-    template<int D> HD static constexpr int ofTile(bool own) { return CellTiles<D>::side - 1 + (own ? count : countAcross); }
-    template<int D> HD static constexpr int allOfTile() { return ofTile<D>(true)*ofTile<D>(false)*(D == 3 ? ofTile<D>(false) : 1); }
+    template<int D> HD static constexpr int ofTile(bool own)
+    {
+        return CellTiles<D>::side - 1 + (own ? count : countAcross);
+    }
+    template<int D> HD static constexpr int allOfTile()
+    {
+        return ofTile<D>(true)*ofTile<D>(false)*(D == 3 ? ofTile<D>(false) : 1);
+    }
 };
 
 template<class R>
@@ -48,7 +63,9 @@ struct SumTiles
 {
     static constexpr const char* name = "particleToGrid";
     static constexpr int threads = CellTiles<D>::cells;
-    static constexpr int residentBlocks = D == 3 && Order == 2 && sizeof(R) == 4 ? (Affine ? 8 : 10) : 0;   // measured to be fastest
+    // measured to be fastest
+    static constexpr int residentBlocks = D == 3 && Order == 2 && sizeof(R) == 4 ? (Affine ? 8 : 10)
+                                                                                 : 0;
     using Seen = SeenFaces<Order>;
     using Index = typename UniformGrid<D>::Index;
     static constexpr int all = Seen::template all<D>(), allOfTile = Seen::template allOfTile<D>();
@@ -65,7 +82,8 @@ struct SumTiles
         const Index first = tiles.first(list[block]);
         team.each(allOfTile, [&](int k) { shared.sum[k] = FaceSum<R>{R(0), R(0)}; });
         for (int k = team.index; k < threads; k += team.size) addCell(team, shared, first, k);
-        team.each(allOfTile, [&](int k) { sums[std::size_t(block)*allOfTile + k] = shared.sum[k]; });
+        team.each(
+            allOfTile, [&](int k) { sums[std::size_t(block)*allOfTile + k] = shared.sum[k]; });
     }
 
 private:
@@ -105,7 +123,8 @@ private:
 
     HD void addCell(const Team& team, Shared& shared, const Index& corner, int number) const
     {
-        constexpr int side = CellTiles<D>::side, n = Seen::count, b = Seen::countAcross, c = D == 3 ? b : 1;
+        constexpr int side = CellTiles<D>::side, n = Seen::count, b = Seen::countAcross,
+                      c = D == 3 ? b : 1;
         constexpr int stride[3] = {1, ofTile(0), ofTile(0)*ofTile(1)};
         const int local[3] = {number % side, number/side % side, D == 3 ? number/(side*side) : 0};
         Index at = corner;
@@ -135,7 +154,8 @@ private:
                 {
                     if (from < to)
                     {
-                        FaceSum<R>& sum = shared.sum[place + i*stride[Component] + j*stride[acrossOne] + (D == 3 ? k*stride[acrossTwo] : 0)];
+                        FaceSum<R>& sum = shared.sum[place + i*stride[Component]
+                            + j*stride[acrossOne] + (D == 3 ? k*stride[acrossTwo] : 0)];
                         sum.mass += m[i + n*(j + b*k)];
                         sum.momentum += mv[i + n*(j + b*k)];
                     }
@@ -155,19 +175,22 @@ private:
         }
     }
 
-    //- Weights of the faces along an axis that particles of a cell see, and how the affine part changes along it; t: where in the cell, 0 .. 1
+    //- Weights of the faces along an axis that particles of a cell see, and how the affine part
+    //  changes along it; t: where in the cell, 0 .. 1
     template<bool Own>
     HD void along(R t, R slope, R* w, R* change) const
     {
         constexpr int seen = Own ? Seen::count : Seen::countAcross, nodes = Order + 1;
         constexpr R first = Own ? R(Seen::low) : R(Seen::lowAcross) + R(0.5);
-        const bool upper = seen > nodes && t >= R(0.5);         // which of them have a weight depends on the half of the cell
+        // which of them have a weight depends on the half of the cell
+        const bool upper = seen > nodes && t >= R(0.5);
         R weight[nodes];
         BSpline<Order>::weights(t - first - (upper ? R(1) : R(0)), weight);
         UNROLL
         for (int i = 0; i < seen; ++i)
         {
-            const R inLower = i < nodes ? weight[i < nodes ? i : 0] : R(0), inUpper = i > 0 ? weight[i > 0 ? i - 1 : 0] : R(0);
+            const R inLower = i < nodes ? weight[i < nodes ? i : 0] : R(0),
+                    inUpper = i > 0 ? weight[i > 0 ? i - 1 : 0] : R(0);
             w[i] = upper ? inUpper : inLower;
             change[i] = Affine ? slope*(first + i - t) : R(0);
         }
@@ -210,14 +233,16 @@ struct GatherTiles
     const int* placeOf;         // of a tile among those that have particles; -1: it has none
     int component;
     const FaceSum<R>* sums;
-    const R* last;              // velocities of the step before, which sides have; nullptr: sides rest
+    // velocities of the step before, which sides have; nullptr: sides rest
+    const R* last;
     R* u;                       // velocity [m/s], 0 where no particle is near
     R* mass;                    // in particles
 
     HD void operator()(int face, const typename UniformGrid<D>::Index& at) const
     {
         R m = 0, mv = 0;
-        if (inner(grid, at, 3)) addTiles(at, R(1), m, mv);      // farther from the sides than a particle sees
+        // farther from the sides than a particle sees
+        if (inner(grid, at, 3)) addTiles(at, R(1), m, mv);
         else addWithImages(at, m, mv);
         mass[face] = m;
         u[face] = m > 0 ? mv/m : R(0);
@@ -238,7 +263,8 @@ private:
                 for (int i = 0; i < images[0]; ++i)
                 {
                     const R before = m, odd = sign[0][i]*sign[1][j]*sign[2][k];
-                    const typename UniformGrid<D>::Index image{{place[0][i], place[1][j], place[2][k]}};
+                    const typename UniformGrid<D>::Index image{
+                        {place[0][i], place[1][j], place[2][k]}};
                     addTiles(image, odd, m, mv);
                     if (!last || !(odd < 0)) continue;
                     typename UniformGrid<D>::Index side = at;
@@ -248,7 +274,10 @@ private:
     }
 
     HD int low(int a) const { return a == component ? Seen::low : Seen::lowAcross; }
-    HD int count(int a) const { return a >= D ? 1 : (a == component ? Seen::count : Seen::countAcross); }
+    HD int count(int a) const
+    {
+        return a >= D ? 1 : (a == component ? Seen::count : Seen::countAcross);
+    }
 
     //- The face's place along an axis, and those of its images that a particle in the block can see
     HD int imagesOf(int a, int i, int* place, R* sign) const
@@ -280,13 +309,20 @@ private:
     //- All places are read before any sum, so that a thread waits twice
     HD void addTiles(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv) const
     {
-        constexpr int side = CellTiles<D>::side, most = 2;      // tiles along an axis that have a face
-        int from[3] = {0, 0, 0}, count[3] = {1, 1, 1}, within[3] = {0, 0, 0}, stride[3] = {1, 1, 1};        // within: place in the first tile of all
+        // tiles along an axis that have a face
+        constexpr int side = CellTiles<D>::side, most = 2;
+        // within: place in the first tile of all
+        int from[3] = {0, 0, 0}, count[3] = {1, 1, 1}, within[3] = {0, 0, 0}, stride[3] = {1, 1, 1};
         UNROLL
         for (int a = 0; a < D; ++a)
         {
-            constexpr int shortest = Seen::template ofTile<D>(false) < Seen::template ofTile<D>(true) ? Seen::template ofTile<D>(false) : Seen::template ofTile<D>(true);
-            static_assert(shortest >= side && Seen::template ofTile<D>(true) <= most*side && Seen::template ofTile<D>(false) <= most*side, "a face is seen by one tile or two along an axis");
+            constexpr int shortest = Seen::template ofTile<D>(false)
+                    < Seen::template ofTile<D>(true)
+                ? Seen::template ofTile<D>(false)
+                : Seen::template ofTile<D>(true);
+            static_assert(shortest >= side && Seen::template ofTile<D>(true) <= most*side
+                    && Seen::template ofTile<D>(false) <= most*side,
+                "a face is seen by one tile or two along an axis");
             const int faces = Seen::template ofTile<D>(a == component);
             within[a] = at.c[a] - low(a);
             from[a] = within[a] < faces ? 0 : (within[a] - faces + side)/side;
@@ -304,7 +340,9 @@ private:
                 for (int i = 0; i < most; ++i)
                 {
                     const bool is = i < count[0] && j < count[1] && (D < 3 || k < count[2]);
-                    place[k][j][i] = is ? placeOf[from[0] + i + tiles.n[0]*(from[1] + j + tiles.n[1]*(from[2] + k))] : -1;
+                    place[k][j][i] = is ? placeOf[from[0] + i
+                                         + tiles.n[0]*(from[1] + j + tiles.n[1]*(from[2] + k))]
+                                        : -1;
                 }
         UNROLL
         for (int k = 0; k < along; ++k)
@@ -314,9 +352,11 @@ private:
                 for (int i = 0; i < most; ++i)
                 {
                     if (place[k][j][i] < 0) continue;
-                    int number = within[0] - side*(from[0] + i) + stride[1]*(within[1] - side*(from[1] + j));
+                    int number = within[0] - side*(from[0] + i)
+                        + stride[1]*(within[1] - side*(from[1] + j));
                     if constexpr (D == 3) number += stride[2]*(within[2] - side*(from[2] + k));
-                    const FaceSum<R> sum = sums[std::size_t(place[k][j][i])*Seen::template allOfTile<D>() + number];
+                    const FaceSum<R> sum =
+                        sums[std::size_t(place[k][j][i])*Seen::template allOfTile<D>() + number];
                     m += sum.mass;
                     mv += sign*sum.momentum;
                 }
@@ -330,29 +370,36 @@ class ParticleToGrid
 public:
 
     //- After the particles were sorted: which tiles have any. sort: theirs
-    void prepare(Context<Backend>& context, const UniformGrid<D>& grid, CellSort<Backend>& sort) { occupied_.find(context, grid, sort); }
+    void prepare(Context<Backend>& context, const UniformGrid<D>& grid, CellSort<Backend>& sort)
+    {
+        occupied_.find(context, grid, sort);
+    }
 
-    //- Velocity u and mass of the faces of one direction that rows have. last: what sides have that move, nullptr: they rest
+    //- Velocity u and mass of the faces of one direction that rows have. last: what sides have that
+    //  move, nullptr: they rest
     template<int Order>
-    void map
-    (
-        Context<Backend>& context, const UniformGrid<D>& grid, const ActiveRows<Backend, D>& rows, const PicParticles<D, R>& particles, int component,
-        bool affine, const R* last, R* u, R* mass
-    )
+    void map(Context<Backend>& context, const UniformGrid<D>& grid,
+        const ActiveRows<Backend, D>& rows, const PicParticles<D, R>& particles, int component,
+        bool affine, const R* last, R* u, R* mass)
     {
         const CellTiles<D>& tiles = occupied_.tiles();
-        const std::size_t all = std::size_t(std::max(occupied_.count(), 1))*SeenFaces<Order>::template allOfTile<D>();
+        const std::size_t all = std::size_t(std::max(occupied_.count(), 1))
+            *SeenFaces<Order>::template allOfTile<D>();
         if (sums_.size() < all) sums_.allocate(context, all + all/8);
         const auto sum = [&](auto direction, auto withGradient)
         {
-            forEachBlock(context, occupied_.count(), SumTiles<Order, D, R, decltype(direction)::value, decltype(withGradient)::value>
-                {grid, tiles, occupied_.list(), particles, sums_.data()});
+            forEachBlock(context, occupied_.count(),
+                SumTiles<Order, D, R, decltype(direction)::value, decltype(withGradient)::value>{
+                    grid, tiles, occupied_.list(), particles, sums_.data()});
         };
-        const auto sumAlong = [&](auto direction) { affine ? sum(direction, std::true_type()) : sum(direction, std::false_type()); };
+        const auto sumAlong = [&](auto direction)
+        { affine ? sum(direction, std::true_type()) : sum(direction, std::false_type()); };
         if (component == 0) sumAlong(std::integral_constant<int, 0>());
         else if (component == 1) sumAlong(std::integral_constant<int, 1>());
         else if constexpr (D == 3) sumAlong(std::integral_constant<int, 2>());
-        rows.eachFaceOfBoth(context, component, GatherTiles<Order, D, R>{grid, tiles, occupied_.place(), component, sums_.data(), last, u, mass});
+        rows.eachFaceOfBoth(context, component,
+            GatherTiles<Order, D, R>{
+                grid, tiles, occupied_.place(), component, sums_.data(), last, u, mass});
     }
 
     const OccupiedTiles<Backend, D>& occupied() const { return occupied_; }

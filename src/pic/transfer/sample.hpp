@@ -1,4 +1,5 @@
-/*  Values of staggered velocities, of their gradients and of fields of cells at any point, by B-splines.
+/*  Values of staggered velocities, of their gradients and of fields of cells at any point, by
+    B-splines.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -48,21 +49,25 @@ struct Stencil
     }
 };
 
-//- Component d of a velocity, node by node: where the nodes lie around a periodic end. By value: no caller's variable must have an address
+//- Component d of a velocity, node by node: where the nodes lie around a periodic end. By value: no
+//  caller's variable must have an address
 template<int Order, int D, class R>
 HD_APART R sampleAround(UniformGrid<D> g, const R* u, int d, Vec<D, double> x)
 {
     const Stencil<Order, D, R> stencil(g, d, x);
     R sum = 0;
-    stencil.forEachNode([&](R w, const typename UniformGrid<D>::Index& at, int, int, int) { sum += w*faceValue(g, u, d, at); });
+    stencil.forEachNode([&](R w, const typename UniformGrid<D>::Index& at, int, int, int)
+        { sum += w*faceValue(g, u, d, at); });
     return sum;
 }
 
-//- The same and its affine part: the gradient of the linear field that the nodes' values make about the point
-//  (orders 2 and 3: first moments over the spline's second moment; order 1: the gradient of the interpolation;
+//- The same and its affine part: the gradient of the linear field that the nodes' values make about
+//  the point (orders 2 and 3: first moments over the spline's second moment; order 1: the gradient
+//  of the interpolation;
 //  Jiang, Schroeder, Selle, Teran & Stomakhin 2015, section 5.3 and Eq. 14)
 template<int Order, int D, class R>
-HD_APART R sampleAffineAround(UniformGrid<D> g, const R* u, int d, Vec<D, double> x, Vec<D, R>& gradient)
+HD_APART R sampleAffineAround(
+    UniformGrid<D> g, const R* u, int d, Vec<D, double> x, Vec<D, R>& gradient)
 {
     const Stencil<Order, D, R> stencil(g, d, x);
     R sum = 0, slope[D][Order + 1];
@@ -117,7 +122,8 @@ HD R sampleCell(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
     if (window.whole) return window.sum(a);
     const Stencil<Order, D, R> stencil(g, -1, x);
     R sum = 0;
-    stencil.forEachNode([&](R w, const typename UniformGrid<D>::Index& at, int, int, int) { sum += w*cellValue(g, a, at); });
+    stencil.forEachNode([&](R w, const typename UniformGrid<D>::Index& at, int, int, int)
+        { sum += w*cellValue(g, a, at); });
     return sum;
 }
 

@@ -10,10 +10,12 @@
 namespace riprap
 {
 
-//- The way from cell c to `to` up to the first face that `closed(direction, face)` names: the point stays `margin` before it. Faces
-//  on the sides of the block are left to others. \return the directions in which it was stopped, as bits: 1 << 2d below, 2 << 2d above
+//- The way from cell c to `to` up to the first face that `closed(direction, face)` names: the point
+//  stays `margin` before it. Faces on the sides of the block are left to others. \return the
+//  directions in which it was stopped, as bits: 1 << 2d below, 2 << 2d above
 template<int D, class F>
-HD int stopAtFaces(const UniformGrid<D>& grid, typename UniformGrid<D>::Index c, Vec<D, double>& to, double margin, const F& closed)
+HD int stopAtFaces(const UniformGrid<D>& grid, typename UniformGrid<D>::Index c, Vec<D, double>& to,
+    double margin, const F& closed)
 {
     int stopped = 0;
     for (int d = 0; d < D; ++d)

@@ -1,8 +1,9 @@
 /*  The nodes about a point as a block of memory, all within the grid.
 
-    What lies beyond a side is a linear function of the nodes inside (mirror.hpp): weights of such images are added to those nodes' own, along each axis by itself, so
-    that points beside walls cost no more than others. Only around a periodic end and in blocks of fewer layers than the spline has nodes
-    there is no such block.
+    What lies beyond a side is a linear function of the nodes inside (mirror.hpp): weights of such
+    images are added to those nodes' own, along each axis by itself, so that points beside walls
+    cost no more than others. Only around a periodic end and in blocks of fewer layers than the
+    spline has nodes there is no such block.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,12 +16,14 @@
 namespace riprap
 {
 
-//- Values of nodes `low` .. of an axis are w of the field: the same for nodes within the block. \return the first of these
+//- Values of nodes `low` .. of an axis are w of the field: the same for nodes within the block.
+//  \return the first of these
 template<int Order, int D, class R>
 HD int foldWeights(const UniformGrid<D>& g, int component, int axis, int low, R* w)
 {
     constexpr int nodes = Order + 1;
-    const int n = g.n[axis], layers = axis == component ? n + 1 : n, first = low < 0 ? 0 : layers - nodes;
+    const int n = g.n[axis], layers = axis == component ? n + 1 : n,
+              first = low < 0 ? 0 : layers - nodes;
     R sum[nodes] = {};
     UNROLL
     for (int i = 0; i < nodes; ++i)
@@ -49,14 +52,16 @@ HD int foldWeights(const UniformGrid<D>& g, int component, int axis, int low, R*
             else one = evenNode(g, axis, j);
         }
         UNROLL
-        for (int k = 0; k < nodes; ++k) sum[k] += (one - first == k ? a*w[i] : R(0)) + (two - first == k ? b*w[i] : R(0));
+        for (int k = 0; k < nodes; ++k)
+            sum[k] += (one - first == k ? a*w[i] : R(0)) + (two - first == k ? b*w[i] : R(0));
     }
     UNROLL
     for (int k = 0; k < nodes; ++k) w[k] = sum[k];
     return first;
 }
 
-//- The same for three nodes, of which one at most lies beyond a side: in a cell of a block that does not end in itself and is three cells wide
+//- The same for three nodes, of which one at most lies beyond a side: in a cell of a block that
+//  does not end in itself and is three cells wide
 struct BeyondSide
 {
     bool is, upper;
@@ -65,8 +70,8 @@ struct BeyondSide
     //- low: the first node, from that of cell c; faces: they lie on the faces of this axis
     template<int D>
     HD BeyondSide(const UniformGrid<D>& g, int axis, int c, int low, bool faces)
-    :
-        is(c + low < 0 || c + low + 2 >= g.n[axis] + (faces ? 1 : 0)), upper(c > 0), even(!faces && !g.sticks[axis][upper])
+        : is(c + low < 0 || c + low + 2 >= g.n[axis] + (faces ? 1 : 0)), upper(c > 0),
+          even(!faces && !g.sticks[axis][upper])
     {}
 
     HD int shift() const { return upper ? -1 : 1; }
@@ -74,7 +79,8 @@ struct BeyondSide
     template<class R>
     HD void fold(R* w) const
     {
-        const R beyond = upper ? w[2] : w[0], one = even ? beyond : 2*beyond, two = even ? R(0) : -beyond;
+        const R beyond = upper ? w[2] : w[0], one = even ? beyond : 2*beyond,
+                two = even ? R(0) : -beyond;
         if (upper)
         {
             w[2] = w[1] + one;
@@ -90,8 +96,9 @@ struct BeyondSide
     }
 };
 
-//- component: the direction of the faces that are the nodes, -1: cells. Slopes: with what gives the field's gradient, times h: of order 1
-//  that of the interpolation, of orders 2 and 3 the first moment over the spline's second moment
+//- component: the direction of the faces that are the nodes, -1: cells. Slopes: with what gives the
+//  field's gradient, times h: of order 1 that of the interpolation, of orders 2 and 3 the first
+//  moment over the spline's second moment
 template<int Order, int D, class R, bool Slopes = false>
 struct Window
 {
@@ -107,13 +114,15 @@ struct Window
     HD Window() {}
     HD Window(const UniformGrid<D>& g, int component, const InCell<D, R>& x)
     {
-        constexpr int beyond = (Order + 1)/2;               // nodes on a side of the block that points within it see
+        // nodes on a side of the block that points within it see
+        constexpr int beyond = (Order + 1)/2;
         int step = 1;
         UNROLL
         for (int a = 0; a < D; ++a)
         {
             const bool own = a == component;
-            const R s = own ? x.t[a] : x.t[a] - R(0.5);     // from the node that has the cell's number
+            // from the node that has the cell's number
+            const R s = own ? x.t[a] : x.t[a] - R(0.5);
             int low = Spline::firstInCell(s, own);
             const R f = s - low;
             Spline::weights(f, w[a]);
@@ -122,7 +131,9 @@ struct Window
             const int layers = g.n[a] + (own ? 1 : 0);
             if (low < 0 || low + Order >= layers)
             {
-                if (g.periodic[a] || layers < nodes || low < -beyond || low + Order >= layers + beyond) whole = false;
+                if (g.periodic[a] || layers < nodes || low < -beyond
+                    || low + Order >= layers + beyond)
+                    whole = false;
                 else
                 {
                     if constexpr (Slopes) foldWeights<Order>(g, component, a, low, slope[a]);

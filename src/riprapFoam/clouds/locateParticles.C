@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The cells that particles are in.
 
-    From the cell of the particle before, or where it was last, one goes through the face whose plane the point is farthest beyond, until the point is on the inner
-    side of all faces: a few products a particle, where the mesh's octree takes hundreds of tests in flat cells. A point on faces is in the first of the cells about
-    it, wherever the search began. What this does not settle (cells with warped faces, a boundary on the way) the octree decides.
+    From the cell of the particle before, or where it was last, one goes through the face whose
+    plane the point is farthest beyond, until the point is on the inner side of all faces: a few
+    products a particle, where the mesh's octree takes hundreds of tests in flat cells. A point on
+    faces is in the first of the cells about it, wherever the search began. What this does not
+    settle (cells with warped faces, a boundary on the way) the octree decides.
 */
 
 #include "particleCloudIO.H"
@@ -16,7 +18,8 @@ namespace Foam
 
 class cellWalk
 {
-    static constexpr scalar tolerance = 1e-9;       // of a face's distance: nearer to it a point counts as on it
+    // of a face's distance: nearer to it a point counts as on it
+    static constexpr scalar tolerance = 1e-9;
     const polyMesh& mesh_;
     const label longest_;
     label flat_ = -1;                               // the last cell found to have plane faces
@@ -53,7 +56,8 @@ class cellWalk
         return mesh_.faceOwner()[f] == c ? mesh_.faceNeighbour()[f] : mesh_.faceOwner()[f];
     }
 
-    //- The first of the cells that have the point on their faces, of which c is one; -1: not settled
+    //- The first of the cells that have the point on their faces, of which c is one; -1: not
+    //  settled
     label firstAbout(const point& p, const label c)
     {
         about_.clear();
@@ -71,7 +75,8 @@ class cellWalk
                 if (next < 0 || about_.found(next)) continue;
 
                 scalar farthest = -1;
-                for (const label g : mesh_.cells()[next]) farthest = max(farthest, beyond(p, next, g));
+                for (const label g : mesh_.cells()[next])
+                    farthest = max(farthest, beyond(p, next, g));
                 if (farthest <= tolerance) about_.append(next);
             }
         }
@@ -132,7 +137,8 @@ Foam::labelList Foam::locateParticles
         return hint.size() == points.size() && hint[i] >= 0 && hint[i] < mesh.nCells();
     };
 
-    // What the walk needs of the mesh is there before the threads ask for it. A point within a cell is in no other: chunks do not matter
+    // What the walk needs of the mesh is there before the threads ask for it. A point within a cell
+    // is in no other: chunks do not matter
     mesh.cells();
     mesh.cellCentres();
     mesh.faceAreas();
@@ -151,7 +157,8 @@ Foam::labelList Foam::locateParticles
         }
     }
 
-    // The rest, one by one: the mesh builds its tree for them, but not for those that are clear of it
+    // The rest, one by one: the mesh builds its tree for them, but not for those that are clear of
+    // it
     label last = 0;
     forAll(points, i)
     {

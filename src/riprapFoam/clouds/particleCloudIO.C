@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Writing of clouds, and what reading and writing share. Reading: particleCloudRead.C, particlePositions.C. */
+/*  Writing of clouds, and what reading and writing share. Reading: particleCloudRead.C,
+    particlePositions.C. */
 
 #include "particleCloudIO.H"
 #include "allRanks.H"
@@ -18,7 +19,8 @@
 namespace Foam
 {
 
-// Class Cloud<passiveParticle>, entries "(x y z) celli"; binary: 3 scalars and one label in one block, as Foam::particle::writePosition writes them
+// Class Cloud<passiveParticle>, entries "(x y z) celli"; binary: 3 scalars and one label in one
+// block, as Foam::particle::writePosition writes them
 static void writePositions
 (
     fileSink& sink,
@@ -121,7 +123,8 @@ static void writeFields
 }
 
 
-static IOobject propertiesFile(const objectRegistry& db, const word& cloudName, IOobject::readOption read)
+static IOobject propertiesFile(
+    const objectRegistry& db, const word& cloudName, IOobject::readOption read)
 {
     return IOobject
     (
@@ -146,7 +149,8 @@ static void writeCloudProperties(const polyMesh& mesh, const writtenCloud& w)
     count.add("particleCount", w.cloud->size());
     properties.add(word("processor" + Foam::name(Pstream::myProcNo())), count);
 
-    writtenFile file(properties, IOdictionary::typeName, IOstream::ASCII, mesh.time().writeCompression());
+    writtenFile file(
+        properties, IOdictionary::typeName, IOstream::ASCII, mesh.time().writeCompression());
     file.addWritten([&](Ostream& os) { properties.writeData(os); });
     timeWriter::ofRun().put(std::move(file));
 }
@@ -263,7 +267,8 @@ Foam::dictionary Foam::readCloudProperties(const Time& time, const word& cloudNa
     if (Pstream::master() && !io.typeHeaderOk<localIOdictionary>(true))
     {
         FatalIOErrorInFunction(io.objectPath())
-            << "The file is empty or cut short: it has no header of OpenFOAM's" << exit(FatalIOError);
+            << "The file is empty or cut short: it has no header of OpenFOAM's"
+            << exit(FatalIOError);
     }
     const dictionary properties(stateDictionary(io));
     const bool written = properties.found("geometry");

@@ -63,7 +63,8 @@ static void requireHeaders(const fileName& folder, const IOobjectList& files)
         if (!files.found(word(file, false)))
         {
             FatalIOErrorInFunction(folder/file)
-                << "The file is empty or cut short: it has no header of OpenFOAM's" << exit(FatalIOError);
+                << "The file is empty or cut short: it has no header of OpenFOAM's"
+                << exit(FatalIOError);
         }
     }
 }
@@ -118,7 +119,8 @@ static void putFieldsInOrder(particleCloud& c)
     while (i < ids->size() && (*ids)[i] > (*ids)[i - 1]) ++i;
     if (i >= ids->size()) return;
 
-    Info<< "Fields of lagrangian/" << c.name << " are not in the order of its positions, as reconstructPar leaves"
+    Info<< "Fields of lagrangian/" << c.name
+        << " are not in the order of its positions, as reconstructPar leaves"
         << " them: they are put in the order of ids" << nl << endl;
     const pointField position(c.position);
     const labelList cell(c.cell);

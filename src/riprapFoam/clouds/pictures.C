@@ -54,7 +54,8 @@ void Foam::pictures::check(const Time& time)
         {
             FatalIOErrorInFunction(control)
                 << "Entry pictureFields names " << field << ", which no cloud"
-                << " has; there are " << listedFor(field, known.sortedToc()).c_str() << exit(FatalIOError);
+                << " has; there are " << listedFor(field, known.sortedToc()).c_str()
+                << exit(FatalIOError);
         }
     }
 }

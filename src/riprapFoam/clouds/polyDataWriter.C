@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  VTK XML polydata, base64 inline: points with fields, one vertex a point; or lines with fields. */
+/*  VTK XML polydata, base64 inline: points with fields, one vertex a point; or lines with fields.
+    */
 
 #include "particleCloudIO.H"
 #include "foamVtkOutput.H"

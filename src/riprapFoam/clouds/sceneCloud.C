@@ -137,7 +137,8 @@ bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
     if (timeWriter::ofRun().onTrial()) return true;
 
     Info<< "Written " << time().timeName() << ": "
-        << returnReduce(particles.size(), sumOp<label>()) << " particles" << (picture ? ", a picture" : "");
+        << returnReduce(particles.size(), sumOp<label>()) << " particles"
+        << (picture ? ", a picture" : "");
     if (nOutside)
     {
         Info<< ", " << nOutside << " of them outside the mesh";

@@ -51,13 +51,17 @@ void Foam::coupledSolids::logSolids
 
     // A run of them would not come to its second step
     const scalar most = 1e6;
-    const scalar steps = riprap::isStill(input_) ? 1 : std::ceil(fluidStep/plan.timeStep*(1 - 1e-9));
+    const scalar steps = riprap::isStill(input_)
+        ? 1
+        : std::ceil(fluidStep/plan.timeStep*(1 - 1e-9));
     if (steps > most)
     {
         FatalIOErrorInFunction(dict())
             << "Solids would take " << steps << " steps of " << plan.timeStep << " s ("
-            << plan.cause.c_str() << ") in a step of the fluid, which is " << fluidStep << " s; at most "
-            << most << " are taken. Is an entry stiffness or E of pairs, materials or bonds in the right unit?"
+            << plan.cause.c_str() << ") in a step of the fluid, which is " << fluidStep
+            << " s; at most " << most
+            << " are taken. Is an entry stiffness or E of pairs, materials or bonds in the right "
+               "unit?"
             << exit(FatalIOError);
     }
     logItem("timeIntegration") << demNames::timeIntegration[c.integrator]

@@ -232,7 +232,8 @@ void Foam::markWalledSides
                 for (const face& f : patch)
                 {
                     bool all = true;
-                    for (const label v : f) all = all && mag(mesh.points()[v][axis] - end) < tolerance;
+                    for (const label v : f)
+                        all = all && mag(mesh.points()[v][axis] - end) < tolerance;
                     there += all;
                 }
                 (fixed.found(patch.name()) ? walled : open) += there;

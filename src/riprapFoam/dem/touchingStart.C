@@ -97,13 +97,14 @@ void Foam::warnOfTouchingStart
     }
 
     const label k = touching.deepest;
-    Info<< "Warning: solids touch at the start. The contacts of "
-        << touching.count << (touching.count == 1 ? " body hold " : " bodies hold ") << held
-        << " J, enough to throw them " << height << " m up. The deepest is "
-        << contacts.overlap[k] << " m, gap included, of particle "
-        << label(contacts.a[k]) << " at "
+    Info<< "Warning: solids touch at the start. The contacts of " << touching.count
+        << (touching.count == 1 ? " body hold " : " bodies hold ") << held
+        << " J, enough to throw them " << height << " m up. The deepest is " << contacts.overlap[k]
+        << " m, gap included, of particle " << label(contacts.a[k]) << " at "
         << positionOf(now, entryOfId(contacts.a[k])) << " with "
-        << (contacts.b[k] < 0 ? std::string("a wall") : "particle " + std::to_string(contacts.b[k])).c_str()
+        << (contacts.b[k] < 0 ? std::string("a wall")
+                               : "particle " + std::to_string(contacts.b[k]))
+                .c_str()
         << ". Place them farther apart, or give a smaller gap or stiffness in"
         << " constant/solidProperties" << nl << endl;
 }

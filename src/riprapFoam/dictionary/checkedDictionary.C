@@ -68,7 +68,8 @@ static std::string includedBy(const std::string& text)
 {
     std::string files;
     const std::string directive("#include");
-    for (std::size_t at = text.find(directive); at != std::string::npos; at = text.find(directive, at + 1))
+    for (std::size_t at = text.find(directive); at != std::string::npos;
+         at = text.find(directive, at + 1))
     {
         const std::size_t begin = text.find('"', at), end = text.find('"', begin + 1);
         if (text.find('\n', at) < begin || end == std::string::npos) continue;
@@ -255,7 +256,8 @@ void Foam::checkedDictionary::endButMacros(const wordList& elsewhere) const
         if (!number || elsewhere.found(name) || isLike(name, known_))
         {
             const std::string where(use.plain ? "" : includedBy(text));
-            unknownEntry(name, (", and numbers and words that the file uses as $name" + where).c_str());
+            unknownEntry(
+                name, (", and numbers and words that the file uses as $name" + where).c_str());
         }
         unused.append(name);
     }

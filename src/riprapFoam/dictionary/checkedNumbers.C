@@ -180,7 +180,8 @@ Foam::scalar Foam::checkedDictionary::positive
     is >> value;
     dict_.checkITstream(is, entry);
     require(value > 0 && std::isfinite(value), entry, value, "positive");
-    require(value >= smallestPositive && value <= largestNumber, entry, value, "from 1e-18 to 1e20");
+    require(
+        value >= smallestPositive && value <= largestNumber, entry, value, "from 1e-18 to 1e20");
     return value;
 }
 

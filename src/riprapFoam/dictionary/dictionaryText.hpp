@@ -98,7 +98,9 @@ class dictionaryText
                 s += takeTo("}");
                 continue;
             }
-            if (std::isspace(static_cast<unsigned char>(c)) || c == '"' || c == '\'' || c == ';' || c == '{' || c == '}') break;
+            if (std::isspace(static_cast<unsigned char>(c)) || c == '"' || c == '\'' || c == ';'
+                || c == '{' || c == '}')
+                break;
             if ((c == ')' && depth == 0) || (c == '/' && (peek(1) == '/' || peek(1) == '*'))) break;
             depth += (c == '(') - (c == ')');
             s += take();
@@ -140,7 +142,8 @@ public:
         if (at_ >= text_.size()) return t;
 
         const char c = peek(), second = peek(1);
-        const auto isDigit = [](char x) { return std::isdigit(static_cast<unsigned char>(x)) != 0; };
+        const auto isDigit = [](char x)
+        { return std::isdigit(static_cast<unsigned char>(x)) != 0; };
         if (std::string("{}()[];").find(c) != std::string::npos)
         {
             t.kind = textToken::mark;
@@ -156,14 +159,19 @@ public:
             t.kind = textToken::verbatim;
             t.text = takeTo("#}");
         }
-        else if (isDigit(c) || ((c == '-' || c == '.' || c == '+') && (isDigit(second) || second == '.')))
+        else if (isDigit(c)
+            || ((c == '-' || c == '.' || c == '+') && (isDigit(second) || second == '.')))
         {
             t.kind = textToken::number;
-            while (isDigit(peek()) || (at_ < text_.size() && std::string("+-.eE").find(peek()) != std::string::npos)) t.text += take();
+            while (isDigit(peek())
+                || (at_ < text_.size() && std::string("+-.eE").find(peek()) != std::string::npos))
+                t.text += take();
         }
         else
         {
-            t.kind = c == '#' ? textToken::directive : c == '$' ? textToken::variable : textToken::word;
+            t.kind = c == '#' ? textToken::directive
+                : c == '$' ? textToken::variable
+                              : textToken::word;
             t.text = takeWord();
         }
         return t;

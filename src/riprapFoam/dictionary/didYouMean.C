@@ -40,8 +40,10 @@ Foam::label Foam::slips(const std::string& a, const std::string& b, bool exchang
         now[0] = label(i);
         for (std::size_t j = 1; j <= b.size(); ++j)
         {
-            now[j] = std::min(std::min(last[j], now[j - 1]) + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
-            const bool exchanged = exchanges && i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            now[j] = std::min(
+                std::min(last[j], now[j - 1]) + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
+            const bool exchanged = exchanges && i > 1 && j > 1 && a[i - 1] == b[j - 2]
+                && a[i - 2] == b[j - 1];
             if (exchanged) now[j] = std::min(now[j], before[j - 2] + 1);
         }
         before = last;
@@ -61,7 +63,8 @@ std::string Foam::didYouMean(const std::string& typed, const std::vector<std::st
         // As <number>
         if (right.empty() || right[0] == '<') continue;
         const label off = slips(lower(typed), lower(right));
-        if (off > allowed(std::min(typed.size(), right.size())) || off > least || right == nearest) continue;
+        if (off > allowed(std::min(typed.size(), right.size())) || off > least || right == nearest)
+            continue;
         alone = off < least;
         least = off;
         nearest = right;

@@ -100,7 +100,8 @@ static bool textOf(const fileName& name, std::string& text)
 
 void Foam::inputFile::stop(int line, const std::string& what) const
 {
-    FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, name_, line) << what.c_str() << exit(FatalIOError);
+    FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, name_, line)
+        << what.c_str() << exit(FatalIOError);
     std::abort();
 }
 
@@ -116,7 +117,8 @@ void Foam::inputFile::checkNumber(const textToken& t, const std::string& entry) 
     {
         std::ostringstream most;
         most << largest_;
-        stop(t.line, "Entry " + entry + " holds " + t.text + ": numbers up to " + most.str() + " are valid");
+        stop(t.line,
+            "Entry " + entry + " holds " + t.text + ": numbers up to " + most.str() + " are valid");
     }
 }
 
@@ -133,7 +135,8 @@ void Foam::inputFile::checkWord(const textToken& t, const std::string& entry) co
 }
 
 
-void Foam::inputFile::include(const std::string& typed, int line, bool isValue, const std::string& entry) const
+void Foam::inputFile::include(
+    const std::string& typed, int line, bool isValue, const std::string& entry) const
 {
     fileName name(typed);
     stringOps::inplaceExpand(name, dictionary::null, true, true);
@@ -211,18 +214,17 @@ void Foam::inputFile::readConditional(int line)
 }
 
 
-void Foam::inputFile::requireOne(const textToken& keyword, const std::string& entry, names& known) const
+void Foam::inputFile::requireOne(
+    const textToken& keyword, const std::string& entry, names& known) const
 {
     // "a.*" is a pattern, and not the same as a.*
-    const auto added = known.insert({(keyword.kind == textToken::string ? "\"" : "") + keyword.text, keyword.line});
+    const auto added = known.insert(
+        {(keyword.kind == textToken::string ? "\"" : "") + keyword.text, keyword.line});
     if (!added.second && !merges_)
     {
-        stop
-        (
-            keyword.line,
-            "Entry " + entry + " is there twice: in line " + std::to_string(added.first->second) + " and in line "
-          + std::to_string(keyword.line)
-        );
+        stop(keyword.line,
+            "Entry " + entry + " is there twice: in line " + std::to_string(added.first->second)
+                + " and in line " + std::to_string(keyword.line));
     }
 }
 
@@ -258,13 +260,12 @@ void Foam::inputFile::readValue(const textToken& keyword, const std::string& ent
     {
         if (t.kind == textToken::end || (open.empty() && t.is('}')))
         {
-            if (keyword.kind == textToken::end && open.empty()) return;     // a file that is a value
-            stop
-            (
-                before.line,
+            // a file that is a value
+            if (keyword.kind == textToken::end && open.empty()) return;
+            stop(before.line,
                 open.empty() ? "Entry " + entry + " has no semicolon at its end"
-              : "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket " + open.back() + " that nothing closes"
-            );
+                             : "Entry " + entry + ", line " + std::to_string(keyword.line)
+                        + ", has a bracket " + open.back() + " that nothing closes");
         }
         if (open.empty() && t.is(';')) return;
 
@@ -308,17 +309,17 @@ void Foam::inputFile::readValue(const textToken& keyword, const std::string& ent
             const char wanted = t.is(')') ? '(' : '[';
             if (open.empty() || open.back() != wanted || t.is('}'))
             {
-                stop(t.line, "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket " + t.text + " that nothing opens");
+                stop(t.line,
+                    "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket "
+                        + t.text + " that nothing opens");
             }
             open.pop_back();
         }
         else if (t.is(';'))
         {
-            stop
-            (
-                t.line,
-                "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket " + open.back() + " that nothing closes"
-            );
+            stop(t.line,
+                "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket "
+                    + open.back() + " that nothing closes");
         }
     }
 }
@@ -327,13 +328,17 @@ void Foam::inputFile::readValue(const textToken& keyword, const std::string& ent
 void Foam::inputFile::readBlock(ends until, int line)
 {
     names known;
-    const std::string where(path_.empty() ? std::string("The file") : "Entry " + path_.substr(0, path_.size() - 1));
+    const std::string where(
+        path_.empty() ? std::string("The file") : "Entry " + path_.substr(0, path_.size() - 1));
     for (textToken t = text_.next(); ; t = text_.next())
     {
         if (t.kind == textToken::end)
         {
             if (until == file) return;
-            stop(line, where + (until == brace ? " has a bracket { that nothing closes" : " has an #if without its #endif"));
+            stop(line,
+                where
+                    + (until == brace ? " has a bracket { that nothing closes"
+                                      : " has an #if without its #endif"));
         }
         if (t.is(';')) continue;
         if (t.is('}'))
@@ -367,7 +372,8 @@ void Foam::inputFile::readBlock(ends until, int line)
         else if (t.is('(') || t.kind == textToken::number)
         {
             // A list of dictionaries, as the boundary of a mesh: not looked into
-            for (int depth = t.is('('); t.kind != textToken::end && (depth > 0 || t.kind == textToken::number); )
+            for (int depth = t.is('(');
+                 t.kind != textToken::end && (depth > 0 || t.kind == textToken::number); )
             {
                 t = text_.next();
                 depth += t.is('(') - t.is(')');
@@ -375,7 +381,9 @@ void Foam::inputFile::readBlock(ends until, int line)
         }
         else
         {
-            stop(t.line, where + " has a bracket " + t.text + " that nothing opens, or a semicolon is missing before it");
+            stop(t.line,
+                where + " has a bracket " + t.text
+                    + " that nothing opens, or a semicolon is missing before it");
         }
     }
 }

@@ -24,10 +24,12 @@ void Foam::requireMemory
     const scalar room = scalar(riprap::freeMemory())/bytes;
     if (count <= min(countable, room)) return;
 
-    FatalIOErrorInFunction(dict)
-        << what.c_str() << " about " << count << ' ' << of << ", and "
-        << (countable < room ? "a scene, which counts them in 32 bits, can have " : "this machine has memory for ")
-        << std::floor(min(countable, room)) << ": is the " << meant.c_str() << " meant?" << exit(FatalIOError);
+    FatalIOErrorInFunction(dict) << what.c_str() << " about " << count << ' ' << of << ", and "
+                                << (countable < room
+                                            ? "a scene, which counts them in 32 bits, can have "
+                                            : "this machine has memory for ")
+                                << std::floor(min(countable, room)) << ": is the " << meant.c_str()
+                                << " meant?" << exit(FatalIOError);
 }
 
 

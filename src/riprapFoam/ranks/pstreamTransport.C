@@ -21,20 +21,26 @@ void combine(std::vector<T>& values, const Op& op, Foam::label comm)
 }
 
 
-void Foam::pstreamTransport::post(const std::vector<riprap::RankMessage>& out, std::vector<riprap::RankMessage>& in) const
+void Foam::pstreamTransport::post(
+    const std::vector<riprap::RankMessage>& out, std::vector<riprap::RankMessage>& in) const
 {
     const label begin = UPstream::nRequests();
     const auto nonBlocking = UPstream::commsTypes::nonBlocking;
     const int tag = UPstream::msgType();
     for (riprap::RankMessage& m : in)
-        if (!m.bytes.empty()) UIPstream::read(nonBlocking, m.rank, reinterpret_cast<char*>(m.bytes.data()), m.bytes.size(), tag, comm_);
+        if (!m.bytes.empty())
+            UIPstream::read(nonBlocking, m.rank, reinterpret_cast<char*>(m.bytes.data()),
+                m.bytes.size(), tag, comm_);
     for (const riprap::RankMessage& m : out)
-        if (!m.bytes.empty()) UOPstream::write(nonBlocking, m.rank, reinterpret_cast<const char*>(m.bytes.data()), m.bytes.size(), tag, comm_);
+        if (!m.bytes.empty())
+            UOPstream::write(nonBlocking, m.rank, reinterpret_cast<const char*>(m.bytes.data()),
+                m.bytes.size(), tag, comm_);
     UPstream::waitRequests(begin);
 }
 
 
-void Foam::pstreamTransport::exchange(const std::vector<riprap::RankBytes>& out, std::vector<riprap::RankBytes>& in)
+void Foam::pstreamTransport::exchange(
+    const std::vector<riprap::RankBytes>& out, std::vector<riprap::RankBytes>& in)
 {
     const int me = rank(), n = size();
     labelList send(n, 0), receive(n, 0);
@@ -43,16 +49,18 @@ void Foam::pstreamTransport::exchange(const std::vector<riprap::RankBytes>& out,
     {
         if (out[r].size() > std::size_t(std::numeric_limits<int>::max()))
         {
-            FatalErrorInFunction
-                << "Process " << me << " has " << out[r].size() << " bytes for process " << r << ", and MPI takes "
-                << std::numeric_limits<int>::max() << " in a message: use more processes" << exit(FatalError);
+            FatalErrorInFunction << "Process " << me << " has " << out[r].size()
+                                << " bytes for process " << r << ", and MPI takes "
+                                << std::numeric_limits<int>::max()
+                                << " in a message: use more processes" << exit(FatalError);
         }
         send[r] = static_cast<label>(out[r].size());
         if (r != me && send[r]) to.push_back(riprap::RankMessage{r, out[r]});
     }
     UPstream::allToAll(send, receive, comm_);
     for (int r = 0; r < n; ++r)
-        if (r != me && receive[r]) from.push_back(riprap::RankMessage{r, riprap::RankBytes(receive[r])});
+        if (r != me && receive[r])
+            from.push_back(riprap::RankMessage{r, riprap::RankBytes(receive[r])});
     post(to, from);
     in.assign(n, riprap::RankBytes());
     in[me] = out[me];
@@ -60,7 +68,13 @@ void Foam::pstreamTransport::exchange(const std::vector<riprap::RankBytes>& out,
 }
 
 
-void Foam::pstreamTransport::sum(std::vector<std::int64_t>& values) { combine(values, plusEqOp<std::int64_t>(), comm_); }
+void Foam::pstreamTransport::sum(std::vector<std::int64_t>& values)
+{
+    combine(values, plusEqOp<std::int64_t>(), comm_);
+}
 
 
-void Foam::pstreamTransport::largest(std::vector<double>& values) { combine(values, maxEqOp<double>(), comm_); }
+void Foam::pstreamTransport::largest(std::vector<double>& values)
+{
+    combine(values, maxEqOp<double>(), comm_);
+}

@@ -18,14 +18,13 @@ namespace Foam
 
 static void checkNames(const dictionary& control)
 {
-    static const wordList known
-    ({
-        "application", "solver", "startFrom", "startTime", "stopAt", "endTime", "deltaT", "adjustTimeStep", "maxDeltaT",
-        "maxCo", "maxFlyingCo", "sampleInterval", "writeControl", "writeInterval", "writeFrequency", "purgeWrite",
-        "writeFormat", "writePrecision", "writeCompression", "stateInterval", "pictureFields", "writeVersion", "writeAsynchronously", "timeFormat", "timePrecision",
-        "runTimeModifiable", "graphFormat", "functions", "libs", "profiling", "DebugSwitches", "InfoSwitches",
-        "OptimisationSwitches", "DimensionedConstants", "DimensionSets"
-    });
+    static const wordList known({"application", "solver", "startFrom", "startTime", "stopAt",
+        "endTime", "deltaT", "adjustTimeStep", "maxDeltaT", "maxCo", "maxFlyingCo",
+        "sampleInterval", "writeControl", "writeInterval", "writeFrequency", "purgeWrite",
+        "writeFormat", "writePrecision", "writeCompression", "stateInterval", "pictureFields",
+        "writeVersion", "writeAsynchronously", "timeFormat", "timePrecision", "runTimeModifiable",
+        "graphFormat", "functions", "libs", "profiling", "DebugSwitches", "InfoSwitches",
+        "OptimisationSwitches", "DimensionedConstants", "DimensionSets"});
     for (const entry& e : control)
     {
         const word& name = e.keyword();
@@ -34,8 +33,8 @@ static void checkNames(const dictionary& control)
         {
             if (slips(name, right) <= (right.size() < 5 ? 1 : 2))
             {
-                FatalIOErrorInFunction(control)
-                    << "Unknown entry " << name << ": is " << right << " meant?" << exit(FatalIOError);
+                FatalIOErrorInFunction(control) << "Unknown entry " << name << ": is " << right
+                                                << " meant?" << exit(FatalIOError);
             }
         }
     }
@@ -55,7 +54,8 @@ static void checkSwitch(checkedDictionary& control, const word& entry, const wor
 {
     if (!control.found(entry)) return;
     const token typed(control.dict().lookup(entry));
-    if (typed.isLabel() && (typed.labelToken() == 0 || typed.labelToken() == 1)) control.dict().get<label>(entry);
+    if (typed.isLabel() && (typed.labelToken() == 0 || typed.labelToken() == 1))
+        control.dict().get<label>(entry);
     else checkWord(control, entry, valid);
 }
 
@@ -96,7 +96,8 @@ void Foam::checkControlDict(const fileName& file)
     checkWord(control, "writeFormat", {"ascii", "binary"});
     checkWord(control, "writeCompression", compression);
     checkWord(control, "writeAsynchronously", onOff);
-    checkSwitch(control, "runTimeModifiable", {"on", "off", "yes", "no", "true", "false", "y", "n", "t", "f", "none"});
+    checkSwitch(control, "runTimeModifiable",
+        {"on", "off", "yes", "no", "true", "false", "y", "n", "t", "f", "none"});
     checkWord(control, "timeFormat", {"general", "fixed", "scientific"});
 
     control.whole("stateInterval", 1, 1, labelMax);

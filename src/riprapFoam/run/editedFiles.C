@@ -16,7 +16,8 @@
 std::map<std::string, std::string> Foam::editedFiles::readOnce() const
 {
     std::map<std::string, std::string> texts;
-    for (const char* name : {"solver", "adjustTimeStep", "deltaT", "maxDeltaT", "maxCo", "maxFlyingCo"})
+    for (const char* name :
+        {"solver", "adjustTimeStep", "deltaT", "maxDeltaT", "maxCo", "maxFlyingCo"})
     {
         const entry* e = time_.controlDict().findEntry(name, keyType::LITERAL);
         if (!e) continue;
@@ -45,7 +46,8 @@ void Foam::editedFiles::warnOfEntries()
     std::set<std::string> names;
     for (const auto& e : all)
     {
-        const bool same = now.count(e.first) && entries_.count(e.first) && now.at(e.first) == entries_.at(e.first);
+        const bool same = now.count(e.first) && entries_.count(e.first)
+            && now.at(e.first) == entries_.at(e.first);
         if (!same) names.insert(e.first);
     }
 

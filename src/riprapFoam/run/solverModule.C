@@ -106,7 +106,8 @@ Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
     FatalIOErrorInFunction(runTime.controlDict())
         << "Unknown solver " << name << " (entry solver, or option -solver):"
         << " library " << library << " cannot be loaded or has none of that"
-        << " name; available are " << listedFor(name, availableModules()).c_str() << exit(FatalIOError);
+        << " name; available are " << listedFor(name, availableModules()).c_str()
+        << exit(FatalIOError);
 
     return nullptr;
 }

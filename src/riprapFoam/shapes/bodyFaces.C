@@ -14,7 +14,8 @@ namespace Foam
 
 using constant::mathematical::twoPi;
 
-//- A closed surface: triangles, or in 2D segments (the third vertex is -1) with the body on their left
+//- A closed surface: triangles, or in 2D segments (the third vertex is -1) with the body on their
+//  left
 struct closedFaces
 {
     const riprap::SphConfig& config;
@@ -32,7 +33,8 @@ struct closedFaces
 
     void add(label a, label b, label c) { elements.append(FixedList<label, 3>{a, b, c}); }
 
-    //- Lines and polygons may be given either way round: planar bodies are put so that their area is positive
+    //- Lines and polygons may be given either way round: planar bodies are put so that their area
+    //  is positive
     void polygon(const pointField& corners)
     {
         const label n = corners.size(), first = points.size();
@@ -59,9 +61,13 @@ struct closedFaces
         for (const labelledTri& t : surface) add(first + t[0], first + t[1], first + t[2]);
     }
 
-    scalar middle() const { return 0.5*(config.domainMin[config.axes[2]] + config.domainMax[config.axes[2]]); }
+    scalar middle() const
+    {
+        return 0.5*(config.domainMin[config.axes[2]] + config.domainMax[config.axes[2]]);
+    }
 
-    //- In 2D: where it cuts the mid-plane. Points at that height are taken to be above it, so that each line is cut once
+    //- In 2D: where it cuts the mid-plane. Points at that height are taken to be above it, so that
+    //  each line is cut once
     void section(const triSurface& surface)
     {
         const pointField& p = surface.points();
@@ -81,7 +87,8 @@ struct closedFaces
             points.append(cut[0]);
             points.append(cut[1]);
             add(first, first + 1, -1);
-            if ((normal(elements.last()) & ((p[t[1]] - p[t[0]]) ^ (p[t[2]] - p[t[0]]))) < 0) std::swap(elements.last()[0], elements.last()[1]);
+            if ((normal(elements.last()) & ((p[t[1]] - p[t[0]]) ^ (p[t[2]] - p[t[0]]))) < 0)
+                std::swap(elements.last()[0], elements.last()[1]);
         }
     }
 
@@ -98,13 +105,21 @@ struct closedFaces
             return polygon(corners);
         }
         points.append(boundBox(low, high).points());        // as of a hexahedral cell
-        quad(0, 3, 2, 1); quad(4, 5, 6, 7); quad(0, 1, 5, 4); quad(1, 2, 6, 5); quad(2, 3, 7, 6); quad(3, 0, 4, 7);
+        quad(0, 3, 2, 1);
+        quad(4, 5, 6, 7);
+        quad(0, 1, 5, 4);
+        quad(1, 2, 6, 5);
+        quad(2, 3, 7, 6);
+        quad(3, 0, 4, 7);
     }
 
-    pointField circle(const point& centre, const vector& a, const vector& b, scalar radius, label sides) const
+    pointField circle(
+        const point& centre, const vector& a, const vector& b, scalar radius, label sides) const
     {
         pointField corners(sides);
-        forAll(corners, i) corners[i] = centre + radius*(Foam::cos(twoPi*i/sides)*a + Foam::sin(twoPi*i/sides)*b);
+        forAll(corners, i)
+            corners[i] = centre
+                + radius*(Foam::cos(twoPi*i/sides)*a + Foam::sin(twoPi*i/sides)*b);
         return corners;
     }
 
@@ -122,12 +137,16 @@ struct closedFaces
         const label around = sides(radius);
         if (planar())
         {
-            if (mag(n & axis(2)) > 0.5) return polygon(circle(p1, axis(0), axis(1), radius, around));
+            if (mag(n & axis(2)) > 0.5)
+                return polygon(circle(p1, axis(0), axis(1), radius, around));
             const vector across(axis(2) ^ n);
-            const scalar half = Foam::sqrt(max(sqr(radius) - sqr((p1 & axis(2)) - middle()), scalar(0)));
-            return polygon(pointField(List<point>{p1 - half*across, p2 - half*across, p2 + half*across, p1 + half*across}));
+            const scalar half = Foam::sqrt(
+                max(sqr(radius) - sqr((p1 & axis(2)) - middle()), scalar(0)));
+            return polygon(pointField(List<point>{
+                p1 - half*across, p2 - half*across, p2 + half*across, p1 + half*across}));
         }
-        const vector a(normalised(mag(n.x()) < 0.9 ? vector(1, 0, 0) ^ n : vector(0, 1, 0) ^ n)), b(n ^ a);
+        const vector a(normalised(mag(n.x()) < 0.9 ? vector(1, 0, 0) ^ n : vector(0, 1, 0) ^ n)),
+            b(n ^ a);
         const label first = points.size();
         points.append(circle(p1, a, b, radius, around));
         points.append(circle(p2, a, b, radius, around));
@@ -147,17 +166,22 @@ struct closedFaces
     {
         if (planar())
         {
-            const scalar reach = Foam::sqrt(max(sqr(radius) - sqr((centre & axis(2)) - middle()), scalar(0)));
+            const scalar reach = Foam::sqrt(
+                max(sqr(radius) - sqr((centre & axis(2)) - middle()), scalar(0)));
             return polygon(circle(centre, axis(0), axis(1), reach, sides(reach)));
         }
         const label around = sides(radius), rows = around/2, first = points.size();
         for (label r = 0; r <= rows; ++r)
         {
-            const scalar height = radius*Foam::cos(0.5*twoPi*r/rows), reach = radius*Foam::sin(0.5*twoPi*r/rows);
+            const scalar height = radius*Foam::cos(0.5*twoPi*r/rows),
+                         reach = radius*Foam::sin(0.5*twoPi*r/rows);
             if (r == 0 || r == rows) points.append(centre + vector(0, 0, height));
-            else points.append(circle(centre + vector(0, 0, height), vector(1, 0, 0), vector(0, 1, 0), reach, around));
+            else
+                points.append(circle(centre + vector(0, 0, height), vector(1, 0, 0),
+                    vector(0, 1, 0), reach, around));
         }
-        const auto at = [&](label r, label i) { return r == 0 ? first : first + 1 + (r - 1)*around + (r == rows ? 0 : i % around); };
+        const auto at = [&](label r, label i)
+        { return r == 0 ? first : first + 1 + (r - 1)*around + (r == rows ? 0 : i % around); };
         for (label r = 0; r < rows; ++r)
             for (label i = 0; i < around; ++i)
             {
@@ -211,8 +235,11 @@ static bool read(const dictionary& entries, const Time& time, closedFaces& faces
         const boundBox box(boxOf(dict));
         faces.box(box.min(), box.max());
     }
-    else if (source == "cylinder") faces.cylinder(entries.get<point>("p1"), entries.get<point>("p2"), entries.get<scalar>("radius"));
-    else if (source == "sphere") faces.sphere(entries.get<point>("centre"), entries.get<scalar>("radius"));
+    else if (source == "cylinder")
+        faces.cylinder(
+            entries.get<point>("p1"), entries.get<point>("p2"), entries.get<scalar>("radius"));
+    else if (source == "sphere")
+        faces.sphere(entries.get<point>("centre"), entries.get<scalar>("radius"));
     else
     {
         checkedDictionary dict(entries);
@@ -256,8 +283,10 @@ riprap::WallFaceInput Foam::bodyFaces
         closedFaces faces{config, {}, {}};
         if (k < 0 || std::size_t(k) >= clumps.size() || !read(e.dict(), time, faces)) continue;
         const riprap::DemClump& body = clumps[k];
-        const riprap::DemPose start = body.moved ? body.start : riprap::DemPose{body.position, body.orientation};
-        faces.addTo(all, k, point(start.position[0], start.position[1], start.position[2]), axesOf(start.orientation));
+        const riprap::DemPose start = body.moved ? body.start
+                                                 : riprap::DemPose{body.position, body.orientation};
+        faces.addTo(all, k, point(start.position[0], start.position[1], start.position[2]),
+            axesOf(start.orientation));
         done[k] = true;
     }
     label shape = 0;

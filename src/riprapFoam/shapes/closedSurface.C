@@ -15,8 +15,9 @@ static autoPtr<triSurface> readSurface(const dictionary& dict, const fileName& f
     if (!triSurface::canReadType(type))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry file: " << file << " cannot be read as a surface: unknown file extension " << type
-            << ", valid are " << listed(triSurface::readTypes().sortedToc()).c_str() << exit(FatalIOError);
+            << "Entry file: " << file << " cannot be read as a surface: unknown file extension "
+            << type << ", valid are " << listed(triSurface::readTypes().sortedToc()).c_str()
+            << exit(FatalIOError);
     }
 
     autoPtr<triSurface> surface;
@@ -37,7 +38,8 @@ static autoPtr<triSurface> readSurface(const dictionary& dict, const fileName& f
     if (!why.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "Entry file: " << file << " cannot be read as a surface: " << why.c_str() << exit(FatalIOError);
+            << "Entry file: " << file << " cannot be read as a surface: " << why.c_str()
+            << exit(FatalIOError);
     }
     return surface;
 }
@@ -84,7 +86,8 @@ Foam::autoPtr<Foam::triSurface> Foam::readClosedSurface(checkedDictionary& dict,
         fileNameList there(readDir(folder, fileName::FILE));
         Foam::sort(there);
         FatalIOErrorInFunction(dict.dict())
-            << "Entry file: there is no " << file << "; constant/triSurface holds " << listedFor(name, there).c_str() << exit(FatalIOError);
+            << "Entry file: there is no " << file << "; constant/triSurface holds "
+            << listedFor(name, there).c_str() << exit(FatalIOError);
     }
     autoPtr<triSurface> surface(readSurface(dict.dict(), file, scale));
     if (surface->empty())

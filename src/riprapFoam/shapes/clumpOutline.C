@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Shapes of rigid bodies in 2D: a closed line of points. Area, centre and second moments are the line's own, in closed form
-    (Green's theorem):
+/*  Shapes of rigid bodies in 2D: a closed line of points. Area, centre and second moments are the
+    line's own, in closed form (Green's theorem):
 
         A = sum c/2,    A X = sum (a + b) c/6,    J = sum c (a.a + a.b + b.b)/12,    c = a x b
 
@@ -36,7 +36,8 @@ static flatPoint minus(const flatPoint& a, const flatPoint& b)
 // Do the segments ab and cd cross or touch?
 static bool meet(const flatPoint& a, const flatPoint& b, const flatPoint& c, const flatPoint& d)
 {
-    const auto side = [](const flatPoint& p, const flatPoint& q, const flatPoint& r) { return crossed(minus(q, p), minus(r, p)); };
+    const auto side = [](const flatPoint& p, const flatPoint& q, const flatPoint& r)
+    { return crossed(minus(q, p), minus(r, p)); };
     return side(a, b, c)*side(a, b, d) <= 0 && side(c, d, a)*side(c, d, b) <= 0;
 }
 
@@ -85,17 +86,16 @@ static void requireSimple(const List<flatPoint>& line, const dictionary& dict)
 Foam::pointField Foam::shapeLattice(const boundBox& box, label resolution)
 {
     const scalar step = cmptMax(box.span())/resolution;
-    const Vector<label> n
-    (
-        label(box.span().x()/step) + 1, label(box.span().y()/step) + 1, label(box.span().z()/step) + 1
-    );
+    const Vector<label> n(label(box.span().x()/step) + 1, label(box.span().y()/step) + 1,
+        label(box.span().z()/step) + 1);
     const vector margin(0.5*(box.span() - step*vector(n.x() - 1, n.y() - 1, n.z() - 1)));
     DynamicList<point> points;
     for (label k = 0; k < n.z(); ++k)
     {
         for (label j = 0; j < n.y(); ++j)
         {
-            for (label i = 0; i < n.x(); ++i) points.append(box.min() + margin + step*vector(i, j, k));
+            for (label i = 0; i < n.x(); ++i)
+                points.append(box.min() + margin + step*vector(i, j, k));
         }
     }
     return pointField(std::move(points));

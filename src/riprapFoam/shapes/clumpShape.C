@@ -35,16 +35,19 @@ Foam::clumpShape Foam::surfaceShape(checkedDictionary& dict, const Time& time)
 }
 
 
-Foam::clumpShape Foam::readShape(checkedDictionary& dict, const Time& time, label dimensions, const int axes[3])
+Foam::clumpShape Foam::readShape(
+    checkedDictionary& dict, const Time& time, label dimensions, const int axes[3])
 {
     return dimensions == 2 ? outlineShape(dict, axes) : surfaceShape(dict, time);
 }
 
 
-Foam::clumpShape Foam::keptShape(const dictionary& entries, const Time& time, label dimensions, const int axes[3])
+Foam::clumpShape Foam::keptShape(
+    const dictionary& entries, const Time& time, label dimensions, const int axes[3])
 {
     checkedDictionary dict(entries);
-    clumpShape shape(dict.found("source") ? exactShape(dict) : readShape(dict, time, dimensions, axes));
+    clumpShape shape(
+        dict.found("source") ? exactShape(dict) : readShape(dict, time, dimensions, axes));
     if (dict.found("centreOfMass")) shape.middle = entries.get<point>("centreOfMass");
     if (dict.found("axes")) shape.axes = entries.get<tensor>("axes");
     dict.end();

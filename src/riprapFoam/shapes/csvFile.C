@@ -94,7 +94,6 @@ Foam::scalar Foam::csvFile::number(label row, label column) const
 
 void Foam::csvFile::fail(label row, const std::string& what) const
 {
-    FatalIOErrorInFunction(dict_)
-        << "Entry file: line " << (row < 0 ? 1 : lines_[row]) << " of " << file_ << ": " << what.c_str()
-        << exit(FatalIOError);
+    FatalIOErrorInFunction(dict_) << "Entry file: line " << (row < 0 ? 1 : lines_[row]) << " of "
+                                  << file_ << ": " << what.c_str() << exit(FatalIOError);
 }

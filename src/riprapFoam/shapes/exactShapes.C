@@ -42,7 +42,8 @@ Foam::clumpShape Foam::boxShape(const boundBox& box)
     clumpShape shape;
     shape.volume = span.x()*span.y()*span.z();
     shape.middle = box.midpoint();
-    for (direction d = 0; d < vector::nComponents; ++d) shape.moments[d] = shape.volume*(magSqr(span) - sqr(span[d]))/12;
+    for (direction d = 0; d < vector::nComponents; ++d)
+        shape.moments[d] = shape.volume*(magSqr(span) - sqr(span[d]))/12;
     shape.box = box;
     shape.distance = [box](const pointField& points)
     {
@@ -80,11 +81,11 @@ Foam::clumpShape Foam::cylinderShape(const point& p1, const point& p2, scalar ra
     const scalar across = shape.volume*(3*sqr(radius) + sqr(length))/12;
     shape.moments = vector(across, across, shape.volume*sqr(radius)/2);
     shape.axes = axesAbout(n);
-    const vector reach
-    (
-        0.5*length*cmptMag(n)
-      + radius*vector(Foam::sqrt(1 - min(sqr(n.x()), scalar(1))), Foam::sqrt(1 - min(sqr(n.y()), scalar(1))), Foam::sqrt(1 - min(sqr(n.z()), scalar(1))))
-    );
+    const vector reach(0.5*length*cmptMag(n)
+        + radius
+            *vector(Foam::sqrt(1 - min(sqr(n.x()), scalar(1))),
+                Foam::sqrt(1 - min(sqr(n.y()), scalar(1))),
+                Foam::sqrt(1 - min(sqr(n.z()), scalar(1)))));
     shape.box = boundBox(middle - reach, middle + reach);
     shape.distance = [middle, n, length, radius](const pointField& points)
     {
@@ -93,7 +94,8 @@ Foam::clumpShape Foam::cylinderShape(const point& p1, const point& p2, scalar ra
         {
             const vector r(points[i] - middle);
             const scalar along = r & n;
-            all[i] = boxDistance(vector(along, mag(r - along*n), 0), vector(0.5*length, radius, 0), 2);
+            all[i] = boxDistance(
+                vector(along, mag(r - along*n), 0), vector(0.5*length, radius, 0), 2);
         }
         return all;
     };

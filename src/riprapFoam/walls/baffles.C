@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Baffles: walls of no thickness, whose two sides are boundary faces in the same place. Points behind either side
-    would be in the fluid of the other.
+/*  Baffles: walls of no thickness, whose two sides are boundary faces in the same place. Points
+    behind either side would be in the fluid of the other.
 */
 
 #include "wallSurface.H"
@@ -40,11 +40,11 @@ void Foam::refuseBaffles(const wallSpace& space, const labelList& patchIDs)
         if (!patchIDs.found(patchOf[i])) continue;
 
         label behind = -1;
-        grid.near
-        (
-            centres[i],
-            [&](label j, const vector&, scalar) { if ((normals[i] & normals[j]) < -0.9) behind = j; }
-        );
+        grid.near(centres[i],
+            [&](label j, const vector&, scalar)
+            {
+                if ((normals[i] & normals[j]) < -0.9) behind = j;
+            });
         if (behind < 0) continue;
 
         FatalErrorInFunction
@@ -52,7 +52,8 @@ void Foam::refuseBaffles(const wallSpace& space, const labelList& patchIDs)
             << patches[patchOf[behind]].name() << " is right behind it, at " << centres[i]
             << ". There is no room for wall points. Leave it out (walls { patches (..); } of"
             << " constant/sphProperties) and put a plate in its place into constant/geometry"
-            << " (searchablePlate, searchableDisk, or an open triSurfaceMesh), or give it a thickness"
+            << " (searchablePlate, searchableDisk, or an open triSurfaceMesh), or give it a "
+               "thickness"
             << exit(FatalError);
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Surfaces of constant/geometry as oriented elements, normals into the fluid; in 2D cut with the mid-plane */
+/*  Surfaces of constant/geometry as oriented elements, normals into the fluid; in 2D cut with the
+    mid-plane */
 
 #include "wallSurface.H"
 #include "bodyShapes.H"
@@ -51,7 +52,8 @@ static wallElements cut(const wallSpace& space, const wallElements& solid)
         (
             (solid.points[t[1]] - solid.points[t[0]]) ^ (solid.points[t[2]] - solid.points[t[0]])
         );
-        if ((space.left(all.points[end[1]] - all.points[end[0]]) & normal) < 0) std::swap(end[0], end[1]);
+        if ((space.left(all.points[end[1]] - all.points[end[0]]) & normal) < 0)
+            std::swap(end[0], end[1]);
         all.add(end[0], end[1], -1, solid.source[i]);
     }
     return all;
@@ -105,7 +107,8 @@ Foam::wallElements Foam::bodyElements
         if (all.elements.empty())
         {
             FatalErrorInFunction
-                << "surface " << name << " of constant/geometry does not meet the mid-plane of the mesh, "
+                << "surface " << name
+                << " of constant/geometry does not meet the mid-plane of the mesh, "
                 << vector::componentNames[space.empty] << " = " << space.middle << exit(FatalError);
         }
     }

@@ -168,11 +168,13 @@ void addTriangles(wallElements& all, const triSurfaceMesh& s, const word& name, 
     {
         if (s.edgeFaces()[e].size() != 2) continue;
         const label f = s.edgeFaces()[e][0], g = s.edgeFaces()[e][1];
-        if (s.localFaces()[f].edgeDirection(s.edges()[e]) == s.localFaces()[g].edgeDirection(s.edges()[e]))
+        if (s.localFaces()[f].edgeDirection(s.edges()[e])
+            == s.localFaces()[g].edgeDirection(s.edges()[e]))
         {
-            FatalErrorInFunction
-                << "the triangles of surface " << name << " are not oriented alike at "
-                << s.edges()[e].centre(s.localPoints()) << ": run surfaceOrient" << exit(FatalError);
+            FatalErrorInFunction << "the triangles of surface " << name
+                                << " are not oriented alike at "
+                                << s.edges()[e].centre(s.localPoints()) << ": run surfaceOrient"
+                                << exit(FatalError);
         }
     }
     if (s.hasVolumeType() && volume < 0)

@@ -20,9 +20,12 @@ static const Enum<geometryWalls::solidSide> sideNames
 // Entries of each type, after type, name, regions and solidSide
 static const HashTable<wordList>& entriesOf()
 {
-    static const wordList box({"min", "max"}), rotated({"origin", "span", "e1", "e3"}), plate({"origin", "span"});
-    static const wordList cylinder({"point1", "point2", "radius"}), disk({"origin", "normal", "radius"});
-    static const wordList sphere({"origin", "centre", "radius"}), surface({"file", "scale", "minQuality"});
+    static const wordList box({"min", "max"}), rotated({"origin", "span", "e1", "e3"}),
+        plate({"origin", "span"});
+    static const wordList cylinder({"point1", "point2", "radius"}),
+        disk({"origin", "normal", "radius"});
+    static const wordList sphere({"origin", "centre", "radius"}),
+        surface({"file", "scale", "minQuality"});
     static const HashTable<wordList> entries
     ({
         {"searchableBox", box}, {"box", box},
@@ -61,7 +64,8 @@ static void requireLength(checkedDictionary& dict, const word& entry)
 }
 
 
-// Before OpenFOAM constructs them, which divides by what has no size: each must be a dictionary of a type that can be tessellated
+// Before OpenFOAM constructs them, which divides by what has no size: each must be a dictionary of
+// a type that can be tessellated
 static const dictionary& checked(const dictionary& all)
 {
     for (const entry& e : all)
@@ -69,8 +73,8 @@ static const dictionary& checked(const dictionary& all)
         if (!e.isDict())
         {
             FatalIOErrorInFunction(all)
-                << "Entry " << e.keyword() << " is no dictionary: each surface needs one with its type"
-                << exit(FatalIOError);
+                << "Entry " << e.keyword()
+                << " is no dictionary: each surface needs one with its type" << exit(FatalIOError);
         }
 
         checkedDictionary dict(e.dict());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Wall patches of the mesh as oriented elements. A 2D wall face is a strip from the front to the back
-    of the mesh: its edges on the front, moved to the mid-plane, are its segments.
+/*  Wall patches of the mesh as oriented elements. A 2D wall face is a strip from the front to the
+    back of the mesh: its edges on the front, moved to the mid-plane, are its segments.
 */
 
 #include "wallSurface.H"

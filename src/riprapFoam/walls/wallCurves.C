@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  2D walls of any shape: each smooth curve between two corners is moved into the solid, layer by layer,
-    and divided evenly along its moved length. A corner at which the layers part (convex as seen from the
-    fluid, turn phi) is filled along the mitre: the layer at depth d runs on by d tan(phi/2) past the
-    corner on both sides, and is divided evenly there. Where layers meet, the nearer wall's stay (see
-    generateWallPoints).
+/*  2D walls of any shape: each smooth curve between two corners is moved into the solid, layer by
+    layer, and divided evenly along its moved length. A corner at which the layers part (convex as
+    seen from the fluid, turn phi) is filled along the mitre: the layer at depth d runs on by d
+    tan(phi/2) past the corner on both sides, and is divided evenly there. Where layers meet, the
+    nearer wall's stay (see generateWallPoints).
 */
 
 #include "wallSurface.H"

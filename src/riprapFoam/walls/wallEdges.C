@@ -18,7 +18,8 @@ struct crossSection
         {
             const vector& n = s.faceNormals()[f];
             vector out(normalised(along ^ n));
-            const bool outward = (out & (s.faceCentres()[f] - s.localPoints()[s.edges()[e][0]])) < 0;
+            const bool outward = (out & (s.faceCentres()[f] - s.localPoints()[s.edges()[e][0]]))
+                < 0;
             // The face whose way out is along x n is the first
             (outward ? n1 : n2) += n;
             (outward ? t1 : t2) += outward ? out : -out;
@@ -136,7 +137,8 @@ void Foam::fillEdges
             sections[i + 1].add(wall, e, normalised(along));
             for (const label f : s.edgeFaces()[e]) source = min(source, s.localFaces()[f].region());
             if (line.closed && i == 0) sections.last().add(wall, e, normalised(along));
-            if (line.closed && i == line.edges.size() - 1) sections.first().add(wall, e, normalised(along));
+            if (line.closed && i == line.edges.size() - 1)
+                sections.first().add(wall, e, normalised(along));
         }
         for (crossSection& c : sections) c.finish();
         fillLine(space, wall, line, sections, source, out);

@@ -46,14 +46,16 @@ void wallGenerator::drop(const wallSurface& wall, wallCandidates& c, bool lattic
 
 
 // Nothing may take the machine down by a slip in the spacing
-static void checkCount(const wallSpace& space, const wallSurface& wall, const string& what, const dictionary& where)
+static void checkCount(
+    const wallSpace& space, const wallSurface& wall, const string& what, const dictionary& where)
 {
     const scalar n = wall.layers*sum(mag(wall.surface.faceAreas()))/sqr(space.spacing);
     // Of the dense set from which a layer of points is chosen
     const scalar bytes = 1000;
     OStringStream walls;
     walls << "Walls (" << what.c_str() << ") would have at " << space.spacing
-        << " m (walls/spacing of constant/sphProperties, or else spacing of system/setParticlesDict)";
+          << " m (walls/spacing of constant/sphProperties, or else spacing of "
+             "system/setParticlesDict)";
     requireMemory(where, walls.str(), n, "points", bytes, "spacing");
 }
 
@@ -85,7 +87,8 @@ void wallGenerator::lay(const wallElements& elements, label layers, label bodyi,
 }
 
 
-// First layers win over deeper ones. Where a body sticks out of the mesh, the patches' own points win.
+// First layers win over deeper ones. Where a body sticks out of the mesh, the patches' own points
+// win.
 scalarField wallGenerator::rank(const wallCandidates& c, label bodyi) const
 {
     scalarField r(c.depth);
@@ -128,8 +131,10 @@ wallPoints wallGenerator::finish(const wordList& names)
     {
         if (lost_[i] <= 0.02*first_[i]) continue;
         OStringStream text;
-        text<< names[i] << ": " << lost_[i] << " of " << first_[i] << " points of the first layer would be"
-            << " in the fluid and were dropped: the solid there is thinner than the spacing, or it is a"
+        text<< names[i] << ": " << lost_[i] << " of " << first_[i]
+            << " points of the first layer would be"
+            << " in the fluid and were dropped: the solid there is thinner than the spacing, or "
+                "it is a"
             << " baffle (make it a plate in constant/geometry)";
         notes_.append(text.str());
     }

@@ -32,8 +32,8 @@ bool wallLattice::findFrame()
     const triSurface& surface = wall_.surface;
     if (!alongFrame())
     {
-        // First axis: the largest triangle's normal; second: in its plane, the longest side of it that
-        // is an edge of the wall
+        // First axis: the largest triangle's normal; second: in its plane, the longest side of it
+        // that is an edge of the wall
         const scalarField area(mag(surface.faceAreas()));
         const label largest = findMax(area);
         const vector n(surface.faceNormals()[largest]);

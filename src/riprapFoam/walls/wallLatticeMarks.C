@@ -74,7 +74,8 @@ void wallLattice::markEdges()
         const label c = 3 - a - b;
         const point &p = at_[surface.edges()[e][0]], &q = at_[surface.edges()[e][1]];
         const label fromA = planeNode(a, p[a]), fromB = planeNode(b, p[b]);
-        const label source = min(surface.localFaces()[f].region(), surface.localFaces()[g].region());
+        const label source = min(
+            surface.localFaces()[f].region(), surface.localFaces()[g].region());
 
         label c0, c1;
         range(c, min(p[c], q[c]), max(p[c], q[c]), c0, c1);

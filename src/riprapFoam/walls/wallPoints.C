@@ -32,7 +32,8 @@ static void addFaces
         FixedList<label, 3> e(from.elements[i]);
         const point &a = from.points[e[0]], &b = from.points[e[1]];
         const vector n(space.planar ? space.left(b - a) : ((b - a) ^ (from.points[e[2]] - a)));
-        // a face of no area is a rounding error of whoever drew it: those beside it close the surface
+        // a face of no area is a rounding error of whoever drew it: those beside it close the
+        // surface
         if (mag(n) < (space.planar ? 1e-9 : 1e-12*space.spacing)*space.spacing) continue;
         for (label& v : e) if (v >= 0) v += offset;
         faces.elements.append(e);

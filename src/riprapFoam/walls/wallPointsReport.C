@@ -70,7 +70,8 @@ Foam::labelList Foam::wallPatches
 
 Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
 {
-    IOobject io("geometry", constantOfCase(time), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    IOobject io(
+        "geometry", constantOfCase(time), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!isFile(io.objectPath())) return nullptr;
     checkInputFile(io.objectPath(), largestNumber);
 
@@ -78,8 +79,10 @@ Foam::autoPtr<Foam::geometryWalls> Foam::wallGeometry(const Time& time)
     if (!io.typeHeaderOk<IOdictionary>(true, true, false))
     {
         FatalIOErrorInFunction(io.objectPath())
-            << "The file does not begin as a dictionary does, with FoamFile { version 2.0; format ascii; class dictionary;"
-            << " object geometry; } after nothing but comments (an #include of a file that is not there, or a byte-order"
+            << "The file does not begin as a dictionary does, with FoamFile { version 2.0; format "
+               "ascii; class dictionary;"
+            << " object geometry; } after nothing but comments (an #include of a file that is not "
+               "there, or a byte-order"
             << " mark, is in the way, too)" << exit(FatalIOError);
     }
 
@@ -114,8 +117,8 @@ void Foam::reportWallPoints(const wallPoints& w, Ostream& os)
     }
 
     const int precision = os.precision(5);
-    os  << "Walls: " << w.size() << " points, spacing " << w.spacing << " m, " << w.layers << " layers"
-        << nl;
+    os  << "Walls: " << w.size() << " points, spacing " << w.spacing << " m, " << w.layers
+       << " layers" << nl;
     forAll(w.names, s)
     {
         os  << "    " << w.names[s] << ": " << count[s] << " points";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  3D walls of any shape. Each smooth region of the surface (bounded by sharp edges) is moved into the
-    solid, layer by layer, and points are spread over the moved sheet: a lattice on rectangles, else an
-    even relaxed set. Sharp convex edges and corners: wallEdges.C.
+/*  3D walls of any shape. Each smooth region of the surface (bounded by sharp edges) is moved into
+    the solid, layer by layer, and points are spread over the moved sheet: a lattice on rectangles,
+    else an even relaxed set. Sharp convex edges and corners: wallEdges.C.
 */
 
 #include "wallSurface.H"
@@ -11,8 +11,8 @@
 namespace Foam
 {
 
-// Displacement of the points of a region for unit depth: mean normal, lengthened so that faces move by
-// one; along cyclic patches at their edge
+// Displacement of the points of a region for unit depth: mean normal, lengthened so that faces move
+// by one; along cyclic patches at their edge
 static vectorField shifts(const triSurface& region, const vectorField& seam)
 {
     vectorField shift(region.nPoints(), Zero);
@@ -25,7 +25,8 @@ static vectorField shifts(const triSurface& region, const vectorField& seam)
             const labelledTri& t = region.localFaces()[f];
             const label v = t[0] == p ? 0 : t[1] == p ? 1 : 2;
             const pointField& x = region.localPoints();
-            const vector a(normalised(x[t[(v + 1) % 3]] - x[p])), b(normalised(x[t[(v + 2) % 3]] - x[p]));
+            const vector a(normalised(x[t[(v + 1) % 3]] - x[p])),
+                b(normalised(x[t[(v + 2) % 3]] - x[p]));
             n += Foam::acos(min(max(a & b, scalar(-1)), scalar(1)))*region.faceNormals()[f];
         }
         n = normalised(n);
@@ -42,7 +43,8 @@ static vectorField shifts(const triSurface& region, const vectorField& seam)
 
 
 // The region moved by depth, without the faces that a tight curve turned over
-static triSurface movedSheet(const triSurface& region, const vectorField& shift, scalar depth, labelList& faceMap)
+static triSurface movedSheet(
+    const triSurface& region, const vectorField& shift, scalar depth, labelList& faceMap)
 {
     const pointField moved(region.localPoints() - depth*shift);
     List<labelledTri> faces(region.size());
@@ -137,7 +139,8 @@ void Foam::laySheets(const wallSpace& space, const wallSurface& wall, wallCandid
 
         // Points of the region are numbered as its local points
         vectorField seam(region.nPoints());
-        forAll(seam, p) seam[p] = wall.seam[wall.surface.meshPoints()[pointMap[region.meshPoints()[p]]]];
+        forAll(seam, p)
+            seam[p] = wall.seam[wall.surface.meshPoints()[pointMap[region.meshPoints()[p]]]];
         layRegion(space, region, seam, wall.layers, out);
     }
 

@@ -17,9 +17,9 @@ Foam::wallSpace::wallSpace(const polyMesh& m, const wallPointsControls& controls
 {
     if (m.nGeometricD() < 2)
     {
-        FatalErrorInFunction
-            << "the mesh has " << m.nGeometricD() << " dimensions that are not empty: walls need 2 or 3"
-            << exit(FatalError);
+        FatalErrorInFunction << "the mesh has " << m.nGeometricD()
+                            << " dimensions that are not empty: walls need 2 or 3"
+                            << exit(FatalError);
     }
     if (planar)
     {
@@ -67,7 +67,8 @@ void Foam::wallElements::flip()
 
 Foam::List<Foam::wallElements> Foam::connectedParts(const wallElements& all)
 {
-    // Union-find over points; the root is the lowest label, so parts come in the order of their points
+    // Union-find over points; the root is the lowest label, so parts come in the order of their
+    // points
     labelList root(identity(all.points.size()));
     auto find = [&](label p)
     {

@@ -1,4 +1,5 @@
-/*  The contact laws there are, a line each family, and from the words of a configuration to a law's type, once, outside the loops.
+/*  The contact laws there are, a line each family, and from the words of a configuration to a law's
+    type, once, outside the loops.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -35,7 +36,8 @@ void withRolling(const LawChoice& c, F& f)
     RollingLaws::at(c.rolling, [&](auto rolling)
     {
         using Rolling = typename decltype(rolling)::type;
-        if constexpr (Rolling::template goesWith<Tangential>) f(Contact<Normal, Tangential, Rolling>());
+        if constexpr (Rolling::template goesWith<Tangential>)
+            f(Contact<Normal, Tangential, Rolling>());
     });
 }
 
@@ -55,7 +57,8 @@ void withTangential(const LawChoice& c, F& f)
 template<class F>
 void withLaw(const LawChoice& c, F f)
 {
-    NormalLaws::at(c.normal, [&](auto normal) { detail::withTangential<typename decltype(normal)::type>(c, f); });
+    NormalLaws::at(c.normal,
+        [&](auto normal) { detail::withTangential<typename decltype(normal)::type>(c, f); });
 }
 
 } // namespace riprap

@@ -20,12 +20,16 @@ std::vector<LawCard> cardsOf()
     Laws::each([&](auto law)
     {
         using L = typename decltype(law)::type;
-        all.push_back(LawCard{L::word, L::text, {std::begin(L::entries), std::end(L::entries)}, L::off});
+        all.push_back(
+            LawCard{L::word, L::text, {std::begin(L::entries), std::end(L::entries)}, L::off});
     });
     return all;
 }
 
-void add(std::vector<PairEntry>& to, const LawCard& card) { to.insert(to.end(), card.entries.begin(), card.entries.end()); }
+void add(std::vector<PairEntry>& to, const LawCard& card)
+{
+    to.insert(to.end(), card.entries.begin(), card.entries.end());
+}
 
 //- A contact that slips and rolls, in steps
 constexpr int D = 3, steps = 4;
@@ -70,30 +74,36 @@ std::vector<LawCard> rollingLaws() { return cardsOf<RollingLaws>(); }
 
 LawChoice lawChoice(const DemConfig& c)
 {
-    const auto known = [](int found, const char* kind, const std::string& word, const std::vector<std::string>& words)
+    const auto known = [](int found, const char* kind, const std::string& word,
+                           const std::vector<std::string>& words)
     {
         if (found < 0)
-            throw std::invalid_argument(std::string("unknown ") + kind + " law " + word + "; valid are " + listOf(words));
+            throw std::invalid_argument(
+                std::string("unknown ") + kind + " law " + word + "; valid are " + listOf(words));
     };
-    LawChoice l{NormalLaws::find(c.normal), TangentialLaws::find(c.tangential), RollingLaws::find(c.rolling)};
+    LawChoice l{NormalLaws::find(c.normal), TangentialLaws::find(c.tangential),
+        RollingLaws::find(c.rolling)};
     known(l.normal, "normal", c.normal, wordsOf(normalLaws()));
     known(l.tangential, "tangential", c.tangential, wordsOf(tangentialLaws()));
     known(l.rolling, "rolling", c.rolling, wordsOf(rollingLaws()));
     NormalLaws::at(l.normal, [&](auto normal)
     {
         using Normal = typename decltype(normal)::type;
-        l.tangential = TangentialLaws::find(c.tangential, [](auto t) { return decltype(t)::type::template goesWith<Normal>; });
+        l.tangential = TangentialLaws::find(
+            c.tangential, [](auto t) { return decltype(t)::type::template goesWith<Normal>; });
     });
     if (l.tangential < 0)
-        throw std::invalid_argument("tangential law " + c.tangential + " does not go with normal law " + c.normal);
+        throw std::invalid_argument(
+            "tangential law " + c.tangential + " does not go with normal law " + c.normal);
     TangentialLaws::at(l.tangential, [&](auto tangential)
     {
         using Tangential = typename decltype(tangential)::type;
-        l.rolling = RollingLaws::find(c.rolling, [](auto r) { return decltype(r)::type::template goesWith<Tangential>; });
+        l.rolling = RollingLaws::find(
+            c.rolling, [](auto r) { return decltype(r)::type::template goesWith<Tangential>; });
     });
     if (l.rolling < 0)
-        throw std::invalid_argument("rolling friction needs friction: with tangential " + c.tangential
-          + " bodies slide, and nothing makes them roll");
+        throw std::invalid_argument("rolling friction needs friction: with tangential "
+            + c.tangential + " bodies slide, and nothing makes them roll");
     return l;
 }
 
@@ -109,7 +119,8 @@ std::vector<PairEntry> lawEntries(const LawChoice& c)
 std::vector<PairEntry> allLawEntries()
 {
     std::vector<PairEntry> all;
-    for (const auto& laws : {normalLaws(), tangentialLaws(), rollingLaws()}) for (const LawCard& law : laws) add(all, law);
+    for (const auto& laws : {normalLaws(), tangentialLaws(), rollingLaws()})
+        for (const LawCard& law : laws) add(all, law);
     return all;
 }
 
@@ -132,15 +143,17 @@ LawEffects lawEffects(const LawChoice& laws, const PairProperties& p)
     {
         using Law = typename decltype(law)::type;
         const auto numbers = Law::make(p);
-        e.slides = addsNothing<Law::template history<D>>
-            ([&](const auto& g, const auto& load, double* h) { return Law::template force<D, double>(numbers, g, load, h); });
+        e.slides = addsNothing<Law::template history<D>>(
+            [&](const auto& g, const auto& load, double* h)
+            { return Law::template force<D, double>(numbers, g, load, h); });
     });
     RollingLaws::at(laws.rolling, [&](auto law)
     {
         using Law = typename decltype(law)::type;
         const auto numbers = Law::make(p);
-        e.rolls = addsNothing<Law::template history<D>>
-            ([&](const auto& g, const auto& load, double* h) { return Law::template moment<D, double>(numbers, g, load, h); });
+        e.rolls = addsNothing<Law::template history<D>>(
+            [&](const auto& g, const auto& load, double* h)
+            { return Law::template moment<D, double>(numbers, g, load, h); });
     });
     return e;
 }

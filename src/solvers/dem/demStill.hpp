@@ -1,4 +1,5 @@
-/*  Whether anything in a scene of solids can move. In a fluid, solids that are all held need no steps of their own.
+/*  Whether anything in a scene of solids can move. In a fluid, solids that are all held need no
+    steps of their own.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

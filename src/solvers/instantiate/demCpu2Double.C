@@ -2,7 +2,8 @@
 
 #include "solvers/dem/driver/demAll.hpp"
 
-std::unique_ptr<riprap::DemScene> riprap::demCpu2Double(const DemConfig& c, const DemInput& in, const DemPlan& p)
+std::unique_ptr<riprap::DemScene> riprap::demCpu2Double(
+    const DemConfig& c, const DemInput& in, const DemPlan& p)
 {
     return std::make_unique<DemSolver<Cpu, 2, Double>>(c, in, p);
 }

@@ -2,7 +2,8 @@
 
 #include "solvers/dem/driver/demAll.hpp"
 
-std::unique_ptr<riprap::DemScene> riprap::demGpu3Mixed(const DemConfig& c, const DemInput& in, const DemPlan& p)
+std::unique_ptr<riprap::DemScene> riprap::demGpu3Mixed(
+    const DemConfig& c, const DemInput& in, const DemPlan& p)
 {
     return std::make_unique<DemSolver<Gpu, 3, Mixed>>(c, in, p);
 }

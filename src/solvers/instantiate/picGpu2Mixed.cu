@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/pic/picAll.hpp"
 
-std::unique_ptr<riprap::PicScene> riprap::picGpu2Mixed(const PicConfig& c, const FluidInput& f, const PicWalls& w, LinearSolver* s, PicInside&& i)
+std::unique_ptr<riprap::PicScene> riprap::picGpu2Mixed(
+    const PicConfig& c, const FluidInput& f, const PicWalls& w, LinearSolver* s, PicInside&& i)
 {
     return std::make_unique<PicSolver<Gpu, 2, Mixed>>(c, f, w, s, std::move(i));
 }

@@ -17,7 +17,8 @@ namespace riprap
 namespace
 {
 
-//- Diameter in cells that a grid can tell from a point. benchmarks/picDemStability compiles this file with less
+//- Diameter in cells that a grid can tell from a point. benchmarks/picDemStability compiles this
+//  file with less
 #ifndef RIPRAP_SMALLEST_SOLID
 #define RIPRAP_SMALLEST_SOLID 4
 #endif
@@ -40,7 +41,8 @@ void checkNumbers(const PicConfig& c)
     require(c.density > 0, "the density must be positive");
     require(c.viscosity >= 0, "the viscosity must not be negative");
     for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
-    require(c.seedsPerDirection >= 0 && c.seedsPerDirection <= 8, "the seeds a direction must lie in 0 .. 8");
+    require(c.seedsPerDirection >= 0 && c.seedsPerDirection <= 8,
+        "the seeds a direction must lie in 0 .. 8");
     require(c.jitter >= 0 && c.jitter <= 1, "the jitter must lie in 0 .. 1");
     transferOf(c);
     require(c.advectionOrder == 2 || c.advectionOrder == 3, "the advection's order must be 2 or 3");
@@ -48,7 +50,8 @@ void checkNumbers(const PicConfig& c)
     require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");
     require(c.maxTimeStep > 0, "the largest time step must be positive");
     require(c.maxCourant > 0 && c.maxCourant <= 2, "the Courant number must lie in 0 .. 2");
-    require(c.maxFlyingCourant >= c.maxCourant, "the Courant number of flying particles must not be below that of the others");
+    require(c.maxFlyingCourant >= c.maxCourant,
+        "the Courant number of flying particles must not be below that of the others");
     double cells = 1;
     for (int d = 0; d < c.dimensions; ++d)
     {
@@ -56,7 +59,8 @@ void checkNumbers(const PicConfig& c)
         cells *= c.cells[axis];
         const double length = c.domainMax[axis] - c.domainMin[axis];
         require(c.cells[axis] >= 4, "there must be four cells or more along each direction");
-        require(std::abs(length - c.cells[axis]*c.cellSize) < 1e-6*length, "the cells do not fill the domain");
+        require(std::abs(length - c.cells[axis]*c.cellSize) < 1e-6*length,
+            "the cells do not fill the domain");
     }
     requireCountable(cells, mostCells, "cells");
 }
@@ -73,8 +77,10 @@ void checkFluid(const PicConfig& c, const FluidInput& f, bool solids)
             const int axis = c.axes[d];
             const double x = f.position[3*i + axis];
             // no text is made of millions that are right
-            if (!(x >= c.domainMin[axis] && x <= c.domainMax[axis])) require(false, "fluid particle " + std::to_string(i) + " is outside the domain");
-            if (!std::isfinite(f.velocity[3*i + axis])) require(false, "fluid particle " + std::to_string(i) + " has no proper velocity");
+            if (!(x >= c.domainMin[axis] && x <= c.domainMax[axis]))
+                require(false, "fluid particle " + std::to_string(i) + " is outside the domain");
+            if (!std::isfinite(f.velocity[3*i + axis]))
+                require(false, "fluid particle " + std::to_string(i) + " has no proper velocity");
         }
 }
 
@@ -94,22 +100,31 @@ DemConfig onDeviceOf(const PicConfig& fluid, DeviceKind device, DemConfig solids
 //- Lengths of a case are rounded decimals: 0.16 m are 4 cells of 0.04 m
 double smallest(const PicConfig& c) { return smallestSolid*c.cellSize*(1 - 1e-6); }
 
-//- A shape is as thick as the largest ball in it, whose centre lies between points of the lattice: up to a step of it more than is found
+//- A shape is as thick as the largest ball in it, whose centre lies between points of the lattice:
+//  up to a step of it more than is found
 void checkShapes(const PicConfig& c, const PicSolids& s)
 {
     for (const DemClump& k : s.input.clumps)
-        require(k.shape >= -1 && k.shape < int(s.shapes.size()), "a rigid body has a shape that is not there");
+        require(k.shape >= -1 && k.shape < int(s.shapes.size()),
+            "a rigid body has a shape that is not there");
     for (const PicShape& shape : s.shapes)
     {
-        require(!shape.distance.empty() && shape.distance.size() == std::size_t(shape.n[0])*shape.n[1]*shape.n[2] && shape.step > 0, "shape " + shape.name + " is not a lattice");
-        for (int d = 0; d < c.dimensions; ++d) require(shape.n[c.axes[d]] > 1, "shape " + shape.name + " is a lattice of one point");
-        const double thickness = -2*(*std::min_element(shape.distance.begin(), shape.distance.end()));
-        require(thickness + shape.step >= smallest(c), "solids of shape " + shape.name + ", about " + std::to_string(thickness) + " m thick, are thinner than 4 cells of "
-          + std::to_string(c.cellSize) + " m");
+        require(!shape.distance.empty()
+                && shape.distance.size() == std::size_t(shape.n[0])*shape.n[1]*shape.n[2]
+                && shape.step > 0,
+            "shape " + shape.name + " is not a lattice");
+        for (int d = 0; d < c.dimensions; ++d)
+            require(shape.n[c.axes[d]] > 1, "shape " + shape.name + " is a lattice of one point");
+        const double thickness = -2
+            *(*std::min_element(shape.distance.begin(), shape.distance.end()));
+        require(thickness + shape.step >= smallest(c),
+            "solids of shape " + shape.name + ", about " + std::to_string(thickness)
+                + " m thick, are thinner than 4 cells of " + std::to_string(c.cellSize) + " m");
     }
 }
 
-//- So few are moved by a thread of the CPU in less time than the GPU takes to be told to: 0.1 us a solid and step against some 15 us a step, and their state need not cross the bus
+//- So few are moved by a thread of the CPU in less time than the GPU takes to be told to: 0.1 us a
+//  solid and step against some 15 us a step, and their state need not cross the bus
 constexpr std::size_t fewSolids = 128;
 
 void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& inside)
@@ -117,41 +132,60 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
     if (!inside.solids) return;
     if (water && inside.solids->input.particles.size() <= fewSolids) device = DeviceKind::cpu;
     const PicSolids& s = *inside.solids;
-    require(s.contactVelocity >= 0 && s.contactVelocity <= 1, "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
-    require(s.contactVelocityTime >= 0, "the time in which water between solids that touch loses of its velocity must not be negative");
+    require(s.contactVelocity >= 0 && s.contactVelocity <= 1,
+        "what water between solids that touch keeps of its velocity must lie in 0 .. 1");
+    require(s.contactVelocityTime >= 0,
+        "the time in which water between solids that touch loses of its velocity must not be "
+        "negative");
     checkShapes(c, s);
     const std::vector<double>& r = s.input.particles.radius;
     const std::vector<std::int32_t>& clump = s.input.particles.clump;
     for (std::size_t i = 0; i < r.size(); ++i)
-        require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0) || 2*r[i] >= smallest(c), "solid particle " + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
-          + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of " + std::to_string(c.cellSize) + " m across; a rigid body "
-            "needs no such particles if it is a box, a cylinder or a sphere, in 3D a closed surface, in 2D an outline (clumpsFromOutline), or a list with the entry surface");
+        require((!clump.empty() && clump[i] >= 0 && s.input.clumps[clump[i]].shape >= 0)
+                || 2*r[i] >= smallest(c),
+            "solid particle "
+                + std::to_string(s.input.particles.id.empty() ? int(i) : s.input.particles.id[i])
+                + " of radius " + std::to_string(r[i]) + " m is smaller than 4 cells of "
+                + std::to_string(c.cellSize)
+                + " m across; a rigid body "
+                  "needs no such particles if it is a box, a cylinder or a sphere, in 3D a closed "
+                  "surface, in 2D an outline (clumpsFromOutline), or a list with the entry "
+                  "surface");
     inside.scene = createDemScene(onDeviceOf(c, device, s.config), s.input);
 }
 
 } // namespace
 
-std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside inside)
+std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid,
+    const PicWalls& walls, LinearSolver* solver, PicInside inside)
 {
     checkNumbers(config);
     checkFluid(config, fluid, bool(inside.solids));
     fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
-    const DeviceChoice choice = chooseDevice(config.device, fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0), config.dimensions);
-    require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly && (!inside.obstacles.empty() || inside.solids)),
-        "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or implicit for viscosity");
+    const DeviceChoice choice = chooseDevice(config.device,
+        fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0),
+        config.dimensions);
+    require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly
+                && (!inside.obstacles.empty() || inside.solids)),
+        "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or "
+        "implicit for viscosity");
     const int openings = int(config.openings.size());
     for (const auto& of : walls.opening)
-        for (const int number : of) require(number >= -1 && number < openings, "a face belongs to an opening that is not there");
+        for (const int number : of)
+            require(number >= -1 && number < openings,
+                "a face belongs to an opening that is not there");
     makeSolids(config, choice.device, fluid.size() > 0, inside);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
     if (choice.device == DeviceKind::gpu)
     {
-        const PicMaker make = two ? (mixed ? picGpu2Mixed : picGpu2Double) : (mixed ? picGpu3Mixed : picGpu3Double);
+        const PicMaker make = two ? (mixed ? picGpu2Mixed : picGpu2Double)
+                                  : (mixed ? picGpu3Mixed : picGpu3Double);
         return make(config, fluid, walls, solver, std::move(inside));
     }
 #endif
-    const PicMaker make = two ? (mixed ? picCpu2Mixed : picCpu2Double) : (mixed ? picCpu3Mixed : picCpu3Double);
+    const PicMaker make = two ? (mixed ? picCpu2Mixed : picCpu2Double)
+                              : (mixed ? picCpu3Mixed : picCpu3Double);
     return make(config, fluid, walls, solver, std::move(inside));
 }
 

@@ -27,30 +27,42 @@ double PicSolver<Backend, D, P>::timeStep(double speed, std::string& limit)
     if (waves < dt) { dt = waves; limit = "waves"; }
     if (bodies_)
     {
-        const double solid = courantStep(config_.maxCourant, grid_.h, bodies_->fastest(), std::sqrt(g2));
+        const double solid = courantStep(
+            config_.maxCourant, grid_.h, bodies_->fastest(), std::sqrt(g2));
         if (solid < dt) { dt = solid; limit = "solids"; }
     }
     const double viscous = viscousStep(grid_.h, config_.viscosity/config_.density, D);
-    if (viscous < dt && config_.viscousScheme == ViscousKind::explicitly) { dt = viscous; limit = "viscous"; }
+    if (viscous < dt && config_.viscousScheme == ViscousKind::explicitly)
+    {
+        dt = viscous;
+        limit = "viscous";
+    }
     if (fromFaces_.longestStep() < dt) { dt = fromFaces_.longestStep(); limit = "transfer"; }
     if (config_.maxTimeStep < dt) { dt = config_.maxTimeStep; limit = "maximum"; }
     return dt;
 }
 
-template<class Backend, int D, class P>
-double PicSolver<Backend, D, P>::fastest() { return reduceMax(context_, n_, ParticleSpeed<D, real>{particles()}); }
+template<class Backend, int D, class P> double PicSolver<Backend, D, P>::fastest()
+{
+    return reduceMax(context_, n_, ParticleSpeed<D, real>{particles()});
+}
 
 //- Of particles that water carries, and of others as far as they limit the step. of: all
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::fastestCarried(double of)
 {
     if (!(flying_ > 0) || !(config_.maxFlyingCourant > config_.maxCourant)) return of;
-    return reduceMax(context_, n_, CarriedSpeed<D, real>{grid_, {particles()}, near_.data(), config_.maxCourant/config_.maxFlyingCourant});
+    return reduceMax(context_, n_,
+        CarriedSpeed<D, real>{
+            grid_, {particles()}, near_.data(), config_.maxCourant/config_.maxFlyingCourant});
 }
 
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::estimateTimeStep(std::string& limit)
-{ return timeStep(clock_.initial && config_.adjustTimeStep ? fastestCarried(fastest()) : 0, limit); }
+{
+    return timeStep(
+        clock_.initial && config_.adjustTimeStep ? fastestCarried(fastest()) : 0, limit);
+}
 
 //- Without water solids do what they do in a scene of their own, to the bit
 template<class Backend, int D, class P>
@@ -85,9 +97,13 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         if (!(speed < 1e30)) report.stop = StopReason::notANumber;
         else if (!(courant < config_.maxCourantEver)) report.stop = StopReason::speed;
         else if (!(speed <= speedLimit(speed))) stopTooFast(report, speed);
-        else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h)) stopAtSolids(report, "would go "
-            + std::to_string(bodies_->fastest()*dt/grid_.h) + " cells in a step; guards/Courant allows " + std::to_string(config_.maxCourantEver));
-        else if (bodies_ && bodies_->acrossPeriodic(grid_)) stopAtSolids(report, "reaches across a periodic side, where it cannot be followed");
+        else if (bodies_ && !(bodies_->fastest()*dt < config_.maxCourantEver*grid_.h))
+            stopAtSolids(report,
+                "would go " + std::to_string(bodies_->fastest()*dt/grid_.h)
+                    + " cells in a step; guards/Courant allows "
+                    + std::to_string(config_.maxCourantEver));
+        else if (bodies_ && bodies_->acrossPeriodic(grid_))
+            stopAtSolids(report, "reaches across a periodic side, where it cannot be followed");
         if (report.stop != StopReason::none) { findOffender(report, courant); break; }
         // equal steps to the target; the last one ends there to the bit
         const double left = t - clock_.time;
@@ -117,12 +133,15 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.flying = std::size_t(flying_);
     const double particle = clock_.particleVolume;
     report.volume = volume_*grid_.volume() + flying_*particle;
-    report.volumeError = n_ > 0 ? report.volume/(n_*particle + (opens() ? openBalance() : 0)) - 1 : 0;
+    report.volumeError = n_ > 0
+        ? report.volume/(n_*particle + (opens() ? openBalance() : 0)) - 1
+        : 0;
     report.volumeDrift = clock_.drift;
     for (std::size_t k = 0; k < openings_.in.size(); ++k)
     {
         const double pending = openBalance(int(k));
-        report.passed.push_back(PicPassage{openings_.in[k], openings_.out[k], openings_.volume[k] + pending, pending});
+        report.passed.push_back(
+            PicPassage{openings_.in[k], openings_.out[k], openings_.volume[k] + pending, pending});
     }
     return report;
 }
@@ -134,7 +153,8 @@ void PicSolver<Backend, D, P>::stopAtSolids(PicReport& report, const std::string
     report.stopMessage = "a solid " + why;
 }
 
-//- Steps that follow the Courant number shrink as fast as speeds grow: no other guard would end a run that blows up. 0 at the first step: not known yet
+//- Steps that follow the Courant number shrink as fast as speeds grow: no other guard would end a
+//  run that blows up. 0 at the first step: not known yet
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::speedLimit(double now)
 {
@@ -142,7 +162,9 @@ double PicSolver<Backend, D, P>::speedLimit(double now)
     if (speedLimit_ == 0)
     {
         double fall = 0;
-        for (int d = 0; d < 3; ++d) fall += 2*std::abs(config_.gravity[d])*(config_.domainMax[d] - config_.domainMin[d]);
+        for (int d = 0; d < 3; ++d)
+            fall += 2*std::abs(config_.gravity[d])
+                *(config_.domainMax[d] - config_.domainMin[d]);
         const double known = std::max(std::sqrt(fall), now);
         speedLimit_ = known > 0 ? PicConfig::fallSpeeds*known : 1e30;
     }
@@ -153,7 +175,8 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::stopTooFast(PicReport& report, double speed)
 {
     report.stop = StopReason::tooFast;
-    report.stopMessage = "goes at " + std::to_string(speed) + " m/s; guards/maxSpeed allows " + std::to_string(speedLimit(speed)) + " m/s";
+    report.stopMessage = "goes at " + std::to_string(speed) + " m/s; guards/maxSpeed allows "
+        + std::to_string(speedLimit(speed)) + " m/s";
 }
 
 //- Which particle made a guard fire
@@ -170,7 +193,8 @@ void PicSolver<Backend, D, P>::findOffender(PicReport& report, double courant)
         if (value <= worst) continue;
         worst = value;
         report.stopId = all.id[i];
-        report.stopPosition = Vector3{{all.position[3*i], all.position[3*i + 1], all.position[3*i + 2]}};
+        report.stopPosition = Vector3{
+            {all.position[3*i], all.position[3*i + 1], all.position[3*i + 2]}};
         report.stopValue = courant;
     }
 }

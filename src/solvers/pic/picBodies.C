@@ -32,7 +32,9 @@ bool rests(const FreeBody<D, Shape>& a, const FreeBody<D, Shape>& b)
     for (std::size_t k = 0; same && k < p.size(); ++k)
         for (int d = 0; d < D; ++d) same = same && p[k].centre[d] == q[k].centre[d];
     for (int d = 0; d < D; ++d)
-        for (int k = 0; k < D; ++k) same = same && a.shape.sampled.centre[d] == b.shape.sampled.centre[d] && a.shape.sampled.axis[d][k] == b.shape.sampled.axis[d][k];
+        for (int k = 0; k < D; ++k)
+            same = same && a.shape.sampled.centre[d] == b.shape.sampled.centre[d]
+                && a.shape.sampled.axis[d][k] == b.shape.sampled.axis[d][k];
     for (const auto* f : {&a, &b}) for (const double v : f->velocity) same = same && v == 0;
     return same;
 }
@@ -75,7 +77,9 @@ PicBodies<D>::PicBodies(const PicConfig& config, const PicSolids& solids, DemSce
         b.ids = {id};
         b.group = p.group.empty() ? 0 : p.group[i];
         b.mass = p.mass[i];
-        const double inertia = p.inertia.empty() ? (D == 2 ? 0.5 : 0.4)*p.mass[i]*p.radius[i]*p.radius[i] : p.inertia[i];
+        const double inertia = p.inertia.empty()
+            ? (D == 2 ? 0.5 : 0.4)*p.mass[i]*p.radius[i]*p.radius[i]
+            : p.inertia[i];
         b.inertia = filled<3>(inertia);
         all_.push_back(b);
     }
@@ -133,7 +137,10 @@ typename PicBodies<D>::Modes PicBodies<D>::gravityOf(const Now& n) const
     const Body& b = all_[n.body];
     const DemGroup& group = groups_[b.group];
     if (!group.gravity || group.motion >= 0) return g;
-    for (int d = 0; d < D; ++d) g[d] = group.constraint.any() ? b.mass*gravity_[d] : group.held[axes_[d]] ? 0 : gravity_[d];
+    for (int d = 0; d < D; ++d)
+        g[d] = group.constraint.any() ? b.mass*gravity_[d]
+            : group.held[axes_[d]] ? 0
+                                      : gravity_[d];
     return group.constraint.any() ? times(n, g) : g;
 }
 
@@ -148,14 +155,16 @@ void PicBodies<D>::setInverse(Now& n, const double* q, const Vec<D, double>& cen
     if (g.constraint.hinge) return setHinge(n, q, centre);
     double along[D][D];
     directions(g, along);
-    for (int d = 0; d < D; ++d) for (int e = 0; e < D; ++e) n.inverse[d*modes + e] = along[d][e]/b.mass;
+    for (int d = 0; d < D; ++d)
+        for (int e = 0; e < D; ++e) n.inverse[d*modes + e] = along[d][e]/b.mass;
     if (g.heldSpin || g.constraint.rotation == RotationKind::none) return;
     if (D == 2) { n.inverse[2*modes + 2] = 1/b.inertia[2]; return; }
     if (g.constraint.rotation == RotationKind::axis)
     {
         double about = 0;
         const Modes turn = axisOf(n, q, about);
-        for (int s = D; s < modes; ++s) for (int t = D; t < modes; ++t) n.inverse[s*modes + t] = turn[s]*turn[t]/about;
+        for (int s = D; s < modes; ++s)
+            for (int t = D; t < modes; ++t) n.inverse[s*modes + t] = turn[s]*turn[t]/about;
         return;
     }
     double r[3][3];
@@ -183,14 +192,18 @@ void PicBodies<D>::directions(const DemGroup& g, double along[D][D]) const
     for (int d = 0; d < D; ++d)
         for (int e = 0; e < D; ++e)
         {
-            const double own = d == e && kind != TranslationKind::none && !g.held[axes_[d]], nn = n[d]*n[e]/std::max(length, 1e-300);
-            along[d][e] = kind == TranslationKind::line ? nn : own - (kind == TranslationKind::plane ? nn : 0);
+            const double own = d == e && kind != TranslationKind::none && !g.held[axes_[d]],
+                         nn = n[d]*n[e]/std::max(length, 1e-300);
+            along[d][e] = kind == TranslationKind::line
+                ? nn
+                : own - (kind == TranslationKind::plane ? nn : 0);
         }
 }
 
 //- Spin of 1 about a constraint's axis; and the inertia about it, through the centre
 template<int D>
-typename PicBodies<D>::Modes PicBodies<D>::axisOf(const Now& n, const double* q, double& about) const
+typename PicBodies<D>::Modes PicBodies<D>::axisOf(
+    const Now& n, const double* q, double& about) const
 {
     const Body& b = all_[n.body];
     Modes turn{};
@@ -229,14 +242,17 @@ void PicBodies<D>::setHinge(Now& n, const double* q, const Vec<D, double>& centr
         for (int s = D; s < modes; ++s) way[d] += way[s]*modeVelocity(s, d, arm);
         swept += way[d]*way[d];
     }
-    for (int i = 0; i < modes; ++i) for (int k = 0; k < modes; ++k) n.inverse[i*modes + k] = way[i]*way[k]/(about + b.mass*swept);
+    for (int i = 0; i < modes; ++i)
+        for (int k = 0; k < modes; ++k)
+            n.inverse[i*modes + k] = way[i]*way[k]/(about + b.mass*swept);
 }
 
 template<int D>
 typename PicBodies<D>::Modes PicBodies<D>::times(const Now& n, const Modes& force) const
 {
     Modes a{};
-    for (int i = 0; i < modes; ++i) for (int k = 0; k < modes; ++k) a[i] += n.inverse[i*modes + k]*force[k];
+    for (int i = 0; i < modes; ++i)
+        for (int k = 0; k < modes; ++k) a[i] += n.inverse[i*modes + k]*force[k];
     return a;
 }
 
@@ -267,14 +283,16 @@ bool PicBodies<D>::read()
         Vec<D, double> centre;
         for (int d = 0; d < D; ++d) centre[d] = x[axes_[d]];
         setInverse(n, clump ? &c.orientation[4*std::size_t(body.clump)] : unturned, centre);
-        for (int d = 0; d < 3; ++d) n.arm[d] = clump ? s.position[3*std::size_t(carrier) + d] - x[d] : 0;
+        for (int d = 0; d < 3; ++d)
+            n.arm[d] = clump ? s.position[3*std::size_t(carrier) + d] - x[d] : 0;
         FreeBody<D, Shape> f;
         f.centre = centre;
         for (const int id : body.ids)
         {
             if (slot[id] < 0) continue;
             Ball<D> ball;
-            for (int d = 0; d < D; ++d) ball.centre[d] = s.position[3*std::size_t(slot[id]) + axes_[d]];
+            for (int d = 0; d < D; ++d)
+                ball.centre[d] = s.position[3*std::size_t(slot[id]) + axes_[d]];
             ball.radius = s.radius[slot[id]];
             f.shape.balls.balls.push_back(ball);
             ballOfId_[id] = ball;
@@ -282,15 +300,18 @@ bool PicBodies<D>::read()
         f.reach = f.shape.balls.reach(f.centre);
         if (body.shape >= 0)
         {
-            f.shape.sampled = placed(body.shape, f.centre, &c.orientation[4*std::size_t(body.clump)]);
+            f.shape.sampled = placed(
+                body.shape, f.centre, &c.orientation[4*std::size_t(body.clump)]);
             f.reach = reachOf_[body.shape];
         }
         f.velocity.assign(n.velocity.begin(), n.velocity.end());
-        n.asleep = sleeps(n);               // of a state that was loaded: hold() leaves it the force under which it sleeps
+        // of a state that was loaded: hold() leaves it the force under which it sleeps
+        n.asleep = sleeps(n);
         now_.push_back(n);
         bodies_.push_back(f);
     }
-    return before.size() != bodies_.size() || !std::equal(before.begin(), before.end(), bodies_.begin(), rests<D, Shape>);
+    return before.size() != bodies_.size()
+        || !std::equal(before.begin(), before.end(), bodies_.begin(), rests<D, Shape>);
 }
 
 template<int D>
@@ -303,7 +324,8 @@ bool PicBodies<D>::yield() const
 template<int D>
 bool PicBodies<D>::sleeps(const Now& n) const
 {
-    bool still = stir_ > 0 && memory_[n.body].begun && all_[n.body].clump < 0 && groups_[all_[n.body].group].motion < 0;
+    bool still = stir_ > 0 && memory_[n.body].begun && all_[n.body].clump < 0
+        && groups_[all_[n.body].group].motion < 0;
     for (const double v : n.velocity) still = still && v == 0;
     return still;
 }
@@ -316,7 +338,8 @@ bool PicBodies<D>::stirred(const Now& n) const
     const Memory& m = memory_[n.body];
     const double radius = bodies_[&n - now_.data()].reach;
     double change = 0;
-    for (int k = 0; k < modes; ++k) change += std::abs(m.force[k] - m.given[k])/(k < D ? 1 : radius);
+    for (int k = 0; k < modes; ++k)
+        change += std::abs(m.force[k] - m.given[k])/(k < D ? 1 : radius);
     return change > stir_*b.mass;
 }
 
@@ -341,7 +364,8 @@ bool PicBodies<D>::acrossPeriodic(const UniformGrid<D>& grid) const
     for (const auto& b : bodies_)
         for (int d = 0; d < D; ++d)
         {
-            const double low = b.centre[d] - b.reach - grid.origin[d], high = grid.n[d]*grid.h - (b.centre[d] + b.reach - grid.origin[d]);
+            const double low = b.centre[d] - b.reach - grid.origin[d],
+                         high = grid.n[d]*grid.h - (b.centre[d] + b.reach - grid.origin[d]);
             if (grid.periodic[d] && (low < 0 || high < 0)) return true;
         }
     return false;
@@ -370,7 +394,9 @@ std::vector<ContactArea<D>> PicBodies<D>::contacts(const UniformGrid<D>& grid) c
             area.normal = (1/distance)*area.normal;
         }
         else area.normal = (1/reach)*area.normal;
-        for (int d = 0; d < D; ++d) area.point[d] = a.centre[d] + std::max(reach, a.radius)*area.normal[d] - grid.origin[d];
+        for (int d = 0; d < D; ++d)
+            area.point[d] = a.centre[d] + std::max(reach, a.radius)*area.normal[d]
+                - grid.origin[d];
         areas.push_back(area);
     }
     return areas;
@@ -422,11 +448,14 @@ std::vector<double> PicBodies<D>::memory() const
     {
         if (all_[b].clump < 0 && !there[all_[b].ids[0]]) continue;
         const Memory& m = memory_[b];
-        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given, &m.ahead}) v.insert(v.end(), a->begin(), a->end());
+        for (const Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given, &m.ahead})
+            v.insert(v.end(), a->begin(), a->end());
         v.push_back(m.begun);
     }
     for (const auto* a : {&forces_, &moments_})
-        for (int id = 0; id <= largestId_; ++id) if (there[id]) v.insert(v.end(), &(*a)[3*std::size_t(id)], &(*a)[3*std::size_t(id)] + 3);
+        for (int id = 0; id <= largestId_; ++id)
+            if (there[id])
+                v.insert(v.end(), &(*a)[3*std::size_t(id)], &(*a)[3*std::size_t(id)] + 3);
     return v;
 }
 
@@ -436,18 +465,30 @@ bool PicBodies<D>::setMemory(const std::vector<double>& v)
     constexpr std::size_t each = 6*modes + 1;
     std::vector<char> there(largestId_ + 1, 0);
     for (const Body& b : all_) for (const int id : b.ids) there[id] = 1;
-    if (v.size() != each*memory_.size() + 6*std::size_t(std::count(there.begin(), there.end(), 1))) return false;
+    if (v.size()
+        != each*memory_.size() + 6*std::size_t(std::count(there.begin(), there.end(), 1)))
+        return false;
     for (std::size_t b = 0; b < memory_.size(); ++b)
     {
         const double* from = &v[b*each];
         Memory& m = memory_[b];
-        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given, &m.ahead}) { std::copy(from, from + modes, a->begin()); from += modes; }
+        for (Modes* a : {&m.force, &m.old, &m.start, &m.middle, &m.given, &m.ahead})
+        {
+            std::copy(from, from + modes, a->begin());
+            from += modes;
+        }
         m.begun = *from != 0;
     }
     const double* from = &v[each*memory_.size()];
     for (auto* a : {&forces_, &moments_})
-        for (int id = 0; id <= largestId_; ++id) if (there[id]) { std::copy(from, from + 3, &(*a)[3*std::size_t(id)]); from += 3; }
-    // before the scene's own state is loaded, which knows who sleeps: forces that are new to it would wake them
+        for (int id = 0; id <= largestId_; ++id)
+            if (there[id])
+            {
+                std::copy(from, from + 3, &(*a)[3*std::size_t(id)]);
+                from += 3;
+            }
+    // before the scene's own state is loaded, which knows who sleeps: forces that are new to it
+    // would wake them
     send();
     return true;
 }

@@ -1,4 +1,5 @@
-/*  PicBodies: how bodies are about to move, what the pressure does to them, and what of it is handed to the solids.
+/*  PicBodies: how bodies are about to move, what the pressure does to them, and what of it is
+    handed to the solids.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -42,25 +43,30 @@ void PicBodies<D>::predict(double dt, double before)
             Vec<D, double> arm;
             for (int d = 0; d < D; ++d) arm[d] = f.centre[d] - r.centre[axes_[d]];
             for (int d = 0; d < D; ++d)
-                for (int s = D; s < modes; ++s) n.predicted[d] += n.predicted[s]*modeVelocity(s, d, arm);
+                for (int s = D; s < modes; ++s)
+                    n.predicted[d] += n.predicted[s]*modeVelocity(s, d, arm);
             continue;
         }
         const Modes g = gravityOf(n), water = times(n, m.force), all = times(n, n.total);
         Modes mean{}, last{}, lasting{};
         for (int k = 0; k < modes; ++k)
         {
-            mean[k] = m.begun && before > 0 ? (n.velocity[k] - m.start[k])/before - water[k] - g[k] : 0;
+            mean[k] = m.begun && before > 0
+                ? (n.velocity[k] - m.start[k])/before - water[k] - g[k]
+                : 0;
             last[k] = all[k] - water[k] - g[k];
         }
         agree(mean, last, 0, D, lasting);
         agree(mean, last, D, modes, lasting);
         for (int k = 0; k < modes; ++k)
-            n.predicted[k] = n.velocity[k] - 0.5*before*water[k] + 0.5*dt*(g[k] + lasting[k]) + (weak_ ? kick*water[k] : 0);
+            n.predicted[k] = n.velocity[k] - 0.5*before*water[k]
+                + 0.5*dt*(g[k] + lasting[k]) + (weak_ ? kick*water[k] : 0);
     }
 }
 
 template<int D>
-std::vector<FreeBody<D, typename PicBodies<D>::Shape>> PicBodies<D>::withVelocities(bool predicted) const
+std::vector<FreeBody<D, typename PicBodies<D>::Shape>> PicBodies<D>::withVelocities(
+    bool predicted) const
 {
     std::vector<FreeBody<D, Shape>> all(bodies_);
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -100,7 +106,8 @@ template<int D>
 std::vector<double> PicBodies<D>::roots() const
 {
     std::vector<double> all(now_.size()*modes*modes, 0.0);
-    for (std::size_t i = 0; i < now_.size(); ++i) rootOfInverseMass(modes, now_[i].inverse.data(), &all[i*modes*modes]);
+    for (std::size_t i = 0; i < now_.size(); ++i)
+        rootOfInverseMass(modes, now_[i].inverse.data(), &all[i*modes*modes]);
     return all;
 }
 
@@ -108,7 +115,8 @@ template<int D>
 bool PicBodies<D>::anyLighter(const std::vector<double>& volume, double density) const
 {
     bool any = false;
-    for (std::size_t i = 0; i < now_.size(); ++i) any = any || isLighter(modes, now_[i].inverse.data(), volume[i], density);
+    for (std::size_t i = 0; i < now_.size(); ++i)
+        any = any || isLighter(modes, now_[i].inverse.data(), volume[i], density);
     return any;
 }
 

@@ -1,4 +1,5 @@
-/*  PicSolver: solids inside the domain, which cut the cells. Nothing of this is called in a scene that has none.
+/*  PicSolver: solids inside the domain, which cut the cells. Nothing of this is called in a scene
+    that has none.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -42,7 +43,8 @@ void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
     {
         base_ = cutWalls(config_, sides_, inside_.obstacles, inside_.motion, t, dt);
         for (int d = 0; d < D; ++d)
-            sealed_[d].upload(context_, std::vector<unsigned char>(base_.sealed[d].begin(), base_.sealed[d].end()));
+            sealed_[d].upload(context_,
+                std::vector<unsigned char>(base_.sealed[d].begin(), base_.sealed[d].end()));
         setWalls(base_.walls);
         nodeDistance_.upload(context_, base_.nodeDistance);
         if (bodies_) keepBase();
@@ -55,11 +57,13 @@ void PicSolver<Backend, D, P>::cutGrid(double t, double dt)
     if (bodies_) cutByBodies();
     measureOpenings(all);
     for (int d = 0; d < D && sticksInside(); ++d)
-        forEach(context_, grid_.faces(d), FaceDistances<D, real>{{grid_}, d, nodeDistance_.data(), faceDistance_[d].data()});
+        forEach(context_, grid_.faces(d),
+            FaceDistances<D, real>{{grid_}, d, nodeDistance_.data(), faceDistance_[d].data()});
     insideMoves_ = base_.moves || bodies_;
 }
 
-//- Open parts of cells: of all, or of those about the bodies. What an opening's neighbours see of it across a periodic side lies in no block
+//- Open parts of cells: of all, or of those about the bodies. What an opening's neighbours see of
+//  it across a periodic side lies in no block
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::measureOpenings(bool all)
 {
@@ -83,13 +87,15 @@ void PicSolver<Backend, D, P>::keepBase()
     baseDistance_.upload(context_, base_.nodeDistance);
     for (int d = 0; d < D; ++d)
     {
-        baseAperture_[d].upload(context_, std::vector<real>(base_.walls.aperture[d].begin(), base_.walls.aperture[d].end()));
+        baseAperture_[d].upload(context_,
+            std::vector<real>(base_.walls.aperture[d].begin(), base_.walls.aperture[d].end()));
         const std::vector<double>& w = base_.walls.wallVelocity[d];
         if (!w.empty()) baseVelocity_[d].upload(context_, std::vector<real>(w.begin(), w.end()));
     }
 }
 
-//- Solids to where they are at the end of the step; particles that they have run over come out. \return false when a guard has fired
+//- Solids to where they are at the end of the step; particles that they have run over come out.
+//  \return false when a guard has fired
 template<class Backend, int D, class P>
 bool PicSolver<Backend, D, P>::moveInside(double dt, double before)
 {
@@ -101,7 +107,8 @@ bool PicSolver<Backend, D, P>::moveInside(double dt, double before)
         cutForStep_ = true;
     }
     PushOut<D, real> out{solidField(), particles(), wallMargin*grid_.h, {}};
-    for (int d = 0; d < D; ++d) out.shift[d] = config_.positionCorrection > 0 ? shift_[d].data() : nullptr;
+    for (int d = 0; d < D; ++d)
+        out.shift[d] = config_.positionCorrection > 0 ? shift_[d].data() : nullptr;
     forEach(context_, n_, out);
     return true;
 }
@@ -127,7 +134,9 @@ void PicSolver<Backend, D, P>::extendSurface(Array<Backend, real>& phi)
 {
     rows_.eachCellOfBoth(context_, MarkKnownCells<real>{open_.data(), cellLayer_.data()});
     for (int pass = 1; pass <= int(bandCells) + 1; ++pass)
-        rows_.eachCellOfBoth(context_, ExtendSurface<D, real>{grid_, static_cast<unsigned char>(pass), cellLayer_.data(), phi.data(), real(bandCells*grid_.h)});
+        rows_.eachCellOfBoth(context_,
+            ExtendSurface<D, real>{grid_, static_cast<unsigned char>(pass), cellLayer_.data(),
+                phi.data(), real(bandCells*grid_.h)});
 }
 
 //- Of the host's copies: cells that no solid is near, to `clear`; the open parts of all

@@ -1,8 +1,10 @@
-/*  PicSolver: what a step does to momentum, for those who ask (PicScene::watchMomentum); nothing of this is called otherwise.
+/*  PicSolver: what a step does to momentum, for those who ask (PicScene::watchMomentum); nothing of
+    this is called otherwise.
 
-    The mass that the pressure moves at a face is rho a S theta h: a is its open part, theta h the way from cell to cell, or to the surface (pressureFields.hpp). So the
-    impulses on the water sum to what the pressure does to the closed parts of the cells' faces, which bodies and walls share: an identity of the equations, to
-    round-off, if bodies feel what the water feels.
+    The mass that the pressure moves at a face is rho a S theta h: a is its open part, theta h the
+    way from cell to cell, or to the surface (pressureFields.hpp). So the impulses on the water sum
+    to what the pressure does to the closed parts of the cells' faces, which bodies and walls share:
+    an identity of the equations, to round-off, if bodies feel what the water feels.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -29,8 +31,10 @@ Vec<D, double> PicSolver<Backend, D, P>::particleMomentum()
 }
 
 //- u* before the pressure is solved, gravity in it
-template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::keepForced() { for (int d = 0; d < D; ++d) forced_[d] = u_[d].download(); }
+template<class Backend, int D, class P> void PicSolver<Backend, D, P>::keepForced()
+{
+    for (int d = 0; d < D; ++d) forced_[d] = u_[d].download();
+}
 
 //- After the velocities' changes are known, and before they are extended past the surface
 template<class Backend, int D, class P>
@@ -44,8 +48,10 @@ void PicSolver<Backend, D, P>::weighMomentum(double dt)
     for (int d = 0; d < D; ++d)
     {
         const int axis = config_.axes[d];
-        const std::vector<real> a = aperture_[d].download(), before = before_[d].download(), change = change_[d].download();
-        const std::vector<double> bodies = bodies_ ? bodyCut_.shareOfFaces(d) : std::vector<double>();
+        const std::vector<real> a = aperture_[d].download(), before = before_[d].download(),
+                                change = change_[d].download();
+        const std::vector<double> bodies = bodies_ ? bodyCut_.shareOfFaces(d)
+                                                   : std::vector<double>();
         for (int f = 0; f < grid_.faces(d); ++f)
         {
             const auto x = grid_.faceIndex(d, f);
@@ -54,7 +60,8 @@ void PicSolver<Backend, D, P>::weighMomentum(double dt)
             const bool wetLower = lower >= 0 && wet[lower], wetUpper = upper >= 0 && wet[upper];
             if (!wetLower && !wetUpper) continue;
             const double closed = 1 - double(a[f]) - (bodies_ ? bodies[f] : 0.0);
-            sum.walls[axis] += dt*grid_.area()*closed*((wetLower ? p[lower] : 0.0) - (wetUpper ? p[upper] : 0.0));
+            sum.walls[axis] += dt*grid_.area()*closed
+                *((wetLower ? p[lower] : 0.0) - (wetUpper ? p[upper] : 0.0));
             if (!(a[f] > real(0))) continue;
             double theta = 1;
             if (!wetLower) theta = lower < 0 ? endTheta : surfaceTheta(phi[upper], phi[lower]);

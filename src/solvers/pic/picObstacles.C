@@ -25,7 +25,8 @@ UniformGrid<D> gridOf(const PicConfig& c)
 }
 
 template<int D>
-std::vector<Vec<D, double>> placed(const PicConfig& c, const std::vector<double>& vertices, const WallPose& pose)
+std::vector<Vec<D, double>> placed(
+    const PicConfig& c, const std::vector<double>& vertices, const WallPose& pose)
 {
     std::vector<Vec<D, double>> at(vertices.size()/3);
     for (std::size_t i = 0; i < at.size(); ++i)
@@ -39,9 +40,11 @@ std::vector<Vec<D, double>> placed(const PicConfig& c, const std::vector<double>
 }
 
 template<int D>
-Obstacle<D> obstacleOf(const PicConfig& c, const PicObstacle& in, const WallMotion& motion, double t, double dt)
+Obstacle<D> obstacleOf(
+    const PicConfig& c, const PicObstacle& in, const WallMotion& motion, double t, double dt)
 {
-    if (in.elements.size() % D || in.elements.empty()) throw std::invalid_argument("obstacle " + in.name + ": incomplete elements");
+    if (in.elements.size() % D || in.elements.empty())
+        throw std::invalid_argument("obstacle " + in.name + ": incomplete elements");
     Obstacle<D> o;
     o.closed = in.closed;
     o.solidOutside = in.solidOutside;
@@ -75,7 +78,8 @@ std::vector<double> openOfSides(const UniformGrid<D>& grid, const PicWalls& side
 }
 
 template<int D>
-PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t, double dt)
+PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObstacle>& obstacles,
+    const WallMotion& motion, double t, double dt)
 {
     const UniformGrid<D> grid = gridOf<D>(c);
     CutGrid<D> cut;
@@ -101,13 +105,16 @@ PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObs
 
 } // namespace
 
-PicCut cutWalls(const PicConfig& c, const PicWalls& sides, const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t, double dt)
+PicCut cutWalls(const PicConfig& c, const PicWalls& sides,
+    const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t, double dt)
 {
-    return c.dimensions == 2 ? cutIn<2>(c, sides, obstacles, motion, t, dt) : cutIn<3>(c, sides, obstacles, motion, t, dt);
+    return c.dimensions == 2 ? cutIn<2>(c, sides, obstacles, motion, t, dt)
+                             : cutIn<3>(c, sides, obstacles, motion, t, dt);
 }
 
 template<int D>
-WallParts<D> partsOfWalls(const PicConfig& c, const PicWalls& sides, const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t)
+WallParts<D> partsOfWalls(const PicConfig& c, const PicWalls& sides,
+    const std::vector<PicObstacle>& obstacles, const WallMotion& motion, double t)
 {
     const UniformGrid<D> grid = gridOf<D>(c);
     WallParts<D> parts;
@@ -130,7 +137,9 @@ WallParts<D> partsOfWalls(const PicConfig& c, const PicWalls& sides, const std::
     return parts;
 }
 
-template WallParts<2> partsOfWalls<2>(const PicConfig&, const PicWalls&, const std::vector<PicObstacle>&, const WallMotion&, double);
-template WallParts<3> partsOfWalls<3>(const PicConfig&, const PicWalls&, const std::vector<PicObstacle>&, const WallMotion&, double);
+template WallParts<2> partsOfWalls<2>(
+    const PicConfig&, const PicWalls&, const std::vector<PicObstacle>&, const WallMotion&, double);
+template WallParts<3> partsOfWalls<3>(
+    const PicConfig&, const PicWalls&, const std::vector<PicObstacle>&, const WallMotion&, double);
 
 } // namespace riprap

@@ -1,4 +1,5 @@
-/*  PicSolver: openings of the sides, through which water comes and goes. Nothing of this is called in a scene that has none.
+/*  PicSolver: openings of the sides, through which water comes and goes. Nothing of this is called
+    in a scene that has none.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -37,7 +38,8 @@ void PicSolver<Backend, D, P>::setOpenings(PicWalls& walls)
         if (a.empty())
         {
             a.assign(grid_.faces(d), 1.0);
-            for (int i = 0; i < grid_.faces(d) && !grid_.periodic[d]; ++i) if (atEnd(grid_, d, grid_.faceIndex(d, i).c[d])) a[i] = 0;
+            for (int i = 0; i < grid_.faces(d) && !grid_.periodic[d]; ++i)
+                if (atEnd(grid_, d, grid_.faceIndex(d, i).c[d])) a[i] = 0;
         }
         std::vector<int> face, cell;
         for (const OpenFace<D>& f : openings_.faces)
@@ -48,7 +50,8 @@ void PicSolver<Backend, D, P>::setOpenings(PicWalls& walls)
             cell.push_back(f.cell);
         }
         openings_.number[d].assign(grid_.faces(d), -1);
-        for (const OpenFace<D>& f : openings_.faces) if (f.direction == d) openings_.number[d][f.face] = f.opening;
+        for (const OpenFace<D>& f : openings_.faces)
+            if (f.direction == d) openings_.number[d][f.face] = f.opening;
         openings_.face[d].upload(context_, face);
         openings_.cell[d].upload(context_, cell);
         openings_.gate[d].allocate(context_, grid_.faces(d));
@@ -74,12 +77,15 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::openFully()
 {
     for (int d = 0; d < D; ++d)
-        forEach(context_, int(openings_.face[d].size()), CopyOpenFaces<real>{openings_.face[d].data(), baseAperture_[d].data(), aperture_[d].data()});
+        forEach(context_, int(openings_.face[d].size()),
+            CopyOpenFaces<real>{
+                openings_.face[d].data(), baseAperture_[d].data(), aperture_[d].data()});
 }
 
 //- A field of faces (of cells) at the openings' faces (the cells behind them), in their order
 template<class Backend, int D, class P>
-std::vector<double> PicSolver<Backend, D, P>::atOpenings(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells)
+std::vector<double> PicSolver<Backend, D, P>::atOpenings(
+    Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells)
 {
     std::vector<double> values;
     for (int d = 0; d < D; ++d)
@@ -87,8 +93,9 @@ std::vector<double> PicSolver<Backend, D, P>::atOpenings(Array<Backend, real>* o
         const int count = int(openings_.face[d].size());
         if (!count) continue;
         openings_.buffer.allocate(context_, count);
-        forEach(context_, count, ReadOpenFaces<real>
-            {ofFaces ? openings_.face[d].data() : openings_.cell[d].data(), ofFaces ? ofFaces[d].data() : ofCells->data(), openings_.buffer.data()});
+        forEach(context_, count,
+            ReadOpenFaces<real>{ofFaces ? openings_.face[d].data() : openings_.cell[d].data(),
+                ofFaces ? ofFaces[d].data() : ofCells->data(), openings_.buffer.data()});
         const std::vector<real> part = openings_.buffer.download();
         values.insert(values.end(), part.begin(), part.end());
     }
@@ -105,16 +112,19 @@ void PicSolver<Backend, D, P>::startOpenings()
     {
         const std::size_t count = openings_.face[d].size();
         if (!count) continue;
-        openings_.buffer.upload(context_, std::vector<real>(openings_.given.begin() + from, openings_.given.begin() + from + count));
-        forEach(context_, int(count), PushOpenFaces<real>{openings_.face[d].data(), openings_.buffer.data(), u_[d].data()});
+        openings_.buffer.upload(context_,
+            std::vector<real>(
+                openings_.given.begin() + from, openings_.given.begin() + from + count));
+        forEach(context_, int(count),
+            PushOpenFaces<real>{openings_.face[d].data(), openings_.buffer.data(), u_[d].data()});
         from += count;
     }
     markWater();
     takeUpPending();
 }
 
-//- What came in before the run was continued, and is no particles yet, is kept by faces under water, as much by each of their area; what went out and
-//  has not left as particles is owed
+//- What came in before the run was continued, and is no particles yet, is kept by faces under
+//  water, as much by each of their area; what went out and has not left as particles is owed
 template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::takeUpPending()
 {
@@ -168,7 +178,8 @@ void PicSolver<Backend, D, P>::setOpenFaces(double t)
         double w = 0;
         if (o.kind == OpeningKind::velocity) w = o.velocity(t)[config_.axes[f.direction]];
         else if (o.kind == OpeningKind::flowRate) w = f.inward(openings_.rate[f.opening]);
-        // nothing flows through what lies above the level; where there is no water the value continues that below
+        // nothing flows through what lies above the level; where there is no water the value
+        // continues that below
         const bool wet = phi[k] < -wetDepth*grid_.h;
         if (o.level && wet && !(f.wet > 0)) w = 0;
         const bool free = o.kind == OpeningKind::level;
@@ -188,12 +199,15 @@ void PicSolver<Backend, D, P>::writeOpenFaces()
     {
         const std::size_t count = openings_.face[d].size();
         if (!count || openings_.open.empty()) continue;
-        const auto part = [&](const auto& all) { return std::decay_t<decltype(all)>(all.begin() + from, all.begin() + from + count); };
+        const auto part = [&](const auto& all)
+        { return std::decay_t<decltype(all)>(all.begin() + from, all.begin() + from + count); };
         openings_.buffer.upload(context_, part(openings_.open));
         openings_.second.upload(context_, part(openings_.given));
         openings_.flags.upload(context_, part(openings_.leaves));
-        forEach(context_, int(count), SetOpenFaces<real>{openings_.face[d].data(), openings_.buffer.data(), openings_.second.data(), openings_.flags.data(),
-            aperture_[d].data(), wallVelocity_[d].data(), openings_.gate[d].data()});
+        forEach(context_, int(count),
+            SetOpenFaces<real>{openings_.face[d].data(), openings_.buffer.data(),
+                openings_.second.data(), openings_.flags.data(), aperture_[d].data(),
+                wallVelocity_[d].data(), openings_.gate[d].data()});
         from += count;
     }
 }
@@ -212,12 +226,15 @@ void PicSolver<Backend, D, P>::pushOpenFaces(double dt)
         {
             const OpenFace<D>& f = openings_.faces[k];
             const PicOpening& o = config_.openings[f.opening];
-            const double head = o.kind == OpeningKind::level ? std::max(0.0, o.level(clock_.time) - f.height) : 0;
+            const double head = o.kind == OpeningKind::level
+                ? std::max(0.0, o.level(clock_.time) - f.height)
+                : 0;
             push.push_back(real(f.inward(2*dt*std::sqrt(g)*head/grid_.h)));
         }
         if (push.empty()) continue;
         openings_.buffer.upload(context_, push);
-        forEach(context_, int(push.size()), PushOpenFaces<real>{openings_.face[d].data(), openings_.buffer.data(), u_[d].data()});
+        forEach(context_, int(push.size()),
+            PushOpenFaces<real>{openings_.face[d].data(), openings_.buffer.data(), u_[d].data()});
     }
 }
 
@@ -226,7 +243,8 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::letIn(double dt)
 {
     const std::vector<double> u = atOpenings(u_, nullptr);
-    const int vertical = steepest(), perDirection = std::max(1, int(std::lround(grid_.h/particleSpacing())));
+    const int vertical = steepest(),
+              perDirection = std::max(1, int(std::lround(grid_.h/particleSpacing())));
     std::vector<Vec<D, double>> places, velocities;
     std::vector<double> carried(openings_.owed.size(), 0.0), wet(openings_.owed.size(), 0.0);
     for (std::size_t k = 0; k < openings_.faces.size(); ++k)
@@ -238,7 +256,8 @@ void PicSolver<Backend, D, P>::letIn(double dt)
         wet[f.opening] += area;
         carried[f.opening] += std::max(0.0, -f.inward(along))*area*dt;
         const std::size_t before = places.size();
-        enter(f, grid_, f.inward(along), dt, clock_.particleVolume, perDirection, vertical, vertical >= 0 && gravity_[vertical] < 0, wallMargin*grid_.h, places);
+        enter(f, grid_, f.inward(along), dt, clock_.particleVolume, perDirection, vertical,
+            vertical >= 0 && gravity_[vertical] < 0, wallMargin*grid_.h, places);
         openings_.in[f.opening] += std::int64_t(places.size() - before);
         openings_.volume[f.opening] += double(places.size() - before)*clock_.particleVolume;
         Vec<D, double> v{};
@@ -250,23 +269,28 @@ void PicSolver<Backend, D, P>::letIn(double dt)
         else v.c[f.direction] = along;
         velocities.resize(places.size(), v);
     }
-    for (std::size_t k = 0; k < carried.size(); ++k) balance<D>(openings_.owed[k], carried[k], wet[k]*grid_.h/perDirection);
+    for (std::size_t k = 0; k < carried.size(); ++k)
+        balance<D>(openings_.owed[k], carried[k], wet[k]*grid_.h/perDirection);
     append(places, velocities);
 }
 
-//- Volume that has come in but not as particles yet, less what has gone out but not as particles; -1: through all openings
+//- Volume that has come in but not as particles yet, less what has gone out but not as particles;
+//  -1: through all openings
 template<class Backend, int D, class P>
 double PicSolver<Backend, D, P>::openBalance(int opening) const
 {
     double volume = 0;
-    for (const OpenFace<D>& f : openings_.faces) if (opening < 0 || opening == f.opening) volume += f.kept;
-    for (int k = 0; k < int(openings_.owed.size()); ++k) if (opening < 0 || opening == k) volume -= openings_.owed[k];
+    for (const OpenFace<D>& f : openings_.faces)
+        if (opening < 0 || opening == f.opening) volume += f.kept;
+    for (int k = 0; k < int(openings_.owed.size()); ++k)
+        if (opening < 0 || opening == k) volume -= openings_.owed[k];
     return volume;
 }
 
 //- More particles, after the others
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::append(const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities)
+void PicSolver<Backend, D, P>::append(
+    const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities)
 {
     const int more = int(places.size()), first = n_;
     if (!more) return;
@@ -275,7 +299,10 @@ void PicSolver<Backend, D, P>::append(const std::vector<Vec<D, double>>& places,
     std::vector<real> v(more);
     std::vector<std::int32_t> id(more);
     const auto put = [&](int field, const auto& values)
-    { context_.toDevice(set_.bytes(field) + std::size_t(first)*sizeof(values[0]), values.data(), values.size()*sizeof(values[0])); };
+    {
+        context_.toDevice(set_.bytes(field) + std::size_t(first)*sizeof(values[0]), values.data(),
+            values.size()*sizeof(values[0]));
+    };
     for (int d = 0; d < D; ++d)
     {
         for (int i = 0; i < more; ++i) { x[i] = places[i].c[d]; v[i] = real(velocities[i].c[d]); }
@@ -286,7 +313,8 @@ void PicSolver<Backend, D, P>::append(const std::vector<Vec<D, double>>& places,
     put(idField_, id);
     for (int k = 0; affineField_ >= 0 && k < D*D; ++k) put(affineField_ + k, v);
     for (int k = 0; k < fromFaces_.memory(); ++k) put(memoryField_ + k, v);
-    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) context_.zero(shift_[d].data() + first, more*sizeof(real));
+    if (config_.positionCorrection > 0)
+        for (int d = 0; d < D; ++d) context_.zero(shift_[d].data() + first, more*sizeof(real));
     n_ += more;
     fromFaces_.enter(context_, gridVelocities(0), first, more);
 }
@@ -304,7 +332,8 @@ void PicSolver<Backend, D, P>::reserve(std::size_t count)
         if (n_) context_.toHost(kept[k].data(), set_.bytes(k), kept[k].size());
     }
     set_.allocate(context_, room);
-    for (int k = 0; k < set_.fields(); ++k) if (n_) context_.toDevice(set_.bytes(k), kept[k].data(), kept[k].size());
+    for (int k = 0; k < set_.fields(); ++k)
+        if (n_) context_.toDevice(set_.bytes(k), kept[k].data(), kept[k].size());
     sort_.allocate(context_, room, grid_.cells());
     enlarge(place_, room);
     // this step's, which solids that run over particles still ask for
@@ -356,12 +385,17 @@ double PicSolver<Backend, D, P>::openingSpeed(double t) const
     return speed;
 }
 
-//- What a continued run must know: of each face the volume kept and whose turn it is, of each opening what has passed
+//- What a continued run must know: of each face the volume kept and whose turn it is, of each
+//  opening what has passed
 template<class Backend, int D, class P>
 std::vector<double> PicSolver<Backend, D, P>::openingMemory() const
 {
     std::vector<double> memory;
-    for (const OpenFace<D>& f : openings_.faces) { memory.push_back(f.kept); memory.push_back(f.turn); }
+    for (const OpenFace<D>& f : openings_.faces)
+    {
+        memory.push_back(f.kept);
+        memory.push_back(f.turn);
+    }
     for (std::size_t k = 0; k < openings_.in.size(); ++k)
     {
         memory.push_back(double(openings_.in[k]));

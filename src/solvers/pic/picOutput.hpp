@@ -45,16 +45,21 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::velocitiesNow(int d, Array<Backend, real>& now)
 {
     now.allocate(context_, n_);
-    withSpline(config_.splineOrder, [&](auto order)
-    {
-        forEach(context_, n_, VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d, change_[d].data(), near_.data(),
-            real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0), real(0.5*clock_.lastStep*gravity_[d]), now.data()});
-    });
+    withSpline(config_.splineOrder,
+        [&](auto order)
+        {
+            forEach(context_, n_,
+                VelocityNow<decltype(order)::value, D, real>{grid_, particles(), d,
+                    change_[d].data(), near_.data(),
+                    real(clock_.lastKick > 0 ? 0.5*clock_.lastStep/clock_.lastKick : 0),
+                    real(0.5*clock_.lastStep*gravity_[d]), now.data()});
+        });
 }
 
 //- Particles with these velocities, kept in v
 template<class Backend, int D, class P>
-PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particlesNow(Array<Backend, real> (&v)[D])
+PicParticles<D, typename P::real> PicSolver<Backend, D, P>::particlesNow(
+    Array<Backend, real> (&v)[D])
 {
     PicParticles<D, real> now = particles();
     for (int d = 0; d < D; ++d)
@@ -121,7 +126,8 @@ PicGridState PicSolver<Backend, D, P>::grid()
         if (!near[i]) continue;
         const typename UniformGrid<D>::Index c = grid_.cellIndex(i);
         for (int d = 0; d < D; ++d)
-            state.velocity[3*i + config_.axes[d]] = 0.5*(double(u[d][grid_.faceOf(d, c, 0)]) + u[d][grid_.faceOf(d, c, 1)]);
+            state.velocity[3*i + config_.axes[d]] = 0.5
+                *(double(u[d][grid_.faceOf(d, c, 0)]) + u[d][grid_.faceOf(d, c, 1)]);
     }
     return state;
 }
@@ -132,7 +138,8 @@ SampleResult PicSolver<Backend, D, P>::sample(const std::vector<double>& points,
     const std::size_t m = points.size()/3, most = 1 << 20;      // at once: memory on the device
     const std::vector<double> x = solved(points, true);
     Array<Backend, double> extended, places, found;
-    SamplePoints<D, real> sample{grid_, {}, phi_.data(), wholePressure().data(), {}, nullptr, nullptr};
+    SamplePoints<D, real> sample{
+        grid_, {}, phi_.data(), wholePressure().data(), {}, nullptr, nullptr};
     for (int d = 0; d < D; ++d) sample.u[d] = u_[d].data();
     if (cuts())
     {
@@ -196,8 +203,13 @@ template<class Backend, int D, class P>
 FluidEnd PicSolver<Backend, D, P>::farEnd(const Vector3& direction, double reach)
 {
     Vec<D, double> lower, upper;
-    for (int d = 0; d < D; ++d) { lower.c[d] = grid_.origin[d]; upper.c[d] = grid_.origin[d] + grid_.h*grid_.n[d]; }
-    return farEndOf<Backend, D>(context_, n_, ParticlePlaces<D, real>{grid_, particles()}, config_.axes, direction, reach, lower, upper, emptyCoordinate_);
+    for (int d = 0; d < D; ++d)
+    {
+        lower.c[d] = grid_.origin[d];
+        upper.c[d] = grid_.origin[d] + grid_.h*grid_.n[d];
+    }
+    return farEndOf<Backend, D>(context_, n_, ParticlePlaces<D, real>{grid_, particles()},
+        config_.axes, direction, reach, lower, upper, emptyCoordinate_);
 }
 
 template<class Backend, int D, class P>
@@ -205,18 +217,25 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
 {
     std::vector<ArrayInfo> list;
     const std::size_t n = std::max(n_, 1);
-    for (const auto& f : set_.info()) list.push_back(ArrayInfo{"fluid", f.name, f.bytes/n, f.bytes});
-    const auto add = [&](const char* name, std::size_t bytes) { if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes}); };
+    for (const auto& f : set_.info())
+        list.push_back(ArrayInfo{"fluid", f.name, f.bytes/n, f.bytes});
+    const auto add = [&](const char* name, std::size_t bytes)
+    {
+        if (bytes) list.push_back(ArrayInfo{"grid", name, 0, bytes});
+    };
     add("phi", phi_.bytes() + carried_.bytes() + spare_.bytes());
     add("p", pressure_.bytes() + reflected_.bytes() + ahead_.bytes() + whole_.bytes());
     add("sums of tiles", toFaces_.bytes());
     std::size_t u = 0, walls = 0, absorb = 0, viscous = viscous_.pressure.bytes();
     for (int d = 0; d < D; ++d)
     {
-        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes() + after_[d].bytes() + carrier_[d].bytes() + layer_[d].bytes();
-        walls += aperture_[d].bytes() + wallVelocity_[d].bytes() + sealed_[d].bytes() + faceDistance_[d].bytes() + solidVelocity_[d].bytes();
+        u += u_[d].bytes() + before_[d].bytes() + change_[d].bytes() + mass_[d].bytes()
+            + after_[d].bytes() + carrier_[d].bytes() + layer_[d].bytes();
+        walls += aperture_[d].bytes() + wallVelocity_[d].bytes() + sealed_[d].bytes()
+            + faceDistance_[d].bytes() + solidVelocity_[d].bytes();
         absorb += absorb_[d].bytes();
-        viscous += viscous_.force[d].bytes() + viscous_.source[d].bytes() + viscous_.r[d].bytes() + viscous_.p[d].bytes() + viscous_.q[d].bytes();
+        viscous += viscous_.force[d].bytes() + viscous_.source[d].bytes() + viscous_.r[d].bytes()
+            + viscous_.p[d].bytes() + viscous_.q[d].bytes();
     }
     walls += nodeDistance_.bytes() + open_.bytes() + openWeight_.bytes() + cellLayer_.bytes();
     add("u", u);
@@ -227,8 +246,11 @@ std::vector<ArrayInfo> PicSolver<Backend, D, P>::arrays() const
     add("walls", walls);
     add("absorb", absorb);
     add("viscosity", viscous);
-    std::size_t openings = openings_.flags.bytes() + openings_.buffer.bytes() + openings_.second.bytes();
-    for (int d = 0; d < D; ++d) openings += openings_.face[d].bytes() + openings_.cell[d].bytes() + openings_.gate[d].bytes();
+    std::size_t openings = openings_.flags.bytes() + openings_.buffer.bytes()
+        + openings_.second.bytes();
+    for (int d = 0; d < D; ++d)
+        openings += openings_.face[d].bytes() + openings_.cell[d].bytes()
+            + openings_.gate[d].bytes();
     add("openings", openings);
     return list;
 }
@@ -237,7 +259,8 @@ template<class Backend, int D, class P>
 std::vector<KernelInfo> PicSolver<Backend, D, P>::kernels() const
 {
     std::vector<KernelInfo> list;
-    for (const auto& e : context_.profile.entries()) list.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    for (const auto& e : context_.profile.entries())
+        list.push_back(KernelInfo{e.name, e.launches, e.seconds});
     return list;
 }
 

@@ -15,12 +15,10 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid, const PicWalls& walls, LinearSolver* solver, PicInside&& inside)
-:
-    config_(config),
-    fromFaces_(config),
-    inside_(std::move(inside)),
-    linearSolver_(solver ? *solver : ownSolver_)
+PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid,
+    const PicWalls& walls, LinearSolver* solver, PicInside&& inside)
+    : config_(config), fromFaces_(config), inside_(std::move(inside)),
+      linearSolver_(solver ? *solver : ownSolver_)
 {
     ownSolver_.controls.tolerance = config.pressureTolerance;
     ownSolver_.controls.reflectionTolerance = config.reflectionTolerance;
@@ -59,14 +57,17 @@ void PicSolver<Backend, D, P>::setGrid()
     for (auto* a : {&phi_, &carried_, &spare_}) a->allocate(context_, cells);
     for (auto* a : {&wet_, &near_}) a->allocate(context_, cells);
     pressure_.allocate(context_, cells);
-    if (config_.reflection > 0) for (auto* a : {&reflected_, &ahead_, &whole_}) a->allocate(context_, cells);
+    if (config_.reflection > 0)
+        for (auto* a : {&reflected_, &ahead_, &whole_}) a->allocate(context_, cells);
     pressureStep_.allocate(context_, grid_);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid_.faces(d);
-        for (auto* a : {&u_[d], &before_[d], &change_[d], &mass_[d], &aperture_[d]}) a->allocate(context_, faces);
+        for (auto* a : {&u_[d], &before_[d], &change_[d], &mass_[d], &aperture_[d]})
+            a->allocate(context_, faces);
         layer_[d].allocate(context_, faces);
-        if (config_.reflection > 0) for (auto* a : {&after_[d], &carrier_[d]}) a->allocate(context_, faces);
+        if (config_.reflection > 0)
+            for (auto* a : {&after_[d], &carrier_[d]}) a->allocate(context_, faces);
     }
 }
 
@@ -138,15 +139,21 @@ void PicSolver<Backend, D, P>::setSides()
         {
             bool closed = true;
             for (int i = 0; i < grid_.faces(d); ++i)
-                closed = closed && (grid_.faceIndex(d, i).c[d] != side*grid_.n[d] || !(a[i] > real(0)));
+                closed = closed
+                    && (grid_.faceIndex(d, i).c[d] != side*grid_.n[d] || !(a[i] > real(0)));
             grid_.sticks[d][side] = closed;
-            for (int e = 0; e < D; ++e) grid_.slide[d][side][e] = closed ? config_.slide[config_.axes[d]][side][config_.axes[e]] : 0;
+            for (int e = 0; e < D; ++e)
+                grid_.slide[d][side][e] = closed
+                    ? config_.slide[config_.axes[d]][side][config_.axes[e]]
+                    : 0;
         }
     }
 }
 
-template<class T>
-std::vector<double> asDouble(const std::vector<T>& v) { return std::vector<double>(v.begin(), v.end()); }
+template<class T> std::vector<double> asDouble(const std::vector<T>& v)
+{
+    return std::vector<double>(v.begin(), v.end());
+}
 
 //- The direction in which gravity is largest; -1: there is none
 template<class Backend, int D, class P>
@@ -179,11 +186,13 @@ void PicSolver<Backend, D, P>::dropInside(std::vector<double>& x)
 
 //- The solved components of points, above the block's corner, or of vectors
 template<class Backend, int D, class P>
-std::vector<double> PicSolver<Backend, D, P>::solved(const std::vector<double>& xyz, bool position) const
+std::vector<double> PicSolver<Backend, D, P>::solved(
+    const std::vector<double>& xyz, bool position) const
 {
     std::vector<double> x(xyz.size()/3*D);
     for (std::size_t i = 0; i < xyz.size()/3; ++i)
-        for (int d = 0; d < D; ++d) x[i*D + d] = xyz[3*i + config_.axes[d]] - (position ? grid_.origin[d] : 0.0);
+        for (int d = 0; d < D; ++d)
+            x[i*D + d] = xyz[3*i + config_.axes[d]] - (position ? grid_.origin[d] : 0.0);
     return x;
 }
 
@@ -194,14 +203,19 @@ void PicSolver<Backend, D, P>::setFluid(const FluidInput& fluid)
     if (fluid.size() == 0) { leaveDry(); return; }
     const std::vector<double> x = solved(fluid.position, true), v = solved(fluid.velocity, false);
     std::vector<double> fill = fillOfBoxes<D>(grid_, x, config_.spacing);
-    if (cuts()) fillSolids(grid_, clearCells(std::min(config_.spacing, nearSolid*grid_.h)), asDouble(open_.download()), steepest(), fill);
+    if (cuts())
+        fillSolids(grid_, clearCells(std::min(config_.spacing, nearSolid*grid_.h)),
+            asDouble(open_.download()), steepest(), fill);
     const std::vector<real> phi = surfaceOf<D, real>(grid_, fill, band);
     phi_.upload(context_, phi);
     double sums[3];
-    const double total = (cuts() ? waterVolume(sums) : std::accumulate(fill.begin(), fill.end(), 0.0))*grid_.volume();
+    const double total = (cuts() ? waterVolume(sums)
+                                 : std::accumulate(fill.begin(), fill.end(), 0.0))
+        *grid_.volume();
     if (config_.seedsPerDirection > 0)
     {
-        std::vector<double> at = seeds<D, real>(grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
+        std::vector<double> at = seeds<D, real>(
+            grid_, phi.data(), config_.seedsPerDirection, config_.jitter);
         if (cuts()) dropInside(at);
         std::vector<double> gradient;
         const std::vector<double> velocity = velocitiesAt(at, x, v, gradient);
@@ -227,7 +241,8 @@ template<class Backend, int D, class P>
 void PicSolver<Backend, D, P>::leaveDry()
 {
     phi_.upload(context_, std::vector<real>(grid_.cells(), real(bandCells*grid_.h)));
-    setParticles(std::vector<double>(D, 0.5*grid_.h), std::vector<double>(D, 0.0), std::vector<double>(D*D, 0.0), std::vector<std::int32_t>());
+    setParticles(std::vector<double>(D, 0.5*grid_.h), std::vector<double>(D, 0.0),
+        std::vector<double>(D*D, 0.0), std::vector<std::int32_t>());
     clock_.particleVolume = grid_.volume();
     sortParticles();
     n_ = 0;
@@ -235,10 +250,9 @@ void PicSolver<Backend, D, P>::leaveDry()
 }
 
 template<class Backend, int D, class P>
-void PicSolver<Backend, D, P>::setParticles
-(
-    const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
-)
+void PicSolver<Backend, D, P>::setParticles(const std::vector<double>& x,
+    const std::vector<double>& v, const std::vector<double>& gradient,
+    const std::vector<std::int32_t>& id)
 {
     n_ = int(x.size()/D);
     set_ = FieldSet<Backend>();
@@ -257,7 +271,8 @@ void PicSolver<Backend, D, P>::setParticles
     set_.allocate(context_, n_, true);
     sort_.allocate(context_, n_, grid_.cells());
     place_.allocate(context_, n_);
-    if (config_.positionCorrection > 0) for (int d = 0; d < D; ++d) shift_[d].allocate(context_, n_);
+    if (config_.positionCorrection > 0)
+        for (int d = 0; d < D; ++d) shift_[d].allocate(context_, n_);
     std::vector<double> component(n_);
     std::vector<real> velocity(n_);
     std::vector<std::int32_t> ids(id);
@@ -265,7 +280,8 @@ void PicSolver<Backend, D, P>::setParticles
     clock_.nextId = n_ ? std::int64_t(*std::max_element(ids.begin(), ids.end())) + 1 : 0;
     for (int d = 0; d < D; ++d)
     {
-        const double length = grid_.n[d]*grid_.h, margin = grid_.periodic[d] ? 0 : wallMargin*grid_.h;
+        const double length = grid_.n[d]*grid_.h,
+                     margin = grid_.periodic[d] ? 0 : wallMargin*grid_.h;
         for (int i = 0; i < n_; ++i)
         {
             component[i] = std::max(margin, std::min(x[i*D + d], length - margin));
@@ -280,13 +296,15 @@ void PicSolver<Backend, D, P>::setParticles
         for (int i = 0; i < n_; ++i) velocity[i] = real(gradient[i*D*D + k]);
         set_.upload(context_, affineField_ + k, velocity);
     }
-    for (int k = 0; k < fromFaces_.memory(); ++k) set_.upload(context_, memoryField_ + k, std::vector<real>(n_, real(0)));
+    for (int k = 0; k < fromFaces_.memory(); ++k)
+        set_.upload(context_, memoryField_ + k, std::vector<real>(n_, real(0)));
 }
 
-//- Velocities of given particles at seeds, and their gradients: the weighted least-squares plane through those within a cell or two spacings
+//- Velocities of given particles at seeds, and their gradients: the weighted least-squares plane
+//  through those within a cell or two spacings
 template<class Backend, int D, class P>
-std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
-(const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient) const
+std::vector<double> PicSolver<Backend, D, P>::velocitiesAt(const std::vector<double>& seeds,
+    const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient) const
 {
     std::vector<double> result(seeds.size(), 0.0);
     gradient.assign(seeds.size()*D, 0.0);
@@ -301,7 +319,9 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
     const auto index = [&](int i, int j, int k) { return i + cells[0]*(j + cells[1]*k); };
     std::vector<std::vector<int>> bins(std::size_t(cells[0])*cells[1]*cells[2]);
     for (int p = 0; p < count; ++p)
-        bins[index(cellOf(&x[p*D], 0), cellOf(&x[p*D], 1), D == 3 ? cellOf(&x[p*D], D - 1) : 0)].push_back(p);
+        bins[index(
+                 cellOf(&x[p*D], 0), cellOf(&x[p*D], 1), D == 3 ? cellOf(&x[p*D], D - 1) : 0)]
+            .push_back(p);
     #pragma omp parallel for
     for (std::size_t s = 0; s < seeds.size()/D; ++s)
     {
@@ -346,7 +366,8 @@ std::vector<double> PicSolver<Backend, D, P>::velocitiesAt
         for (int d = 0; d < D; ++d)
         {
             result[s*D + d] = a[0][terms + d]/a[0][0];
-            for (int e = 0; e < D; ++e) gradient[(s*D + d)*D + e] = a[e + 1][terms + d]/a[e + 1][e + 1]/reach;
+            for (int e = 0; e < D; ++e)
+                gradient[(s*D + d)*D + e] = a[e + 1][terms + d]/a[e + 1][e + 1]/reach;
         }
     }
     return result;

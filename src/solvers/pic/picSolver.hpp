@@ -1,6 +1,8 @@
 /*  The PIC scene on one backend, in one dimension and precision. Declarations; the parts are in
-    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a step), picViscosity.hpp, picMomentum.hpp, picForces.hpp (on walls), picAdvance.hpp (the loop over steps), picOutput.hpp (everything read
-    back) and picState.hpp (save and load).
+    picSetup.hpp (construction), picOpenings.hpp (where water comes and goes), picCut.hpp (solids
+    inside the domain), picSolids.hpp (those that move with the water), picStep.hpp (the parts of a
+    step), picViscosity.hpp, picMomentum.hpp, picForces.hpp (on walls), picAdvance.hpp (the loop
+    over steps), picOutput.hpp (everything read back) and picState.hpp (save and load).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -69,11 +71,17 @@ public:
     FluidState fluid() override;
     PicGridState grid() override;
     DemScene* solids() override { return inside_.scene.get(); }
-    Coupling coupling() override { return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling(); }
+    Coupling coupling() override
+    {
+        return bodies_ ? Coupling{bodies_->force(), subcycles_} : Coupling();
+    }
     void watchMomentum(bool on) override { watches_ = on; }
     PicMomentum momentum() override { return momentum_; }
     std::vector<FluidForce> forcesOnWalls() override;
-    std::vector<FluidForce> forcesOnSolids() override { return bodies_ ? bodies_->forces() : std::vector<FluidForce>(); }
+    std::vector<FluidForce> forcesOnSolids() override
+    {
+        return bodies_ ? bodies_->forces() : std::vector<FluidForce>();
+    }
     FluidEnergy energy() override;
     FluidExtremes extremes() override;
     FluidEnd farEnd(const Vector3& direction, double reach) override;
@@ -91,7 +99,8 @@ public:
 
 private:
 
-    //- Layers of faces beyond the water that get a velocity: a particle's way in a step, its stencil, and a corner
+    //- Layers of faces beyond the water that get a velocity: a particle's way in a step, its
+    //  stencil, and a corner
     static constexpr int extrapolationPasses = 5;
     static constexpr double bandCells = 4;      // of phi on either side of the surface
     static constexpr double wallMargin = 1e-3;  // of a cell: particles stay that far inside
@@ -104,14 +113,10 @@ private:
     void setSides();
     void setFluid(const FluidInput&);
     void leaveDry();
-    void setParticles
-    (
-        const std::vector<double>& x, const std::vector<double>& v, const std::vector<double>& gradient, const std::vector<std::int32_t>& id
-    );
-    std::vector<double> velocitiesAt
-    (
-        const std::vector<double>& seeds, const std::vector<double>& x, const std::vector<double>& v, std::vector<double>& gradient
-    ) const;
+    void setParticles(const std::vector<double>& x, const std::vector<double>& v,
+        const std::vector<double>& gradient, const std::vector<std::int32_t>& id);
+    std::vector<double> velocitiesAt(const std::vector<double>& seeds, const std::vector<double>& x,
+        const std::vector<double>& v, std::vector<double>& gradient) const;
     std::vector<double> solved(const std::vector<double>& xyz, bool position) const;
     int steepest() const;
     void dropInside(std::vector<double>& x);
@@ -122,19 +127,24 @@ private:
     void keepOpenParts(int d, const std::vector<real>& aperture);
     void keepOpenParts();
     void openFully();
-    std::vector<double> atOpenings(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells);
+    std::vector<double> atOpenings(
+        Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells);
     void startOpenings();
     void takeUpPending();
     void setOpenFaces(double t);
     void writeOpenFaces();
     void pushOpenFaces(double dt);
     void letIn(double dt);
-    void append(const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities);
+    void append(
+        const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities);
     void reserve(std::size_t particles);
     template<class T> void enlarge(Array<Backend, T>&, std::size_t room);
     int leftThrough(const Vec<D, double>& x) const;
     double openingSpeed(double t) const;
-    std::size_t openingMemorySize() const { return 2*openings_.faces.size() + 4*openings_.in.size(); }
+    std::size_t openingMemorySize() const
+    {
+        return 2*openings_.faces.size() + 4*openings_.in.size();
+    }
     double openBalance(int opening = -1) const;
     std::vector<double> openingMemory() const;
     void setOpeningMemory(const double*);
@@ -158,7 +168,8 @@ private:
     void cutToWater();
     void useBodyVelocities(bool predicted);
     bool bodiesYield() const;
-    PressureReport solveWithBodies(const PressureFields<D, real>& fields, bool sameWater, double tolerance = 0);
+    PressureReport solveWithBodies(
+        const PressureFields<D, real>& fields, bool sameWater, double tolerance = 0);
     void projectWithBodies(double dt, bool sameWater);
     void slowBetweenSolids(double dt);
     void setSolidVelocity();
@@ -246,24 +257,36 @@ private:
     Array<Backend, unsigned char> wet_, near_;
     Array<Backend, real> u_[D], before_[D], change_[D], mass_[D], aperture_[D], wallVelocity_[D];
     double speedLimit_ = 0;                         // [m/s] above it a guard fires
-    Array<Backend, real> after_[D], carrier_[D];    // with reflection: of particles after the step, and what carries them
-    Array<Backend, real> absorb_[D];                // rates of zones that absorb waves; empty: there are none
+    // with reflection: of particles after the step, and what carries them
+    Array<Backend, real> after_[D], carrier_[D];
+    // rates of zones that absorb waves; empty: there are none
+    Array<Backend, real> absorb_[D];
     Array<Backend, unsigned char> layer_[D];
-    Array<Backend, double> pressure_, reflected_;   // that of the step, and what takes away the divergence that drift brings
-    Array<Backend, double> ahead_, whole_;          // with reflection: impulse by which particles are ahead [Pa s]; pressure with that
-    struct ViscousArrays { Array<Backend, real> force[D], source[D], r[D], p[D], q[D]; Array<Backend, double> pressure; } viscous_;      // of the implicit one
+    // that of the step, and what takes away the divergence that drift brings
+    Array<Backend, double> pressure_, reflected_;
+    // with reflection: impulse by which particles are ahead [Pa s]; pressure with that
+    Array<Backend, double> ahead_, whole_;
+    // of the implicit one
+    struct ViscousArrays
+    {
+        Array<Backend, real> force[D], source[D], r[D], p[D], q[D];
+        Array<Backend, double> pressure;
+    } viscous_;
     bool viscousConverged_ = true;
     bool wallsMove_ = false;
 
-    //- Of the sides: faces, in the order of their directions, what is given at each in this step, and what has passed through each opening
+    //- Of the sides: faces, in the order of their directions, what is given at each in this step,
+    //  and what has passed through each opening
     struct OpeningFaces
     {
         std::vector<OpenFace<D>> faces;
         std::vector<int> number[D];             // of a face's opening, -1: none
         std::vector<real> open, given;
         std::vector<unsigned char> leaves;
-        std::vector<double> rate;               // of openings: velocity inward that the flow makes [m/s]
-        std::vector<double> owed;               // volume that has gone out but not as particles [m^D]
+        // of openings: velocity inward that the flow makes [m/s]
+        std::vector<double> rate;
+        // volume that has gone out but not as particles [m^D]
+        std::vector<double> owed;
         std::vector<std::int64_t> in, out;      // particles
         std::vector<double> volume;             // that they stand for, in less out [m^D]
         Array<Backend, int> face[D], cell[D];
@@ -280,11 +303,14 @@ private:
     Array<Backend, real> baseAperture_[D], baseVelocity_[D];    // of the grid without bodies
     Array<Backend, double> baseDistance_;
     int subcycles_ = 0;
-    bool bodiesLoaded_ = false;                 // are they where a loaded state has them, and the grid cut elsewhere?
-    bool bodiesRest_ = false;                   // have faces that bodies close no velocity, to the bit?
+    // are they where a loaded state has them, and the grid cut elsewhere?
+    bool bodiesLoaded_ = false;
+    // have faces that bodies close no velocity, to the bit?
+    bool bodiesRest_ = false;
     Array<Backend, int> contactBoxes_;
     Array<Backend, ContactArea<D>> contactAreas_;
-    bool insideMoves_ = false, cutForStep_ = false;     // is the grid cut where solids now are, with velocities of a step?
+    // is the grid cut where solids now are, with velocities of a step?
+    bool insideMoves_ = false, cutForStep_ = false;
     Array<Backend, double> nodeDistance_;       // to solids
     Array<Backend, real> open_, openWeight_;    // parts of cells
     Array<Backend, real> faceDistance_[D], solidVelocity_[D];     // where water sticks to solids
@@ -302,9 +328,11 @@ private:
     std::unique_ptr<WallParts<D>> wallParts_;   // once somebody has asked for forces on walls
     double wallPartsTime_ = 0;
     bool shearAsked_ = false;
-    Array<Backend, real> shearedU_[D];          // once it was: of the last step, what drags obstacles
+    // once it was: of the last step, what drags obstacles
+    Array<Backend, real> shearedU_[D];
     Array<Backend, unsigned char> shearedLayer_[D];
-    double volume_ = 0, flying_ = 0;            // of water without flying particles [cells]; flying particles
+    // of water without flying particles [cells]; flying particles
+    double volume_ = 0, flying_ = 0;
     std::atomic<bool> interrupted_{false};
 };
 

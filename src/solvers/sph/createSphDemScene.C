@@ -1,4 +1,5 @@
-/*  A fluid with solids in it: checks what belongs to both, makes the solids' scene on the fluid's device, and couples them.
+/*  A fluid with solids in it: checks what belongs to both, makes the solids' scene on the fluid's
+    device, and couples them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -23,8 +24,10 @@ void require(bool condition, const std::string& what)
 
 void checkVolumes(const SolidInput& solids)
 {
-    require(solids.volume.size() == solids.input.particles.size(), "volumes of solids of another length");
-    for (const double v : solids.volume) require(v > 0 && std::isfinite(v), "the volume of each solid particle must be positive");
+    require(solids.volume.size() == solids.input.particles.size(),
+        "volumes of solids of another length");
+    for (const double v : solids.volume)
+        require(v > 0 && std::isfinite(v), "the volume of each solid particle must be positive");
 }
 
 //- What the fluid decides
@@ -39,13 +42,15 @@ DemConfig onDeviceOf(const SphConfig& fluid, DeviceKind device, DemConfig solids
     return solids;
 }
 
-//- 2 rho0 V h/R over m: a layer of h of water about a particle, or about a rigid body as if it were round
+//- 2 rho0 V h/R over m: a layer of h of water about a particle, or about a rigid body as if it were
+//  round
 std::vector<double> addedShares(const SphConfig& fluid, const SolidInput& solids)
 {
     const DemParticles& p = solids.input.particles;
     const double layer = 2*fluid.density*fluid.smoothingRatio*fluid.spacing;
     std::vector<double> whole(solids.input.clumps.size(), 0.0), added(p.size());
-    for (std::size_t i = 0; i < p.clump.size(); ++i) if (p.clump[i] >= 0) whole.at(p.clump[i]) += solids.volume[i];
+    for (std::size_t i = 0; i < p.clump.size(); ++i)
+        if (p.clump[i] >= 0) whole.at(p.clump[i]) += solids.volume[i];
     for (std::size_t i = 0; i < p.size(); ++i)
     {
         const int clump = p.clump.empty() ? -1 : p.clump[i];
@@ -62,15 +67,20 @@ std::vector<double> addedShares(const SphConfig& fluid, const SolidInput& solids
 
 } // namespace
 
-std::unique_ptr<SphScene> createSphDemScene
-(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, const SolidInput& solids, WallMotion motion)
+std::unique_ptr<SphScene> createSphDemScene(const SphConfig& config, const FluidInput& fluid,
+    const WallInput& walls, const SolidInput& solids, WallMotion motion)
 {
     checkVolumes(solids);
     for (const std::int32_t body : solids.faces.body)
-        require(body >= 0 && body < int(solids.input.clumps.size()), "faces of a rigid body that does not exist");
-    require(!solids.coupling.xsph || config.xsph > 0, "XSPH between fluid and solids needs XSPH in the fluid");
-    require(!solids.coupling.antiClump || config.antiClump > 0, "the anti-clump term between fluid and solids needs that of the fluid");
-    require(!(solids.config.sleepAfter > 0), "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the entry sleep");
+        require(body >= 0 && body < int(solids.input.clumps.size()),
+            "faces of a rigid body that does not exist");
+    require(!solids.coupling.xsph || config.xsph > 0,
+        "XSPH between fluid and solids needs XSPH in the fluid");
+    require(!solids.coupling.antiClump || config.antiClump > 0,
+        "the anti-clump term between fluid and solids needs that of the fluid");
+    require(!(solids.config.sleepAfter > 0),
+        "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the "
+        "entry sleep");
     SphConfig here(config);
     here.device = chooseDevice(config.device, fluid.size(), config.dimensions).device;
     SolidPart part;
@@ -81,11 +91,13 @@ std::unique_ptr<SphScene> createSphDemScene
     part.faces = solids.faces;
     part.clump = solids.input.particles.clump;
     part.clumps = int(solids.input.clumps.size());
-    for (const double r : solids.input.particles.radius) part.largestRadius = std::max(part.largestRadius, r);
+    for (const double r : solids.input.particles.radius)
+        part.largestRadius = std::max(part.largestRadius, r);
     return createSphScene(here, fluid, walls, std::move(motion), std::move(part));
 }
 
-SolidOverlap solidsInFluid(const SphConfig& c, const FluidInput& fluid, const DemParticles& solids, double tolerance)
+SolidOverlap solidsInFluid(
+    const SphConfig& c, const FluidInput& fluid, const DemParticles& solids, double tolerance)
 {
     SolidOverlap overlap;
     if (solids.size() == 0) return overlap;
@@ -95,11 +107,13 @@ SolidOverlap solidsInFluid(const SphConfig& c, const FluidInput& fluid, const De
     const auto cellOf = [&](const std::vector<double>& x, std::size_t i)
     {
         Cell r{{0, 0, 0}};
-        for (int d = 0; d < c.dimensions; ++d) r[d] = (long long)std::floor(x[3*i + c.axes[d]]/cell);
+        for (int d = 0; d < c.dimensions; ++d)
+            r[d] = (long long)std::floor(x[3*i + c.axes[d]]/cell);
         return r;
     };
     std::map<Cell, std::vector<std::size_t>> members;
-    for (std::size_t s = 0; s < solids.size(); ++s) members[cellOf(solids.position, s)].push_back(s);
+    for (std::size_t s = 0; s < solids.size(); ++s)
+        members[cellOf(solids.position, s)].push_back(s);
     double worst = 1e300;
     for (std::size_t f = 0; f < fluid.size(); ++f)
     {
@@ -107,14 +121,16 @@ SolidOverlap solidsInFluid(const SphConfig& c, const FluidInput& fluid, const De
         bool inside = false;
         for (int k = 0; k < (c.dimensions == 2 ? 9 : 27); ++k)
         {
-            const auto at = members.find(Cell{{own[0] + k % 3 - 1, own[1] + k/3 % 3 - 1, c.dimensions == 2 ? 0 : own[2] + k/9 - 1}});
+            const auto at = members.find(Cell{{own[0] + k % 3 - 1, own[1] + k/3 % 3 - 1,
+                c.dimensions == 2 ? 0 : own[2] + k/9 - 1}});
             if (at == members.end()) continue;
             for (const std::size_t s : at->second)
             {
                 double d2 = 0;
                 for (int d = 0; d < c.dimensions; ++d)
                 {
-                    const double r = fluid.position[3*f + c.axes[d]] - solids.position[3*s + c.axes[d]];
+                    const double r = fluid.position[3*f + c.axes[d]]
+                        - solids.position[3*s + c.axes[d]];
                     d2 += r*r;
                 }
                 const double gap = std::sqrt(d2) - solids.radius[s] - (0.5 - tolerance)*c.spacing;

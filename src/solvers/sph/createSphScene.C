@@ -26,7 +26,8 @@ void require(bool condition, const std::string& what)
 
 std::string at(const std::vector<double>& x, std::size_t i)
 {
-    return std::to_string(i) + " at (" + std::to_string(x[3*i]) + " " + std::to_string(x[3*i + 1]) + " " + std::to_string(x[3*i + 2]) + ")";
+    return std::to_string(i) + " at (" + std::to_string(x[3*i]) + " "
+        + std::to_string(x[3*i + 1]) + " " + std::to_string(x[3*i + 2]) + ")";
 }
 
 //- Comparisons are written so that a NaN fails them
@@ -42,7 +43,8 @@ void checkNumbers(const SphConfig& c)
     require(c.soundSpeed > 0, "the speed of sound must be positive");
     require(c.maxVelocity > 0, "the maximum velocity must be positive");
     require(c.gamma > 0, "gamma must be positive");
-    require(c.smoothingRatio >= 0.8 && c.smoothingRatio <= 4, "the ratio of smoothing length to spacing must lie in 0.8 .. 4");
+    require(c.smoothingRatio >= 0.8 && c.smoothingRatio <= 4,
+        "the ratio of smoothing length to spacing must lie in 0.8 .. 4");
     require(c.maxSmoothingGrowth >= 1, "the smoothing length's growth limit must be at least 1");
     checkModels(c);
     require(c.shiftingCoefficient >= 0, "a coefficient must not be negative");
@@ -51,7 +53,8 @@ void checkNumbers(const SphConfig& c)
     for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
     require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");
     require(c.maxTimeStep > 0, "the largest time step must be positive");
-    for (const double k : {c.acousticCourant, c.forceCourant, c.viscousCourant}) require(k > 0, "Courant numbers must be positive");
+    for (const double k : {c.acousticCourant, c.forceCourant, c.viscousCourant})
+        require(k > 0, "Courant numbers must be positive");
     require(c.maxDensityDeviation > 0, "the largest density deviation must be positive");
     require(c.maxSpeedRatio > 0, "the largest speed ratio must be positive");
     for (int d = 0; d < c.dimensions; ++d)
@@ -63,7 +66,8 @@ void checkNumbers(const SphConfig& c)
 
 void checkFluid(const SphConfig& c, const FluidInput& f)
 {
-    require(f.velocity.size() == f.position.size() && 3*f.density.size() == f.position.size(), "fluid arrays of different lengths");
+    require(f.velocity.size() == f.position.size() && 3*f.density.size() == f.position.size(),
+        "fluid arrays of different lengths");
     require(f.id.empty() || f.id.size() == f.size(), "fluid ids of another length");
     requireCountable(double(f.size()), mostFluidParticles, "fluid particles");
     require(f.size() > 0, "there are no fluid particles");
@@ -77,8 +81,12 @@ void checkFluid(const SphConfig& c, const FluidInput& f)
             inside = inside && x >= c.domainMin[axis] + inset && x <= c.domainMax[axis] - inset;
             finite = finite && std::isfinite(f.velocity[3*i + axis]);
         }
-        if (!inside) throw std::invalid_argument("fluid particle " + at(f.position, i) + " is outside the domain");
-        if (!finite) throw std::invalid_argument("fluid particle " + at(f.position, i) + " has no proper density or velocity");
+        if (!inside)
+            throw std::invalid_argument(
+                "fluid particle " + at(f.position, i) + " is outside the domain");
+        if (!finite)
+            throw std::invalid_argument(
+                "fluid particle " + at(f.position, i) + " has no proper density or velocity");
     }
 }
 
@@ -87,21 +95,25 @@ void checkWalls(const SphConfig& c, const WallInput& w, const WallMotion& motion
     require(w.size() == 0 || c.wallSpacing > 0, "the walls' spacing must be positive");
     require(w.body.empty() || w.body.size() == w.size(), "wall body indices of another length");
     require(w.nBodies == 0 || bool(motion), "moving walls without a motion");
-    // a little beyond does no harm: the fluid stays away from the edge of the domain by the support of the kernel
+    // a little beyond does no harm: the fluid stays away from the edge of the domain by the support
+    // of the kernel
     const double margin = supportOf(c);
     for (std::size_t i = 0; i < w.size(); ++i)
     {
         const std::int32_t body = w.body.empty() ? -1 : w.body[i];
         if (body < -1 || body >= w.nBodies)
-            throw std::invalid_argument("wall point " + at(w.position, i) + " is of body " + std::to_string(body) + " of "
-              + std::to_string(w.nBodies));
+            throw std::invalid_argument("wall point " + at(w.position, i) + " is of body "
+                + std::to_string(body) + " of " + std::to_string(w.nBodies));
         for (int d = 0; d < c.dimensions; ++d)
         {
             const int axis = c.axes[d];
             const double x = w.position[3*i + axis];
             const bool free = c.periodic[axis] || body >= 0;
-            if (std::isfinite(x) && (free || (x >= c.domainMin[axis] - margin && x <= c.domainMax[axis] + margin))) continue;
-            throw std::invalid_argument("wall point " + at(w.position, i) + " is outside the domain");
+            if (std::isfinite(x)
+                && (free || (x >= c.domainMin[axis] - margin && x <= c.domainMax[axis] + margin)))
+                continue;
+            throw std::invalid_argument(
+                "wall point " + at(w.position, i) + " is outside the domain");
         }
     }
 }
@@ -120,7 +132,8 @@ void checkRanks(const SphConfig& c, const WallInput& w, const SolidPart& solids)
 
 } // namespace
 
-//- Below this many particles one GPU is no faster than a few CPU cores (docs/performance); the log quotes it
+//- Below this many particles one GPU is no faster than a few CPU cores (docs/performance); the log
+//  quotes it
 static constexpr std::size_t gpuThreshold = 1000;
 
 DeviceChoice chooseDevice(DeviceKind asked, std::size_t particles, int)
@@ -139,8 +152,8 @@ DeviceChoice chooseDevice(DeviceKind asked, std::size_t particles, int)
     if (!gpus) { choice.reason = why; return choice; }
     if (particles < gpuThreshold)
     {
-        choice.reason = std::to_string(particles) + " particles are fewer than " + std::to_string(gpuThreshold)
-          + ", where a GPU begins to win";
+        choice.reason = std::to_string(particles) + " particles are fewer than "
+            + std::to_string(gpuThreshold) + ", where a GPU begins to win";
         return choice;
     }
     choice.device = DeviceKind::gpu;
@@ -154,8 +167,8 @@ std::unique_ptr<SphScene> createSphScene
     return createSphScene(config, fluid, walls, std::move(motion), SolidPart());
 }
 
-std::unique_ptr<SphScene> createSphScene
-(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion, SolidPart solids)
+std::unique_ptr<SphScene> createSphScene(const SphConfig& config, const FluidInput& fluid,
+    const WallInput& walls, WallMotion motion, SolidPart solids)
 {
     checkNumbers(config);
     checkFluid(config, fluid);
@@ -163,16 +176,19 @@ std::unique_ptr<SphScene> createSphScene
     checkRanks(config, walls, solids);
     // unused lanes of packs may divide by zero, and a state that blows up is the guards' business
     fedisableexcept(FE_ALL_EXCEPT);
-    const DeviceChoice choice = chooseDevice(onSeveral(config) ? DeviceKind::cpu : config.device, fluid.size(), config.dimensions);
+    const DeviceChoice choice = chooseDevice(
+        onSeveral(config) ? DeviceKind::cpu : config.device, fluid.size(), config.dimensions);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
     if (choice.device == DeviceKind::gpu)
     {
-        const SphMaker make = two ? (mixed ? sphGpu2Mixed : sphGpu2Double) : (mixed ? sphGpu3Mixed : sphGpu3Double);
+        const SphMaker make = two ? (mixed ? sphGpu2Mixed : sphGpu2Double)
+                                  : (mixed ? sphGpu3Mixed : sphGpu3Double);
         return make(config, fluid, walls, std::move(motion), std::move(solids));
     }
 #endif
-    const SphMaker make = two ? (mixed ? sphCpu2Mixed : sphCpu2Double) : (mixed ? sphCpu3Mixed : sphCpu3Double);
+    const SphMaker make = two ? (mixed ? sphCpu2Mixed : sphCpu2Double)
+                              : (mixed ? sphCpu3Mixed : sphCpu3Double);
     return make(config, fluid, walls, std::move(motion), std::move(solids));
 }
 

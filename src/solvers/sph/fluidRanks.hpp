@@ -1,14 +1,17 @@
-/*  The fluid of a scene on several ranks (CPU): each owns that of its brick, and has ghosts of that of others that it may see.
+/*  The fluid of a scene on several ranks (CPU): each owns that of its brick, and has ghosts of that
+    of others that it may see.
 
-    Ghosts stand among a rank's own particles in the order of their cells. They are sources of its passes and never targets. That order is the one of
-    one process, and all that is in a row of cells within reach is there: packs of neighbours hold the same particles in the same lanes, sums are
-    added up in the same order, and results are the same bits.
+    Ghosts stand among a rank's own particles in the order of their cells. They are sources of its
+    passes and never targets. That order is the one of one process, and all that is in a row of
+    cells within reach is there: packs of neighbours hold the same particles in the same lanes, sums
+    are added up in the same order, and results are the same bits.
 
-    Points of walls stand still, and are all on each rank. What the fluid about a point gives it is worked out by the rank that has its cell, and sent to those
-    whose fluid may see it.
+    Points of walls stand still, and are all on each rank. What the fluid about a point gives it is
+    worked out by the rank that has its cell, and sent to those whose fluid may see it.
 
-    In a step ranks send the pair records of ghosts, of each pass, and agree on the clock's maxima and flags: the time step is that of one process. At
-    a rebuild particles change their ranks with all their fields.
+    In a step ranks send the pair records of ghosts, of each pass, and agree on the clock's maxima
+    and flags: the time step is that of one process. At a rebuild particles change their ranks with
+    all their fields.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -50,7 +53,8 @@ public:
     //- Before there are fields; cells are known. way: of a particle, for which neighbours hold [m]
     FluidRanks(const Scene&, double way);
 
-    //- All particles of the scene are here, as the words of a state have them; sums since the start are the first rank's
+    //- All particles of the scene are here, as the words of a state have them; sums since the start
+    //  are the first rank's
     void begin(ClockData&, double& stiffening);
 
     bool first() const { return ranks().rank() == 0; }
@@ -58,8 +62,8 @@ public:
     //- Slots for what is here, and some more
     int room() const { return exchange_.residents() + exchange_.residents()/4 + 256; }
 
-    //- After keys of all particles were found, before they are sorted: who is here from now on. grow(n): memory for so many; fields(): the
-    //  fluid's, as they lie then
+    //- After keys of all particles were found, before they are sorted: who is here from now on.
+    //  grow(n): memory for so many; fields(): the fluid's, as they lie then
     template<class Grow, class Fields>
     void migrate(const Grow& grow, const Fields& fields);
     //- Particles are in their new places, `active` of them
@@ -70,7 +74,10 @@ public:
     GhostMarks<Backend> wallMarks() const { return marksOf(wallGhosts_); }
     bool wallGhost(int i) const { return wallGhosts_[i]; }
     //- Is a point in a cell of this rank?
-    bool has(const Vec<D, position>& x) const { return exchange_.ownerOf(cellOf(x)) == ranks().rank(); }
+    bool has(const Vec<D, position>& x) const
+    {
+        return exchange_.ownerOf(cellOf(x)) == ranks().rank();
+    }
 
     //- What pairs see of fluid that is a ghost elsewhere
     void shareRecords();
@@ -86,13 +93,15 @@ public:
     //- Rows of ghosts out of what is read back, `each` numbers a row
     template<class T> void dropGhosts(std::vector<T>&, int each) const;
     void report(SphReport&);
-    //- A guard has fired: the rank whose particle is worst says which it is, and all report it. here: how bad that of this rank is
+    //- A guard has fired: the rank whose particle is worst says which it is, and all report it.
+    //  here: how bad that of this rank is
     void agreeOnOffender(SphReport&, double here) const;
     //- What ranks have summed since the start
     void sum(ClockData&, double& stiffening) const;
     //- A field of all particles, on the first rank, in the order of one process
     void gather(FieldSet<Backend>&, int field, std::int32_t* to) const;
-    //- Those of this rank within reach of where the fluid of all ranks ends. x: all of this rank, three coordinates each
+    //- Those of this rank within reach of where the fluid of all ranks ends. x: all of this rank,
+    //  three coordinates each
     FluidEnd farEnd(const std::vector<double>& x, const Vector3& direction, double reach) const;
     //- A state that the first rank has, on all of them
     std::vector<std::int32_t> ofFirst(const std::vector<std::int32_t>& words) const;
@@ -109,13 +118,16 @@ private:
     ParticleExchange exchange_;
     SlotShares wallShares_;
     std::vector<char> ghosts_, wallGhosts_;
-    std::int64_t wallsDivided_ = -1, wallBytes_ = 0;    // ParticleExchange::divisions() when they were; sent so far
+    // ParticleExchange::divisions() when they were; sent so far
+    std::int64_t wallsDivided_ = -1, wallBytes_ = 0;
     bool stop_ = false;
-    SphReport left_;                                    // escaped and wild particles since the last report
+    // escaped and wild particles since the last report
+    SphReport left_;
 };
 
 template<class Backend, int D, class P>
-FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene, double way) : s_(scene), exchange_(*scene.config.ranks, scene.config.imbalance)
+FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene, double way)
+    : s_(scene), exchange_(*scene.config.ranks, scene.config.imbalance)
 {
     if (Backend::gpu) throw std::invalid_argument("several processes run on CPUs alone");
     PieceGrid g;
@@ -126,7 +138,8 @@ FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene, double way) : s_(scene
         g.size[d] = s_.box.length[d]/s_.grid.n[d];
         g.periodic[d] = s_.grid.periodic[d];
     }
-    // who seeks may be as far from its cell as those that it finds; rows of cells are searched a hair beyond the radius (CellGrid)
+    // who seeks may be as far from its cell as those that it finds; rows of cells are searched a
+    // hair beyond the radius (CellGrid)
     exchange_.setPieces({g}, 1.001*double(s_.grid.radius) + way);
     exchange_.begin(s_.n);
 }
@@ -155,7 +168,8 @@ void FluidRanks<Backend, D, P>::noticeLeft(int slot, const FluidFields<D, P>& f)
     }
     if (f.id[slot] < 0)
     {
-        left_.wild.push_back(WildParticle{-1 - f.id[slot], x, f.deviation[slot], std::sqrt(speed2)});
+        left_.wild.push_back(
+            WildParticle{-1 - f.id[slot], x, f.deviation[slot], std::sqrt(speed2)});
         return;
     }
     left_.escaped.push_back(x);
@@ -199,7 +213,8 @@ void FluidRanks<Backend, D, P>::migrate(const Grow& grow, const Fields& fields)
             here[slot] = 1;
             put(slot, exchange_.cell(slot));
         }
-        for (int slot = 0; slot < s_.n; ++slot) if (!here[slot]) put(slot, std::uint32_t(s_.grid.cells));
+        for (int slot = 0; slot < s_.n; ++slot)
+            if (!here[slot]) put(slot, std::uint32_t(s_.grid.cells));
     }
 }
 
@@ -256,7 +271,8 @@ void FluidRanks<Backend, D, P>::divideWalls()
 }
 
 template<class Backend, int D, class P>
-GhostMarks<Backend> FluidRanks<Backend, D, P>::marksOf([[maybe_unused]] const std::vector<char>& of) const
+GhostMarks<Backend> FluidRanks<Backend, D, P>::marksOf(
+    [[maybe_unused]] const std::vector<char>& of) const
 {
     if constexpr (Backend::gpu) return {};
     else return {of.empty() ? nullptr : of.data()};
@@ -347,17 +363,18 @@ void FluidRanks<Backend, D, P>::report(SphReport& report)
     report.wild.swap(left_.wild);
     left_ = SphReport();
     const ParticleExchange::Counts& c = exchange_.counts();
-    report.rank = RankReport
-    {
-        std::size_t(exchange_.ownedHere()), std::size_t(exchange_.ghostsHere()), c.arrivals, c.divisions, c.bytesShared + wallBytes_, c.bytesMigrating
-    };
+    report.rank = RankReport{std::size_t(exchange_.ownedHere()),
+        std::size_t(exchange_.ghostsHere()), c.arrivals, c.divisions, c.bytesShared + wallBytes_,
+        c.bytesMigrating};
 }
 
 template<class Backend, int D, class P>
 void FluidRanks<Backend, D, P>::agreeOnOffender(SphReport& report, double here) const
 {
     const double most = largestOfRanks(ranks(), here);
-    const int size = ranks().size(), speaker = size - int(largestOfRanks(ranks(), here == most ? size - ranks().rank() : 0));
+    const int size = ranks().size(),
+              speaker = size
+        - int(largestOfRanks(ranks(), here == most ? size - ranks().rank() : 0));
     RankBytes own;
     putValues(own, &report.stopId);
     putValues(own, report.stopPosition.data(), 3);
@@ -408,7 +425,8 @@ void FluidRanks<Backend, D, P>::gather(FieldSet<Backend>& set, int field, std::i
 }
 
 template<class Backend, int D, class P>
-FluidEnd FluidRanks<Backend, D, P>::farEnd(const std::vector<double>& x, const Vector3& direction, double reach) const
+FluidEnd FluidRanks<Backend, D, P>::farEnd(
+    const std::vector<double>& x, const Vector3& direction, double reach) const
 {
     FluidEnd end;
     end.particles = x.size()/3;
@@ -417,7 +435,8 @@ FluidEnd FluidRanks<Backend, D, P>::farEnd(const std::vector<double>& x, const V
     for (int d = 0; d < D; ++d) size += std::abs(s_.box.lower[d]) + 2*s_.box.length[d];
     for (std::size_t i = 0; i < along.size(); ++i)
     {
-        for (int d = 0; d < D; ++d) along[i] += direction[s_.config.axes[d]]*x[3*i + s_.config.axes[d]];
+        for (int d = 0; d < D; ++d)
+            along[i] += direction[s_.config.axes[d]]*x[3*i + s_.config.axes[d]];
         most = std::max(most, along[i]);
     }
     const double least = largestOfRanks(ranks(), most) - reach - 1e-12*size;
@@ -427,7 +446,8 @@ FluidEnd FluidRanks<Backend, D, P>::farEnd(const std::vector<double>& x, const V
 }
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> FluidRanks<Backend, D, P>::ofFirst(const std::vector<std::int32_t>& words) const
+std::vector<std::int32_t> FluidRanks<Backend, D, P>::ofFirst(
+    const std::vector<std::int32_t>& words) const
 {
     RankBytes own;
     if (first()) putValues(own, words.data(), words.size());

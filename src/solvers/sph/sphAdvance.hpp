@@ -1,6 +1,7 @@
-/*  SphSolver: the loop over steps. On the GPU a rebuild, a step and several steps are recorded in graphs, each twice because a
-    rebuild swaps the halves of double-buffered fields; steps switch themselves off when neighbours have aged or the target is
-    reached, so the host looks on only after two cycles of a rebuild and a number of steps.
+/*  SphSolver: the loop over steps. On the GPU a rebuild, a step and several steps are recorded in
+    graphs, each twice because a rebuild swaps the halves of double-buffered fields; steps switch
+    themselves off when neighbours have aged or the target is reached, so the host looks on only
+    after two cycles of a rebuild and a number of steps.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -13,11 +14,15 @@
 namespace riprap
 {
 
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::readClock() { context_.toHost(&host_, clock_.data(), sizeof(ClockData)); }
+template<class Backend, int D, class P> void SphSolver<Backend, D, P>::readClock()
+{
+    context_.toHost(&host_, clock_.data(), sizeof(ClockData));
+}
 
-template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::writeClock() { context_.toDevice(clock_.data(), &host_, sizeof(ClockData)); }
+template<class Backend, int D, class P> void SphSolver<Backend, D, P>::writeClock()
+{
+    context_.toDevice(clock_.data(), &host_, sizeof(ClockData));
+}
 
 template<class Backend, int D, class P>
 bool SphSolver<Backend, D, P>::finished() const
@@ -25,8 +30,8 @@ bool SphSolver<Backend, D, P>::finished() const
     return host_.halt != Halt::none || host_.time >= host_.target || host_.step >= host_.lastStep;
 }
 
-//- Poses of the moving groups over the interval that is about to be advanced. None is asked for before it or, unless it is shorter
-//  than a millisecond, after it: a table may begin and end there
+//- Poses of the moving groups over the interval that is about to be advanced. None is asked for
+//  before it or, unless it is shorter than a millisecond, after it: a table may begin and end there
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setPoses(double begin, double end)
 {
@@ -50,12 +55,15 @@ void SphSolver<Backend, D, P>::setPoses(double begin, double end)
             const double t = last ? begin + std::max(end - begin, 1e-3) : begin + k*poseStep_;
             const auto now = pose(b, t);
             // three instants, all on one side at the ends
-            const auto p = pose(b, first ? t + dt : t - dt), q = pose(b, first ? t + 2*dt : (last ? t - 2*dt : t + dt));
+            const auto p = pose(b, first ? t + dt : t - dt),
+                       q = pose(b, first ? t + 2*dt : (last ? t - 2*dt : t + dt));
             PoseSample& s = samples[std::size_t(b)*(poseIntervals + 1) + k];
             for (int e = 0; e < 12; ++e)
             {
                 s.value[e] = now[e];
-                s.rate[e] = first || last ? (first ? 1 : -1)*(4*p[e] - 3*now[e] - q[e])/(2*dt) : (q[e] - p[e])/(2*dt);
+                s.rate[e] = first || last
+                    ? (first ? 1 : -1)*(4*p[e] - 3*now[e] - q[e])/(2*dt)
+                    : (q[e] - p[e])/(2*dt);
             }
         }
     context_.toDevice(poses_.data(), samples.data(), samples.size()*sizeof(PoseSample));
@@ -64,7 +72,8 @@ void SphSolver<Backend, D, P>::setPoses(double begin, double end)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
 {
-    // solids are advanced by the host between the steps of the fluid: those follow one another one by one
+    // solids are advanced by the host between the steps of the fluid: those follow one another one
+    // by one
     if (!Backend::gpu || solids_)
     {
         while (!finished())
@@ -91,7 +100,8 @@ void SphSolver<Backend, D, P>::runToTarget(std::int64_t& rebuilds)
             rebuilds += 2;
             readClock();
             if (host_.overflows()) { growLists(); continue; }
-            const bool interrupted = interrupted_.exchange(false);      // heeded, whatever else ends the loop
+            // heeded, whatever else ends the loop
+            const bool interrupted = interrupted_.exchange(false);
             if (finished() || interrupted) break;
             if (steps == cycle_.steps) fitCycle(int(host_.step - before));
         }
@@ -108,7 +118,8 @@ int SphSolver<Backend, D, P>::stepsAhead() const
     return most < cycle_.steps ? std::max(1, int(most)) : cycle_.steps;
 }
 
-//- Twice: a rebuild, and steps of which those that find their neighbours too old switch themselves off
+//- Twice: a rebuild, and steps of which those that find their neighbours too old switch themselves
+//  off
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::runCycles([[maybe_unused]] int steps, [[maybe_unused]] bool graphs)
 {
@@ -127,13 +138,18 @@ void SphSolver<Backend, D, P>::runCycles([[maybe_unused]] int steps, [[maybe_unu
         {
             if (graphs) g.rebuild[c].replay(context_); else rebuild();
             int k = 0;
-            for (; k + g.together <= steps; k += g.together) { if (graphs) g.steps[c].replay(context_); else several(); }
+            for (; k + g.together <= steps; k += g.together)
+            {
+                if (graphs) g.steps[c].replay(context_);
+                else several();
+            }
             for (; k < steps; ++k) { if (graphs) g.step[c].replay(context_); else step(); }
         }
     }
 }
 
-//- The length of a cycle after two of them took so many steps. Those that find nothing to do take time, and so does a rebuild that came too early
+//- The length of a cycle after two of them took so many steps. Those that find nothing to do take
+//  time, and so does a rebuild that came too early
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::fitCycle(int taken)
 {
@@ -161,7 +177,8 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     if (nBodies_)
     {
         setPoses(host_.time, std::max(t, host_.time));
-        if constexpr (Backend::gpu) parts_.graphs.recorded = false;     // poses are part of the recorded launches
+        // poses are part of the recorded launches
+        if constexpr (Backend::gpu) parts_.graphs.recorded = false;
     }
     if (ranks_) ranks_->agreeToStop(interrupted_);
     if (stopAsked()) maxSteps = 1;
@@ -173,8 +190,8 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     host_.maxDt = 0;
     host_.needRebuild = host_.aged[0] = host_.aged[1] = 0;
     host_.skinViolations = host_.missed[0] = host_.missed[1] = 0;
-    // also before and after all steps: what the last one did is said in its own call, before anyone writes it, and while
-    // the records are those that it saw
+    // also before and after all steps: what the last one did is said in its own call, before anyone
+    // writes it, and while the records are those that it saw
     if (host_.halt == Halt::none) host_.halt = limits_.halt(host_);
     writeClock();
     runToTarget(report.rebuilds);
@@ -191,13 +208,15 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     report.totalSteps = host_.step;
     report.minTimeStep = report.steps ? host_.minDt : 0;
     report.maxTimeStep = host_.maxDt;
-    static const char* names[] = {"none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
+    static const char* names[] = {
+        "none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
     report.limit = names[int(host_.limit)];
     report.maxDensityDeviation = host_.maxima[2];
     report.maxSpeed = host_.maxima[3];
     report.skinExceeded = host_.skinViolations;
     if (host_.halt != Halt::none) findOffender(report);
-    // the last step may have carried particles out: a sort now says so in this call. The next one sorts to the same order
+    // the last step may have carried particles out: a sort now says so in this call. The next one
+    // sorts to the same order
     else if (report.steps && host_.needRebuild) sortNow();
     collectEscaped(report);
     if (solids_) solids_->endReport();
@@ -215,7 +234,8 @@ void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
     if (active >= reported_) return;
     std::vector<std::int64_t> x[D];
     std::vector<double> metres;
-    for (int d = 0; d < D; ++d) x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
+    for (int d = 0; d < D; ++d)
+        x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
     const auto id = fluid_.template download<std::int32_t>(context_, idField_);
     toMetres(x, n_, metres);
     const auto deviation = fluid_.template download<real>(context_, deviationField_);
@@ -227,7 +247,8 @@ void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
         {
             double speed2 = 0;
             for (int d = 0; d < D; ++d) speed2 += double(v[d][i])*v[d][i];
-            report.wild.push_back(WildParticle{-1 - id[i], Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}}, deviation[i],
+            report.wild.push_back(WildParticle{-1 - id[i],
+                Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}}, deviation[i],
                 std::sqrt(speed2)});
             continue;
         }
@@ -237,14 +258,17 @@ void SphSolver<Backend, D, P>::collectEscaped(SphReport& report)
     reported_ = active;
 }
 
-//- What pairs saw of each particle in the last pass, in units of what is usual. A number that is none makes those that it
-//  meets so too, within the pass: what it was made of tells the one that began from the others
+//- What pairs saw of each particle in the last pass, in units of what is usual. A number that is
+//  none makes those that it meets so too, within the pass: what it was made of tells the one that
+//  began from the others
 template<class Backend, int D, class P>
 std::vector<double> SphSolver<Backend, D, P>::suspicion(int n)
 {
     Array<Backend, double> result;
     result.allocate(context_, n);
-    forEach(context_, n, Suspicion<Backend, D, P>{fluidRecords_.view(), config_.soundSpeed, config_.density, result.data()});
+    forEach(context_, n,
+        Suspicion<Backend, D, P>{
+            fluidRecords_.view(), config_.soundSpeed, config_.density, result.data()});
     return result.download();
 }
 
@@ -252,7 +276,8 @@ std::vector<double> SphSolver<Backend, D, P>::suspicion(int n)
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::findOffender(SphReport& report)
 {
-    if (host_.halt == Halt::solids) { report.stop = StopReason::solids; return; }     // DemScene::lastReport has more
+    // DemScene::lastReport has more
+    if (host_.halt == Halt::solids) { report.stop = StopReason::solids; return; }
     report.stop = host_.halt == Halt::notANumber ? StopReason::notANumber
         : (host_.halt == Halt::density ? StopReason::density : StopReason::speed);
     const double worst = findWorst(report);
@@ -283,18 +308,23 @@ double SphSolver<Backend, D, P>::findWorst(SphReport& report)
         if (ranks_ && ranks_->ghost(i)) continue;
         real speed2 = 0, a2 = 0;
         for (int d = 0; d < D; ++d) { speed2 += v[d][i]*v[d][i]; a2 += a[d][i]*a[d][i]; }
-        double value = report.stop == StopReason::density ? std::abs(double(deviation[i])) : std::sqrt(double(speed2));
+        double value = report.stop == StopReason::density ? std::abs(double(deviation[i]))
+                                                          : std::sqrt(double(speed2));
         if (report.stop == StopReason::notANumber)
         {
             // the bounds are the clock's; speed^2 may overflow where the speed does not
-            const bool fine = a2 < 1e30 && std::sqrt(speed2) < 1e30 && std::abs(deviation[i]) < 1e30 && deviation[i] > -1;
-            value = fine ? -0.5 : (std::isfinite(suspect[i]) ? suspect[i] : std::numeric_limits<double>::infinity());
+            const bool fine = a2 < 1e30 && std::sqrt(speed2) < 1e30 && std::abs(deviation[i]) < 1e30
+                && deviation[i] > -1;
+            value = fine ? -0.5
+                         : (std::isfinite(suspect[i]) ? suspect[i]
+                                                      : std::numeric_limits<double>::infinity());
         }
         if (value <= worst) continue;
         worst = value;
         report.stopId = id[i];
         report.stopPosition = Vector3{{metres[3*i], metres[3*i + 1], metres[3*i + 2]}};
-        report.stopValue = report.stop == StopReason::notANumber ? std::sqrt(double(speed2)) : value;
+        report.stopValue = report.stop == StopReason::notANumber ? std::sqrt(double(speed2))
+                                                                 : value;
     }
     return worst;
 }

@@ -1,4 +1,5 @@
-/*  SphSolver: the faces of its walls and of rigid bodies in the fluid. Nothing of this is called in a scene that has none.
+/*  SphSolver: the faces of its walls and of rigid bodies in the fluid. Nothing of this is called in
+    a scene that has none.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -14,7 +15,8 @@ namespace detail
 
 //- Those of walls, or of bodies behind them
 template<int D>
-void addFaces(const WallFaceInput& in, const int* axes, int firstGroup, std::vector<FaceElement<D>>& elements)
+void addFaces(
+    const WallFaceInput& in, const int* axes, int firstGroup, std::vector<FaceElement<D>>& elements)
 {
     for (std::size_t i = 0; i < in.size(); ++i)
     {
@@ -24,7 +26,8 @@ void addFaces(const WallFaceInput& in, const int* axes, int firstGroup, std::vec
         {
             e.normal.c[d] = in.normal[3*i + axes[d]];
             length2 += e.normal.c[d]*e.normal.c[d];
-            for (int c = 0; c < D; ++c) e.v[c].c[d] = in.point[3*std::size_t(in.vertex[3*i + c]) + axes[d]];
+            for (int c = 0; c < D; ++c)
+                e.v[c].c[d] = in.point[3*std::size_t(in.vertex[3*i + c]) + axes[d]];
         }
         for (double& n : e.normal.c) n /= std::sqrt(length2);
         e.group = firstGroup + in.body[i];
@@ -70,8 +73,10 @@ void SphSolver<Backend, D, P>::setBodies(const SolidPart& solids)
     for (std::size_t k = 0; k < solids.clump.size(); ++k)
         if (solids.clump[k] >= 0 && has[solids.clump[k]]) group[k] = 1 + nBodies_ + solids.clump[k];
     faces_.groupOfKey.upload(context_, group);
-    faces_.blow.upload(context_, std::vector<FaceBlow>(solids.clumps, FaceBlow{{0, 0, 0}, {0, 0, 0}}));
-    // on or behind a face there is a member within its radius and a spacing; either may have moved by a skin since members were sorted
+    faces_.blow.upload(
+        context_, std::vector<FaceBlow>(solids.clumps, FaceBlow{{0, 0, 0}, {0, 0, 0}}));
+    // on or behind a face there is a member within its radius and a spacing; either may have moved
+    // by a skin since members were sorted
     const double growth = config_.variableSmoothing ? config_.maxSmoothingGrowth : 1;
     const double support = supportOf(config_)*growth;
     faces_.reach = solids.largestRadius + config_.spacing + double(grid_.radius) - support;
@@ -83,13 +88,14 @@ FaceContact<D, P> SphSolver<Backend, D, P>::faceContact()
     FaceContact<D, P> contact{};
     const int groups = int(faces_.grid.size() - faces_.blow.size());
     if (!groups) return contact;
-    contact.faces = WallFaces<D>{faces_.vertex.data(), faces_.normal.data(), faces_.half.data(), faces_.part.data(),
-        faces_.cellFirst.data(), faces_.cellElement.data(), faces_.cellFirstPlane.data(), faces_.plane.data(), faces_.grid.data(),
-        faces_.pose.data(), groups, faces_.tiny};
+    contact.faces = WallFaces<D>{faces_.vertex.data(), faces_.normal.data(), faces_.half.data(),
+        faces_.part.data(), faces_.cellFirst.data(), faces_.cellElement.data(),
+        faces_.cellFirstPlane.data(), faces_.plane.data(), faces_.grid.data(), faces_.pose.data(),
+        groups, faces_.tiny};
     contact.clearance = 1e-6*config_.spacing;
     if (faces_.blow.size() && solidsMeet_)
-        contact.bodies = BodyContact<D, P>{solidSort_.start(), grid_, solidSort_.order(), faces_.groupOfKey.data(), real(faces_.reach), groups,
-            faces_.blow.data()};
+        contact.bodies = BodyContact<D, P>{solidSort_.start(), grid_, solidSort_.order(),
+            faces_.groupOfKey.data(), real(faces_.reach), groups, faces_.blow.data()};
     return contact;
 }
 
@@ -100,11 +106,14 @@ void SphSolver<Backend, D, P>::moveFaces()
     if (!faces_.grid.size()) return;
     if (nBodies_)
     {
-        PoseFaces<D, PoseTable> pose{PoseTable{poses_.data(), poseIntervals, poseBegin_, poseStep_}, {}, faces_.pose.data(), clock_.data()};
+        PoseFaces<D, PoseTable> pose{PoseTable{poses_.data(), poseIntervals, poseBegin_, poseStep_},
+            {}, faces_.pose.data(), clock_.data()};
         for (int d = 0; d < 3; ++d) pose.axes[d] = config_.axes[d];
         forEach(context_, nBodies_, pose);
     }
-    if (faces_.blow.size()) forEach(context_, int(faces_.blow.size()), PoseBodies<D, P>{solids_->bodies(), faces_.pose.data() + 1 + nBodies_});
+    if (faces_.blow.size())
+        forEach(context_, int(faces_.blow.size()),
+            PoseBodies<D, P>{solids_->bodies(), faces_.pose.data() + 1 + nBodies_});
 }
 
 //- Bodies get what their faces took from the fluid in this step's drift
@@ -112,7 +121,8 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::blowBodies()
 {
     if (faces_.blow.size() && solidsMeet_)
-        forEach(context_, int(faces_.blow.size()), BlowBodies<D, P>{solids_->bodies(), faces_.blow.data(), double(model_.mass)});
+        forEach(context_, int(faces_.blow.size()),
+            BlowBodies<D, P>{solids_->bodies(), faces_.blow.data(), double(model_.mass)});
 }
 
 } // namespace riprap

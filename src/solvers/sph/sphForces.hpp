@@ -1,7 +1,9 @@
-/*  SphSolver: forces of the fluid on walls and solids, where they are asked for. Nothing of this is part of a step.
+/*  SphSolver: forces of the fluid on walls and solids, where they are asked for. Nothing of this is
+    part of a step.
 
-    The pressure's part is what the same pass finds without the terms of viscosity; the rest is viscous. What faces of walls do to particles that they put back is in
-    neither (SphScene::faceContacts).
+    The pressure's part is what the same pass finds without the terms of viscosity; the rest is
+    viscous. What faces of walls do to particles that they put back is in neither
+    (SphScene::faceContacts).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,7 +34,8 @@ std::vector<Vector3> SphSolver<Backend, D, P>::wallForces()
     const auto f = wallPointForces(true);
     const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
     for (int i = 0; i < nWalls_; ++i)
-        for (int d = 0; d < D && !(ranks_ && ranks_->wallGhost(i)); ++d) total[wallBodies_[id[i]] + 1][config_.axes[d]] += f[std::size_t(i)*D + d];
+        for (int d = 0; d < D && !(ranks_ && ranks_->wallGhost(i)); ++d)
+            total[wallBodies_[id[i]] + 1][config_.axes[d]] += f[std::size_t(i)*D + d];
     return total;
 }
 
@@ -46,7 +49,8 @@ std::vector<FluidForce> SphSolver<Backend, D, P>::forcesOnWalls()
     const auto whole = wallPointForces(true), pressure = wallPointForces(false);
     const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
     std::vector<std::int64_t> x[D];
-    for (int d = 0; d < D; ++d) x[d] = wall_.template download<std::int64_t>(context_, wallXField_ + d);
+    for (int d = 0; d < D; ++d)
+        x[d] = wall_.template download<std::int64_t>(context_, wallXField_ + d);
     for (int i = 0; i < nWalls_; ++i)
     {
         if (ranks_ && ranks_->wallGhost(i)) continue;
@@ -59,7 +63,8 @@ std::vector<FluidForce> SphSolver<Backend, D, P>::forcesOnWalls()
             const int axis = config_.axes[d];
             const double w = whole[std::size_t(i)*D + d], p = pressure[std::size_t(i)*D + d];
             any = any || w != 0 || p != 0;
-            f.place[axis] = nBodies_ ? box_.toMetres(d, x[d][i]) : wallInput_[3*std::size_t(id[i]) + axis];
+            f.place[axis] = nBodies_ ? box_.toMetres(d, x[d][i])
+                                     : wallInput_[3*std::size_t(id[i]) + axis];
             f.pressure[axis] = p;
             f.viscous[axis] = w - p;
         }

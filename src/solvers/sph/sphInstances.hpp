@@ -14,7 +14,9 @@ struct SolidPart
 {
     std::unique_ptr<DemScene> scene;
     CouplingConfig coupling;
-    std::vector<double> added;  // of each: mass of the water that its pressure moves over its own, or that of the rigid body that it is of
+    // of each: mass of the water that its pressure moves over its own, or that of the rigid body
+    // that it is of
+    std::vector<double> added;
     std::vector<double> volume;
     WallFaceInput faces;        // of rigid bodies
     std::vector<std::int32_t> clump;            // of each particle; empty: there are none
@@ -22,18 +24,28 @@ struct SolidPart
     double largestRadius = 0;   // [m]
 };
 
-using SphMaker = std::unique_ptr<SphScene>(*)(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+using SphMaker = std::unique_ptr<SphScene>(*)(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
 
-std::unique_ptr<SphScene> sphCpu2Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphCpu3Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphCpu2Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphCpu3Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphGpu2Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphGpu3Mixed(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphGpu2Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
-std::unique_ptr<SphScene> sphGpu3Double(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu2Mixed(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu3Mixed(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu2Double(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphCpu3Double(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu2Mixed(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu3Mixed(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu2Double(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> sphGpu3Double(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
 
 //- With solids that are on the device that the configuration chooses
-std::unique_ptr<SphScene> createSphScene(const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
+std::unique_ptr<SphScene> createSphScene(
+    const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
 
 } // namespace riprap

@@ -21,7 +21,8 @@ int SphSolver<Backend, D, P>::activeFluid()
 }
 
 template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const
+void SphSolver<Backend, D, P>::toMetres(
+    const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const
 {
     out.assign(3*n, emptyCoordinate_);
     for (int d = 0; d < D; ++d)
@@ -42,7 +43,8 @@ FluidState SphSolver<Backend, D, P>::fluid()
     const int n = activeFluid();
     FluidState s;
     std::vector<std::int64_t> x[D];
-    for (int d = 0; d < D; ++d) x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
+    for (int d = 0; d < D; ++d)
+        x[d] = fluid_.template download<std::int64_t>(context_, xField_ + d);
     toMetres(x, n, s.position);
     s.velocity.assign(3*std::size_t(n), 0.0);
     for (int d = 0; d < D; ++d)
@@ -82,7 +84,8 @@ WallState SphSolver<Backend, D, P>::walls()
     Array<Backend, real> pressure;
     pressure.allocate(context_, nWalls_);
     const auto id = wall_.template download<std::int32_t>(context_, wallIdField_);
-    forEach(context_, nWalls_, ReadWalls<Backend, D, P>{wallRecords_.view(), wallFields().id, pressure.data()});
+    forEach(context_, nWalls_,
+        ReadWalls<Backend, D, P>{wallRecords_.view(), wallFields().id, pressure.data()});
     const auto p = pressure.download();
     for (int i = 0; i < nWalls_; ++i) s.pressure[i] = p[i];
     if (ranks_) for (int i = 0; i < nWalls_; ++i) if (ranks_->wallGhost(i)) s.pressure[id[i]] = 0;
@@ -104,7 +107,8 @@ WallState SphSolver<Backend, D, P>::walls()
 template<class Backend, int D, class P>
 SphEnergy SphSolver<Backend, D, P>::energy()
 {
-    const auto sums = sumOver<3>(context_, activeFluid(), withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()));
+    const auto sums = sumOver<3>(context_, activeFluid(),
+        withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()));
     SphEnergy e;
     e.kinetic = sums[0];
     e.potential = sums[1];
@@ -113,8 +117,10 @@ SphEnergy SphSolver<Backend, D, P>::energy()
     e.faceWork = double(model_.mass)*faceUnit*double(host_.faceEnergy);
     e.stiffening = stiffening_;
     if (!nBodies_) return e;
-    for (const double w : wall_.template download<double>(context_, wallWorkField_)) e.wallWork += w;
-    for (const double w : wall_.template download<double>(context_, wallPressureWorkField_)) e.wallPressureWork += w;
+    for (const double w : wall_.template download<double>(context_, wallWorkField_))
+        e.wallWork += w;
+    for (const double w : wall_.template download<double>(context_, wallPressureWorkField_))
+        e.wallPressureWork += w;
     return e;
 }
 
@@ -123,8 +129,10 @@ FluidExtremes SphSolver<Backend, D, P>::extremes()
 {
     const int n = activeFluid();
     FluidExtremes e;
-    e.speed = std::sqrt(reduceMax(context_, n, withoutGhosts(FluidSpeed2<D, P>{fluidFields()}, ghosts())));
-    e.densityDeviation = reduceMax(context_, n, withoutGhosts(FluidDeviation<D, P>{fluidFields()}, ghosts()));
+    e.speed = std::sqrt(
+        reduceMax(context_, n, withoutGhosts(FluidSpeed2<D, P>{fluidFields()}, ghosts())));
+    e.densityDeviation = reduceMax(
+        context_, n, withoutGhosts(FluidDeviation<D, P>{fluidFields()}, ghosts()));
     return e;
 }
 
@@ -133,8 +141,13 @@ FluidEnd SphSolver<Backend, D, P>::farEnd(const Vector3& direction, double reach
 {
     if (ranks_) return ranks_->farEnd(fluid().position, direction, reach);
     Vec<D, double> lower, upper;
-    for (int d = 0; d < D; ++d) { lower.c[d] = box_.lower[d]; upper.c[d] = box_.lower[d] + box_.length[d]; }
-    return farEndOf<Backend, D>(context_, activeFluid(), FluidPlaces<D, P>{box_, fluidFields()}, config_.axes, direction, reach, lower, upper, emptyCoordinate_);
+    for (int d = 0; d < D; ++d)
+    {
+        lower.c[d] = box_.lower[d];
+        upper.c[d] = box_.lower[d] + box_.length[d];
+    }
+    return farEndOf<Backend, D>(context_, activeFluid(), FluidPlaces<D, P>{box_, fluidFields()},
+        config_.axes, direction, reach, lower, upper, emptyCoordinate_);
 }
 
 template<class Backend, int D, class P>
@@ -144,7 +157,8 @@ FaceContacts SphSolver<Backend, D, P>::faceContacts()
     FaceContacts r;
     r.count = host_.faceContacts;
     r.atBodies = host_.bodyContacts;
-    for (int d = 0; d < D; ++d) r.impulse[config_.axes[d]] = double(model_.mass)*faceUnit*double(host_.faceImpulse[d]);
+    for (int d = 0; d < D; ++d)
+        r.impulse[config_.axes[d]] = double(model_.mass)*faceUnit*double(host_.faceImpulse[d]);
     return r;
 }
 
@@ -161,9 +175,11 @@ std::vector<R> solvedPlanes(const SightPlanes& planes, const int* axes)
     return r;
 }
 
-//- Points [m], three coordinates each, as passes have them. Points outside the box see its edge, where there is no fluid
+//- Points [m], three coordinates each, as passes have them. Points outside the box see its edge,
+//  where there is no fluid
 template<int D, class P>
-std::vector<typename P::position> placesOf(const Box<D, P>& box, const std::vector<double>& points, const int* axes)
+std::vector<typename P::position> placesOf(
+    const Box<D, P>& box, const std::vector<double>& points, const int* axes)
 {
     const std::size_t m = points.size()/3;
     std::vector<typename P::position> x(m*D);
@@ -171,14 +187,16 @@ std::vector<typename P::position> placesOf(const Box<D, P>& box, const std::vect
         for (int d = 0; d < D; ++d)
         {
             double p = points[3*i + axes[d]];
-            if (!box.periodic[d]) p = std::min(std::max(p, box.lower[d]), box.lower[d] + box.length[d]*(1 - 1e-9));
+            if (!box.periodic[d])
+                p = std::min(std::max(p, box.lower[d]), box.lower[d] + box.length[d]*(1 - 1e-9));
             x[i*D + d] = box.pairPosition(d, box.toFixed(d, p));
         }
     return x;
 }
 
 template<class Backend, int D, class P>
-SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points, const SightPlanes& planes)
+SampleResult SphSolver<Backend, D, P>::sample(
+    const std::vector<double>& points, const SightPlanes& planes)
 {
     const std::size_t m = points.size()/3;
     SampleResult r;
@@ -205,10 +223,9 @@ SampleResult SphSolver<Backend, D, P>::sample(const std::vector<double>& points,
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        SamplePass<Backend, D, P, Kernel, decltype(variable)::value> pass
-        {
-            box_, grid_, {fluidSource(false)}, kernelConstants<Kernel>(), model_, device.data(), first.data(), plane.data(), result.data(), int(m)
-        };
+        SamplePass<Backend, D, P, Kernel, decltype(variable)::value> pass{box_, grid_,
+            {fluidSource(false)}, kernelConstants<Kernel>(), model_, device.data(), first.data(),
+            plane.data(), result.data(), int(m)};
         directPairLoop(context_, pass, int(m));
     });
     const auto sums = result.download();
@@ -237,16 +254,21 @@ NeighbourCounts SphSolver<Backend, D, P>::countNeighbours()
     r.particles = ranks_ ? ranks_->particles().ownedHere() : activeFluid();
     refreshRecords();
     const double support = supportOf(config_);
-    const auto count = [&](const Source<Backend, D, P>& source, const RecordsView<Backend, D, P>& target, int n, const GhostMarks<Backend>& ghosts, bool solids)
+    const auto count = [&](const Source<Backend, D, P>& source,
+                           const RecordsView<Backend, D, P>& target, int n,
+                           const GhostMarks<Backend>& ghosts, bool solids)
     {
         if (!n || !source.start) return std::int64_t(0);
         Array<Backend, real> result;
         result.allocate(context_, n);
-        const CountPass<Backend, D, P> pass{box_, grid_, {source}, target, real(support*support), result.data(), n};
-        if (solids) runOverSolids(pass); else run(pass, n);
+        const CountPass<Backend, D, P> pass{
+            box_, grid_, {source}, target, real(support*support), result.data(), n};
+        if (solids) runOverSolids(pass);
+        else run(pass, n);
         const std::vector<real> counts = result.download();
         std::int64_t sum = 0;
-        for (int i = 0; i < n; ++i) if (!ghosts(i)) sum += std::int64_t(counts[i]);
+        for (int i = 0; i < n; ++i)
+            if (!ghosts(i)) sum += std::int64_t(counts[i]);
         return sum;
     };
     const int n = activeFluid();
@@ -276,7 +298,8 @@ double SphSolver<Backend, D, P>::estimateTimeStep(std::string& limit)
     readClock();
     Limit l = Limit::none;
     const double dt = tick().longest(host_, l);
-    static const char* names[] = {"none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
+    static const char* names[] = {
+        "none", "acoustic", "force", "viscous", "fixed", "target", "maximum", "growth"};
     limit = names[int(l)];
     return dt;
 }
@@ -300,12 +323,16 @@ std::vector<ArrayInfo> SphSolver<Backend, D, P>::arrays() const
     add("wall", "faces", faces_.bytes(), 0);
     if (solids_)
     {
-        const std::size_t own = solidOwn_[0].bytes()*D + solidMass_.bytes() + solidMassOfKey_.bytes() + solidAddedOfKey_.bytes();
+        const std::size_t own = solidOwn_[0].bytes()*D + solidMass_.bytes()
+            + solidMassOfKey_.bytes() + solidAddedOfKey_.bytes();
         add("solid points", "records", solidRecords_.bytes(), nSolids_);
-        add("solid points", "cells", solidSort_.bytes() + solidReference_.bytes() + solidLast_.bytes(), nSolids_);
-        add("solid points", "velocity, mass", own + solidVelocity_.bytes() + solidAcceleration_.bytes(), nSolids_);
+        add("solid points", "cells",
+            solidSort_.bytes() + solidReference_.bytes() + solidLast_.bytes(), nSolids_);
+        add("solid points", "velocity, mass",
+            own + solidVelocity_.bytes() + solidAcceleration_.bytes(), nSolids_);
         add("solid points", "force", solidForce_.bytes() + solidForceBefore_.bytes(), nSolids_);
-        add("fluid", "action of solids", actionA_[0].bytes()*D + actionRate_.bytes() + actionDrift_[0].bytes()*D, n_);
+        add("fluid", "action of solids",
+            actionA_[0].bytes()*D + actionRate_.bytes() + actionDrift_[0].bytes()*D, n_);
         for (const ArrayInfo& a : solidScene_->arrays()) r.push_back(a);
     }
     if constexpr (Backend::gpu)
@@ -323,7 +350,8 @@ template<class Backend, int D, class P>
 std::vector<KernelInfo> SphSolver<Backend, D, P>::kernels() const
 {
     std::vector<KernelInfo> r;
-    for (const auto& e : context_.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    for (const auto& e : context_.profile.entries())
+        r.push_back(KernelInfo{e.name, e.launches, e.seconds});
     if (solids_) for (KernelInfo k : solidScene_->kernels())
     {
         k.name = "solids: " + k.name;

@@ -98,7 +98,8 @@ struct ReadWalls
     }
 };
 
-//- How far from the usual is the record of a particle: speed, p/rho and volume, in units of c0, c0^2 and 1/rho0
+//- How far from the usual is the record of a particle: speed, p/rho and volume, in units of c0,
+//  c0^2 and 1/rho0
 template<class Backend, int D, class P>
 struct Suspicion
 {
@@ -110,7 +111,8 @@ struct Suspicion
     HD void operator()(int i) const
     {
         const PairParticle<D, typename P::real> p = fluid.template load<false>(i);
-        double sum = density/fabs(double(p.density)) + density*fabs(double(p.pressureTerm))/(soundSpeed*soundSpeed);
+        double sum = density/fabs(double(p.density))
+            + density*fabs(double(p.pressureTerm))/(soundSpeed*soundSpeed);
         for (int d = 0; d < D; ++d) sum += fabs(double(p.velocity.c[d]))/soundSpeed;
         result[i] = sum;
     }
@@ -143,7 +145,8 @@ struct CountPass
     template<class T> HD T self(int) const { return T(real(0)); }
 
     template<int S, class T>
-    HD void pair(const T&, const PairParticle<Dim, T>&, const Vec<Dim, T>&, T r2, int, T* sums) const
+    HD void pair(
+        const T&, const PairParticle<Dim, T>&, const Vec<Dim, T>&, T r2, int, T* sums) const
     {
         const T within = selectGreater(T(support2), r2, T(real(1)), T(real(0)));
         sums[0] += selectGreater(r2, T(real(0)), within, T(real(0)));

@@ -10,18 +10,19 @@ namespace riprap
 {
 
 template<class Backend, int D, class P>
-SphSolver<Backend, D, P>::SphSolver
-(const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion, SolidPart solids)
-:
-    config_(config), motion_(std::move(motion)), terms_(config)
+SphSolver<Backend, D, P>::SphSolver(const SphConfig& config, const FluidInput& fluid,
+    const WallInput& walls, WallMotion motion, SolidPart solids)
+    : config_(config), motion_(std::move(motion)), terms_(config)
 {
     clock_.allocate(context_, 1);
     n_ = int(fluid.size());
     setModel();
     setBox();
     if (config.ranks && config.ranks->size() > 1)
-        ranks_ = std::make_unique<FluidRanks<Backend, D, P>>(typename FluidRanks<Backend, D, P>::Scene
-            {config_, box_, grid_, fluid_, fluidRecords_, fluidSort_, wallRecords_, n_, nWalls_, emptyCoordinate_}, double(allowedWay_));
+        ranks_ = std::make_unique<FluidRanks<Backend, D, P>>(
+            typename FluidRanks<Backend, D, P>::Scene{config_, box_, grid_, fluid_, fluidRecords_,
+                fluidSort_, wallRecords_, n_, nWalls_, emptyCoordinate_},
+            double(allowedWay_));
     setFluid(fluid);
     setWalls(walls);
     setFaces(walls.faces, solids);
@@ -33,7 +34,8 @@ SphSolver<Backend, D, P>::SphSolver
     if (ranks_) fitCapacity();
 }
 
-//- What is added to the support may be travelled by a particle before neighbours are sought anew: half of it on the GPU, all of it on the CPU
+//- What is added to the support may be travelled by a particle before neighbours are sought anew:
+//  half of it on the GPU, all of it on the CPU
 template<class Backend, int D>
 double skinRatio(const SphConfig& config, int n)
 {
@@ -45,11 +47,13 @@ double skinRatio(const SphConfig& config, int n)
     return n > 200000 ? 0.07 : (D == 2 ? 0.2 : 0.12);
 }
 
-//- Several ranks: memory for so many particles from now on; residents stay in their slots, and a rebuild does the rest
+//- Several ranks: memory for so many particles from now on; residents stay in their slots, and a
+//  rebuild does the rest
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setCapacity(int n)
 {
-    const int active = std::min(activeFluid(), n), kept = std::min({ranks_->particles().residents(), n_, n});
+    const int active = std::min(activeFluid(), n),
+              kept = std::min({ranks_->particles().residents(), n_, n});
     FieldSet<Backend> old(std::move(fluid_));
     fluid_ = FieldSet<Backend>();
     const auto info = old.info();
@@ -59,7 +63,8 @@ void SphSolver<Backend, D, P>::setCapacity(int n)
         else fluid_.template add<std::int32_t>(info[f].name);
     }
     fluid_.allocate(context_, n);
-    for (int f = 0; f < fluid_.fields(); ++f) std::memcpy(fluid_.bytes(f), old.bytes(f), std::size_t(kept)*old.elementBytes(f));
+    for (int f = 0; f < fluid_.fields(); ++f)
+        std::memcpy(fluid_.bytes(f), old.bytes(f), std::size_t(kept)*old.elementBytes(f));
     fluidRecords_ = Records<Backend, D, P>();
     fluidRecords_.allocate(context_, n, model_.variableH);
     fluidReference_ = Array<Backend, position>();
@@ -82,7 +87,8 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setModel()
 {
     const SphConfig& c = config_;
-    model_.eos = EquationOfState<real>::make(c.eos == EosKind::linear, c.gamma, c.soundSpeed, c.density);
+    model_.eos = EquationOfState<real>::make(
+        c.eos == EosKind::linear, c.gamma, c.soundSpeed, c.density);
     for (int d = 0; d < D; ++d) model_.gravity.c[d] = real(c.gravity[c.axes[d]]);
     const double h0 = c.smoothingRatio*c.spacing;
     model_.rho0 = real(c.density);
@@ -110,7 +116,8 @@ void SphSolver<Backend, D, P>::setModel()
     model_.removesWild = c.removeWild;
     model_.maxDeviation = real(c.maxDensityDeviation);
     model_.maxSpeed2 = real(std::pow(c.maxSpeedRatio*c.maxVelocity, 2));
-    // its step would be a twentieth of what sound allows, a hundred times what a density twice as high brings about
+    // its step would be a twentieth of what sound allows, a hundred times what a density twice as
+    // high brings about
     model_.maxAcceleration2 = real(std::min(1e36, std::pow(100*c.soundSpeed*c.soundSpeed/h0, 2)));
     limits_.growth = 1.1;
 }
@@ -120,7 +127,8 @@ void SphSolver<Backend, D, P>::setBox()
 {
     const SphConfig& c = config_;
     const double support = supportOf(c)*(c.variableSmoothing ? c.maxSmoothingGrowth : 1);
-    // each row of cells must be its own neighbour at most once: a short period leaves room for a thinner skin only
+    // each row of cells must be its own neighbour at most once: a short period leaves room for a
+    // thinner skin only
     double skin = skinRatio<Backend, D>(config_, n_)*support;
     for (int d = 0; d < D; ++d)
     {
@@ -128,11 +136,13 @@ void SphSolver<Backend, D, P>::setBox()
         if (!c.periodic[c.axes[d]] || period >= 3*(support + skin)) continue;
         if (period < 3*least)
             throw std::invalid_argument("the periodic domain is " + std::to_string(period)
-              + " m long; it must be at least three search radii, " + std::to_string(3*least) + " m");
+                + " m long; it must be at least three search radii, " + std::to_string(3*least)
+                + " m");
         skin = period*(1 - 1e-9)/3 - support;       // so that rounding does not cost a row
     }
     const double radius = support + skin;
-    // on the CPU who seeks is where it is now: only those that it seeks may have moved. A hair less, for rounding
+    // on the CPU who seeks is where it is now: only those that it seeks may have moved. A hair
+    // less, for rounding
     allowedWay_ = real(Backend::gpu ? 0.5*skin : 0.999*skin);
     for (int d = 0; d < D; ++d)
     {
@@ -146,19 +156,26 @@ void SphSolver<Backend, D, P>::setBox()
         }
         else
         {
-            // a margin of two radii: fixed-point differences across it are never mistaken for near ones
+            // a margin of two radii: fixed-point differences across it are never mistaken for near
+            // ones
             box_.set(d, lo - radius, hi - lo + 2*radius, false);
             model_.domainMin[d] = radius*(1 - 1e-9) + c.escapeInset;
             model_.domainMax[d] = radius + (hi - lo)*(1 + 1e-9) - c.escapeInset;
         }
     }
     const int reach = Backend::gpu ? 2 : 1;
-    const double volume = [&] { double v = 1; for (int d = 0; d < D; ++d) v *= box_.length[d]; return v; }();
+    const double volume = [&]
+    {
+        double v = 1;
+        for (int d = 0; d < D; ++d) v *= box_.length[d];
+        return v;
+    }();
     const double cells = std::max(1e3, std::min(4e8, 2*volume/std::pow(c.spacing, D)));
     grid_.set(box_, radius, reach, Backend::gpu ? 4 : 6, cells);
 }
 
-//- On the GPU fluid's way is measured against what is around it, and walls are listed from farther away
+//- On the GPU fluid's way is measured against what is around it, and walls are listed from farther
+//  away
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setFrames()
 {
@@ -168,7 +185,8 @@ void SphSolver<Backend, D, P>::setFrames()
         const double skin = 2*double(allowedWay_), radius = grid_.radius, support = radius - skin;
         parts_.wallRadius = grid_.radius;
         double reach = support + std::max(skin, wallSkin*support);
-        for (int d = 0; d < D; ++d) if (box_.periodic[d] && box_.length[d] < 4*reach) reach = radius;
+        for (int d = 0; d < D; ++d)
+            if (box_.periodic[d] && box_.length[d] < 4*reach) reach = radius;
         parts_.wallRadius = real(reach);
         if (nBodies_) wallWay_ = real(0.5*(reach - support));
         parts_.frames.set(context_, box_, 2*radius, 2e6);
@@ -183,11 +201,13 @@ void SphSolver<Backend, D, P>::setFluid(const FluidInput& in)
     const auto addVector = [&](const char* name)
     {
         const int first = fluid_.fields();
-        for (int d = 0; d < D; ++d) fluid_.template add<real>(std::string(name) + "." + axisName[d]);
+        for (int d = 0; d < D; ++d)
+            fluid_.template add<real>(std::string(name) + "." + axisName[d]);
         return first;
     };
     xField_ = fluid_.fields();
-    for (int d = 0; d < D; ++d) fluid_.template add<std::int64_t>(std::string("position.") + axisName[d]);
+    for (int d = 0; d < D; ++d)
+        fluid_.template add<std::int64_t>(std::string("position.") + axisName[d]);
     vField_ = addVector("velocity");
     deviationField_ = fluid_.template add<real>("densityDeviation");
     aField_ = addVector("acceleration");
@@ -198,7 +218,9 @@ void SphSolver<Backend, D, P>::setFluid(const FluidInput& in)
     fluidRecords_.allocate(context_, n_, model_.variableH);
     fluidReference_.allocate(context_, std::size_t(n_)*D);
     fluidSort_.allocate(context_, n_, grid_.cells);
-    if (D == 2) emptyCoordinate_ = 0.5*(config_.domainMin[config_.axes[2]] + config_.domainMax[config_.axes[2]]);
+    if (D == 2)
+        emptyCoordinate_ = 0.5
+            *(config_.domainMin[config_.axes[2]] + config_.domainMax[config_.axes[2]]);
     std::vector<std::int64_t> x(n_);
     std::vector<real> value(n_);
     for (int d = 0; d < D; ++d)
@@ -269,7 +291,8 @@ void SphSolver<Backend, D, P>::prime()
     if (nWalls_)
     {
         rebuildWalls();
-        forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
+        forEach(context_, nWalls_,
+            StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
         moveWalls(false);       // to where they are at the start: neighbours are sought there
     }
     for (;;)

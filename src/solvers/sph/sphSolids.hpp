@@ -16,7 +16,8 @@ void SphSolver<Backend, D, P>::setSolids(SolidPart part)
     solidScene_ = std::move(part.scene);
     solids_ = dynamic_cast<SolidSide<D, P>*>(solidScene_.get());
     if (!solids_ || solidScene_->device() != device())
-        throw std::invalid_argument("solids of another device, dimension or precision than the fluid's");
+        throw std::invalid_argument(
+            "solids of another device, dimension or precision than the fluid's");
     dynamic_cast<LaunchOrder<Backend>&>(*solidScene_).follow(context_);
     coupling_ = part.coupling;
     nSolids_ = solids_->keys();
@@ -123,10 +124,13 @@ Source<Backend, D, P> SphSolver<Backend, D, P>::fluidAboutSolids()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::sortSolids()
 {
-    forEach(context_, nSolids_, PointKeys<D, P>{box_, grid_, solids_->view(), solidSort_.keys(), solidSort_.indices()});
+    forEach(context_, nSolids_,
+        PointKeys<D, P>{box_, grid_, solids_->view(), solidSort_.keys(), solidSort_.indices()});
     solidSort_.sort(context_, nSolids_);
-    PlacePoints<Backend, D, P> place{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_, {}};
-    for (int d = 0; d < D; ++d) place.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
+    PlacePoints<Backend, D, P> place{
+        box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, model_, {}};
+    for (int d = 0; d < D; ++d)
+        place.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     if constexpr (Backend::gpu) place.frames = parts_.frames.view();
     forEach(context_, nSolids_, place);
 }
@@ -136,24 +140,28 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::pushSolids()
 {
     if (solids_->still()) return;
-    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
+    forEach(context_, nSolids_,
+        HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
     solids_->push(0.5*host_.dt);
 }
 
-//- Until the next sort: without fluid near any of them nothing passes between the two, and nothing is computed
+//- Until the next sort: without fluid near any of them nothing passes between the two, and nothing
+//  is computed
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::meetFluid()
 {
     meets_.upload(context_, std::vector<int>(1, 0));
-    forEach(context_, nSolids_, MeetFluid<D, P>
-        {box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(), fluidSort_.start(), meets_.data(),
-         Backend::gpu ? grid_.radius : grid_.radius + allowedWay_});
+    forEach(context_, nSolids_,
+        MeetFluid<D, P>{box_, grid_, solids_->view(), solidSort_.order(), solidSort_.active(),
+            fluidSort_.start(), meets_.data(),
+            Backend::gpu ? grid_.radius : grid_.radius + allowedWay_});
     solidsMeet_ = meets_.download()[0] != 0;
     if (!solidsMeet_) forEach(context_, nSolids_*D, ClearForces<real>{solidForce_.data()});
     else if (Backend::gpu) forEach(context_, n_, ClearAction<D, real>{solidAction()});
 }
 
-//- What of the last two forces solids get at a fraction of the step, so that the impulse of whole steps is what docs/coupling.md has
+//- What of the last two forces solids get at a fraction of the step, so that the impulse of whole
+//  steps is what docs/coupling.md has
 inline ForceShares sharesOfForces(const ClockData& clock, FluidForceKind kind, double fraction)
 {
     const double ratio = clock.previousDt/clock.dt;     // 0 in the first step
@@ -166,12 +174,14 @@ inline ForceShares sharesOfForces(const ClockData& clock, FluidForceKind kind, d
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::advanceSolids()
 {
-    const auto forceShares = [&](double fraction) { return sharesOfForces(host_, coupling_.force, fraction); };
+    const auto forceShares = [&](double fraction)
+    { return sharesOfForces(host_, coupling_.force, fraction); };
     const auto advance = [&](double t, double dt, int steps, const ForceShares& shares)
     {
         const double scale = dt/solids_->kickTime(dt, steps);
-        forEach(context_, nSolids_, HoldForces<D, P>
-            {solidForce_.data(), solidForceBefore_.data(), solids_->external(), scale*shares.now, scale*shares.before});
+        forEach(context_, nSolids_,
+            HoldForces<D, P>{solidForce_.data(), solidForceBefore_.data(), solids_->external(),
+                scale*shares.now, scale*shares.before});
         return solids_->advanceTo(t, dt, steps);
     };
     if (solids_->still()) { solids_->advanceTo(host_.time, host_.dt, subcycles_ = 1); return; }
@@ -182,10 +192,13 @@ void SphSolver<Backend, D, P>::advanceSolids()
     bool good = true;
     if (coupling_.force == FluidForceKind::interpolated)
     {
-        for (int k = 0; k < steps && good; ++k) good = advance(end(k + 1), part, 1, forceShares((k + 0.5)/steps));
-        forEach(context_, nSolids_*D, KeepForces<real>{solidForce_.data(), solidForceBefore_.data()});
+        for (int k = 0; k < steps && good; ++k)
+            good = advance(end(k + 1), part, 1, forceShares((k + 0.5)/steps));
+        forEach(
+            context_, nSolids_*D, KeepForces<real>{solidForce_.data(), solidForceBefore_.data()});
     }
-    else if (coupling_.force == FluidForceKind::held) good = advance(host_.time, host_.dt, steps, forceShares(0.5));
+    else if (coupling_.force == FluidForceKind::held)
+        good = advance(host_.time, host_.dt, steps, forceShares(0.5));
     else good = advance(host_.time, host_.dt, steps, ForceShares{0, 0});
     if (good) return;
     host_.halt = Halt::solids;
@@ -198,16 +211,19 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::showForces()
 {
     if (!solids_) return;
-    forEach(context_, nSolids_, HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
+    forEach(context_, nSolids_,
+        HoldForces<D, P>{solidForce_.data(), nullptr, solids_->external(), 1, 0});
 }
 
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::moveSolids(bool half)
 {
     if (!solids_ || (half && solids_->still())) return;
-    MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {}, allowedWay_,
-        config_.smoothingRatio*config_.spacing/config_.soundSpeed, half, clock_.data(), {}};
-    for (int d = 0; d < D; ++d) move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
+    MovePoints<Backend, D, P> move{box_, solids_->view(), solidPoints(), solidRecords_.view(), {},
+        allowedWay_, config_.smoothingRatio*config_.spacing/config_.soundSpeed, half,
+        clock_.data(), {}};
+    for (int d = 0; d < D; ++d)
+        move.reference[d] = solidReference_.data() + std::size_t(d)*nSolids_;
     if constexpr (Backend::gpu) move.frames = parts_.frames.view();
     forEach(context_, nSolids_, move);
 }
@@ -224,15 +240,14 @@ template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::solidPressurePass(bool inStep)
 {
     const bool extrapolated = coupling_.kind == CouplingKind::extrapolated;
-    if (!solidsMeet_ || (!extrapolated && coupling_.kind != CouplingKind::pressureApproximation)) return;
+    if (!solidsMeet_ || (!extrapolated && coupling_.kind != CouplingKind::pressureApproximation))
+        return;
     withKernel(config_, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        runOverSolids(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>
-        {
-            box_, grid_, {fluidAboutSolids()}, solidRecords_.view(), kernelConstants<Kernel>(), model_, solidPoints(),
-            extrapolated, inStep ? clock_.data() : nullptr
-        });
+        runOverSolids(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>{box_,
+            grid_, {fluidAboutSolids()}, solidRecords_.view(), kernelConstants<Kernel>(), model_,
+            solidPoints(), extrapolated, inStep ? clock_.data() : nullptr});
     });
 }
 
@@ -291,7 +306,9 @@ CouplingState SphSolver<Backend, D, P>::coupling()
     readClock();
     s.subcycles = subcycles_;
     const std::vector<real> force = solidForce_.download();
-    const std::vector<real> before = solidForceBefore_.size() ? solidForceBefore_.download() : std::vector<real>(force.size(), real(0));
+    const std::vector<real> before = solidForceBefore_.size()
+        ? solidForceBefore_.download()
+        : std::vector<real>(force.size(), real(0));
     const std::vector<std::int32_t> keys = solids_->order();
     s.force.assign(3*keys.size(), 0.0);
     for (std::size_t i = 0; i < keys.size(); ++i)
@@ -301,7 +318,8 @@ CouplingState SphSolver<Backend, D, P>::coupling()
             const double f = force[at];
             s.force[3*i + config_.axes[d]] = f;
             s.total[config_.axes[d]] += f;
-            if (coupling_.force != FluidForceKind::impulse) s.pending[config_.axes[d]] += 0.5*host_.dt*(f - before[at]);
+            if (coupling_.force != FluidForceKind::impulse)
+                s.pending[config_.axes[d]] += 0.5*host_.dt*(f - before[at]);
         }
     return s;
 }

@@ -1,7 +1,9 @@
 /*  The SPH scene on one backend, in one dimension and precision. Declarations; the parts are in
-    sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a step), sphAdvance.hpp
-    (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of sound),
-    sphOutput.hpp (everything read back), sphState.hpp (save and load). Several processes: fluidRanks.hpp.
+    sphSetup.hpp (construction), sphNeighbours.hpp (sorting, lists), sphStep.hpp (the parts of a
+    step), sphAdvance.hpp (the loop over steps), sphFaces.hpp (faces of walls), sphForces.hpp (on
+    walls and solids), sphSolids.hpp (solids in the fluid), sphStiffness.hpp (another speed of
+    sound), sphOutput.hpp (everything read back), sphState.hpp (save and load). Several processes:
+    fluidRanks.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -44,8 +46,9 @@ struct FaceArrays
 
     std::size_t bytes() const
     {
-        return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes() + cellElement.bytes()
-          + cellFirstPlane.bytes() + plane.bytes() + grid.bytes() + pose.bytes() + groupOfKey.bytes() + blow.bytes();
+        return vertex.bytes() + normal.bytes() + half.bytes() + part.bytes() + cellFirst.bytes()
+            + cellElement.bytes() + cellFirstPlane.bytes() + plane.bytes() + grid.bytes()
+            + pose.bytes() + groupOfKey.bytes() + blow.bytes();
     }
 };
 
@@ -76,7 +79,8 @@ struct BackendParts<Gpu, D, P>
 
     NeighbourList<D, P> fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
     LocalFrameMemory<Gpu, D, P> frames;
-    real wallRadius = 0;        // lists of walls and about walls reach farther than the grid's: fluid slides along them
+    // lists of walls and about walls reach farther than the grid's: fluid slides along them
+    real wallRadius = 0;
     StepGraphs graphs;
     int solidShift = 0;         // log2 of the lanes a solid
 };
@@ -112,7 +116,8 @@ public:
     SampleResult sample(const std::vector<double>& points, const SightPlanes&) override;
     std::vector<std::int32_t> saveState() override;
     void loadState(const std::vector<std::int32_t>&) override;
-    std::array<std::size_t, SphScene::speedClasses> fasterThan(const std::array<double, SphScene::speedClasses>&) override;
+    std::array<std::size_t, SphScene::speedClasses> fasterThan(
+        const std::array<double, SphScene::speedClasses>&) override;
     void setMaxVelocity(double maxVelocity, double soundSpeed) override;
     double estimateTimeStep(std::string& limit) override;
     std::vector<ArrayInfo> arrays() const override;
@@ -135,10 +140,14 @@ private:
     void prime();
     void setFrames();
     //- From a particle to those it must find, whose h and own are at most `h` [m]
-    real pairReach(float h) const { return grid_.radius - reachOfH<real>(config_)*(model_.hMax - h); }
+    real pairReach(float h) const
+    {
+        return grid_.radius - reachOfH<real>(config_)*(model_.hMax - h);
+    }
     SearchReach<real> fluidReach() const;
 
-    static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;      // GPU: what lists of walls reach beyond the support, of it
+    // GPU: what lists of walls reach beyond the support, of it
+    static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;
 
     // sphNeighbours.hpp
     void rebuild();
@@ -218,7 +227,8 @@ private:
     // sphOutput.hpp
     void refreshRecords();
     int activeFluid();
-    void toMetres(const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const;
+    void toMetres(
+        const std::vector<std::int64_t>* x, std::size_t n, std::vector<double>& out) const;
 
     SphConfig config_;
     WallMotion motion_;
@@ -229,7 +239,8 @@ private:
     FluidModel<D, P> model_;
     StepLimits limits_;
     TermParameters<D, real> terms_;
-    real allowedWay_ = 0;       // [m] way of a particle (GPU: against those near it) for which neighbours hold
+    // [m] way of a particle (GPU: against those near it) for which neighbours hold
+    real allowedWay_ = 0;
     real wallWay_ = 0;          // of a wall that moves
     double emptyCoordinate_ = 0;
     double stiffening_ = 0;     // [J] that changes of the speed of sound have added
@@ -237,14 +248,16 @@ private:
     int n_ = 0;                 // fluid particles with memory
     int reported_ = 0;          // of them known to be in the scene
     FieldSet<Backend> fluid_;
-    int xField_ = 0, vField_ = 0, deviationField_ = 0, aField_ = 0, rateField_ = 0, driftField_ = -1, idField_ = 0;
+    int xField_ = 0, vField_ = 0, deviationField_ = 0, aField_ = 0, rateField_ = 0,
+        driftField_ = -1, idField_ = 0;
     Records<Backend, D, P> fluidRecords_;
     Array<Backend, position> fluidReference_;
     CellSort<Backend> fluidSort_;
 
     int nWalls_ = 0, nBodies_ = 0;
     FieldSet<Backend> wall_;
-    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1, wallWorkField_ = -1, wallPressureWorkField_ = -1;
+    int wallXField_ = 0, wallIdField_ = 0, wallBodyField_ = -1, wallVField_ = -1, wallAField_ = -1,
+        wallWorkField_ = -1, wallPressureWorkField_ = -1;
     Records<Backend, D, P> wallRecords_;
     Array<Backend, position> wallReference_;
     CellSort<Backend> wallSort_;
@@ -267,8 +280,8 @@ private:
     CellSort<Backend> solidSort_;
     Array<Backend, position> solidReference_;
     Array<Backend, std::int64_t> solidLast_;
-    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidAddedOfKey_, solidVelocity_, solidAcceleration_, solidForce_,
-        solidForceBefore_;
+    Array<Backend, real> solidOwn_[D], solidMass_, solidMassOfKey_, solidAddedOfKey_,
+        solidVelocity_, solidAcceleration_, solidForce_, solidForceBefore_;
     Array<Backend, real> actionA_[D], actionRate_, actionDrift_[D];
 
     Array<Backend, ClockData> clock_;

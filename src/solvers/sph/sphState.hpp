@@ -1,12 +1,14 @@
 /*  SphSolver: the exact state as words, so that a run continues bit for bit.
 
-    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields, lanes, steps a cycle,
-    bytes of the clock, walls, wall fields, fit of the cycle, solids; the clock; the energy of changes of the speed of sound; each field in the device's order; those of moving
-    walls; of the solids that have not left ids, velocity, acceleration and force (interpolated: that of the step before, too), and the state of their own scene, its length
+    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields,
+    lanes, steps a cycle, bytes of the clock, walls, wall fields, fit of the cycle, solids; the
+    clock; the energy of changes of the speed of sound; each field in the device's order; those of
+    moving walls; of the solids that have not left ids, velocity, acceleration and force
+    (interpolated: that of the step before, too), and the state of their own scene, its length
     before it; a checksum (FNV-1a over all words before it).
 
-    Of several ranks the first is sent all fields while the state is saved: the words are those of one process, and any number of ranks goes on with
-    them.
+    Of several ranks the first is sent all fields while the state is saved: the words are those of
+    one process, and any number of ranks goes on with them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,15 +27,21 @@ namespace detail
 static constexpr std::int32_t stateMagic = 0x72697031, stateVersion = 8;
 static constexpr int stateHeader = 14;
 
-[[noreturn]] inline void refuseState(const std::string& why) { throw std::invalid_argument("saved state: " + why); }
+[[noreturn]] inline void refuseState(const std::string& why)
+{
+    throw std::invalid_argument("saved state: " + why);
+}
 
 //- Is it a whole state of such a scene? least: words
-inline void requireState(const std::vector<std::int32_t>& words, std::size_t least, int dimensions, std::size_t real, bool gpu)
+inline void requireState(const std::vector<std::int32_t>& words, std::size_t least, int dimensions,
+    std::size_t real, bool gpu)
 {
     if (words.size() < least) refuseState("too short");
     if (words[0] != stateMagic) refuseState("not a riprap state");
-    if (words[1] != stateVersion) refuseState("version " + std::to_string(words[1]) + " is not supported");
-    if (checksum(words, words.size() - 1) != words.back()) refuseState("checksum does not match: the data are damaged");
+    if (words[1] != stateVersion)
+        refuseState("version " + std::to_string(words[1]) + " is not supported");
+    if (checksum(words, words.size() - 1) != words.back())
+        refuseState("checksum does not match: the data are damaged");
     if (words[2] != dimensions) refuseState("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(real)) refuseState("it was written with another precision");
     if (words[4] != int(gpu)) refuseState("it was written on another kind of device");
@@ -62,16 +70,15 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     if (ranks_) ranks_->sum(host_, stiffening);
     std::vector<int> there;
     const std::vector<std::int32_t> ids = solidIds(there);
-    std::vector<std::int32_t> words
-    {
-        detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n, fluid_.fields(), shift_,
-        cycle_.steps, int(sizeof(ClockData)), nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0,
-        int(cycle_.fitted) + 2*cycle_.full, int(there.size())
-    };
+    std::vector<std::int32_t> words{detail::stateMagic, detail::stateVersion, D, int(sizeof(real)),
+        int(Backend::gpu), n, fluid_.fields(), shift_, cycle_.steps, int(sizeof(ClockData)),
+        nBodies_ ? nWalls_ : 0, nBodies_ ? wall_.fields() : 0, int(cycle_.fitted) + 2*cycle_.full,
+        int(there.size())};
     detail::appendBytes(words, &host_, sizeof(ClockData));
     detail::appendBytes(words, &stiffening, sizeof(stiffening));
     std::size_t expected = words.size() + 1;
-    for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < fluid_.fields(); ++f)
+        expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
     const bool here = !ranks_ || ranks_->first();
     if (here) words.reserve(expected);
     const auto append = [&](FieldSet<Backend>& set, int count)
@@ -89,12 +96,15 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
     if (solids_)
     {
         for (const int key : there) words.push_back(ids[key]);
-        for (const auto* a : {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
+        for (const auto* a :
+            {&solidVelocity_, &solidAcceleration_, &solidForce_, &solidForceBefore_})
         {
             if (!a->size()) continue;
             const std::vector<real> all = a->download();
             std::vector<real> values;
-            for (const int key : there) values.insert(values.end(), &all[std::size_t(key)*D], &all[std::size_t(key)*D] + D);
+            for (const int key : there)
+                values.insert(
+                    values.end(), &all[std::size_t(key)*D], &all[std::size_t(key)*D] + D);
             detail::appendBytes(words, values.data(), values.size()*sizeof(real));
         }
         const std::vector<std::int32_t> own = solidScene_->saveState();
@@ -110,21 +120,30 @@ std::vector<std::int32_t> SphSolver<Backend, D, P>::saveState()
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::loadState(const std::vector<std::int32_t>& given)
 {
-    const std::vector<std::int32_t> received = ranks_ ? ranks_->ofFirst(given) : std::vector<std::int32_t>();
+    const std::vector<std::int32_t> received = ranks_ ? ranks_->ofFirst(given)
+                                                      : std::vector<std::int32_t>();
     const std::vector<std::int32_t>& words = ranks_ ? received : given;
     const auto fail = detail::refuseState;
     const std::size_t clockWords = (sizeof(ClockData) + 3)/4, energyWords = sizeof(stiffening_)/4;
-    detail::requireState(words, detail::stateHeader + clockWords + energyWords + 1, D, sizeof(real), Backend::gpu);
+    detail::requireState(
+        words, detail::stateHeader + clockWords + energyWords + 1, D, sizeof(real), Backend::gpu);
     if (words[6] != fluid_.fields()) fail("it has other fields (models were switched on or off)");
     if (words[9] != int(sizeof(ClockData))) fail("it was written by another version");
-    if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0)) fail("it has other moving walls");
-    if (words[13] != nSolids_) fail("it is of " + std::to_string(words[13]) + " solid particles, the case of " + std::to_string(nSolids_));
+    if (words[10] != (nBodies_ ? nWalls_ : 0) || words[11] != (nBodies_ ? wall_.fields() : 0))
+        fail("it has other moving walls");
+    if (words[13] != nSolids_)
+        fail("it is of " + std::to_string(words[13]) + " solid particles, the case of "
+            + std::to_string(nSolids_));
     const int n = words[5], most = ranks_ ? int(ranks_->particles().total()) : n_;
-    if (n < 0 || n > most) fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(most));
+    if (n < 0 || n > most)
+        fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(most));
     std::size_t at = detail::stateHeader + clockWords + energyWords, expected = at + 1;
-    for (int f = 0; f < fluid_.fields(); ++f) expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
-    for (int f = 0; f < words[11]; ++f) expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
-    const std::size_t solidsAt = expected - 1, solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
+    for (int f = 0; f < fluid_.fields(); ++f)
+        expected += (std::size_t(n)*fluid_.elementBytes(f) + 3)/4;
+    for (int f = 0; f < words[11]; ++f)
+        expected += (std::size_t(nWalls_)*wall_.elementBytes(f) + 3)/4;
+    const std::size_t solidsAt = expected - 1,
+                      solidWords = (std::size_t(nSolids_)*D*sizeof(real) + 3)/4;
     if (solids_)
     {
         expected += nSolids_ + (solidForceBefore_.size() ? 4 : 3)*solidWords + 1;
@@ -180,7 +199,8 @@ void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words
     for (int i = 0; i < nSolids_; ++i)
     {
         const auto found = keyOf.find(words[at + i]);
-        if (found == keyOf.end()) throw std::invalid_argument("saved state: it is of other solid particles");
+        if (found == keyOf.end())
+            throw std::invalid_argument("saved state: it is of other solid particles");
         keys[i] = found->second;
         keyOf.erase(found);
     }
@@ -190,11 +210,13 @@ void SphSolver<Backend, D, P>::loadSolids(const std::vector<std::int32_t>& words
         if (!a->size()) continue;
         std::vector<real> values(std::size_t(nSolids_)*D), all(values.size());
         std::memcpy(values.data(), &words[at], values.size()*sizeof(real));
-        for (int i = 0; i < nSolids_; ++i) std::copy_n(&values[std::size_t(i)*D], D, &all[std::size_t(keys[i])*D]);
+        for (int i = 0; i < nSolids_; ++i)
+            std::copy_n(&values[std::size_t(i)*D], D, &all[std::size_t(keys[i])*D]);
         context_.toDevice(a->data(), all.data(), all.size()*sizeof(real));
         at += (all.size()*sizeof(real) + 3)/4;
     }
-    const std::vector<std::int32_t> own(words.begin() + at + 1, words.begin() + at + 1 + std::uint32_t(words[at]));
+    const std::vector<std::int32_t> own(
+        words.begin() + at + 1, words.begin() + at + 1 + std::uint32_t(words[at]));
     solidScene_->loadState(own);
     showForces();
 }

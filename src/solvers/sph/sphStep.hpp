@@ -47,7 +47,8 @@ Source<Backend, D, P> SphSolver<Backend, D, P>::fluidSource([[maybe_unused]] boo
     Source<Backend, D, P> s{};
     s.records = fluidRecords_.view();
     s.start = fluidSort_.start();
-    if constexpr (Backend::gpu) s.list = forWalls ? parts_.wallFluid.view() : parts_.fluidFluid.view();
+    if constexpr (Backend::gpu)
+        s.list = forWalls ? parts_.wallFluid.view() : parts_.fluidFluid.view();
     return s;
 }
 
@@ -66,7 +67,8 @@ template<class Backend, int D, class P>
 template<class Kernel>
 KernelConstants<D, typename P::real> SphSolver<Backend, D, P>::kernelConstants() const
 {
-    return KernelConstants<D, real>::template make<Kernel>(config_.smoothingRatio*config_.spacing, config_.spacing);
+    return KernelConstants<D, real>::template make<Kernel>(
+        config_.smoothingRatio*config_.spacing, config_.spacing);
 }
 
 template<class Backend, int D, class P>
@@ -116,7 +118,8 @@ void SphSolver<Backend, D, P>::moveWalls(bool half)
     m.clock = clock_.data();
     forEach(context_, nWalls_, m);
     if (config_.wallModel == WallKind::stationary)
-        forEach(context_, nWalls_, StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
+        forEach(context_, nWalls_,
+            StationaryWall<Backend, D, P>{wallRecords_.view(), wallFields(), model_});
 }
 
 template<class Backend, int D, class P>
@@ -142,7 +145,8 @@ void SphSolver<Backend, D, P>::wallPass(bool inStep)
     if (ranks_) ranks_->shareWalls();
 }
 
-//- Force on the walls, or that of the pressure alone; without somewhere to put it, the work that moving walls do in this step
+//- Force on the walls, or that of the pressure alone; without somewhere to put it, the work that
+//  moving walls do in this step
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::wallForcePass(real* force, bool viscous)
 {
@@ -180,18 +184,19 @@ void SphSolver<Backend, D, P>::fluidPass(Finish mode)
         constexpr bool specialised = Kernel::frequent && sizeof(real) == 4;
         terms_.template withFluidTerms<part, specialised>(
             [&](const auto& fluidTerms, const auto& wallTerms, auto shifts)
-        {
-            FluidPass
-            <
-                Backend, D, P, Kernel, decltype(variable)::value, part, std::decay_t<decltype(fluidTerms)>,
-                std::decay_t<decltype(wallTerms)>, decltype(shifts)::value
-            > pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms, kernelConstants<Kernel>(),
-                terms_.shifting, model_, fluidFields(), {}, fluidSort_.active(), clock_.data(), mode,
-                solidAction(), ghosts()};
-            for (int d = 0; d < D; ++d)
-                pass.wallVelocity[d] = wallVField_ < 0 ? nullptr : wall_.template data<real>(wallVField_ + d);
-            run(pass, n_);
-        });
+            {
+                FluidPass<Backend, D, P, Kernel, decltype(variable)::value, part,
+                    std::decay_t<decltype(fluidTerms)>, std::decay_t<decltype(wallTerms)>,
+                    decltype(shifts)::value>
+                    pass{box_, grid_, {fluidSource(false), wallSource()}, fluidTerms, wallTerms,
+                        kernelConstants<Kernel>(), terms_.shifting, model_, fluidFields(), {},
+                        fluidSort_.active(), clock_.data(), mode, solidAction(), ghosts()};
+                for (int d = 0; d < D; ++d)
+                    pass.wallVelocity[d] = wallVField_ < 0
+                        ? nullptr
+                        : wall_.template data<real>(wallVField_ + d);
+                run(pass, n_);
+            });
     });
 }
 

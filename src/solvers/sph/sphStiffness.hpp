@@ -1,7 +1,8 @@
 /*  SphSolver: another speed of sound between two steps, and what speaks for it.
 
-    With c' for c every particle keeps its pressure, d' = d'(p(d)), and so the forces at hand. The elastic energy, about p^2/(2 rho c^2) a
-    unit volume, changes; the sum of these changes is kept beside the energies, as the work of moving walls is.
+    With c' for c every particle keeps its pressure, d' = d'(p(d)), and so the forces at hand. The
+    elastic energy, about p^2/(2 rho c^2) a unit volume, changes; the sum of these changes is kept
+    beside the energies, as the work of moving walls is.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -68,11 +69,13 @@ struct AbsoluteDeviation
 };
 
 template<class Backend, int D, class P>
-std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::fasterThan(const std::array<double, SphScene::speedClasses>& speeds)
+std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::fasterThan(
+    const std::array<double, SphScene::speedClasses>& speeds)
 {
     CountFaster<D, P, SphScene::speedClasses> count{fluidFields(), {}};
     for (int k = 0; k < SphScene::speedClasses; ++k) count.speed2[k] = speeds[k]*speeds[k];
-    const auto sums = sumOver<SphScene::speedClasses>(context_, activeFluid(), withoutGhosts(count, ghosts()));
+    const auto sums = sumOver<SphScene::speedClasses>(
+        context_, activeFluid(), withoutGhosts(count, ghosts()));
     std::array<std::size_t, SphScene::speedClasses> counts;
     for (int k = 0; k < SphScene::speedClasses; ++k) counts[k] = std::size_t(sums[k]);
     return counts;
@@ -81,10 +84,14 @@ std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::faster
 template<class Backend, int D, class P>
 void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSpeed)
 {
-    if (!(maxVelocity > 0 && soundSpeed > 0)) throw std::invalid_argument("maxVelocity and the speed of sound must be positive");
+    if (!(maxVelocity > 0 && soundSpeed > 0))
+        throw std::invalid_argument("maxVelocity and the speed of sound must be positive");
     const EquationOfState<real> before = model_.eos;
     const auto elasticEnergy = [&]
-    { return sumOver<3>(context_, activeFluid(), withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()))[2]; };
+    {
+        return sumOver<3>(context_, activeFluid(),
+            withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()))[2];
+    };
     const double elastic = elasticEnergy();
     config_.maxVelocity = maxVelocity;
     config_.soundSpeed = soundSpeed;
@@ -96,8 +103,10 @@ void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSp
     stiffening_ += elasticEnergy() - elastic;
     // the next step begins with the maxima of the last pass
     readClock();
-    host_.maxima[1] = float(reduceMax(context_, n, withoutGhosts(SignalSpeed<D, P>{model_, fluidFields()}, ghosts())));
-    host_.maxima[2] = float(reduceMax(context_, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, ghosts())));
+    host_.maxima[1] = float(
+        reduceMax(context_, n, withoutGhosts(SignalSpeed<D, P>{model_, fluidFields()}, ghosts())));
+    host_.maxima[2] = float(
+        reduceMax(context_, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, ghosts())));
     writeClock();
     if (ranks_) { ranks_->agree(*clock_.data(), interrupted_); readClock(); }
     refreshRecords();

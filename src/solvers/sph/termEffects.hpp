@@ -1,4 +1,5 @@
-/*  What pair terms do with a case's numbers, found by their own formulas: for whoever says what a case does not need.
+/*  What pair terms do with a case's numbers, found by their own formulas: for whoever says what a
+    case does not need.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

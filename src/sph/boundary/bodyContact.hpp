@@ -1,7 +1,9 @@
-/*  Bodies that move freely among the fluid have faces as walls do (wallFaces.hpp), and get what faces take from the fluid: equal and opposite, at the
-    place of the contact. It is summed in whole units, so that sums do not depend on an order, and handed over once a step.
+/*  Bodies that move freely among the fluid have faces as walls do (wallFaces.hpp), and get what
+    faces take from the fluid: equal and opposite, at the place of the contact. It is summed in
+    whole units, so that sums do not depend on an order, and handed over once a step.
 
-    Only bodies that a particle is near to are asked: those of which a point lies in the cells about it.
+    Only bodies that a particle is near to are asked: those of which a point lies in the cells about
+    it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,7 +19,8 @@ namespace riprap
 //- Units in which contacts are counted, of a particle's mass: 1e-9 m/s and 1e-9 m2/s2 about
 static constexpr double faceUnit = 1.0/1073741824;
 
-//- What faces of a body gave to the fluid in a step: impulse, and moment about the body's centre, of a particle's mass
+//- What faces of a body gave to the fluid in a step: impulse, and moment about the body's centre,
+//  of a particle's mass
 struct FaceBlow { std::int64_t impulse[3], moment[3]; };
 
 template<int D, class P>
@@ -26,11 +29,13 @@ struct BodyContact
     using real = typename P::real;
     static constexpr int most = 4;      // that a particle is near to at once
 
-    const int* start;           // points of each cell; null: no body has faces, or none is near fluid
+    // points of each cell; null: no body has faces, or none is near fluid
+    const int* start;
     CellGrid<D, P> grid;
     const std::uint32_t* key;   // of a point
     const int* groupOfKey;      // of faces; -1: its body has none
-    real reach;                 // [m] from a face to a point of its body, both moved since points were sorted
+    // [m] from a face to a point of its body, both moved since points were sorted
+    real reach;
     int first;                  // group of the first body
     FaceBlow* blow;             // of each body
 
@@ -54,7 +59,8 @@ struct BodyContact
     }
 
     //- The fluid's velocity changes by du at x
-    HD void count(const WallFaces<D>& faces, int group, const Vec<D, double>& x, const Vec<D, double>& du) const
+    HD void count(const WallFaces<D>& faces, int group, const Vec<D, double>& x,
+        const Vec<D, double>& du) const
     {
         if (group < first) return;
         Vec<3, double> arm{{0, 0, 0}}, u{{0, 0, 0}};

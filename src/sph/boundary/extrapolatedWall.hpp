@@ -1,5 +1,6 @@
-/*  Extrapolated wall pressure (extrapolation.hpp), and the density that the equation of state gives for it. v_w enters laminar viscosity
-    only, volume changes and artificial viscosity see u_w (with v_w there, energy grows: docs/theory).
+/*  Extrapolated wall pressure (extrapolation.hpp), and the density that the equation of state gives
+    for it. v_w enters laminar viscosity only, volume changes and artificial viscosity see u_w (with
+    v_w there, energy grows: docs/theory).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,7 +40,8 @@ struct ExtrapolatedWallPass
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }
-    // in a step nobody sees walls about which no fluid is listed: fluid lists walls from as far as walls list fluid
+    // in a step nobody sees walls about which no fluid is listed: fluid lists walls from as far as
+    // walls list fluid
     HD bool all() const { return !clock; }
     HD Vec<Dim, typename P::position> position(int i) const { return wall.loadPosition(i); }
 
@@ -50,9 +52,11 @@ struct ExtrapolatedWallPass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int,
+        T* sums) const
     {
-        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i, j, dx, r2);
+        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(
+            kernel, model.h0, i, j, dx, r2);
         addToExtrapolation<Dim, T>(j, dx, g.w, sums);
     }
 

@@ -1,6 +1,7 @@
-/*  Faces of walls keep particles out: one that has come behind a face is put back onto it, and its velocity relative to the wall loses
-    the part that points into it. What that takes from the particle is counted: momentum, and kinetic and potential energy, with the velocity
-    that belongs to the end of the step.
+/*  Faces of walls keep particles out: one that has come behind a face is put back onto it, and its
+    velocity relative to the wall loses the part that points into it. What that takes from the
+    particle is counted: momentum, and kinetic and potential energy, with the velocity that belongs
+    to the end of the step.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -23,11 +24,8 @@ struct FaceContact
     double clearance;           // [m] in front of the face that a particle is put to
 
     //- At the end of a drift. kick: of the half step that is still to come, as far as it is known
-    HD void keepOut
-    (
-        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, Vec<D, std::int64_t>& x, Vec<D, real>& v,
-        ClockData* clock
-    ) const
+    HD void keepOut(const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick,
+        Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock) const
     {
         if (!faces.groups) return;
         Vec<D, double> at;
@@ -41,13 +39,11 @@ struct FaceContact
 
 private:
 
-    //- Out of one face after another: in a corner of two parts the way out of one may lead behind the other. Walls have the last word: a body may lie
-    //  on one
-    HD_APART void putBack
-    (
-        const Box<D, P>& box, const Vec<D, real>& gravity, const Vec<D, real>& kick, Vec<D, double> at, const int* near, int count,
-        Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock
-    ) const
+    //- Out of one face after another: in a corner of two parts the way out of one may lead behind
+    //  the other. Walls have the last word: a body may lie on one
+    HD_APART void putBack(const Box<D, P>& box, const Vec<D, real>& gravity,
+        const Vec<D, real>& kick, Vec<D, double> at, const int* near, int count,
+        Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock) const
     {
         constexpr int most = 4;
         FaceHit<D> hit = faces.find(at, near, count);
@@ -81,7 +77,8 @@ private:
         {
             x.c[d] = box.toFixedInside(d, at.c[d]);
             v.c[d] = real(u.c[d]);
-            energy += 0.5*(u.c[d] - before.c[d])*(u.c[d] + before.c[d] + 2*double(kick.c[d])) - double(gravity.c[d])*(at.c[d] - from.c[d]);
+            energy += 0.5*(u.c[d] - before.c[d])*(u.c[d] + before.c[d] + 2*double(kick.c[d]))
+                - double(gravity.c[d])*(at.c[d] - from.c[d]);
             addShared(&clock->faceImpulse[d], std::int64_t(rint((u.c[d] - before.c[d])/faceUnit)));
         }
         addShared(&clock->faceEnergy, std::int64_t(rint(energy/faceUnit)));
@@ -109,7 +106,8 @@ struct PoseFaces
         {
             table.evaluate(body, 9 + axes[d], clock->time, p.t[d], p.rateT[d], acceleration);
             for (int e = 0; e < D; ++e)
-                table.evaluate(body, 3*axes[d] + axes[e], clock->time, p.R[d][e], p.rateR[d][e], acceleration);
+                table.evaluate(body, 3*axes[d] + axes[e], clock->time, p.R[d][e], p.rateR[d][e],
+                    acceleration);
         }
     }
 };

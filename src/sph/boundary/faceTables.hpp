@@ -1,8 +1,8 @@
-/*  Makes the tables of sph/boundary/wallFaces.hpp, on the host: normals of edges and vertices, the cells of each group's grid and their
-    planes.
+/*  Makes the tables of sph/boundary/wallFaces.hpp, on the host: normals of edges and vertices, the
+    cells of each group's grid and their planes.
 
-    Faces of a later part that lie wholly in the solid of an earlier one of the same group (a box's bottom on a floor) are left out: there
-    the way out would be through the other solid.
+    Faces of a later part that lie wholly in the solid of an earlier one of the same group (a box's
+    bottom on a floor) are left out: there the way out would be through the other solid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,8 +39,8 @@ public:
 
     //- reach: how deep behind a face particles are looked for [m]; moves: of each group
     FaceTables(std::vector<FaceElement<D>> elements, double spacing, const std::vector<bool>& moves)
-    :
-        elements_(std::move(elements)), reach_(spacing), cell_(2*spacing), weld_(1e-6*spacing), moves_(moves)
+        : elements_(std::move(elements)), reach_(spacing), cell_(2*spacing),
+          weld_(1e-6*spacing), moves_(moves)
     {
         order();
         fill();
@@ -49,8 +49,9 @@ public:
 
     WallFaces<D> view(const FacePose<D>* poses = nullptr) const
     {
-        return WallFaces<D>{vertex.data(), normal.data(), half.data(), part.data(), cellFirst.data(), cellElement.data(),
-            cellFirstPlane.data(), plane.data(), grid.data(), poses, int(grid.size()), tiny()};
+        return WallFaces<D>{vertex.data(), normal.data(), half.data(), part.data(),
+            cellFirst.data(), cellElement.data(), cellFirstPlane.data(), plane.data(), grid.data(),
+            poses, int(grid.size()), tiny()};
     }
 
     double tiny() const { return 1e-9*reach_; }
@@ -113,7 +114,8 @@ private:
     bool same(const Plane& a, const Plane& b) const
     {
         for (int d = 0; d < D; ++d) if (std::abs(a[d] - b[d]) > 1e-12) return false;
-        return std::abs(a[D] - b[D]) < 0.01*margin() && std::abs(a[D + 1] - b[D + 1]) < 0.01*margin();
+        return std::abs(a[D] - b[D]) < 0.01*margin()
+            && std::abs(a[D + 1] - b[D + 1]) < 0.01*margin();
     }
 
     //- The planes of each cell's elements, those that coincide once
@@ -128,7 +130,9 @@ private:
             for (int k = cellFirst[c]; k < cellFirst[c + 1]; ++k)
             {
                 const Plane p = planeOf(elements_[cellElement[k]]);
-                if (std::none_of(own.begin(), own.end(), [&](const Plane& q) { return same(p, q); })) own.push_back(p);
+                if (std::none_of(
+                        own.begin(), own.end(), [&](const Plane& q) { return same(p, q); }))
+                    own.push_back(p);
             }
             for (const Plane& p : own) plane.insert(plane.end(), p.begin(), p.end());
             cellFirstPlane.push_back(int(plane.size()/(D + 2)));
@@ -148,7 +152,8 @@ private:
     static std::vector<int> cornersOf(int feature)
     {
         if (D == 2) return {feature};
-        return feature < 3 ? std::vector<int>{feature, (feature + 1)%3} : std::vector<int>{feature - 3};
+        return feature < 3 ? std::vector<int>{feature, (feature + 1)%3}
+                           : std::vector<int>{feature - 3};
     }
 
     //- The angle at which a face meets a feature
@@ -183,7 +188,8 @@ private:
                 s.normal = s.normal + weight(e, f)*e.normal;
                 s.faces += 1;
             }
-        // an edge (2D: a vertex) of a single face is the rim of an open surface, and so are the vertices at its ends
+        // an edge (2D: a vertex) of a single face is the rim of an open surface, and so are the
+        // vertices at its ends
         std::vector<std::pair<std::pair<int, int>, Key>> rim;
         for (auto& s : sums)
         {
@@ -191,12 +197,14 @@ private:
             s.second.rim = true;
             if (D == 3) for (const Key& k : s.first.second) rim.emplace_back(s.first.first, k);
         }
-        for (const auto& r : rim) sums[std::make_pair(r.first, std::vector<Key>{r.second})].rim = true;
+        for (const auto& r : rim)
+            sums[std::make_pair(r.first, std::vector<Key>{r.second})].rim = true;
 
         const auto add = [&](const Point& n, bool none)
         {
             const double length = std::sqrt(squaredNorm(n));
-            for (int d = 0; d < D; ++d) normal.push_back(none || !(length > 1e-12) ? 0 : n.c[d]/length);
+            for (int d = 0; d < D; ++d)
+                normal.push_back(none || !(length > 1e-12) ? 0 : n.c[d]/length);
         };
         for (const auto& e : elements_)
         {
@@ -230,7 +238,17 @@ private:
                     high.c[d] = std::max(high.c[d], p.c[d]);
                 }
         }
-        if (begin == end) { for (int d = 0; d < D; ++d) { g.low[d] = 0; g.n[d] = 0; } g.inverseCell = 1; grid.push_back(g); return; }
+        if (begin == end)
+        {
+            for (int d = 0; d < D; ++d)
+            {
+                g.low[d] = 0;
+                g.n[d] = 0;
+            }
+            g.inverseCell = 1;
+            grid.push_back(g);
+            return;
+        }
         double cell = cell_, cells;
         for (;; cell *= 1.5)
         {
@@ -255,9 +273,13 @@ private:
         return x;
     }
 
-    Point closest(int e, const Point& x, int& feature) const { return closestPoint(elements_[e].v, x, feature); }
+    Point closest(int e, const Point& x, int& feature) const
+    {
+        return closestPoint(elements_[e].v, x, feature);
+    }
 
-    //- Elements near each cell, then of each part those that may be the closest one to a point of the cell that is behind the part
+    //- Elements near each cell, then of each part those that may be the closest one to a point of
+    //  the cell that is behind the part
     void listCells(std::size_t begin, std::size_t end, const FaceGrid<D>& g, double cell)
     {
         const double radius = 0.5*std::sqrt(double(D))*cell;
@@ -269,7 +291,11 @@ private:
             for (int d = 0; d < D; ++d)
             {
                 double lo = 1e300, hi = -1e300;
-                for (const Point& p : elements_[i].v) { lo = std::min(lo, p.c[d]); hi = std::max(hi, p.c[d]); }
+                for (const Point& p : elements_[i].v)
+                {
+                    lo = std::min(lo, p.c[d]);
+                    hi = std::max(hi, p.c[d]);
+                }
                 from[d] = std::max(0, int((lo - within - g.low[d])/cell));
                 to[d] = std::min(g.n[d] - 1, int((hi + within - g.low[d])/cell));
             }
@@ -279,14 +305,19 @@ private:
                     {
                         const Point x = centre(g, cell, c);
                         int feature;
-                        const double distance = std::sqrt(squaredNorm(x - closest(int(i), x, feature)));
+                        const double distance = std::sqrt(
+                            squaredNorm(x - closest(int(i), x, feature)));
                         if (distance > within) continue;
                         const int index = (c[2]*g.n[1] + c[1])*g.n[0] + c[0];
                         found.push_back(Candidate{index, elements_[i].part, int(i), distance});
                     }
         }
-        std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b)
-        { return std::make_pair(std::make_pair(a.cell, a.part), a.element) < std::make_pair(std::make_pair(b.cell, b.part), b.element); });
+        std::sort(found.begin(), found.end(),
+            [](const Candidate& a, const Candidate& b)
+            {
+                return std::make_pair(std::make_pair(a.cell, a.part), a.element)
+                    < std::make_pair(std::make_pair(b.cell, b.part), b.element);
+            });
         keep(found, g, cell, radius);
     }
 
@@ -297,12 +328,15 @@ private:
         for (std::size_t k = 0; k < found.size();)
         {
             std::size_t last = k, nearest = k;
-            for (; last < found.size() && found[last].cell == found[k].cell && found[last].part == found[k].part; ++last)
+            for (; last < found.size() && found[last].cell == found[k].cell
+                 && found[last].part == found[k].part;
+                 ++last)
                 if (found[last].distance < found[nearest].distance) nearest = last;
             for (; next < found[k].cell; ++next) cellFirst.push_back(int(cellElement.size()));
             if (meetsSolid(found[nearest], g, cell, radius))
                 for (std::size_t j = k; j < last; ++j)
-                    if (found[j].distance <= furthest(found[nearest], found[j], radius)) cellElement.push_back(found[j].element);
+                    if (found[j].distance <= furthest(found[nearest], found[j], radius))
+                        cellElement.push_back(found[j].element);
             k = last;
         }
         for (; next < cells; ++next) cellFirst.push_back(int(cellElement.size()));
@@ -312,7 +346,8 @@ private:
     double furthest(const Candidate& nearest, const Candidate& c, double radius) const
     {
         const double half = elements_[c.element].half;
-        return std::max(nearest.distance + 2*radius, half > 0 && hasRim(c.element) ? half + radius : 0.0);
+        return std::max(
+            nearest.distance + 2*radius, half > 0 && hasRim(c.element) ? half + radius : 0.0);
     }
 
     bool hasRim(int e) const
@@ -325,8 +360,10 @@ private:
         return false;
     }
 
-    //- May a point of the cell be behind the part? Not if its centre is in front by more than the cell reaches
-    bool meetsSolid(const Candidate& nearest, const FaceGrid<D>& g, double cell, double radius) const
+    //- May a point of the cell be behind the part? Not if its centre is in front by more than the
+    //  cell reaches
+    bool meetsSolid(
+        const Candidate& nearest, const FaceGrid<D>& g, double cell, double radius) const
     {
         if (nearest.distance <= radius + elements_[nearest.element].half) return true;
         if (elements_[nearest.element].half > 0) return false;
@@ -343,7 +380,8 @@ private:
 
     // * * * buried faces
 
-    //- Is a point just outside this face, at a corner or in the middle, behind an earlier part of its group?
+    //- Is a point just outside this face, at a corner or in the middle, behind an earlier part of
+    //  its group?
     bool buried(const FaceElement<D>& e) const
     {
         Point middle = filled<D>(0.0);

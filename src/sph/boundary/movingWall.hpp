@@ -1,5 +1,6 @@
-/*  Moving walls: points carried by the rigid motion of their group, known at equally spaced instants of the interval
-    that is being advanced and interpolated between them by cubic Hermite polynomials (error of order interval^4).
+/*  Moving walls: points carried by the rigid motion of their group, known at equally spaced
+    instants of the interval that is being advanced and interpolated between them by cubic Hermite
+    polynomials (error of order interval^4).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -88,7 +89,8 @@ struct MoveWalls
         wall.storePosition(i, pairX);
         const real distance = squareRoot(distance2);
         if (distance > allowedWay) clock->skinViolations = 1;
-        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > allowedWay) clock->needRebuild = 1;
+        if (distance + real(1.25)*squareRoot(speed2)*real(clock->fullDt) > allowedWay)
+            clock->needRebuild = 1;
     }
 };
 

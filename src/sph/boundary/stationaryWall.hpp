@@ -1,5 +1,6 @@
-/*  Stationary wall (paper section 5, method 1): wall points keep p = 0, rho0 and the wall's velocity. Fluid particles
-    feel them through Eqs. 32, 34 and 36; they are pushed off as their own density rises on approach.
+/*  Stationary wall (paper section 5, method 1): wall points keep p = 0, rho0 and the wall's
+    velocity. Fluid particles feel them through Eqs. 32, 34 and 36; they are pushed off as their own
+    density rises on approach.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,14 +1,19 @@
-/*  The true faces of walls, which no particle passes: segments (2D) or triangles (3D) in groups that move rigidly.
+/*  The true faces of walls, which no particle passes: segments (2D) or triangles (3D) in groups
+    that move rigidly.
 
-    A point is behind a surface if the vector to it from the surface's closest point has a negative component along the normal there. On
-    edges and vertices that is the sum of the faces' normals weighted by their angles, with which the sign is right (Baerentzen & Aanaes
-    2005, IEEE Trans. Vis. Comput. Graph. 11(3), 243); on the rim of an open surface there is none, and nothing is behind it. A plate has a
-    thickness: what is nearer to it than half of that is in it, whichever side it came from; at its rim it ends flat. Each part (the mesh's patches, each body) is
-    asked for itself: a point is in the walls if it is in any of them.
+    A point is behind a surface if the vector to it from the surface's closest point has a negative
+    component along the normal there. On edges and vertices that is the sum of the faces' normals
+    weighted by their angles, with which the sign is right (Baerentzen & Aanaes 2005, IEEE Trans.
+    Vis. Comput. Graph. 11(3), 243); on the rim of an open surface there is none, and nothing is
+    behind it. A plate has a thickness: what is nearer to it than half of that is in it, whichever
+    side it came from; at its rim it ends flat. Each part (the mesh's patches, each body) is asked
+    for itself: a point is in the walls if it is in any of them.
 
-    Cells of a grid in each group's frame list the elements of each part that can be the closest one to a point behind it, and the planes
-    of these elements. What is in front of all planes of its cell is in front of the walls, since the normals on edges and vertices are
-    positive sums of those of the faces there; so closest points are sought for the few particles that are behind a plane.
+    Cells of a grid in each group's frame list the elements of each part that can be the closest one
+    to a point behind it, and the planes of these elements. What is in front of all planes of its
+    cell is in front of the walls, since the normals on edges and vertices are positive sums of
+    those of the faces there; so closest points are sought for the few particles that are behind a
+    plane.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -44,7 +49,8 @@ struct FaceHit
     Vec<D, double> normal{};
     Vec<D, double> nearest{};   // on the face
     int group = -1;
-    // of a plate, where the way out over its rim is shorter: that way. Whether it is open is for the caller to see: plates stand on floors
+    // of a plate, where the way out over its rim is shorter: that way. Whether it is open is for
+    // the caller to see: plates stand on floors
     double overRim = 0;
     Vec<D, double> rimNormal{}, rimNearest{};
 };
@@ -52,7 +58,8 @@ struct FaceHit
 template<int D>
 struct WallFaces
 {
-    static constexpr int normals = 1 + featureCount<D>;     // of an element: its own, those of its features
+    // of an element: its own, those of its features
+    static constexpr int normals = 1 + featureCount<D>;
 
     const double* vertex;       // D*D an element [m]
     const double* normal;       // normals*D an element; zero on a rim
@@ -61,10 +68,13 @@ struct WallFaces
     const int* cellFirst;
     const int* cellElement;     // by part within a cell
     const int* cellFirstPlane;
-    const double* plane;        // D + 2 a plane: normal, the least n.X in front of it, and how far behind it the wall ends (0: it does not)
+    // D + 2 a plane: normal, the least n.X in front of it, and how far behind it the wall ends (0:
+    // it does not)
+    const double* plane;
     const FaceGrid<D>* grid;
     const FacePose<D>* pose;
-    int groups;                 // 0: there are no faces; those of bodies in the fluid come behind them and are asked by name
+    // 0: there are no faces; those of bodies in the fluid come behind them and are asked by name
+    int groups;
     double tiny;                // [m] nearer to a face there is no direction from it
 
     //- Are there any faces that x (in space) may be behind? Quick, and no for nearly all
@@ -90,7 +100,8 @@ struct WallFaces
         return false;
     }
 
-    //- The deepest face that x (in space) is behind, of walls and of some other groups; depth 0: none
+    //- The deepest face that x (in space) is behind, of walls and of some other groups; depth 0:
+    //  none
     HD FaceHit<D> find(const Vec<D, double>& x, const int* others = nullptr, int count = 0) const
     {
         FaceHit<D> hit;
@@ -119,7 +130,10 @@ struct WallFaces
     }
 
     //- The same for a point in the frame of group g and the parts of it before this one
-    HD void before(int g, int thisPart, const Vec<D, double>& X, FaceHit<D>& hit) const { search(g, X, hit, thisPart); }
+    HD void before(int g, int thisPart, const Vec<D, double>& X, FaceHit<D>& hit) const
+    {
+        search(g, X, hit, thisPart);
+    }
 
 private:
 
@@ -219,17 +233,20 @@ private:
             }
             if (!consider(g, X, element, feature, nearest, sqrt(least), hit)) continue;
             hit.overRim = 0;
-            if (half[element] > 0) for (int j = from; j < k; ++j) considerRim(X, cellElement[j], nearest, hit);
+            if (half[element] > 0)
+                for (int j = from; j < k; ++j) considerRim(X, cellElement[j], nearest, hit);
         }
     }
 
     //- Is X deeper behind element e than behind those before?
-    HD bool consider(int g, const Vec<D, double>& X, int e, int feature, const Vec<D, double>& p, double distance, FaceHit<D>& hit) const
+    HD bool consider(int g, const Vec<D, double>& X, int e, int feature, const Vec<D, double>& p,
+        double distance, FaceHit<D>& hit) const
     {
         const Vec<D, double> own = read(normal + (e*normals + feature + 1)*D);
         if (squaredNorm(own) == 0) return false;
         const bool plate = half[e] > 0;
-        const double along = dot(X - p, own), depth = plate ? half[e] - distance : (along < 0 ? distance : 0.0);
+        const double along = dot(X - p, own),
+                     depth = plate ? half[e] - distance : (along < 0 ? distance : 0.0);
         if (!(depth > hit.depth)) return false;
         hit.depth = depth;
         hit.group = g;
@@ -241,13 +258,16 @@ private:
         return true;
     }
 
-    //- The way out over the rims of element e of a plate whose closest point is p. They are flat: as far from p as p from the rim
-    HD void considerRim(const Vec<D, double>& X, int e, const Vec<D, double>& p, FaceHit<D>& hit) const
+    //- The way out over the rims of element e of a plate whose closest point is p. They are flat:
+    //  as far from p as p from the rim
+    HD void considerRim(
+        const Vec<D, double>& X, int e, const Vec<D, double>& p, FaceHit<D>& hit) const
     {
         for (int f = 0; f < D; ++f)
         {
             if (squaredNorm(read(normal + (e*normals + f + 1)*D)) != 0) continue;
-            const Vec<D, double> a = read(vertex + (e*D + f)*D), b = read(vertex + (e*D + (f + 1)%D)*D);
+            const Vec<D, double> a = read(vertex + (e*D + f)*D),
+                                 b = read(vertex + (e*D + (f + 1)%D)*D);
             Vec<D, double> way = a - p, out = a - b;
             if constexpr (D == 3)
             {

@@ -1,4 +1,5 @@
-/*  Wall points on the device: they lie outside the fluid, in layers behind the wall, each with its own volume.
+/*  Wall points on the device: they lie outside the fluid, in layers behind the wall, each with its
+    own volume.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,11 +1,12 @@
-/*  Force of the fluid on wall points: the reaction, pair by pair, of what FluidPass adds to the fluid (the same terms,
-    which are antisymmetric), hence equal and opposite to round-off. In a step it also sums the work that moving walls
-    do on the fluid, - F . u dt, and the work of the walls' own pressure, which is what the fluid gets beyond that:
+/*  Force of the fluid on wall points: the reaction, pair by pair, of what FluidPass adds to the
+    fluid (the same terms, which are antisymmetric), hence equal and opposite to round-off. In a
+    step it also sums the work that moving walls do on the fluid, - F . u dt, and the work of the
+    walls' own pressure, which is what the fluid gets beyond that:
 
         m_w sum m p_w/rho_w^2 (v - u_w) . grad_w W dt
 
-    a point of a wall presses as a volume of fluid would that is compressed, but has no density of its own that remembers it (docs/theory,
-    Energy).
+    a point of a wall presses as a volume of fluid would that is compressed, but has no density of
+    its own that remembers it (docs/theory, Energy).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -55,14 +56,17 @@ struct WallForcePass
         const PairParticle<Dim, real> p = wall.template load<VariableH>(i);
         Vec<Dim, real> own = filled<Dim>(real(0));
         if (wallVelocity[0]) for (int d = 0; d < Dim; ++d) own.c[d] = wallVelocity[d][i];
-        return Self<T>{{convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)}, convert<T>(own)};
+        return Self<T>{
+            {convert<T>(p.velocity), T(p.pressureTerm), T(p.density), T(p.h)}, convert<T>(own)};
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& self, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
+    HD void pair(const Self<T>& self, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2,
+        int, T* sums) const
     {
         const PairParticle<Dim, T>& i = self;
-        PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, false>(kernel, model.h0, i, j, dx, r2);
+        PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, false>(
+            kernel, model.h0, i, j, dx, r2);
         g.approach = dot(self.own - j.velocity, dx);    // as in FluidPass
         Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
         terms(i, j, g, c);

@@ -1,5 +1,5 @@
-/*  Equations of state of a weakly compressible fluid, in terms of d = rho/rho0 - 1 (so that single precision keeps
-    small density changes):
+/*  Equations of state of a weakly compressible fluid, in terms of d = rho/rho0 - 1 (so that single
+    precision keeps small density changes):
 
         Tait   (paper Eq. 35): p = c0^2 rho0/gamma ((1 + d)^gamma - 1)
         linear               : p = c0^2 rho0 d
@@ -32,11 +32,13 @@ struct EquationOfState
     {
         if (isLinear) return stiffness*d;
         if (gamma == R(7))      // expanded: no cancellation for small d
-            return stiffness/R(7)*d*(R(7) + d*(R(21) + d*(R(35) + d*(R(35) + d*(R(21) + d*(R(7) + d))))));
+            return stiffness/R(7)*d
+                *(R(7) + d*(R(21) + d*(R(35) + d*(R(35) + d*(R(21) + d*(R(7) + d))))));
         return stiffness/gamma*R(expm1(gamma*log1p(d)));
     }
 
-    //- Density deviation of the pressure p [Pa]; the fluid cannot be emptier than half its rest density here
+    //- Density deviation of the pressure p [Pa]; the fluid cannot be emptier than half its rest
+    //  density here
     HD R deviation(R p) const
     {
         if (isLinear) return maximum(p/stiffness, R(-0.5));

@@ -30,7 +30,8 @@ struct CubicSpline : KernelCard
         return T(0.25)*(power<3>(outer) - T(4)*power<3>(inner));
     }
 
-    //- (dW/dq)/q: -3 + 9q/4 inside q < 1, where the general form would cancel; -3 (2 - q)^2/(4q) outside
+    //- (dW/dq)/q: -3 + 9q/4 inside q < 1, where the general form would cancel; -3 (2 - q)^2/(4q)
+    //  outside
     template<class T>
     static HD T slope(T q)
     {

@@ -1,5 +1,6 @@
-/*  The pass over the fluid: accelerations, density rates and drifts from fluid and wall neighbours, and what the time
-    integration does at the end of it. A part of it alone (momentum or density) leaves the other's state untouched.
+/*  The pass over the fluid: accelerations, density rates and drifts from fluid and wall neighbours,
+    and what the time integration does at the end of it. A part of it alone (momentum or density)
+    leaves the other's state untouched.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -77,12 +78,13 @@ HD PairGeometry<D, T> pairGeometry
     return g;
 }
 
-//- Particle shifting (Lind et al. 2012, Skillen et al. 2013): drift -= A h |v| grad C, faded out towards the free
-//  surface by the divergence of position
+//- Particle shifting (Lind et al. 2012, Skillen et al. 2013): drift -= A h |v| grad C, faded out
+//  towards the free surface by the divergence of position
 template<class R>
 struct ShiftingModel { R coefficient, surface, interior; };
 
-//- What solids do to fluid particles, summed by a pass of its own (coupling/solidPasses.hpp). Null: there are none
+//- What solids do to fluid particles, summed by a pass of its own (coupling/solidPasses.hpp). Null:
+//  there are none
 template<int D, class R>
 struct SolidAction
 {
@@ -91,21 +93,21 @@ struct SolidAction
     R* drift[D];                // of XSPH [m/s]; null: off
 };
 
-//- store: keep the sums only. close: also finish the step (half kick; the whole density step in Part::density)
+//- store: keep the sums only. close: also finish the step (half kick; the whole density step in
+//  Part::density)
 enum class Finish : int {store, close};
 
-template
-<
-    class Backend, int Dim, class P, class Kernel, bool VariableH, Part part, class FluidTerms, class WallTerms, bool Shifts
->
+template<class Backend, int Dim, class P, class Kernel, bool VariableH, Part part, class FluidTerms,
+    class WallTerms, bool Shifts>
 struct FluidPass
 {
     using precision = P;
     using real = typename P::real;
     template<class T> using Self = PairParticle<Dim, T>;
 
-    static constexpr const char* name
-        = part == Part::all ? "fluidPass" : (part == Part::momentum ? "momentumPass" : "densityPass");
+    static constexpr const char* name = part == Part::all
+        ? "fluidPass"
+        : (part == Part::momentum ? "momentumPass" : "densityPass");
     static constexpr bool momentum = part != Part::density, density = part != Part::momentum;
     static constexpr int dimensions = Dim, sources = 2;
     static constexpr bool variableH = VariableH, hasMaxima = true;
@@ -134,7 +136,10 @@ struct FluidPass
     HD bool enabled() const { return clock->active; }
     HD int targets() const { return *count; }
     HD float* maxima() const { return clock->maxima; }
-    HD Vec<Dim, typename P::position> position(int i) const { return source[0].records.loadPosition(i); }
+    HD Vec<Dim, typename P::position> position(int i) const
+    {
+        return source[0].records.loadPosition(i);
+    }
 
     template<class T>
     HD Self<T> self(int i) const
@@ -144,12 +149,14 @@ struct FluidPass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int at, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2,
+        int at, T* sums) const
     {
         constexpr bool needsW = S == 0 && FluidTerms::needsW;
-        PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, needsW>(kernel, model.h0, i, j, dx, r2);
-        // the record of a wall holds the velocity that laminar viscosity sees; volume changes by the wall's own, and so
-        // artificial viscosity only ever takes energy
+        PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, needsW>(
+            kernel, model.h0, i, j, dx, r2);
+        // the record of a wall holds the velocity that laminar viscosity sees; volume changes by
+        // the wall's own, and so artificial viscosity only ever takes energy
         if constexpr (S == 1) g.approach = dot(wallApproach(i, at), dx);
         Channels<T> c{T(real(0)), T(real(0)), T(real(0)), T(real(0))};
         if constexpr (S == 0) fluidTerms(i, j, g, c); else wallTerms(i, j, g, c);
@@ -217,7 +224,8 @@ private:
     HD Vec<Dim, T> wallApproach(const Self<T>& i, int at) const
     {
         Vec<Dim, T> v = i.velocity;
-        if (wallVelocity[0]) for (int d = 0; d < Dim; ++d) v.c[d] = v.c[d] - loadLanes<T>(wallVelocity[d] + at);
+        if (wallVelocity[0])
+            for (int d = 0; d < Dim; ++d) v.c[d] = v.c[d] - loadLanes<T>(wallVelocity[d] + at);
         return v;
     }
 
@@ -228,13 +236,15 @@ private:
             real fade = 0;
             if constexpr (Shifts)
             {
-                fade = (sums[shiftAt + Dim] - shifting.surface)/(shifting.interior - shifting.surface);
+                fade = (sums[shiftAt + Dim] - shifting.surface)
+                    /(shifting.interior - shifting.surface);
                 fade = minimum(maximum(fade, real(0)), real(1))*shifting.coefficient*model.h0*speed;
             }
             for (int d = 0; d < Dim; ++d)
             {
                 real u = 0;
-                if constexpr (smooths) u += sums[smoothAt + d] + (solids.drift[0] ? solids.drift[d][i] : real(0));
+                if constexpr (smooths)
+                    u += sums[smoothAt + d] + (solids.drift[0] ? solids.drift[d][i] : real(0));
                 if constexpr (Shifts)
                 {
                     // never faster than a fifth of the particle's own speed

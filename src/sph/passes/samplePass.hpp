@@ -1,6 +1,7 @@
-/*  Kernel interpolation of the fluid at points: sum V W, sum V p W, sum V v W (paper Eq. 27), sum V (x_j - x) W. The
-    caller divides by the first where it wants a value that does not fade at the surface (Shepard); the last gives the
-    centroid that such a value belongs to. Fluid behind a point's planes (SightPlanes) is left out.
+/*  Kernel interpolation of the fluid at points: sum V W, sum V p W, sum V v W (paper Eq. 27), sum V
+    (x_j - x) W. The caller divides by the first where it wants a value that does not fade at the
+    surface (Shepard); the last gives the centroid that such a value belongs to. Fluid behind a
+    point's planes (SightPlanes) is left out.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -56,10 +57,8 @@ struct SamplePass
     template<class T>
     HD Self<T> self(int i) const
     {
-        return Self<T>
-        {
-            {filled<Dim>(T(real(0))), T(real(0)), T(real(1)), T(model.h0)}, firstPlane ? firstPlane[i] : 0, firstPlane ? firstPlane[i + 1] : 0
-        };
+        return Self<T>{{filled<Dim>(T(real(0))), T(real(0)), T(real(1)), T(model.h0)},
+            firstPlane ? firstPlane[i] : 0, firstPlane ? firstPlane[i + 1] : 0};
     }
 
     //- value, or 0 where x_j = x_i - dx is behind a plane
@@ -77,9 +76,11 @@ struct SamplePass
     }
 
     template<int S, class T>
-    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int, T* sums) const
+    HD void pair(const Self<T>& i, const PairParticle<Dim, T>& j, const Vec<Dim, T>& dx, T r2, int,
+        T* sums) const
     {
-        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(kernel, model.h0, i.particle, j, dx, r2);
+        const PairGeometry<Dim, T> g = pairGeometry<Kernel, VariableH, true>(
+            kernel, model.h0, i.particle, j, dx, r2);
         const T vw = seen(i, dx, T(model.mass)*g.w/j.density);
         sums[0] += vw;
         sums[1] += j.pressureTerm*j.density*j.density*vw;

@@ -1,12 +1,14 @@
-/*  The clock: time, step and stop conditions, kept on the device so that steps follow one another without the host.
+/*  The clock: time, step and stop conditions, kept on the device so that steps follow one another
+    without the host.
 
-    Before each step `Tick` turns the maxima of the last pass into the next step (docs/theory, "What limits the step"):
+    Before each step `Tick` turns the maxima of the last pass into the next step (docs/theory, "What
+    limits the step"):
         acoustic  dt <= Ca h/(c + |v|)max
         force     dt <= Cf sqrt(h/|a|max)
         viscous   dt <= Cv h^2/nu
     with the h of the largest density deviation where h varies: no particle has a smaller one,
-    shortens it to land on the target time, and switches the steps off when the target is reached, the neighbour
-    structures have aged, or a guard fires.
+    shortens it to land on the target time, and switches the steps off when the target is reached,
+    the neighbour structures have aged, or a guard fires.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -43,11 +45,13 @@ struct ClockData
     float speed = 0;            // largest c + |v|, and the others, seen by the last tick
     float acceleration = 0;
     float deviation = 0;
-    int aged[2] = {0, 0};       // neighbours, by the ways of particles against those near them; by the ways alone
+    // neighbours, by the ways of particles against those near them; by the ways alone
+    int aged[2] = {0, 0};
     int missed[2] = {0, 0};     // pairs may have been, likewise
     double searched = 0;        // when neighbours were sought
 
-    // What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums do not depend on an order
+    // What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums
+    // do not depend on an order
     std::int64_t faceContacts = 0, faceEnergy = 0, faceImpulse[3] = {0, 0, 0};
     std::int64_t bodyContacts = 0;      // of faceContacts
 
@@ -55,7 +59,11 @@ struct ClockData
     static constexpr float growthOfH = 0.02f;
 
     //- How large h may become before pairs are missed, when its limit is `most` [m]
-    HD float listedH(float most) const { const float h = (1 + growthOfH)*foundH; return h < most ? h : most; }
+    HD float listedH(float most) const
+    {
+        const float h = (1 + growthOfH)*foundH;
+        return h < most ? h : most;
+    }
 
     //- An h after a step
     HD void noticeH(float h, float most)
@@ -66,8 +74,9 @@ struct ClockData
         needRebuild = 1;
     }
 
-    //- A particle's way: does it still hold, and after the next step? Read before written: the whole way of nearly everyone is too long
-    //  for the box at rest, and a million stores to one word take longer than the step
+    //- A particle's way: does it still hold, and after the next step? Read before written: the
+    //  whole way of nearly everyone is too long for the box at rest, and a million stores to one
+    //  word take longer than the step
     template<class R>
     HD void notice(const WaySince<R>& way, R halfSkin)
     {
@@ -117,7 +126,8 @@ struct StepLimits
     //- Does a guard fire for the maxima of the last pass?
     HD Halt halt(const ClockData& c) const
     {
-        if (!(c.maxima[0] < 1e30f) || !(c.maxima[1] < 1e30f) || !(c.maxima[2] < 1e30f)) return Halt::notANumber;
+        if (!(c.maxima[0] < 1e30f) || !(c.maxima[1] < 1e30f) || !(c.maxima[2] < 1e30f))
+            return Halt::notANumber;
         if (c.maxima[2] > maxDeviation) return Halt::density;
         return c.maxima[3] > maxSpeed ? Halt::speed : Halt::none;
     }
@@ -134,7 +144,8 @@ struct Tick
     HD double smallestH(double deviation) const
     {
         if (limits.leastH >= limits.h0) return limits.h0;
-        const double h = limits.dimensions == 2 ? limits.h0/sqrt(1 + deviation) : limits.h0/cbrt(1 + deviation);
+        const double h = limits.dimensions == 2 ? limits.h0/sqrt(1 + deviation)
+                                                : limits.h0/cbrt(1 + deviation);
         return h > limits.leastH ? h : limits.leastH;
     }
 
@@ -180,7 +191,12 @@ struct Tick
         c.fullDt = dt;
         const double remaining = c.target - c.time;
         bool last = false;
-        if (dt >= remaining*(1 - 1e-9)) { last = true; if (dt > remaining*(1 + 1e-9)) limit = Limit::target; dt = remaining; }
+        if (dt >= remaining*(1 - 1e-9))
+        {
+            last = true;
+            if (dt > remaining*(1 + 1e-9)) limit = Limit::target;
+            dt = remaining;
+        }
         else if (limits.adjust && 2*dt > remaining) { dt = 0.5*remaining; limit = Limit::target; }
         c.previousDt = c.dt;
         c.dt = dt;

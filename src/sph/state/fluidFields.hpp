@@ -22,7 +22,8 @@ struct FluidFields
     real* deviation;            // rho/rho0 - 1
     real* a[D];                 // acceleration of the last pass [m/s2]
     real* rate;                 // d(deviation)/dt of the last pass [1/s]
-    real* drift[D];             // XSPH and shifting: added to v when positions move [m/s]; null: off
+    // XSPH and shifting: added to v when positions move [m/s]; null: off
+    real* drift[D];
     std::int32_t* id;           // negative, -1 - id: it ran wild and leaves with the next sort
 };
 
@@ -57,7 +58,9 @@ struct FluidModel
     //- Written so that what is no number is wild
     HD bool wild(real deviation, real speed2, real acceleration2) const
     {
-        return removesWild && !(absolute(deviation) <= maxDeviation && speed2 <= maxSpeed2 && acceleration2 <= maxAcceleration2);
+        return removesWild
+            && !(absolute(deviation) <= maxDeviation && speed2 <= maxSpeed2
+                && acceleration2 <= maxAcceleration2);
     }
 
     template<class Box>

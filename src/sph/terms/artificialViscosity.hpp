@@ -1,5 +1,6 @@
 /*  Artificial viscosity (Monaghan 1992), acting on approaching pairs only:
-        dv_i/dt = - sum m_j Pi_ij grad_i W,  Pi_ij = - alpha c0 mu_ij/rho_ij,  mu_ij = h min(v_ij . x_ij, 0)/(r^2 + 0.01 h^2)
+        dv_i/dt = - sum m_j Pi_ij grad_i W,  Pi_ij = - alpha c0 mu_ij/rho_ij, mu_ij = h min(v_ij .
+                                             x_ij, 0)/(r^2 + 0.01 h^2)
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,7 +1,9 @@
 /*  Density diffusion (delta-SPH):
-        drho_i/dt += delta h c0 sum psi_ij . grad_i W m_j/rho_j,  psi_ij = 2 (rho_j - rho_i - rhoH_ij) x_ji/r^2
+        drho_i/dt += delta h c0 sum psi_ij . grad_i W m_j/rho_j, psi_ij = 2 (rho_j - rho_i -
+        rhoH_ij) x_ji/r^2
     molteni  : rhoH = 0 (Molteni & Colagrossi 2009)
-    fourtakas: rhoH_ij = rho0 g . (x_j - x_i)/c0^2, the hydrostatic difference, so that a tank at rest stays at rest
+    fourtakas: rhoH_ij = rho0 g . (x_j - x_i)/c0^2, the hydrostatic difference, so that a tank at
+    rest stays at rest
                (Fourtakas et al. 2019, linearised equation of state)
     Between fluid particles only.
 

@@ -1,6 +1,7 @@
 /*  Laminar viscosity (paper Eq. 36; Morris et al. 1997), mu [Pa s] the same for both particles:
         dv_i/dt = sum m_j 2 mu (v_i - v_j) (x_ij . grad_i W)/(rho_i rho_j (r^2 + eta h^2))
-    eta, `softening`, is 0.01 in the paper. Nothing needs it for stability, since grad W vanishes with r, and it takes 1.4 % of the viscosity away.
+    eta, `softening`, is 0.01 in the paper. Nothing needs it for stability, since grad W vanishes
+    with r, and it takes 1.4 % of the viscosity away.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

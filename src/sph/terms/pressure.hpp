@@ -1,4 +1,5 @@
-/*  Pressure gradient (paper Eq. 34, sign as corrected in docs/theory.md): dv_i/dt = - sum m_j (p_i/rho_i^2 + p_j/rho_j^2) grad_i W
+/*  Pressure gradient (paper Eq. 34, sign as corrected in docs/theory.md): dv_i/dt = - sum m_j
+    (p_i/rho_i^2 + p_j/rho_j^2) grad_i W
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,7 +1,8 @@
 /*  Pair terms: what a term sees, what it adds to, and how terms are combined.
 
     A term is a struct of parameters with a branch-free
-        template<class T, ...> HD void operator()(const PairParticle& i, const PairParticle& j, const PairGeometry& g, Channels<T>& c) const
+        template<class T, ...> HD void operator()(const PairParticle& i, const PairParticle& j,
+        const PairGeometry& g, Channels<T>& c) const
     that adds to channels; the loop multiplies the common factors once for all terms:
 
         dv_i/dt     += m_j F (c.radial (x_i - x_j) + c.cross (v_i - v_j))
@@ -62,8 +63,8 @@ struct TermTraits
     static constexpr bool smooths = false;
 };
 
-//- A term that a case switches at run time (one branch, the same for all pairs): keeps the number of compiled
-//  combinations bounded where exactly matching ones do not exist
+//- A term that a case switches at run time (one branch, the same for all pairs): keeps the number
+//  of compiled combinations bounded where exactly matching ones do not exist
 template<class Term>
 struct Switchable : Term
 {

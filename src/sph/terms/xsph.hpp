@@ -1,4 +1,5 @@
-/*  XSPH (paper Eq. 39 with W as corrected in docs/theory.md; Monaghan 1989): dx_i/dt = v_i - epsilon sum m_j/rho_ij (v_i - v_j) W
+/*  XSPH (paper Eq. 39 with W as corrected in docs/theory.md; Monaghan 1989): dx_i/dt = v_i -
+    epsilon sum m_j/rho_ij (v_i - v_j) W
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -14,10 +15,10 @@ struct Xsph : TermCard
 {
     static constexpr const char* word = "XSPH";
     static constexpr const char* text = "drift with the neighbours (Monaghan 1989)";
-    static constexpr TermEntry entries[] =
-    {
-        TermEntry("XSPH", "", "XSPH", &TermProperties::xsph).in(Range::zeroOrPositive).atMost(2).byDefault(0)
-    };
+    static constexpr TermEntry entries[] = {TermEntry("XSPH", "", "XSPH", &TermProperties::xsph)
+                                                .in(Range::zeroOrPositive)
+                                                .atMost(2)
+                                                .byDefault(0)};
     static constexpr Part part = Part::density;
     static constexpr bool needsW = true, smooths = true, frequent = true;
 

@@ -37,10 +37,12 @@ struct Mover
     GhostMarks<Backend> ghosts;             // moved where they are own ones
 
     //- Move by u dt; returns the new position
-    HD Vec<D, std::int64_t> moved(const Vec<D, std::int64_t>& x, const Vec<D, real>& u, double dt) const
+    HD Vec<D, std::int64_t> moved(
+        const Vec<D, std::int64_t>& x, const Vec<D, real>& u, double dt) const
     {
         Vec<D, std::int64_t> r;
-        for (int d = 0; d < D; ++d) r.c[d] = x.c[d] + std::int64_t(rint(double(u.c[d])*dt*box.unitsPerMetre[d]));
+        for (int d = 0; d < D; ++d)
+            r.c[d] = x.c[d] + std::int64_t(rint(double(u.c[d])*dt*box.unitsPerMetre[d]));
         return r;
     }
 
@@ -68,7 +70,8 @@ struct Mover
     }
 
     //- Write what pairs see. \return h
-    HD real record(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
+    HD real record(
+        int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
     {
         Vec<D, typename P::position> p;
         for (int d = 0; d < D; ++d) p.c[d] = box.pairPosition(d, x.c[d]);
@@ -78,15 +81,17 @@ struct Mover
         return pair.h;
     }
 
-    //- After a step, whose h lists must hold; on the CPU, which walks rows of cells, the limit of h costs nothing
-    HD void recordMoved(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
+    //- After a step, whose h lists must hold; on the CPU, which walks rows of cells, the limit of h
+    //  costs nothing
+    HD void recordMoved(
+        int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& v, real deviation) const
     {
         [[maybe_unused]] const real h = record(i, x, v, deviation);
         if (Backend::gpu && model.variableH) clock->noticeH(float(h), float(model.hMax));
     }
 
-    //- A particle that runs wild leaves with the next sort; until then pairs see it at rest, and beyond their reach where the box has an
-    //  edge. Its state stays, to be reported
+    //- A particle that runs wild leaves with the next sort; until then pairs see it at rest, and
+    //  beyond their reach where the box has an edge. Its state stays, to be reported
     HD bool tookOut(int i, const Vec<D, real>& v, real deviation) const
     {
         if (!model.removesWild) return false;
@@ -101,15 +106,16 @@ struct Mover
         return true;
     }
 
-    //- Ask for new neighbours before the next step could carry the particle past half the skin. The margin covers a
-    //  growing step and one step's acceleration.
+    //- Ask for new neighbours before the next step could carry the particle past half the skin. The
+    //  margin covers a growing step and one step's acceleration.
     HD void checkSkin(int i, const Vec<D, std::int64_t>& x, const Vec<D, real>& u) const
     {
         if constexpr (Backend::gpu) if (frames.frame) return checkFrame(i, x, u);
         real distance2 = 0, speed2 = 0;
         for (int d = 0; d < D; ++d)
         {
-            const real s = box.template separation<real>(d, box.pairPosition(d, x.c[d]), reference[d][i]);
+            const real s = box.template separation<real>(
+                d, box.pairPosition(d, x.c[d]), reference[d][i]);
             distance2 += s*s;
             speed2 += u.c[d]*u.c[d];
         }
@@ -130,7 +136,8 @@ private:
             from.c[d] = reference[d][i];
             p.c[d] = box.pairPosition(d, x.c[d]);
         }
-        const real time = real(clock->time - clock->searched), ahead = real(1.25)*real(clock->fullDt);
+        const real time = real(clock->time - clock->searched),
+                   ahead = real(1.25)*real(clock->fullDt);
         WaySince<real> way = frames.since(box, from, p, u, time, ahead);
         // what is at rest in its frame may be on its way in a step
         real a2 = 0;

@@ -1,4 +1,5 @@
-/*  Symplectic scheme: kick, half drift, density, half drift, kick. Two half passes over the pairs a step.
+/*  Symplectic scheme: kick, half drift, density, half drift, kick. Two half passes over the pairs a
+    step.
 
         v_{n+1/2}   = v_n + a_n dt/2
         x_{n+1/2}   = x_n + (v_{n+1/2} + drift) dt/2
@@ -6,9 +7,10 @@
         x_{n+1}     = x_{n+1/2} + (v_{n+1/2} + drift) dt/2
         v_{n+1}     = v_{n+1/2} + a(x_{n+1}, rho_{n+1}) dt/2        (pass over the momentum terms)
 
-    Density is a coordinate here: it moves with the velocity of the middle of the step, forces follow from it at the end.
-    A sound wave then keeps its amplitude up to omega dt = 2, where the leapfrog with predicted density grows by
-    (omega dt)^4/4 a step (docs/theory). Viscosity sees the velocity predicted to n+1 by a_n.
+    Density is a coordinate here: it moves with the velocity of the middle of the step, forces
+    follow from it at the end. A sound wave then keeps its amplitude up to omega dt = 2, where the
+    leapfrog with predicted density grows by (omega dt)^4/4 a step (docs/theory). Viscosity sees the
+    velocity predicted to n+1 by a_n.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -49,7 +51,8 @@ struct SymplecticDrift : Mover<Backend, D, P>
 {
     using real = typename P::real;
     static constexpr const char* name = "symplecticDrift";
-    static constexpr int residentBlocks = 12;    // the few that meet a face must not take registers from all
+    // the few that meet a face must not take registers from all
+    static constexpr int residentBlocks = 12;
 
     HD void operator()(int i) const
     {

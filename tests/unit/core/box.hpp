@@ -48,7 +48,8 @@ struct Separate
         for (int d = 0; d < D; ++d)
         {
             const int k = D*i + d;
-            const auto p = box.pairPosition(d, box.toFixed(d, a[k])), q = box.pairPosition(d, box.toFixed(d, b[k]));
+            const auto p = box.pairPosition(d, box.toFixed(d, a[k])),
+                       q = box.pairPosition(d, box.toFixed(d, b[k]));
             result[k] = box.template separation<real>(d, p, q);
         }
     }
@@ -94,7 +95,8 @@ TYPED_TEST(BoxTest, ThereAndBack)
     metres.allocate(context, x.size());
     pair.allocate(context, x.size());
     fixed.allocate(context, x.size());
-    runEach(context, n, FixAndBack<TypeParam>{this->box, in.data(), fixed.data(), metres.data(), pair.data()});
+    runEach(context, n,
+        FixAndBack<TypeParam>{this->box, in.data(), fixed.data(), metres.data(), pair.data()});
     const auto back = metres.download(), seen = pair.download();
     const auto bits = fixed.download();
     for (int k = 0; k < n*D; ++k)
@@ -103,12 +105,14 @@ TYPED_TEST(BoxTest, ThereAndBack)
         // subtraction, division, product and sum in double: a rounding each
         EXPECT_NEAR(back[k], x[k], 4*this->roundOff(d)) << "axis " << d;
         // Mixed: cut to 2^-32 of the box and one float in the box
-        const double resolution = TypeParam::mixed ? this->length[d]*(std::ldexp(1, -32) + 2.5e-7) : 4*this->roundOff(d);
+        const double resolution = TypeParam::mixed ? this->length[d]*(std::ldexp(1, -32) + 2.5e-7)
+                                                   : 4*this->roundOff(d);
         EXPECT_NEAR(seen[k], x[k] - this->lower[d], resolution);
     }
     // order is kept, so that equal bits mean equal places: the lower edge is the smallest number
     EXPECT_EQ(bits[0], INT64_MIN);
-    EXPECT_NEAR(double(bits[D]), 0, 4096) << "the middle is 0, but for the rounding of lower + length/2: 2^64 2e-16/10";
+    EXPECT_NEAR(double(bits[D]), 0, 4096)
+        << "the middle is 0, but for the rounding of lower + length/2: 2^64 2e-16/10";
 }
 
 TYPED_TEST(BoxTest, NearestImage)
@@ -124,9 +128,11 @@ TYPED_TEST(BoxTest, NearestImage)
             // a third are neighbours, some of them across the edge
             const double s = random(0, 1), t = i % 3 ? random(0, 1) : s + random(-0.01, 0.01);
             a.push_back(this->lower[d] + s*this->length[d]);
-            b.push_back(this->lower[d] + (t - (this->box.periodic[d] ? std::floor(t) : 0))*this->length[d]);
+            b.push_back(this->lower[d]
+                + (t - (this->box.periodic[d] ? std::floor(t) : 0))*this->length[d]);
             if (!this->box.periodic[d])
-                b.back() = std::min(std::max(b.back(), this->lower[d]), this->lower[d] + 0.999999*this->length[d]);
+                b.back() = std::min(std::max(b.back(), this->lower[d]),
+                    this->lower[d] + 0.999999*this->length[d]);
         }
     Array<Backend, double> first, second;
     Array<Backend, real> result;
@@ -140,16 +146,22 @@ TYPED_TEST(BoxTest, NearestImage)
         const int d = k % D;
         const double length = this->length[d];
         double expected = a[k] - b[k];
-        // the fixed-point difference wraps on every axis: scenes keep a margin where they are not periodic
-        if (this->box.periodic[d] || TypeParam::mixed) expected -= length*std::round(expected/length);
-        // Mixed: both ends cut to 2^-32 of the box, then a float; beyond half a length it may choose either image
-        const double tolerance = TypeParam::mixed ? length*std::ldexp(1, -32) + 1.3e-7*std::abs(expected) : 8*this->roundOff(d);
+        // the fixed-point difference wraps on every axis: scenes keep a margin where they are not
+        // periodic
+        if (this->box.periodic[d] || TypeParam::mixed)
+            expected -= length*std::round(expected/length);
+        // Mixed: both ends cut to 2^-32 of the box, then a float; beyond half a length it may
+        // choose either image
+        const double tolerance = TypeParam::mixed
+            ? length*std::ldexp(1, -32) + 1.3e-7*std::abs(expected)
+            : 8*this->roundOff(d);
         if (std::abs(std::abs(expected) - 0.5*length) < 1e-6*length) continue;
         EXPECT_NEAR(dx[k], expected, tolerance) << "axis " << d << ": " << a[k] << " - " << b[k];
     }
 }
 
-//- Positions move by integers: as many steps there and back end where they began, and neighbours keep their distance anywhere
+//- Positions move by integers: as many steps there and back end where they began, and neighbours
+//  keep their distance anywhere
 TYPED_TEST(BoxTest, ShiftInvariance)
 {
     constexpr int D = TypeParam::D, n = TestFixture::n;

@@ -1,4 +1,5 @@
-/*  CellGrid and CellSort: every neighbour within the radius is visited exactly once, whatever the grid.
+/*  CellGrid and CellSort: every neighbour within the radius is visited exactly once, whatever the
+    grid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -44,13 +45,25 @@ struct CountVisits
     {
         const std::uint32_t* order;
         int* row;
-        HD void operator()(int begin, int end) const { for (int j = begin; j < end; ++j) row[order[j]] += 1; }
+        HD void operator()(int begin, int end) const
+        {
+            for (int j = begin; j < end; ++j) row[order[j]] += 1;
+        }
     };
 
-    HD void operator()(int i) const { grid.forEachRange(x[i], start, Mark{order, visits + std::size_t(n)*i}); }
+    HD void operator()(int i) const
+    {
+        grid.forEachRange(x[i], start, Mark{order, visits + std::size_t(n)*i});
+    }
 };
 
-struct GridSetting { bool periodic[3]; int reach; double cellsPerRadius, maxCells, radius; const char* what; };
+struct GridSetting
+{
+    bool periodic[3];
+    int reach;
+    double cellsPerRadius, maxCells, radius;
+    const char* what;
+};
 
 template<class C> class CellGridTest : public BackendCase<C> { };
 TYPED_TEST_SUITE(CellGridTest, AllCases, CaseNames);
@@ -63,14 +76,17 @@ TYPED_TEST(CellGridTest, EveryNeighbourOnce)
     const double length[3] = {1.0, 0.7, 0.9};
     const int n = 700;
     // 0.23: three radii are the shortest period that scenes allow (0.69 < 0.7)
-    const GridSetting settings[] =
-    {
-        {{false, false, false}, 1, 6, 1e6, 0.1, "open, reach 1"}, {{false, false, false}, 2, 6, 1e6, 0.1, "open, reach 2"},
-        {{true, true, true}, 1, 6, 1e6, 0.1, "periodic, reach 1"}, {{true, true, true}, 2, 6, 1e6, 0.1, "periodic, reach 2"},
-        {{true, true, true}, 1, 6, 1e6, 0.23, "shortest period, reach 1"}, {{true, true, true}, 2, 6, 1e6, 0.23, "shortest period, reach 2"},
-        {{true, false, false}, 1, 1, 1e6, 0.1, "coarse rows"}, {{false, true, true}, 2, 6, 400, 0.1, "few cells allowed"},
-        {{true, true, false}, 1, 6, 60, 0.2, "hardly any cells allowed"}, {{true, true, true}, 1, 6, 1, 0.2, "no cells allowed"}, {{false, false, true}, 1, 6, 1e6, 2.0, "radius beyond the box"}
-    };
+    const GridSetting settings[] = {{{false, false, false}, 1, 6, 1e6, 0.1, "open, reach 1"},
+        {{false, false, false}, 2, 6, 1e6, 0.1, "open, reach 2"},
+        {{true, true, true}, 1, 6, 1e6, 0.1, "periodic, reach 1"},
+        {{true, true, true}, 2, 6, 1e6, 0.1, "periodic, reach 2"},
+        {{true, true, true}, 1, 6, 1e6, 0.23, "shortest period, reach 1"},
+        {{true, true, true}, 2, 6, 1e6, 0.23, "shortest period, reach 2"},
+        {{true, false, false}, 1, 1, 1e6, 0.1, "coarse rows"},
+        {{false, true, true}, 2, 6, 400, 0.1, "few cells allowed"},
+        {{true, true, false}, 1, 6, 60, 0.2, "hardly any cells allowed"},
+        {{true, true, true}, 1, 6, 1, 0.2, "no cells allowed"},
+        {{false, false, true}, 1, 6, 1e6, 2.0, "radius beyond the box"}};
     for (const GridSetting& s : settings)
     {
         if (s.radius > 1 && s.periodic[2] && D == 3) continue;      // scenes refuse such periods
@@ -82,17 +98,21 @@ TYPED_TEST(CellGridTest, EveryNeighbourOnce)
         grid.set(box, s.radius, s.reach, s.cellsPerRadius, s.maxCells);
         ASSERT_EQ(grid.cells, grid.n[0]*grid.n[1]*grid.n[2]);
 
-        // random places, and the box's corners and edges, where rounding could put a particle into no cell; the second half stand
-        // just within the radius of the first, mostly beside them, where rows are trimmed
+        // random places, and the box's corners and edges, where rounding could put a particle into
+        // no cell; the second half stand just within the radius of the first, mostly beside them,
+        // where rows are trimmed
         Random random(11);
         std::vector<Vec<D, real>> x(n);
         for (int i = 0; i < n; ++i)
         {
-            double direction[3] = {random(-1, 1) < 0 ? -1.0 : 1.0, random(-0.5, 0.5), random(-0.5, 0.5)}, length2 = 0;
+            double direction[3] = {random(-1, 1) < 0 ? -1.0 : 1.0, random(-0.5, 0.5),
+                random(-0.5, 0.5)},
+                   length2 = 0;
             for (int d = 0; d < D; ++d) length2 += direction[d]*direction[d];
             for (int d = 0; d < D; ++d)
             {
-                const real edge[3] = {real(0), real(length[d]), std::nextafter(real(length[d]), real(0))};
+                const real edge[3] = {
+                    real(0), real(length[d]), std::nextafter(real(length[d]), real(0))};
                 const bool onEdge = i < 60 && random(0, 1) < 0.5;
                 double p = length[d]*random(0, 1);
                 if (i >= n/2)
@@ -109,11 +129,14 @@ TYPED_TEST(CellGridTest, EveryNeighbourOnce)
         sort.allocate(context, n, grid.cells);
         Array<Backend, Vec<D, real>> positions;
         positions.upload(context, x);
-        runEach(context, n, GridKeys<TypeParam>{grid, positions.data(), sort.keys(), sort.indices()});
+        runEach(
+            context, n, GridKeys<TypeParam>{grid, positions.data(), sort.keys(), sort.indices()});
         sort.sort(context, n);
         Array<Backend, int> visits;
         visits.allocate(context, std::size_t(n)*n);
-        runEach(context, n, CountVisits<TypeParam>{grid, positions.data(), sort.start(), sort.order(), visits.data(), n});
+        runEach(context, n,
+            CountVisits<TypeParam>{
+                grid, positions.data(), sort.start(), sort.order(), visits.data(), n});
         const auto count = visits.download();
 
         int missed = 0, twice = 0;
@@ -128,7 +151,8 @@ TYPED_TEST(CellGridTest, EveryNeighbourOnce)
                     r2 += dx*dx;
                 }
                 const int c = count[std::size_t(n)*i + j];
-                // a float in the box is off by 6e-8 of its length at most: nearer the radius either answer is right
+                // a float in the box is off by 6e-8 of its length at most: nearer the radius either
+                // answer is right
                 if (r2 < s.radius*s.radius*(1 - 1e-5) && c == 0) ++missed;
                 if (c > 1) ++twice;
             }

@@ -105,7 +105,9 @@ DEVICE_TEST(SumsStayThere)
             Array<Backend, double> partial, total;
             partial.allocate(context, deviceReduceRoom(2));
             total.allocate(context, 2);
-            for (int again = 0; again < 2; ++again) sumThen<2>(context, n, Numbers{}, partial.data(), Keep{total.data()});      // in the same memory
+            // in the same memory
+            for (int again = 0; again < 2; ++again)
+                sumThen<2>(context, n, Numbers{}, partial.data(), Keep{total.data()});
             context.synchronise();
             const std::vector<double> t = total.download();
             double harmonic = 0;
@@ -126,13 +128,19 @@ DEVICE_TEST(LoopsEndThere)
     value.upload(context, {1000});
     again.upload(context, {1});
     DeviceLoop<Backend> loop;
-    loop.run(context, again.data(), [&](const LoopCondition& c) { forEach(context, 1, Halve{value.data(), again.data(), c}); });
+    loop.run(context, again.data(),
+        [&](const LoopCondition& c) {
+            forEach(context, 1, Halve{value.data(), again.data(), c});
+        });
     context.synchronise();
     EXPECT_EQ(value.download()[0], 1000.0/1024);
     // recorded once, run again
     const double more = 40;
     context.toDevice(value.data(), &more, sizeof(more));
-    loop.run(context, again.data(), [&](const LoopCondition& c) { forEach(context, 1, Halve{value.data(), again.data(), c}); });
+    loop.run(context, again.data(),
+        [&](const LoopCondition& c) {
+            forEach(context, 1, Halve{value.data(), again.data(), c});
+        });
     context.synchronise();
     EXPECT_EQ(value.download()[0], 40.0/64);
 }

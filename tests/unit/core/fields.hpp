@@ -31,8 +31,8 @@ struct ReadPastEnd
 
 FIELDS_TEST(ArraysArePaddedWithZeros)
 {
-    // a register of 32 bytes may be loaded at the last element: what lies behind must be finite as float and as double, also in
-    // memory that held something before
+    // a register of 32 bytes may be loaded at the last element: what lies behind must be finite as
+    // float and as double, also in memory that held something before
     Context<Backend> context;
     for (const int bytes : {4, 8, 40, 400, 4000})
     {
@@ -106,7 +106,8 @@ FIELDS_TEST(PermuteMovesEveryField)
     std::shuffle(order.begin(), order.end(), std::mt19937(5));
     Array<Backend, std::uint32_t> device;
     device.upload(context, order);
-    for (int round = 1; round <= 2; ++round)        // twice: the halves of the buffers change places
+    // twice: the halves of the buffers change places
+    for (int round = 1; round <= 2; ++round)
     {
         set.permute(context, device.data(), n);
         context.synchronise();
@@ -116,7 +117,8 @@ FIELDS_TEST(PermuteMovesEveryField)
             for (const int f : {wide.front(), wide.back()})
                 ASSERT_EQ(set.download<std::int64_t>(context, f)[i], wideValue(f, from));
             if (i % 50) continue;
-            for (const int f : narrow) ASSERT_EQ(set.download<float>(context, f)[i], narrowValue(f, from));
+            for (const int f : narrow)
+                ASSERT_EQ(set.download<float>(context, f)[i], narrowValue(f, from));
         }
     }
 }
@@ -127,7 +129,8 @@ FIELDS_TEST(PermuteOfLargeSets)
     const int n = int(FieldSet<Backend>::tightFrom);
     Context<Backend> context;
     FieldSet<Backend> set;
-    const int a = set.add<std::int64_t>("a"), b = set.add<float>("b"), c = set.add<std::int64_t>("c"), d = set.add<float>("d");
+    const int a = set.add<std::int64_t>("a"), b = set.add<float>("b"),
+              c = set.add<std::int64_t>("c"), d = set.add<float>("d");
     set.allocate(context, n);
     EXPECT_FALSE(set.alternates());
     EXPECT_EQ(set.bytes(), std::size_t(n)*(3*8 + 3*4)) << "four fields and two spares";
@@ -146,7 +149,8 @@ FIELDS_TEST(PermuteOfLargeSets)
     device.upload(context, order);
     for (int round = 0; round < 3; ++round) set.permute(context, device.data(), n);
     context.synchronise();
-    const auto first = set.download<std::int64_t>(context, a), third = set.download<std::int64_t>(context, c);
+    const auto first = set.download<std::int64_t>(context, a),
+               third = set.download<std::int64_t>(context, c);
     const auto second = set.download<float>(context, b), fourth = set.download<float>(context, d);
     for (int i = 0; i < n; ++i)
     {
@@ -193,10 +197,14 @@ FIELDS_TEST(SumsDoNotDependOnThreads)
             Context<Backend> context;
             Array<Backend, float> device;
             device.upload(context, x);
-            for (int repeat = 0; repeat < 2; ++repeat) results.push_back(sumOver<3>(context, n, AddHarmonics{device.data()}));
+            for (int repeat = 0; repeat < 2; ++repeat)
+                results.push_back(sumOver<3>(context, n, AddHarmonics{device.data()}));
         });
-        for (const auto& r : results) EXPECT_EQ(r, results[0]) << n << ": the same bits with any number of threads, every time";
-        // n roundings of partial sums no larger than n in the worst case, at random: 1e-16 sqrt(n) of the sum of magnitudes
+        for (const auto& r : results)
+            EXPECT_EQ(r, results[0])
+                << n << ": the same bits with any number of threads, every time";
+        // n roundings of partial sums no larger than n in the worst case, at random: 1e-16 sqrt(n)
+        // of the sum of magnitudes
         EXPECT_EQ(results[0][0], n);
         EXPECT_NEAR(results[0][1], double(first), 1e-15*std::sqrt(n + 1.0)*double(second + 1));
         EXPECT_NEAR(results[0][2], double(second), 1e-15*std::sqrt(n + 1.0)*double(second + 1));

@@ -39,7 +39,8 @@ TEST(Gpus, EachCanBeTaken)
         EXPECT_EQ(taken.name, gpu->name);
         EXPECT_GT(taken.free, 0);
         EXPECT_LE(taken.free, taken.memory);
-        EXPECT_NEAR(taken.memory, gpu->memory, 0.05*gpu->memory);      // two questions to the driver
+        // two questions to the driver
+        EXPECT_NEAR(taken.memory, gpu->memory, 0.05*gpu->memory);
     }
 }
 

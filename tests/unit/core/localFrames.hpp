@@ -1,4 +1,5 @@
-/*  LocalFrames: while every particle is within its bounds, no two that were farther apart than support and skin have met.
+/*  LocalFrames: while every particle is within its bounds, no two that were farther apart than
+    support and skin have met.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -72,20 +73,29 @@ struct Swarm
 
     Swarm() { for (int d = 0; d < D; ++d) box.set(d, 0, 1, d == 0); }
 
-    void add(const Vec<D, double>& where, const Vec<D, double>& velocity) { x.push_back(where); v.push_back(velocity); }
+    void add(const Vec<D, double>& where, const Vec<D, double>& velocity)
+    {
+        x.push_back(where);
+        v.push_back(velocity);
+    }
 
     Places places(double t) const
     {
         Places r(x.size());
         for (std::size_t i = 0; i < x.size(); ++i)
-            for (int d = 0; d < D; ++d) r[i].c[d] = box.pairPosition(d, box.toFixedInside(d, x[i].c[d] + t*v[i].c[d]));
+            for (int d = 0; d < D; ++d)
+                r[i].c[d] = box.pairPosition(d, box.toFixedInside(d, x[i].c[d] + t*v[i].c[d]));
         return r;
     }
 
     double apart(const Places& p, std::size_t i, std::size_t j) const
     {
         double r2 = 0;
-        for (int d = 0; d < D; ++d) { const double s = box.template separation<real>(d, p[i].c[d], p[j].c[d]); r2 += s*s; }
+        for (int d = 0; d < D; ++d)
+        {
+            const double s = box.template separation<real>(d, p[i].c[d], p[j].c[d]);
+            r2 += s*s;
+        }
         return std::sqrt(r2);
     }
 
@@ -111,13 +121,16 @@ struct Swarm
         for (int k = 1;; ++k)
         {
             now.upload(context, places(k*dt));
-            runEach(context, n, FindFar<C>{box, memory.view(), from.data(), now.data(), velocity.data(), real(0.5*skin), real(k*dt), still, far.data()});
+            runEach(context, n,
+                FindFar<C>{box, memory.view(), from.data(), now.data(), velocity.data(),
+                    real(0.5*skin), real(k*dt), still, far.data()});
             for (const int f : far.download()) if (f) return (k - 1)*dt;
             if (k > 1000) return 1e300;
         }
     }
 
-    //- Pairs that came within the support by then, but were beyond it and the skin at the search; of points at rest beyond theirs
+    //- Pairs that came within the support by then, but were beyond it and the skin at the search;
+    //  of points at rest beyond theirs
     int missed(double t) const
     {
         const Places begin = places(0), end = places(t);
@@ -126,7 +139,9 @@ struct Swarm
             for (std::size_t j = 0; j < i; ++j)
             {
                 const double listed = support + (int(j) < still ? stillSkin : skin);
-                if (int(i) >= still && apart(end, i, j) < support*(1 - 1e-5) && apart(begin, i, j) > listed) ++count;
+                if (int(i) >= still && apart(end, i, j) < support*(1 - 1e-5)
+                    && apart(begin, i, j) > listed)
+                    ++count;
             }
         return count;
     }
@@ -157,13 +172,15 @@ TYPED_TEST(LocalFramesTest, NobodyIsMissed)
                 Vec<D, double> x{}, v{};
                 for (int d = 0; d < D; ++d) x.c[d] = random(0.3, 0.7);
                 // a stretching flow that drifts along the periodic axis
-                for (int d = 0; d < D; ++d) v.c[d] = (d == 0 ? 2 + x.c[0] : (d == 1 ? -x.c[1] : 0)) + random(-noise, noise);
+                for (int d = 0; d < D; ++d)
+                    v.c[d] = (d == 0 ? 2 + x.c[0] : (d == 1 ? -x.c[1] : 0)) + random(-noise, noise);
                 s.add(x, v);
             }
             const double until = s.holdsUntil(2e-4);
             ASSERT_LT(until, 1);
             EXPECT_EQ(s.missed(until), 0) << "noise " << noise;
-            // a bound that is far too narrow is no use: the way of the fastest against half the skin
+            // a bound that is far too narrow is no use: the way of the fastest against half the
+            // skin
             if (noise < 0.1 && !walls) { EXPECT_GT(until, 4*0.5*s.skin/3) << "noise " << noise; }
             EXPECT_GT(s.missed(1.0), noise > 0 ? 0 : -1) << "the test would see them";
         }

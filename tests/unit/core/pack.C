@@ -1,4 +1,5 @@
-/*  Pack: a register of values that computes what each value would alone (Cpu only: the Gpu has no packs).
+/*  Pack: a register of values that computes what each value would alone (Cpu only: the Gpu has no
+    packs).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -33,11 +34,19 @@ protected:
     }
 
     //- Lane by lane, exactly: the same operation on the same numbers
-    template<class F>
-    void expect(const T& p, const F& f) { for (int l = 0; l < width; ++l) EXPECT_EQ(p.v[l], f(a[l], b[l])) << "lane " << l; }
+    template<class F> void expect(const T& p, const F& f)
+    {
+        for (int l = 0; l < width; ++l) EXPECT_EQ(p.v[l], f(a[l], b[l])) << "lane " << l;
+    }
 };
 
-struct PackNames { template<class R> static std::string GetName(int) { return sizeof(R) == 4 ? "float" : "double"; } };
+struct PackNames
+{
+    template<class R> static std::string GetName(int)
+    {
+        return sizeof(R) == 4 ? "float" : "double";
+    }
+};
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(PackTest, Reals, PackNames);
 
@@ -85,7 +94,8 @@ TYPED_TEST(PackTest, KeepFirst)
     for (int count = -1; count <= this->width + 2; ++count)
     {
         const auto p = keepFirst(this->pa, count, TypeParam(9));
-        for (int l = 0; l < this->width; ++l) EXPECT_EQ(p.v[l], l < count ? this->a[l] : TypeParam(9)) << count << " kept";
+        for (int l = 0; l < this->width; ++l)
+            EXPECT_EQ(p.v[l], l < count ? this->a[l] : TypeParam(9)) << count << " kept";
     }
 }
 
@@ -115,7 +125,8 @@ TEST(PackInt32Test, DifferencesWrap)
 template<class Kernel, class R>
 void expectKernelOfPack()
 {
-    // the same operations; a compiler may fuse products and sums differently: two ulp of numbers up to 5
+    // the same operations; a compiler may fuse products and sums differently: two ulp of numbers up
+    // to 5
     const double tolerance = 5*4*(sizeof(R) == 4 ? 6e-8 : 1.2e-16);
     R q[64];
     for (int i = 0; i < 64; ++i) q[i] = R(1.1*Kernel::support*i/63);
@@ -133,7 +144,8 @@ void expectKernelOfPack()
 
 TYPED_TEST(PackTest, KernelsOfPacks)
 {
-    Kernels::each([](auto kernel) { expectKernelOfPack<typename decltype(kernel)::type, TypeParam>(); });
+    Kernels::each(
+        [](auto kernel) { expectKernelOfPack<typename decltype(kernel)::type, TypeParam>(); });
 }
 
 TYPED_TEST(PackTest, Powers)
@@ -156,10 +168,12 @@ TYPED_TEST(PackTest, Rows)
     for (int l = 0; l < width; ++l) for (int c = 0; c < 6; ++c) table[l][c] = TypeParam(10*l + c);
     Pack<TypeParam> v[4];
     loadRows([&](int l) { return table[width - 1 - l] + 1; }, v);
-    for (int l = 0; l < width; ++l) for (int c = 0; c < 4; ++c) EXPECT_EQ(v[c].v[l], 10*(width - 1 - l) + c + 1);
+    for (int l = 0; l < width; ++l)
+        for (int c = 0; c < 4; ++c) EXPECT_EQ(v[c].v[l], 10*(width - 1 - l) + c + 1);
     typename Row<TypeParam>::vec row[width];
     storeRows(v, row);
-    for (int l = 0; l < width; ++l) for (int c = 0; c < 4; ++c) EXPECT_EQ(row[l][c], 10*(width - 1 - l) + c + 1);
+    for (int l = 0; l < width; ++l)
+        for (int c = 0; c < 4; ++c) EXPECT_EQ(row[l][c], 10*(width - 1 - l) + c + 1);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
-/*  Memory of the CPU's arrays holds NaN until somebody writes it: what is read before, or beyond what an array has zeroed, spoils a test.
+/*  Memory of the CPU's arrays holds NaN until somebody writes it: what is read before, or beyond
+    what an array has zeroed, spoils a test.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

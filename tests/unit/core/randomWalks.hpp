@@ -1,4 +1,5 @@
-/*  Particles that walk at random on ranks, beside the same without ranks: for tests of who goes where, on threads and on processes.
+/*  Particles that walk at random on ranks, beside the same without ranks: for tests of who goes
+    where, on threads and on processes.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -23,10 +24,16 @@ struct Tank
     std::vector<PieceGrid> grids;
     std::vector<int> firstCell{0};
 
-    Tank(double lx, double ly, double lz, std::array<bool, 3> wraps, std::vector<double> radii, bool zFirst = false)
+    Tank(double lx, double ly, double lz, std::array<bool, 3> wraps, std::vector<double> radii,
+        bool zFirst = false)
     {
         const double l[3] = {lx, ly, lz};
-        for (int d = 0; d < 3; ++d) { lower[d] = -0.3 + d; length[d] = l[d]; periodic[d] = wraps[d]; }
+        for (int d = 0; d < 3; ++d)
+        {
+            lower[d] = -0.3 + d;
+            length[d] = l[d];
+            periodic[d] = wraps[d];
+        }
         for (const double r : radii)
         {
             PieceGrid g;
@@ -54,7 +61,8 @@ struct Tank
         int cell = firstCell[k];
         for (int d = 0; d < 3; ++d)
         {
-            if (!periodic[d] && (x[d] < lower[d] || x[d] > lower[d] + length[d]*(1 + 1e-9))) return std::uint32_t(cells());
+            if (!periodic[d] && (x[d] < lower[d] || x[d] > lower[d] + length[d]*(1 + 1e-9)))
+                return std::uint32_t(cells());
             const int c = std::min(g.n[d] - 1, std::max(0, int((x[d] - lower[d])/g.size[d])));
             cell += c*g.stride[d];
         }
@@ -74,7 +82,8 @@ struct Tank
     }
 };
 
-//- A particle: where it is follows from its id and how often it has moved, so all ranks can tell what another has
+//- A particle: where it is follows from its id and how often it has moved, so all ranks can tell
+//  what another has
 struct Walker { std::int32_t id = -1, size = 0; double x[3] = {0, 0, 0}; std::int64_t state = 0; };
 
 //- Numbers in [0, 1) that follow from the seed (splitmix64)
@@ -110,7 +119,8 @@ struct Walk
             if (tank.periodic[d]) w.x[d] -= std::floor((w.x[d] - from)/l)*l;
             else if (!(kind > 1 - leaves)) w.x[d] = std::min(from + l, std::max(from, w.x[d]));
         }
-        if (kind > 1 - leaves) w.x[1] = tank.lower[1] + (tank.periodic[1] ? 0.5 : 1.5)*tank.length[1];
+        if (kind > 1 - leaves)
+            w.x[1] = tank.lower[1] + (tank.periodic[1] ? 0.5 : 1.5)*tank.length[1];
         w.state = w.state*6364136223846793005ll + w.id + step;
     }
 };
@@ -146,19 +156,27 @@ struct Here
     void rebuild()
     {
         std::vector<std::uint32_t> cell(walker.size());
-        for (std::size_t i = 0; i < walker.size(); ++i) cell[i] = tank.cellOf(walker[i].x, walker[i].size);
-        exchange.migrate(cell.data(),
-            [&](int slot, bool whole, RankBytes& to) { putValues(to, &walker[slot]); if (whole) putValues(to, &walker[slot].state); },
+        for (std::size_t i = 0; i < walker.size(); ++i)
+            cell[i] = tank.cellOf(walker[i].x, walker[i].size);
+        exchange.migrate(
+            cell.data(),
+            [&](int slot, bool whole, RankBytes& to)
+            {
+                putValues(to, &walker[slot]);
+                if (whole) putValues(to, &walker[slot].state);
+            },
             [&](int slot, bool whole, const unsigned char*& from)
             {
                 if (slot >= int(walker.size())) walker.resize(slot + 1);
                 takeValues(from, &walker[slot]);
                 std::int64_t again = 0;
                 if (whole) takeValues(from, &again);
-                if (whole && again != walker[slot].state) throw std::logic_error("a particle came with another's extra numbers");
+                if (whole && again != walker[slot].state)
+                    throw std::logic_error("a particle came with another's extra numbers");
             });
         std::vector<std::uint32_t> order(exchange.sequence().begin(), exchange.sequence().end());
-        std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return exchange.cell(a) < exchange.cell(b); });
+        std::stable_sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return exchange.cell(a) < exchange.cell(b); });
         exchange.settle(order.data(), int(order.size()));
         std::vector<Walker> sorted;
         for (const std::uint32_t slot : order) sorted.push_back(walker[slot]);
@@ -170,9 +188,18 @@ struct Here
     {
         for (std::size_t i = 0; i < walker.size(); ++i)
             if (exchange.kind(int(i)) == ParticleExchange::owned) walk.move(walker[i], number);
-        exchange.share(sizeof(double)*3 + sizeof(std::int64_t),
-            [&](int i, unsigned char* to) { std::memcpy(to, walker[i].x, 24); std::memcpy(to + 24, &walker[i].state, 8); },
-            [&](int i, const unsigned char* from) { std::memcpy(walker[i].x, from, 24); std::memcpy(&walker[i].state, from + 24, 8); });
+        exchange.share(
+            sizeof(double)*3 + sizeof(std::int64_t),
+            [&](int i, unsigned char* to)
+            {
+                std::memcpy(to, walker[i].x, 24);
+                std::memcpy(to + 24, &walker[i].state, 8);
+            },
+            [&](int i, const unsigned char* from)
+            {
+                std::memcpy(walker[i].x, from, 24);
+                std::memcpy(&walker[i].state, from + 24, 8);
+            });
     }
 };
 
@@ -185,7 +212,8 @@ struct Alone
     void rebuild()
     {
         std::vector<Walker> in;
-        for (const Walker& w : walker) if (tank.cellOf(w.x, w.size) < std::uint32_t(tank.cells())) in.push_back(w);
+        for (const Walker& w : walker)
+            if (tank.cellOf(w.x, w.size) < std::uint32_t(tank.cells())) in.push_back(w);
         std::stable_sort(in.begin(), in.end(), [&](const Walker& a, const Walker& b)
         { return tank.cellOf(a.x, a.size) < tank.cellOf(b.x, b.size); });
         walker.swap(in);
@@ -193,21 +221,31 @@ struct Alone
     void step(const Walk& walk, int number) { for (Walker& w : walker) walk.move(w, number); }
 };
 
-inline bool same(const Walker& a, const Walker& b) { return a.id == b.id && a.state == b.state && std::memcmp(a.x, b.x, sizeof(a.x)) == 0; }
+inline bool same(const Walker& a, const Walker& b)
+{
+    return a.id == b.id && a.state == b.state && std::memcmp(a.x, b.x, sizeof(a.x)) == 0;
+}
 
-//- After a rebuild: each particle has one owner, ranks have them in the order of one process, and all that own particles may touch are here
+//- After a rebuild: each particle has one owner, ranks have them in the order of one process, and
+//  all that own particles may touch are here
 inline void compare(Here& here, const Alone& alone, bool pairs)
 {
-    const auto require = [](bool good, const char* why) { if (!good) throw std::runtime_error(why); };
+    const auto require = [](bool good, const char* why)
+    {
+        if (!good) throw std::runtime_error(why);
+    };
     std::vector<std::int64_t> owners(alone.walker.size(), 0);
     std::int64_t before = -1;
-    require(here.walker.size() == std::size_t(here.exchange.residents()), "residents are not those that are here");
+    require(here.walker.size() == std::size_t(here.exchange.residents()),
+        "residents are not those that are here");
     for (std::size_t i = 0; i < here.walker.size(); ++i)
     {
         const std::int64_t number = here.exchange.number(int(i));
-        require(number > before && number < std::int64_t(alone.walker.size()), "numbers do not ascend");
+        require(
+            number > before && number < std::int64_t(alone.walker.size()), "numbers do not ascend");
         before = number;
-        require(same(here.walker[i], alone.walker[number]), "a particle is another than on one process, or elsewhere in the order");
+        require(same(here.walker[i], alone.walker[number]),
+            "a particle is another than on one process, or elsewhere in the order");
         owners[number] += here.exchange.kind(int(i)) == ParticleExchange::owned;
     }
     here.exchange.transport().sum(owners);
@@ -219,8 +257,11 @@ inline void compare(Here& here, const Alone& alone, bool pairs)
         for (std::size_t j = 0; j < alone.walker.size(); ++j)
         {
             const Walker& b = alone.walker[j];
-            const double touch = here.tank.grids[a.size].radius + here.tank.grids[b.size].radius + walkReach;
-            require(!(here.tank.distance2(a.x, b.x) < touch*touch) || here.exchange.slotOf(std::int64_t(j)) >= 0, "a neighbour is not here");
+            const double touch = here.tank.grids[a.size].radius + here.tank.grids[b.size].radius
+                + walkReach;
+            require(!(here.tank.distance2(a.x, b.x) < touch*touch)
+                    || here.exchange.slotOf(std::int64_t(j)) >= 0,
+                "a neighbour is not here");
         }
     }
 }
@@ -228,10 +269,8 @@ inline void compare(Here& here, const Alone& alone, bool pairs)
 struct WalkSum { std::int64_t arrivals = 0, divisions = 0, leftOver = 0; };
 
 //- What each rank runs. comparePairsEvery: so many rebuilds; 0: never
-inline WalkSum walkOnRank
-(
-    Transport& transport, const Tank& tank, int n, int rebuilds, const Walk& walk, double imbalance, int comparePairsEvery, double within = 1
-)
+inline WalkSum walkOnRank(Transport& transport, const Tank& tank, int n, int rebuilds,
+    const Walk& walk, double imbalance, int comparePairsEvery, double within = 1)
 {
     const std::vector<Walker> all = crowd(tank, n, within);
     Here here(tank, transport, all, imbalance);
@@ -246,7 +285,8 @@ inline WalkSum walkOnRank
     }
     std::vector<std::int64_t> arrivals(1, here.exchange.counts().arrivals);
     transport.sum(arrivals);
-    return WalkSum{arrivals[0], here.exchange.counts().divisions, std::int64_t(alone.walker.size())};
+    return WalkSum{
+        arrivals[0], here.exchange.counts().divisions, std::int64_t(alone.walker.size())};
 }
 
 } // namespace riprap

@@ -12,18 +12,22 @@ namespace riprap
 namespace
 {
 
-WalkSum walkOnRanks(const Tank& tank, int ranks, int n, int rebuilds, const Walk& walk, double imbalance, int comparePairsEvery, double within = 1)
+WalkSum walkOnRanks(const Tank& tank, int ranks, int n, int rebuilds, const Walk& walk,
+    double imbalance, int comparePairsEvery, double within = 1)
 {
     WalkSum sum;
-    onRanks(ranks, [&](Transport& transport)
-    {
-        const WalkSum here = walkOnRank(transport, tank, n, rebuilds, walk, imbalance, comparePairsEvery, within);
-        if (transport.rank() == 0) sum = here;
-    });
+    onRanks(ranks,
+        [&](Transport& transport)
+        {
+            const WalkSum here = walkOnRank(
+                transport, tank, n, rebuilds, walk, imbalance, comparePairsEvery, within);
+            if (transport.rank() == 0) sum = here;
+        });
     return sum;
 }
 
-constexpr std::array<bool, 3> closed{{false, false, false}}, wraps{{true, true, true}}, wrapsX{{true, false, true}};
+constexpr std::array<bool, 3> closed{{false, false, false}}, wraps{{true, true, true}},
+    wrapsX{{true, false, true}};
 
 TEST(ranks, piecesAreConsecutiveCells)
 {
@@ -53,7 +57,8 @@ TEST(ranks, pointsOfAPieceAreAroundItsCentre)
         for (const Walker& w : crowd(tank, 2000))
         {
             const auto c = pieces.centre(pieces.of(int(tank.cellOf(w.x, w.size))));
-            for (int d = 1; d < 3; ++d) EXPECT_LE(std::abs(w.x[d] - c[d]), 0.5001*tank.grids[w.size].size[d]);
+            for (int d = 1; d < 3; ++d)
+                EXPECT_LE(std::abs(w.x[d] - c[d]), 0.5001*tank.grids[w.size].size[d]);
             EXPECT_LE(std::abs(w.x[0] - c[0]), 4.0*tank.grids[w.size].size[0]);
         }
     }
@@ -76,10 +81,12 @@ TEST(ranks, nearPiecesHaveAllThatTouches)
             fewer += near.size() < std::size_t(pieces.count());
             for (const Walker& b : all)
             {
-                const double touch = tank.grids[a.size].radius + tank.grids[b.size].radius + walkReach;
+                const double touch = tank.grids[a.size].radius + tank.grids[b.size].radius
+                    + walkReach;
                 if (!(tank.distance2(a.x, b.x) < touch*touch)) continue;
                 ++pairs;
-                EXPECT_TRUE(std::binary_search(near.begin(), near.end(), pieces.of(int(tank.cellOf(b.x, b.size)))));
+                EXPECT_TRUE(std::binary_search(
+                    near.begin(), near.end(), pieces.of(int(tank.cellOf(b.x, b.size)))));
             }
         }
         EXPECT_GT(pairs, 3*all.size());
@@ -103,7 +110,8 @@ TEST(ranks, bricksShareTheCost)
     {
         const Bricks bricks(ranks, points, costs);
         std::vector<double> load(ranks, 0);
-        for (std::size_t k = 0; k < points.size(); ++k) load[bricks.rankOf(points[k])] += double(costs[k]);
+        for (std::size_t k = 0; k < points.size(); ++k)
+            load[bricks.rankOf(points[k])] += double(costs[k]);
         // each cut is exact to half a point's cost
         for (const double l : load) EXPECT_NEAR(l, all/ranks, 6*std::log2(2.0*ranks));
     }
@@ -190,7 +198,8 @@ TEST(ranks, whatIsLostOrDoubleIsFound)
                 Faulty(Transport& t, bool l) : inner(t), lose(l) {}
                 int rank() const override { return inner.rank(); }
                 int size() const override { return inner.size(); }
-                void exchange(const std::vector<RankBytes>& out, std::vector<RankBytes>& in) override
+                void exchange(
+                    const std::vector<RankBytes>& out, std::vector<RankBytes>& in) override
                 {
                     inner.exchange(out, in);
                     if (rank() != 0) return;
@@ -203,11 +212,19 @@ TEST(ranks, whatIsLostOrDoubleIsFound)
                         std::memcpy(&whole, b.data() + 12, 4);
                         const std::size_t size = one + (whole ? 8 : 0);
                         if (lose) b.erase(b.begin(), b.begin() + size);
-                        else { const RankBytes first(b.begin(), b.begin() + size); b.insert(b.end(), first.begin(), first.end()); }
+                        else
+                        {
+                            const RankBytes first(b.begin(), b.begin() + size);
+                            b.insert(b.end(), first.begin(), first.end());
+                        }
                         return;
                     }
                 }
-                void swap(const std::vector<RankMessage>& out, std::vector<RankMessage>& in) override { inner.swap(out, in); }
+                void swap(
+                    const std::vector<RankMessage>& out, std::vector<RankMessage>& in) override
+                {
+                    inner.swap(out, in);
+                }
                 void sum(std::vector<std::int64_t>& v) override { inner.sum(v); }
                 void largest(std::vector<double>& v) override { inner.largest(v); }
             };

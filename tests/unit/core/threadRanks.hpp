@@ -20,7 +20,9 @@ namespace riprap
 class ThreadBoard
 {
 public:
-    explicit ThreadBoard(int ranks) : bytes(ranks, std::vector<RankBytes>(ranks)), sums(ranks), numbers(ranks), ranks_(ranks) {}
+    explicit ThreadBoard(int ranks)
+        : bytes(ranks, std::vector<RankBytes>(ranks)), sums(ranks), numbers(ranks), ranks_(ranks)
+    {}
 
     std::vector<std::vector<RankBytes>> bytes;      // [from][to]
     std::vector<std::vector<std::int64_t>> sums;
@@ -53,7 +55,9 @@ private:
 class ThreadTransport : public Transport
 {
 public:
-    ThreadTransport(ThreadBoard& board, int rank, int size) : board_(board), rank_(rank), size_(size) {}
+    ThreadTransport(ThreadBoard& board, int rank, int size)
+        : board_(board), rank_(rank), size_(size)
+    {}
 
     int rank() const override { return rank_; }
     int size() const override { return size_; }
@@ -83,7 +87,9 @@ public:
         }
         for (int r = 0; r < size_; ++r) came += board_.bytes[r][rank_].size();
         board_.meet();
-        if (!fits || foreseen != came) throw std::logic_error("a message of another length than foreseen, or from a rank that was not");
+        if (!fits || foreseen != came)
+            throw std::logic_error(
+                "a message of another length than foreseen, or from a rank that was not");
     }
 
     void sum(std::vector<std::int64_t>& values) override
@@ -100,8 +106,10 @@ private:
         board_.meet();
         for (int r = 0; r < size_; ++r)
         {
-            if (all[r].size() != values.size()) throw std::logic_error("ranks reduce different numbers of values");
-            for (std::size_t k = 0; k < values.size(); ++k) values[k] = r == 0 ? all[r][k] : op(values[k], all[r][k]);
+            if (all[r].size() != values.size())
+                throw std::logic_error("ranks reduce different numbers of values");
+            for (std::size_t k = 0; k < values.size(); ++k)
+                values[k] = r == 0 ? all[r][k] : op(values[k], all[r][k]);
         }
         board_.meet();
     }

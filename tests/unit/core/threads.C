@@ -1,5 +1,5 @@
-/*  One thread unless OMP_NUM_THREADS says otherwise: the scenes here are small, and barriers of a busy machine would take the time.
-    Tests of threads set their number themselves.
+/*  One thread unless OMP_NUM_THREADS says otherwise: the scenes here are small, and barriers of a
+    busy machine would take the time. Tests of threads set their number themselves.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,4 +1,5 @@
-/*  Faces of rigid bodies in the fluid: what crosses them is put back, and the body gets the same blow the other way.
+/*  Faces of rigid bodies in the fluid: what crosses them is put back, and the body gets the same
+    blow the other way.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,7 +28,8 @@ protected:
         return c;
     }
 
-    //- A cube (2D: a square) of particles of the fluid's spacing about the middle of the domain, with its faces
+    //- A cube (2D: a square) of particles of the fluid's spacing about the middle of the domain,
+    //  with its faces
     SolidInput body(const SphConfig& c, double density) const
     {
         const double side = across*c.spacing, low = 0.5 - 0.5*side;
@@ -105,7 +107,8 @@ protected:
         FluidInput all;
         for (const double side : {-1.0, 1.0})
         {
-            Vector3 low{{0.5 + side*0.3 - 0.1, 0.38, D() == 3 ? 0.38 : 0}}, high{{0.5 + side*0.3 + 0.1, 0.66, D() == 3 ? 0.62 : 0}};
+            Vector3 low{{0.5 + side*0.3 - 0.1, 0.38, D() == 3 ? 0.38 : 0}},
+                high{{0.5 + side*0.3 + 0.1, 0.66, D() == 3 ? 0.62 : 0}};
             const FluidInput f = lattice(c, low, high);
             all.position.insert(all.position.end(), f.position.begin(), f.position.end());
             all.density.insert(all.density.end(), f.density.begin(), f.density.end());
@@ -126,7 +129,9 @@ TEST_P(BodyFaces, TakeABlow)
     c.fixedTimeStep = 1e-3;
     const double half = 0.5*across*c.spacing, h = c.spacing, v = 0.3*h/c.fixedTimeStep;
     const SolidInput solids = body(c, 500);
-    const auto s = createSphDemScene(c, particle({{0.5 - half - 0.2*h, 0.5 + 0.6*half, 0.5}}, {{v, 0, 0}}), WallInput(), solids);
+    const auto s = createSphDemScene(c,
+        particle({{0.5 - half - 0.2*h, 0.5 + 0.6*half, 0.5}}, {{v, 0, 0}}), WallInput(),
+        solids);
     const double m = c.density*std::pow(c.spacing, D()), M = solids.input.clumps[0].mass;
     s->advance(1e30, 1);
     const FluidState f = s->fluid();
@@ -153,13 +158,16 @@ TEST_P(BodyFaces, HeldBodies)
     for (bool& axis : held.held) axis = true;
     held.heldSpin = true;
     solids.input.groups.assign(1, held);
-    const auto s = createSphDemScene(c, particle({{0.5 - half - 0.2*h, 0.5, 0.5}}, {{0.3*h/c.fixedTimeStep, 0, 0}}), WallInput(), solids);
+    const auto s = createSphDemScene(c,
+        particle({{0.5 - half - 0.2*h, 0.5, 0.5}}, {{0.3*h/c.fixedTimeStep, 0, 0}}),
+        WallInput(), solids);
     s->advance(1e30, 1);
     EXPECT_NEAR(s->fluid().position[0], 0.5 - half, 1e-5*h);
     EXPECT_EQ(s->solids()->clumps().velocity[0], 0);
 }
 
-//- Thrown water does not come into a body, which it does without faces; the same bits twice, and from a saved state
+//- Thrown water does not come into a body, which it does without faces; the same bits twice, and
+//  from a saved state
 TEST_P(BodyFaces, HoldWhatIsThrown)
 {
     const SphConfig c = openConfig();
@@ -168,7 +176,8 @@ TEST_P(BodyFaces, HoldWhatIsThrown)
     solids.coupling.kind = CouplingKind::stationary;
     for (double& v : solids.volume) v *= 0.1;       // forces alone let much in
     const FluidInput water = shots(c, 8);
-    const auto make = [&](const SolidInput& in) { return createSphDemScene(c, water, WallInput(), in); };
+    const auto make = [&](const SolidInput& in)
+    { return createSphDemScene(c, water, WallInput(), in); };
     const auto worst = [&](SphScene& s)
     {
         int most = 0;

@@ -34,16 +34,22 @@ TEST_P(Coupling, ForceOfOnePair)
 
         const double h = c.smoothingRatio*c.spacing, q = distance/h, rho = f.density[0];
         const double m = c.density*std::pow(c.spacing, D()), mS = c.density*solids.volume[0];
-        const double slope = WendlandC2::alpha(D())/std::pow(h, D() + 2)*WendlandC2::slope(q)*distance;     // |dW/dr|, negative
+        // |dW/dr|, negative
+        const double slope = WendlandC2::alpha(D())/std::pow(h, D() + 2)*WendlandC2::slope(q)
+            *distance;
         const double w = WendlandC2::alpha(D())/std::pow(h, D())*WendlandC2::value(q);
-        const auto pressure = [&](double d) { return c.soundSpeed*c.soundSpeed*c.density/7*(std::pow(1 + d, 7) - 1); };
+        const auto pressure = [&](double d)
+        { return c.soundSpeed*c.soundSpeed*c.density/7*(std::pow(1 + d, 7) - 1); };
         const double p = pressure(deviation);
         double pS = 0, rhoS = c.density;
         if (kind == CouplingKind::pressureApproximation) pS = p*w*m/rho;
         if (kind == CouplingKind::extrapolated) pS = p;
-        if (pS > 0) rhoS = c.density*std::pow(1 + 7*pS/(c.soundSpeed*c.soundSpeed*c.density), 1.0/7);
+        if (pS > 0)
+            rhoS = c.density
+                *std::pow(1 + 7*pS/(c.soundSpeed*c.soundSpeed*c.density), 1.0/7);
         const double expected = kind == CouplingKind::pressureGradient
-            ? -m/rho*solids.volume[0]*p*slope : -m*mS*(p/(rho*rho) + pS/(rhoS*rhoS))*slope;     // away from the fluid
+            // away from the fluid
+            ? -m/rho*solids.volume[0]*p*slope : -m*mS*(p/(rho*rho) + pS/(rhoS*rhoS))*slope;
         const CouplingState now = s->coupling();
         EXPECT_NEAR(now.force[0], expected, (mixed() ? 3e-5 : 1e-10)*expected);
         EXPECT_GT(expected, 0);
@@ -51,7 +57,8 @@ TEST_P(Coupling, ForceOfOnePair)
     }
 }
 
-//- Artificial viscosity is friction that grows with the spacing: it acts between fluid and solids where it acts at walls, and only there
+//- Artificial viscosity is friction that grows with the spacing: it acts between fluid and solids
+//  where it acts at walls, and only there
 TEST_P(Coupling, ArtificialViscosityActsOnSolidsAsAtWalls)
 {
     const auto push = [&](const char* viscosity, bool atWalls)
@@ -74,22 +81,24 @@ TEST_P(Coupling, ArtificialViscosityActsOnSolidsAsAtWalls)
     EXPECT_GT(push("artificial", true), (mixed() ? 1 + 3e-5 : 1 + 1e-10)*none);
 }
 
-//- What the fluid loses the solids gain, step by step, whatever the scheme; bonded bodies and rigid ones
+//- What the fluid loses the solids gain, step by step, whatever the scheme; bonded bodies and rigid
+//  ones
 TEST_P(Coupling, MomentumIsKept)
 {
     struct Case { IntegratorKind scheme; FluidForceKind force; bool rigid; };
-    const Case cases[] =
-    {
-        {IntegratorKind::leapfrog, FluidForceKind::held, false}, {IntegratorKind::symplectic, FluidForceKind::impulse, false},
-        {IntegratorKind::symplectic, FluidForceKind::interpolated, false}, {IntegratorKind::leapfrog, FluidForceKind::interpolated, true},
-        {IntegratorKind::symplectic, FluidForceKind::held, true}, {IntegratorKind::symplectic, FluidForceKind::impulse, true}
-    };
+    const Case cases[] = {{IntegratorKind::leapfrog, FluidForceKind::held, false},
+        {IntegratorKind::symplectic, FluidForceKind::impulse, false},
+        {IntegratorKind::symplectic, FluidForceKind::interpolated, false},
+        {IntegratorKind::leapfrog, FluidForceKind::interpolated, true},
+        {IntegratorKind::symplectic, FluidForceKind::held, true},
+        {IntegratorKind::symplectic, FluidForceKind::impulse, true}};
     for (const CouplingKind kind : allKinds)
         for (const Case& now : cases)
         {
             static const char* forces[] = {", held", ", interpolated", ", impulse"};
-            SCOPED_TRACE(std::string(nameOf(kind)) + (now.scheme == IntegratorKind::leapfrog ? ", leapfrog" : ", symplectic")
-              + forces[int(now.force)] + (now.rigid ? ", rigid" : ", bonded"));
+            SCOPED_TRACE(std::string(nameOf(kind))
+                + (now.scheme == IntegratorKind::leapfrog ? ", leapfrog" : ", symplectic")
+                + forces[int(now.force)] + (now.rigid ? ", rigid" : ", bonded"));
             SphConfig c = waterBox();
             c.integrator = now.scheme;
             c.acousticCourant = 0.2;
@@ -98,15 +107,19 @@ TEST_P(Coupling, MomentumIsKept)
             if (now.rigid) solids = rigid(solids);
             solids.coupling.kind = kind;
             solids.coupling.force = now.force;
-            const auto s = createSphDemScene(c, waterAround(c, {{0.3, 0.3, 0.3}}, 5*size), {}, solids);
+            const auto s = createSphDemScene(
+                c, waterAround(c, {{0.3, 0.3, 0.3}}, 5*size), {}, solids);
             const Momentum before = momentum(*s, c);
-            const double start = std::sqrt(std::pow(s->coupling().total[0], 2) + std::pow(s->coupling().total[1], 2));
+            const double start = std::sqrt(
+                std::pow(s->coupling().total[0], 2) + std::pow(s->coupling().total[1], 2));
             const SphReport report = s->advance(1, 20);
             ASSERT_EQ(report.stop, StopReason::none);
             const Momentum after = momentum(*s, c);
             if (!now.rigid) { EXPECT_GT(s->coupling().subcycles, 1); }
             // each velocity is rounded a few times a step
-            for (int d = 0; d < D(); ++d) EXPECT_NEAR(after.sum[d], before.sum[d], 40*epsilon()*after.size) << "axis " << d;
+            for (int d = 0; d < D(); ++d)
+                EXPECT_NEAR(after.sum[d], before.sum[d], 40*epsilon()*after.size)
+                    << "axis " << d;
             EXPECT_GT(start*report.time, 1e-4*after.size) << "or the test would prove nothing";
             double speed = 0;
             const DemState q = s->solids()->particles();
@@ -115,10 +128,12 @@ TEST_P(Coupling, MomentumIsKept)
         }
 }
 
-//- A held force is late by half a step, one on the line through the last two is not: errors of the first and of the second order in the step
+//- A held force is late by half a step, one on the line through the last two is not: errors of the
+//  first and of the second order in the step
 TEST_P(Coupling, OrderOfTheForceInTime)
 {
-    if (D() == 3 || mixed()) GTEST_SKIP() << "neither the third dimension nor rounding adds anything";
+    if (D() == 3 || mixed())
+        GTEST_SKIP() << "neither the third dimension nor rounding adds anything";
     const auto centre = [&](FluidForceKind force, double dt)
     {
         SphConfig c = waterBox();
@@ -129,12 +144,14 @@ TEST_P(Coupling, OrderOfTheForceInTime)
         const double size = c.spacing;
         SolidInput solids = block(c, 4, size, {{0.3, 0.3, 0}});
         solids.config.timeStep = 2e-5;          // another one would be another solid
-        solids.coupling.kind = CouplingKind::pressureGradient;      // without accelerations of steps past
+        // without accelerations of steps past
+        solids.coupling.kind = CouplingKind::pressureGradient;
         solids.coupling.force = force;
         FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 4*size);
         for (std::size_t i = 0; i < water.size(); ++i)
         {
-            water.density[i] = c.density*(1.01 + 0.005*std::sin(2*std::acos(-1.0)*water.position[3*i]));
+            water.density[i] = c.density
+                *(1.01 + 0.005*std::sin(2*std::acos(-1.0)*water.position[3*i]));
             for (int d = 0; d < 3; ++d) water.velocity[3*i + d] = 0;
         }
         const auto s = createSphDemScene(c, water, {}, solids);
@@ -161,7 +178,8 @@ std::int64_t launches(const DemScene& scene)
     return n;
 }
 
-//- Solids that are all held cost no steps of their own, and stay where they are; one that is free brings them back
+//- Solids that are all held cost no steps of their own, and stay where they are; one that is free
+//  brings them back
 TEST_P(Coupling, HeldSolidsTakeOneStep)
 {
     for (const bool free : {false, true})
@@ -191,7 +209,9 @@ TEST_P(Coupling, HeldSolidsTakeOneStep)
         for (std::size_t i = 0; i < now.id.size(); ++i)
             for (int d = 0; d < D(); ++d)
             {
-                way = std::max(way, std::abs(now.position[3*i + d] - solids.input.particles.position[3*std::size_t(now.id[i]) + d]));
+                way = std::max(way,
+                    std::abs(now.position[3*i + d]
+                        - solids.input.particles.position[3*std::size_t(now.id[i]) + d]));
                 force = std::max(force, std::abs(s->coupling().force[3*i + d]));
             }
         EXPECT_GT(force, 0);
@@ -200,9 +220,11 @@ TEST_P(Coupling, HeldSolidsTakeOneStep)
     }
 }
 
-//- Nothing is dissipated: fluid and solids together keep their energy, but for the second order in the step and what Eqs. 32 and 34 exchange more than
-//  they should (docs/theory.md): 2 % of the kinetic energy. The water stands off the block by another gap than it was put at; until it has found that,
-//  pressure that solids take from the fluid does work p dV on it that no energy answers for: 2 % and 1.4 % at this pressure, by itself (docs/coupling.md)
+//- Nothing is dissipated: fluid and solids together keep their energy, but for the second order in
+//  the step and what Eqs. 32 and 34 exchange more than they should (docs/theory.md): 2 % of the
+//  kinetic energy. The water stands off the block by another gap than it was put at; until it has
+//  found that, pressure that solids take from the fluid does work p dV on it that no energy answers
+//  for: 2 % and 1.4 % at this pressure, by itself (docs/coupling.md)
 TEST_P(Coupling, EnergyIsKept)
 {
     if (D() == 3) GTEST_SKIP() << "the third dimension adds nothing";
@@ -224,7 +246,8 @@ TEST_P(Coupling, EnergyIsKept)
         FluidInput water = waterAround(c, {{low, low, 0}}, side);
         for (std::size_t i = 0; i < water.size(); ++i)
         {
-            const double x = 2*std::acos(-1.0)*water.position[3*i], y = 2*std::acos(-1.0)*water.position[3*i + 1];
+            const double x = 2*std::acos(-1.0)*water.position[3*i],
+                         y = 2*std::acos(-1.0)*water.position[3*i + 1];
             water.velocity[3*i] = 0.3*std::sin(y);
             water.velocity[3*i + 1] = 0.3*std::sin(x);
             water.density[i] = 1.01*c.density;          // pressed together: nothing is in tension
@@ -243,10 +266,12 @@ TEST_P(Coupling, EnergyIsKept)
     }
 }
 
-//- A rigid body a twentieth as heavy as the water that it displaces, pushed about by it: the reversible step holds it, whatever the coupling
+//- A rigid body a twentieth as heavy as the water that it displaces, pushed about by it: the
+//  reversible step holds it, whatever the coupling
 TEST_P(Coupling, LightBodiesAreStable)
 {
-    if (D() == 3 || !mixed()) GTEST_SKIP() << "neither the third dimension nor precision adds anything";
+    if (D() == 3 || !mixed())
+        GTEST_SKIP() << "neither the third dimension nor precision adds anything";
     for (const CouplingKind kind : allKinds)
     {
         SCOPED_TRACE(nameOf(kind));
@@ -265,7 +290,8 @@ TEST_P(Coupling, LightBodiesAreStable)
         FluidInput water = waterAround(c, {{0.3, 0.6, 0}}, 6*c.spacing);
         for (std::size_t i = 0; i < water.size(); ++i)
         {
-            const double x = 2*std::acos(-1.0)*water.position[3*i], y = 2*std::acos(-1.0)*water.position[3*i + 1];
+            const double x = 2*std::acos(-1.0)*water.position[3*i],
+                         y = 2*std::acos(-1.0)*water.position[3*i + 1];
             water.velocity[3*i] = 0.3*std::sin(y);
             water.velocity[3*i + 1] = 0.3*std::sin(x);
             water.density[i] = 1.01*c.density;
@@ -274,7 +300,8 @@ TEST_P(Coupling, LightBodiesAreStable)
         const double kinetic = s->energy().kinetic;
         const SphReport r = s->advance(0.4);
         EXPECT_EQ(r.stop, StopReason::none);
-        EXPECT_LT(s->solids()->energy().total(), 0.02*kinetic) << "as a body that moves with the water has";
+        EXPECT_LT(s->solids()->energy().total(), 0.02*kinetic)
+            << "as a body that moves with the water has";
     }
 }
 
@@ -288,9 +315,12 @@ TEST_P(Coupling, ContinuesToTheBit)
             const double size = 0.6*c.spacing;
             SolidInput solids = block(c, 4, size, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}});
             solids.coupling.kind = kind;
-            solids.coupling.force = scheme == IntegratorKind::symplectic ? FluidForceKind::impulse : FluidForceKind::interpolated;
+            solids.coupling.force = scheme == IntegratorKind::symplectic
+                ? FluidForceKind::impulse
+                : FluidForceKind::interpolated;
             const FluidInput water = waterAround(c, {{0.3, 0.3, 0.3}}, 4*size);
-            const auto a = createSphDemScene(c, water, {}, solids), b = createSphDemScene(c, water, {}, solids);
+            const auto a = createSphDemScene(c, water, {}, solids),
+                       b = createSphDemScene(c, water, {}, solids);
             a->advance(0.01);
             b->loadState(a->saveState());
             a->advance(0.02);

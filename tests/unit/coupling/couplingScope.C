@@ -15,7 +15,8 @@ class CouplingScope : public CouplingTest {};
 
 RIPRAP_ALL_SETUPS(CouplingScope);
 
-//- The same particles, to what another order of sums leaves: on the GPU a scene with solids seeks neighbours at other steps
+//- The same particles, to what another order of sums leaves: on the GPU a scene with solids seeks
+//  neighbours at other steps
 void expectClose(const FluidState& a, const FluidState& b, const SphConfig& c)
 {
     const double tolerance = c.precision == PrecisionKind::mixed ? 1e-6 : 1e-12;
@@ -33,7 +34,8 @@ void expectClose(const FluidState& a, const FluidState& b, const SphConfig& c)
     }
 }
 
-//- Solids far from any fluid: they fall as if alone, the fluid does what it does alone, and no pass between the two is launched
+//- Solids far from any fluid: they fall as if alone, the fluid does what it does alone, and no pass
+//  between the two is launched
 TEST_P(CouplingScope, FarApartNothingPasses)
 {
     SphConfig c = config();
@@ -41,7 +43,8 @@ TEST_P(CouplingScope, FarApartNothingPasses)
     c.domainMax[0] = 2;
     c.gravity = {{0, -1, 0}};
     SolidInput solids = block(c, 3, 0.6*c.spacing, {{1.5, 0.5, D() == 3 ? 0.3 : 0.0}});
-    FluidInput f = lattice(c, {{0.2, 0.5, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.8, D() == 3 ? 0.4 : 0.0}});
+    FluidInput f = lattice(
+        c, {{0.2, 0.5, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.8, D() == 3 ? 0.4 : 0.0}});
     disturb(c, f, 0.1, 0.2, 0.01);
     const auto both = createSphDemScene(c, f, {}, solids);
     const auto alone = createSphScene(c, f, {});
@@ -50,8 +53,10 @@ TEST_P(CouplingScope, FarApartNothingPasses)
     if (GetParam().device == DeviceKind::cpu) expectSameBits(both->fluid(), alone->fluid());
     else expectClose(both->fluid(), alone->fluid(), c);
     for (const double force : both->coupling().force) EXPECT_EQ(force, 0);
-    const std::set<std::string> coupling {"solidMomentumPass", "solidDensityPass", "solidForce", "solidPressure", "listFluidSolid", "listSolidFluid"};
-    for (const KernelInfo& k : both->kernels()) EXPECT_EQ(coupling.count(k.name), 0u) << k.name << " was launched";
+    const std::set<std::string> coupling {"solidMomentumPass", "solidDensityPass", "solidForce",
+        "solidPressure", "listFluidSolid", "listSolidFluid"};
+    for (const KernelInfo& k : both->kernels())
+        EXPECT_EQ(coupling.count(k.name), 0u) << k.name << " was launched";
     const DemState q = both->solids()->particles();
     for (std::size_t i = 0; i < q.id.size(); ++i) EXPECT_NEAR(q.velocity[3*i + 1], -0.05, 1e-5);
 }
@@ -64,10 +69,17 @@ TEST_P(CouplingScope, SolidsThatComeNearMeetTheFluid)
     c.domainMax[1] = 2;
     SolidInput solids = block(c, 2, c.spacing, {{0.4, 1.0, D() == 3 ? 0.3 : 0.0}});
     solids.input.particles.velocity.assign(solids.input.particles.position.size(), 0.0);
-    for (std::size_t i = 0; i < solids.input.particles.size(); ++i) solids.input.particles.velocity[3*i + 1] = -5;
-    FluidInput f = lattice(c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
+    for (std::size_t i = 0; i < solids.input.particles.size(); ++i)
+        solids.input.particles.velocity[3*i + 1] = -5;
+    FluidInput f = lattice(
+        c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
     const auto s = createSphDemScene(c, f, {}, solids);
-    const auto largest = [&] { double most = 0; for (const double v : s->coupling().force) most = std::max(most, std::abs(v)); return most; };
+    const auto largest = [&]
+    {
+        double most = 0;
+        for (const double v : s->coupling().force) most = std::max(most, std::abs(v));
+        return most;
+    };
     s->advance(0.01);
     EXPECT_EQ(largest(), 0);
     s->advance(0.09);
@@ -96,7 +108,8 @@ TEST_P(CouplingScope, WhatStayedContinuesToTheBit)
         p.position[3*1 + 1] = 1.95;                     // not the last one: keys after it move up
         p.velocity[3*1 + 1] = 2;
         solids.coupling.force = force;
-        FluidInput f = lattice(c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
+        FluidInput f = lattice(
+            c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
         const auto first = createSphDemScene(c, f, {}, solids);
         first->advance(0.05);
         const DemState there = first->solids()->motion();
@@ -113,7 +126,8 @@ TEST_P(CouplingScope, WhatStayedContinuesToTheBit)
         for (std::size_t i = 0; i < p.size(); ++i)
         {
             if (p.id[i] == 8) continue;
-            const std::size_t at = std::find(there.id.begin(), there.id.end(), p.id[i]) - there.id.begin();
+            const std::size_t at = std::find(there.id.begin(), there.id.end(), p.id[i])
+                - there.id.begin();
             for (int d = 0; d < 3; ++d)
             {
                 q.position.push_back(there.position[3*at + d]);
@@ -137,7 +151,8 @@ TEST_P(CouplingScope, WhatStayedContinuesToTheBit)
     }
 }
 
-//- Soft solids, whose contacts ask for a step a step of the fluid, and fast ones: as many steps as their way takes. Alone or in a rigid body
+//- Soft solids, whose contacts ask for a step a step of the fluid, and fast ones: as many steps as
+//  their way takes. Alone or in a rigid body
 TEST_P(CouplingScope, StepsFollowTheSpeedOfSolids)
 {
     for (const bool body : {false, true})
@@ -151,11 +166,13 @@ TEST_P(CouplingScope, StepsFollowTheSpeedOfSolids)
         in.bondTypes.clear();
         in.pairs[0].properties.normalStiffness = 1;
         if (body) solids = rigid(solids);
-        const double speed = 5;         // 4.7 mm a step of the fluid; half the skin is 1.5 mm and less
+        // 4.7 mm a step of the fluid; half the skin is 1.5 mm and less
+        const double speed = 5;
         in.particles.velocity.assign(in.particles.position.size(), 0.0);
         for (std::size_t i = 0; i < in.particles.size(); ++i) in.particles.velocity[3*i] = speed;
         for (DemClump& k : solids.input.clumps) k.velocity[0] = speed;
-        FluidInput f = lattice(c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
+        FluidInput f = lattice(
+            c, {{0.2, 0.2, D() == 3 ? 0.2 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.4 : 0.0}});
         const auto s = createSphDemScene(c, f, {}, solids);
         const double step = s->solids()->plan().timeStep, x = s->solids()->particles().position[0];
         const SphReport r = s->advance(0.02);
@@ -169,7 +186,8 @@ TEST_P(CouplingScope, StepsFollowTheSpeedOfSolids)
     }
 }
 
-//- Two rigid bodies in water run into each other, touch and part; what both and the water have of momentum stays
+//- Two rigid bodies in water run into each other, touch and part; what both and the water have of
+//  momentum stays
 TEST_P(CouplingScope, BodiesCollideInWater)
 {
     SphConfig c = waterBox();
@@ -178,7 +196,8 @@ TEST_P(CouplingScope, BodiesCollideInWater)
     SolidInput both = rigid(block(c, 3, size, {{0.3, 0.4, z}}));
     const SolidInput right = rigid(block(c, 3, size, {{0.3 + side + apart, 0.4, z}}));
     DemParticles& p = both.input.particles;
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    const auto append = [](auto& to, const auto& from)
+    { to.insert(to.end(), from.begin(), from.end()); };
     append(p.position, right.input.particles.position);
     append(p.radius, right.input.particles.radius);
     append(p.mass, right.input.particles.mass);
@@ -190,7 +209,8 @@ TEST_P(CouplingScope, BodiesCollideInWater)
     both.input.pairs[0].properties.normalStiffness = 1e6;
     both.coupling.kind = CouplingKind::extrapolated;
     both.coupling.force = FluidForceKind::impulse;
-    const auto s = createSphDemScene(c, waterAround(c, {{0.3, 0.4, 0.3}}, 2*side + apart), {}, both);
+    const auto s = createSphDemScene(
+        c, waterAround(c, {{0.3, 0.4, 0.3}}, 2*side + apart), {}, both);
     const Momentum before = momentum(*s, c);
     bool touched = false, parted = false;
     for (int k = 0; k < 40; ++k)
@@ -200,15 +220,18 @@ TEST_P(CouplingScope, BodiesCollideInWater)
         const DemClumpState body = s->solids()->clumps();
         touched = touched || touch;
         parted = parted || (touched && !touch && body.velocity[3] > body.velocity[0]);
-        EXPECT_GT(body.position[3] - body.position[0], 0.95*side) << "they must not go into each other";
+        EXPECT_GT(body.position[3] - body.position[0], 0.95*side)
+            << "they must not go into each other";
     }
     EXPECT_TRUE(touched);
     EXPECT_TRUE(parted);
     const Momentum after = momentum(*s, c);
-    for (int d = 0; d < D(); ++d) EXPECT_NEAR(after.sum[d], before.sum[d], 160*epsilon()*after.size) << "axis " << d;
+    for (int d = 0; d < D(); ++d)
+        EXPECT_NEAR(after.sum[d], before.sum[d], 160*epsilon()*after.size) << "axis " << d;
 }
 
-//- What the solids do not use is not computed: without bonds no kernel of bonds, without clumps none of clumps; without solids no kernel of theirs
+//- What the solids do not use is not computed: without bonds no kernel of bonds, without clumps
+//  none of clumps; without solids no kernel of theirs
 TEST_P(CouplingScope, CostsOnlyWhatIsThere)
 {
     const SphConfig c = waterBox();
@@ -224,12 +247,18 @@ TEST_P(CouplingScope, CostsOnlyWhatIsThere)
         for (const KernelInfo& k : kernels)
         {
             std::string name = k.name;
-            std::transform(name.begin(), name.end(), name.begin(), [](unsigned char x) { return char(std::tolower(x)); });
+            std::transform(name.begin(), name.end(), name.begin(),
+                [](unsigned char x) { return char(std::tolower(x)); });
             if (name.find(part) != std::string::npos) n += k.launches;
         }
         return n;
     };
-    const auto of = [&](const SolidInput& in) { auto s = createSphDemScene(c, water, {}, in); s->advance(1, 5); return s->solids()->kernels(); };
+    const auto of = [&](const SolidInput& in)
+    {
+        auto s = createSphDemScene(c, water, {}, in);
+        s->advance(1, 5);
+        return s->solids()->kernels();
+    };
     EXPECT_GT(launched(of(bonded), "bond"), 0);
     EXPECT_EQ(launched(of(bonded), "clump"), 0);
     EXPECT_EQ(launched(of(loose), "bond"), 0);

@@ -1,4 +1,5 @@
-/*  What tests of fluid and solids together share: blocks of bonded particles and of rigid ones, water about them, momentum of both.
+/*  What tests of fluid and solids together share: blocks of bonded particles and of rigid ones,
+    water about them, momentum of both.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -10,12 +11,13 @@
 namespace riprap
 {
 
-inline const CouplingKind allKinds[] =
-{CouplingKind::stationary, CouplingKind::pressureGradient, CouplingKind::pressureApproximation, CouplingKind::extrapolated};
+inline const CouplingKind allKinds[] = {CouplingKind::stationary, CouplingKind::pressureGradient,
+    CouplingKind::pressureApproximation, CouplingKind::extrapolated};
 
 inline const char* nameOf(CouplingKind k)
 {
-    static const char* names[] = {"stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
+    static const char* names[] = {
+        "stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
     return names[int(k)];
 }
 
@@ -44,7 +46,9 @@ protected:
                 for (int i = 0; i < across; ++i)
                 {
                     const int index[3] = {i, j, k};
-                    for (int d = 0; d < 3; ++d) in.particles.position.push_back(corner[d] + (d < D() ? (index[d] + 0.5)*size : 0));
+                    for (int d = 0; d < 3; ++d)
+                        in.particles.position.push_back(
+                            corner[d] + (d < D() ? (index[d] + 0.5)*size : 0));
                     in.particles.radius.push_back(0.5*size);
                     in.particles.mass.push_back(800*std::pow(size, D()));
                     s.volume.push_back(std::pow(size, D()));
@@ -67,12 +71,15 @@ protected:
         for (std::size_t i = 0; i < n; ++i)
         {
             body.mass += in.particles.mass[i];
-            for (int d = 0; d < 3; ++d) body.position[d] += in.particles.position[3*i + d]/double(n);
+            for (int d = 0; d < 3; ++d)
+                body.position[d] += in.particles.position[3*i + d]/double(n);
         }
         for (std::size_t i = 0; i < n; ++i)
             for (int d = 0; d < 3; ++d)
                 for (int e = 0; e < 3; ++e)
-                    if (e != d) body.inertia[d] += in.particles.mass[i]*std::pow(in.particles.position[3*i + e] - body.position[e], 2);
+                    if (e != d)
+                        body.inertia[d] += in.particles.mass[i]
+                            *std::pow(in.particles.position[3*i + e] - body.position[e], 2);
         in.clumps.push_back(body);
         in.particles.clump.assign(n, 0);
         in.bonds = DemBonds();
@@ -105,8 +112,10 @@ protected:
                 inside = inside && x > low[d] - 0.5*c.spacing && x < low[d] + side + 0.5*c.spacing;
             }
             if (inside) continue;
-            f.position.insert(f.position.end(), all.position.begin() + 3*i, all.position.begin() + 3*i + 3);
-            f.velocity.insert(f.velocity.end(), all.velocity.begin() + 3*i, all.velocity.begin() + 3*i + 3);
+            f.position.insert(
+                f.position.end(), all.position.begin() + 3*i, all.position.begin() + 3*i + 3);
+            f.velocity.insert(
+                f.velocity.end(), all.velocity.begin() + 3*i, all.velocity.begin() + 3*i + 3);
             f.density.push_back(all.density[i]);
         }
         return f;
@@ -118,13 +127,21 @@ protected:
     {
         Momentum p;
         const auto add = [&](const std::vector<double>& v, std::size_t i, double m)
-        { for (int d = 0; d < D(); ++d) { p.sum[d] += m*v[3*i + d]; p.size += m*std::abs(v[3*i + d]); } };
+        {
+            for (int d = 0; d < D(); ++d)
+            {
+                p.sum[d] += m*v[3*i + d];
+                p.size += m*std::abs(v[3*i + d]);
+            }
+        };
         const FluidState f = s.fluid();
-        for (std::size_t i = 0; i < f.id.size(); ++i) add(f.velocity, i, c.density*std::pow(c.spacing, D()));
+        for (std::size_t i = 0; i < f.id.size(); ++i)
+            add(f.velocity, i, c.density*std::pow(c.spacing, D()));
         const DemState q = s.solids()->particles();
         // parts of a rigid body show its velocity of the middle of the step
         const std::vector<double> body = s.solids()->clumps().velocity;
-        for (std::size_t i = 0; i < q.id.size(); ++i) add(body.empty() ? q.velocity : body, body.empty() ? i : q.clump[i], q.mass[i]);
+        for (std::size_t i = 0; i < q.id.size(); ++i)
+            add(body.empty() ? q.velocity : body, body.empty() ? i : q.clump[i], q.mass[i]);
         const CouplingState now = s.coupling();
         for (int d = 0; d < D(); ++d) p.sum[d] += now.pending[d];
         return p;

@@ -1,4 +1,5 @@
-/*  Flows in which neighbours change fast: sheared, rotating, breaking, spray, pushed by a piston, with solids in them. And all pairs by brute force.
+/*  Flows in which neighbours change fast: sheared, rotating, breaking, spray, pushed by a piston,
+    with solids in them. And all pairs by brute force.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -28,7 +29,8 @@ protected:
 
     std::unique_ptr<SphScene> make(const Flow& f) const
     {
-        return f.solids.empty() ? createSphScene(f.c, f.fluid, f.walls, f.motion) : createSphDemScene(f.c, f.fluid, f.walls, f.solids[0], f.motion);
+        return f.solids.empty() ? createSphScene(f.c, f.fluid, f.walls, f.motion)
+                                : createSphDemScene(f.c, f.fluid, f.walls, f.solids[0], f.motion);
     }
 
     double deep(double size) const { return D() == 3 ? size : 0.0; }
@@ -52,7 +54,8 @@ protected:
     {
         for (std::size_t i = 0; i < f.size(); ++i)
         {
-            const Vector3 v = velocity(Vector3{{f.position[3*i], f.position[3*i + 1], f.position[3*i + 2]}});
+            const Vector3 v = velocity(
+                Vector3{{f.position[3*i], f.position[3*i + 1], f.position[3*i + 2]}});
             for (int d = 0; d < 3; ++d) f.velocity[3*i + d] += v[d];
         }
     }
@@ -64,7 +67,10 @@ protected:
         s.fluid = lattice(s.c, {{0, 0, 0}}, {{3, 1, deep(0.9)}});
         disturb(s.c, s.fluid, 0.1, 0.02, 0.001);
         for (double& x : s.fluid.position) x = std::max(x, 0.0);
-        set(s.fluid, [](const Vector3& x) { return Vector3{{1.5, 0.8*std::sin(2*M_PI*x[0]/3), 0}}; });
+        set(s.fluid,
+            [](const Vector3& x) {
+                return Vector3{{1.5, 0.8*std::sin(2*M_PI*x[0]/3), 0}};
+            });
         return s;
     }
 
@@ -72,7 +78,10 @@ protected:
     {
         Flow s{"rotating", flowConfig({{3, 3, 0.9}}, false), {}, {}, {}, {}};
         s.fluid = lattice(s.c, {{1, 1, deep(0.2)}}, {{2, 2, deep(0.6)}});
-        set(s.fluid, [](const Vector3& x) { return Vector3{{-2*(x[1] - 1.5), 2*(x[0] - 1.5), 0}}; });
+        set(s.fluid,
+            [](const Vector3& x) {
+                return Vector3{{-2*(x[1] - 1.5), 2*(x[0] - 1.5), 0}};
+            });
         return s;
     }
 
@@ -100,7 +109,8 @@ protected:
         c.integrator = integrator;
         c.gravity = {{0, -9.81, 0}};
         const double edge = 3*c.spacing;
-        Flow s{"breaking", c, lattice(c, {{1, edge, 0}}, {{2 - edge, edge + 0.7, deep(0.9)}}), tankOf(c), {}, {}};
+        Flow s{"breaking", c, lattice(c, {{1, edge, 0}}, {{2 - edge, edge + 0.7, deep(0.9)}}),
+            tankOf(c), {}, {}};
         set(s.fluid, [](const Vector3& x) { return Vector3{{1.5*(x[1] - 0.2), 0, 0}}; });
         return s;
     }
@@ -133,18 +143,26 @@ protected:
         s.name = "piston";
         for (std::size_t i = 0; i < s.fluid.size(); ++i) s.fluid.position[3*i] -= 1 - 3*s.c.spacing;
         s.walls.nBodies = 1;
-        for (std::size_t i = 0; i < s.walls.size(); ++i) s.walls.body.push_back(s.walls.normal[3*i] > 0.5 ? 0 : -1);
-        s.motion = [](int, double t) { WallPose p; p.translation = {{0.3*(1 - std::cos(5*t)), 0, 0}}; return p; };
+        for (std::size_t i = 0; i < s.walls.size(); ++i)
+            s.walls.body.push_back(s.walls.normal[3*i] > 0.5 ? 0 : -1);
+        s.motion = [](int, double t)
+        {
+            WallPose p;
+            p.translation = {{0.3*(1 - std::cos(5*t)), 0, 0}};
+            return p;
+        };
         return s;
     }
 
     static void move(SolidInput& s, const Vector3& v)
     {
         s.input.particles.velocity.clear();
-        for (std::size_t i = 0; i < s.input.particles.size(); ++i) s.input.particles.velocity.insert(s.input.particles.velocity.end(), v.begin(), v.end());
+        for (std::size_t i = 0; i < s.input.particles.size(); ++i)
+            s.input.particles.velocity.insert(s.input.particles.velocity.end(), v.begin(), v.end());
     }
 
-    //- A bonded block that falls into water, beside another scene's: the same that floats along with it
+    //- A bonded block that falls into water, beside another scene's: the same that floats along
+    //  with it
     Flow plunging() const
     {
         Flow s = breaking(WallKind::extrapolated, IntegratorKind::leapfrog);
@@ -185,22 +203,26 @@ protected:
                 inside = inside && x > low - 0.5*s.c.spacing && x < low + 3*size + 0.5*s.c.spacing;
             }
             if (inside) continue;
-            around.position.insert(around.position.end(), &s.fluid.position[3*i], &s.fluid.position[3*i] + 3);
-            around.velocity.insert(around.velocity.end(), &s.fluid.velocity[3*i], &s.fluid.velocity[3*i] + 3);
+            around.position.insert(
+                around.position.end(), &s.fluid.position[3*i], &s.fluid.position[3*i] + 3);
+            around.velocity.insert(
+                around.velocity.end(), &s.fluid.velocity[3*i], &s.fluid.velocity[3*i] + 3);
             around.density.push_back(s.fluid.density[i]);
         }
         s.fluid = around;
         return s;
     }
 
-    //- A current along a floor, all of it as fast: nothing in it comes nearer, but other parts of the floor do
+    //- A current along a floor, all of it as fast: nothing in it comes nearer, but other parts of
+    //  the floor do
     Flow sliding() const
     {
         SphConfig c = flowConfig({{3, 1, 0.9}}, false);
         c.periodic[0] = c.periodic[2] = true;
         c.viscosityModel = "none";
         const double level = 3*c.spacing;
-        Flow s{"sliding", c, lattice(c, {{0, level, 0}}, {{3, level + 0.2, deep(0.9)}}), floorOf(c, 1, level, 3), {}, {}};
+        Flow s{"sliding", c, lattice(c, {{0, level, 0}}, {{3, level + 0.2, deep(0.9)}}),
+            floorOf(c, 1, level, 3), {}, {}};
         set(s.fluid, [](const Vector3&) { return Vector3{{1.9, 0, 0}}; });
         return s;
     }
@@ -210,9 +232,12 @@ protected:
     {
         Flow s{"meeting", flowConfig({{3, 1, 0.9}}, false), {}, {}, {}, {}};
         const double side = 3*s.c.spacing;
-        s.fluid = lattice(s.c, {{1.5 - 0.3 - side, 0.4, deep(0.4)}}, {{1.5 - 0.3, 0.4 + side, deep(0.4 + side)}});
-        const FluidInput other = lattice(s.c, {{1.5 + 0.3, 0.4, deep(0.4)}}, {{1.5 + 0.3 + side, 0.4 + side, deep(0.4 + side)}});
-        s.fluid.position.insert(s.fluid.position.end(), other.position.begin(), other.position.end());
+        s.fluid = lattice(
+            s.c, {{1.5 - 0.3 - side, 0.4, deep(0.4)}}, {{1.5 - 0.3, 0.4 + side, deep(0.4 + side)}});
+        const FluidInput other = lattice(
+            s.c, {{1.5 + 0.3, 0.4, deep(0.4)}}, {{1.5 + 0.3 + side, 0.4 + side, deep(0.4 + side)}});
+        s.fluid.position.insert(
+            s.fluid.position.end(), other.position.begin(), other.position.end());
         s.fluid.density.insert(s.fluid.density.end(), other.density.begin(), other.density.end());
         s.fluid.velocity.assign(s.fluid.position.size(), 0.0);
         set(s.fluid, [](const Vector3& x) { return Vector3{{x[0] < 1.5 ? 1.2 : -1.2, 0, 0}}; });
@@ -221,8 +246,10 @@ protected:
 
     std::vector<Flow> allFlows() const
     {
-        return {sliding(), meeting(), sheared(), rotating(), breaking(WallKind::extrapolated, IntegratorKind::leapfrog), breaking(WallKind::stationary, IntegratorKind::symplectic),
-            spray(), piston(), plunging(), carried(), passing()};
+        return {sliding(), meeting(), sheared(), rotating(),
+            breaking(WallKind::extrapolated, IntegratorKind::leapfrog),
+            breaking(WallKind::stationary, IntegratorKind::symplectic), spray(), piston(),
+            plunging(), carried(), passing()};
     }
 
     template<class State>
@@ -230,7 +257,8 @@ protected:
     {
         std::vector<std::size_t> order(s.id.size());
         std::iota(order.begin(), order.end(), std::size_t(0));
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+        std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
         std::vector<double> x;
         for (const std::size_t i : order) x.insert(x.end(), &s.position[3*i], &s.position[3*i] + 3);
         return x;
@@ -260,10 +288,13 @@ protected:
 
     struct Bounds { std::int64_t least = 0, most = 0; };
 
-    //- Ordered pairs of the two sets that are nearer than the support; at its edge they may be seen either way. One and the same set: each with all others
-    static Bounds pairsWithin(const SphConfig& c, const std::vector<double>& a, const std::vector<double>& b)
+    //- Ordered pairs of the two sets that are nearer than the support; at its edge they may be seen
+    //  either way. One and the same set: each with all others
+    static Bounds pairsWithin(
+        const SphConfig& c, const std::vector<double>& a, const std::vector<double>& b)
     {
-        const double support = 2*c.smoothingRatio*c.spacing, nearly = support*(1 - 1e-5), beyond = support*(1 + 1e-5);
+        const double support = 2*c.smoothingRatio*c.spacing, nearly = support*(1 - 1e-5),
+                     beyond = support*(1 + 1e-5);
         Bounds n;
         for (std::size_t i = 0; i < a.size(); i += 3)
             for (std::size_t j = 0; j < b.size(); j += 3)

@@ -1,5 +1,7 @@
-/*  Nobody is missed: the pairs that a scene's passes look at, while neighbours grow old, are all that there are. Flows in which they change fast, pairs
-    by brute force. The second test follows the same flows step by step beside the rule by which neighbours are kept on the GPU, on any device.
+/*  Nobody is missed: the pairs that a scene's passes look at, while neighbours grow old, are all
+    that there are. Flows in which they change fast, pairs by brute force. The second test follows
+    the same flows step by step beside the rule by which neighbours are kept on the GPU, on any
+    device.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,7 +22,8 @@ protected:
     {
         const Places p = placesOf(s);
         const NeighbourCounts found = s.countNeighbours();
-        const auto expectBetween = [&](const char* what, std::int64_t n, const std::vector<double>& a, const std::vector<double>& b)
+        const auto expectBetween = [&](const char* what, std::int64_t n,
+                                       const std::vector<double>& a, const std::vector<double>& b)
         {
             const Bounds bounds = pairsWithin(f.c, a, b);
             EXPECT_GE(n, bounds.least) << what;
@@ -28,7 +31,8 @@ protected:
         };
         expectBetween("fluid", found.fluid, p.fluid, p.fluid);
         expectBetween("walls", found.walls, p.fluid, p.walls);
-        if (f.walls.nBodies || f.c.wallModel == WallKind::extrapolated) expectBetween("about walls", found.aboutWalls, p.walls, p.fluid);
+        if (f.walls.nBodies || f.c.wallModel == WallKind::extrapolated)
+            expectBetween("about walls", found.aboutWalls, p.walls, p.fluid);
         expectBetween("solids", found.solids, p.fluid, p.solids);
         expectBetween("about solids", found.aboutSolids, p.solids, p.fluid);
         if (!f.walls.size()) { EXPECT_EQ(found.walls, 0); }
@@ -57,7 +61,8 @@ TEST_P(Neighbours, AllAreFoundWhileTheyGrowOld)
     }
 }
 
-//- Single fast particles, each on its own line towards one at rest, which it comes near at another age of the neighbours than the others
+//- Single fast particles, each on its own line towards one at rest, which it comes near at another
+//  age of the neighbours than the others
 TEST_P(Neighbours, FastOnesAreFound)
 {
     const double spacing = D() == 3 ? 0.1 : 0.05, support = 2*1.25*spacing, line = 1.1*support;
@@ -86,10 +91,14 @@ TEST_P(Neighbours, FastOnesAreFound)
         const SphReport r = s->advance(1, steps);
         ASSERT_EQ(r.steps, steps);
         EXPECT_FALSE(r.skinExceeded);
-        if (s->device() == DeviceKind::cpu) oldest = std::max(oldest, r.steps/std::max(r.rebuilds, std::int64_t(1)));
+        if (s->device() == DeviceKind::cpu)
+            oldest = std::max(oldest, r.steps/std::max(r.rebuilds, std::int64_t(1)));
         expectAll(f, *s);
     }
-    if (start->device() == DeviceKind::cpu) { EXPECT_GE(oldest, 2) << "neighbours did not grow old: nothing was tested"; }
+    if (start->device() == DeviceKind::cpu)
+    {
+        EXPECT_GE(oldest, 2) << "neighbours did not grow old: nothing was tested";
+    }
 }
 
 //- What the GPU does with the ways of particles, in double steps beside a scene
@@ -100,21 +109,26 @@ public:
 
     using Position = Vec<Dim, Mixed::position>;
 
-    Follower(const SphConfig& c, const Places& start) : config_(c), support_(2*c.smoothingRatio*c.spacing), skin_(c.skin*support_), walls_(start.walls)
+    Follower(const SphConfig& c, const Places& start)
+        : config_(c), support_(2*c.smoothingRatio*c.spacing), skin_(c.skin*support_),
+          walls_(start.walls)
     {
         const double radius = support_ + skin_;
         for (int d = 0; d < Dim; ++d)
         {
             const double margin = c.periodic[d] ? 0 : radius;
-            box_.set(d, c.domainMin[d] - margin, c.domainMax[d] - c.domainMin[d] + 2*margin, c.periodic[d]);
+            box_.set(d, c.domainMin[d] - margin, c.domainMax[d] - c.domainMin[d] + 2*margin,
+                c.periodic[d]);
         }
         frames_.set(context_, box_, 2*radius, 2e6);
         const auto view = frames_.view();
-        for (std::size_t i = 0; i < walls_.size(); i += 3) view.includeStill(box_, pair(&walls_[i]));
+        for (std::size_t i = 0; i < walls_.size(); i += 3)
+            view.includeStill(box_, pair(&walls_[i]));
         now_ = together(start);
     }
 
-    std::size_t missed = 0;     // pairs within the support that were not listed, as long as the lists were said to hold
+    // pairs within the support that were not listed, as long as the lists were said to hold
+    std::size_t missed = 0;
     int searches = 0, oldSearches = 0;
     bool tooFar = false;        // a step went farther than it was thought to
 
@@ -127,7 +141,8 @@ public:
         from_ = now_;
         frames_.clear(context_);
         const auto view = frames_.view();
-        for (std::size_t i = 0; i < now_.size(); i += 3) view.include(box_, pair(&now_[i]), velocity(&v[i]));
+        for (std::size_t i = 0; i < now_.size(); i += 3)
+            view.include(box_, pair(&now_[i]), velocity(&v[i]));
         frames_.settle(context_, 0.5*(frames_.width() - support_), wallSkin()*support_);
         listed_ = within(support_ + skin_);
         listedWalls_ = withinWalls(support_*(1 + wallSkin()));
@@ -157,11 +172,13 @@ public:
             const Position p = pair(&now_[i]);
             // as much again as the last step has pushed it
             double pushed2 = 0;
-            for (int d = 0; d < Dim; ++d) pushed2 += before_.empty() ? 0 : std::pow(v[i + d] - before_[i + d], 2);
+            for (int d = 0; d < Dim; ++d)
+                pushed2 += before_.empty() ? 0 : std::pow(v[i + d] - before_[i + d], 2);
             const float pushed = float(1.25*dt*std::sqrt(pushed2));
             const auto since = [&](const std::vector<double>& from)
             {
-                WaySince<float> w = view.since(box_, pair(&from[i]), p, velocity(&v[i]), float(time - clock_.searched), float(1.25*dt));
+                WaySince<float> w = view.since(box_, pair(&from[i]), p, velocity(&v[i]),
+                    float(time - clock_.searched), float(1.25*dt));
                 w.relativeNext += pushed;
                 w.wholeNext += pushed;
                 return w;
@@ -176,9 +193,11 @@ public:
         // where they are oldest, and now and then
         if (!clock_.skinViolations && (clock_.needRebuild || ++steps_ % 5 == 0))
         {
-            const std::vector<bool> near = within(support_*(1 - 1e-5)), nearWalls = withinWalls(support_*(1 - 1e-5));
+            const std::vector<bool> near = within(support_*(1 - 1e-5)),
+                                    nearWalls = withinWalls(support_*(1 - 1e-5));
             for (std::size_t k = 0; k < near.size(); ++k) missed += near[k] && !listed_[k];
-            for (std::size_t k = 0; k < nearWalls.size(); ++k) missed += nearWalls[k] && !listedWalls_[k];
+            for (std::size_t k = 0; k < nearWalls.size(); ++k)
+                missed += nearWalls[k] && !listedWalls_[k];
         }
         if (clock_.needRebuild) search(time, v);
     }
@@ -262,14 +281,21 @@ protected:
         EXPECT_EQ(follower.missed, 0u);
         EXPECT_FALSE(follower.tooFar);
         EXPECT_GT(follower.searches, 1) << "neighbours did not grow old: nothing was tested";
-        EXPECT_LE(follower.searches, follower.oldSearches + 1) << "ways alone hold at least as long";
+        EXPECT_LE(follower.searches, follower.oldSearches + 1)
+            << "ways alone hold at least as long";
         const std::string name = f.name;
         if (name == "sheared" || name == "carried")
-            { EXPECT_LT(2*follower.searches, follower.oldSearches) << "what moves together does not come nearer"; }
+        {
+            EXPECT_LT(2*follower.searches, follower.oldSearches)
+                << "what moves together does not come nearer";
+        }
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(, NeighbourRule, testing::Values(Setup{DeviceKind::cpu, 2, PrecisionKind::mixed}, Setup{DeviceKind::cpu, 3, PrecisionKind::mixed}), setupName);
+INSTANTIATE_TEST_SUITE_P(, NeighbourRule,
+    testing::Values(Setup{DeviceKind::cpu, 2, PrecisionKind::mixed},
+        Setup{DeviceKind::cpu, 3, PrecisionKind::mixed}),
+    setupName);
 
 TEST_P(NeighbourRule, HoldsInFlowsThatBreak)
 {

@@ -1,5 +1,6 @@
-/*  Contact laws against closed forms of impacts: duration, overlap and force of linear and Hertz contacts, restitution, stiffness of
-    paper 2, energy of oblique elastic impacts, momentum, sliding, Coulomb's limit, rolling friction; packs against scalars.
+/*  Contact laws against closed forms of impacts: duration, overlap and force of linear and Hertz
+    contacts, restitution, stiffness of paper 2, energy of oblique elastic impacts, momentum,
+    sliding, Coulomb's limit, rolling friction; packs against scalars.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -54,7 +55,8 @@ void makeBodies(Body<D>& a, Body<D>& b)
 
 double reduced(double a, double b) { return a*b/(a + b); }
 
-//- Half an oscillation: pi sqrt(m*/k), overlap v sqrt(m*/k). Leapfrog: phase error (w dt)^2/24, the first step up to one dt early
+//- Half an oscillation: pi sqrt(m*/k), overlap v sqrt(m*/k). Leapfrog: phase error (w dt)^2/24, the
+//  first step up to one dt early
 TEST(ContactLaws, LinearImpactIsHalfAnOscillation)
 {
     const double k = 1e5, speed = 0.7;
@@ -90,16 +92,19 @@ TEST(ContactLaws, IncrementalSpringForgetsTheFirstOverlap)
     EXPECT_NEAR(h[0], k*0.5*dt, 1e-12);
 }
 
-//- Hertz: overlap (15 m* v^2/(16 E* R*^(1/2)))^(2/5), duration 2.868265 (m*^2/(R* E*^2 v))^(1/5) (Johnson 1985, section 11.4:
+//- Hertz: overlap (15 m* v^2/(16 E* R*^(1/2)))^(2/5), duration 2.868265 (m*^2/(R* E*^2 v))^(1/5)
+//  (Johnson 1985, section 11.4:
 //  2.87; Gamma(2/5) sqrt(pi)/Gamma(9/10) (4/5) (15/16)^(2/5) gives the digits)
 TEST(ContactLaws, HertzImpact)
 {
     const double speed = 3.9;
     Body<3> a, b;
     makeBodies(a, b);
-    const double m = reduced(a.mass, b.mass), R = reduced(a.radius, b.radius), E = glass().effectiveYoung();
+    const double m = reduced(a.mass, b.mass), R = reduced(a.radius, b.radius),
+                 E = glass().effectiveYoung();
     const double overlap = std::pow(15*m*speed*speed/(16*E*std::sqrt(R)), 0.4);
-    const double constant = std::tgamma(0.4)*std::sqrt(pi)/std::tgamma(0.9)*0.8*std::pow(15.0/16, 0.4);
+    const double constant = std::tgamma(0.4)*std::sqrt(pi)/std::tgamma(0.9)*0.8
+        *std::pow(15.0/16, 0.4);
     EXPECT_NEAR(constant, 2.87, 0.005);
     const double duration = constant*std::pow(m*m/(R*E*E*speed), 0.2), dt = duration/4000;
     approach(a, b, speed, 0);
@@ -109,7 +114,8 @@ TEST(ContactLaws, HertzImpact)
     EXPECT_NEAR(r.maxForce, 4.0/3*E*std::sqrt(R)*std::pow(overlap, 1.5), 2e-5*r.maxForce);
 }
 
-//- Chung & Ooi's test 1: two glass spheres of 10 mm radius meet at 10 m/s each: 274.11 um, 10.697 kN, 40.34 us
+//- Chung & Ooi's test 1: two glass spheres of 10 mm radius meet at 10 m/s each: 274.11 um, 10.697
+//  kN, 40.34 us
 TEST(ContactLaws, ChungOoiGlass)
 {
     Body<3> a, b;
@@ -141,14 +147,17 @@ TEST(ContactLaws, Restitution)
             PairProperties p = linear(1e5, e), q = glass(e);
             p.attraction = q.attraction = attraction;
             const double root = std::sqrt(reduced(0.011, 0.031)/1e5);
-            EXPECT_NEAR(measuredRestitution<Smooth<LinearSpring>>(p, 0.5, root/4000), e, 1e-3) << attraction;
+            EXPECT_NEAR(measuredRestitution<Smooth<LinearSpring>>(p, 0.5, root/4000), e, 1e-3)
+                << attraction;
             for (const double speed : {0.1, 5.0})
-                EXPECT_NEAR(measuredRestitution<Smooth<Hertz>>(q, speed, 1e-8), e, 1e-3) << attraction << " " << speed;
+                EXPECT_NEAR(measuredRestitution<Smooth<Hertz>>(q, speed, 1e-8), e, 1e-3)
+                    << attraction << " " << speed;
         }
 }
 
-//- At the default step, 0.2 sqrt(m/k), wherever within the step the impact begins. What is left is of second order: four times less at
-//  half the step. Without dashpot.hpp's two corrections the mean of e = 0.5 is 1.9 % low, and single impacts by up to 9 %
+//- At the default step, 0.2 sqrt(m/k), wherever within the step the impact begins. What is left is
+//  of second order: four times less at half the step. Without dashpot.hpp's two corrections the
+//  mean of e = 0.5 is 1.9 % low, and single impacts by up to 9 %
 template<class Law>
 void restitutionOfCoarseSteps(PairProperties p, double speed, double root)
 {
@@ -187,9 +196,11 @@ TEST(ContactLaws, RestitutionAtTheDefaultStep)
             PairProperties p = linear(1e5, e), q = glass(e);
             p.attraction = q.attraction = attraction;
             restitutionOfCoarseSteps<Smooth<LinearSpring>>(p, 0.5, std::sqrt(0.011/1e5));
-            const double speed = 2, R = reduced(0.01, 0.015), m = reduced(0.011, 0.031), E = q.effectiveYoung();
+            const double speed = 2, R = reduced(0.01, 0.015), m = reduced(0.011, 0.031),
+                         E = q.effectiveYoung();
             const double overlap = std::pow(15*m*speed*speed/(16*E*std::sqrt(R)), 0.4);
-            restitutionOfCoarseSteps<Smooth<Hertz>>(q, speed, std::sqrt(0.011/(2*E*std::sqrt(R*overlap))));
+            restitutionOfCoarseSteps<Smooth<Hertz>>(
+                q, speed, std::sqrt(0.011/(2*E*std::sqrt(R*overlap))));
         }
 }
 
@@ -252,7 +263,8 @@ Oblique energyOverAngles(PairProperties p, double mu, double dt)
     return worst;
 }
 
-//- No angle, stuck or slipping, gains energy: beyond what the step leaves, O(dt^2) of the phase. LAMMPS's mindlin gains 9e-3
+//- No angle, stuck or slipping, gains energy: beyond what the step leaves, O(dt^2) of the phase.
+//  LAMMPS's mindlin gains 9e-3
 TEST(ContactLaws, ElasticObliqueImpactsNeverGainEnergy)
 {
     using HistoryLaw = Contact<LinearSpring, HistorySpring, NoRolling>;
@@ -269,8 +281,9 @@ TEST(ContactLaws, ElasticObliqueImpactsNeverGainEnergy)
     }
 }
 
-//- The impacts in which LAMMPS's mindlin gains 6e-4 (20 degrees) and 9e-3 (60), and its rescaled form loses 1.8e-2 and 0.109: two
-//  equal spheres, mu = 10. What is left in the spring when they part is lost, and nothing else
+//- The impacts in which LAMMPS's mindlin gains 6e-4 (20 degrees) and 9e-3 (60), and its rescaled
+//  form loses 1.8e-2 and 0.109: two equal spheres, mu = 10. What is left in the spring when they
+//  part is lost, and nothing else
 TEST(ContactLaws, MindlinKeepsMoreThanRescaledAndGainsNothing)
 {
     PairProperties p;
@@ -294,8 +307,8 @@ TEST(ContactLaws, MindlinKeepsMoreThanRescaledAndGainsNothing)
     }
 }
 
-//- Gross sliding (Chung & Ooi 4): the tangential impulse is mu times the normal one, dv_t = mu (1 + e) v_n. Slow, so that the line
-//  of centres does not turn meanwhile: by v_t t_c/(R_A + R_B) = 1e-4
+//- Gross sliding (Chung & Ooi 4): the tangential impulse is mu times the normal one, dv_t = mu (1 +
+//  e) v_n. Slow, so that the line of centres does not turn meanwhile: by v_t t_c/(R_A + R_B) = 1e-4
 TEST(ContactLaws, GrossSliding)
 {
     PairProperties p = glass();
@@ -322,7 +335,11 @@ void momentumIsKept()
     makeBodies(a, b);
     approach(a, b, 1, 0.7);
     for (int c = 0; c < spins<D>; ++c) { a.w.c[c] = 10*(c + 1); b.w.c[c] = -7 + 3*c; }
-    const auto angular = [&] { return moment(a.x, a.mass*a.v) + moment(b.x, b.mass*b.v) + a.inertia()*a.w + b.inertia()*b.w; };
+    const auto angular = [&]
+    {
+        return moment(a.x, a.mass*a.v) + moment(b.x, b.mass*b.v) + a.inertia()*a.w
+            + b.inertia()*b.w;
+    };
     const auto linearMomentum = [&] { return a.mass*a.v + b.mass*b.v; };
     const auto L = angular();
     const auto I = linearMomentum();
@@ -354,7 +371,14 @@ TEST(ContactLaws, OneStepSpring)
 //- A stretch keeps its length and stays in the contact plane when the contact turns
 TEST(ContactLaws, HistoryTurnsWithTheContact)
 {
-    const auto p = HistorySpring::make([] { PairProperties q; q.friction = 1e9; q.stiffnessRatio = 1; return q; }());
+    const auto p = HistorySpring::make(
+        []
+        {
+            PairProperties q;
+            q.friction = 1e9;
+            q.stiffnessRatio = 1;
+            return q;
+        }());
     ContactGeometry<3, double> g{};
     g.dt = g.since = 1e-3;
     NormalForce<double> fn{1, 1, 1, 0, 1};
@@ -370,8 +394,9 @@ TEST(ContactLaws, HistoryTurnsWithTheContact)
     EXPECT_NEAR(h[0], -0.002, 1e-15);
 }
 
-//- However a contact is dragged about, with a dashpot that alone exceeds Coulomb's limit: what is stored grows by no more than the
-//  bodies' work, and the spring's force stays within the limit. The stiffness is held, since without overlap's change it is
+//- However a contact is dragged about, with a dashpot that alone exceeds Coulomb's limit: what is
+//  stored grows by no more than the bodies' work, and the spring's force stays within the limit.
+//  The stiffness is held, since without overlap's change it is
 template<class Normal, class Tangential, int D>
 void storesNoMoreThanIsPutIn(PairProperties q, double stiffness)
 {
@@ -426,9 +451,11 @@ TEST(ContactLaws, RollingFriction)
     g.dt = g.since = 1e-5;
     const NormalForce<double> fn{5, 5, 1e4, 0, 5};
     const double limit = 0.2*0.01*5;
-    EXPECT_NEAR((ConstantTorque::moment<3, double>(ConstantTorque::make(q), g, fn, nullptr).c[1]), -limit, 1e-15);
+    EXPECT_NEAR((ConstantTorque::moment<3, double>(ConstantTorque::make(q), g, fn, nullptr).c[1]),
+        -limit, 1e-15);
     g.roll = Spin<3, double>{{0, -1e-9, 0}};
-    EXPECT_NEAR((ConstantTorque::moment<3, double>(ConstantTorque::make(q), g, fn, nullptr).c[1]), -1e-9*2e-6/1e-5, 1e-24);
+    EXPECT_NEAR((ConstantTorque::moment<3, double>(ConstantTorque::make(q), g, fn, nullptr).c[1]),
+        -1e-9*2e-6/1e-5, 1e-24);
 
     double h[3] = {};
     g.roll = Spin<3, double>{{0, -1, 0}};
@@ -439,7 +466,8 @@ TEST(ContactLaws, RollingFriction)
     EXPECT_NEAR(h[1], -limit, 1e-15);
 }
 
-//- Eight contacts in a register are eight contacts one by one, to rounding of the float's operations
+//- Eight contacts in a register are eight contacts one by one, to rounding of the float's
+//  operations
 TEST(ContactLaws, PacksAreScalars)
 {
     using Law = Contact<Hertz, Mindlin, RollingSpring>;
@@ -473,13 +501,16 @@ TEST(ContactLaws, PacksAreScalars)
         for (int c = 0; c < 6; ++c) hp[c].v[l] = h[l][c] = 1e-4f*(c - l);
     }
     NormalForce<Pack<float>> fp;
-    const auto r = Law::evaluate<3, Pack<float>>(packed, pack, Pack<float>(0.01f), Pack<float>(0.01f), hp, fp);
+    const auto r = Law::evaluate<3, Pack<float>>(
+        packed, pack, Pack<float>(0.01f), Pack<float>(0.01f), hp, fp);
     for (int l = 0; l < 8; ++l)
     {
         NormalForce<float> f;
         const auto one = Law::evaluate<3, float>(scalar, g[l], 0.01f, 0.01f, h[l], f);
-        for (int d = 0; d < 3; ++d) EXPECT_NEAR(r.force.c[d].v[l], one.force.c[d], 1e-5f*std::abs(f.force) + 1e-12f);
-        for (int c = 0; c < 6; ++c) EXPECT_NEAR(hp[c].v[l], h[l][c], 1e-5f*std::abs(h[l][c]) + 1e-12f);
+        for (int d = 0; d < 3; ++d)
+            EXPECT_NEAR(r.force.c[d].v[l], one.force.c[d], 1e-5f*std::abs(f.force) + 1e-12f);
+        for (int c = 0; c < 6; ++c)
+            EXPECT_NEAR(hp[c].v[l], h[l][c], 1e-5f*std::abs(h[l][c]) + 1e-12f);
     }
 }
 

@@ -1,4 +1,5 @@
-/*  Bonded particles: the cantilever's closed form (ERRATA), torsion, breakage at the given strength, contact afterwards, energy.
+/*  Bonded particles: the cantilever's closed form (ERRATA), torsion, breakage at the given
+    strength, contact afterwards, energy.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,7 +16,8 @@ using DemBonded = DemTest;
 
 constexpr double spacing = 0.02;
 
-//- A row of n particles along x, touching; the first is held (group 1), the last is loaded (group 2)
+//- A row of n particles along x, touching; the first is held (group 1), the last is loaded (group
+//  2)
 DemInput row(int n, const DemBondType& type)
 {
     DemInput in = oneMaterial();
@@ -42,13 +44,17 @@ DemBondType bondType(double young, double shear, double factor)
     return t;
 }
 
-//- Tip deflection of a row under an end load, for several lengths, stiffnesses and radii. Small: second order effects 1e-6
+//- Tip deflection of a row under an end load, for several lengths, stiffnesses and radii. Small:
+//  second order effects 1e-6
 TEST_P(DemBonded, CantileverClosedForm)
 {
-    if (mixed()) GTEST_SKIP() << "quasi-static deflections to 1e-4 need double: increments fall under single precision";
+    if (mixed())
+        GTEST_SKIP() << "quasi-static deflections to 1e-4 need double: increments fall under "
+                        "single precision";
     struct Beam { int n; double young, shear, factor; };
     for (const int D : {2, 3})
-        for (const Beam b : {Beam{5, 1e6, 4e5, 0.8}, Beam{8, 3e6, 1e6, 0.5}, Beam{4, 1e6, 1e5, 1.0}})
+        for (const Beam b :
+            {Beam{5, 1e6, 4e5, 0.8}, Beam{8, 3e6, 1e6, 0.5}, Beam{4, 1e6, 1e5, 1.0}})
         {
             DemConfig c = config(D);
             c.stepFraction = 0.3;
@@ -63,7 +69,8 @@ TEST_P(DemBonded, CantileverClosedForm)
             auto scene = createDemScene(c, in);
             scene->advance(1e9, 60000);
             const DemState state = scene->particles();
-            EXPECT_NEAR(state.position[3*find(state, b.n - 1) + 1], expected, 1e-4*expected) << D << "D, n = " << b.n;
+            EXPECT_NEAR(state.position[3*find(state, b.n - 1) + 1], expected, 1e-4*expected)
+                << D << "D, n = " << b.n;
         }
 }
 
@@ -82,10 +89,12 @@ TEST_P(DemBonded, Torsion)
     scene->advance(1e9, 40000);
     const DemState s = scene->particles();
     const double* q = &s.orientation[4*find(s, n - 1)];
-    EXPECT_NEAR(2*std::atan2(q[1], q[0]), moment*(n - 1)/(4e5/spacing*J), 1e-4*moment*(n - 1)/(4e5/spacing*J));
+    EXPECT_NEAR(2*std::atan2(q[1], q[0]), moment*(n - 1)/(4e5/spacing*J),
+        1e-4*moment*(n - 1)/(4e5/spacing*J));
 }
 
-//- Pulled at constant speed, a bond breaks when F_n/A reaches its strength: at a stretch of sigma_c/kn, to one step's stretch
+//- Pulled at constant speed, a bond breaks when F_n/A reaches its strength: at a stretch of
+//  sigma_c/kn, to one step's stretch
 TEST_P(DemBonded, BreaksInTensionAtItsStrength)
 {
     for (const int D : {2, 3})
@@ -97,7 +106,8 @@ TEST_P(DemBonded, BreaksInTensionAtItsStrength)
         in.groups[2] = in.groups[1];
         in.particles.velocity[3] = 0.01;
         auto scene = createDemScene(c, in);
-        const double dt = scene->plan().timeStep, stretch = t.tensileStrength/t.normalStiffness, speed = 0.01;
+        const double dt = scene->plan().timeStep, stretch = t.tensileStrength/t.normalStiffness,
+                     speed = 0.01;
         const std::int64_t before = std::int64_t(stretch/(speed*dt)) - 1;
         // velocities of held particles are never kicked: x is exact
         DemReport r = scene->advance(1e9, mixed() ? before - 3 : before);
@@ -124,7 +134,8 @@ TEST_P(DemBonded, BreaksInShear)
     EXPECT_EQ(scene->bonds().broken[0], 2);
 }
 
-//- Particles that overlapped when they were bonded part without a bang when the bond breaks, and touch at that overlap again
+//- Particles that overlapped when they were bonded part without a bang when the bond breaks, and
+//  touch at that overlap again
 TEST_P(DemBonded, ContactAfterBreakage)
 {
     DemConfig c = config(3);
@@ -143,14 +154,16 @@ TEST_P(DemBonded, ContactAfterBreakage)
     EXPECT_EQ(scene->particles().brokenBonds[0], 1);
 }
 
-//- A block of bonded particles that shakes stands the largest step that is not refused, whatever its bonds; dashpots halve that step
+//- A block of bonded particles that shakes stands the largest step that is not refused, whatever
+//  its bonds; dashpots halve that step
 TEST_P(DemBonded, StandsTheLargestStep)
 {
     for (const int D : {2, 3})
         for (const double shear : {0.1, 1.0, 3.0})
             for (const double factor : {0.5, 1.0})
             {
-                SCOPED_TRACE(std::to_string(D) + "D, G/E " + std::to_string(shear) + ", radius " + std::to_string(factor));
+                SCOPED_TRACE(std::to_string(D) + "D, G/E " + std::to_string(shear) + ", radius "
+                    + std::to_string(factor));
                 DemConfig c = config(D);
                 c.stepFraction = 1;
                 DemInput in = oneMaterial(1);
@@ -160,8 +173,11 @@ TEST_P(DemBonded, StandsTheLargestStep)
                 for (int k = 0; k < (D == 3 ? across : 1); ++k)
                     for (int j = 0; j < across; ++j)
                         for (int i = 0; i < across; ++i)
-                            addParticle(in, {{i*spacing - 0.1, j*spacing - 0.1, D == 3 ? k*spacing - 0.1 : 0}},
-                                {{1e-3*u(engine), 1e-3*u(engine), D == 3 ? 1e-3*u(engine) : 0}});
+                            addParticle(in,
+                                {{i*spacing - 0.1, j*spacing - 0.1,
+                                    D == 3 ? k*spacing - 0.1 : 0}},
+                                {{1e-3*u(engine), 1e-3*u(engine),
+                                    D == 3 ? 1e-3*u(engine) : 0}});
                 in.bondTypes.push_back(bondType(1e6, shear*1e6, factor));
                 in.bonds = bondsWithin(c, in.particles, 0, 1e-4);
                 const DemPlan plan = planDemScene(c, in);
@@ -187,7 +203,8 @@ TEST_P(DemBonded, FreeBodyKeepsMomentumAndEnergy)
         for (int k = 0; k < 3; ++k)
         {
             const double a = 2*pi*k/3, r = spacing/std::sqrt(3.0), spin = 5;
-            addParticle(in, {{r*std::cos(a), r*std::sin(a), 0}}, {{0.1 - spin*r*std::sin(a), spin*r*std::cos(a), 0}});
+            addParticle(in, {{r*std::cos(a), r*std::sin(a), 0}},
+                {{0.1 - spin*r*std::sin(a), spin*r*std::cos(a), 0}});
             in.particles.spin[3*k + 2] = spin;
         }
         in.bondTypes.push_back(bondType(1e5, 4e4, 0.8));

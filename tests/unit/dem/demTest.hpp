@@ -1,4 +1,5 @@
-/*  What tests of DEM scenes share: they run on each device and in each precision; without a GPU those of the GPU are skipped.
+/*  What tests of DEM scenes share: they run on each device and in each precision; without a GPU
+    those of the GPU are skipped.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,7 +31,8 @@ protected:
 
     bool mixed() const { return GetParam().precision == PrecisionKind::mixed; }
 
-    //- A box of side 1 about the origin, elastic linear contacts of stiffness 1e4 between spheres of one material
+    //- A box of side 1 about the origin, elastic linear contacts of stiffness 1e4 between spheres
+    //  of one material
     DemConfig config(int dimensions) const
     {
         DemConfig c;
@@ -62,7 +64,8 @@ inline DemInput oneMaterial(double stiffness = 1e4)
     return in;
 }
 
-inline void addParticle(DemInput& in, Vector3 x, Vector3 v = {{0, 0, 0}}, double radius = 0.01, double mass = 0.01)
+inline void addParticle(
+    DemInput& in, Vector3 x, Vector3 v = {{0, 0, 0}}, double radius = 0.01, double mass = 0.01)
 {
     DemParticles& p = in.particles;
     p.position.insert(p.position.end(), x.begin(), x.end());
@@ -89,7 +92,10 @@ inline std::size_t find(const DemState& s, std::int32_t id)
     throw std::runtime_error("no such particle");
 }
 
-inline Vector3 at(const std::vector<double>& v, std::size_t i) { return Vector3{{v[3*i], v[3*i + 1], v[3*i + 2]}}; }
+inline Vector3 at(const std::vector<double>& v, std::size_t i)
+{
+    return Vector3{{v[3*i], v[3*i + 1], v[3*i + 2]}};
+}
 
 //- Six walls of the box of side 1 (four in 2D)
 inline void addBox(DemInput& in, int dimensions, double half = 0.45)
@@ -104,9 +110,13 @@ inline void addBox(DemInput& in, int dimensions, double half = 0.45)
         }
 }
 
-#define RIPRAP_DEM_CASES(suite) INSTANTIATE_TEST_SUITE_P(Dem, suite, testing::Values( \
-    DemCase{DeviceKind::cpu, PrecisionKind::mixed}, DemCase{DeviceKind::cpu, PrecisionKind::doubled}, \
-    DemCase{DeviceKind::gpu, PrecisionKind::mixed}, DemCase{DeviceKind::gpu, PrecisionKind::doubled}), demCaseName)
+#define RIPRAP_DEM_CASES(suite) \
+    INSTANTIATE_TEST_SUITE_P(Dem, suite, \
+        testing::Values(DemCase{DeviceKind::cpu, PrecisionKind::mixed}, \
+            DemCase{DeviceKind::cpu, PrecisionKind::doubled}, \
+            DemCase{DeviceKind::gpu, PrecisionKind::mixed}, \
+            DemCase{DeviceKind::gpu, PrecisionKind::doubled}), \
+        demCaseName)
 
 } // namespace
 } // namespace riprap

@@ -1,5 +1,5 @@
-/*  Two free bodies that meet, integrated in double by leapfrog with a contact law and nothing else: what closed forms of
-    impacts are compared with.
+/*  Two free bodies that meet, integrated in double by leapfrog with a contact law and nothing else:
+    what closed forms of impacts are compared with.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -29,13 +29,16 @@ struct ImpactResult
     double duration = 0, maxOverlap = 0, maxForce = 0, highestEnergy = 0, stiffest = 0;
 };
 
-//- Until the bodies part, where a law reaches beyond the surfaces no sooner than that. Energy: kinetic, with the spring's at whole steps (leapfrog's velocities averaged)
+//- Until the bodies part, where a law reaches beyond the surfaces no sooner than that. Energy:
+//  kinetic, with the spring's at whole steps (leapfrog's velocities averaged)
 template<class Law, int D>
-ImpactResult collide(Body<D>& a, Body<D>& b, PairProperties properties, double dt, double longest = 1)
+ImpactResult collide(
+    Body<D>& a, Body<D>& b, PairProperties properties, double dt, double longest = 1)
 {
     using Normal = typename Law::NormalLaw;
     properties.largestRadius = std::max(a.radius, b.radius);
-    const double reach = Normal::reach(properties, properties.largestRadius), gap = properties.gap + reach;
+    const double reach = Normal::reach(properties, properties.largestRadius),
+                 gap = properties.gap + reach;
     const auto p = Law::template make<double>(properties);
     constexpr int size = Law::template history<D>;
     double h[size + 1] = {};
@@ -62,17 +65,21 @@ ImpactResult collide(Body<D>& a, Body<D>& b, PairProperties properties, double d
         a.w = a.w + (dt/a.inertia())*f.momentA;
         b.w = b.w + (dt/b.inertia())*f.momentB;
         const double stored = Law::template energy<D, double>(p, g, fn, h);
-        r.highestEnergy = std::max(r.highestEnergy, 0.5*(before + a.kinetic() + b.kinetic()) + stored);
+        r.highestEnergy = std::max(
+            r.highestEnergy, 0.5*(before + a.kinetic() + b.kinetic()) + stored);
         r.duration += dt;
         r.maxOverlap = std::max(r.maxOverlap, g.overlap - reach);
         r.stiffest = std::max(r.stiffest, fn.stiffness);
         r.maxForce = std::max(r.maxForce, fn.force);
-        if (Normal::reaches ? !Normal::acts(h) && g.approach < 0 : fn.force <= 0 && g.approach < 0 && !properties.attraction) return r;
+        if (Normal::reaches ? !Normal::acts(h) && g.approach < 0
+                            : fn.force <= 0 && g.approach < 0 && !properties.attraction)
+            return r;
     }
     return r;
 }
 
-//- Bodies about to touch, one beside the other along x; a moves at `speed`, `angle` away from the line of centres
+//- Bodies about to touch, one beside the other along x; a moves at `speed`, `angle` away from the
+//  line of centres
 template<int D>
 void approach(Body<D>& a, Body<D>& b, double speed, double angle)
 {

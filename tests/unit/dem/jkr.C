@@ -1,6 +1,7 @@
-/*  The law of Johnson, Kendall & Roberts against its closed forms: pull-off force 3/2 pi w R*, forces at first touch and at separation, the
-    energy that touching and parting takes (7.09 (w^5 R*^4/E*^2)^(1/3), Johnson & Pollock 1994; Thornton & Ning 1998), Hertz where w is small;
-    and scenes in which bodies are pulled beyond their surfaces and held, or torn off.
+/*  The law of Johnson, Kendall & Roberts against its closed forms: pull-off force 3/2 pi w R*,
+    forces at first touch and at separation, the energy that touching and parting takes (7.09 (w^5
+    R*^4/E*^2)^(1/3), Johnson & Pollock 1994; Thornton & Ning 1998), Hertz where w is small; and
+    scenes in which bodies are pulled beyond their surfaces and held, or torn off.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -61,7 +62,8 @@ TEST(Jkr, PullOffForce)
             ASSERT_NEAR(f.load, f.force + 3*unit, 1e-9*unit);
         }
         EXPECT_NEAR(lowest, -1.5*unit, 1e-8*unit);
-        // the square root with which the force falls there: at 1e-5 of the reach, 0.6 % before its end
+        // the square root with which the force falls there: at 1e-5 of the reach, 0.6 % before its
+        // end
         EXPECT_NEAR(last, -5.0/6*unit, 0.01*unit);
         EXPECT_EQ(force(-1.001*own).force, 0);
         EXPECT_FALSE(Jkr::acts(h));
@@ -69,7 +71,8 @@ TEST(Jkr, PullOffForce)
     }
 }
 
-//- Elastic bodies lose the energy of a touch, the same at all speeds, and stick below the speed that has no more
+//- Elastic bodies lose the energy of a touch, the same at all speeds, and stick below the speed
+//  that has no more
 TEST(Jkr, TouchingTakesEnergy)
 {
     Body<3> a, b;
@@ -79,10 +82,13 @@ TEST(Jkr, TouchingTakesEnergy)
     b.mass = 0.031;
     const double R = a.radius*b.radius/(a.radius + b.radius), m = a.mass*b.mass/(a.mass + b.mass);
     const PairProperties p = sticky(0.5, b.radius);
-    // -U at first touch and U at separation, a_0 = 4^(2/3) a_s: (0.225*4/3 4^(10/3) + 2.4*4/3) E* a_s^5/R*^2
+    // -U at first touch and U at separation, a_0 = 4^(2/3) a_s: (0.225*4/3 4^(10/3) + 2.4*4/3) E*
+    // a_s^5/R*^2
     const double constant = 4.0/3*(0.225*std::pow(4, 10.0/3) + 2.4)*std::pow(pi/8, 5.0/3);
     EXPECT_NEAR(constant, 7.09, 0.005);
-    const double lost = constant*std::cbrt(std::pow(0.5, 5)*std::pow(R, 4)/std::pow(p.effectiveYoung(), 2)), least = std::sqrt(2*lost/m);
+    const double lost = constant
+        *std::cbrt(std::pow(0.5, 5)*std::pow(R, 4)/std::pow(p.effectiveYoung(), 2)),
+                 least = std::sqrt(2*lost/m);
     for (const double factor : {1.02, 1.5, 5.0})
     {
         const double speed = factor*least, k = Jkr::stiffness(p, Impact{a.mass, a.radius, speed});
@@ -146,8 +152,9 @@ protected:
     }
 };
 
-//- Below the pull-off force bodies hang on beyond their surfaces, above it they are torn off. A third one flies about, so that neighbours
-//  are searched anew meanwhile; a fourth hangs where it has never touched
+//- Below the pull-off force bodies hang on beyond their surfaces, above it they are torn off. A
+//  third one flies about, so that neighbours are searched anew meanwhile; a fourth hangs where it
+//  has never touched
 TEST_P(JkrScenes, BodiesHangOn)
 {
     const double R = 0.005, most = 1.5*pi*w*R, start = 0.0199975;
@@ -223,7 +230,11 @@ TEST_P(JkrScenes, NeedsAWorkOfAdhesion)
     in.pairs[0].properties.more.clear();
     try { createDemScene(adhesive(), in); FAIL(); }
     catch (const std::invalid_argument& e)
-    { EXPECT_NE(std::string(e.what()).find("the work of adhesion must be positive"), std::string::npos) << e.what(); }
+    {
+        EXPECT_NE(
+            std::string(e.what()).find("the work of adhesion must be positive"), std::string::npos)
+            << e.what();
+    }
 }
 
 RIPRAP_DEM_CASES(JkrScenes);

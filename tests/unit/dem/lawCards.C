@@ -1,6 +1,8 @@
-/*  What each contact law's card says, over the whole tables: its words and entries; that its stiffness is the slope of its force or bounds it,
-    and its energy the force's integral; that the stiffness of the step limit is not exceeded in an impact; that no impact, oblique and with
-    spin, gains energy; packs against scalars. lawScenes.C: GPU against CPU. A law that is added to a table is tested by these.
+/*  What each contact law's card says, over the whole tables: its words and entries; that its
+    stiffness is the slope of its force or bounds it, and its energy the force's integral; that the
+    stiffness of the step limit is not exceeded in an impact; that no impact, oblique and with spin,
+    gains energy; packs against scalars. lawScenes.C: GPU against CPU. A law that is added to a
+    table is tested by these.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -18,7 +20,8 @@ namespace riprap
 namespace
 {
 
-//- Entries without a name of their own would be lost, a default that the struct does not have would not be taken
+//- Entries without a name of their own would be lost, a default that the struct does not have would
+//  not be taken
 TEST(LawCards, EntriesAreComplete)
 {
     const auto check = [](auto law)
@@ -31,7 +34,10 @@ TEST(LawCards, EntriesAreComplete)
         {
             EXPECT_TRUE(names.insert(e.name).second) << L::word << " " << e.name;
             EXPECT_GT(std::string(e.what).size(), 0u) << e.name;
-            if (e.yesNo || !e.required) { EXPECT_EQ(e.value(PairProperties()), e.otherwise) << L::word << " " << e.name; }
+            if (e.yesNo || !e.required)
+            {
+                EXPECT_EQ(e.value(PairProperties()), e.otherwise) << L::word << " " << e.name;
+            }
             if (!e.yesNo) { EXPECT_TRUE(e.allows(e.typical)) << L::word << " " << e.name; }
             if (!e.yesNo) { EXPECT_FALSE(e.allows(-1)) << L::word << " " << e.name; }
             PairProperties p;
@@ -52,7 +58,9 @@ TEST(LawCards, SharedEntriesAgree)
     {
         const auto [at, isNew] = seen.emplace(e.name, e);
         if (isNew) continue;
-        EXPECT_TRUE(at->second.number == e.number && at->second.yesNo == e.yesNo && at->second.range == e.range) << e.name;
+        EXPECT_TRUE(at->second.number == e.number && at->second.yesNo == e.yesNo
+            && at->second.range == e.range)
+            << e.name;
         EXPECT_STREQ(at->second.unit, e.unit) << e.name;
     }
 }
@@ -88,7 +96,8 @@ TEST(LawCards, WordsFindTheirLaws)
     catch (const std::invalid_argument& e)
     {
         const std::string said = e.what();
-        for (const std::string& w : wordsOf(normalLaws())) EXPECT_NE(said.find(w), std::string::npos) << said;
+        for (const std::string& w : wordsOf(normalLaws()))
+            EXPECT_NE(said.find(w), std::string::npos) << said;
     }
 }
 
@@ -100,13 +109,16 @@ TEST(LawCards, GuideHasThem)
     std::ifstream in(std::string(root) + "/docs/guide/solids.md");
     const std::string guide{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     ASSERT_GT(guide.size(), 0u);
-    const auto has = [&](const std::string& word) { EXPECT_NE(guide.find("`" + word + "`"), std::string::npos) << word; };
-    for (const auto& words : {wordsOf(normalLaws()), wordsOf(tangentialLaws()), wordsOf(rollingLaws())}) for (const auto& w : words) has(w);
+    const auto has = [&](const std::string& word)
+    { EXPECT_NE(guide.find("`" + word + "`"), std::string::npos) << word; };
+    for (const auto& words :
+        {wordsOf(normalLaws()), wordsOf(tangentialLaws()), wordsOf(rollingLaws())})
+        for (const auto& w : words) has(w);
     for (const PairEntry& e : allLawEntries()) has(e.name);
 }
 
-//- Two bodies pressed together and let go, slowly: the rise of the force is its stiffness, and the rise of the energy its work. Trapezia:
-//  of second order in the steps, 2000 on the way
+//- Two bodies pressed together and let go, slowly: the rise of the force is its stiffness, and the
+//  rise of the energy its work. Trapezia: of second order in the steps, 2000 on the way
 template<class L>
 void pressAndRelease()
 {
@@ -119,7 +131,8 @@ void pressAndRelease()
     g.meanMass = 0.02;
     g.reducedRadius = 0.005;
     g.dt = g.since = 1e-3;
-    const double own = L::reaches ? 0.9*L::reach(p, g.reducedRadius) : 0;     // before the slope is infinite
+    // before the slope is infinite
+    const double own = L::reaches ? 0.9*L::reach(p, g.reducedRadius) : 0;
     double h[L::history + 1] = {}, force = 0, stiffness = 0, energy = 0;
     bool first = true;
     const auto go = [&](double overlap, double by)
@@ -133,7 +146,8 @@ void pressAndRelease()
             const double slope = (f.elastic - force)/by, mean = 0.5*(f.stiffness + stiffness);
             if (L::bounds) { ASSERT_LE(slope, mean*(1 + 1e-9)) << L::word << " " << overlap; }
             else { ASSERT_NEAR(slope, mean, 1e-3*mean) << L::word << " " << overlap; }
-            const double work = 0.5*(f.elastic + force)*by, scale = std::abs(work) + 1e-6*mean*std::abs(by);
+            const double work = 0.5*(f.elastic + force)*by,
+                         scale = std::abs(work) + 1e-6*mean*std::abs(by);
             ASSERT_NEAR(stored - energy, work, 2e-3*scale) << L::word << " " << overlap;
         }
         force = f.elastic;
@@ -143,7 +157,8 @@ void pressAndRelease()
     };
     for (int k = 20; k <= 2000; ++k) ASSERT_NO_FATAL_FAILURE(go(k*step, step));
     EXPECT_GT(force, 0) << L::word;
-    for (int k = 1999; k*step > std::max(20*step, -own); --k) ASSERT_NO_FATAL_FAILURE(go(k*step, -step));
+    for (int k = 1999; k*step > std::max(20*step, -own); --k)
+        ASSERT_NO_FATAL_FAILURE(go(k*step, -step));
     if (!L::reaches) return;
     for (int k = 20; k*step > -own; --k) ASSERT_NO_FATAL_FAILURE(go(k*step, -step));
     EXPECT_LT(force, 0) << L::word;
@@ -153,7 +168,8 @@ TEST(LawCards, StiffnessIsTheSlopeAndEnergyTheWork)
     NormalLaws::each([](auto law) { pressAndRelease<typename decltype(law)::type>(); });
 }
 
-//- What the step limit takes is the largest slope of an impact on a wall, and not less than that of two equal bodies
+//- What the step limit takes is the largest slope of an impact on a wall, and not less than that of
+//  two equal bodies
 template<class L>
 void stiffnessOfImpacts()
 {
@@ -194,7 +210,8 @@ void gainsNothing(const LawChoice& c, bool lossless)
         const double before = a.kinetic() + b.kinetic();
         const double k = Law::NormalLaw::stiffness(p, Impact{0.031, 0.015, speed});
         collide<Law>(a, b, p, 1e-3*std::sqrt(0.01/k), 0.2);
-        EXPECT_LT(a.kinetic() + b.kinetic(), before*(1 + 2e-5)) << nameOf(c) << " " << degrees << " " << D << "D";
+        EXPECT_LT(a.kinetic() + b.kinetic(), before*(1 + 2e-5))
+            << nameOf(c) << " " << degrees << " " << D << "D";
     }
 }
 TEST(LawCards, ImpactsGainNoEnergy)
@@ -259,15 +276,24 @@ void packsAreScalars(const LawChoice& c)
         NormalForce<R> f;
         const auto one = Law::template evaluate<D, R>(scalar, g[l], R(0.01), R(0.01), h[l], f);
         const R scale = std::abs(f.force) + std::abs(f.load);
-        for (int d = 0; d < D; ++d) EXPECT_NEAR(r.force.c[d].v[l], one.force.c[d], rounding*scale + R(1e-12)) << nameOf(c) << " " << l;
+        for (int d = 0; d < D; ++d)
+            EXPECT_NEAR(r.force.c[d].v[l], one.force.c[d], rounding*scale + R(1e-12))
+                << nameOf(c) << " " << l;
         for (int s = 0; s < spins<D>; ++s)
         {
-            EXPECT_NEAR(r.momentA.c[s].v[l], one.momentA.c[s], rounding*R(0.02)*scale + R(1e-12)) << nameOf(c) << " " << l;
-            EXPECT_NEAR(r.momentB.c[s].v[l], one.momentB.c[s], rounding*R(0.02)*scale + R(1e-12)) << nameOf(c) << " " << l;
+            EXPECT_NEAR(
+                r.momentA.c[s].v[l], one.momentA.c[s], rounding*R(0.02)*scale + R(1e-12))
+                << nameOf(c) << " " << l;
+            EXPECT_NEAR(
+                r.momentB.c[s].v[l], one.momentB.c[s], rounding*R(0.02)*scale + R(1e-12))
+                << nameOf(c) << " " << l;
         }
-        for (int k = 0; k < H; ++k) EXPECT_NEAR(hp[k].v[l], h[l][k], rounding*std::abs(h[l][k]) + R(1e-10)) << nameOf(c) << " " << l;
+        for (int k = 0; k < H; ++k)
+            EXPECT_NEAR(hp[k].v[l], h[l][k], rounding*std::abs(h[l][k]) + R(1e-10))
+                << nameOf(c) << " " << l;
         const R stored = Law::template energy<D, R>(scalar, g[l], f, h[l]);
-        EXPECT_NEAR(energy.v[l], stored, 10*rounding*std::abs(stored) + R(1e-12)) << nameOf(c) << " " << l;
+        EXPECT_NEAR(energy.v[l], stored, 10*rounding*std::abs(stored) + R(1e-12))
+            << nameOf(c) << " " << l;
     }
 }
 TEST(LawCards, PacksAreScalars)
@@ -293,14 +319,16 @@ TEST(LawEffects, AreThoseOfTheFormulas)
                 PairProperties p;
                 p.youngA = p.youngB = 1e7;
                 for (const LawCard& card : {normals[n], tangentials[t], rollings[r]})
-                    for (const PairEntry& e : card.entries) if (!e.yesNo && e.required) e.set(p, e.typical);
+                    for (const PairEntry& e : card.entries)
+                        if (!e.yesNo && e.required) e.set(p, e.typical);
                 const LawChoice laws{n, t, r};
                 EXPECT_EQ(lawEffects(laws, p).slides, tangentials[t].off) << tangentials[t].word;
                 EXPECT_EQ(lawEffects(laws, p).rolls, rollings[r].off) << rollings[r].word;
                 p.friction = p.rollingFriction = 0;
                 EXPECT_TRUE(lawEffects(laws, p).slides) << tangentials[t].word;
                 EXPECT_TRUE(lawEffects(laws, p).rolls) << rollings[r].word;
-                EXPECT_EQ(lawEffects(laws, p).normalReaches, std::string(normals[n].word) == Jkr::word);
+                EXPECT_EQ(
+                    lawEffects(laws, p).normalReaches, std::string(normals[n].word) == Jkr::word);
             }
 }
 

@@ -24,7 +24,10 @@ PairProperties typical(const std::vector<PairEntry>& entries, bool lossless)
     return p;
 }
 
-template<class L> [[maybe_unused]] std::vector<PairEntry> entriesOf() { return {std::begin(L::entries), std::end(L::entries)}; }
+template<class L> [[maybe_unused]] std::vector<PairEntry> entriesOf()
+{
+    return {std::begin(L::entries), std::end(L::entries)};
+}
 
 //- f(law, its choice) for every combination there is
 template<class F>
@@ -42,7 +45,8 @@ void eachLaw(F f)
 std::string nameOf(const LawChoice& c)
 {
     std::string s;
-    const auto add = [&](auto law) { s += std::string(s.empty() ? "" : " ") + decltype(law)::type::word; };
+    const auto add = [&](auto law)
+    { s += std::string(s.empty() ? "" : " ") + decltype(law)::type::word; };
     NormalLaws::at(c.normal, add);
     TangentialLaws::at(c.tangential, add);
     RollingLaws::at(c.rolling, add);

@@ -1,5 +1,6 @@
-/*  Bodies that are held in water at rest: J^T p is the weight that they displace (Archimedes), and its moment, wherever they lie in the grid. p is that of water at rest, rho g times the depth, which
-    is what the pressure equation has for its solution under a flat surface.
+/*  Bodies that are held in water at rest: J^T p is the weight that they displace (Archimedes), and
+    its moment, wherever they lie in the grid. p is that of water at rest, rho g times the depth,
+    which is what the pressure equation has for its solution under a flat surface.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -53,7 +54,8 @@ inline std::vector<Point> below(const std::vector<Point>& p, double level)
     {
         const Point &u = p[i], &v = p[(i + 1) % p.size()];
         if (u[1] <= level) out.push_back(u);
-        if ((u[1] <= level) != (v[1] <= level)) out.push_back(u + (level - u[1])/(v[1] - u[1])*(v - u));
+        if ((u[1] <= level) != (v[1] <= level))
+            out.push_back(u + (level - u[1])/(v[1] - u[1])*(v - u));
     }
     return out;
 }
@@ -67,7 +69,8 @@ inline double distanceToOutline(const std::vector<Point>& p, const Point& x)
         const Point &u = p[i], &v = p[(i + 1) % p.size()], s = v - u;
         const double t = std::max(0.0, std::min(1.0, dot(x - u, s)/squaredNorm(s)));
         nearest2 = std::min(nearest2, squaredNorm(x - u - t*s));
-        if ((u[1] <= x[1]) != (v[1] <= x[1]) && x[0] < u[0] + (x[1] - u[1])/(v[1] - u[1])*s[0]) in = !in;
+        if ((u[1] <= x[1]) != (v[1] <= x[1]) && x[0] < u[0] + (x[1] - u[1])/(v[1] - u[1])*s[0])
+            in = !in;
     }
     return (in ? -1 : 1)*std::sqrt(nearest2);
 }
@@ -79,27 +82,34 @@ struct Prism
     double length = 0;          // 2D: 1
 
     static Prism box(double width, double height)
-    { return {{{{-width/2, -height/2}}, {{width/2, -height/2}}, {{width/2, height/2}}, {{-width/2, height/2}}}}; }
+    {
+        return {{{{-width/2, -height/2}}, {{width/2, -height/2}}, {{width/2, height/2}},
+            {{-width/2, height/2}}}};
+    }
 
     //- A box with a slot from below, half as high
     static Prism caisson(double width, double height, double slot)
     {
         const double w = width/2, h = height/2, s = slot/2;
-        return {{{{-w, -h}}, {{-s, -h}}, {{-s, 0}}, {{s, 0}}, {{s, -h}}, {{w, -h}}, {{w, h}}, {{-w, h}}}};
+        return {{{{-w, -h}}, {{-s, -h}}, {{-s, 0}}, {{s, 0}}, {{s, -h}}, {{w, -h}}, {{w, h}},
+            {{-w, h}}}};
     }
 
     static Prism cylinder(double radius)
     {
         Prism p;
         constexpr int n = 256;
-        for (int i = 0; i < n; ++i) p.outline.push_back({{radius*std::cos(2*M_PI*i/n), radius*std::sin(2*M_PI*i/n)}});
+        for (int i = 0; i < n; ++i)
+            p.outline.push_back(
+                {{radius*std::cos(2*M_PI*i/n), radius*std::sin(2*M_PI*i/n)}});
         return p;
     }
 
     double distance(const Vec<2, double>& x) const { return distanceToOutline(outline, x); }
     double distance(const Vec<3, double>& x) const
     {
-        const double plane = distanceToOutline(outline, {{x[0], x[1]}}), along = std::abs(x[2]) - length/2;
+        const double plane = distanceToOutline(outline, {{x[0], x[1]}}),
+                     along = std::abs(x[2]) - length/2;
         return plane > 0 && along > 0 ? std::hypot(plane, along) : std::max(plane, along);
     }
 };
@@ -164,7 +174,8 @@ struct StillWater
         s.centre = centre;
         s.lattice.step = step;
         double half[3] = {0, 0, prism.length/2};
-        for (const Point& p : prism.outline) for (int d = 0; d < 2; ++d) half[d] = std::max(half[d], std::abs(p[d]));
+        for (const Point& p : prism.outline)
+            for (int d = 0; d < 2; ++d) half[d] = std::max(half[d], std::abs(p[d]));
         std::size_t points = 1;
         for (int d = 0; d < D; ++d)
         {
@@ -181,11 +192,13 @@ struct StillWater
         {
             Vec<D, double> y;
             std::size_t rest = i;
-            for (int d = 0; d < D; ++d, rest /= s.lattice.n[d - 1]) y[d] = s.lattice.lower[d] + step*double(rest % s.lattice.n[d]);
+            for (int d = 0; d < D; ++d, rest /= s.lattice.n[d - 1])
+                y[d] = s.lattice.lower[d] + step*double(rest % s.lattice.n[d]);
             all.push_back(prism.distance(y));
         }
         s.lattice.distance = all.data();
-        const double outward = outwardToVolume(s.lattice, areaOf(prism.outline).area*(D == 3 ? prism.length : 1));
+        const double outward = outwardToVolume(
+            s.lattice, areaOf(prism.outline).area*(D == 3 ? prism.length : 1));
         for (double& value : all) value -= outward;
         lattices.push_back(std::move(all));
         s.lattice.distance = lattices.back().data();
@@ -201,7 +214,10 @@ struct StillWater
         for (auto& ball : bodies[body].shape.balls.balls) ball.centre = ball.centre + by;
     }
 
-    CutFields<D, R> fields() { return cutFieldsOf(grid, aperture, wallVelocity, base, distance, baseDistance); }
+    CutFields<D, R> fields()
+    {
+        return cutFieldsOf(grid, aperture, wallVelocity, base, distance, baseDistance);
+    }
 
     //- Forces and moments of the water: modes a body
     std::vector<double> forces()
@@ -215,9 +231,11 @@ struct StillWater
     }
 };
 
-//- Moves the first body of the water down by two cells in forty steps. What it should bear is compared in parts of what it displaces at five cells of draught
+//- Moves the first body of the water down by two cells in forty steps. What it should bear is
+//  compared in parts of what it displaces at five cells of draught
 template<class C, class Exact>
-void throughTwoCells(StillWater<C>& water, const std::string& name, double width, const Exact& exact, double bound = 0.01, double jump = 0.005)
+void throughTwoCells(StillWater<C>& water, const std::string& name, double width,
+    const Exact& exact, double bound = 0.01, double jump = 0.005)
 {
     constexpr int D = C::D, heights = 40;
     double before = 0;
@@ -229,8 +247,11 @@ void throughTwoCells(StillWater<C>& water, const std::string& name, double width
         EXPECT_LT(std::abs(error), bound) << name << ' ' << k;
         if (k) { EXPECT_LT(std::abs(error - before), jump) << name << ' ' << k; }
         before = error;
-        EXPECT_NEAR(f[D == 2 ? 2 : 5], a.x - water.bodies[0].centre[0]*a.area, bound*5*width*width/2) << name << ' ' << k;
-        for (int d = 0; d < D; ++d) if (d != 1) { EXPECT_NEAR(f[d], 0, 1e-9*5*width) << name << ' ' << k; }
+        EXPECT_NEAR(f[D == 2 ? 2 : 5], a.x - water.bodies[0].centre[0]*a.area,
+            bound*5*width*width/2)
+            << name << ' ' << k;
+        for (int d = 0; d < D; ++d)
+            if (d != 1) { EXPECT_NEAR(f[d], 0, 1e-9*5*width) << name << ' ' << k; }
         Vec<D, double> down = filled<D>(0.0);
         down[1] = -2.0/heights;
         water.move(0, down);
@@ -238,7 +259,8 @@ void throughTwoCells(StillWater<C>& water, const std::string& name, double width
 }
 
 template<class C>
-void heldPrism(const std::string& name, Prism prism, double draught, double fraction, double aside, double turn = 0)
+void heldPrism(const std::string& name, Prism prism, double draught, double fraction, double aside,
+    double turn = 0)
 {
     constexpr int D = C::D;
     StillWater<C> water(fraction);
@@ -247,7 +269,8 @@ void heldPrism(const std::string& name, Prism prism, double draught, double frac
     std::vector<Point> turned = prism.outline;
     for (Point& p : turned)
     {
-        p = {{p[0]*std::cos(turn) - p[1]*std::sin(turn), p[0]*std::sin(turn) + p[1]*std::cos(turn)}};
+        p = {{p[0]*std::cos(turn) - p[1]*std::sin(turn),
+            p[0]*std::sin(turn) + p[1]*std::cos(turn)}};
         lowest = std::min(lowest, p[1]);
         width = std::max(width, 2*std::abs(p[0]));
     }
@@ -256,13 +279,18 @@ void heldPrism(const std::string& name, Prism prism, double draught, double frac
     centre[1] = water.level - draught - lowest;
     water.add(prism, centre, turn);
     const double length = D == 3 ? prism.length : 1;
-    throughTwoCells(water, name + ' ' + std::to_string(fraction), width*length, [&](const Vec<D, double>& at)
-    {
-        std::vector<Point> there = turned;
-        for (Point& p : there) { p[0] += at[0]; p[1] += at[1]; }
-        const Area a = areaOf(below(there, water.level));
-        return Area{a.area*length, a.x*length, a.y*length};
-    });
+    throughTwoCells(water, name + ' ' + std::to_string(fraction), width*length,
+        [&](const Vec<D, double>& at)
+        {
+            std::vector<Point> there = turned;
+            for (Point& p : there)
+            {
+                p[0] += at[0];
+                p[1] += at[1];
+            }
+            const Area a = areaOf(below(there, water.level));
+            return Area{a.area*length, a.x*length, a.y*length};
+        });
 }
 
 //- With a draught of five cells to seven
@@ -281,7 +309,8 @@ ARCHIMEDES_TEST(APrismBearsWhatItDisplaces)
     }
 }
 
-//- Cells that are wet in part: a deck that water comes over, the roof of a slot, a bottom that dips in
+//- Cells that are wet in part: a deck that water comes over, the roof of a slot, a bottom that dips
+//  in
 ARCHIMEDES_TEST(FlatSidesAtTheSurfaceBearWhatIsUnderWater)
 {
     for (const double fraction : {0.02, 0.3, 0.75})
@@ -310,12 +339,16 @@ ARCHIMEDES_TEST(ABallBearsWhatItDisplaces)
             b.shape.balls.balls = {ball};
             water.add(b);
             const double width = D == 2 ? 2*R : M_PI*R*R;
-            throughTwoCells(water, "ball " + std::to_string(top), width, [&](const Vec<D, double>& at)
-            {
-                const double t = std::min(R, water.level - at[1]);
-                const double v = D == 2 ? R*R*(M_PI/2 + std::asin(t/R)) + t*std::sqrt(std::max(0.0, R*R - t*t)) : M_PI*(2*R*R*R/3 + R*R*t - t*t*t/3);
-                return Area{v, v*at[0], 0};
-            });
+            throughTwoCells(water, "ball " + std::to_string(top), width,
+                [&](const Vec<D, double>& at)
+                {
+                    const double t = std::min(R, water.level - at[1]);
+                    const double v = D == 2
+                        ? R*R*(M_PI/2 + std::asin(t/R))
+                            + t*std::sqrt(std::max(0.0, R*R - t*t))
+                        : M_PI*(2*R*R*R/3 + R*R*t - t*t*t/3);
+                    return Area{v, v*at[0], 0};
+                });
         }
 }
 
@@ -338,11 +371,14 @@ ARCHIMEDES_TEST(TwoBoxesInOneCellBearWhatTheyDisplace)
                 centre[above ? 1 : 0] += 5 + gap;
                 water.add(prism, centre);
                 double area = 0;
-                for (const auto& b : water.bodies) area += (above ? 10 : 5)*length*std::max(0.0, std::min(5.0, water.level - b.centre[1] + 2.5));
+                for (const auto& b : water.bodies)
+                    area += (above ? 10 : 5)*length
+                        *std::max(0.0, std::min(5.0, water.level - b.centre[1] + 2.5));
                 const std::vector<double> f = water.forces();
                 // a face that two bodies close stays open by contactLeak
                 const double leak = above && gap < contactLeak ? contactLeak*10*length : 0;
-                EXPECT_NEAR(f[1] + f[water.modes + 1], area, 0.01*area + leak) << gap << ' ' << above << ' ' << k;
+                EXPECT_NEAR(f[1] + f[water.modes + 1], area, 0.01*area + leak)
+                    << gap << ' ' << above << ' ' << k;
             }
 }
 

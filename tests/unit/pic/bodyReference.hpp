@@ -1,4 +1,5 @@
-/*  Free bodies in a grid on the host, share by share: what kernels of pic/bodies do must come to the same.
+/*  Free bodies in a grid on the host, share by share: what kernels of pic/bodies do must come to
+    the same.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -25,20 +26,23 @@ struct FaceShare
 template<int D>
 struct BodyGrid
 {
-    std::vector<double> aperture[D], wallVelocity[D];   // in: of walls alone; out: with the bodies, at their V*
+    // in: of walls alone; out: with the bodies, at their V*
+    std::vector<double> aperture[D], wallVelocity[D];
     std::vector<FaceShare<D>> shares;
     std::vector<BodyTerm> terms;                        // without masses
 };
 
 template<int D, class Shape>
-void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body, std::vector<FaceShare<D>>& shares)
+void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body,
+    std::vector<FaceShare<D>>& shares)
 {
     const NodeGrid<D> nodes{grid};
     int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     for (int d = 0; d < D; ++d)
     {
         low[d] = std::max(0, int(std::floor((b.centre[d] - b.reach - grid.origin[d])/grid.h)) - 1);
-        high[d] = std::min(grid.n[d], int(std::ceil((b.centre[d] + b.reach - grid.origin[d])/grid.h)) + 1);
+        high[d] = std::min(
+            grid.n[d], int(std::ceil((b.centre[d] + b.reach - grid.origin[d])/grid.h)) + 1);
     }
     typename UniformGrid<D>::Index x;
     for (int d = 0; d < D; ++d)
@@ -54,14 +58,17 @@ void sharesOf(const UniformGrid<D>& grid, const FreeBody<D, Shape>& b, int body,
                     if (!(part.share > 0)) continue;
                     FaceShare<D> s{d, grid.face(d, x), body, part.share, {}};
                     int m = 0;
-                    for (int e = 0; e < D; ++e) s.middle[e] = grid.origin[e] + grid.h*(x.c[e] + (e == d ? 0 : part.moment[m++]/part.share));
+                    for (int e = 0; e < D; ++e)
+                        s.middle[e] = grid.origin[e]
+                            + grid.h*(x.c[e] + (e == d ? 0 : part.moment[m++]/part.share));
                     shares.push_back(s);
                 }
 }
 
 //- up: the direction against gravity, across which volumes are measured
 template<int D, class Shape>
-void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>& bodies, int up, BodyGrid<D>& out)
+void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>& bodies, int up,
+    BodyGrid<D>& out)
 {
     constexpr int modes = bodyModes<D>;
     out.shares.clear();
@@ -77,17 +84,24 @@ void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>
         bodiesOn[d].assign(grid.faces(d), 0);
         out.wallVelocity[d].resize(grid.faces(d), 0);
     }
-    for (const FaceShare<D>& s : out.shares) { sum[s.d][s.face] += s.share; ++bodiesOn[s.d][s.face]; }
-    const auto opens = [&](int d, int f) { return out.aperture[d][f] - sum[d][f] >= smallestAperture; };
+    for (const FaceShare<D>& s : out.shares)
+    {
+        sum[s.d][s.face] += s.share;
+        ++bodiesOn[s.d][s.face];
+    }
+    const auto opens = [&](int d, int f)
+    { return out.aperture[d][f] - sum[d][f] >= smallestAperture; };
     for (FaceShare<D>& s : out.shares)
     {
         const double before = out.aperture[s.d][s.face], total = sum[s.d][s.face];
         if (before > 0 && !opens(s.d, s.face)) s.share *= before/total;
         else if (total > 1) s.share /= total;
-        if (before == 1 && !opens(s.d, s.face) && bodiesOn[s.d][s.face] == 1)      // the body's alone: the whole face
+        // the body's alone: the whole face
+        if (before == 1 && !opens(s.d, s.face) && bodiesOn[s.d][s.face] == 1)
         {
             const NodeGrid<D> nodes{grid};
-            s.middle = middleOfFace(nodes.position(nodes.node(grid.faceIndex(s.d, s.face))), s.d, grid.h);
+            s.middle = middleOfFace(
+                nodes.position(nodes.node(grid.faceIndex(s.d, s.face))), s.d, grid.h);
         }
     }
     // nothing goes through the walls of the sides
@@ -121,7 +135,8 @@ void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>
         BodyTerm& t = out.terms[b];
         t.modes = modes;
         t.velocity = bodies[b].velocity;
-        std::stable_sort(rows[b].begin(), rows[b].end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+        std::stable_sort(rows[b].begin(), rows[b].end(),
+            [](const auto& p, const auto& q) { return p.first < q.first; });
         for (const auto& [cell, j] : rows[b])
         {
             if (t.cell.empty() || t.cell.back() != cell)
@@ -137,7 +152,9 @@ void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>
         {
             if (!(sum[d][f] > 0)) continue;
             const double before = out.aperture[d][f], open = opens(d, f) ? before - sum[d][f] : 0;
-            if (open < 1) out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f] + flux[d][f])/(1 - open);
+            if (open < 1)
+                out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f] + flux[d][f])
+                    /(1 - open);
             out.aperture[d][f] = open;
         }
 }

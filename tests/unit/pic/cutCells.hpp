@@ -1,5 +1,6 @@
-/*  Cut cells: shares and centroids of planes (exact), areas and volumes of round bodies (second order), water at rest on an
-    oblique floor, and the added mass of round bodies in round tanks, from one projection.
+/*  Cut cells: shares and centroids of planes (exact), areas and volumes of round bodies (second
+    order), water at rest on an oblique floor, and the added mass of round bodies in round tanks,
+    from one projection.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,7 +28,8 @@ TEST(CutCells, PlanesCutExactly)
     Random random(3);
     for (int k = 0; k < 200; ++k)
     {
-        // a plane a x + b y = c below which is solid: its share of the unit square and centroid by fine midpoint sums
+        // a plane a x + b y = c below which is solid: its share of the unit square and centroid by
+        // fine midpoint sums
         const double a = random(-1, 1), b = random(-1, 1), c = random(-0.5, 0.5) + 0.5*(a + b);
         const auto f = [&](double x, double y) { return a*x + b*y - c; };
         const SolidPart<3> part = solidOfSquare(f(0, 0), f(1, 0), f(0, 1), f(1, 1));
@@ -85,7 +87,10 @@ struct CutDistances
         nodes.upload(context, std::vector<double>(grid.count(), 1e30));
     }
 
-    void add(const Shape& s) { forEach(context, grid.count(), NodeDistances<D, Shape>{grid, s, nodes.data()}); }
+    void add(const Shape& s)
+    {
+        forEach(context, grid.count(), NodeDistances<D, Shape>{grid, s, nodes.data()});
+    }
 };
 
 template<int D>
@@ -107,12 +112,14 @@ double cut(Block<D, R>& b, const Shape& shape)
     {
         Array<Backend, R> aperture;
         aperture.upload(distances.context, b.aperture[d]);
-        forEach(distances.context, b.grid.faces(d), CloseFaces<D, R>{distances.grid, d, distances.nodes.data(), aperture.data()});
+        forEach(distances.context, b.grid.faces(d),
+            CloseFaces<D, R>{distances.grid, d, distances.nodes.data(), aperture.data()});
         b.aperture[d] = aperture.download();
     }
     Array<Backend, R> open;
     open.allocate(distances.context, b.grid.cells());
-    forEach(distances.context, b.grid.cells(), OpenVolumes<D, R>{distances.grid, distances.nodes.data(), open.data()});
+    forEach(distances.context, b.grid.cells(),
+        OpenVolumes<D, R>{distances.grid, distances.nodes.data(), open.data()});
     double sum = 0;
     for (const R v : open.download()) sum += double(v)*b.grid.volume();
     return sum;
@@ -154,7 +161,8 @@ CUT_TEST(WaterRestsOnAnObliqueFloor)
     EXPECT_LT(b.largestSpeed(), 1e-11 + 20*TypeParam::epsilon*g*b.timeStep);
 }
 
-//- Added mass of a ball in the middle of a round tank, relative to theory; at some offset of the grid
+//- Added mass of a ball in the middle of a round tank, relative to theory; at some offset of the
+//  grid
 template<class C>
 double addedMassErrorAt(double cellsARadius, double x, double y)
 {
@@ -172,7 +180,8 @@ double addedMassErrorAt(double cellsARadius, double x, double y)
     const double speed = 1;
     for (std::size_t f = 0; f < b.aperture[0].size(); ++f)
         if (b.aperture[0][f] < within.aperture[0][f])
-            b.wall[0][f] = R(speed*(within.aperture[0][f] - b.aperture[0][f])/(1 - b.aperture[0][f]));
+            b.wall[0][f] = R(
+                speed*(within.aperture[0][f] - b.aperture[0][f])/(1 - b.aperture[0][f]));
     auto solver = tight(1e-11);
     b.project(solver);
     EXPECT_TRUE(b.report.converged) << b.report.finalResidual;
@@ -181,35 +190,44 @@ double addedMassErrorAt(double cellsARadius, double x, double y)
         for (int side = 0; side < 2; ++side)
         {
             const int f = b.grid.faceOf(0, b.grid.cellIndex(i), side);
-            force += (side ? 1 : -1)*b.p[i]*(within.aperture[0][f] - b.aperture[0][f])*b.grid.area();
+            force += (side ? 1 : -1)*b.p[i]*(within.aperture[0][f] - b.aperture[0][f])
+                *b.grid.area();
         }
     const double mass = -force*b.timeStep/speed/b.density;
-    const double ratio = D == 2 ? (tank*tank + a*a)/(tank*tank - a*a) : 0.5*(std::pow(tank, 3) + 2*std::pow(a, 3))/(std::pow(tank, 3) - std::pow(a, 3));
+    const double ratio = D == 2
+        ? (tank*tank + a*a)/(tank*tank - a*a)
+        : 0.5*(std::pow(tank, 3) + 2*std::pow(a, 3))/(std::pow(tank, 3) - std::pow(a, 3));
     const double volume = D == 2 ? M_PI*a*a : 4*M_PI*a*a*a/3;
     return mass/(ratio*volume) - 1;
 }
 
-//- Root mean square over several places of the grid: the error of one has the sign that chance gives it
+//- Root mean square over several places of the grid: the error of one has the sign that chance
+//  gives it
 template<class C>
 double addedMassError(double cellsARadius)
 {
     Random random(9);
     double sum = 0;
     const int places = C::D == 2 ? 8 : 3;
-    for (int k = 0; k < places; ++k) sum += std::pow(addedMassErrorAt<C>(cellsARadius, random(-0.5, 0.5), random(-0.5, 0.5)), 2)/places;
+    for (int k = 0; k < places; ++k)
+        sum += std::pow(addedMassErrorAt<C>(cellsARadius, random(-0.5, 0.5), random(-0.5, 0.5)), 2)
+            /places;
     return std::sqrt(sum);
 }
 
 CUT_TEST(AddedMassInARoundTank)
 {
     const bool flat = TypeParam::D == 2;
-    const double coarse = addedMassError<TypeParam>(flat ? 10 : 5), fine = addedMassError<TypeParam>(flat ? 40 : 10);
+    const double coarse = addedMassError<TypeParam>(flat ? 10 : 5),
+                 fine = addedMassError<TypeParam>(flat ? 40 : 10);
     EXPECT_LT(flat ? coarse : fine, 0.01);
-    // 1.5 to 1.7 from 5 to 80 cells a radius: the flux of a cut face is taken at its middle, not at that of its open part
+    // 1.5 to 1.7 from 5 to 80 cells a radius: the flux of a cut face is taken at its middle, not at
+    // that of its open part
     EXPECT_GT(std::log2(coarse/fine)/(flat ? 2 : 1), 1.5) << "from " << coarse << " to " << fine;
 }
 
-//- A cell that is almost closed: its water moves with its neighbours', and takes no part in any limit of the step
+//- A cell that is almost closed: its water moves with its neighbours', and takes no part in any
+//  limit of the step
 CUT_TEST(SliversFollow)
 {
     constexpr int D = TypeParam::D;

@@ -11,7 +11,8 @@ namespace riprap
 {
 
 template<int D, class Faces, class Nodes>
-auto cutFieldsOf(const UniformGrid<D>& grid, Faces (&aperture)[D], Faces (&wallVelocity)[D], Faces (&base)[D], Nodes& distance, Nodes& baseDistance)
+auto cutFieldsOf(const UniformGrid<D>& grid, Faces (&aperture)[D], Faces (&wallVelocity)[D],
+    Faces (&base)[D], Nodes& distance, Nodes& baseDistance)
 {
     using R = typename std::remove_pointer<decltype(aperture[0].data())>::type;
     CutFields<D, R> f{};

@@ -33,7 +33,9 @@ Obstacle<2> polygon(const std::vector<Vec2>& outer, const std::vector<Vec2>& inn
 std::vector<Vec2> circle(const Vec2& c, double r, int n)
 {
     std::vector<Vec2> v;
-    for (int i = 0; i < n; ++i) v.push_back({{c[0] + r*std::cos(2*M_PI*i/n), c[1] + r*std::sin(2*M_PI*i/n)}});
+    for (int i = 0; i < n; ++i)
+        v.push_back(
+            {{c[0] + r*std::cos(2*M_PI*i/n), c[1] + r*std::sin(2*M_PI*i/n)}});
     return v;
 }
 
@@ -41,7 +43,8 @@ std::vector<Vec2> rectangle(const Vec2& c, double a, double b, double angle)
 {
     std::vector<Vec2> v;
     for (const auto& s : {Vec2{{-a, -b}}, Vec2{{a, -b}}, Vec2{{a, b}}, Vec2{{-a, b}}})
-        v.push_back({{c[0] + s[0]*std::cos(angle) - s[1]*std::sin(angle), c[1] + s[0]*std::sin(angle) + s[1]*std::cos(angle)}});
+        v.push_back({{c[0] + s[0]*std::cos(angle) - s[1]*std::sin(angle),
+            c[1] + s[0]*std::sin(angle) + s[1]*std::cos(angle)}});
     return v;
 }
 
@@ -53,12 +56,14 @@ Obstacle<3> sphere(const Vec3& c, double r, int n)
         for (int i = 0; i < 2*n; ++i)
         {
             const double t = M_PI*j/n, f = M_PI*i/n;
-            o.vertices.push_back({{c[0] + r*std::sin(t)*std::cos(f), c[1] + r*std::sin(t)*std::sin(f), c[2] + r*std::cos(t)}});
+            o.vertices.push_back({{c[0] + r*std::sin(t)*std::cos(f),
+                c[1] + r*std::sin(t)*std::sin(f), c[2] + r*std::cos(t)}});
         }
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < 2*n; ++i)
         {
-            const int k = (i + 1) % (2*n), a = j*2*n + i, b = j*2*n + k, e = (j + 1)*2*n + i, f = (j + 1)*2*n + k;
+            const int k = (i + 1) % (2*n), a = j*2*n + i, b = j*2*n + k,
+                      e = (j + 1)*2*n + i, f = (j + 1)*2*n + k;
             if (j > 0) o.elements.push_back({{a, e, b}});
             if (j < n - 1) o.elements.push_back({{b, e, f}});
         }
@@ -116,7 +121,8 @@ TEST(Obstacles, DistancesOfADiskAndASphere)
     for (int i = 0; i < n2.count(); ++i)
     {
         const double exact = disk.distance(n2.position(i)), band = bandNodes*g.h;
-        ASSERT_NEAR(d2[i], std::max(-band, std::min(exact, band)), 1e-6);       // the polygon's sagitta: r (pi/n)^2/2
+        // the polygon's sagitta: r (pi/n)^2/2
+        ASSERT_NEAR(d2[i], std::max(-band, std::min(exact, band)), 1e-6);
     }
     const UniformGrid<3> g3 = grid<3>(14, 0.07);
     const Ball<3> ball{{{0.5, 0.47, 0.52}}, 0.3};
@@ -139,7 +145,8 @@ TEST(Obstacles, ABasinIsSolidOutside)
     for (std::size_t i = 0; i < solid.size(); ++i) ASSERT_DOUBLE_EQ(solid[i], -basin[i]);
     const CutGrid<2> c = cutBy<2>(g, {o});
     EXPECT_NEAR(c.aperture[0][g.face(0, {{5, 2, 0}})], 1, 1e-12);
-    EXPECT_NEAR(c.aperture[1][g.face(1, {{2, 5, 0}})], 0.5, 1e-12);     // the side of the basin halves it
+    // the side of the basin halves it
+    EXPECT_NEAR(c.aperture[1][g.face(1, {{2, 5, 0}})], 0.5, 1e-12);
     EXPECT_EQ(c.aperture[0][g.face(0, {{1, 5, 0}})], 0);
 }
 
@@ -151,12 +158,16 @@ TEST(Obstacles, ThinWallsHoldWaterIn2D)
     for (int k = 0; k < 60; ++k)
     {
         const Vec2 c{{1.2 + random(-0.2, 0.2), 1.2 + random(-0.2, 0.2)}};
-        const double angle = k < 20 ? 0.25*M_PI*(k % 4) : random(0, 3), thickness = k % 3 == 0 ? 0.1 : random(0.001, 0.1);
+        const double angle = k < 20 ? 0.25*M_PI*(k % 4) : random(0, 3),
+                     thickness = k % 3 == 0 ? 0.1 : random(0.001, 0.1);
         Obstacle<2> o;
-        if (k % 2) o = polygon(rectangle(c, 0.7, 0.6, angle), rectangle(c, 0.7 - thickness, 0.6 - thickness, angle));
+        if (k % 2)
+            o = polygon(rectangle(c, 0.7, 0.6, angle),
+                rectangle(c, 0.7 - thickness, 0.6 - thickness, angle));
         else
         {
-            o = polygon(rectangle(k < 20 ? Vec2{{1.25, 1.25}} : c, 0.7, 0.5, angle));   // through centres of cells, at 45 degrees too
+            // through centres of cells, at 45 degrees too
+            o = polygon(rectangle(k < 20 ? Vec2{{1.25, 1.25}} : c, 0.7, 0.5, angle));
             o.closed = false;
         }
         const CutGrid<2> cutGrid = cutBy<2>(g, {o});
@@ -174,14 +185,17 @@ TEST(Obstacles, ThinWallsHoldWaterIn3D)
     Random random(2);
     for (int k = 0; k < 6; ++k)
     {
-        Obstacle<3> o = sphere({{0.8 + random(-0.1, 0.1), 0.8 + random(-0.1, 0.1), 0.8 + random(-0.1, 0.1)}}, 0.5, 6 + k);
+        Obstacle<3> o = sphere(
+            {{0.8 + random(-0.1, 0.1), 0.8 + random(-0.1, 0.1), 0.8 + random(-0.1, 0.1)}}, 0.5,
+            6 + k);
         const Obstacle<3> inner = sphere({{0.8, 0.8, 0.8}}, 0.38, 12);
         if (k % 2)
         {
             o = sphere({{0.8, 0.8, 0.8}}, 0.45, 12);
             const int first = int(o.vertices.size());
             for (const auto& v : inner.vertices) o.vertices.push_back(v);
-            for (const auto& e : inner.elements) o.elements.push_back({{first + e[0], first + e[1], first + e[2]}});
+            for (const auto& e : inner.elements)
+                o.elements.push_back({{first + e[0], first + e[1], first + e[2]}});
         }
         else o.closed = false;
         const auto inside = reached(g, cutBy<3>(g, {o}), g.cell({{8, 8, 8}}));
@@ -212,7 +226,8 @@ TEST(Obstacles, MovingWallsCarryTheirVelocity)
     {
         const Vec2 r = v - pivot;
         const double s = std::sin(spin*dt), c = std::cos(spin*dt);
-        o.next.push_back({{pivot[0] + c*r[0] - s*r[1] + vx*dt, pivot[1] + s*r[0] + c*r[1] + vy*dt}});
+        o.next.push_back(
+            {{pivot[0] + c*r[0] - s*r[1] + vx*dt, pivot[1] + s*r[0] + c*r[1] + vy*dt}});
     }
     const CutGrid<2> c = cutBy<2>(g, {o}, dt);
     EXPECT_TRUE(c.moves);
@@ -223,17 +238,21 @@ TEST(Obstacles, MovingWallsCarryTheirVelocity)
             const double a = c.aperture[d][f];
             if (a > 0.999 || a < 0.001) continue;
             ++cut;
-            const SolidPart<2> part = solidOfFace(NodeGrid<2>{g}, d, g.faceIndex(d, f), c.distance.data());
+            const SolidPart<2> part = solidOfFace(
+                NodeGrid<2>{g}, d, g.faceIndex(d, f), c.distance.data());
             const Vec2 x = solidMiddle(NodeGrid<2>{g}, d, g.faceIndex(d, f), part);
-            const double expected = d == 0 ? vx - spin*(x[1] - pivot[1]) : vy + spin*(x[0] - pivot[0]);
-            EXPECT_NEAR(c.wallVelocity[d][f], expected, 1e-3);      // the mean velocity of the step: order dt
+            const double expected = d == 0 ? vx - spin*(x[1] - pivot[1])
+                                           : vy + spin*(x[0] - pivot[0]);
+            // the mean velocity of the step: order dt
+            EXPECT_NEAR(c.wallVelocity[d][f], expected, 1e-3);
         }
     EXPECT_GT(cut, 15);
     // deep inside, a cell's fluxes sum to zero
     const auto x = g.cellIndex(g.cell({{8, 8, 0}}));
     double sum = 0;
     for (int d = 0; d < 2; ++d)
-        for (int side = 0; side < 2; ++side) sum += (side ? 1 : -1)*c.wallVelocity[d][g.faceOf(d, x, side)];
+        for (int side = 0; side < 2; ++side)
+            sum += (side ? 1 : -1)*c.wallVelocity[d][g.faceOf(d, x, side)];
     EXPECT_NEAR(sum, 0, 1e-12);
 }
 

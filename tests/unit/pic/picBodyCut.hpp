@@ -1,4 +1,5 @@
-/*  Bodies that cut the grid where it is, against the same on the host, face by face; and their part of the pressure equation.
+/*  Bodies that cut the grid where it is, against the same on the host, face by face; and their part
+    of the pressure equation.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -26,7 +27,8 @@ template<class C> struct CpuBodyCut : BodyCutCase<C> {};
 TYPED_TEST_SUITE(CpuBodyCut, AllCases, CaseNames);
 #endif
 
-//- A closed box with bodies in it: two that share faces, a clump of three balls, one that a side clips, one whose shape is a lattice of distances
+//- A closed box with bodies in it: two that share faces, a clump of three balls, one that a side
+//  clips, one whose shape is a lattice of distances
 template<class C>
 struct CutBox
 {
@@ -68,7 +70,8 @@ struct CutBox
         bodies.clear();
         add({{{{0.8 + shift, 1.1, 0.9}}, 0.25}});
         add({{{{1.33 + shift, 1.2, 0.95}}, 0.26}});          // less than a cell from the first
-        add({{{{2.0, 0.7 + shift, 1.4}}, 0.2}, {{{2.2, 0.9 + shift, 1.5}}, 0.2}, {{{2.1, 1.2 + shift, 1.3}}, 0.22}});
+        add({{{{2.0, 0.7 + shift, 1.4}}, 0.2}, {{{2.2, 0.9 + shift, 1.5}}, 0.2},
+            {{{2.1, 1.2 + shift, 1.3}}, 0.22}});
         add({{{{0.6, 0.1, 1.7}}, 0.3}});                     // the floor clips it
         add({{{{1.5, 2.2 - shift, 1.2}}, 0.1}});
         giveShape(bodies.back());
@@ -87,7 +90,8 @@ struct CutBox
             b.centre = b.centre + (1.0/balls.size())*ball.centre;
         }
         b.reach = b.shape.balls.reach(b.centre);
-        for (int m = 0; m < modes; ++m) b.velocity.push_back(0.1*(1 + m) - 0.07*double(bodies.size()));
+        for (int m = 0; m < modes; ++m)
+            b.velocity.push_back(0.1*(1 + m) - 0.07*double(bodies.size()));
         bodies.push_back(b);
     }
 
@@ -115,14 +119,18 @@ struct CutBox
         {
             double sum = 0;
             std::size_t rest = i;
-            for (int d = 0; d < D; ++d, rest /= n) sum += std::abs(s.lattice.lower[d] + step*double(rest % n));
+            for (int d = 0; d < D; ++d, rest /= n)
+                sum += std::abs(s.lattice.lower[d] + step*double(rest % n));
             lattice.push_back((sum - half)/std::sqrt(double(D)));
         }
         s.lattice.distance = lattice.data();
         b.reach = s.reach();
     }
 
-    CutFields<D, R> fields() { return cutFieldsOf(grid, aperture, wallVelocity, base, distance, of); }
+    CutFields<D, R> fields()
+    {
+        return cutFieldsOf(grid, aperture, wallVelocity, base, distance, of);
+    }
 
     void cutNow()
     {
@@ -147,7 +155,9 @@ struct CutBox
             {
                 ASSERT_NEAR(a[f], reference.aperture[d][f], eps) << d << " " << f;
                 // (1 - a) w is what flows
-                ASSERT_NEAR((1 - double(a[f]))*w[f], (1 - reference.aperture[d][f])*reference.wallVelocity[d][f], eps) << d << " " << f;
+                ASSERT_NEAR((1 - double(a[f]))*w[f],
+                    (1 - reference.aperture[d][f])*reference.wallVelocity[d][f], eps)
+                    << d << " " << f;
                 closed += walls[d][f] > 0 && !(a[f] > 0);
             }
             EXPECT_GT(closed, 10);
@@ -158,17 +168,23 @@ struct CutBox
         {
             EXPECT_NEAR(terms[b].volume, reference.terms[b].volume, 1e-12);
             std::vector<double> j(std::size_t(grid.cells())*modes, 0.0), expected(j);
-            for (std::size_t i = 0; i < terms[b].cell.size(); ++i) for (int m = 0; m < modes; ++m) j[terms[b].cell[i]*modes + m] += terms[b].j[i*modes + m];
+            for (std::size_t i = 0; i < terms[b].cell.size(); ++i)
+                for (int m = 0; m < modes; ++m)
+                    j[terms[b].cell[i]*modes + m] += terms[b].j[i*modes + m];
             for (std::size_t i = 0; i < reference.terms[b].cell.size(); ++i)
-                for (int m = 0; m < modes; ++m) expected[reference.terms[b].cell[i]*modes + m] += reference.terms[b].j[i*modes + m];
-            for (std::size_t i = 0; i < j.size(); ++i) ASSERT_NEAR(j[i], expected[i], 1e-13) << b << " " << i;
+                for (int m = 0; m < modes; ++m)
+                    expected[reference.terms[b].cell[i]*modes + m] +=
+                        reference.terms[b].j[i*modes + m];
+            for (std::size_t i = 0; i < j.size(); ++i)
+                ASSERT_NEAR(j[i], expected[i], 1e-13) << b << " " << i;
         }
         const NodeGrid<D> nodes{grid};
         const std::vector<double> nodeDistance = distance.download();
         for (int n = 0; n < nodes.count(); ++n)
         {
             double least = baseDistance[n];
-            for (const auto& b : bodies) least = std::min(least, b.shape.distance(nodes.position(n)));
+            for (const auto& b : bodies)
+                least = std::min(least, b.shape.distance(nodes.position(n)));
             ASSERT_NEAR(nodeDistance[n], least, 1e-14);
         }
     }
@@ -203,7 +219,8 @@ BODY_TEST(LeavesNothingBehind)
     for (int d = 0; d < D; ++d) EXPECT_EQ(box.aperture[d].download(), box.base[d].download());
 }
 
-//- Nothing of a body goes through the walls of a closed box, whichever way it moves, though one is clipped by the floor: water that fills the box can give way to it
+//- Nothing of a body goes through the walls of a closed box, whichever way it moves, though one is
+//  clipped by the floor: water that fills the box can give way to it
 BODY_TEST(GoesThroughNoWall)
 {
     CutBox<TypeParam> box;
@@ -216,7 +233,8 @@ BODY_TEST(GoesThroughNoWall)
     }
 }
 
-//- Nor does it push anything into cells that it fills, which have no equation: over the others a body's motion sums to zero, its spin as well. Else the pressure of closed water would not be
+//- Nor does it push anything into cells that it fills, which have no equation: over the others a
+//  body's motion sums to zero, its spin as well. Else the pressure of closed water would not be
 //  free up to a constant, but all but free, and solvers would look for that constant
 BODY_TEST(PushesNothingIntoItself)
 {
@@ -239,7 +257,8 @@ BODY_TEST(PushesNothingIntoItself)
             {
                 const auto x = box.grid.faceIndex(d, f);
                 const NodeGrid<D> nodes{box.grid};
-                const double share = inBody(box.bodies[0].shape, nodes.position(nodes.node(x)), d, box.grid.h).share;
+                const double share =
+                    inBody(box.bodies[0].shape, nodes.position(nodes.node(x)), d, box.grid.h).share;
                 scaled += share < 1 && share > 1 - smallestAperture;
             }
         }
@@ -248,7 +267,9 @@ BODY_TEST(PushesNothingIntoItself)
         {
             const auto x = box.grid.cellIndex(t.cell[i]);
             bool open = false;
-            for (int d = 0; d < D; ++d) for (int side = 0; side < 2; ++side) open = open || a[d][box.grid.faceOf(d, x, side)] > R(0);
+            for (int d = 0; d < D; ++d)
+                for (int side = 0; side < 2; ++side)
+                    open = open || a[d][box.grid.faceOf(d, x, side)] > R(0);
             for (int m = 0; m < modes && open; ++m)
             {
                 sum[m] += t.j[i*modes + m];
@@ -261,7 +282,8 @@ BODY_TEST(PushesNothingIntoItself)
     EXPECT_GT(scaled, 0);
 }
 
-//- What a ball and an obstacle leave of a face by a slit is closed where they fill a cell beside it together; not where the cell has an open corner, nor for wider openings
+//- What a ball and an obstacle leave of a face by a slit is closed where they fill a cell beside it
+//  together; not where the cell has an open corner, nor for wider openings
 BODY_TEST(ClosesSlitsOfCellsThatSolidsFill)
 {
     constexpr int D = TypeParam::D;
@@ -276,7 +298,8 @@ BODY_TEST(ClosesSlitsOfCellsThatSolidsFill)
         box.cutNow();
         const std::vector<R> a = box.aperture[0].download();
         int face = -1;
-        for (int f = 0; f < grid.faces(0) && face < 0; ++f) if (a[f] > R(0.3) && a[f] < R(0.7) && box.walls[0][f] == 1) face = f;
+        for (int f = 0; f < grid.faces(0) && face < 0; ++f)
+            if (a[f] > R(0.3) && a[f] < R(0.7) && box.walls[0][f] == 1) face = f;
         const double base = 1 - double(a[face]) + gap;
         box.cut.restore(box.context, box.fields());
         // the obstacle has what the ball leaves of the cell above the face, but for a corner
@@ -292,7 +315,8 @@ BODY_TEST(ClosesSlitsOfCellsThatSolidsFill)
         }
         for (auto* x : {&box.distance, &box.of}) x->upload(box.context, box.baseDistance);
         box.walls[0][face] = base;
-        for (auto* x : {&box.base[0], &box.aperture[0]}) x->upload(box.context, std::vector<R>(box.walls[0].begin(), box.walls[0].end()));
+        for (auto* x : {&box.base[0], &box.aperture[0]})
+            x->upload(box.context, std::vector<R>(box.walls[0].begin(), box.walls[0].end()));
         box.cut.cut(box.context, grid, box.bodies, 1, box.fields());
         const double share = box.cut.shareOfFaces(0)[face], open = box.aperture[0].download()[face];
         EXPECT_NEAR(share + open, base, 1e-6);
@@ -313,7 +337,8 @@ BODY_TEST(MovesThemAsTheHostDoes)
     const UniformGrid<D>& grid = box.grid;
     const double dt = 1e-3, g = 9.81, density = 1000, level = 1.83;
     std::vector<R> phi(grid.cells());
-    for (int i = 0; i < grid.cells(); ++i) phi[i] = R((grid.cellIndex(i).c[1] + 0.5)*grid.h - level);
+    for (int i = 0; i < grid.cells(); ++i)
+        phi[i] = R((grid.cellIndex(i).c[1] + 0.5)*grid.h - level);
     Array<Backend, R> surface, u[D];
     surface.upload(box.context, phi);
     std::vector<BodyTerm> terms = box.cut.terms();
@@ -351,7 +376,9 @@ BODY_TEST(MovesThemAsTheHostDoes)
         f.p = pressure.data();
         f.timeStep = dt;
         f.density = density;
-        const PressureReport r = k ? step.project(box.context, f, solver, nullptr, false, nullptr, &onGrid) : step.project(box.context, f, solver, &terms);
+        const PressureReport r = k
+            ? step.project(box.context, f, solver, nullptr, false, nullptr, &onGrid)
+            : step.project(box.context, f, solver, &terms);
         EXPECT_TRUE(r.converged);
         iterations[k] = r.iterations;
         p[k] = pressure.download();
@@ -360,7 +387,8 @@ BODY_TEST(MovesThemAsTheHostDoes)
             for (int m = 0; m < modes; ++m)
             {
                 double v = box.bodies[b].velocity[m];
-                for (int e = 0; e < modes; ++e) v -= dt*terms[b].inverseMass[m*modes + e]*against[b*modes + e];
+                for (int e = 0; e < modes; ++e)
+                    v -= dt*terms[b].inverseMass[m*modes + e]*against[b*modes + e];
                 EXPECT_NEAR(v, terms[b].velocity[m], 1e-6) << b << " " << m;
             }
     }
@@ -392,7 +420,8 @@ BODY_TEST(SlowsWhereContactsReach)
         if (k == 0) a.point[0] = -0.05;         // a wall's
         areas.push_back({boxes.number(a.point), a});
     }
-    std::sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(
+        areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<int> box;
     std::vector<ContactArea<D>> sorted;
     for (const auto& [b, a] : areas) { box.push_back(b); sorted.push_back(a); }
@@ -434,14 +463,19 @@ BODY_TEST(SlowsWhereContactsReach)
                     r2 += r*r;
                     across += r*a.normal[e];
                 }
-                const double along = std::sqrt(std::max(0.0, r2 - across*across))/grid.h, beside = std::abs(across)/grid.h;
+                const double along = std::sqrt(std::max(0.0, r2 - across*across))/grid.h,
+                             beside = std::abs(across)/grid.h;
                 if (along < 3.5 && beside <= 3) near = true;
                 if (along < 2 && beside <= 1.5) factor = std::min(factor, 0.25 + 0.75*along/2);
             }
             slowed += factor < 1;
             taken += near;
-            const double wall = std::min(at[d][i], 2 - at[d][i]);       // beside a side the grid's velocity across it is another
-            if (!near || wall > 2*grid.h) { ASSERT_NEAR(after[i], near ? 2*std::pow(factor, times) : 7, 1e-5) << i; }
+            // beside a side the grid's velocity across it is another
+            const double wall = std::min(at[d][i], 2 - at[d][i]);
+            if (!near || wall > 2*grid.h)
+            {
+                ASSERT_NEAR(after[i], near ? 2*std::pow(factor, times) : 7, 1e-5) << i;
+            }
         }
     }
     EXPECT_GT(slowed, 20);

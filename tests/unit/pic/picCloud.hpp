@@ -49,10 +49,16 @@ struct Cloud
 
     //- velocity(x, d); margin: empty cells at the sides
     template<class F>
-    Cloud(int cells, int perCell, int margin, const F& velocity, bool periodic = false) : grid(), n(0)
+    Cloud(int cells, int perCell, int margin, const F& velocity, bool periodic = false)
+        : grid(), n(0)
     {
         grid.h = 0.125;
-        for (int d = 0; d < D; ++d) { grid.n[d] = cells + d; grid.origin[d] = 0; grid.periodic[d] = periodic; }
+        for (int d = 0; d < D; ++d)
+        {
+            grid.n[d] = cells + d;
+            grid.origin[d] = 0;
+            grid.periodic[d] = periodic;
+        }
         Random random(7);
         n = perCell*grid.cells();
         std::vector<R> v[D];
@@ -75,10 +81,15 @@ struct Cloud
         sort.allocate(context, n, grid.cells());
         std::vector<std::int32_t> id(n);
         for (int i = 0; i < n; ++i) id[i] = i;
-        for (int d = 0; d < D; ++d) { set.upload(context, d, x[d]); set.upload(context, D + d, v[d]); }
+        for (int d = 0; d < D; ++d)
+        {
+            set.upload(context, d, x[d]);
+            set.upload(context, D + d, v[d]);
+        }
         for (int k = 0; k < D*D; ++k) set.upload(context, 2*D + k, std::vector<R>(n, R(0)));
         set.upload(context, 2*D + D*D, id);
-        for (int k = 0; k < D*mostMemory; ++k) set.upload(context, 2*D + D*D + 1 + k, std::vector<R>(n, R(0)));
+        for (int k = 0; k < D*mostMemory; ++k)
+            set.upload(context, 2*D + D*D + 1 + k, std::vector<R>(n, R(0)));
         order();
         for (int d = 0; d < D; ++d)
         {
@@ -89,7 +100,11 @@ struct Cloud
 
     PicParticles<D, R> view(bool spare = false)
     {
-        const auto field = [&](auto type, int k) { using T = decltype(type); return spare ? set.template spare<T>(k) : set.template data<T>(k); };
+        const auto field = [&](auto type, int k)
+        {
+            using T = decltype(type);
+            return spare ? set.template spare<T>(k) : set.template data<T>(k);
+        };
         PicParticles<D, R> p{};
         p.count = n;
         for (int d = 0; d < D; ++d) { p.x[d] = field(double(), d); p.v[d] = field(R(), D + d); }
@@ -106,7 +121,8 @@ struct Cloud
         forEach(context, n, PicCellKeys<D, R>{grid, view(), sort.keys(), sort.indices()});
         sort.sort(context, n);
         place.allocate(context, n);
-        forEach(context, n, PutInOrder<D, R>{1/grid.h, sort.order(), view(), view(true), place.data()});
+        forEach(context, n,
+            PutInOrder<D, R>{1/grid.h, sort.order(), view(), view(true), place.data()});
         set.takeSpares();
     }
 
@@ -116,7 +132,9 @@ struct Cloud
         map.prepare(context, grid, sort);
         water.upload(context, std::vector<R>(grid.cells(), R(-1)));
         rows.find(context, grid, map.occupied(), water.data(), sort);
-        for (int d = 0; d < D; ++d) map.template map<Order>(context, grid, rows, view(), d, affine, nullptr, u[d].data(), mass[d].data());
+        for (int d = 0; d < D; ++d)
+            map.template map<Order>(
+                context, grid, rows, view(), d, affine, nullptr, u[d].data(), mass[d].data());
     }
 
     Vec<D, double> faceAt(int d, int i) const

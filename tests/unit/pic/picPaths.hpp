@@ -1,4 +1,5 @@
-/*  Rows about the water, nodes about a point, paths through the velocity of the grid: the quick ways against the plain ones, orders of the motion.
+/*  Rows about the water, nodes about a point, paths through the velocity of the grid: the quick
+    ways against the plain ones, orders of the motion.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -52,7 +53,8 @@ PIC_TEST(RowsAreThoseAboutTheWater)
     };
     const auto cover = [&](const std::vector<unsigned char>& marks, int columns)
     {
-        for (int i = 0; i < g.cells(); ++i) if (bool(marks[i]) != (g.cellIndex(i).c[0] < columns)) return false;
+        for (int i = 0; i < g.cells(); ++i)
+            if (bool(marks[i]) != (g.cellIndex(i).c[0] < columns)) return false;
         return true;
     };
     const auto find = [&](int wet)
@@ -75,8 +77,9 @@ PIC_TEST(RowsAreThoseAboutTheWater)
     EXPECT_TRUE(cover(visited(true), 32));
 }
 
-//- Values and gradients from a block of nodes, images beyond the sides folded onto it, are those node by node: beside walls that water slides along
-//  and that it sticks to, around periodic ends, and in a block that is narrower than a cubic spline
+//- Values and gradients from a block of nodes, images beyond the sides folded onto it, are those
+//  node by node: beside walls that water slides along and that it sticks to, around periodic ends,
+//  and in a block that is narrower than a cubic spline
 PIC_TEST(WindowsAreTheNodes)
 {
     using C = TypeParam;
@@ -102,7 +105,8 @@ PIC_TEST(WindowsAreTheNodes)
             for (int d = 0; d < D; ++d)
             {
                 const double s = random(0, g.n[d]);
-                x.c[d] = g.h*(p % 3 ? s : (s < 0.5*g.n[d] ? 0.1*s : g.n[d] - 0.1*(g.n[d] - s)));       // a third of them beside the sides
+                // a third of them beside the sides
+                x.c[d] = g.h*(p % 3 ? s : (s < 0.5*g.n[d] ? 0.1*s : g.n[d] - 0.1*(g.n[d] - s)));
             }
             forOrders([&](auto order)
             {
@@ -116,18 +120,26 @@ PIC_TEST(WindowsAreTheNodes)
                     for (int a = 0; a < D; ++a) folded += nodes.first.c[a] < 0;
                     Vec<D, R> expected;
                     R gradient[D];
-                    const R value = window.sum(u[d].data(), gradient), exact = sampleAffineAround<Order>(g, u[d].data(), d, x, expected);
+                    const R value = window.sum(u[d].data(), gradient),
+                            exact = sampleAffineAround<Order>(g, u[d].data(), d, x, expected);
                     EXPECT_NEAR(value, exact, 100*C::epsilon);
                     EXPECT_NEAR(window.sum(u[d].data()), exact, 100*C::epsilon);
-                    for (int a = 0; a < D; ++a) { EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h); }
+                    for (int a = 0; a < D; ++a)
+                    {
+                        EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h);
+                    }
                     const InCell<D, R> at(g, x);
                     if (!InnerNodes<Order, D, R>::has(g, at.c)) continue;
                     ++inner;
                     const InnerNodes<Order, D, R> block(g, at.c, at.t);
                     EXPECT_NEAR(block.sum(g, at.c, d, u[d].data()), exact, 100*C::epsilon);
                     const InnerNodes<Order, D, R, true> sloped(g, at.c, at.t);
-                    EXPECT_NEAR(sloped.window(g, at.c, d).sum(u[d].data(), gradient), exact, 100*C::epsilon);
-                    for (int a = 0; a < D; ++a) { EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h); }
+                    EXPECT_NEAR(sloped.window(g, at.c, d).sum(u[d].data(), gradient), exact,
+                        100*C::epsilon);
+                    for (int a = 0; a < D; ++a)
+                    {
+                        EXPECT_NEAR(gradient[a]/g.h, expected.c[a], 1000*C::epsilon/g.h);
+                    }
                 }
             });
         }
@@ -157,7 +169,8 @@ PIC_TEST(PathsInsideAreThoseAnywhere)
         for (int d = 0; d < D; ++d) x.c[d] = g.h*random(0, g.n[d]);
         for (const int order : {2, 3})
         {
-            const Vec<D, double> to = carried<2>(g, field.c, x, 0.1, order), anywhere = carriedAnywhere<2, true>(g, field, x, 0.1, order);
+            const Vec<D, double> to = carried<2>(g, field.c, x, 0.1, order),
+                                 anywhere = carriedAnywhere<2, true>(g, field, x, 0.1, order);
             for (int d = 0; d < D; ++d) { EXPECT_NEAR(to.c[d], anywhere.c[d], 100*C::epsilon*g.h); }
         }
     }
@@ -194,13 +207,15 @@ PIC_TEST(MotionHasItsOrder)
             x.c[0] = middle[0] + 0.1;
             x.c[1] = middle[1];
             for (int s = 0; s < steps; ++s) x = carried<2>(g, field, x, 1.0/steps, order);
-            error[fine] = std::hypot(x.c[0] - middle[0] - 0.1*std::cos(1), x.c[1] - middle[1] - 0.1*std::sin(1));
+            error[fine] = std::hypot(
+                x.c[0] - middle[0] - 0.1*std::cos(1), x.c[1] - middle[1] - 0.1*std::sin(1));
         }
         EXPECT_NEAR(std::log2(error[0]/error[1]), order, 0.1);
     }
 }
 
-//- What is known of the field about a point is the field and its derivatives there, whichever way it was found, and at the sides
+//- What is known of the field about a point is the field and its derivatives there, whichever way
+//  it was found, and at the sides
 PIC_TEST(LocalFieldHasTheDerivatives)
 {
     using C = TypeParam;
@@ -221,20 +236,25 @@ PIC_TEST(LocalFieldHasTheDerivatives)
         constexpr int Order = decltype(order)::value;
         for (int p = 0; p < 300; ++p)
         {
-            // far enough from where the pieces of a spline meet that both ends of a difference are on the same
+            // far enough from where the pieces of a spline meet that both ends of a difference are
+            // on the same
             constexpr double off = 0.02;
             Vec<D, double> x;
-            for (int d = 0; d < D; ++d) x.c[d] = 0.5*g.h*(std::floor(random(0, 2*g.n[d])) + random(2*off, 1 - 2*off));
+            for (int d = 0; d < D; ++d)
+                x.c[d] = 0.5*g.h
+                    *(std::floor(random(0, 2*g.n[d])) + random(2*off, 1 - 2*off));
             const InCell<D, R> at(g, x);
             LocalVelocity<Order, D, R> local, other;
             ASSERT_TRUE((findAnywhere(local, g, field, at)));
-            const bool inside = InnerNodes<Order, D, R>::inside(g, at.c), has = InnerNodes<Order, D, R>::has(g, at.c);
+            const bool inside = InnerNodes<Order, D, R>::inside(g, at.c),
+                       has = InnerNodes<Order, D, R>::has(g, at.c);
             if (inside) other.template find<false>(g, field, at);
             else if (has) other.template find<(Order == 2)>(g, field, at);
             ++(inside ? inner : beside);
             for (int d = 0; d < D; ++d)
             {
-                EXPECT_NEAR(local.of[d].value, sampleFace<Order>(g, field[d], d, x), 100*C::epsilon);
+                EXPECT_NEAR(
+                    local.of[d].value, sampleFace<Order>(g, field[d], d, x), 100*C::epsilon);
                 for (int a = 0; a < D; ++a)
                 {
                     R s[D] = {}, back[D] = {};
@@ -243,14 +263,18 @@ PIC_TEST(LocalFieldHasTheDerivatives)
                     Vec<D, double> ahead = x, behind = x;
                     ahead.c[a] += off*g.h;
                     behind.c[a] -= off*g.h;
-                    const double third = Order == 3 ? 8*off*off*off : 0;       // what the polynomial leaves out along an axis
-                    EXPECT_NEAR(local.of[d].at(s), sampleFace<Order>(g, field[d], d, ahead), third + 200*C::epsilon);
-                    EXPECT_NEAR(local.of[d].at(back), sampleFace<Order>(g, field[d], d, behind), third + 200*C::epsilon);
+                    // what the polynomial leaves out along an axis
+                    const double third = Order == 3 ? 8*off*off*off : 0;
+                    EXPECT_NEAR(local.of[d].at(s), sampleFace<Order>(g, field[d], d, ahead),
+                        third + 200*C::epsilon);
+                    EXPECT_NEAR(local.of[d].at(back), sampleFace<Order>(g, field[d], d, behind),
+                        third + 200*C::epsilon);
                     for (int b = 0; b < a; ++b)
                     {
                         s[b] = R(off);
                         ahead.c[b] = x.c[b] + off*g.h;
-                        EXPECT_NEAR(local.of[d].at(s), sampleFace<Order>(g, field[d], d, ahead), 40*off*off*off + 200*C::epsilon);
+                        EXPECT_NEAR(local.of[d].at(s), sampleFace<Order>(g, field[d], d, ahead),
+                            40*off*off*off + 200*C::epsilon);
                         s[b] = 0;
                         ahead.c[b] = x.c[b];
                     }
@@ -268,7 +292,8 @@ PIC_TEST(LocalFieldHasTheDerivatives)
     EXPECT_GT(beside, 20);
 }
 
-//- Where a stage leaves the block the velocity is that at its side, and nothing beside the field is read: there are no numbers there
+//- Where a stage leaves the block the velocity is that at its side, and nothing beside the field is
+//  read: there are no numbers there
 PIC_TEST(StagesBeyondSidesAreAtThem)
 {
     using C = TypeParam;
@@ -295,12 +320,15 @@ PIC_TEST(StagesBeyondSidesAreAtThem)
         for (const int order : {2, 3})
         {
             const Vec<D, double> to = carriedAnywhere<2, false>(g, field, x, dt, order);
-            for (int d = 0; d < D; ++d) EXPECT_NEAR(to.c[d], x.c[d] + dt*v.c[d], 100*C::epsilon*std::abs(speed)) << order << ' ' << d;
+            for (int d = 0; d < D; ++d)
+                EXPECT_NEAR(to.c[d], x.c[d] + dt*v.c[d], 100*C::epsilon*std::abs(speed))
+                    << order << ' ' << d;
         }
     }
 }
 
-//- Paths in a vortex by one look a step and by one a stage: both off by dt^3, the one by up to twice the other's
+//- Paths in a vortex by one look a step and by one a stage: both off by dt^3, the one by up to
+//  twice the other's
 PIC_TEST(OneLookAStepKeepsTheOrder)
 {
     using C = TypeParam;
@@ -319,7 +347,8 @@ PIC_TEST(OneLookAStepKeepsTheOrder)
         for (int i = 0; d < 2 && i < g.faces(d); ++i)
         {
             const auto f = g.faceIndex(d, i);
-            const double x = g.h*(f.c[0] + (d == 0 ? 0.0 : 0.5)), y = g.h*(f.c[1] + (d == 1 ? 0.0 : 0.5));
+            const double x = g.h*(f.c[0] + (d == 0 ? 0.0 : 0.5)),
+                         y = g.h*(f.c[1] + (d == 1 ? 0.0 : 0.5));
             u[d][i] = d == 0 ? std::sin(k*x)*std::cos(k*y) : -std::cos(k*x)*std::sin(k*y);
         }
         field[d] = u[d].data();
@@ -330,7 +359,8 @@ PIC_TEST(OneLookAStepKeepsTheOrder)
         for (int s = 0; s < steps; ++s)
         {
             const InCell<D, R> at(g, x);
-            x = near ? carriedNear<2>(g, 1/g.h, field, at, x, time/steps, order) : carried<2>(g, 1/g.h, field, at, x, time/steps, order);
+            x = near ? carriedNear<2>(g, 1/g.h, field, at, x, time/steps, order)
+                     : carried<2>(g, 1/g.h, field, at, x, time/steps, order);
         }
         return x;
     };
@@ -353,7 +383,9 @@ PIC_TEST(OneLookAStepKeepsTheOrder)
     };
     for (const int order : {2, 3})
     {
-        const double coarse = error(16, order, true), fine = error(64, order, true), plain = error(16, order, false);      // Courant numbers of 0.5 and 0.125
+        // Courant numbers of 0.5 and 0.125
+        const double coarse = error(16, order, true), fine = error(64, order, true),
+                     plain = error(16, order, false);
         EXPECT_GT(std::log2(coarse/fine)/2, order - 0.2);
         EXPECT_LT(coarse, 2.5*plain);
     }

@@ -1,4 +1,5 @@
-/*  What the CPU does in registers against the same one by one: particles of a cell, pairs of the correction of positions, rows of cells and faces.
+/*  What the CPU does in registers against the same one by one: particles of a cell, pairs of the
+    correction of positions, rows of cells and faces.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,7 +31,9 @@ struct Splash
     std::vector<R> u[D], du[D], shift[D], phi;
     const double dt = 0.05;
 
-    explicit Splash(double speed) : cloud(9, 6, 0, [&](const Vec<D, double>& x, int d) { return std::sin(40*x.c[0] + 50*x.c[1] + d); })
+    explicit Splash(double speed)
+        : cloud(9, 6, 0,
+            [&](const Vec<D, double>& x, int d) { return std::sin(40*x.c[0] + 50*x.c[1] + d); })
     {
         Random random(5);
         const UniformGrid<D>& g = cloud.grid;
@@ -41,7 +44,11 @@ struct Splash
         }
         for (int d = 0; d < D; ++d)
         {
-            for (int i = 0; i < g.faces(d); ++i) { u[d].push_back(R(speed*random(-1, 1))); du[d].push_back(R(random(-1, 1))); }
+            for (int i = 0; i < g.faces(d); ++i)
+            {
+                u[d].push_back(R(speed*random(-1, 1)));
+                du[d].push_back(R(random(-1, 1)));
+            }
             shift[d].assign(cloud.n, R(0));
         }
         cloud.map.prepare(cloud.context, g, cloud.sort);
@@ -54,7 +61,12 @@ struct Splash
         f.grid = cloud.grid;
         f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();
-        for (int d = 0; d < D; ++d) { f.u[d] = u[d].data(); f.du[d] = du[d].data(); f.fall[d] = R(-0.1*d); }
+        for (int d = 0; d < D; ++d)
+        {
+            f.u[d] = u[d].data();
+            f.du[d] = du[d].data();
+            f.fall[d] = R(-0.1*d);
+        }
         f.nearWater = near.data();
         f.formula = formula;
         f.affine = affine;
@@ -67,7 +79,12 @@ struct Splash
         f.grid = cloud.grid;
         f.inverse = 1/cloud.grid.h;
         f.particles = cloud.view();
-        for (int d = 0; d < D; ++d) { f.u[d] = u[d].data(); f.aperture[d] = closed(d); f.shift[d] = shift[d].data(); }
+        for (int d = 0; d < D; ++d)
+        {
+            f.u[d] = u[d].data();
+            f.aperture[d] = closed(d);
+            f.shift[d] = shift[d].data();
+        }
         f.nearWater = near.data();
         f.timeStep = dt;
         f.order = order;
@@ -86,12 +103,17 @@ struct Splash
         std::vector<double> all;
         for (int d = 0; d < D; ++d)
         {
-            for (const double x : cloud.set.template download<double>(cloud.context, d)) all.push_back(x);
+            for (const double x : cloud.set.template download<double>(cloud.context, d))
+                all.push_back(x);
             for (const R v : cloud.set.template download<R>(cloud.context, D + d)) all.push_back(v);
             for (const R s : shift[d]) all.push_back(s);
         }
-        for (int k = 0; k < D*D; ++k) for (const R c : cloud.set.template download<R>(cloud.context, 2*D + k)) all.push_back(c);
-        for (int k = 0; k < D*mostMemory; ++k) for (const R m : cloud.set.template download<R>(cloud.context, 2*D + D*D + 1 + k)) all.push_back(m);
+        for (int k = 0; k < D*D; ++k)
+            for (const R c : cloud.set.template download<R>(cloud.context, 2*D + k))
+                all.push_back(c);
+        for (int k = 0; k < D*mostMemory; ++k)
+            for (const R m : cloud.set.template download<R>(cloud.context, 2*D + D*D + 1 + k))
+                all.push_back(m);
         return all;
     }
 
@@ -126,7 +148,8 @@ TYPED_TEST(PicRows, ParticlesTakeInLanesWhatTheyTakeOneByOne)
                 for (int k = 0; k < 2; ++k)
                 {
                     forEach(one.cloud.context, one.cloud.n, one.taking(formula, affine));
-                    forEachRow(lanes.cloud.context, tiles.count(), cellsOf(lanes.taking(formula, affine), tiles.tiles(), tiles.list()));
+                    forEachRow(lanes.cloud.context, tiles.count(),
+                        cellsOf(lanes.taking(formula, affine), tiles.tiles(), tiles.list()));
                 }
                 EXPECT_GT(apart(before, one.state()), 0.01);
                 EXPECT_LT(apart(one.state(), lanes.state()), 100*C::epsilon) << name << affine;
@@ -137,7 +160,9 @@ TYPED_TEST(PicRows, ParticlesTakeInLanesWhatTheyTakeOneByOne)
             using Scheme = typename decltype(scheme)::type;
             TransferProperties numbers;
             for (const TransferEntry& e : Scheme::entries) if (!e.yesNo) e.set(numbers, e.typical);
-            agree(Scheme::template make<typename C::real>(numbers, 0.5*std::min(Scheme::timeStep(numbers), 1.0)), Scheme::word);
+            agree(Scheme::template make<typename C::real>(
+                      numbers, 0.5*std::min(Scheme::timeStep(numbers), 1.0)),
+                Scheme::word);
         });
         agree(FlipPic::of(typename C::real(1)), "a share of 1");
     }
@@ -156,9 +181,12 @@ TYPED_TEST(PicRows, ParticlesMoveInLanesAsOneByOne)
                 const auto before = one.state();
                 forEach(one.cloud.context, one.cloud.n, one.moving(order));
                 const auto& tiles = lanes.cloud.map.occupied();
-                forEachRow(lanes.cloud.context, tiles.count(), MoveCells<typename C::real, false>{lanes.moving(order), tiles.tiles(), tiles.list()});
+                forEachRow(lanes.cloud.context, tiles.count(),
+                    MoveCells<typename C::real, false>{
+                        lanes.moving(order), tiles.tiles(), tiles.list()});
                 EXPECT_GT(apart(before, one.state()), 0.001);
-                EXPECT_LT(apart(one.state(), lanes.state()), 100*C::epsilon) << order << " at " << speed;
+                EXPECT_LT(apart(one.state(), lanes.state()), 100*C::epsilon)
+                    << order << " at " << speed;
             }
     else GTEST_SKIP() << "in 2D alone";
 }
@@ -186,7 +214,8 @@ TYPED_TEST(PicRows, PairsPushInLanesAsOneByOne)
     for (const R s : one.shift[0]) pushed = std::max(pushed, double(std::abs(s)));
     EXPECT_GT(pushed, 0.001*one.cloud.grid.h);
     for (int d = 0; d < C::D; ++d)
-        for (int i = 0; i < one.cloud.n; ++i) ASSERT_NEAR(one.shift[d][i], lanes.shift[d][i], 300*C::epsilon*pushed) << i;
+        for (int i = 0; i < one.cloud.n; ++i)
+            ASSERT_NEAR(one.shift[d][i], lanes.shift[d][i], 300*C::epsilon*pushed) << i;
 }
 
 //- Wet cells at random in a block that rows do not divide; every other face all but closed
@@ -223,7 +252,8 @@ struct Patches
             {
                 u[d].push_back(R(random(-1, 1)));
                 aperture[d].push_back(R(i % 5 == 0 ? 0 : (i % 7 == 0 ? 0.03 : random(0.1, 1))));
-                layer[d].push_back(random(0, 1) < 0.3 ? 0 : (i % 11 == 0 ? closedFace : unknownFace));
+                layer[d].push_back(
+                    random(0, 1) < 0.3 ? 0 : (i % 11 == 0 ? closedFace : unknownFace));
             }
     }
 
@@ -260,11 +290,24 @@ TYPED_TEST(PicRows, RowsOfCellsAreMarkedAsCells)
     Patches<C> a, b;
     const R band = R(0.35);
     for (int i = 0; i < a.grid.cells(); ++i) MarkWetCells<D, R>{a.fields(), a.wet.data()}(i);
-    for (int i = 0; i < a.grid.cells(); ++i) MarkNearWater<D>{a.grid, a.wet.data(), a.near.data()}(i);
-    for (int i = 0; i < a.grid.cells(); ++i) SpreadDistance<D, R>{a.grid, a.carried.data(), a.phi.data(), a.far.data(), band}(i);
-    overRows<D>(b.grid, [&](const auto& c, int end) { OverCells<D, MarkWetCells<D, R>>{b.grid, {b.fields(), b.wet.data()}}.row(c, end); });
-    overRows<D>(b.grid, [&](const auto& c, int end) { OverCells<D, MarkNearWater<D>>{b.grid, {b.grid, b.wet.data(), b.near.data()}}.row(c, end); });
-    overRows<D>(b.grid, [&](const auto& c, int end) { SpreadDistance<D, R>{b.grid, b.carried.data(), b.phi.data(), b.far.data(), band}.row(c, end); });
+    for (int i = 0; i < a.grid.cells(); ++i)
+        MarkNearWater<D>{a.grid, a.wet.data(), a.near.data()}(i);
+    for (int i = 0; i < a.grid.cells(); ++i)
+        SpreadDistance<D, R>{a.grid, a.carried.data(), a.phi.data(), a.far.data(), band}(i);
+    overRows<D>(b.grid,
+        [&](const auto& c, int end) {
+            OverCells<D, MarkWetCells<D, R>>{b.grid, {b.fields(), b.wet.data()}}.row(c, end);
+        });
+    overRows<D>(b.grid,
+        [&](const auto& c, int end) {
+            OverCells<D, MarkNearWater<D>>{b.grid, {b.grid, b.wet.data(), b.near.data()}}.row(
+                c, end);
+        });
+    overRows<D>(b.grid,
+        [&](const auto& c, int end) {
+            SpreadDistance<D, R>{b.grid, b.carried.data(), b.phi.data(), b.far.data(), band}.row(
+                c, end);
+        });
     EXPECT_TRUE(a.wet == b.wet);
     EXPECT_TRUE(a.near == b.near);
     EXPECT_TRUE(a.far == b.far);
@@ -272,14 +315,16 @@ TYPED_TEST(PicRows, RowsOfCellsAreMarkedAsCells)
     EXPECT_GT(std::count(a.near.begin(), a.near.end(), someWater), 50);
 }
 
-//- To the bit, but for the arithmetic of corrected velocities, which is contracted as the compiler likes
+//- To the bit, but for the arithmetic of corrected velocities, which is contracted as the compiler
+//  likes
 TYPED_TEST(PicRows, RowsOfFacesAreDoneAsFaces)
 {
     using C = TypeParam;
     using R = typename C::real;
     constexpr int D = C::D;
     Patches<C> a, b;
-    for (int i = 0; i < a.grid.cells(); ++i) a.wet[i] = b.wet[i] = static_cast<unsigned char>(a.wetNumbers[i]);
+    for (int i = 0; i < a.grid.cells(); ++i)
+        a.wet[i] = b.wet[i] = static_cast<unsigned char>(a.wetNumbers[i]);
     const auto original = a.u[0];
     const auto velocities = [](Patches<C>& s)
     {
@@ -287,16 +332,27 @@ TYPED_TEST(PicRows, RowsOfFacesAreDoneAsFaces)
         f.grid = s.grid;
         f.pass = 1;
         f.fields = 1;
-        for (int d = 0; d < D; ++d) { f.layer[d] = s.layer[d].data(); f.field[0][d] = s.u[d].data(); }
+        for (int d = 0; d < D; ++d)
+        {
+            f.layer[d] = s.layer[d].data();
+            f.field[0][d] = s.u[d].data();
+        }
         return f;
     };
     for (int d = 0; d < D; ++d)
-        for (int i = 0; i < a.grid.faces(d); ++i) CorrectVelocity<D, R>{a.fields(), a.wetNumbers.data(), d}(i);
-    overRows<D>(b.grid, [&](const auto& c, int end)
-    { for (int d = 0; d < D; ++d) rowOfFaces(b.grid, d, c, end, CorrectVelocity<D, R>{b.fields(), b.wetNumbers.data(), d}); });
+        for (int i = 0; i < a.grid.faces(d); ++i)
+            CorrectVelocity<D, R>{a.fields(), a.wetNumbers.data(), d}(i);
+    overRows<D>(b.grid,
+        [&](const auto& c, int end)
+        {
+            for (int d = 0; d < D; ++d)
+                rowOfFaces(
+                    b.grid, d, c, end, CorrectVelocity<D, R>{b.fields(), b.wetNumbers.data(), d});
+        });
     EXPECT_TRUE(a.u[0] != original);
     for (int d = 0; d < D; ++d)
-        for (int i = 0; i < a.grid.faces(d); ++i) ASSERT_NEAR(a.u[d][i], b.u[d][i], 4*C::epsilon) << d << ' ' << i;
+        for (int i = 0; i < a.grid.faces(d); ++i)
+            ASSERT_NEAR(a.u[d][i], b.u[d][i], 4*C::epsilon) << d << ' ' << i;
 
     b.u[0] = a.u[0]; b.u[1] = a.u[1]; b.u[D - 1] = a.u[D - 1];
     for (int i = 0; i < a.grid.cells(); ++i) velocities(a)(a.grid.cellIndex(i));
@@ -309,9 +365,17 @@ TYPED_TEST(PicRows, RowsOfFacesAreDoneAsFaces)
     }
 
     for (int d = 0; d < D; ++d)
-        for (int i = 0; i < a.grid.faces(d); ++i) MarkByWetCells<D, R>{a.grid, a.wet.data(), a.aperture[d].data(), nullptr, d, a.layer[d].data()}(i);
-    overRows<D>(b.grid, [&](const auto& c, int end)
-    { for (int d = 0; d < D; ++d) rowOfFaces(b.grid, d, c, end, MarkByWetCells<D, R>{b.grid, b.wet.data(), b.aperture[d].data(), nullptr, d, b.layer[d].data()}); });
+        for (int i = 0; i < a.grid.faces(d); ++i)
+            MarkByWetCells<D, R>{
+                a.grid, a.wet.data(), a.aperture[d].data(), nullptr, d, a.layer[d].data()}(i);
+    overRows<D>(b.grid,
+        [&](const auto& c, int end)
+        {
+            for (int d = 0; d < D; ++d)
+                rowOfFaces(b.grid, d, c, end,
+                    MarkByWetCells<D, R>{
+                        b.grid, b.wet.data(), b.aperture[d].data(), nullptr, d, b.layer[d].data()});
+        });
     for (int d = 0; d < D; ++d) EXPECT_TRUE(a.layer[d] == b.layer[d]);
 }
 

@@ -50,15 +50,20 @@ struct Pool
 
     std::vector<double> held(std::vector<double> phi) const
     {
-        const HoldSurface<2, double> hold{grid, particles(), particleCells, nullptr, nullptr, phi.data(), 4*grid.h};
+        const HoldSurface<2, double> hold{
+            grid, particles(), particleCells, nullptr, nullptr, phi.data(), 4*grid.h};
         for (int i = 0; i < grid.cells(); ++i) hold(i, grid.cellIndex(i));
         return phi;
     }
 
-    double distance(int i, double level) const { return (grid.cellIndex(i).c[1] + 0.5)*grid.h - level; }
+    double distance(int i, double level) const
+    {
+        return (grid.cellIndex(i).c[1] + 0.5)*grid.h - level;
+    }
 };
 
-//- Of a flat surface: its distance, from the integral of the spline, to the width of a row of particles; beyond half a cell that half
+//- Of a flat surface: its distance, from the integral of the spline, to the width of a row of
+//  particles; beyond half a cell that half
 TEST(PicSurface, TheFillTellsTheDistance)
 {
     for (const double level : {0.33, 0.35, 0.36, 0.40, 0.44})
@@ -67,8 +72,12 @@ TEST(PicSurface, TheFillTellsTheDistance)
         const Pool pool(level, n);
         for (int i = 0; i < pool.grid.cells(); ++i)
         {
-            const double h = pool.grid.h, own = surfaceOfFill(fillOf(pool.grid, pool.particles(), pool.grid.cellIndex(i), pool.particleCells))*h;
-            EXPECT_NEAR(own, std::max(-0.5*h, std::min(pool.distance(i, level), 0.5*h)), h/n) << level;
+            const double h = pool.grid.h,
+                         own = surfaceOfFill(fillOf(pool.grid, pool.particles(),
+                                   pool.grid.cellIndex(i), pool.particleCells))
+                *h;
+            EXPECT_NEAR(own, std::max(-0.5*h, std::min(pool.distance(i, level), 0.5*h)), h/n)
+                << level;
         }
     }
 }
@@ -79,7 +88,8 @@ TEST(PicSurface, FullCellsAreWetAndEmptyOnesDry)
     const double level = 0.4;
     const Pool pool(level, 2);
     const double h = pool.grid.h, wet = -wetDepth*h;
-    const std::vector<double> none = pool.held(std::vector<double>(pool.grid.cells(), 1.4*h)), all = pool.held(std::vector<double>(pool.grid.cells(), -1.4*h));
+    const std::vector<double> none = pool.held(std::vector<double>(pool.grid.cells(), 1.4*h)),
+                              all = pool.held(std::vector<double>(pool.grid.cells(), -1.4*h));
     for (int i = 0; i < pool.grid.cells(); ++i)
     {
         const double d = pool.distance(i, level);
@@ -88,7 +98,8 @@ TEST(PicSurface, FullCellsAreWetAndEmptyOnesDry)
     }
 }
 
-//- A cell that is neither is what was carried there, to the bit: its fill hangs on how the particles lie
+//- A cell that is neither is what was carried there, to the bit: its fill hangs on how the
+//  particles lie
 TEST(PicSurface, PartlyFilledCellsAreLeftAlone)
 {
     for (const double level : {0.39, 0.41, 0.43, 0.45})
@@ -96,10 +107,14 @@ TEST(PicSurface, PartlyFilledCellsAreLeftAlone)
         {
             const Pool pool(level, 50);
             std::vector<double> phi(pool.grid.cells());
-            for (int i = 0; i < pool.grid.cells(); ++i) phi[i] = pool.distance(i, level) + off*pool.grid.h;
+            for (int i = 0; i < pool.grid.cells(); ++i)
+                phi[i] = pool.distance(i, level) + off*pool.grid.h;
             const std::vector<double> held = pool.held(phi);
             for (int i = 0; i < pool.grid.cells(); ++i)
-                if (std::abs(pool.distance(i, level)) < 0.42*pool.grid.h) { EXPECT_EQ(held[i], phi[i]) << level << ' ' << off; }
+                if (std::abs(pool.distance(i, level)) < 0.42*pool.grid.h)
+                {
+                    EXPECT_EQ(held[i], phi[i]) << level << ' ' << off;
+                }
         }
 }
 

@@ -1,4 +1,5 @@
-/*  Maps between particles and grid: splines, conservation, exactness for constant and linear fields, angular momentum.
+/*  Maps between particles and grid: splines, conservation, exactness for constant and linear
+    fields, angular momentum.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -21,7 +22,8 @@ PIC_TEST(SplinesSumToOneAndAreLinear)
         for (int k = 0; k < 200; ++k)
         {
             const double s = random(-5, 5);
-            double w[Spline::nodes], slope[Spline::nodes], sum = 0, first = 0, slopes = 0, firstSlope = 0;
+            double w[Spline::nodes], slope[Spline::nodes], sum = 0, first = 0, slopes = 0,
+                                                           firstSlope = 0;
             const int base = Spline::first(s);
             Spline::weights(s - base, w);
             Spline::slopes(s - base, slope);
@@ -48,24 +50,39 @@ PIC_TEST(MassAndMomentumAreConserved)
     Random random(11);
     Cloud<C> cloud(8, 5, 2, [&](const Vec<C::D, double>&, int) { return random(-1, 1); });
     for (const bool affine : {false, true})
-        forOrders([&](auto order)
-        {
-            if (affine) { cloud.template toGrid<decltype(order)::value>(); cloud.template toParticles<decltype(order)::value>(); }
-            cloud.template toGrid<decltype(order)::value>(affine);
-            for (int d = 0; d < C::D; ++d)
+        forOrders(
+            [&](auto order)
             {
-                const auto u = cloud.u[d].download(), m = cloud.mass[d].download();
-                const auto v = cloud.set.template download<typename C::real>(cloud.context, C::D + d);
-                double mass = 0, momentum = 0, given = 0, size = 0;
-                for (std::size_t i = 0; i < u.size(); ++i) { mass += m[i]; momentum += double(m[i])*u[i]; }
-                for (const auto a : v) { given += a; size += std::abs(a); }
-                EXPECT_NEAR(mass/cloud.n, 1, 100*C::epsilon);
-                EXPECT_NEAR(momentum/size, given/size, 100*C::epsilon);
-            }
-        });
+                if (affine)
+                {
+                    cloud.template toGrid<decltype(order)::value>();
+                    cloud.template toParticles<decltype(order)::value>();
+                }
+                cloud.template toGrid<decltype(order)::value>(affine);
+                for (int d = 0; d < C::D; ++d)
+                {
+                    const auto u = cloud.u[d].download(), m = cloud.mass[d].download();
+                    const auto v = cloud.set.template download<typename C::real>(
+                        cloud.context, C::D + d);
+                    double mass = 0, momentum = 0, given = 0, size = 0;
+                    for (std::size_t i = 0; i < u.size(); ++i)
+                    {
+                        mass += m[i];
+                        momentum += double(m[i])*u[i];
+                    }
+                    for (const auto a : v)
+                    {
+                        given += a;
+                        size += std::abs(a);
+                    }
+                    EXPECT_NEAR(mass/cloud.n, 1, 100*C::epsilon);
+                    EXPECT_NEAR(momentum/size, given/size, 100*C::epsilon);
+                }
+            });
 }
 
-//- Mass and momentum of each face are the sums over all particles, seen directly and, beyond the sides, from the face's images
+//- Mass and momentum of each face are the sums over all particles, seen directly and, beyond the
+//  sides, from the face's images
 PIC_TEST(SumsAreThoseOverAllParticles)
 {
     using C = TypeParam;
@@ -73,7 +90,8 @@ PIC_TEST(SumsAreThoseOverAllParticles)
     Random random(13);
     for (const bool periodic : {false, true})
     {
-        Cloud<C> cloud(5, 3, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); }, periodic);
+        Cloud<C> cloud(
+            5, 3, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); }, periodic);
         const UniformGrid<D>& g = cloud.grid;
         std::vector<double> x[D];
         for (int d = 0; d < D; ++d) x[d] = cloud.set.template download<double>(cloud.context, d);
@@ -91,13 +109,16 @@ PIC_TEST(SumsAreThoseOverAllParticles)
                     double mass = 0, momentum = 0;
                     for (int p = 0; p < cloud.n; ++p)
                     {
-                        double even = 1, odd = 1;       // products over the axes; odd: images turn the component round
+                        // products over the axes; odd: images turn the component round
+                        double even = 1, odd = 1;
                         for (int a = 0; a < D; ++a)
                         {
                             const double s = at.c[a]/g.h, xp = x[a][p]/g.h, n = g.n[a];
                             double direct = Spline::value(s - xp), image = 0;
-                            if (periodic) direct += Spline::value(s + n - xp) + Spline::value(s - n - xp);
-                            else if (s > 1e-9 && s < n - 1e-9) image = Spline::value(-s - xp) + Spline::value(2*n - s - xp);
+                            if (periodic)
+                                direct += Spline::value(s + n - xp) + Spline::value(s - n - xp);
+                            else if (s > 1e-9 && s < n - 1e-9)
+                                image = Spline::value(-s - xp) + Spline::value(2*n - s - xp);
                             even *= direct + image;
                             odd *= a == d ? direct - image : direct + image;
                         }
@@ -112,7 +133,8 @@ PIC_TEST(SumsAreThoseOverAllParticles)
     }
 }
 
-//- A constant comes through both ways, whatever the particles; beside walls, too, for what runs along them
+//- A constant comes through both ways, whatever the particles; beside walls, too, for what runs
+//  along them
 PIC_TEST(ConstantsAreReproduced)
 {
     using C = TypeParam;
@@ -121,14 +143,18 @@ PIC_TEST(ConstantsAreReproduced)
     {
         cloud.template toGrid<decltype(order)::value>();
         for (int d = 0; d < C::D; ++d)
-            for (const auto u : cloud.u[d].download()) EXPECT_NEAR(u, 1.5 - d, 200*C::epsilon);    // sums of up to 700 products
+            // sums of up to 700 products
+            for (const auto u : cloud.u[d].download()) EXPECT_NEAR(u, 1.5 - d, 200*C::epsilon);
         cloud.template toParticles<decltype(order)::value>();
         for (int d = 0; d < C::D; ++d)
-            for (const auto v : cloud.set.template download<typename C::real>(cloud.context, C::D + d)) EXPECT_NEAR(v, 1.5 - d, 50*C::epsilon);
+            for (const auto v :
+                cloud.set.template download<typename C::real>(cloud.context, C::D + d))
+                EXPECT_NEAR(v, 1.5 - d, 50*C::epsilon);
     });
 }
 
-//- Beside the surface FLIP's change is that of the water: what moves with it gets all of it, spray becomes no faster than it was or the water is; inside all get it
+//- Beside the surface FLIP's change is that of the water: what moves with it gets all of it, spray
+//  becomes no faster than it was or the water is; inside all get it
 PIC_TEST(SprayGainsNoEnergy)
 {
     using C = TypeParam;
@@ -136,7 +162,8 @@ PIC_TEST(SprayGainsNoEnergy)
     constexpr int D = C::D;
     const auto before = [](int d) { return 0.5 - d; };
     const auto change = [](int d) { return d ? 0.25 : 2.0; };
-    const auto spray = [&](const Vec<D, double>& x, int d) { return before(d) + (x.c[0] < 0.5 ? 0 : std::sin(40*x.c[D - 1] + d)); };
+    const auto spray = [&](const Vec<D, double>& x, int d)
+    { return before(d) + (x.c[0] < 0.5 ? 0 : std::sin(40*x.c[D - 1] + d)); };
     for (const unsigned char water : {someWater, allWater})
     {
         Cloud<C> cloud(8, 5, 0, spray, true);
@@ -151,7 +178,8 @@ PIC_TEST(SprayGainsNoEnergy)
         f.particles = cloud.view();
         for (int d = 0; d < D; ++d)
         {
-            cloud.u[d].upload(cloud.context, std::vector<R>(cloud.grid.faces(d), R(before(d) + change(d))));
+            cloud.u[d].upload(
+                cloud.context, std::vector<R>(cloud.grid.faces(d), R(before(d) + change(d))));
             du[d].upload(cloud.context, std::vector<R>(cloud.grid.faces(d), R(change(d))));
             f.u[d] = cloud.u[d].data();
             f.du[d] = du[d].data();
@@ -176,7 +204,10 @@ PIC_TEST(SprayGainsNoEnergy)
                 off = std::max(off, std::abs(v[d][i] - own - change(d)));
             }
             const bool untouched = off < 100*C::epsilon;
-            if (water == someWater) { EXPECT_LE(speed2, std::max(fallen2, grid2)*(1 + 100*C::epsilon)); }
+            if (water == someWater)
+            {
+                EXPECT_LE(speed2, std::max(fallen2, grid2)*(1 + 100*C::epsilon));
+            }
             if (water == allWater || at.c[0] < 0.5) { EXPECT_TRUE(untouched); }
             slowed += !untouched;
         }
@@ -184,10 +215,12 @@ PIC_TEST(SprayGainsNoEnergy)
     }
 }
 
-//- A step of 1 s between faces that are open or closed; shift: what positions were corrected by, or nullptr
+//- A step of 1 s between faces that are open or closed; shift: what positions were corrected by, or
+//  nullptr
 template<class C>
-void moveBetweenFaces(Cloud<C>& cloud, const Array<Backend, typename C::real>* aperture, Array<Backend, typename C::real>* shift,
-    const Array<Backend, unsigned char>& near, double margin)
+void moveBetweenFaces(Cloud<C>& cloud, const Array<Backend, typename C::real>* aperture,
+    Array<Backend, typename C::real>* shift, const Array<Backend, unsigned char>& near,
+    double margin)
 {
     using R = typename C::real;
     MoveParticles<2, C::D, R> f{};
@@ -208,8 +241,9 @@ void moveBetweenFaces(Cloud<C>& cloud, const Array<Backend, typename C::real>* a
     forEach(cloud.context, cloud.n, f);
 }
 
-//- The correction has pushed particles by so much, and given each the velocity of where it would be, by the gradient that it knows: where sides, closed faces and solids
-//  keep it from going there it has that of where it is, v + A dx, less what it loses into the wall
+//- The correction has pushed particles by so much, and given each the velocity of where it would
+//  be, by the gradient that it knows: where sides, closed faces and solids keep it from going there
+//  it has that of where it is, v + A dx, less what it loses into the wall
 PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
 {
     using C = TypeParam;
@@ -235,7 +269,8 @@ PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
             v[d] = v0[d] = cloud.set.template download<R>(context, D + d);
             push[d].assign(cloud.n, R(0));
         }
-        for (int k = 0; k < D*D; ++k) for (int i = 0; i < cloud.n; ++i) gradient[k].push_back(R(random(-20, 20)));
+        for (int k = 0; k < D*D; ++k)
+            for (int i = 0; i < cloud.n; ++i) gradient[k].push_back(R(random(-20, 20)));
         for (int i = 0; i < cloud.n; ++i)
         {
             const int along = solid ? 0 : i % D;
@@ -259,13 +294,15 @@ PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
             aperture[d].upload(context, open);
             sealed[d].upload(context, std::vector<unsigned char>(g.faces(d), 0));
             shift[d].upload(context, push[d]);
-            cloud.u[d].upload(context, std::vector<R>(g.faces(d), R(0)));       // nothing is carried anywhere
+            // nothing is carried anywhere
+            cloud.u[d].upload(context, std::vector<R>(g.faces(d), R(0)));
             cloud.set.upload(context, d, d == 0 ? to : x[d]);
             cloud.set.upload(context, D + d, v[d]);
         }
         for (int k = 0; k < D*D; ++k) cloud.set.upload(context, 2*D + k, gradient[k]);
         std::vector<double> distance;
-        for (int i = 0; i < NodeGrid<D>{g}.count(); ++i) distance.push_back(g.h*(i % (g.n[0] + 1)) - surface);
+        for (int i = 0; i < NodeGrid<D>{g}.count(); ++i)
+            distance.push_back(g.h*(i % (g.n[0] + 1)) - surface);
         Array<Backend, double> distances;
         distances.upload(context, distance);
         if (solid)
@@ -302,8 +339,10 @@ PIC_TEST(WallsTakeBackWhatTheCorrectionGave)
             for (int a = 0; a < D; ++a)
             {
                 const double own = double(v0[a][i]) + double(gradient[a*D + along][i])*went;
-                const bool lost = a == along && std::abs(kept) > 1e-6 && own*kept < 0;      // into the wall
-                EXPECT_NEAR(v[a][i], lost ? 0 : own, 200*C::epsilon) << i << " " << a << " " << solid;
+                // into the wall
+                const bool lost = a == along && std::abs(kept) > 1e-6 && own*kept < 0;
+                EXPECT_NEAR(v[a][i], lost ? 0 : own, 200*C::epsilon)
+                    << i << " " << a << " " << solid;
             }
         }
         EXPECT_GT(stopped, cloud.n/40);
@@ -324,7 +363,8 @@ PIC_TEST(FlyingOnesLimitTheStepLess)
         std::vector<unsigned char> water(g.cells(), someWater);
         double flying = 0, carried = 0;
         std::vector<typename C::real> v[D];
-        for (int d = 0; d < D; ++d) v[d] = cloud.set.template download<typename C::real>(cloud.context, D + d);
+        for (int d = 0; d < D; ++d)
+            v[d] = cloud.set.template download<typename C::real>(cloud.context, D + d);
         const auto x = cloud.set.template download<double>(cloud.context, 0);
         for (int i = 0; i < g.cells(); ++i) if (i % g.n[0] < 3) water[i] = 0;
         for (int i = 0; i < cloud.n; ++i)
@@ -341,14 +381,15 @@ PIC_TEST(FlyingOnesLimitTheStepLess)
         for (int d = 0; d < D; ++d) cloud.set.upload(cloud.context, D + d, v[d]);
         Array<Backend, unsigned char> near;
         near.upload(cloud.context, water);
-        const double most = reduceMax(cloud.context, cloud.n, CarriedSpeed<D, typename C::real>{g, {cloud.view()}, near.data(), part});
+        const double most = reduceMax(cloud.context, cloud.n,
+            CarriedSpeed<D, typename C::real>{g, {cloud.view()}, near.data(), part});
         EXPECT_NEAR(most, fastestFlies ? part*flying : carried, 1e-12*most);
         EXPECT_GT(most, fastestFlies ? carried : part*flying);
     }
 }
 
-//- Free flights of several cells a step: as straight as in one piece; not through closed faces, however thin; in the water they go with the water, for what is left of
-//  the step
+//- Free flights of several cells a step: as straight as in one piece; not through closed faces,
+//  however thin; in the water they go with the water, for what is left of the step
 PIC_TEST(FlightsAreFollowedCellByCell)
 {
     using C = TypeParam;
@@ -393,7 +434,8 @@ PIC_TEST(FlightsAreFollowedCellByCell)
         const double begin = x[0][i]/g.h, end = begin + v[0][i]/g.h;
         if (begin >= waterFrom) continue;
         bool inside = true;
-        for (int d = 0; d < D; ++d) inside = inside && x[d][i] + v[d][i] > margin && x[d][i] + v[d][i] < n*g.h - margin;
+        for (int d = 0; d < D; ++d)
+            inside = inside && x[d][i] + v[d][i] > margin && x[d][i] + v[d][i] < n*g.h - margin;
         if (!inside) continue;
         if (std::floor(begin) < wall ? end >= wall : end < wall)
         {
@@ -411,8 +453,10 @@ PIC_TEST(FlightsAreFollowedCellByCell)
             const double time = (waterFrom - begin)/(end - begin);
             double most = 0;
             for (int d = 0; d < D; ++d) most = std::max(most, std::abs(double(v[d][i]))/g.h);
-            const double piece = 1/std::floor(1 + most), flown = std::min(1.0, piece*std::ceil(time/piece - 1e-6));
-            EXPECT_NEAR(to[0][i]/g.h, begin + flown*(end - begin) + carrier*(1 - flown), 1e-4) << begin << " " << end;
+            const double piece = 1/std::floor(1 + most),
+                         flown = std::min(1.0, piece*std::ceil(time/piece - 1e-6));
+            EXPECT_NEAR(to[0][i]/g.h, begin + flown*(end - begin) + carrier*(1 - flown), 1e-4)
+                << begin << " " << end;
             ++landed;
         }
     }
@@ -454,7 +498,8 @@ PIC_TEST(LinearFieldsAreReproduced)
                 EXPECT_NEAR(v[i], linear(at, d), 50*C::epsilon);
             }
             for (int a = 0; a < D; ++a)
-                for (const auto c : cloud.set.template download<typename C::real>(cloud.context, 2*D + d*D + a))
+                for (const auto c :
+                    cloud.set.template download<typename C::real>(cloud.context, 2*D + d*D + a))
                     EXPECT_NEAR(c, 0.7*d - 0.4*a + 0.2, 2000*C::epsilon);
         }
     });
@@ -464,17 +509,23 @@ PIC_TEST(LinearFieldsAreReproduced)
     {
         const auto u = cloud.u[d].download(), m = cloud.mass[d].download();
         for (std::size_t i = 0; i < u.size(); ++i)
-            if (m[i] > 0.01) { EXPECT_NEAR(u[i], linear(cloud.faceAt(d, int(i)), d), 5000*C::epsilon); }
+            if (m[i] > 0.01)
+            {
+                EXPECT_NEAR(u[i], linear(cloud.faceAt(d, int(i)), d), 5000*C::epsilon);
+            }
     }
 }
 
-//- Angular momentum about the origin after grid and back: kept by APIC (Jiang et al. 2015, section 5.3: x v + D C), lost by PIC
+//- Angular momentum about the origin after grid and back: kept by APIC (Jiang et al. 2015, section
+//  5.3: x v + D C), lost by PIC
 PIC_TEST(AffineTransferKeepsAngularMomentum)
 {
     using C = TypeParam;
     constexpr int D = C::D;
     Random random(5);
-    Cloud<C> cloud(9, 4, 2, [&](const Vec<D, double>& x, int d) { return (d == 0 ? -x.c[1] : (d == 1 ? x.c[0] : 0.0)) + random(-0.1, 0.1); });
+    Cloud<C> cloud(9, 4, 2,
+        [&](const Vec<D, double>& x, int d)
+        { return (d == 0 ? -x.c[1] : (d == 1 ? x.c[0] : 0.0)) + random(-0.1, 0.1); });
     cloud.template toGrid<2>();
     double onGrid = 0, pic = 0, affine = 0;
     for (int d = 0; d < 2; ++d)
@@ -489,7 +540,8 @@ PIC_TEST(AffineTransferKeepsAngularMomentum)
     {
         const auto x = cloud.set.template download<double>(cloud.context, 1 - d);
         const auto v = cloud.set.template download<typename C::real>(cloud.context, D + d);
-        const auto c = cloud.set.template download<typename C::real>(cloud.context, 2*D + d*D + 1 - d);
+        const auto c = cloud.set.template download<typename C::real>(
+            cloud.context, 2*D + d*D + 1 - d);
         for (int i = 0; i < cloud.n; ++i)
         {
             pic += (d == 1 ? 1 : -1)*x[i]*v[i];

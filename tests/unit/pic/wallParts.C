@@ -1,4 +1,5 @@
-/*  Forces of the pressure on parts of walls: obstacles in water at rest, wherever they lie in the grid; parts that share faces.
+/*  Forces of the pressure on parts of walls: obstacles in water at rest, wherever they lie in the
+    grid; parts that share faces.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,7 +21,8 @@ Obstacle<2> polygon(const std::vector<Vec2>& points)
 {
     Obstacle<2> o;
     o.vertices = points;
-    for (int i = 0; i < int(points.size()); ++i) o.elements.push_back({{i, (i + 1) % int(points.size())}});
+    for (int i = 0; i < int(points.size()); ++i)
+        o.elements.push_back({{i, (i + 1) % int(points.size())}});
     return o;
 }
 
@@ -29,7 +31,8 @@ Obstacle<2> rectangle(const Vec2& centre, double a, double b, double angle = 0)
 {
     std::vector<Vec2> points;
     for (const Vec2& s : {Vec2{{-a, -b}}, Vec2{{a, -b}}, Vec2{{a, b}}, Vec2{{-a, b}}})
-        points.push_back({{centre[0] + s[0]*std::cos(angle) - s[1]*std::sin(angle), centre[1] + s[0]*std::sin(angle) + s[1]*std::cos(angle)}});
+        points.push_back({{centre[0] + s[0]*std::cos(angle) - s[1]*std::sin(angle),
+            centre[1] + s[0]*std::sin(angle) + s[1]*std::cos(angle)}});
     return polygon(points);
 }
 
@@ -68,7 +71,8 @@ struct Tank
         cutObstacles(grid, obstacles, 1, all);
         for (int d = 0; d < 2; ++d) parts.aperture[d] = all.aperture[d];
         parts.distance = all.distance;
-        for (int k = 0; k < int(obstacles.size()); ++k) addObstacle(grid, obstacles[k], 10 + k, parts);
+        for (int k = 0; k < int(obstacles.size()); ++k)
+            addObstacle(grid, obstacles[k], 10 + k, parts);
         dropCovered(grid, obstacles, parts);
         addSides(grid, sides, partOf, parts);
     }
@@ -80,9 +84,12 @@ struct Tank
         for (int i = 0; i < grid.cells(); ++i)
         {
             const auto c = grid.cellIndex(i);
-            const double level = grid.h*(c.c[0] + 0.5) < 0.5 ? left : right, y = grid.h*(c.c[1] + 0.5);
+            const double level = grid.h*(c.c[0] + 0.5) < 0.5 ? left : right,
+                         y = grid.h*(c.c[1] + 0.5);
             bool open = false;
-            for (int d = 0; d < 2; ++d) for (int side = 0; side < 2; ++side) open = open || parts.aperture[d][grid.faceOf(d, c, side)] > 0;
+            for (int d = 0; d < 2; ++d)
+                for (int side = 0; side < 2; ++side)
+                    open = open || parts.aperture[d][grid.faceOf(d, c, side)] > 0;
             if (open && y < level) p[i] = rhoG*(level - y);
         }
         return p;
@@ -116,7 +123,8 @@ TEST(WallParts, SidesOfATank)
     EXPECT_NEAR(s[2].moment, -rhoG*surface/2, 1e-8);
 }
 
-//- No step from one layer of cells to the next: the force is the same at any height, and the weight of what is displaced
+//- No step from one layer of cells to the next: the force is the same at any height, and the weight
+//  of what is displaced
 TEST(WallParts, ABoxFeelsArchimedesAnywhereInTheGrid)
 {
     constexpr double a = 0.15, b = 0.1, weight = rhoG*4*a*b;
@@ -126,7 +134,8 @@ TEST(WallParts, ABoxFeelsArchimedesAnywhereInTheGrid)
         const Sum s = Tank(20, {rectangle(centre, a, b)}).forces()[10];
         EXPECT_NEAR(s.force[1], weight, 1e-9*weight) << k;
         EXPECT_NEAR(s.force[0], 0, 1e-9*weight) << k;
-        EXPECT_NEAR(s.moment, centre[0]*weight, 1e-3*weight) << k;      // a piece's own moment is left out
+        // a piece's own moment is left out
+        EXPECT_NEAR(s.moment, centre[0]*weight, 1e-3*weight) << k;
     }
 }
 
@@ -143,11 +152,14 @@ TEST(WallParts, ATiltedBoxToo)
     }
 }
 
-//- On the floor no water is below: it presses from above and from the sides, and the floor gets what the box leaves of it
+//- On the floor no water is below: it presses from above and from the sides, and the floor gets
+//  what the box leaves of it
 TEST(WallParts, ABoxOnTheFloorIsPressedDown)
 {
     constexpr double width = 0.233, height = 0.317;
-    const auto s = Tank(20, {rectangle({{0.487, 0.5*height - 0.1}}, 0.5*width, 0.5*height + 0.1)}).forces();
+    const auto s = Tank(
+        20, {rectangle({{0.487, 0.5*height - 0.1}}, 0.5*width, 0.5*height + 0.1)})
+                       .forces();
     const double load = rhoG*width*(surface - height);
     EXPECT_NEAR(s[10].force[1], -load, 1e-9*load);
     EXPECT_NEAR(s[2].force[1], -rhoG*surface*(1 - width), 1e-9*rhoG*surface);
@@ -160,7 +172,9 @@ TEST(WallParts, ASlopeEndsAtTheFloor)
     for (int k = 0; k < 5; ++k)
     {
         const double foot = 0.2 + 0.011*k, length = 1 - foot;
-        const auto s = Tank(20, {polygon({Vec2{{foot - 1, -0.5}}, Vec2{{foot + 2, -0.5}}, Vec2{{foot + 2, 1}}})}).forces();
+        const auto s = Tank(
+            20, {polygon({Vec2{{foot - 1, -0.5}}, Vec2{{foot + 2, -0.5}}, Vec2{{foot + 2, 1}}})})
+                           .forces();
         const double load = rhoG*(length*surface - 0.25*length*length);
         EXPECT_NEAR(s[10].force[1], -load, 1e-3*load) << k;
         EXPECT_NEAR(s[10].force[0], 0.5*load, 1e-3*load) << k;
@@ -183,7 +197,9 @@ TEST(WallParts, AThinPlateIsPressedFromBothSides)
         const Tank tank(20, {plate});
         const double left = rhoG*surface*surface/2;
         EXPECT_NEAR(tank.forces()[10].force[0], 0, 0.01*left) << closed;
-        EXPECT_NEAR(tank.forces(tank.pressure(surface, 0.6))[10].force[0], left - rhoG*0.6*0.6/2, 0.01*left) << closed;
+        EXPECT_NEAR(tank.forces(tank.pressure(surface, 0.6))[10].force[0],
+            left - rhoG*0.6*0.6/2, 0.01*left)
+            << closed;
     }
 }
 
@@ -200,7 +216,9 @@ TEST(WallParts, ABasinHoldsItsWater)
 //- Two boxes that touch within cells: what both get is what one that is their union gets
 TEST(WallParts, PartsShareWhatTheyCloseTogether)
 {
-    const Obstacle<2> left = rectangle({{0.4, 0.43}}, 0.113, 0.1), right = rectangle({{0.626, 0.43}}, 0.113, 0.1), whole = rectangle({{0.513, 0.43}}, 0.226, 0.1);
+    const Obstacle<2> left = rectangle({{0.4, 0.43}}, 0.113, 0.1),
+                      right = rectangle({{0.626, 0.43}}, 0.113, 0.1),
+                      whole = rectangle({{0.513, 0.43}}, 0.226, 0.1);
     const auto two = Tank(20, {left, right}).forces(), one = Tank(20, {whole}).forces();
     const double weight = one[10].force[1];
     EXPECT_NEAR(two[10].force[1] + two[11].force[1], weight, 1e-9*weight);
@@ -219,7 +237,8 @@ TEST(WallParts, InThreeDimensions)
     for (const bool mirrored : {false, true})
     {
         Obstacle<3> o;
-        for (const Vec<3, double>& x : {Vec<3, double>{{0.213, 0.2, 0.247}}, {{0.81, 0.31, 0.2}}, {{0.35, 0.77, 0.31}}, {{0.44, 0.4, 0.8}}})
+        for (const Vec<3, double>& x : {Vec<3, double>{{0.213, 0.2, 0.247}}, {{0.81, 0.31, 0.2}},
+                 {{0.35, 0.77, 0.31}}, {{0.44, 0.4, 0.8}}})
             o.vertices.push_back(mirrored ? Vec<3, double>{{1 - x[0], x[1], x[2]}} : x);
         o.elements = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
         const auto side = [&](int k) { return o.vertices[k] - o.vertices[0]; };
@@ -234,11 +253,14 @@ TEST(WallParts, InThreeDimensions)
         {
             const auto c = grid.cellIndex(i);
             bool open = false;
-            for (int d = 0; d < 3; ++d) for (int end = 0; end < 2; ++end) open = open || cut.aperture[d][grid.faceOf(d, c, end)] > 0;
+            for (int d = 0; d < 3; ++d)
+                for (int end = 0; end < 2; ++end)
+                    open = open || cut.aperture[d][grid.faceOf(d, c, end)] > 0;
             if (open) p[i] = rhoG*(1 - grid.h*(c.c[2] + 0.5)) + 1;
         }
         Vec<3, double> force = filled<3>(0.0);
-        for (const WallPiece<3>& piece : parts.pieces) force = force + pressureForce(grid, piece, p, Vec<3, double>{{0, 0, -rhoG}});
+        for (const WallPiece<3>& piece : parts.pieces)
+            force = force + pressureForce(grid, piece, p, Vec<3, double>{{0, 0, -rhoG}});
         EXPECT_NEAR(force[2], rhoG*volume, 1e-9*rhoG*volume);
         EXPECT_NEAR(force[0], 0, 1e-9*rhoG*volume);
         EXPECT_NEAR(force[1], 0, 1e-9*rhoG*volume);
@@ -248,7 +270,8 @@ TEST(WallParts, InThreeDimensions)
 //- Water that ends below a part makes no suction on it
 TEST(WallParts, NoSuctionAboveTheSurface)
 {
-    const Tank tank(20, {rectangle({{0.5, 0.7}}, 0.2, 0.112)});     // its bottom at 0.588, in the cells from 0.55 to 0.6
+    // its bottom at 0.588, in the cells from 0.55 to 0.6
+    const Tank tank(20, {rectangle({{0.5, 0.7}}, 0.2, 0.112)});
     EXPECT_EQ(tank.forces(tank.pressure(0.578, 0.578))[10].force[1], 0);
     EXPECT_NEAR(tank.forces(tank.pressure(0.6, 0.6))[10].force[1], rhoG*0.4*0.012, 1e-6);
 }

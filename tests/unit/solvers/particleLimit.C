@@ -22,8 +22,12 @@ std::string refusal(double n, double most)
 TEST(ParticleLimit, IsNamed)
 {
     EXPECT_EQ(refusal(5e8, mostFluidParticles), "");
-    EXPECT_EQ(refusal(500000001, mostFluidParticles), "there are 500000001 particles, and a scene, which counts them in 32 bits, can have 500000000");
-    EXPECT_EQ(refusal(3e9, mostSolidParticles), "there are 3000000000 particles, and a scene, which counts them in 32 bits, can have 250000000");
+    EXPECT_EQ(refusal(500000001, mostFluidParticles),
+        "there are 500000001 particles, and a scene, which counts them in 32 bits, can have "
+        "500000000");
+    EXPECT_EQ(refusal(3e9, mostSolidParticles),
+        "there are 3000000000 particles, and a scene, which counts them in 32 bits, can have "
+        "250000000");
 }
 
 //- Three coordinates of each, eight entries of lists of a solid
@@ -58,7 +62,11 @@ TEST(ParticleLimit, CellsAreCountedFirst)
         FAIL() << "a thousand million cells";
     }
     catch (const std::invalid_argument& e)
-    { EXPECT_STREQ(e.what(), "there are 1000000000 cells, and a scene, which counts them in 32 bits, can have 500000000"); }
+    {
+        EXPECT_STREQ(e.what(),
+            "there are 1000000000 cells, and a scene, which counts them in 32 bits, can have "
+            "500000000");
+    }
 }
 
 } // namespace

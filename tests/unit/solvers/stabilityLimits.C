@@ -1,5 +1,5 @@
-/*  Boundaries of stability from both sides: just below one a small disturbance stays small, just above it grows (docs/stability.md). Theory is that
-    of benchmarks/README.md.
+/*  Boundaries of stability from both sides: just below one a small disturbance stays small, just
+    above it grows (docs/stability.md). Theory is that of benchmarks/README.md.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -39,7 +39,8 @@ protected:
     //- omega of the fastest sound of the lattice
     double fastestSound(const SphConfig& c) const
     {
-        const double h = c.smoothingRatio*c.spacing, volume = c.spacing*c.spacing, k = 2*std::acos(-1.0);
+        const double h = c.smoothingRatio*c.spacing, volume = c.spacing*c.spacing,
+                     k = 2*std::acos(-1.0);
         double most = 0;
         for (int m = 0; m <= sites/2; ++m)
             for (int n = 0; n <= m; ++n)
@@ -48,8 +49,10 @@ protected:
                 for (int i = -6; i <= 6; ++i)
                     for (int j = -6; j <= 6; ++j)
                     {
-                        const Vector3 x{{i*c.spacing, j*c.spacing, 0}}, g = paper::gradW(c.kernel, 2, x, h);
-                        for (int d = 0; d < 2; ++d) S[d] -= volume*g[d]*std::sin(k*(m*x[0] + n*x[1]));
+                        const Vector3 x{{i*c.spacing, j*c.spacing, 0}},
+                            g = paper::gradW(c.kernel, 2, x, h);
+                        for (int d = 0; d < 2; ++d)
+                            S[d] -= volume*g[d]*std::sin(k*(m*x[0] + n*x[1]));
                     }
                 most = std::max(most, c.soundSpeed*std::hypot(S[0], S[1]));
             }
@@ -86,7 +89,8 @@ TEST_P(StabilityLimits, DiffusionShortensTheStepOfSound)
     }
 }
 
-//- The fastest decay of a shear wave times dt is one: nu dt/h^2 = 0.163 with Wendland's kernel and h = 1.25 spacings
+//- The fastest decay of a shear wave times dt is one: nu dt/h^2 = 0.163 with Wendland's kernel and
+//  h = 1.25 spacings
 TEST_P(StabilityLimits, ViscousStep)
 {
     SphConfig c = periodicBox();
@@ -105,8 +109,9 @@ TEST_P(StabilityLimits, ViscousStep)
     }
 }
 
-//- The energy of a light body over the water's: with forces held over the step, or interpolated, it grows below a density ratio of theirs; with the
-//  reversible step it stays what a body has that moves with the water
+//- The energy of a light body over the water's: with forces held over the step, or interpolated, it
+//  grows below a density ratio of theirs; with the reversible step it stays what a body has that
+//  moves with the water
 TEST_P(StabilityLimits, HeldForcesThrowLightBodies)
 {
     if (!mixed()) GTEST_SKIP() << "precision adds nothing";
@@ -127,7 +132,8 @@ TEST_P(StabilityLimits, HeldForcesThrowLightBodies)
         FluidInput water = waterAround(c, {{0.3, 0.6, 0}}, 6*c.spacing);
         for (std::size_t i = 0; i < water.size(); ++i)
         {
-            const double x = 2*std::acos(-1.0)*water.position[3*i], y = 2*std::acos(-1.0)*water.position[3*i + 1];
+            const double x = 2*std::acos(-1.0)*water.position[3*i],
+                         y = 2*std::acos(-1.0)*water.position[3*i + 1];
             water.velocity[3*i] = 0.3*std::sin(y);
             water.velocity[3*i + 1] = 0.3*std::sin(x);
             water.density[i] = 1.01*c.density;
@@ -164,7 +170,11 @@ protected:
     {
         c.timeStep = step;
         const auto s = createDemScene(c, in);
-        const auto kinetic = [&] { const DemEnergy e = s->energy(); return e.translation + e.rotation; };
+        const auto kinetic = [&]
+        {
+            const DemEnergy e = s->energy();
+            return e.translation + e.rotation;
+        };
         const double before = kinetic();
         for (int part = 0; part < 30; ++part)
         {
@@ -174,7 +184,8 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(, StabilityOfSolids, testing::Values(DemCase{DeviceKind::cpu, PrecisionKind::doubled}), demCaseName);
+INSTANTIATE_TEST_SUITE_P(, StabilityOfSolids,
+    testing::Values(DemCase{DeviceKind::cpu, PrecisionKind::doubled}), demCaseName);
 
 //- 2 sqrt(m/k)
 TEST_P(StabilityOfSolids, BodyOnAFloor)
@@ -194,7 +205,8 @@ TEST_P(StabilityOfSolids, BodyOnAFloor)
     EXPECT_TRUE(grows(c, in, 2.02));
 }
 
-//- Compressed along a periodic axis: sqrt(m/k); disks in a hexagonal packing without friction: 2/sqrt(6)
+//- Compressed along a periodic axis: sqrt(m/k); disks in a hexagonal packing without friction:
+//  2/sqrt(6)
 TEST_P(StabilityOfSolids, Packings)
 {
     std::mt19937 engine(3);
@@ -206,7 +218,8 @@ TEST_P(StabilityOfSolids, Packings)
         c.domainMax = Vector3{{12*apart, 10, 10}};
         c.periodic[0] = true;
         DemInput in = oneMaterial(1);
-        for (int i = 0; i < 12; ++i) addParticle(in, {{apart*(i + 0.25), 0, 0}}, {{u(engine), 0, 0}}, 1, 1);
+        for (int i = 0; i < 12; ++i)
+            addParticle(in, {{apart*(i + 0.25), 0, 0}}, {{u(engine), 0, 0}}, 1, 1);
         EXPECT_FALSE(grows(c, in, 0.98));
         EXPECT_TRUE(grows(c, in, 1.02));
     }
@@ -218,13 +231,16 @@ TEST_P(StabilityOfSolids, Packings)
         c.periodic[0] = c.periodic[1] = true;
         DemInput in = oneMaterial(1);
         for (int j = 0; j < 6; ++j)
-            for (int i = 0; i < 6; ++i) addParticle(in, {{apart*(i + 0.25 + 0.5*(j % 2)), row*(j + 0.25), 0}}, {{u(engine), u(engine), 0}}, 1, 1);
+            for (int i = 0; i < 6; ++i)
+                addParticle(in, {{apart*(i + 0.25 + 0.5*(j % 2)), row*(j + 0.25), 0}},
+                    {{u(engine), u(engine), 0}}, 1, 1);
         EXPECT_FALSE(grows(c, in, 0.80));
         EXPECT_TRUE(grows(c, in, 0.835));
     }
 }
 
-//- Paper 2's stiffness m g/(theta dx): a gap of 2 dx is used up at 2 dx/sqrt(theta dx/g) against a wall
+//- Paper 2's stiffness m g/(theta dx): a gap of 2 dx is used up at 2 dx/sqrt(theta dx/g) against a
+//  wall
 TEST_P(StabilityOfSolids, SpeedThatUsesUpAGap)
 {
     const double dx = 0.1, g = 1e-3, theta = 0.01, speed = 2*dx/std::sqrt(theta*dx/g);
@@ -262,7 +278,8 @@ TEST_P(StabilityOfSolids, SpeedThatUsesUpAGap)
     EXPECT_LT(left(1.02*speed), 0);
 }
 
-//- Local damping of alpha takes alpha of the unbalanced force: bodies fall at (1 - alpha) g and rise against (1 + alpha) g
+//- Local damping of alpha takes alpha of the unbalanced force: bodies fall at (1 - alpha) g and
+//  rise against (1 + alpha) g
 TEST_P(StabilityOfSolids, LocalDampingInFlight)
 {
     for (const bool up : {false, true})
@@ -277,7 +294,8 @@ TEST_P(StabilityOfSolids, LocalDampingInFlight)
         addParticle(in, {{0, 0, 0}}, {{0, 0, start}}, 1, 1);
         const auto s = createDemScene(c, in);
         s->advance(time);
-        EXPECT_NEAR((start - s->particles().velocity[2])/(g*time), up ? 1 + alpha : 1 - alpha, 2e-3);
+        EXPECT_NEAR(
+            (start - s->particles().velocity[2])/(g*time), up ? 1 + alpha : 1 - alpha, 2e-3);
     }
 }
 

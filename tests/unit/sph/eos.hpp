@@ -68,7 +68,8 @@ struct Eos : BackendTest
     {
         Context<Backend> context;
         deviations.clear();
-        for (const double d : {-0.3, -0.1, -0.01, -1e-3, -1e-5, -1e-7, 0.0, 1e-7, 1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.3})
+        for (const double d : {-0.3, -0.1, -0.01, -1e-3, -1e-5, -1e-7, 0.0, 1e-7, 1e-6, 1e-4, 1e-3,
+                 0.01, 0.05, 0.1, 0.2, 0.3})
             deviations.push_back(R(d));
         const int n = int(deviations.size());
         Array<Backend, R> d, p, i, c;
@@ -91,15 +92,18 @@ constexpr bool single(double) { return false; }
 
 struct RealNames
 {
-    template<class R>
-    static std::string GetName(int) { return std::string(Backend::gpu ? "Gpu_" : "Cpu_") + (single(R()) ? "float" : "double"); }
+    template<class R> static std::string GetName(int)
+    {
+        return std::string(Backend::gpu ? "Gpu_" : "Cpu_") + (single(R()) ? "float" : "double");
+    }
 };
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(Eos, Reals, RealNames);
 
 TYPED_TEST(Eos, PressureAgainstPow)
 {
-    // relative to p itself, also at d = 1e-7 where (1 + d)^gamma - 1 in float would be 20 % off: some ten roundings.
+    // relative to p itself, also at d = 1e-7 where (1 + d)^gamma - 1 in float would be 20 % off:
+    // some ten roundings.
     // In double the reference itself cancels: 1e-16/d
     for (const Law& law : laws)
     {
@@ -107,8 +111,10 @@ TYPED_TEST(Eos, PressureAgainstPow)
         for (std::size_t k = 0; k < this->deviations.size(); ++k)
         {
             const double d = this->deviations[k], p = law.pressure(d);
-            const double tolerance = single(TypeParam()) ? 1e-6 + 3e-16/(std::abs(d) + 1e-300) : 1e-14 + 6e-16/(std::abs(d) + 1e-300);
-            EXPECT_NEAR(this->pressure[k], p, std::abs(p)*std::min(tolerance, 1.0)) << "gamma " << law.gamma << ", d " << d;
+            const double tolerance = single(TypeParam()) ? 1e-6 + 3e-16/(std::abs(d) + 1e-300)
+                                                         : 1e-14 + 6e-16/(std::abs(d) + 1e-300);
+            EXPECT_NEAR(this->pressure[k], p, std::abs(p)*std::min(tolerance, 1.0))
+                << "gamma " << law.gamma << ", d " << d;
         }
         EXPECT_EQ(this->pressure[6], 0) << "no pressure at rest density, exactly";
     }
@@ -116,14 +122,16 @@ TYPED_TEST(Eos, PressureAgainstPow)
 
 TYPED_TEST(Eos, DeviationInvertsPressure)
 {
-    // relative: conditioning of the inverse is d/p dp/dd = 1 at small d and at most 3 here; some ten roundings
+    // relative: conditioning of the inverse is d/p dp/dd = 1 at small d and at most 3 here; some
+    // ten roundings
     for (const Law& law : laws)
     {
         this->evaluate(law);
         for (std::size_t k = 0; k < this->deviations.size(); ++k)
         {
             const double d = this->deviations[k];
-            EXPECT_NEAR(this->inverse[k], d, std::abs(d)*(single(TypeParam()) ? 3e-6 : 6e-15)) << "gamma " << law.gamma;
+            EXPECT_NEAR(this->inverse[k], d, std::abs(d)*(single(TypeParam()) ? 3e-6 : 6e-15))
+                << "gamma " << law.gamma;
         }
     }
 }
@@ -133,7 +141,8 @@ TYPED_TEST(Eos, InverseStaysAboveHalfDensity)
     for (const Law& law : laws)
     {
         const auto eos = EquationOfState<TypeParam>::make(law.linear(), law.gamma, c0, rho0);
-        for (const double p : {-1e3, -1e5, -1e7, -1e12}) EXPECT_GE(eos.deviation(TypeParam(p)), TypeParam(-0.5));
+        for (const double p : {-1e3, -1e5, -1e7, -1e12})
+            EXPECT_GE(eos.deviation(TypeParam(p)), TypeParam(-0.5));
     }
 }
 
@@ -143,20 +152,23 @@ TYPED_TEST(Eos, SoundSpeedIsRootOfStiffness)
     {
         this->evaluate(law);
         for (std::size_t k = 0; k < this->deviations.size(); ++k)
-            EXPECT_NEAR(this->soundSpeed[k], std::sqrt(law.stiffness(this->deviations[k])), c0*(single(TypeParam()) ? 1e-6 : 1e-14));
+            EXPECT_NEAR(this->soundSpeed[k], std::sqrt(law.stiffness(this->deviations[k])),
+                c0*(single(TypeParam()) ? 1e-6 : 1e-14));
     }
 }
 
 TYPED_TEST(Eos, ElasticEnergyIsIntegralOfPressure)
 {
-    // closed form in double even where the state is float; its terms of order d, each off by some 1e-16, cancel to d^2/2
+    // closed form in double even where the state is float; its terms of order d, each off by some
+    // 1e-16, cancel to d^2/2
     for (const Law& law : laws)
     {
         this->evaluate(law);
         for (std::size_t k = 0; k < this->deviations.size(); ++k)
         {
             const double d = this->deviations[k], e = law.energy(d);
-            EXPECT_NEAR(this->energy[k], e, 1e-7*e + 1e-15*c0*c0*std::abs(d)) << "gamma " << law.gamma << ", d " << d;
+            EXPECT_NEAR(this->energy[k], e, 1e-7*e + 1e-15*c0*c0*std::abs(d))
+                << "gamma " << law.gamma << ", d " << d;
         }
     }
 }

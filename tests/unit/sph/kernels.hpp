@@ -1,5 +1,5 @@
-/*  Every kernel of the table: normalisation, slope and support. Published values of two (paper Eq. 28;
-    Wendland 1995; Monaghan & Lattanzio 1985).
+/*  Every kernel of the table: normalisation, slope and support. Published values of two (paper Eq.
+    28; Wendland 1995; Monaghan & Lattanzio 1985).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -62,7 +62,10 @@ struct KernelNames
 {
     template<class C>
     static std::string GetName(int)
-    { return std::string(Backend::gpu ? "Gpu_" : "Cpu_") + C::Kernel::word + (C::single ? "_float" : "_double"); }
+    {
+        return std::string(Backend::gpu ? "Gpu_" : "Cpu_") + C::Kernel::word
+            + (C::single ? "_float" : "_double");
+    }
 };
 
 template<class Table> struct CasesOf;
@@ -82,11 +85,13 @@ TYPED_TEST(KernelTest, IntegralIsOne)
         double sum = 0;
         for (int i = 0; i < TypeParam::points; ++i)
         {
-            const double q = t.q(i), weight = i == 0 || i == TypeParam::points - 1 ? 1 : (i % 2 ? 4 : 2);
+            const double q = t.q(i),
+                         weight = i == 0 || i == TypeParam::points - 1 ? 1 : (i % 2 ? 4 : 2);
             sum += weight*t.value[i]*(D == 2 ? 2*pi*q : 4*pi*q*q);
         }
         sum *= TypeParam::Kernel::alpha(D)/(3.0*TypeParam::perUnit);
-        // Simpson's error: dq^4/180 max|f''''| ~ 1e-12*40/180; float: values rounded at random to 6e-8
+        // Simpson's error: dq^4/180 max|f''''| ~ 1e-12*40/180; float: values rounded at random to
+        // 6e-8
         EXPECT_NEAR(sum, 1, TypeParam::single ? 1e-7 : 1e-11) << D << "D";
     }
 }
@@ -99,8 +104,10 @@ TYPED_TEST(KernelTest, SlopeIsDerivativeOfValue)
     for (int i = 1; i < TypeParam::points; ++i)
     {
         const double q = t.q(i), difference = (w(q + d) - w(q - d))/(2*d);
-        if (std::abs(q - TypeParam::Kernel::support) < 2*d) continue;    // W of a truncated kernel has a kink
-        // central difference: d^2/6 max|W'''| = 1e-8/6*30 and cancellation 1e-16/d; float: 4 roundings of numbers up to 5
+        // W of a truncated kernel has a kink
+        if (std::abs(q - TypeParam::Kernel::support) < 2*d) continue;
+        // central difference: d^2/6 max|W'''| = 1e-8/6*30 and cancellation 1e-16/d; float: 4
+        // roundings of numbers up to 5
         EXPECT_NEAR(q*t.slope[i], difference, TypeParam::single ? 2e-6 : 6e-8) << "q = " << q;
     }
 }

@@ -574,7 +574,8 @@ TEST(SphCards, RareTermsCostNothingUnlessChosen)
     Rare(c).withSolidTerms(true, [&](const auto& t) { EXPECT_EQ(pair.of(t).cross, 1); });
 }
 
-//- A term whose first number is not 0 does something; with 0, where that is allowed, it may do nothing, as artificial viscosity. One that does not see the viscosity does the same without it
+//- A term whose first number is not 0 does something; with 0, where that is allowed, it may do
+//  nothing, as artificial viscosity. One that does not see the viscosity does the same without it
 TEST(TermEffects, AreThoseOfTheFormulas)
 {
     SphConfig c;
@@ -585,15 +586,26 @@ TEST(TermEffects, AreThoseOfTheFormulas)
     {
         const TermModel& t = terms[i];
         SphConfig some(c), none(c);
-        for (const TermEntry& e : t.entries) if (!e.yesNo) { e.set(some, e.typical); e.set(none, 0); }
+        for (const TermEntry& e : t.entries)
+            if (!e.yesNo)
+            {
+                e.set(some, e.typical);
+                e.set(none, 0);
+            }
         EXPECT_FALSE(termEffects(some)[i].idle) << t.word;
         const bool mayBeNothing = !t.entries.empty() && t.entries[0].allows(0);
         if (!mayBeNothing) { EXPECT_FALSE(termEffects(none)[i].idle) << t.word; }
-        if (std::string(t.word) == ArtificialViscosity<double>::word) { EXPECT_TRUE(termEffects(none)[i].idle); }
+        if (std::string(t.word) == ArtificialViscosity<double>::word)
+        {
+            EXPECT_TRUE(termEffects(none)[i].idle);
+        }
         none = some;
         none.viscosity = 0;
         const bool sees = termEffects(some)[i].seesViscosity;
-        if (std::string(t.word) == LaminarViscosity<double>::word) { EXPECT_TRUE(sees && termEffects(none)[i].idle); }
+        if (std::string(t.word) == LaminarViscosity<double>::word)
+        {
+            EXPECT_TRUE(sees && termEffects(none)[i].idle);
+        }
         if (!sees) { EXPECT_FALSE(termEffects(none)[i].idle) << t.word; }
     }
     c.artificialAtWalls = false;

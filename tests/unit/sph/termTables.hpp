@@ -35,7 +35,8 @@ std::vector<TermProperties> typicalTerms()
     TermProperties p;
     // by the cards without types: nvcc does not know how many entries a term of a precision has
     for (const TermModel& card : pairTerms())
-        if (std::string(card.word) == Term::word) for (const TermEntry& e : card.entries) e.set(p, e.typical);
+        if (std::string(card.word) == Term::word)
+            for (const TermEntry& e : card.entries) e.set(p, e.typical);
     if constexpr (Term::words.size() == 0) return {p};
     std::vector<TermProperties> all;
     for (const char* word : Term::words)

@@ -53,7 +53,8 @@ public:
     std::vector<Vec<D, real>> dx;
     std::vector<real> wallVelocity[D];
 
-    //- Separations of 0.2 to 2.1 h, speeds of 1 m/s, pressures of both signs. The reference gets the rounded numbers.
+    //- Separations of 0.2 to 2.1 h, speeds of 1 m/s, pressures of both signs. The reference gets
+    //  the rounded numbers.
     void makePairs(bool variableH)
     {
         Random random(7);
@@ -61,7 +62,11 @@ public:
         {
             Vec<D, real> x;
             double r2 = 0;
-            for (int d = 0; d < D; ++d) { x.c[d] = real(random(-1, 1)); r2 += double(x.c[d])*x.c[d]; }
+            for (int d = 0; d < D; ++d)
+            {
+                x.c[d] = real(random(-1, 1));
+                r2 += double(x.c[d])*x.c[d];
+            }
             const double r = h0*random(0.2, 2.1);
             for (int d = 0; d < D; ++d) x.c[d] = real(x.c[d]*r/std::sqrt(r2));
             dx.push_back(x);
@@ -93,17 +98,22 @@ public:
     template<class Kernel, bool VariableH, Part part, int S, class Terms, class Reference>
     void compareKernel(const Terms& terms, const Reference& reference, bool movingWall)
     {
-        Context<Backend> context;       // here, not in the fixture: that is made even where the test is skipped
+        // here, not in the fixture: that is made even where the test is skipped
+        Context<Backend> context;
         i.clear(); j.clear(); dx.clear();
         for (auto& u : wallVelocity) u.clear();
         makePairs(VariableH);
         FluidModel<D, P> model{};
-        model.rho0 = real(rho0); model.h0 = real(h0); model.mass = real(mass); model.wallMass = real(wallMass);
+        model.rho0 = real(rho0);
+        model.h0 = real(h0);
+        model.mass = real(mass);
+        model.wallMass = real(wallMass);
         using Pass = FluidPass<Backend, D, P, Kernel, VariableH, part, Terms, Terms, false>;
         const Box<D, P> box{};
         Array<Backend, real> u[D];
         Pass pass{box, CellGrid<D, P>(), {}, terms, terms,
-            KernelConstants<D, real>::template make<Kernel>(h0, spacing), {}, model, {}, {}, nullptr, nullptr, Finish::store, {}, {}};
+            KernelConstants<D, real>::template make<Kernel>(h0, spacing), {}, model, {}, {},
+            nullptr, nullptr, Finish::store, {}, {}};
         for (int d = 0; d < D; ++d)
         {
             u[d].upload(context, wallVelocity[d]);
@@ -114,17 +124,20 @@ public:
         Array<Backend, real> out;
         iDevice.upload(context, i); jDevice.upload(context, j); x.upload(context, dx);
         out.allocate(context, pairs*Pass::channels);
-        runEach(context, pairs, OnePair<Pass, S>{pass, iDevice.data(), jDevice.data(), x.data(), out.data()});
+        runEach(context, pairs,
+            OnePair<Pass, S>{pass, iDevice.data(), jDevice.data(), x.data(), out.data()});
         const auto sums = out.download();
 
         std::vector<paper::Pair> expected;
-        Vector3 largest{{0, 0, 0}};         // acceleration, rate, drift: what tolerances are relative to
+        // acceleration, rate, drift: what tolerances are relative to
+        Vector3 largest{{0, 0, 0}};
         for (int k = 0; k < pairs; ++k)
         {
             Vector3 separation{{0, 0, 0}};
             for (int d = 0; d < D; ++d) separation[d] = dx[k].c[d];
             auto other = particle(j[k], S == 0 ? mass : wallMass);
-            if (movingWall) for (int d = 0; d < D; ++d) other.u[d] = wallVelocity[d][k];      // else 0
+            // else 0
+            if (movingWall) for (int d = 0; d < D; ++d) other.u[d] = wallVelocity[d][k];
             paper::Pair p(Kernel::word, D, particle(i[k], mass), other, separation);
             reference(p);
             for (int d = 0; d < D; ++d)
@@ -135,18 +148,20 @@ public:
             largest[1] = std::max(largest[1], std::abs(p.rate));
             expected.push_back(p);
         }
-        // some 30 roundings, of which (1 - q/2)^16 of the anti-clump term counts most of them sixteenfold; the GPU's float
-        // division and square root are 2 ulp
+        // some 30 roundings, of which (1 - q/2)^16 of the anti-clump term counts most of them
+        // sixteenfold; the GPU's float division and square root are 2 ulp
         const double tolerance = 100*C::epsilon;
         for (int k = 0; k < pairs; ++k)
         {
             const real* s = &sums[Pass::channels*k];
             for (int d = 0; d < D; ++d)
             {
-                EXPECT_NEAR(s[d], expected[k].a[d], tolerance*largest[0]) << "acceleration, pair " << k;
+                EXPECT_NEAR(s[d], expected[k].a[d], tolerance*largest[0])
+                    << "acceleration, pair " << k;
                 if constexpr (Pass::smooths && S == 0)
                 {
-                    EXPECT_NEAR(s[Pass::smoothAt + d], expected[k].drift[d], tolerance*largest[2]) << "drift, pair " << k;
+                    EXPECT_NEAR(s[Pass::smoothAt + d], expected[k].drift[d], tolerance*largest[2])
+                        << "drift, pair " << k;
                 }
             }
             EXPECT_NEAR(s[D], expected[k].rate, tolerance*largest[1]) << "rate, pair " << k;
@@ -179,7 +194,8 @@ TYPED_TEST(PairTerm, Continuity)
 TYPED_TEST(PairTerm, WallContinuitySeesTheWallsOwnVelocity)
 {
     this->template compare<Part::all, 1>(Terms{Continuity{}}, [](auto& p) { p.wallContinuity(); });
-    this->template compare<Part::all, 1>(Terms{Continuity{}}, [](auto& p) { p.wallContinuity(); }, true);
+    this->template compare<Part::all, 1>(
+        Terms{Continuity{}}, [](auto& p) { p.wallContinuity(); }, true);
 }
 
 TYPED_TEST(PairTerm, PressureGradient)
@@ -206,7 +222,8 @@ TYPED_TEST(PairTerm, ArtificialViscosity)
     term.alphaC0 = real(0.02*c0);
     this->template compare<Part::all, 0>(Terms{term}, [](auto& p) { p.artificial(0.02, c0); });
     // at walls it sees their own velocity: then it only ever takes energy from the fluid
-    this->template compare<Part::all, 1>(Terms{term}, [](auto& p) { p.wallArtificial(0.02, c0); }, true);
+    this->template compare<Part::all, 1>(
+        Terms{term}, [](auto& p) { p.wallArtificial(0.02, c0); }, true);
 }
 
 TYPED_TEST(PairTerm, AntiClump)
@@ -238,8 +255,12 @@ TYPED_TEST(PairTerm, DensityDiffusion)
         molteni.hydrostatic.c[d] = 0;
         fourtakas.hydrostatic.c[d] = real(rho0*g[d]/(c0*c0));
     }
-    this->template compare<Part::all, 0>(Terms{molteni}, [](auto& p) { p.diffusion(0.1, c0, rho0, {{0, 0, 0}}); });
-    this->template compare<Part::all, 0>(Terms{fourtakas}, [&](auto& p) { p.diffusion(0.1, c0, rho0, g); });
+    this->template compare<Part::all, 0>(Terms{molteni},
+        [](auto& p) {
+            p.diffusion(0.1, c0, rho0, {{0, 0, 0}});
+        });
+    this->template compare<Part::all, 0>(
+        Terms{fourtakas}, [&](auto& p) { p.diffusion(0.1, c0, rho0, g); });
 }
 
 TYPED_TEST(PairTerm, TogetherTheyAdd)
@@ -254,11 +275,16 @@ TYPED_TEST(PairTerm, TogetherTheyAdd)
     ArtificialViscosity<real> artificial;
     artificial.alphaC0 = real(1e9);
     const Switchable<ArtificialViscosity<real>> off(artificial, false);
-    this->template compare<Part::all, 0>
-    (
+    this->template compare<Part::all, 0>(
         Terms{Pressure{}, Continuity{}, laminar, antiClump, xsph, off},
-        [](auto& p) { p.pressure(); p.continuity(); p.laminar(0.7); p.antiClump(0.01, spacing); p.xsph(0.5); }
-    );
+        [](auto& p)
+        {
+            p.pressure();
+            p.continuity();
+            p.laminar(0.7);
+            p.antiClump(0.01, spacing);
+            p.xsph(0.5);
+        });
 }
 
 //- What a term adds in double; at walls with the wall's own velocity, as in FluidPass
@@ -307,11 +333,13 @@ TYPED_TEST(PairTerm, EachOfTheTableAsInDouble)
         {
             SCOPED_TRACE(std::string(Term::word) + " " + Term::chosenBy.word(p));
             const Exact expected = Exact::make(p, f);
-            this->template compareKernel<WendlandC2, true, Part::all, 0>
-                (Terms<Term>{Term::make(p, f)}, [&](auto& pair) { addTerm<D>(expected, pair, false); }, false);
+            this->template compareKernel<WendlandC2, true, Part::all, 0>(
+                Terms<Term>{Term::make(p, f)},
+                [&](auto& pair) { addTerm<D>(expected, pair, false); }, false);
             if constexpr (Term::atWalls)
-                this->template compareKernel<WendlandC2, true, Part::all, 1>
-                    (Terms<Term>{Term::make(p, f)}, [&](auto& pair) { addTerm<D>(expected, pair, true); }, true);
+                this->template compareKernel<WendlandC2, true, Part::all, 1>(
+                    Terms<Term>{Term::make(p, f)},
+                    [&](auto& pair) { addTerm<D>(expected, pair, true); }, true);
         }
     });
 }

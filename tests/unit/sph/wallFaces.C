@@ -1,4 +1,5 @@
-/*  Faces of walls hold every particle: where a point is behind one, what happens to a particle that comes there, and what is counted.
+/*  Faces of walls hold every particle: where a point is behind one, what happens to a particle that
+    comes there, and what is counted.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,7 +18,8 @@ public:
     explicit Faces(int dimensions) : D_(dimensions) {}
 
     //- A segment from a to b, or a triangle, a rectangle a b c d as two; normal into the fluid
-    void add(const std::vector<Vector3>& corners, const Vector3& normal, int part, double half = 0, int body = -1)
+    void add(const std::vector<Vector3>& corners, const Vector3& normal, int part, double half = 0,
+        int body = -1)
     {
         const int first = int(in.point.size()/3);
         for (const Vector3& p : corners) in.point.insert(in.point.end(), p.begin(), p.end());
@@ -29,8 +31,10 @@ public:
         }
     }
 
-    //- The faces of a box; outward: the fluid is outside; open: without its top (the last axis in use)
-    void box(const Vector3& low, const Vector3& high, bool outward, int part, bool open = false, int body = -1)
+    //- The faces of a box; outward: the fluid is outside; open: without its top (the last axis in
+    //  use)
+    void box(const Vector3& low, const Vector3& high, bool outward, int part, bool open = false,
+        int body = -1)
     {
         for (int axis = 0; axis < D_; ++axis)
             for (int side = 0; side < 2; ++side)
@@ -48,7 +52,10 @@ public:
                 Vector3 n{{0, 0, 0}};
                 n[axis] = (side ? 1 : -1)*(outward ? 1 : -1);
                 if (D_ == 2) add({corner(false, false), corner(true, false)}, n, part, 0, body);
-                else add({corner(false, false), corner(true, false), corner(true, true), corner(false, true)}, n, part, 0, body);
+                else
+                    add({corner(false, false), corner(true, false), corner(true, true),
+                            corner(false, true)},
+                        n, part, 0, body);
             }
     }
 
@@ -78,7 +85,8 @@ FaceTables<D> tablesOf(const WallFaceInput& in, double spacing)
         for (int d = 0; d < D; ++d)
         {
             elements[i].normal.c[d] = in.normal[3*i + d];
-            for (int c = 0; c < D; ++c) elements[i].v[c].c[d] = in.point[3*std::size_t(in.vertex[3*i + c]) + d];
+            for (int c = 0; c < D; ++c)
+                elements[i].v[c].c[d] = in.point[3*std::size_t(in.vertex[3*i + c]) + d];
         }
         elements[i].group = 0;
         elements[i].part = in.part[i];
@@ -117,8 +125,10 @@ void depthsOfBoxes()
         for (int k = 0; k < 20000; ++k)
         {
             Vec<D, double> x;
-            for (int d = 0; d < D; ++d) x.c[d] = uniform(engine, low[d] - spacing, high[d] + spacing);
-            const double distance = boxDistance<D>(x, low, high), depth = outward ? -distance : distance;
+            for (int d = 0; d < D; ++d)
+                x.c[d] = uniform(engine, low[d] - spacing, high[d] + spacing);
+            const double distance = boxDistance<D>(x, low, high),
+                         depth = outward ? -distance : distance;
             if (depth > spacing) continue;
             const FaceHit<D> hit = view.find(x);
             ASSERT_NEAR(hit.depth, std::max(depth, 0.0), 1e-12);
@@ -136,7 +146,8 @@ void depthsOfBoxes()
 
 TEST(WallFaceTables, DepthInAndAboutBoxes) { depthsOfBoxes<2>(); depthsOfBoxes<3>(); }
 
-//- A closed surface with dents: an octahedron with divided faces and vertices at random distances. Planes pass nothing that is behind it
+//- A closed surface with dents: an octahedron with divided faces and vertices at random distances.
+//  Planes pass nothing that is behind it
 TEST(WallFaceTables, PlanesPassNothing)
 {
     std::mt19937 engine(3);
@@ -151,15 +162,20 @@ TEST(WallFaceTables, PlanesPassNothing)
     const auto triangle = [&](const Vector3& a, const Vector3& b, const Vector3& c)
     {
         Vec<3, double> p, q, out;
-        for (int d = 0; d < 3; ++d) { p.c[d] = b[d] - a[d]; q.c[d] = c[d] - a[d]; out.c[d] = a[d] - 0.5; }
+        for (int d = 0; d < 3; ++d)
+        {
+            p.c[d] = b[d] - a[d];
+            q.c[d] = c[d] - a[d];
+            out.c[d] = a[d] - 0.5;
+        }
         const Vec<3, double> n = cross(p, q);
         const double sign = (dot(n, out) > 0 ? 1 : -1)/std::sqrt(squaredNorm(n));
         faces.add({a, b, c}, {{sign*n.c[0], sign*n.c[1], sign*n.c[2]}}, 0);
     };
     for (const int i : {-1, 1}) for (const int j : {-1, 1}) for (const int k : {-1, 1})
     {
-        const Vector3 x = corner(2*i, 0, 0), y = corner(0, 2*j, 0), z = corner(0, 0, 2*k), xy = corner(i, j, 0), yz = corner(0, j, k),
-            zx = corner(i, 0, k);
+        const Vector3 x = corner(2*i, 0, 0), y = corner(0, 2*j, 0), z = corner(0, 0, 2*k),
+                      xy = corner(i, j, 0), yz = corner(0, j, k), zx = corner(i, 0, k);
         triangle(x, xy, zx);
         triangle(y, yz, xy);
         triangle(z, zx, yz);
@@ -170,7 +186,8 @@ TEST(WallFaceTables, PlanesPassNothing)
     int behind = 0, looked = 0, all = 0;
     for (int n = 0; n < 200000; ++n, ++all)
     {
-        const Vec<3, double> x{{uniform(engine, 0.05, 0.95), uniform(engine, 0.05, 0.95), uniform(engine, 0.05, 0.95)}};
+        const Vec<3, double> x{{uniform(engine, 0.05, 0.95), uniform(engine, 0.05, 0.95),
+            uniform(engine, 0.05, 0.95)}};
         const bool near = view.near(x);
         looked += near;
         if (!(view.find(x).depth > 0)) continue;
@@ -213,7 +230,8 @@ TEST(WallFaceTables, Plates)
     EXPECT_EQ(view.find(Vec<3, double>{{0.51, 0.3, 1.01}}).depth, 0);
 }
 
-//- A plate is a box: the shorter of the ways out of its face and over its rim is that to the surface of the box
+//- A plate is a box: the shorter of the ways out of its face and over its rim is that to the
+//  surface of the box
 template<int D>
 void waysOutOfPlates()
 {
@@ -222,7 +240,9 @@ void waysOutOfPlates()
     Faces faces(D);
     if (D == 2) faces.add({{{0.5, 0.2, 0}}, {{0.5, 0.45, 0}}}, {{1, 0, 0}}, 0, half);
     if (D == 2) faces.add({{{0.5, 0.45, 0}}, {{0.5, 0.71, 0}}}, {{1, 0, 0}}, 0, half);
-    if (D == 3) faces.add({{{0.5, 0.2, 0.3}}, {{0.5, 0.71, 0.3}}, {{0.5, 0.71, 0.93}}, {{0.5, 0.2, 0.93}}}, {{1, 0, 0}}, 0, half);
+    if (D == 3)
+        faces.add({{{0.5, 0.2, 0.3}}, {{0.5, 0.71, 0.3}}, {{0.5, 0.71, 0.93}}, {{0.5, 0.2, 0.93}}},
+            {{1, 0, 0}}, 0, half);
     const auto tables = tablesOf<D>(faces.in, 0.05);
     const auto view = tables.view();
     std::mt19937 engine(3);
@@ -237,7 +257,8 @@ void waysOutOfPlates()
         const bool rim = hit.overRim > 0;
         over += rim;
         ASSERT_NEAR(rim ? hit.overRim : hit.depth, depth, 1e-12);
-        const Vec<D, double> out = rim ? hit.rimNearest : hit.nearest, normal = rim ? hit.rimNormal : hit.normal;
+        const Vec<D, double> out = rim ? hit.rimNearest : hit.nearest,
+                             normal = rim ? hit.rimNormal : hit.normal;
         EXPECT_NEAR(boxDistance<D>(out, low, high), 0, 1e-12);
         EXPECT_NEAR(squaredNorm(x + depth*normal - out), 0, 1e-20);
     }
@@ -302,13 +323,18 @@ TEST_P(WallFaces, TakeTheVelocityIntoTheWall)
     EXPECT_NEAR(s->energy().faceWork, -4.5*mass(c), 1e-5*mass(c));
 }
 
-//- What is put up against gravity is counted as well: a particle on the floor keeps its energy but for what faces say
+//- What is put up against gravity is counted as well: a particle on the floor keeps its energy but
+//  for what faces say
 TEST_P(WallFaces, CountsHeightToo)
 {
     SphConfig c = config();
     c.gravity[1] = -10;
     const auto s = scene(c, one({{0.5, 0.15, 0.5}}, {{0.5, 0, 0}}), tank());
-    const auto total = [&] { const SphEnergy e = s->energy(); return e.kinetic + e.potential + e.elastic; };
+    const auto total = [&]
+    {
+        const SphEnergy e = s->energy();
+        return e.kinetic + e.potential + e.elastic;
+    };
     const double before = total();
     s->advance(0.3);
     EXPECT_GT(s->faceContacts().count, 10) << "it lies there";
@@ -335,7 +361,12 @@ TEST_P(WallFaces, MoveParticles)
     faces.box({{0.1, 0.1, 0.1}}, {{0.9, 0.9, 0.9}}, false, 0, false, 0);
     w.faces = faces.in;
     w.nBodies = 1;
-    const auto motion = [](int, double t) { WallPose p; p.translation = Vector3{{2*t, 0, 0}}; return p; };
+    const auto motion = [](int, double t)
+    {
+        WallPose p;
+        p.translation = Vector3{{2*t, 0, 0}};
+        return p;
+    };
     // wall points far away, where they meet nothing
     w.position = {0.02, 0.02, D() == 3 ? 0.02 : 0.0};
     w.normal = {1, 0, 0};
@@ -351,8 +382,8 @@ TEST_P(WallFaces, MoveParticles)
     EXPECT_NEAR(s->faceContacts().impulse[0], 2*mass(c), 1e-3*mass(c));
 }
 
-//- Each with steps of 0.98 and 1.02 times the limit: a solid is looked for to one spacing behind its face; what has two faces sends a particle out
-//  at the nearer one (benchmarks/README.md)
+//- Each with steps of 0.98 and 1.02 times the limit: a solid is looked for to one spacing behind
+//  its face; what has two faces sends a particle out at the nearer one (benchmarks/README.md)
 TEST_P(WallFaces, HoldUpToTheirLimits)
 {
     SphConfig c = config();
@@ -370,7 +401,9 @@ TEST_P(WallFaces, HoldUpToTheirLimits)
     {
         Faces f(D());
         if (D() == 2) f.add({{{x, 0.1, 0}}, {{x, 0.9, 0}}}, {{normal, 0, 0}}, part, half);
-        else f.add({{{x, 0.1, 0.1}}, {{x, 0.9, 0.1}}, {{x, 0.9, 0.9}}, {{x, 0.1, 0.9}}}, {{normal, 0, 0}}, part, half);
+        else
+            f.add({{{x, 0.1, 0.1}}, {{x, 0.9, 0.1}}, {{x, 0.9, 0.9}}, {{x, 0.1, 0.9}}},
+                {{normal, 0, 0}}, part, half);
         WallInput w;
         w.faces = f.in;
         return w;
@@ -409,7 +442,8 @@ TEST_P(WallFaces, HoldAtAnySpeedWithAdaptiveSteps)
     }
 }
 
-//- What comes down on the end of a plate stays on top of it, however thick it is; beside its foot the floor leaves no way but aside
+//- What comes down on the end of a plate stays on top of it, however thick it is; beside its foot
+//  the floor leaves no way but aside
 TEST_P(WallFaces, EndOfAPlate)
 {
     SphConfig c = config();
@@ -420,7 +454,9 @@ TEST_P(WallFaces, EndOfAPlate)
     Faces f(D());
     f.in = w.faces;
     if (D() == 2) f.add({{{0.5, 0.1, 0}}, {{0.5, top, 0}}}, {{1, 0, 0}}, 1, half);
-    else f.add({{{0.5, 0, 0.1}}, {{0.5, 1, 0.1}}, {{0.5, 1, top}}, {{0.5, 0, top}}}, {{1, 0, 0}}, 1, half);
+    else
+        f.add({{{0.5, 0, 0.1}}, {{0.5, 1, 0.1}}, {{0.5, 1, top}}, {{0.5, 0, top}}}, {{1, 0, 0}}, 1,
+            half);
     w.faces = f.in;
     const auto end = [&](double x, double height, double fall)
     {
@@ -442,7 +478,8 @@ TEST_P(WallFaces, EndOfAPlate)
     EXPECT_NEAR(foot.position[0], 0.5 + half, 1e-6) << "not into the floor";
 }
 
-//- A crowd thrown about in a tank with a box, a plate and no wall points at all: nothing gets through, and twice the same
+//- A crowd thrown about in a tank with a box, a plate and no wall points at all: nothing gets
+//  through, and twice the same
 TEST_P(WallFaces, HoldACrowd)
 {
     SphConfig c = config();
@@ -457,9 +494,12 @@ TEST_P(WallFaces, HoldACrowd)
     const Vector3 low{{0.3, 0.1, 0.1}}, high{{0.5, D() == 3 ? 0.5 : 0.3, 0.3}};
     faces.box(low, high, true, 1);
     if (D() == 2) faces.add({{{0.7, 0.1, 0}}, {{0.7, 0.6, 0}}}, {{1, 0, 0}}, 2, 0.05);
-    else faces.add({{{0.7, 0.1, 0.1}}, {{0.7, 0.9, 0.1}}, {{0.7, 0.9, 0.5}}, {{0.7, 0.1, 0.5}}}, {{1, 0, 0}}, 2, 0.05);
+    else
+        faces.add({{{0.7, 0.1, 0.1}}, {{0.7, 0.9, 0.1}}, {{0.7, 0.9, 0.5}}, {{0.7, 0.1, 0.5}}},
+            {{1, 0, 0}}, 2, 0.05);
     w.faces = faces.in;
-    FluidInput f = lattice(c, {{0.15, 0.6, D() == 3 ? 0.6 : 0.0}}, {{0.85, 0.85, D() == 3 ? 0.85 : 0.0}});
+    FluidInput f = lattice(
+        c, {{0.15, 0.6, D() == 3 ? 0.6 : 0.0}}, {{0.85, 0.85, D() == 3 ? 0.85 : 0.0}});
     disturb(c, f, 0.1, 10, 0.01);
     c.maxDensityDeviation = 1e3;
     c.maxSpeedRatio = 1e3;
@@ -486,7 +526,8 @@ TEST_P(WallFaces, HoldACrowd)
             inBox = inBox && x[d] > low[d] + hair && x[d] < high[d] - hair;
         }
         EXPECT_FALSE(inBox);
-        EXPECT_FALSE(std::abs(x[0] - 0.7) < 0.05 - hair && x[D() - 1] < (D() == 2 ? 0.6 : 0.5)) << "in the plate";
+        EXPECT_FALSE(std::abs(x[0] - 0.7) < 0.05 - hair && x[D() - 1] < (D() == 2 ? 0.6 : 0.5))
+            << "in the plate";
     }
 }
 
@@ -499,12 +540,18 @@ TEST_P(Wild, IsTakenOutAndTold)
     SphConfig c = config();
     c.removeWild = true;
     const double far = mixed() ? 1e25 : 1e200;
-    struct { Vector3 v; double density; } const cases[] = {{{{0, 0, 0}}, 1250}, {{{0, 0, 0}}, 750}, {{{0, -11, 0}}, 1000}, {{{far, 0, 0}}, 1000}};
+    struct
+    {
+        Vector3 v;
+        double density;
+    } const cases[] = {
+        {{{0, 0, 0}}, 1250}, {{{0, 0, 0}}, 750}, {{{0, -11, 0}}, 1000}, {{{far, 0, 0}}, 1000}};
     for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
         for (const auto& wild : cases)
         {
             c.integrator = integrator;
-            FluidInput calm = lattice(c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
+            FluidInput calm = lattice(
+                c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
             FluidInput f = calm;
             const Vector3 x{{0.1, 0.9, D() == 3 ? 0.2 : 0.0}};
             f.position.insert(f.position.end(), x.begin(), x.end());
@@ -560,7 +607,8 @@ TEST_P(Wild, AmongOthers)
 {
     SphConfig c = config();
     c.removeWild = true;
-    FluidInput f = lattice(c, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}}, {{0.7, 0.7, D() == 3 ? 0.7 : 0.0}});
+    FluidInput f = lattice(
+        c, {{0.3, 0.3, D() == 3 ? 0.3 : 0.0}}, {{0.7, 0.7, D() == 3 ? 0.7 : 0.0}});
     const std::size_t middle = f.size()/2;
     f.velocity[3*middle] = mixed() ? 3e38 : 1.7e308;
     const auto s = scene(c, f);

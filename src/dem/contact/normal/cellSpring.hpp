@@ -1,9 +1,11 @@
-/*  Spring and dashpot of paper 2 (Eqs. 7, 10, 11), whose stiffness is such that a solid at rest sinks in by theta dx.
+/*  Spring and dashpot of paper 2 (Eqs. 7, 10, 11), whose stiffness is such that a solid at rest
+    sinks in by theta dx.
 
-        f_n = k delta + c V_n,    k = m_ij |g|/(theta dx),    c = 2 alpha sqrt(m_ij k),    m_ij = (m_i + m_j)/2
+        f_n = k delta + c V_n,    k = m_ij |g|/(theta dx), c = 2 alpha sqrt(m_ij k), m_ij = (m_i +
+                                  m_j)/2
 
-    Beside a wall m_ij = m_i. The overlap counts from the solids' imaginary boundaries (Eq. 19): PairProperties::gap. The
-    dashpot does not pull unless asked to (Eq. 14 with ERRATA).
+    Beside a wall m_ij = m_i. The overlap counts from the solids' imaginary boundaries (Eq. 19):
+    PairProperties::gap. The dashpot does not pull unless asked to (Eq. 14 with ERRATA).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -18,19 +20,28 @@ namespace riprap
 struct CellSpring : SpringNormal
 {
     static constexpr const char* word = "cellSpring";
-    static constexpr const char* text = "spring in which a body at rest sinks in by theta of a cell";
-    static constexpr PairEntry entries[] =
-    {
+    static constexpr const char* text =
+        "spring in which a body at rest sinks in by theta of a cell";
+    static constexpr PairEntry entries[] = {
         PairEntry("theta", "", "theta", &PairProperties::theta).byDefault(0.01).like(0.01),
-        PairEntry("alpha", "", "alpha", &PairProperties::alpha).in(Range::zeroOrPositive).byDefault(0).like(0.3).losslessAt(0),
+        PairEntry("alpha", "", "alpha", &PairProperties::alpha)
+            .in(Range::zeroOrPositive)
+            .byDefault(0)
+            .like(0.3)
+            .losslessAt(0),
         PairEntry("cellSize", "m", "cellSize", &PairProperties::cellSize).like(5e-4),
-        pairEntry::attraction, pairEntry::gap
-    };
+        pairEntry::attraction, pairEntry::gap};
     static constexpr bool gravity = true, stiffnessByMass = true;
     static constexpr int history = 0;
 
-    static double stiffnessOf(const PairProperties& p, double mass) { return mass*p.gravity/(p.theta*p.cellSize); }
-    static double stiffness(const PairProperties& p, const Impact& b) { return stiffnessOf(p, b.mass); }
+    static double stiffnessOf(const PairProperties& p, double mass)
+    {
+        return mass*p.gravity/(p.theta*p.cellSize);
+    }
+    static double stiffness(const PairProperties& p, const Impact& b)
+    {
+        return stiffnessOf(p, b.mass);
+    }
     static NormalDashpot dashpotOf(const PairProperties& p) { return {0, 2*p.alpha}; }
 
     //- An impact at speed v sinks in by v sqrt(m/k), and the gap is all there is

@@ -1,4 +1,5 @@
-/*  Linear spring by increments (paper 1, Eqs. 6, 9, 11): an overlap that was there before the contact was made gives no force.
+/*  Linear spring by increments (paper 1, Eqs. 6, 9, 11): an overlap that was there before the
+    contact was made gives no force.
 
         F_n <- max(F_n + k V_n dt, 0),    f_n = F_n + 2 zeta sqrt(m* k) V_n
 
@@ -17,7 +18,8 @@ namespace riprap
 struct IncrementalSpring : LinearSpring
 {
     static constexpr const char* word = "incremental";
-    static constexpr const char* text = "spring by increments: an overlap that was there before gives no force";
+    static constexpr const char* text =
+        "spring by increments: an overlap that was there before gives no force";
     static constexpr int history = 1;
 
     template<int D, class T>

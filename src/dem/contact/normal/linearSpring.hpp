@@ -2,8 +2,9 @@
 
         f_n = k delta + 2 zeta sqrt(m* k) V_n
 
-    k [N/m] (2D: per metre of depth, [N/m2]); zeta from the restitution coefficient, see restitution.hpp and dashpot.hpp. `floor` is 0 where
-    the dashpot must not pull, and very low where it may.
+    k [N/m] (2D: per metre of depth, [N/m2]); zeta from the restitution coefficient, see
+    restitution.hpp and dashpot.hpp. `floor` is 0 where the dashpot must not pull, and very low
+    where it may.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,11 +21,12 @@ struct LinearSpring : SpringNormal
 {
     static constexpr const char* word = "linear";
     static constexpr const char* text = "spring and dashpot by overlap";
-    static constexpr PairEntry entries[] =
-    {
-        PairEntry("stiffness", "N/m", "normal stiffness", &PairProperties::normalStiffness).perMetre().orCalibration().like(1e5),
-        pairEntry::restitution, pairEntry::attraction, pairEntry::gap
-    };
+    static constexpr PairEntry entries[] = {
+        PairEntry("stiffness", "N/m", "normal stiffness", &PairProperties::normalStiffness)
+            .perMetre()
+            .orCalibration()
+            .like(1e5),
+        pairEntry::restitution, pairEntry::attraction, pairEntry::gap};
     static constexpr int history = 0;
 
     template<class T>
@@ -32,7 +34,8 @@ struct LinearSpring : SpringNormal
 
     static Parameters<double> make(const PairProperties& p)
     {
-        return {p.normalStiffness, 2*linearDampingRatio(p.restitution, p.attraction), p.attraction ? -1e30 : 0.0};
+        return {p.normalStiffness, 2*linearDampingRatio(p.restitution, p.attraction),
+            p.attraction ? -1e30 : 0.0};
     }
 
     static double stiffness(const PairProperties& p, const Impact&) { return p.normalStiffness; }

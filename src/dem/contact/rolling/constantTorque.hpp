@@ -2,7 +2,8 @@
 
         M_A = mu_r R* f_n W/|W|,    M_B = -M_A
 
-    W is the relative spin w_B - w_A without twist. The torque is at most what stops the rolling within a step, J |W|/dt with
+    W is the relative spin w_B - w_A without twist. The torque is at most what stops the rolling
+    within a step, J |W|/dt with
     J = m* R*^2, a lower bound of the contact's inertia: else it would swing about rest.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,7 +27,8 @@ struct ConstantTorque : RollingCard
     static Parameters<double> make(const PairProperties& p) { return {p.rollingFriction}; }
 
     template<int D, class T>
-    HD static Spin<D, T> moment(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T*)
+    HD static Spin<D, T> moment(
+        const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T*)
     {
         const T speed = squareRoot(maximum(squaredNorm(g.roll), T(1e-36f)));
         const T torque = p.mu*g.reducedRadius*maximum(fn.load, T(0.0f))/speed;

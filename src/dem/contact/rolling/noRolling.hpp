@@ -23,7 +23,8 @@ struct NoRolling : RollingCard
     static Parameters<double> make(const PairProperties&) { return {0}; }
 
     template<int D, class T>
-    HD static Spin<D, T> moment(const Parameters<T>&, const ContactGeometry<D, T>&, const NormalForce<T>&, T*)
+    HD static Spin<D, T> moment(
+        const Parameters<T>&, const ContactGeometry<D, T>&, const NormalForce<T>&, T*)
     { return filled<spins<D>>(T(0.0f)); }
 };
 

@@ -1,9 +1,12 @@
 /*  Elastic-plastic spring-dashpot rolling friction (model C of Ai, Chen, Rotter & Ooi 2011).
 
-        M <- M + k_r W dt, |M| <= mu_r R* f_n,    k_r = 2.25 k_n mu_r^2 R*^2     (Iwashita & Oda 1998; Jiang et al. 2005)
-        M_A = M + c_r W while |M| is below its limit, M_A = M at it;    c_r = 2 eta_r sqrt(J k_r),    J = m* R*^2 (1 + beta)
+        M <- M + k_r W dt, |M| <= mu_r R* f_n,    k_r = 2.25 k_n mu_r^2 R*^2 (Iwashita & Oda 1998;
+                                                  Jiang et al. 2005)
+        M_A = M + c_r W while |M| is below its limit, M_A = M at it; c_r = 2 eta_r sqrt(J k_r), J =
+        m* R*^2 (1 + beta)
 
-    with beta = 2/5 for spheres, 1/2 for disks. M [N m] is the history; it holds a body at rest on a slope up to tan(slope) =
+    with beta = 2/5 for spheres, 1/2 for disks. M [N m] is the history; it holds a body at rest on a
+    slope up to tan(slope) =
     mu_r. W is the relative spin without twist.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -30,10 +33,14 @@ struct RollingSpring : RollingCard
 
     template<class T> struct Parameters { T mu, twoEta; };
 
-    static Parameters<double> make(const PairProperties& p) { return {p.rollingFriction, 2*p.rollingDamping}; }
+    static Parameters<double> make(const PairProperties& p)
+    {
+        return {p.rollingFriction, 2*p.rollingDamping};
+    }
 
     template<int D, class T>
-    HD static Spin<D, T> moment(const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T* h)
+    HD static Spin<D, T> moment(
+        const Parameters<T>& p, const ContactGeometry<D, T>& g, const NormalForce<T>& fn, T* h)
     {
         const T arm = p.mu*g.reducedRadius;
         const T k = T(2.25f)*fn.stiffness*arm*arm;

@@ -24,7 +24,8 @@ struct Frictionless : TangentialCard
     static double stiffnessRatio(const PairProperties&) { return 0; }
 
     template<int D, class T>
-    HD static Tangent<D, T> force(const Parameters<T>&, const ContactGeometry<D, T>&, const NormalForce<T>&, T*)
+    HD static Tangent<D, T> force(
+        const Parameters<T>&, const ContactGeometry<D, T>&, const NormalForce<T>&, T*)
     { return filled<spins<D>>(T(0.0f)); }
 
     template<int D, class T>

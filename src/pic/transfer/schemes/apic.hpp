@@ -1,8 +1,10 @@
-/*  APIC, affine particles in cells (Jiang, Schroeder, Selle, Teran & Stomakhin 2015, ACM Trans. Graph. 34): PIC whose particles always keep the gradient,
+/*  APIC, affine particles in cells (Jiang, Schroeder, Selle, Teran & Stomakhin 2015, ACM Trans.
+    Graph. 34): PIC whose particles always keep the gradient,
 
         v = sum W u,    C = (sum W u (x_f - x_p)^T) D^-1
 
-    with D the second moment of the splines (window.hpp); linear ones, which have no such moment, take the derivative.
+    with D the second moment of the splines (window.hpp); linear ones, which have no such moment,
+    take the derivative.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

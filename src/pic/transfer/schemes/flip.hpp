@@ -1,4 +1,5 @@
-/*  FLIP: particles keep their velocity and take what the step has changed of the grid's (Brackbill & Ruppel 1986, J. Comput. Phys. 65):
+/*  FLIP: particles keep their velocity and take what the step has changed of the grid's (Brackbill
+    & Ruppel 1986, J. Comput. Phys. 65):
 
         v = v + sum W du
 
@@ -20,7 +21,10 @@ struct Flip : SchemeCard
     static constexpr TransferEntry entries[] = {transferEntry::affine};
 
     template<class R> using Formula = Blend<R>;
-    template<class R> static Formula<R> make(const TransferProperties&, double) { return FlipPic::of(R(0)); }
+    template<class R> static Formula<R> make(const TransferProperties&, double)
+    {
+        return FlipPic::of(R(0));
+    }
 };
 
 } // namespace riprap

@@ -1,4 +1,5 @@
-/*  FLIP with a share b of PIC, which takes away what of the particles' velocities the grid cannot see (Zhu & Bridson 2005, ACM Trans. Graph. 24):
+/*  FLIP with a share b of PIC, which takes away what of the particles' velocities the grid cannot
+    see (Zhu & Bridson 2005, ACM Trans. Graph. 24):
 
         v = (1 - b)(v + sum W du) + b sum W u
 
@@ -32,15 +33,21 @@ struct Blend : FormulaCard
 struct FlipPic : SchemeCard
 {
     static constexpr const char* word = "flipPic";
-    static constexpr const char* text = "change of the grid's velocity, with a share of that velocity";
-    static constexpr TransferEntry entries[] =
-    {
-        TransferEntry("picPart", "", "share of PIC", &TransferProperties::picPart).in(Range::zeroOrPositive).atMost(1).byDefault(0.05).like(0.3),
-        transferEntry::affine
-    };
+    static constexpr const char* text =
+        "change of the grid's velocity, with a share of that velocity";
+    static constexpr TransferEntry entries[] = {
+        TransferEntry("picPart", "", "share of PIC", &TransferProperties::picPart)
+            .in(Range::zeroOrPositive)
+            .atMost(1)
+            .byDefault(0.05)
+            .like(0.3),
+        transferEntry::affine};
 
     template<class R> using Formula = Blend<R>;
-    template<class R> static Formula<R> make(const TransferProperties& p, double) { return of(R(p.picPart)); }
+    template<class R> static Formula<R> make(const TransferProperties& p, double)
+    {
+        return of(R(p.picPart));
+    }
     template<class R> static Formula<R> of(R b) { Formula<R> f{}; f.b = b; return f; }
 };
 

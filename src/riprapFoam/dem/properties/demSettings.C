@@ -41,8 +41,8 @@ static label indexOf
     if (i < 0)
     {
         FatalIOErrorInFunction(where)
-            << "Unknown " << what << ' ' << name
-            << "; constant/solidProperties has " << listedFor(name, names).c_str() << exit(FatalIOError);
+            << "Unknown " << what << ' ' << name << "; constant/solidProperties has "
+            << listedFor(name, names).c_str() << exit(FatalIOError);
     }
     return i;
 }

@@ -75,7 +75,9 @@ static bool check(const dictionary& dict, Time& time)
 static void requireDictionary(const entry& e, const dictionary& functions, const Time& time)
 {
     const wordList known({"libs", "errors", "useNamePrefix"});
-    if (known.found(e.keyword()) || !heldForNothing(time.globalPath()/"system"/Time::controlDictName, e.keyword())) return;
+    if (known.found(e.keyword())
+        || !heldForNothing(time.globalPath()/"system"/Time::controlDictName, e.keyword()))
+        return;
     FatalIOErrorInFunction(functions)
         << "Entry " << e.keyword() << " of functions must be a dictionary: "
         << e.keyword() << " { type ..; }. A value may stand there where the"

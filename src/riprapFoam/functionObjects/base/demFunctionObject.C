@@ -24,12 +24,12 @@ Foam::functionObjects::demFunctionObject::dem() const
     {
         FatalIOErrorInFunction(dict_)
             << "Function object " << name() << " of type " << type()
-            << " needs a running scene of solids, and there is no "
-            << demSceneObject::typeName << " on mesh " << mesh_.name() << "."
-            << nl << "    riprapFoam with solver dem has one, solver sphDem where the case"
-            << " has solids, as has its option -postProcess; other solvers and the utility postProcess"
-            << " have none."
-            << exit(FatalIOError);
+            << " needs a running scene of solids, and there is no " << demSceneObject::typeName
+            << " on mesh " << mesh_.name() << "." << nl
+            << "    riprapFoam with solver dem has one, solver sphDem where the case"
+            << " has solids, as has its option -postProcess; other solvers and the utility "
+               "postProcess"
+            << " have none." << exit(FatalIOError);
     }
 
     return *scene;

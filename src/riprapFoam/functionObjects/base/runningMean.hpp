@@ -3,8 +3,8 @@
 
         mean(t) = 1/T int_(t - T)^t v dt
 
-    exact for such values whatever the steps. It follows a signal T/2 late. Before a time T has passed the mean is
-    that since the first sample; of one sample it is the value.
+    exact for such values whatever the steps. It follows a signal T/2 late. Before a time T has
+    passed the mean is that since the first sample; of one sample it is the value.
 */
 #ifndef runningMean_hpp
 #define runningMean_hpp
@@ -26,7 +26,8 @@ class RunningMean
     };
 
     double width_ = 0;                      // [s]
-    std::deque<Sample> samples_;            // the first at or before the window's begin, once there is one
+    // the first at or before the window's begin, once there is one
+    std::deque<Sample> samples_;
 
 public:
 
@@ -35,7 +36,8 @@ public:
     //- A time that was there already, or has gone back, takes the place of what came after it
     void add(double time, const std::vector<double>& values)
     {
-        while (!samples_.empty() && (samples_.back().time >= time || samples_.back().values.size() != values.size()))
+        while (!samples_.empty()
+            && (samples_.back().time >= time || samples_.back().values.size() != values.size()))
         {
             samples_.pop_back();
         }
@@ -47,7 +49,8 @@ public:
     //- Of the window, once it is full; 0: it is not
     std::size_t intervals() const
     {
-        const bool full = samples_.size() > 1 && samples_.back().time - samples_.front().time >= width_;
+        const bool full = samples_.size() > 1
+            && samples_.back().time - samples_.front().time >= width_;
         return full ? samples_.size() - 1 : 0;
     }
 
@@ -58,7 +61,8 @@ public:
         std::vector<double> sum(samples_.back().values.size(), 0.0);
         if (samples_.size() == 1) return samples_.back().values;
 
-        const double end = samples_.back().time, begin = std::max(samples_.front().time, end - width_);
+        const double end = samples_.back().time,
+                     begin = std::max(samples_.front().time, end - width_);
         for (std::size_t k = 1; k < samples_.size(); ++k)
         {
             const Sample& a = samples_[k - 1];

@@ -23,13 +23,11 @@ namespace
     constexpr Foam::label leastPrecision = 10;
 
     //- What OpenFOAM reads of every function object
-    const Foam::wordList common
-    ({
-        "type", "libs", "functionObjectLibs", "enabled", "log", "region", "subRegion", "timeStart", "timeEnd",
-        "triggerStart", "triggerEnd", "deltaTCoeff", "nStepsToStartTimeChange", "executeControl", "executeInterval",
-        "writeControl", "writeInterval", "writeFrequency", "outputControl", "outputInterval", "writePrecision",
-        "writeToFile", "useUserTime"
-    });
+    const Foam::wordList common(
+        {"type", "libs", "functionObjectLibs", "enabled", "log", "region", "subRegion", "timeStart",
+            "timeEnd", "triggerStart", "triggerEnd", "deltaTCoeff", "nStepsToStartTimeChange",
+            "executeControl", "executeInterval", "writeControl", "writeInterval", "writeFrequency",
+            "outputControl", "outputInterval", "writePrecision", "writeToFile", "useUserTime"});
 }
 
 

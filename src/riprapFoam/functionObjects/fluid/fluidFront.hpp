@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The furthest particle along a direction that belongs to the fluid rather than to the spray.
 
-    A particle counts when at least minNeighbours others lie within the kernel's support of it: with 1,
-    single particles that fly ahead do not move the front, and the thin tip of a surge, a file of
+    A particle counts when at least minNeighbours others lie within the kernel's support of it: with
+    1, single particles that fly ahead do not move the front, and the thin tip of a surge, a file of
     particles, still does. Only the particles near the far end are looked at: a window behind the
     furthest one, doubled until it holds a particle that counts.
 */
@@ -42,13 +42,15 @@ inline FluidEnd farEnd(const std::vector<double>& position, const Vector3& direc
 {
     const Vector3 zero{{0, 0, 0}};
     double first = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < position.size(); i += 3) first = std::max(first, along(&position[i], zero, direction));
+    for (std::size_t i = 0; i < position.size(); i += 3)
+        first = std::max(first, along(&position[i], zero, direction));
 
     FluidEnd end;
     end.particles = position.size()/3;
     for (std::size_t i = 0; i < position.size(); i += 3)
     {
-        if (along(&position[i], zero, direction) >= first - reach) end.position.insert(end.position.end(), &position[i], &position[i] + 3);
+        if (along(&position[i], zero, direction) >= first - reach)
+            end.position.insert(end.position.end(), &position[i], &position[i] + 3);
     }
     return end;
 }
@@ -125,7 +127,8 @@ double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
 
 inline double fluidFront(const std::vector<double>& position, const FrontRule& rule)
 {
-    return fluidFrontOf([&](double reach) { return farEnd(position, rule.direction, reach); }, rule);
+    return fluidFrontOf(
+        [&](double reach) { return farEnd(position, rule.direction, reach); }, rule);
 }
 
 } // namespace riprap

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  Where the fluid's surface cuts a line.
 
-    Along the line, s_0 < s_1 < ..., f_i is the volume fraction sum_j V_j W_ij. The surface is where f
-    falls, with increasing s, through half of what it is inside the fluid. That inside value is the
-    median of all f_i > wet: it is 1 in the open, but about 1/2 along a wall (half of the kernel's
-    support is dry there) and less where a wall model keeps a gap, so that a fixed threshold would
-    fail exactly where columns are measured. Between samples f is linear.
+    Along the line, s_0 < s_1 < ..., f_i is the volume fraction sum_j V_j W_ij. The surface is where
+    f falls, with increasing s, through half of what it is inside the fluid. That inside value is
+    the median of all f_i > wet: it is 1 in the open, but about 1/2 along a wall (half of the
+    kernel's support is dry there) and less where a wall model keeps a gap, so that a fixed
+    threshold would fail exactly where columns are measured. Between samples f is linear.
 
-    Drops and thin sheets: the level is the highest place below which water stands minThickness deep without
-    a gap. What begins within minThickness of the line's foot, or of a solid that the line passes through, stands on the bed
-    and counts, however shallow.
-    Thicknesses are those of the smoothed f. Cut at half of the least inside value, 0.05, a lone particle looks
-    2.7 spacings thick with h = 1.25 spacings, 3.0 with 1.7 (Wendland C2 in 2D; 2.3 and 1.8 in 3D): with a
-    minThickness of 3 spacings none counts.
+    Drops and thin sheets: the level is the highest place below which water stands minThickness deep
+    without a gap. What begins within minThickness of the line's foot, or of a solid that the line
+    passes through, stands on the bed and counts, however shallow.
+    Thicknesses are those of the smoothed f. Cut at half of the least inside value, 0.05, a lone
+    particle looks 2.7 spacings thick with h = 1.25 spacings, 3.0 with 1.7 (Wendland C2 in 2D; 2.3
+    and 1.8 in 3D): with a minThickness of 3 spacings none counts.
 
-    A straight surface smoothed by a symmetric kernel has half its inside value on the surface itself,
-    whatever the kernel: hence the half.
+    A straight surface smoothed by a symmetric kernel has half its inside value on the surface
+    itself, whatever the kernel: hence the half.
 */
 #ifndef levelCrossing_hpp
 #define levelCrossing_hpp
@@ -31,7 +31,8 @@ struct FluidLevel
 {
     bool wet = false;       // is there fluid on the line at all?
     double top = 0;         // highest crossing above water that is thick enough; 0: there is none
-    double lowest = 0;      // lowest crossing: the top of the fluid that the line meets first, drops included
+    // lowest crossing: the top of the fluid that the line meets first, drops included
+    double lowest = 0;
     double reference = 0;   // the inside value
 };
 

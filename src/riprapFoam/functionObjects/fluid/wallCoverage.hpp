@@ -7,12 +7,13 @@
         offset = - sum_w V_w W(|x - x_w|) (x_w - x) / share     from x to the centroid of that part
 
     so that f/share is the fraction of the accessible volume that is filled, and a Shepard mean of a
-    linear field at x is its value at x + offset (when that part is full). Along a plane wall share is
-    1/2 and offset 0.4 h or so into the fluid. The second is what Adami et al. (2012), J. Comput. Phys.
-    231, Eq. 27, correct for when they extrapolate the pressure to a wall.
+    linear field at x is its value at x + offset (when that part is full). Along a plane wall share
+    is 1/2 and offset 0.4 h or so into the fluid. The second is what Adami et al. (2012), J. Comput.
+    Phys. 231, Eq. 27, correct for when they extrapolate the pressure to a wall.
 
-    Where planes (wallSight.hpp) hide more than wall points fill, at thin walls and rims, what they hide is
-    integrated. What is seen is star-shaped about the point, with R(u) its extent along the direction u:
+    Where planes (wallSight.hpp) hide more than wall points fill, at thin walls and rims, what they
+    hide is integrated. What is seen is star-shaped about the point, with R(u) its extent along the
+    direction u:
 
         hidden = <A(R)>,      A(R) = S int_R^s W r^(D-1) dr
         moment = <u B(R)>,    B(R) = S int_R^s W r^D dr
@@ -41,7 +42,8 @@ class WallCoverage
     // Less than the edge of a cube's corner leaves free: the point is inside a wall
     static constexpr double leastShare = 0.1;
 
-    // Part of the support by which wall points may miss what planes hide: 30 times a lattice's error
+    // Part of the support by which wall points may miss what planes hide: 30 times a lattice's
+    // error
     static constexpr double missing = 0.03;
 
     static constexpr int rings = 64;                // from 0 to the support
@@ -115,7 +117,8 @@ class WallCoverage
             }
             const double ring = rings*extent/support();
             part += at(beyond_, ring)/directions_.size();
-            for (int d = 0; d < 3; ++d) moment[d] += u[d]*at(momentBeyond_, ring)/directions_.size();
+            for (int d = 0; d < 3; ++d)
+                moment[d] += u[d]*at(momentBeyond_, ring)/directions_.size();
         }
     }
 
@@ -139,7 +142,8 @@ public:
     }
 
     //- Of wall points near a point, and of planes that hide fluid from it
-    Coverage of(const std::vector<WallNeighbour>& walls, const std::vector<SightPlane>& planes) const
+    Coverage of(
+        const std::vector<WallNeighbour>& walls, const std::vector<SightPlane>& planes) const
     {
         // Wall points that are seen, and those behind planes
         double covered[2] = {0, 0};

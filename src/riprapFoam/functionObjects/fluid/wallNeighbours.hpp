@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Which wall points are near a point. The points of one rigid set (the fixed walls, or a group that moves) lie
-    in cells of the set's own frame, so that they are sorted once: where the set moves, the point that asks is
-    taken into its frame instead, and what is found is turned back.
+/*  Which wall points are near a point. The points of one rigid set (the fixed walls, or a group
+    that moves) lie in cells of the set's own frame, so that they are sorted once: where the set
+    moves, the point that asks is taken into its frame instead, and what is found is turned back.
 */
 #ifndef wallNeighbours_hpp
 #define wallNeighbours_hpp
@@ -33,13 +33,15 @@ inline double dotOf(const Vector3& a, const Vector3& b)
 inline Vector3 turned(const WallPose& pose, const Vector3& v)
 {
     const auto& R = pose.rotation;
-    return {{R[0]*v[0] + R[1]*v[1] + R[2]*v[2], R[3]*v[0] + R[4]*v[1] + R[5]*v[2], R[6]*v[0] + R[7]*v[1] + R[8]*v[2]}};
+    return {{R[0]*v[0] + R[1]*v[1] + R[2]*v[2], R[3]*v[0] + R[4]*v[1] + R[5]*v[2],
+        R[6]*v[0] + R[7]*v[1] + R[8]*v[2]}};
 }
 
 inline Vector3 turnedBack(const WallPose& pose, const Vector3& v)
 {
     const auto& R = pose.rotation;
-    return {{R[0]*v[0] + R[3]*v[1] + R[6]*v[2], R[1]*v[0] + R[4]*v[1] + R[7]*v[2], R[2]*v[0] + R[5]*v[1] + R[8]*v[2]}};
+    return {{R[0]*v[0] + R[3]*v[1] + R[6]*v[2], R[1]*v[0] + R[4]*v[1] + R[7]*v[2],
+        R[2]*v[0] + R[5]*v[1] + R[8]*v[2]}};
 }
 
 inline Vector3 placed(const WallPose& pose, const Vector3& x)
@@ -111,10 +113,8 @@ public:
     {
         for (std::int64_t n = 0; n < 27; ++n)
         {
-            const auto cell = cells_.find
-            (
-                key(cellIndex(x[0]) + n%3 - 1, cellIndex(x[1]) + n/3%3 - 1, cellIndex(x[2]) + n/9 - 1)
-            );
+            const auto cell = cells_.find(key(cellIndex(x[0]) + n%3 - 1,
+                cellIndex(x[1]) + n/3%3 - 1, cellIndex(x[2]) + n/9 - 1));
             if (cell == cells_.end()) continue;
 
             for (const WallNeighbour& w : cell->second)

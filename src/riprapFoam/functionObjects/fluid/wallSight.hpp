@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  What a point near walls can see of the fluid: only what is in front of every wall face that the point itself is
-    in front of. A particle in a wall, or beyond a thin one, is behind a face and is not seen.
+/*  What a point near walls can see of the fluid: only what is in front of every wall face that the
+    point itself is in front of. A particle in a wall, or beyond a thin one, is behind a face and is
+    not seen.
 
-    Faces come from the wall points: half a spacing before the outermost ones, along their normals. The nearest one gives
-    the first plane; each next wall point whose face is still in front of all planes gives another: the floor
-    in front of a gauge on a side wall does, the top of a box above a gauge on its side (a convex edge) does not.
+    Faces come from the wall points: half a spacing before the outermost ones, along their normals.
+    The nearest one gives the first plane; each next wall point whose face is still in front of all
+    planes gives another: the floor in front of a gauge on a side wall does, the top of a box above
+    a gauge on its side (a convex edge) does not.
 */
 #ifndef wallSight_hpp
 #define wallSight_hpp
@@ -33,16 +35,15 @@ inline bool seenFrom(const std::vector<SightPlane>& planes, const Vector3& d, do
 //- @param walls  near the point
 //  @param spacing  of wall points [m]
 //  @param planes  the sensor's own, to which those of the walls are added
-inline void addWallPlanes(std::vector<WallNeighbour> walls, double spacing, std::vector<SightPlane>& planes)
+inline void addWallPlanes(
+    std::vector<WallNeighbour> walls, double spacing, std::vector<SightPlane>& planes)
 {
     // Faces of one wall, with the round-off of curved ones, and a gauge that is meant to be on one
     const double same = 0.25*spacing, roundOff = 1e-3*spacing;
 
-    std::sort
-    (
-        walls.begin(), walls.end(),
-        [](const WallNeighbour& a, const WallNeighbour& b) { return dotOf(a.offset, a.offset) < dotOf(b.offset, b.offset); }
-    );
+    std::sort(walls.begin(), walls.end(),
+        [](const WallNeighbour& a, const WallNeighbour& b)
+        { return dotOf(a.offset, a.offset) < dotOf(b.offset, b.offset); });
 
     for (const WallNeighbour& w : walls)
     {

@@ -47,7 +47,8 @@ Foam::vectorField Foam::functionObjects::particleProbes::turned
 
 void Foam::functionObjects::particleProbes::readBody(const dictionary& dict)
 {
-    // Solids: from the pose now where the dictionary was edited, else from that of the run which is continued
+    // Solids: from the pose now where the dictionary was edited, else from that of the run which is
+    // continued
     const bool same = body_.ofSolids() && body_.name() == dict.lookupOrDefault("body", word::null);
     scalarList before;
     if (same)

@@ -20,7 +20,8 @@ namespace functionObjects
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::functionObjects::regionMass::contents::add(const point& p, const scalar m, const scalar v)
+void Foam::functionObjects::regionMass::contents::add(
+    const point& p, const scalar m, const scalar v)
 {
     place.append(p);
     mass.append(m);
@@ -46,7 +47,8 @@ Foam::functionObjects::regionMass::ofFluid() const
 }
 
 
-//- Rigid bodies by their own mass, volume and centre; particles of no body by the density of their material
+//- Rigid bodies by their own mass, volume and centre; particles of no body by the density of their
+//  material
 Foam::functionObjects::regionMass::contents
 Foam::functionObjects::regionMass::ofSolids() const
 {
@@ -65,7 +67,8 @@ Foam::functionObjects::regionMass::ofSolids() const
             continue;
         }
         const double* x = &now.position[3*i];
-        all.add(point(x[0], x[1], x[2]), now.mass[i], now.mass[i]/settings.materials[now.material[i]].density);
+        all.add(point(x[0], x[1], x[2]), now.mass[i],
+            now.mass[i]/settings.materials[now.material[i]].density);
     }
     if (clumps.empty()) return all;
 
@@ -75,7 +78,9 @@ Foam::functionObjects::regionMass::ofSolids() const
         if (bodies.left[k]) continue;
         const double* x = &bodies.position[3*k];
         const scalar known = clumps[k].volume;
-        const scalar volume = known > 0 ? known : clumps[k].mass/settings.materials[materialOf[k]].density;
+        const scalar volume = known > 0
+            ? known
+            : clumps[k].mass/settings.materials[materialOf[k]].density;
         all.add(point(x[0], x[1], x[2]), clumps[k].mass, volume);
     }
     return all;
@@ -115,8 +120,8 @@ void Foam::functionObjects::regionMass::readRegions(const dictionary& dict)
     if (entries.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "Entry regions of function object " << name() << " is empty: it is a list of dictionaries with names"
-            << exit(FatalIOError);
+            << "Entry regions of function object " << name()
+            << " is empty: it is a list of dictionaries with names" << exit(FatalIOError);
     }
 
     names_.clear();
@@ -147,8 +152,8 @@ void Foam::functionObjects::regionMass::readRegions(const dictionary& dict)
         if (fault)
         {
             FatalIOErrorInFunction(region.dict)
-                << "Entry regions of function object " << name() << ", region " << region.name << ": " << fault
-                << exit(FatalIOError);
+                << "Entry regions of function object " << name() << ", region " << region.name
+                << ": " << fault << exit(FatalIOError);
         }
 
         names_.append(region.name);
@@ -181,10 +186,10 @@ bool Foam::functionObjects::regionMass::read(const dictionary& dict)
     sceneFunctionObject::read(dict);
     if (!runningFluid(mesh_) && !runningSolids(mesh_))
     {
-        FatalIOErrorInFunction(dict_)
-            << "Function object " << name() << " of type " << type()
-            << " needs a running scene of fluid or solids. riprapFoam has one, as has its option -postProcess;"
-            << " the utility postProcess has none." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict_) << "Function object " << name() << " of type " << type()
+                                      << " needs a running scene of fluid or solids. riprapFoam "
+                                         "has one, as has its option -postProcess;"
+                                      << " the utility postProcess has none." << exit(FatalIOError);
     }
 
     // Shapes do not depend on the spacing
@@ -197,7 +202,8 @@ bool Foam::functionObjects::regionMass::read(const dictionary& dict)
 bool Foam::functionObjects::regionMass::writeSample()
 {
     const bool wet = runningFluid(mesh_), withSolids = runningSolids(mesh_);
-    const contents water(wet ? ofFluid() : contents()), bodies(withSolids ? ofSolids() : contents());
+    const contents water(wet ? ofFluid() : contents()),
+        bodies(withSolids ? ofSolids() : contents());
 
     wordList columns;
     DynamicList<scalar> values;
@@ -213,7 +219,8 @@ bool Foam::functionObjects::regionMass::writeSample()
         if (withSolids)
         {
             const vector in(sum(bodies, regions_[i]));
-            columns.append(wordList({region + "Solids", region + "SolidMass", region + "SolidFraction"}));
+            columns.append(
+                wordList({region + "Solids", region + "SolidMass", region + "SolidFraction"}));
             values.append(scalarList({in.x(), in.y(), in.z()/volumes_[i]}));
         }
     }

@@ -61,8 +61,8 @@ bool Foam::functionObjects::brokenBonds::writeSample()
         typeName,
         {"whole", "broken", "inTension", "inShear", "lost", "maxTension", "maxShear"}
     );
-    for (const scalar value : {scalar(count[0]), scalar(count[1] + count[2] + count[3]), scalar(count[1]),
-        scalar(count[2]), scalar(count[3]), maxTension, maxShear})
+    for (const scalar value : {scalar(count[0]), scalar(count[1] + count[2] + count[3]),
+             scalar(count[1]), scalar(count[2]), scalar(count[3]), maxTension, maxShear})
     {
         add(os, value);
     }

@@ -82,7 +82,8 @@ bool Foam::functionObjects::contactChains::writeSample()
     }
     const bool any = force.size();
 
-    OFstream& os = row(typeName, {"contacts", "wallContacts", "maxForce", "meanForce", "maxOverlap"});
+    OFstream& os = row(
+        typeName, {"contacts", "wallContacts", "maxForce", "meanForce", "maxOverlap"});
     add(os, force.size());
     add(os, walls);
     add(os, any ? max(mag(force)) : 0);

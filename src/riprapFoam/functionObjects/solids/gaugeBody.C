@@ -119,12 +119,14 @@ void Foam::functionObjects::gaugeBody::beginSolids
     }
     last_ = begin_;
 
-    const char* fault =
-        ids_.empty() ? "has no particles"
-      : clumps.size() > 1 ? "is several bodies: this is for one"
-      : ids_.size() == 1 && now.orientation.empty() ? "is one particle, of which only orientation yes; of constant/solidProperties tells how it turns"
-      : ids_.size() > 1 && !tellTurns(begin_, planar) ? "lies on one line, which does not tell how it turns"
-      : nullptr;
+    const char* fault = ids_.empty() ? "has no particles"
+        : clumps.size() > 1 ? "is several bodies: this is for one"
+        : ids_.size() == 1 && now.orientation.empty()
+        ? "is one particle, of which only orientation yes; of constant/solidProperties tells how "
+          "it turns"
+        : ids_.size() > 1 && !tellTurns(begin_, planar)
+        ? "lies on one line, which does not tell how it turns"
+        : nullptr;
     if (fault)
     {
         FatalIOErrorInFunction(dict)
@@ -153,7 +155,8 @@ riprap::WallPose Foam::functionObjects::gaugeBody::fitted()
         for (label d = 0; d < 3; ++d)
         {
             const double* row = &pose.rotation[3*d];
-            pose.translation[d] = last_[0][d] - row[0]*begin_[0][0] - row[1]*begin_[0][1] - row[2]*begin_[0][2];
+            pose.translation[d] = last_[0][d] - row[0]*begin_[0][0] - row[1]*begin_[0][1]
+                - row[2]*begin_[0][2];
         }
     }
 

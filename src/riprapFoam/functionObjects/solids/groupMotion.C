@@ -48,7 +48,8 @@ namespace
         Motion m;
         for (std::size_t k = 0; k < clumps.size(); ++k)
         {
-            if (clumps[k].group == group && !bodies.left[k]) addMass(clumps[k].mass, &bodies.position[3*k], &bodies.velocity[3*k], m);
+            if (clumps[k].group == group && !bodies.left[k])
+                addMass(clumps[k].mass, &bodies.position[3*k], &bodies.velocity[3*k], m);
         }
         return m;
     }
@@ -133,7 +134,8 @@ void Foam::functionObjects::groupMotion::readRotation(const dictionary& dict)
     HashTable<scalarList> poses;
     forAll(bodies_, i)
     {
-        if (bodies_.set(i)) poses.set("pose_" + bodies_[i].name(), gaugeBody::state(bodies_[i].pose()));
+        if (bodies_.set(i))
+            poses.set("pose_" + bodies_[i].name(), gaugeBody::state(bodies_[i].pose()));
     }
 
     bodies_.clear();
@@ -188,15 +190,9 @@ bool Foam::functionObjects::groupMotion::writeSample()
             m.velocity /= m.mass;
         }
         const word& name = names[group];
-        columns.append
-        (
-            wordList
-            ({
-                name + "Particles", name + "CentreX", name + "CentreY", name + "CentreZ", name + "MinX",
-                name + "MinY", name + "MinZ", name + "MaxX", name + "MaxY", name + "MaxZ", name + "Ux",
-                name + "Uy", name + "Uz", name + "Mass"
-            })
-        );
+        columns.append(wordList({name + "Particles", name + "CentreX", name + "CentreY",
+            name + "CentreZ", name + "MinX", name + "MinY", name + "MinZ", name + "MaxX",
+            name + "MaxY", name + "MaxZ", name + "Ux", name + "Uy", name + "Uz", name + "Mass"}));
         values.append(m.particles);
         for (const vector& v : {m.centre, m.extents.min(), m.extents.max(), m.velocity})
         {
@@ -206,7 +202,8 @@ bool Foam::functionObjects::groupMotion::writeSample()
         if (bodies_.empty()) continue;
 
         columns.append(wordList({name + "RotationX", name + "RotationY", name + "RotationZ"}));
-        const vector turned(bodies_.set(i) ? rotationVector(bodies_[i].pose().rotation) : vector(Zero));
+        const vector turned(
+            bodies_.set(i) ? rotationVector(bodies_[i].pose().rotation) : vector(Zero));
         for (int d = 0; d < vector::nComponents; ++d) values.append(turned[d]);
     }
 

@@ -91,8 +91,8 @@ bool Foam::functionObjects::particleDisplacement::read(const dictionary& dict)
     if (ids_.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "Entry " << (dict.found("points") ? "points" : "origIds") << " of function object " << name()
-            << " is empty" << exit(FatalIOError);
+            << "Entry " << (dict.found("points") ? "points" : "origIds") << " of function object "
+            << name() << " is empty" << exit(FatalIOError);
     }
     begin();
     return true;
@@ -121,8 +121,8 @@ void Foam::functionObjects::particleDisplacement::begin()
         else
         {
             FatalIOErrorInFunction(dict_)
-                << "Entry origIds of function object " << name() << ": there is no particle " << ids_[k]
-                << "; there are " << label(all.size()) << exit(FatalIOError);
+                << "Entry origIds of function object " << name() << ": there is no particle "
+                << ids_[k] << "; there are " << label(all.size()) << exit(FatalIOError);
         }
     }
     setProperty("start", start_);
@@ -143,12 +143,15 @@ bool Foam::functionObjects::particleDisplacement::writeSample()
         const bool there = at >= 0;
         for (const char* what : {"X", "D", "U", "W", "F"})
         {
-            const std::vector<double>& field =
-                *what == 'U' ? now.velocity : *what == 'W' ? now.spin : *what == 'F' ? now.force : now.position;
+            const std::vector<double>& field = *what == 'U' ? now.velocity
+                : *what == 'W' ? now.spin
+                : *what == 'F' ? now.force
+                                                            : now.position;
             for (int d = 0; d < vector::nComponents; ++d)
             {
                 const std::string axis(1, (*what == 'X' ? "XYZ" : "xyz")[d]);
-                columns.append(word(Foam::name(ids_[k]) + (*what == 'X' ? axis : what + axis), false));
+                columns.append(
+                    word(Foam::name(ids_[k]) + (*what == 'X' ? axis : what + axis), false));
                 values.append(there ? field[3*at + d] - (*what == 'D' ? start_[k][d] : 0) : none);
             }
         }

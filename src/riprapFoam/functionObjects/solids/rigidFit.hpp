@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  The rigid motion that brings points nearest to where they are now, in the least-squares sense. 3D: the rotation is the
-    eigenvector of the largest eigenvalue of Horn's matrix (Horn 1987, J. Opt. Soc. Am. A 4, 629, Section 4); 2D: the angle
-    of the summed cross and dot products.
+/*  The rigid motion that brings points nearest to where they are now, in the least-squares sense.
+    3D: the rotation is the eigenvector of the largest eigenvalue of Horn's matrix (Horn 1987, J.
+    Opt. Soc. Am. A 4, 629, Section 4); 2D: the angle of the summed cross and dot products.
 */
 #ifndef rigidFit_hpp
 #define rigidFit_hpp
@@ -32,7 +32,8 @@ inline std::array<double, 9> rotationOf(Quaternion q)
 }
 
 //- first b, then a
-inline std::array<double, 9> productOf(const std::array<double, 9>& a, const std::array<double, 9>& b)
+inline std::array<double, 9> productOf(
+    const std::array<double, 9>& a, const std::array<double, 9>& b)
 {
     std::array<double, 9> c{};
     for (int i = 0; i < 3; ++i)
@@ -46,8 +47,10 @@ inline std::array<double, 9> transposeOf(const std::array<double, 9>& a)
     return {{a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]}};
 }
 
-//- @param from, to  as many points; @param emptyAxis  of a 2D case, in which points stay in their plane, or -1
-inline WallPose rigidFit(const std::vector<Vector3>& from, const std::vector<Vector3>& to, int emptyAxis = -1)
+//- @param from, to as many points; @param emptyAxis of a 2D case, in which points stay in their
+//  plane, or -1
+inline WallPose rigidFit(
+    const std::vector<Vector3>& from, const std::vector<Vector3>& to, int emptyAxis = -1)
 {
     WallPose pose;
     Vector3 a{{0, 0, 0}}, b{{0, 0, 0}};
@@ -80,7 +83,8 @@ inline WallPose rigidFit(const std::vector<Vector3>& from, const std::vector<Vec
             S[2][0] - S[0][2], S[0][1] + S[1][0], S[1][1] - S[0][0] - S[2][2], S[1][2] + S[2][1],
             S[0][1] - S[1][0], S[2][0] + S[0][2], S[1][2] + S[2][1], S[2][2] - S[0][0] - S[1][1];
         // eigenvalues ascend
-        const Eigen::Vector4d largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(N).eigenvectors().col(3);
+        const Eigen::Vector4d largest =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(N).eigenvectors().col(3);
         q = {{largest[0], largest[1], largest[2], largest[3]}};
     }
 

@@ -29,7 +29,8 @@ namespace
     }
 
     //- Of a rigid body, whose members' masses are not its own: about its centre, I w
-    vector spinMomentum(const riprap::DemClump& body, const riprap::DemClumpState& now, const std::size_t k, const int emptyAxis)
+    vector spinMomentum(const riprap::DemClump& body, const riprap::DemClumpState& now,
+        const std::size_t k, const int emptyAxis)
     {
         const vector w(vectorOf(now.spin, k));
         if (emptyAxis >= 0) return body.inertia[2]*w;
@@ -40,7 +41,8 @@ namespace
         return turn.transform(Foam::cmptMultiply(I, turn.invTransform(w)));
     }
 
-    Momentum momentumOf(const Foam::demSceneObject& solids, const std::vector<riprap::DemClump>& bodies, const riprap::DemConfig& config)
+    Momentum momentumOf(const Foam::demSceneObject& solids,
+        const std::vector<riprap::DemClump>& bodies, const riprap::DemConfig& config)
     {
         Momentum m;
         if (bodies.size())
@@ -52,7 +54,8 @@ namespace
                 const vector p(bodies[k].mass*vectorOf(moving.velocity, k));
                 m.linear += p;
                 m.angular += (vectorOf(moving.position, k) ^ p)
-                  + spinMomentum(bodies[k], moving, k, config.dimensions == 2 ? config.axes[2] : -1);
+                    + spinMomentum(
+                        bodies[k], moving, k, config.dimensions == 2 ? config.axes[2] : -1);
             }
         }
         if (config.dimensions == 3)
@@ -67,7 +70,8 @@ namespace
         for (std::size_t i = 0; i < now.id.size(); ++i)
         {
             if (now.clump.size() && now.clump[i] >= 0) continue;
-            const vector x(vectorOf(now.position, i)), u(vectorOf(now.velocity, i)), w(vectorOf(now.spin, i));
+            const vector x(vectorOf(now.position, i)), u(vectorOf(now.velocity, i)),
+                w(vectorOf(now.spin, i));
             m.linear += now.mass[i]*u;
             m.angular += now.mass[i]*(x ^ u) + 0.5*now.mass[i]*Foam::sqr(now.radius[i])*w;
         }
@@ -95,15 +99,11 @@ bool Foam::functionObjects::solidEnergies::writeSample()
     const riprap::DemEnergy e(dem().scene().energy());
     const Momentum m(momentumOf(dem(), dem().input().clumps, dem().settings().config));
 
-    OFstream& os = row
-    (
-        typeName,
-        {
-            "translation", "rotation", "potential", "contact", "bond", "total", "momentumX", "momentumY",
-            "momentumZ", "angularX", "angularY", "angularZ", "spring"
-        }
-    );
-    for (const scalar value : {e.translation, e.rotation, e.potential, e.contact, e.bond, e.total()})
+    OFstream& os = row(typeName,
+        {"translation", "rotation", "potential", "contact", "bond", "total", "momentumX",
+            "momentumY", "momentumZ", "angularX", "angularY", "angularZ", "spring"});
+    for (const scalar value :
+        {e.translation, e.rotation, e.potential, e.contact, e.bond, e.total()})
     {
         add(os, value);
     }

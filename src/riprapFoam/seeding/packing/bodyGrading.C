@@ -12,7 +12,9 @@ static scalarList positives(checkedDictionary& dict, const word& entry)
     if (!dict.found(entry))
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry " << entry << " is missing: sizes need radii (<m> ..) and shares (<fraction> ..), one for each" << exit(FatalIOError);
+            << "Entry " << entry
+            << " is missing: sizes need radii (<m> ..) and shares (<fraction> ..), one for each"
+            << exit(FatalIOError);
     }
     const scalarList values(dict.dict().get<scalarList>(entry));
     for (const scalar value : values)
@@ -36,15 +38,15 @@ Foam::bodyGrading Foam::readGrading(checkedDictionary& dict)
     if (grading.radii.empty() || grading.radii.size() != grading.shares.size())
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry radii has " << grading.radii.size() << " values and entry shares " << grading.shares.size()
-            << ": each radius needs its share" << exit(FatalIOError);
+            << "Entry radii has " << grading.radii.size() << " values and entry shares "
+            << grading.shares.size() << ": each radius needs its share" << exit(FatalIOError);
     }
     const scalar total = sum(grading.shares);
     if (mag(total - 1) > 1e-3)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry shares adds up to " << total << ": shares are fractions of the " << (grading.ofNumber ? "number" : "mass")
-            << " that add up to 1" << exit(FatalIOError);
+            << "Entry shares adds up to " << total << ": shares are fractions of the "
+            << (grading.ofNumber ? "number" : "mass") << " that add up to 1" << exit(FatalIOError);
     }
     for (scalar& share : grading.shares) share /= total;
     return grading;
@@ -75,8 +77,10 @@ Foam::scalarField Foam::bodyGrading::fill(scalar volume, bool planar, const dict
         if (n[k] == 0)
         {
             FatalIOErrorInFunction(dict)
-                << "Entry radii: the share " << shares[k] << " of the radius " << radii[k] << " is less than half a body of "
-                << sum(n) << ": a larger region or share has some, or leave the radius out" << exit(FatalIOError);
+                << "Entry radii: the share " << shares[k] << " of the radius " << radii[k]
+                << " is less than half a body of " << sum(n)
+                << ": a larger region or share has some, or leave the radius out"
+                << exit(FatalIOError);
         }
         for (label i = 0; i < n[k]; ++i) all[at++] = radii[k];
     }

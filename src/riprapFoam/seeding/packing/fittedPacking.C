@@ -24,8 +24,10 @@ static vectorField waysOut(const fittedPacking& f, const pointField& points)
 }
 
 
-// Depths of the points that may be nearer to the surface than a length: `least` is below each one's depth, and becomes it for those
-static labelList nearer(const fittedPacking& f, const pointField& points, scalar length, scalarField& least)
+// Depths of the points that may be nearer to the surface than a length: `least` is below each one's
+// depth, and becomes it for those
+static labelList nearer(
+    const fittedPacking& f, const pointField& points, scalar length, scalarField& least)
 {
     DynamicList<label> some;
     forAll(least, i) if (least[i] < length) some.append(i);
@@ -49,7 +51,8 @@ static void keepOff(const fittedPacking& f, pointField& points, scalarField& lea
 
 
 // Images behind the surface of points within a reach of it
-static pointField mirrored(const fittedPacking& f, const pointField& points, scalar reach, scalarField& least)
+static pointField mirrored(
+    const fittedPacking& f, const pointField& points, scalar reach, scalarField& least)
 {
     const labelList near(nearer(f, points, reach, least));
     const pointField some(points, near);
@@ -97,7 +100,8 @@ Foam::pointField Foam::fittedPacking::fill() const
 }
 
 
-void Foam::fittedPacking::relax(pointField& points, const pointField& held, const scalarField& volume, bool mirrors) const
+void Foam::fittedPacking::relax(
+    pointField& points, const pointField& held, const scalarField& volume, bool mirrors) const
 {
     const label D = frame.planar() ? 2 : 3;
     const scalar h = 1.25*spacing, reach = 2*h;

@@ -33,9 +33,9 @@ Foam::particlePacking::particlePacking
     }
     if (solved.size() < 2)
     {
-        FatalErrorInFunction
-            << "the mesh has " << solved.size() << " directions that are not empty: particles need 2 or 3"
-            << exit(FatalError);
+        FatalErrorInFunction << "the mesh has " << solved.size()
+                            << " directions that are not empty: particles need 2 or 3"
+                            << exit(FatalError);
     }
 
     // The axis nearest to gravity is stacked last
@@ -61,7 +61,8 @@ Foam::scalar Foam::particlePacking::estimate(const boundBox& box, const boundBox
     for (label i = 0; i < (planar_ ? 2 : 3); ++i)
     {
         const direction axis = axes_[i];
-        const scalar low = max(box.min()[axis], limits.min()[axis]), high = min(box.max()[axis], limits.max()[axis]);
+        const scalar low = max(box.min()[axis], limits.min()[axis]),
+                     high = min(box.max()[axis], limits.max()[axis]);
         n *= max(high - low, scalar(0))/spacing_;
         // Counted from the box's corner, which may be far outside the limits
         longest = max(longest, (high - box.min()[axis])/spacing_);

@@ -111,9 +111,9 @@ Foam::clumpShape Foam::cylinderShape
         if (out > 1 - 1e-9) return disk(middle, radius, frame);
         if (out > 1e-9)
         {
-            FatalIOErrorInFunction(where)
-                << "Entries p1 and p2: in this 2D case a cylinder must lie along the empty direction or across it"
-                << exit(FatalIOError);
+            FatalIOErrorInFunction(where) << "Entries p1 and p2: in this 2D case a cylinder must "
+                                             "lie along the empty direction or across it"
+                                          << exit(FatalIOError);
         }
         vector empty(Zero);
         empty[frame.axis(2)] = 1;
@@ -122,7 +122,8 @@ Foam::clumpShape Foam::cylinderShape
         const scalar half = Foam::sqrt(max(sqr(radius) - sqr(off), scalar(0)));
         const vector reach(cmptMag(0.5*length*n) + cmptMag(half*across));
         const point centre(frame.inPlane(middle));
-        return rectangle(centre, n, across, length, 2*half, boundBox(centre - reach, centre + reach));
+        return rectangle(
+            centre, n, across, length, 2*half, boundBox(centre - reach, centre + reach));
     }
     return cylinderShape(p1, p2, radius);
 }

@@ -27,15 +27,22 @@ public:
         if (cmptMin(box_.span()) <= 0)
         {
             FatalIOErrorInFunction(dict.dict())
-                << "Entry box has no volume: its corners are " << box_.min() << " and " << box_.max() << exit(FatalIOError);
+                << "Entry box has no volume: its corners are " << box_.min() << " and "
+                << box_.max() << exit(FatalIOError);
         }
     }
 
     virtual boundBox bounds() const override { return box_; }
 
-    virtual boolList inside(const pointField& points) const override { return boolList(points.size(), true); }
+    virtual boolList inside(const pointField& points) const override
+    {
+        return boolList(points.size(), true);
+    }
 
-    virtual clumpShape shape(const particlePacking& frame) const override { return boxShape(box_, frame); }
+    virtual clumpShape shape(const particlePacking& frame) const override
+    {
+        return boxShape(box_, frame);
+    }
 
     virtual dictionary surfaceEntries(const particlePacking& frame) const override
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  source csv;  file "points.csv";     // in the case; first line: x,y,z or x,y,z,u,v,w or x,y,z,u,v,w,p */
+/*  source csv;  file "points.csv"; // in the case; first line: x,y,z or x,y,z,u,v,w or
+                 x,y,z,u,v,w,p */
 
 #include "addToRunTimeSelectionTable.H"
 #include "csvFile.H"
@@ -32,7 +33,8 @@ public:
         {
             std::string typed;
             for (const std::string& name : head) typed += (typed.empty() ? "" : ",") + name;
-            file.fail(-1, "the header is '" + typed + "', not x,y,z or x,y,z,u,v,w or x,y,z,u,v,w,p");
+            file.fail(
+                -1, "the header is '" + typed + "', not x,y,z or x,y,z,u,v,w or x,y,z,u,v,w,p");
         }
 
         for (label row = 0; row < file.size(); ++row)
@@ -60,7 +62,10 @@ public:
 
     virtual scalarField pressure() const override { return scalarField(pressure_); }
 
-    virtual scalar estimate(const particlePacking&, const boundBox&) const override { return position_.size(); }
+    virtual scalar estimate(const particlePacking&, const boundBox&) const override
+    {
+        return position_.size();
+    }
 
     virtual bool regular() const override { return false; }
 };

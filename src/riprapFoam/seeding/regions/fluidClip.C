@@ -44,7 +44,8 @@ static scalar partInside(const clumpShape& bodies, const particlePacking& packin
     forAll(probes, i)
     {
         const label index[3] = {i % n, (i/n) % n, i/(n*n)};
-        for (label d = 0; d < D; ++d) probes[i][packing.axis(d)] += ((index[d] + 0.5)/n - 0.5)*packing.spacing();
+        for (label d = 0; d < D; ++d)
+            probes[i][packing.axis(d)] += ((index[d] + 0.5)/n - 0.5)*packing.spacing();
     }
     label in = 0;
     for (const scalar distance : bodies.distance(probes)) in += distance < 0;
@@ -53,7 +54,8 @@ static scalar partInside(const clumpShape& bodies, const particlePacking& packin
 
 
 // Volume of the bodies in the region's cells, in particles
-static scalar wetVolume(const clumpShape& bodies, const particlePacking& packing, const pointField& x, const scalarField& distance)
+static scalar wetVolume(const clumpShape& bodies, const particlePacking& packing,
+    const pointField& x, const scalarField& distance)
 {
     const scalar corner = 0.5*packing.spacing()*Foam::sqrt(scalar(packing.planar() ? 2 : 3));
     scalar sum = 0;
@@ -67,7 +69,8 @@ static scalar wetVolume(const clumpShape& bodies, const particlePacking& packing
 
 
 // What the region's lattice would be beyond its ends, outside of the bodies
-static pointField beyond(const particleRegion& region, const particlePacking& packing, const clumpShape& bodies, scalar reach)
+static pointField beyond(const particleRegion& region, const particlePacking& packing,
+    const clumpShape& bodies, scalar reach)
 {
     const label cells = label(std::ceil(reach/packing.spacing())) + 1;
     boundBox box(region.lattice), limits(bodies.box);
@@ -97,19 +100,23 @@ static pointField beyond(const particleRegion& region, const particlePacking& pa
 }
 
 
-// Points in groups of those that are mirror images of each other across the planes through their centre, along
-// the two axes that are not upright. Of four the opposite ones follow each other
-static List<labelList> mirrorImages(const labelList& points, const pointField& x, const particlePacking& packing)
+// Points in groups of those that are mirror images of each other across the planes through their
+// centre, along the two axes that are not upright. Of four the opposite ones follow each other
+static List<labelList> mirrorImages(
+    const labelList& points, const pointField& x, const particlePacking& packing)
 {
     const scalar same = 1e-6*packing.spacing();
     const label sides = packing.planar() ? 1 : 2;
     const direction up = packing.axis(sides);
     const point centre(average(pointField(x, points)));
-    const auto away = [&](label i, label d) { return mag(x[i][packing.axis(d)] - centre[packing.axis(d)]); };
-    const auto isPositive = [&](label i, label d) { return x[i][packing.axis(d)] > centre[packing.axis(d)]; };
+    const auto away = [&](label i, label d)
+    { return mag(x[i][packing.axis(d)] - centre[packing.axis(d)]); };
+    const auto isPositive = [&](label i, label d)
+    { return x[i][packing.axis(d)] > centre[packing.axis(d)]; };
     const auto apart = [&](label i, label j)
     {
-        for (label d = 0; d < sides; ++d) if (mag(away(i, d) - away(j, d)) > same) return away(i, d) - away(j, d);
+        for (label d = 0; d < sides; ++d)
+            if (mag(away(i, d) - away(j, d)) > same) return away(i, d) - away(j, d);
         return mag(x[i][up] - x[j][up]) > same ? x[i][up] - x[j][up] : scalar(0);
     };
     labelList order(points);
@@ -132,9 +139,11 @@ static List<labelList> mirrorImages(const labelList& points, const pointField& x
 }
 
 
-// Those that stay when the `gone` nearest leave. Of equally near ones, of which some leave, mirror images leave
-// together, evenly among the others: all from one side, as their order in memory has it, would let a float heel
-static boolList withoutNearest(const scalarField& distance, const pointField& x, label gone, const particlePacking& packing)
+// Those that stay when the `gone` nearest leave. Of equally near ones, of which some leave, mirror
+// images leave together, evenly among the others: all from one side, as their order in memory has
+// it, would let a float heel
+static boolList withoutNearest(
+    const scalarField& distance, const pointField& x, label gone, const particlePacking& packing)
 {
     const scalar same = 1e-6*packing.spacing();
     labelList order;
@@ -152,7 +161,8 @@ static boolList withoutNearest(const scalarField& distance, const pointField& x,
     label some = gone - first;
     if (some == 0) return stays;
 
-    const List<labelList> images(mirrorImages(SubList<label>(order, end - first, first), x, packing));
+    const List<labelList> images(
+        mirrorImages(SubList<label>(order, end - first, first), x, packing));
     const label n = images.size(), groups = label(std::int64_t(some)*n/(end - first));
     for (label k = 0; k < groups; ++k)
     {
@@ -176,7 +186,8 @@ static boolList withoutNearest(const scalarField& distance, const pointField& x,
 }
 
 
-static void clipAtShapes(particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
+static void clipAtShapes(
+    particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
 {
     const clumpShape bodies(together(solids));
     const scalarField distance(bodies.distance(region.position));
@@ -204,17 +215,20 @@ static void clipAtShapes(particleRegion& region, const particlePacking& packing,
         volume.append(scalarField(solid.shape->volume/packing.volume()*solid.share));
     }
     pointField points(region.position, moved);
-    fittedPacking{bodies, packing, spacing, 0.5*spacing, false}.relax(points, pointField(std::move(held)), scalarField(std::move(volume)), false);
+    fittedPacking{bodies, packing, spacing, 0.5*spacing, false}.relax(
+        points, pointField(std::move(held)), scalarField(std::move(volume)), false);
     forAll(moved, i) region.position[moved[i]] = points[i];
 
     const scalar cell = packing.volume();
-    Info<< "    " << region.name << ": cut at solids, " << gone << " particles of " << gone*cell << " m3" << (packing.planar() ? " per metre" : "")
-        << " for " << wet*cell << " of the bodies in it; " << moved.size() << " moved into layers about them" << nl;
+    Info<< "    " << region.name << ": cut at solids, " << gone << " particles of " << gone*cell
+        << " m3" << (packing.planar() ? " per metre" : "") << " for " << wet*cell
+        << " of the bodies in it; " << moved.size() << " moved into layers about them" << nl;
 }
 
 
 // Where no shape is known, or no lattice
-static void clipAtParticles(particleRegion& region, const particlePacking& packing, const fluidObstacle& solid, bool shaped)
+static void clipAtParticles(
+    particleRegion& region, const particlePacking& packing, const fluidObstacle& solid, bool shaped)
 {
     const scalar least = tooNear*packing.spacing();
     boolList good(region.size(), true);
@@ -228,25 +242,27 @@ static void clipAtParticles(particleRegion& region, const particlePacking& packi
         const pointGrid centres(max(solid.radius) + least, solid.centre);
         forAll(good, i)
         {
-            centres.near
-            (
-                region.position[i],
-                [&](label s, const vector&, scalar distance) { if (distance < solid.radius[s] + least) good[i] = false; }
-            );
+            centres.near(region.position[i],
+                [&](label s, const vector&, scalar distance)
+                {
+                    if (distance < solid.radius[s] + least) good[i] = false;
+                });
         }
     }
     const label before = region.size();
     region.keep(good);
     if (before == region.size()) return;
-    Info<< "    " << region.name << ": cut at solids " << solid.name << ", " << before - region.size() << " particles of "
-        << (before - region.size())*packing.volume() << " m3" << (packing.planar() ? " per metre" : "")
-        << ", without layers about them" << nl;
+    Info<< "    " << region.name << ": cut at solids " << solid.name << ", "
+        << before - region.size() << " particles of "
+        << (before - region.size())*packing.volume() << " m3"
+        << (packing.planar() ? " per metre" : "") << ", without layers about them" << nl;
 }
 
 } // namespace Foam
 
 
-void Foam::clipAtSolids(particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
+void Foam::clipAtSolids(
+    particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
 {
     const bool fits = region.regular && packing.square();
     bool any = false;

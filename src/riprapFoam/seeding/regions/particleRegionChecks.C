@@ -25,10 +25,12 @@ void Foam::checkPlace
     {
         boolList good(space.bodies->inSolid(b, region.position));
         for (bool& g : good) g = !g;
-        clipOrStop(region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
+        clipOrStop(
+            region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
     }
 
-    // A particle half a spacing before a wall is (dp + dw)/2 from the first layer; half of that is too near
+    // A particle half a spacing before a wall is (dp + dw)/2 from the first layer; half of that is
+    // too near
     if (space.walls.size() == 0) return;
     const scalar near = 0.25*(packing.spacing() + space.walls.spacing);
     const pointGrid walls(near, space.walls.position);
@@ -36,7 +38,11 @@ void Foam::checkPlace
     #pragma omp parallel for schedule(static) if (region.size() > 10000)
     for (label i = 0; i < region.size(); ++i)
     {
-        walls.near(region.position[i], [&](label w, const vector&, scalar) { if (found[i] < 0) found[i] = w; });
+        walls.near(region.position[i],
+            [&](label w, const vector&, scalar)
+            {
+                if (found[i] < 0) found[i] = w;
+            });
     }
     boolList good(region.size(), true);
     word wall;

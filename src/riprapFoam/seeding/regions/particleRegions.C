@@ -64,7 +64,8 @@ static void readPressure
     {
         OStringStream typed;
         typed << first;
-        dict.unknownWord("pressure", word(typed.str(), false), wordList({"hydrostatic", "zero", "<number>"}));
+        dict.unknownWord(
+            "pressure", word(typed.str(), false), wordList({"hydrostatic", "zero", "<number>"}));
     }
 
     if (dict.found("freeSurface") && !(first.isWord() && first.wordToken() == "hydrostatic"))
@@ -119,13 +120,15 @@ static particleRegion readRegion
     if (region.position.empty())
     {
         FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << " holds no particle" << (region.clip ? " after clipping" : "")
-            << ". The mesh is " << space.mesh.bounds().min() << " to " << space.mesh.bounds().max()
+            << "Region " << region.name << " holds no particle"
+            << (region.clip ? " after clipping" : "") << ". The mesh is "
+            << space.mesh.bounds().min() << " to " << space.mesh.bounds().max()
             << (packing.planar() ? ", and its mid-plane must be in the region" : "")
             << exit(FatalIOError);
     }
     // The source's own, unless the region says otherwise
-    if (region.pressure.empty() || dict.found("pressure")) readPressure(dict, region, packing, space);
+    if (region.pressure.empty() || dict.found("pressure"))
+        readPressure(dict, region, packing, space);
     return region;
 }
 
@@ -187,7 +190,8 @@ Foam::word Foam::setOf(const namedDictionary& region)
     checkedDictionary dict(region.dict);
     dict.found("set");
     const word set(region.dict.get<word>("set"));
-    if (set != "fluid" && set != "solids") dict.unknownWord("set", set, wordList({"fluid", "solids"}));
+    if (set != "fluid" && set != "solids")
+        dict.unknownWord("set", set, wordList({"fluid", "solids"}));
     return set;
 }
 

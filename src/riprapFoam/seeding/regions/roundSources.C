@@ -10,7 +10,8 @@
 namespace Foam
 {
 
-// A polygon of the same area as the circle about a point of the mid-plane, a part of 1e-4 of the radius off it
+// A polygon of the same area as the circle about a point of the mid-plane, a part of 1e-4 of the
+// radius off it
 static dictionary circleOutline(const point& centre, scalar radius, const particlePacking& frame)
 {
     using constant::mathematical::twoPi;
@@ -83,7 +84,10 @@ public:
         return in;
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const override { return cylinderShape(p1_, p2_, radius_, frame, where_); }
+    virtual clumpShape shape(const particlePacking& frame) const override
+    {
+        return cylinderShape(p1_, p2_, radius_, frame, where_);
+    }
 
     // In 2D a circle, or a rectangle
     virtual dictionary surfaceEntries(const particlePacking& frame) const override
@@ -94,10 +98,14 @@ public:
         empty[frame.axis(2)] = 1;
         if (mag(n & empty) > 1 - 1e-9) return circleOutline(0.5*(p1_ + p2_), radius_, frame);
         const vector across(empty ^ n);
-        const scalar off = mag(frame.inPlane(p1_) - p1_), half = Foam::sqrt(max(sqr(radius_) - sqr(off), scalar(0)));
+        const scalar off = mag(frame.inPlane(p1_) - p1_),
+                     half = Foam::sqrt(max(sqr(radius_) - sqr(off), scalar(0)));
         const point a(frame.inPlane(p1_)), b(frame.inPlane(p2_));
         dictionary entries;
-        if (half > 0) entries.add("outline", pointField(List<point>{a - half*across, b - half*across, b + half*across, a + half*across}));
+        if (half > 0)
+            entries.add("outline",
+                pointField(List<point>{
+                    a - half*across, b - half*across, b + half*across, a + half*across}));
         return entries;
     }
 };
@@ -139,13 +147,17 @@ public:
         return in;
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const override { return sphereShape(centre_, radius_, frame); }
+    virtual clumpShape shape(const particlePacking& frame) const override
+    {
+        return sphereShape(centre_, radius_, frame);
+    }
 
     virtual dictionary surfaceEntries(const particlePacking& frame) const override
     {
         if (!frame.planar()) return shapeEntries(where_, {"source", "centre", "radius"});
         const scalar off = mag(frame.inPlane(centre_) - centre_);
-        return off < radius_ ? circleOutline(centre_, Foam::sqrt(sqr(radius_) - sqr(off)), frame) : dictionary();
+        return off < radius_ ? circleOutline(centre_, Foam::sqrt(sqr(radius_) - sqr(off)), frame)
+                             : dictionary();
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  A closed surface as the shape of a region. In 2D its section by the mesh's mid-plane: segments from a to b with the inside on their left, whose order
-    does not matter (Green's theorem):
+/*  A closed surface as the shape of a region. In 2D its section by the mesh's mid-plane: segments
+    from a to b with the inside on their left, whose order does not matter (Green's theorem):
 
         A = sum c/2,    A X = sum (a + b) c/6,    J = sum c (a.a + a.b + b.b)/12,    c = a x b
 */
@@ -58,7 +58,9 @@ static scalar signedDistance(const List<segment>& line, const vector2D& p)
     scalar nearest2 = GREAT;
     for (const segment& s : line)
     {
-        if ((s.a.y() > p.y()) != (s.b.y() > p.y()) && p.x() < s.a.x() + (p.y() - s.a.y())/(s.b.y() - s.a.y())*(s.b.x() - s.a.x())) in = !in;
+        if ((s.a.y() > p.y()) != (s.b.y() > p.y())
+            && p.x() < s.a.x() + (p.y() - s.a.y())/(s.b.y() - s.a.y())*(s.b.x() - s.a.x()))
+            in = !in;
         const vector2D along(s.b - s.a), to(p - s.a);
         const scalar t = min(max((to & along)/magSqr(along), scalar(0)), scalar(1));
         nearest2 = min(nearest2, magSqr(to - t*along));
@@ -101,7 +103,8 @@ static clumpShape section(const triSurface& surface, const particlePacking& fram
 } // namespace Foam
 
 
-Foam::clumpShape Foam::closedShape(const std::shared_ptr<const triSurface>& surface, const particlePacking& frame)
+Foam::clumpShape Foam::closedShape(
+    const std::shared_ptr<const triSurface>& surface, const particlePacking& frame)
 {
     if (frame.planar()) return section(*surface, frame);
 

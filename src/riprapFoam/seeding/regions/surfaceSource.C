@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  source surface;  file "drop.stl";       // closed, in constant/triSurface; optional: scale 0.001; */
+/*  source surface;  file "drop.stl"; // closed, in constant/triSurface; optional: scale 0.001; */
 
 #include "addToRunTimeSelectionTable.H"
 #include "closedSurface.H"
@@ -30,11 +30,20 @@ public:
 
     virtual boundBox bounds() const override { return boundBox(surface_->points(), false); }
 
-    virtual boolList inside(const pointField& points) const override { return search_->calcInside(points); }
+    virtual boolList inside(const pointField& points) const override
+    {
+        return search_->calcInside(points);
+    }
 
-    virtual clumpShape shape(const particlePacking& frame) const override { return closedShape(surface_, frame); }
+    virtual clumpShape shape(const particlePacking& frame) const override
+    {
+        return closedShape(surface_, frame);
+    }
 
-    virtual dictionary surfaceEntries(const particlePacking& frame) const override { return frame.planar() ? dictionary() : entries_; }
+    virtual dictionary surfaceEntries(const particlePacking& frame) const override
+    {
+        return frame.planar() ? dictionary() : entries_;
+    }
 };
 
 defineTypeNameAndDebug(surfaceSource, 0);

@@ -17,14 +17,16 @@ static void readMass(checkedDictionary& dict, bool whole, rigidEntries& r)
     {
         if (dict.dict().get<word>("mass") == "cell") return;
         FatalIOErrorInFunction(dict.dict())
-            << "Entry mass is " << first.wordToken() << ", but the body is rigid: it has the mass of its region. Leave the entry out, or"
+            << "Entry mass is " << first.wordToken()
+            << ", but the body is rigid: it has the mass of its region. Leave the entry out, or"
             << " give a number [kg] or a density [kg/m3]" << exit(FatalIOError);
     }
     r.mass = dict.positive("mass");
     if (r.density > 0)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entries mass and density are both there: one of them says what the body weighs" << exit(FatalIOError);
+            << "Entries mass and density are both there: one of them says what the body weighs"
+            << exit(FatalIOError);
     }
 }
 
@@ -35,7 +37,8 @@ static void requirePossible(const dictionary& dict, const vector& moments)
     const scalar sum = cmptSum(moments);
     if (cmptMin(moments) > 0 && cmptMax(moments) <= (0.5 + 1e-6)*sum) return;
     FatalIOErrorInFunction(dict)
-        << "Entry inertia: its principal moments are " << moments << "; those of a body are positive, and none is larger than the other"
+        << "Entry inertia: its principal moments are " << moments
+        << "; those of a body are positive, and none is larger than the other"
         << " two together" << exit(FatalIOError);
 }
 
@@ -46,12 +49,12 @@ static tensor readTensor(checkedDictionary& dict)
     if (I.size() != 3 && I.size() != 6)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry inertia has " << I.size() << " values; valid are (Ixx Iyy Izz) and (Ixx Ixy Ixz Iyy Iyz Izz)" << exit(FatalIOError);
+            << "Entry inertia has " << I.size()
+            << " values; valid are (Ixx Iyy Izz) and (Ixx Ixy Ixz Iyy Iyz Izz)"
+            << exit(FatalIOError);
     }
-    const tensor J
-    (
-        I.size() == 3 ? tensor(I[0], 0, 0, 0, I[1], 0, 0, 0, I[2]) : tensor(I[0], I[1], I[2], I[1], I[3], I[4], I[2], I[4], I[5])
-    );
+    const tensor J(I.size() == 3 ? tensor(I[0], 0, 0, 0, I[1], 0, 0, 0, I[2])
+                                 : tensor(I[0], I[1], I[2], I[1], I[3], I[4], I[2], I[4], I[5]));
     tensor axes;
     requirePossible(dict.dict(), principalMoments(J, axes));
     return J;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  rigid yes;  all particles of a region are one rigid body. A region of a box, cylinder, sphere or surface has the mass, centre and inertia of its exact volume
-    at its material's density; of a list without the entry surface they are those of its particles together, each with its own inertia (2/5 m R^2 of a sphere, m R^2/2
-    of a disk). What rigidEntries.H has comes before both. Particles share the body's mass and volume.
+/*  rigid yes;  all particles of a region are one rigid body. A region of a box, cylinder, sphere or
+                surface has the mass, centre and inertia of its exact volume
+    at its material's density; of a list without the entry surface they are those of its particles
+    together, each with its own inertia (2/5 m R^2 of a sphere, m R^2/2 of a disk). What
+    rigidEntries.H has comes before both. Particles share the body's mass and volume.
 */
 
 #include "principalAxes.H"
@@ -77,7 +79,8 @@ static void change(const rigidEntries& given, bool planar, direction empty, rigi
 }
 
 
-static riprap::DemClump clumpOf(const rigidBody& body, bool planar, const vector& velocity, const vector& spin)
+static riprap::DemClump clumpOf(
+    const rigidBody& body, bool planar, const vector& velocity, const vector& spin)
 {
     vector moments(0, 0, body.inertia.zz());
     quaternion turn(quaternion::I);
@@ -115,9 +118,10 @@ static void warnOfCentre(const solidRegion& region, const point& centre, const l
     for (direction d = 0; d < vector::nComponents; ++d)
     {
         if (d == emptyAxis || (centre[d] >= box.min()[d] && centre[d] <= box.max()[d])) continue;
-        WarningInFunction
-            << "Entry centreOfMass " << centre << " of region " << region.name << " is outside of its particles, which are within "
-            << box.min() << " and " << box.max() << " m. Coordinates are those of the mesh" << endl;
+        WarningInFunction << "Entry centreOfMass " << centre << " of region " << region.name
+                          << " is outside of its particles, which are within " << box.min()
+                          << " and " << box.max() << " m. Coordinates are those of the mesh"
+                          << endl;
         return;
     }
 }
@@ -137,10 +141,9 @@ void Foam::makeRigid
 {
     const riprap::DemConfig& config = space.settings.config;
     const bool planar = config.dimensions == 2;
-    rigidBody body
-    (
-        region.exact ? ofShape(*region.exact, space.settings.materials[region.material[0]].density) : ofParticles(space, region)
-    );
+    rigidBody body(region.exact
+            ? ofShape(*region.exact, space.settings.materials[region.material[0]].density)
+            : ofParticles(space, region));
     change(given, planar, config.axes[2], body);
     if (given.centred) warnOfCentre(region, body.centre, planar ? config.axes[2] : -1);
     riprap::DemClump clump(clumpOf(body, planar, velocity, spin));
@@ -156,9 +159,11 @@ void Foam::makeRigid
     region.clump = labelField(region.size(), 0);
 
     const char* metre = planar ? " per metre" : "";
-    Info<< "    " << region.name << ": one rigid body, mass " << body.mass << " kg" << metre << ", centre " << body.centre
-        << ", principal moments of inertia " << vector(clump.inertia[0], clump.inertia[1], clump.inertia[2]) << " kg m2" << metre
+    Info<< "    " << region.name << ": one rigid body, mass " << body.mass << " kg" << metre
+        << ", centre " << body.centre << ", principal moments of inertia "
+        << vector(clump.inertia[0], clump.inertia[1], clump.inertia[2]) << " kg m2" << metre
         << ", volume " << body.volume << " m3" << metre;
-    if (region.cells > 0) Info<< "; the cells of its particles are " << region.cells/body.volume << " of it";
+    if (region.cells > 0)
+        Info<< "; the cells of its particles are " << region.cells/body.volume << " of it";
     Info<< nl;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Entry surface of a rigid body whose particles come from a list: the volume that it is, by the entries of a region of that volume
+/*  Entry surface of a rigid body whose particles come from a list: the volume that it is, by the
+    entries of a region of that volume
 
         source csv;  file "hull.csv";  radius 0.005;  rigid yes;
         surface { source surface; file "hull.stl"; }            // or box, cylinder, sphere
 
-    With it the body has mass, inertia and faces of that volume, whatever its particles hold, as regions of such a volume have.
+    With it the body has mass, inertia and faces of that volume, whatever its particles hold, as
+    regions of such a volume have.
 */
 
 #include "bodyFaces.H"
@@ -33,21 +35,25 @@ static autoPtr<particleSource> readVolume(checkedDictionary& dict, const Time& t
 
 
 // A volume has one mass: what a list says of each particle's would be lost
-static void requireOneMass(const rigidEntries& given, const demSettings& settings, const solidRegion& region)
+static void requireOneMass(
+    const rigidEntries& given, const demSettings& settings, const solidRegion& region)
 {
     if (region.mass.size())
     {
-        FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << " has the mass of its entry surface, and its list has a column mass: leave it out, or say the"
-            << " body's mass or density" << exit(FatalIOError);
+        FatalIOErrorInFunction(region.dict) << "Region " << region.name
+                                            << " has the mass of its entry surface, and its list "
+                                               "has a column mass: leave it out, or say the"
+                                            << " body's mass or density" << exit(FatalIOError);
     }
     if (given.mass > 0 || given.density > 0) return;
     for (const label m : region.material)
     {
-        if (settings.materials[m].density == settings.materials[region.material[0]].density) continue;
-        FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << " has the mass of its entry surface, and its list has materials of different density: say the"
-            << " body's mass or density" << exit(FatalIOError);
+        if (settings.materials[m].density == settings.materials[region.material[0]].density)
+            continue;
+        FatalIOErrorInFunction(region.dict) << "Region " << region.name
+                                            << " has the mass of its entry surface, and its list "
+                                               "has materials of different density: say the"
+                                            << " body's mass or density" << exit(FatalIOError);
     }
 }
 
@@ -63,13 +69,15 @@ static void requireInside(const solidRegion& region)
     }
     if (!out) return;
     FatalIOErrorInFunction(region.dict)
-        << "Entry surface does not hold the particles of region " << region.name << ": the centres of " << out << " of " << region.size()
-        << " are outside of it, that at " << region.position[farthest] << " by " << distance[farthest] << " m" << exit(FatalIOError);
+        << "Entry surface does not hold the particles of region " << region.name
+        << ": the centres of " << out << " of " << region.size() << " are outside of it, that at "
+        << region.position[farthest] << " by " << distance[farthest] << " m" << exit(FatalIOError);
 }
 
 
 // The corners of the body's faces in space, an element after the other
-static pointField cornersOf(const riprap::WallFaceInput& faces, const riprap::DemClump& body, label corners)
+static pointField cornersOf(
+    const riprap::WallFaceInput& faces, const riprap::DemClump& body, label corners)
 {
     const auto& q = body.orientation;
     const tensor axes(quaternion(q[0], vector(q[1], q[2], q[3])).R());
@@ -85,7 +93,8 @@ static pointField cornersOf(const riprap::WallFaceInput& faces, const riprap::De
 
 
 // Points of a triangle, or of a line from a to b = c, no farther than a length apart
-static void addPoints(const point& a, const point& b, const point& c, scalar length, DynamicList<point>& points)
+static void addPoints(
+    const point& a, const point& b, const point& c, scalar length, DynamicList<point>& points)
 {
     const label n = label(max(mag(b - a), max(mag(c - a), mag(c - b)))/length) + 1;
     for (label i = 0; i <= n; ++i)
@@ -96,7 +105,8 @@ static void addPoints(const point& a, const point& b, const point& c, scalar len
 } // namespace Foam
 
 
-void Foam::readRigidSurface(checkedDictionary& dict, const rigidEntries& given, const solidSpace& space, solidRegion& region)
+void Foam::readRigidSurface(checkedDictionary& dict, const rigidEntries& given,
+    const solidSpace& space, solidRegion& region)
 {
     const dictionary& entries = dict.subDict("surface");
     if (!dict.dict().found("surface", keyType::LITERAL) || region.size() == 0) return;
@@ -105,7 +115,8 @@ void Foam::readRigidSurface(checkedDictionary& dict, const rigidEntries& given, 
     const auto source = readVolume(own, space.mesh.time());
     const auto& volume = dynamic_cast<const volumeSource&>(source());
     const auto& g = space.settings.config.gravity;
-    const particlePacking frame(space.mesh, particlePacking::kind::square, 1, vector(g[0], g[1], g[2]));
+    const particlePacking frame(
+        space.mesh, particlePacking::kind::square, 1, vector(g[0], g[1], g[2]));
     region.exact = std::make_shared<const clumpShape>(volume.shape(frame));
     region.shape = volume.surfaceEntries(frame);
     region.surface = bodySurface(entries);
@@ -114,7 +125,8 @@ void Foam::readRigidSurface(checkedDictionary& dict, const rigidEntries& given, 
 }
 
 
-void Foam::requireCovered(const solidRegion& region, const Time& time, const riprap::SphConfig& config)
+void Foam::requireCovered(
+    const solidRegion& region, const Time& time, const riprap::SphConfig& config)
 {
     if (!region.dict.isDict("surface") || region.clumps.size() != 1) return;
 
@@ -123,7 +135,8 @@ void Foam::requireCovered(const solidRegion& region, const Time& time, const rip
     surfaces.add(region.name, surface);
     properties.add("surfaces", surfaces);
     const label corners = config.dimensions;
-    const pointField corner(cornersOf(bodyFaces(properties, time, config, {region.clumps[0]}), region.clumps[0], corners));
+    const pointField corner(cornersOf(
+        bodyFaces(properties, time, config, {region.clumps[0]}), region.clumps[0], corners));
 
     // How the scene finds the faces near a particle (sph/boundary/bodyContact.hpp)
     const scalar reach = max(region.radius) + config.spacing;
@@ -139,8 +152,10 @@ void Foam::requireCovered(const solidRegion& region, const Time& time, const rip
         const scalar distance = centres.nearest(x, -1);
         if (distance <= reach) continue;
         FatalIOErrorInFunction(region.dict)
-            << "Region " << region.name << ": no particle of the list is within " << reach << " m of its entry surface at " << x
-            << ", where water would get in: faces are sought within a particle's radius and the water's spacing. Let particles follow the surface"
+            << "Region " << region.name << ": no particle of the list is within " << reach
+            << " m of its entry surface at " << x
+            << ", where water would get in: faces are sought within a particle's radius and the "
+               "water's spacing. Let particles follow the surface"
             << exit(FatalIOError);
     }
 }

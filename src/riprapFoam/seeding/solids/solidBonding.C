@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Which particles are bonded: those of the groups named whose surfaces are near enough, and no others. */
+/*  Which particles are bonded: those of the groups named whose surfaces are near enough, and no
+    others. */
 
 #include "solidRegions.H"
 #include "HashSet.H"
@@ -88,7 +89,8 @@ riprap::DemBondState Foam::bondSolids
         dict.found("groups");
         const label type = settings.bondType(entries.get<word>("type"), entries);
         labelList groups;
-        for (const word& name : entries.get<wordList>("groups")) groups.append(settings.group(name, entries));
+        for (const word& name : entries.get<wordList>("groups"))
+            groups.append(settings.group(name, entries));
         const scalar tolerance = (dict.number("gapTolerance"), dict.notNegative("gapTolerance", 0));
         dict.end();
 
@@ -97,7 +99,8 @@ riprap::DemBondState Foam::bondSolids
         if (n == 0)
         {
             FatalIOErrorInFunction(entries)
-                << "Entry bonds: " << named.name << " bonds nothing: no two particles of these groups are nearer"
+                << "Entry bonds: " << named.name
+                << " bonds nothing: no two particles of these groups are nearer"
                 << " than gapTolerance " << tolerance << " m" << exit(FatalIOError);
         }
     }

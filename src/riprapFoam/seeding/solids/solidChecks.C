@@ -55,7 +55,8 @@ void Foam::checkSolidPlace(solidRegion& region, const solidSpace& space, scalar 
     {
         boolList good(space.bodies->inSolid(b, region.position));
         for (bool& g : good) g = !g;
-        clipOrStop(region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
+        clipOrStop(
+            region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
     }
 
     const labelList patches
@@ -131,7 +132,8 @@ void Foam::checkSolidOverlap
             {
                 const scalar allowed = tolerance*min(p.radius[i], p.radius[j]);
                 const bool together = p.clump.size() && p.clump[i] >= 0 && p.clump[i] == p.clump[j];
-                if (j < i && distance < p.radius[i] + p.radius[j] - allowed && !together && !bonded.found(labelPair(j, i)))
+                if (j < i && distance < p.radius[i] + p.radius[j] - allowed && !together
+                    && !bonded.found(labelPair(j, i)))
                 {
                     other = j;
                 }
@@ -139,10 +141,11 @@ void Foam::checkSolidOverlap
         );
         if (other < 0) continue;
         FatalIOErrorInFunction(regions[owner[i]].dict)
-            << "Particles overlap at the start: one of region " << regions[owner[other]].name << " at " << x[other]
-            << " and one of region " << regions[owner[i]].name << " at " << x[i] << ", by "
-            << p.radius[i] + p.radius[other] - mag(x[i] - x[other]) << " m; overlapTolerance allows "
-            << tolerance << " of the smaller radius" << exit(FatalIOError);
+            << "Particles overlap at the start: one of region " << regions[owner[other]].name
+            << " at " << x[other] << " and one of region " << regions[owner[i]].name << " at "
+            << x[i] << ", by " << p.radius[i] + p.radius[other] - mag(x[i] - x[other])
+            << " m; overlapTolerance allows " << tolerance << " of the smaller radius"
+            << exit(FatalIOError);
     }
 }
 

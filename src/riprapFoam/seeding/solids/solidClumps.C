@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  source clumpsFromSurface;  file "rock.stl";                     // 3D
-    source clumpsFromOutline;  outline ((0 0 0) (2 0 0) (1 1 0));   // 2D: a closed line of points, without crossings
+    source clumpsFromOutline;  outline ((0 0 0) (2 0 0) (1 1 0)); // 2D: a closed line of points,
+                               without crossings
     spheres 30;  centres ((0 0 0.1) (0 0 0.3));
-    orientation random;  seed 1;            // or turned; axis (0 0 1); angle 30; default: given, as the shape stands
+    orientation random;  seed 1; // or turned; axis (0 0 1); angle 30; default: given, as the shape
+                         stands
 
-    A rigid body for each centre: spheres (disks) that fill the shape, while mass and inertia are those of the shape
-    itself. They touch it from inside; the largest that is not yet covered comes next (a greedy cover by inscribed balls,
-    as Bradshaw & O'Sullivan 2004 begin). `resolution`: lattice points along the longest side at which balls are
-    tried. Without centres the body is where the shape was given. Random: uniform over all rotations (Shoemake 1992).
+    A rigid body for each centre: spheres (disks) that fill the shape, while mass and inertia are
+    those of the shape itself. They touch it from inside; the largest that is not yet covered comes
+    next (a greedy cover by inscribed balls, as Bradshaw & O'Sullivan 2004 begin). `resolution`:
+    lattice points along the longest side at which balls are tried. Without centres the body is
+    where the shape was given. Random: uniform over all rotations (Shoemake 1992).
 */
 
 #include "clumpShape.H"
@@ -75,7 +78,8 @@ static const Enum<orientationKind> orientationNames
 
 
 // A rotation for each of so many bodies. In 2D about the empty direction
-static tensorField readOrientations(checkedDictionary& dict, const riprap::DemConfig& config, label n)
+static tensorField readOrientations(
+    checkedDictionary& dict, const riprap::DemConfig& config, label n)
 {
     using constant::mathematical::twoPi;
     tensorField all(n, tensor::I);
@@ -83,7 +87,8 @@ static tensorField readOrientations(checkedDictionary& dict, const riprap::DemCo
     vector out(Zero);
     out[config.axes[2]] = 1;
 
-    const orientationKind kind = dict.choice("orientation", orientationNames, orientationKind::given);
+    const orientationKind kind = dict.choice(
+        "orientation", orientationNames, orientationKind::given);
     if (kind == orientationKind::turned)
     {
         const scalar angle = degToRad(dict.number("angle"));
@@ -95,7 +100,8 @@ static tensorField readOrientations(checkedDictionary& dict, const riprap::DemCo
         }
         if (!(mag(axis) > SMALL))
         {
-            FatalIOErrorInFunction(dict.dict()) << "Entry axis is " << axis << ": it needs a length" << exit(FatalIOError);
+            FatalIOErrorInFunction(dict.dict())
+                << "Entry axis is " << axis << ": it needs a length" << exit(FatalIOError);
         }
         all = quaternion(axis/mag(axis), angle).R();
     }
@@ -113,7 +119,9 @@ static tensorField readOrientations(checkedDictionary& dict, const riprap::DemCo
             }
             const scalar u = uniform(), a = twoPi*uniform(), b = twoPi*uniform();
             const scalar p = Foam::sqrt(1 - u), q = Foam::sqrt(u);
-            R = quaternion(q*Foam::cos(b), vector(p*Foam::sin(a), p*Foam::cos(a), q*Foam::sin(b))).R();
+            R = quaternion(
+                q*Foam::cos(b), vector(p*Foam::sin(a), p*Foam::cos(a), q*Foam::sin(b)))
+                    .R();
         }
     }
     return all;
@@ -122,15 +130,17 @@ static tensorField readOrientations(checkedDictionary& dict, const riprap::DemCo
 } // namespace Foam
 
 
-void Foam::readClumps(checkedDictionary& dict, const word& source, const solidSpace& space, solidRegion& region)
+void Foam::readClumps(
+    checkedDictionary& dict, const word& source, const solidSpace& space, solidRegion& region)
 {
     const riprap::DemConfig& config = space.settings.config;
     const bool planar = config.dimensions == 2, outline = source == "clumpsFromOutline";
     if (planar != outline)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Source " << source << " needs a case in " << (outline ? "2D" : "3D") << "; in " << (planar ? "2D" : "3D")
-            << " it is " << (planar ? "clumpsFromOutline" : "clumpsFromSurface") << exit(FatalIOError);
+            << "Source " << source << " needs a case in " << (outline ? "2D" : "3D") << "; in "
+            << (planar ? "2D" : "3D") << " it is "
+            << (planar ? "clumpsFromOutline" : "clumpsFromSurface") << exit(FatalIOError);
     }
 
     const label most = dict.whole("spheres", 50, 1, 10000);
@@ -187,7 +197,8 @@ void Foam::readClumps(checkedDictionary& dict, const word& source, const solidSp
     scalar largest = 0;
     for (const ball& b : balls) largest = max(largest, b.radius);
     Info<< "    " << region.name << ": " << centres.size() << " clumps of " << balls.size()
-        << " spheres, radius " << balls.last().radius << " to " << largest << " m; " << (planar ? "area " : "volume ")
-        << shape.volume << (planar ? " m2" : " m3") << ", principal moments of inertia per density " << shape.moments
+        << " spheres, radius " << balls.last().radius << " to " << largest << " m; "
+        << (planar ? "area " : "volume ") << shape.volume << (planar ? " m2" : " m3")
+        << ", principal moments of inertia per density " << shape.moments
         << (planar ? " m4" : " m5") << nl;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  source csv for solids: a body a line. Columns by name, in any order: x, y, z and any of u, v, w (velocity), wx, wy, wz
-    (spin), radius, mass, material, group. What has no column is the region's.
+/*  source csv for solids: a body a line. Columns by name, in any order: x, y, z and any of u, v, w
+    (velocity), wx, wy, wz (spin), radius, mass, material, group. What has no column is the
+    region's.
 */
 
 #include "csvFile.H"
@@ -29,7 +30,8 @@ static vectorField vectors(const csvFile& file, const wordList& names, bool need
     vectorField values(file.size());
     forAll(values, i)
     {
-        for (direction d = 0; d < vector::nComponents; ++d) values[i][d] = file.number(i, column[d]);
+        for (direction d = 0; d < vector::nComponents; ++d)
+            values[i][d] = file.number(i, column[d]);
     }
     return values;
 }
@@ -44,7 +46,8 @@ static scalarField positives(const csvFile& file, const word& name)
     forAll(values, i)
     {
         values[i] = file.number(i, column);
-        if (!(values[i] > 0)) file.fail(i, name + " is " + file.text(i, column) + ": it must be positive");
+        if (!(values[i] > 0))
+            file.fail(i, name + " is " + file.text(i, column) + ": it must be positive");
     }
     return values;
 }
@@ -84,11 +87,13 @@ void Foam::readSolidList(checkedDictionary& dict, const solidSpace& space, solid
         forAll(index, i)
         {
             const word typed(file.text(i, column), false);
-            index[i] = name == "group" ? settings.group(typed, region.dict) : settings.material(typed, region.dict);
+            index[i] = name == "group" ? settings.group(typed, region.dict)
+                                       : settings.material(typed, region.dict);
         }
     }
 
     const auto& g = settings.config.gravity;
-    const particlePacking frame(space.mesh, particlePacking::kind::square, 1, vector(g[0], g[1], g[2]));
+    const particlePacking frame(
+        space.mesh, particlePacking::kind::square, 1, vector(g[0], g[1], g[2]));
     for (point& x : region.position) x = frame.inPlane(x);
 }

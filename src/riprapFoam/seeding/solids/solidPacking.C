@@ -80,7 +80,8 @@ Foam::pointField Foam::solidLattice::fill(const boundBox& box, const particlePac
                     x[axis] = box.min()[axis] + radius + index[d]*step[d] + moved[d];
                     in = in && x[axis] + radius <= box.max()[axis] + slack;
                     // One less where a row is shifted, even if there were room
-                    if (kind == solidPackingKind::layers && moved[d] > 0 && index[d] == n[d] - 1) in = false;
+                    if (kind == solidPackingKind::layers && moved[d] > 0 && index[d] == n[d] - 1)
+                        in = false;
                 }
                 if (in) centres.append(frame.inPlane(x));
             }

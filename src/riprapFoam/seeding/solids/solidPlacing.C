@@ -81,7 +81,8 @@ static scalar volumeOf(const volumeSource& volume, const particlePacking& frame)
 }
 
 
-// Entry particleRadius; or radius, where that is no entry of the region's own shape; or half the spacing
+// Entry particleRadius; or radius, where that is no entry of the region's own shape; or half the
+// spacing
 static scalar particleRadius(checkedDictionary& dict, const solidRegion& region, bool spaced)
 {
     const bool ofRegion = dict.isKnown("radius");
@@ -89,9 +90,9 @@ static scalar particleRadius(checkedDictionary& dict, const solidRegion& region,
     const bool plain = !ofRegion && dict.found("radius");
     if (own && plain)
     {
-        FatalIOErrorInFunction(dict.dict())
-            << "Entries radius and particleRadius are both there: one of them is the particles' radius"
-            << exit(FatalIOError);
+        FatalIOErrorInFunction(dict.dict()) << "Entries radius and particleRadius are both there: "
+                                               "one of them is the particles' radius"
+                                            << exit(FatalIOError);
     }
     if (own) return dict.positive("particleRadius");
     if (plain) return dict.positive("radius");
@@ -123,19 +124,23 @@ static bodyGrading gradingOf(checkedDictionary& dict, bool sameMass)
         if (!dict.isKnown(other) && dict.found(other))
         {
             FatalIOErrorInFunction(dict.dict())
-                << "Entries radii and " << other << " are both there: one of them says how large the particles are" << exit(FatalIOError);
+                << "Entries radii and " << other
+                << " are both there: one of them says how large the particles are"
+                << exit(FatalIOError);
         }
     }
     if (sameMass && !grading.ofNumber)
     {
-        FatalIOErrorInFunction(dict.dict())
-            << "Entry sharesOf is mass, but with `mass cell;` all particles have one mass: valid is number" << exit(FatalIOError);
+        FatalIOErrorInFunction(dict.dict()) << "Entry sharesOf is mass, but with `mass cell;` all "
+                                               "particles have one mass: valid is number"
+                                            << exit(FatalIOError);
     }
     return grading;
 }
 
 
-static randomPacking readRandom(checkedDictionary& dict, const solidRegion& region, const bodyGrading& grading)
+static randomPacking readRandom(
+    checkedDictionary& dict, const solidRegion& region, const bodyGrading& grading)
 {
     randomPacking packing;
     if (grading.radii.size())
@@ -155,8 +160,8 @@ static randomPacking readRandom(checkedDictionary& dict, const solidRegion& regi
     if (packing.largest < packing.smallest)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry largestRadius is " << packing.largest << ", less than the particles' radius " << packing.smallest
-            << exit(FatalIOError);
+            << "Entry largestRadius is " << packing.largest << ", less than the particles' radius "
+            << packing.smallest << exit(FatalIOError);
     }
     return packing;
 }
@@ -198,8 +203,10 @@ static void placeRandom
     if (!placed)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Region " << region.name << ": " << region.radius.size() << " bodies cannot be brought apart at"
-            << " solidFraction " << packing.solidFraction << "; random packings reach about 0.8 in 2D and 0.6"
+            << "Region " << region.name << ": " << region.radius.size()
+            << " bodies cannot be brought apart at"
+            << " solidFraction " << packing.solidFraction
+            << "; random packings reach about 0.8 in 2D and 0.6"
             << " in 3D, less beside walls" << exit(FatalIOError);
     }
 }
@@ -218,7 +225,8 @@ static void placeRegular
     if (dict.dict().found("radii"))
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry radii needs `packing random;`: on a lattice all particles have one radius" << exit(FatalIOError);
+            << "Entry radii needs `packing random;`: on a lattice all particles have one radius"
+            << exit(FatalIOError);
     }
     solidLattice lattice;
     lattice.kind = kind;
@@ -254,14 +262,16 @@ static void placeRegular
 } // namespace Foam
 
 
-Foam::scalarField Foam::placeInVolume(checkedDictionary& dict, bool rigid, const solidSpace& space, solidRegion& region)
+Foam::scalarField Foam::placeInVolume(
+    checkedDictionary& dict, bool rigid, const solidSpace& space, solidRegion& region)
 {
     using constant::mathematical::pi;
 
     const auto source = particleSource::New(dict, space.mesh.time());
     const auto& volume = dynamic_cast<const volumeSource&>(source());
     const auto& g = space.settings.config.gravity;
-    const particlePacking frame(space.mesh, particlePacking::kind::square, 1, vector(g[0], g[1], g[2]));
+    const particlePacking frame(
+        space.mesh, particlePacking::kind::square, 1, vector(g[0], g[1], g[2]));
     const auto kind = dict.choice
     (
         "packing",
@@ -281,7 +291,8 @@ Foam::scalarField Foam::placeInVolume(checkedDictionary& dict, bool rigid, const
     if (!rigid && kind == solidPackingKind::fitted)
     {
         FatalIOErrorInFunction(dict.dict())
-            << "Entry packing is fitted, which is for one rigid body: with `rigid yes;`" << exit(FatalIOError);
+            << "Entry packing is fitted, which is for one rigid body: with `rigid yes;`"
+            << exit(FatalIOError);
     }
 
     if (kind == solidPackingKind::random)
@@ -291,7 +302,8 @@ Foam::scalarField Foam::placeInVolume(checkedDictionary& dict, bool rigid, const
     }
     else placeRegular(dict, volume, frame, kind, region);
 
-    const scalarField own(frame.planar() ? scalarField(pi*sqr(region.radius)) : scalarField(4*pi/3*pow3(region.radius)));
+    const scalarField own(frame.planar() ? scalarField(pi*sqr(region.radius))
+                                         : scalarField(4*pi/3*pow3(region.radius)));
     if (rigid) return region.exact->volume/max(sum(own), VSMALL)*own;
     return cells ? scalarField(region.size(), region.cells/max(region.size(), 1)) : own;
 }

@@ -22,12 +22,16 @@ static label readName
 // A rigid body moves as one: what a list says of each particle's motion or group would be lost
 static void requireOneMotion(const solidRegion& region)
 {
-    const char* columns =
-        region.velocity.size() ? "u, v, w" : region.spin.size() ? "wx, wy, wz" : region.group.size() ? "group" : nullptr;
+    const char* columns = region.velocity.size() ? "u, v, w"
+        : region.spin.size() ? "wx, wy, wz"
+        : region.group.size() ? "group"
+                                                 : nullptr;
     if (!columns) return;
     FatalIOErrorInFunction(region.dict)
-        << "Region " << region.name << " is one rigid body, and its list has the columns " << columns << " for each particle: leave them out;"
-        << " the entries velocity, spin and group of the region are the body's" << exit(FatalIOError);
+        << "Region " << region.name << " is one rigid body, and its list has the columns "
+        << columns << " for each particle: leave them out;"
+        << " the entries velocity, spin and group of the region are the body's"
+        << exit(FatalIOError);
 }
 
 
@@ -66,8 +70,8 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
     if (rigid && shaped)
     {
         FatalIOErrorInFunction(region.dict)
-            << "Entry rigid is yes, but the bodies of source " << source << " are rigid ones already: leave it out"
-            << exit(FatalIOError);
+            << "Entry rigid is yes, but the bodies of source " << source
+            << " are rigid ones already: leave it out" << exit(FatalIOError);
     }
     rigidEntries given;
     if (rigid) given = readRigid(dict, settings.config.dimensions == 2, source != "csv");
@@ -124,8 +128,9 @@ static solidRegion readRegion(const namedDictionary& entries, const solidSpace& 
         {
             const scalar R = region.radius[i];
             using constant::mathematical::pi;
-            const scalar volume =
-                unitMass.size() ? unitMass[i] : settings.config.dimensions == 2 ? pi*sqr(R) : 4*pi/3*pow3(R);
+            const scalar volume = unitMass.size() ? unitMass[i]
+                : settings.config.dimensions == 2 ? pi*sqr(R)
+                                                  : 4*pi/3*pow3(R);
             region.mass[i] = settings.materials[region.material[i]].density*volume;
         }
     }
@@ -149,9 +154,10 @@ Foam::List<Foam::solidRegion> Foam::readSolidRegions(const dictionary& all, cons
         if (region.size() == 0)
         {
             FatalIOErrorInFunction(region.dict)
-                << "Region " << region.name << " holds no particle" << (region.clip ? " after clipping" : "")
-                << ": bodies must lie wholly in it. The mesh is " << space.mesh.bounds().min() << " to "
-                << space.mesh.bounds().max() << exit(FatalIOError);
+                << "Region " << region.name << " holds no particle"
+                << (region.clip ? " after clipping" : "")
+                << ": bodies must lie wholly in it. The mesh is " << space.mesh.bounds().min()
+                << " to " << space.mesh.bounds().max() << exit(FatalIOError);
         }
         regions.append(region);
     }

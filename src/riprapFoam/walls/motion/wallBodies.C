@@ -52,7 +52,8 @@ static void stop(const wallMotion& motion, const error& e)
 }
 
 
-static autoPtr<solidBodyMotionFunction> functionOf(const wallMotion& motion, const dictionary& dict, const Time& time)
+static autoPtr<solidBodyMotionFunction> functionOf(
+    const wallMotion& motion, const dictionary& dict, const Time& time)
 {
     try
     {
@@ -134,7 +135,8 @@ wallMotion readMotion(const word& name, const dictionary& entries, bool ofWalls)
     {
         dict.subDict(coeffs);
         // Those of others may stand there, so that one word changes the motion
-        for (const word& other : solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
+        for (const word& other :
+            solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
         {
             const word others(other + "Coeffs");
             if (motion.dict.found(others)) dict.subDict(others);
@@ -185,9 +187,12 @@ Foam::wallBodies::wallBodies
     {
         functions_.set(i, functionOf(groups_[i], groups_[i].dict, time_));
         // Coefficients of others: one word makes them this motion's
-        for (const word& other : solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
+        for (const word& other :
+            solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc())
         {
-            if (other == functions_[i].type() || !groups_[i].dict.found(other + "Coeffs", keyType::LITERAL)) continue;
+            if (other == functions_[i].type()
+                || !groups_[i].dict.found(other + "Coeffs", keyType::LITERAL))
+                continue;
             dictionary dict(groups_[i].dict);
             dict.set("solidBodyMotionFunction", other);
             functionOf(groups_[i], dict, time_);
@@ -282,8 +287,8 @@ void Foam::wallBodies::requireNear
     FatalIOErrorInFunction(groups_[body].dict)
         << "Motion " << name(body) << " takes its walls " << away << " m away,"
         << " more than 10000 times the size of the mesh, " << mesh.mag()
-        << " m, until endTime: is there a wrong unit among " << listed(coefficients(groups_[body].dict)).c_str()
-        << '?' << exit(FatalIOError);
+        << " m, until endTime: is there a wrong unit among "
+        << listed(coefficients(groups_[body].dict)).c_str() << '?' << exit(FatalIOError);
 }
 
 

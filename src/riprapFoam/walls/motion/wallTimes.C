@@ -72,7 +72,8 @@ void Foam::wallTimes::started()
     parts_.clear();
     functionObjects_.clear();
     add(parts_, "start", since(begin_));
-    for (const char* name : {"solver", "fields", "function objects", "writing", "waiting for writing"})
+    for (const char* name :
+        {"solver", "fields", "function objects", "writing", "waiting for writing"})
     {
         parts_.push_back(entry{name, 0, 0});
     }

@@ -95,7 +95,8 @@ static sheetPoints eliminate(const sheetPoints& dense, label n, scalar area)
 
 
 // Points close together along the sheet's boundary and the way in from each
-static void boundaryPoints(const triSurface& sheet, scalar every, pointField& at, vectorField& inward)
+static void boundaryPoints(
+    const triSurface& sheet, scalar every, pointField& at, vectorField& inward)
 {
     DynamicList<point> p;
     DynamicList<vector> in;

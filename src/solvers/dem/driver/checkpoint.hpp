@@ -1,11 +1,13 @@
 /*  The exact state as words, so that a run continues bit for bit.
 
-    Neighbours are sought anew before saving, so that the saving scene and the loading one go on with the same lists. A scene that
-    particles have left is loaded by one that was made of those that stayed: particles are known by their ids, and cells are those
-    of the saving scene, whose skin may come from a particle that is no more. Of several ranks the first has all particles while the
-    state is saved or loaded: the words are those of one process, so any number of ranks goes on with them. Layout (32-bit words): magic, version, dimensions,
-    bytes of real, backend, histories, particles, fields, bonds, clumps, walls, entries of contact lists, of walls; the clock; the
-    search; ids; then arrays; a checksum (FNV-1a over all words before it).
+    Neighbours are sought anew before saving, so that the saving scene and the loading one go on
+    with the same lists. A scene that particles have left is loaded by one that was made of those
+    that stayed: particles are known by their ids, and cells are those of the saving scene, whose
+    skin may come from a particle that is no more. Of several ranks the first has all particles
+    while the state is saved or loaded: the words are those of one process, so any number of ranks
+    goes on with them. Layout (32-bit words): magic, version, dimensions, bytes of real, backend,
+    histories, particles, fields, bonds, clumps, walls, entries of contact lists, of walls; the
+    clock; the search; ids; then arrays; a checksum (FNV-1a over all words before it).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -69,9 +71,9 @@ public:
 
     using real = typename P::real;
 
-    Checkpoint(DemParts<Backend, D, P>& parts, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours)
-    :
-        p_(parts), ranks_(ranks), neighbours_(neighbours)
+    Checkpoint(DemParts<Backend, D, P>& parts, RankedSolids<Backend, D, P>& ranks,
+        Neighbours<Backend, D, P>& neighbours)
+        : p_(parts), ranks_(ranks), neighbours_(neighbours)
     {}
 
     std::vector<std::int32_t> save();
@@ -103,14 +105,16 @@ template<class Backend, int D, class P>
 std::size_t Checkpoint<Backend, D, P>::historyTogether() const
 {
     using List = ContactListView<Backend, real>;
-    return Backend::gpu ? List::wordsTogether(p_.pairs.histories()) : List::historyWords(p_.pairs.histories());
+    return Backend::gpu ? List::wordsTogether(p_.pairs.histories())
+                        : List::historyWords(p_.pairs.histories());
 }
 
 template<class Backend, int D, class P>
 std::size_t Checkpoint<Backend, D, P>::historyRows() const
 {
     const std::size_t together = historyTogether();
-    return together ? ContactListView<Backend, real>::historyWords(p_.pairs.histories())/together : 0;
+    return together ? ContactListView<Backend, real>::historyWords(p_.pairs.histories())/together
+                    : 0;
 }
 
 //- What does not follow from positions: contacts' histories, clumps, walls
@@ -122,7 +126,8 @@ void Checkpoint<Backend, D, P>::forEachMemory(F f)
     const std::size_t entries = p_.order.list.entries();
     f(list.entry, entries*sizeof(std::uint32_t));
     const std::size_t together = historyTogether(), rows = historyRows();
-    for (std::size_t q = 0; q < rows; ++q) f(list.history + q*list.stride*together, entries*together*sizeof(real));
+    for (std::size_t q = 0; q < rows; ++q)
+        f(list.history + q*list.stride*together, entries*together*sizeof(real));
     if (!p_.walls.count) return;
     f(p_.walls.walls.data(), p_.walls.count*sizeof(WallData));
     const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches;
@@ -132,14 +137,18 @@ void Checkpoint<Backend, D, P>::forEachMemory(F f)
     f(p_.walls.memory.force.data(), std::size_t(p_.walls.memory.entries)*wallWords<D>*sizeof(real));
 }
 
-//- What fills up blocks of entries, and histories of what does not touch, are whatever was there before: the same state of n particles shall be the same words
+//- What fills up blocks of entries, and histories of what does not touch, are whatever was there
+//  before: the same state of n particles shall be the same words
 template<class Backend, int D, class P>
-void Checkpoint<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const
+void Checkpoint<Backend, D, P>::clearUnused(
+    std::vector<std::int32_t>& words, std::size_t at, int n) const
 {
     using List = ContactListView<Backend, real>;
     const std::size_t entries = p_.order.list.entries(), each = sizeof(real)/4, entry = at;
-    const auto clear = [&](std::size_t from, std::size_t reals) { std::fill_n(words.begin() + from, reals*each, 0); };
-    const auto free = [&](std::size_t e) { return !(std::uint32_t(words[entry + e]) & List::touching); };
+    const auto clear = [&](std::size_t from, std::size_t reals)
+    { std::fill_n(words.begin() + from, reals*each, 0); };
+    const auto free = [&](std::size_t e)
+    { return !(std::uint32_t(words[entry + e]) & List::touching); };
     if (Backend::gpu)
     {
         const std::vector<char> used = p_.order.list.used(n);
@@ -148,21 +157,25 @@ void Checkpoint<Backend, D, P>::clearUnused(std::vector<std::int32_t>& words, st
     at += entries;
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
-        for (std::size_t e = 0; e < entries; ++e) if (free(e)) clear(at + e*together*each, together);
+        for (std::size_t e = 0; e < entries; ++e)
+            if (free(e)) clear(at + e*together*each, together);
     if (!p_.walls.count) return;
     at += p_.walls.count*sizeof(WallData)/4;
     const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches, on = at;
     at += slots;
     for (const int numbers : {D, p_.pairs.histories()})
     {
-        for (std::size_t s = 0; s < slots; ++s) if (!words[on + s]) clear(at + s*numbers*each, numbers);
+        for (std::size_t s = 0; s < slots; ++s)
+            if (!words[on + s]) clear(at + s*numbers*each, numbers);
         at += slots*numbers*each;
     }
 }
 
 //- Marks of ghosts are not part of a state
-template<class Backend, int D, class P>
-bool Checkpoint<Backend, D, P>::isSaved(int f) const { return f != p_.particles.at.calm || p_.sleeps(); }
+template<class Backend, int D, class P> bool Checkpoint<Backend, D, P>::isSaved(int f) const
+{
+    return f != p_.particles.at.calm || p_.sleeps();
+}
 
 template<class Backend, int D, class P>
 int Checkpoint<Backend, D, P>::savedFields() const
@@ -199,16 +212,17 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
     p_.clock.write();
     const int n = p_.order.active();
     const std::vector<int> kept = p_.bonds.kept(p_.order.slotOf);
-    std::vector<std::int32_t> words
-    {
-        detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu), p_.pairs.histories(), n, savedFields(),
-        int(kept.size()), p_.clumps.count(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries
-    };
+    std::vector<std::int32_t> words{detail::demMagic, detail::demVersion, D, int(sizeof(real)),
+        int(Backend::gpu), p_.pairs.histories(), n, savedFields(), int(kept.size()),
+        p_.clumps.count(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries};
     // Room for most of it, without which it would be copied again and again
-    std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
-    for (int f = 0; f < p_.particles.values.fields(); ++f) if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
+    std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4
+        + 1024;
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
+        if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
-    if (p_.clumps.count()) expected += (p_.clumps.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    if (p_.clumps.count())
+        expected += (p_.clumps.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     words.reserve(expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
@@ -226,7 +240,9 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
     {
         // keys count particles of this scene alone
         if (f == p_.particles.at.id) words.resize(words.size() + n, 0);
-        else if (isSaved(f)) write(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
+        else if (isSaved(f))
+            write(
+                p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     }
     p_.bonds.forEachMemory(kept, [&](auto& array, int numbers)
     {
@@ -265,7 +281,8 @@ void Checkpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
 
 //- The first rank's
 template<class Backend, int D, class P>
-std::vector<std::int32_t> Checkpoint<Backend, D, P>::wordsOfFirst(const std::vector<std::int32_t>& words) const
+std::vector<std::int32_t> Checkpoint<Backend, D, P>::wordsOfFirst(
+    const std::vector<std::int32_t>& words) const
 {
     Transport& ranks = *p_.set.config.ranks;
     std::vector<RankBytes> out(ranks.size()), in;
@@ -318,26 +335,36 @@ void Checkpoint<Backend, D, P>::collectAll()
         if (D == 2) p_.particles.emptyCoordinate.push_back(one.second);
     }
     // nobody is a ghost
-    p_.particles.values.upload(p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));
+    p_.particles.values.upload(
+        p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));
 }
 
 //- As one process that has all particles
 template<class Backend, int D, class P>
 void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
 {
-    const auto fail = [](const std::string& why) { throw std::invalid_argument("saved state: " + why); };
+    const auto fail = [](const std::string& why)
+    { throw std::invalid_argument("saved state: " + why); };
     constexpr std::size_t header = 13;
-    if (words.size() < header + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1) fail("too short");
+    if (words.size() < header + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1)
+        fail("too short");
     if (words[0] != detail::demMagic) fail("not a state of riprap's solids");
-    if (words[1] != detail::demVersion) fail("version " + std::to_string(words[1]) + " is not supported");
-    if (detail::demChecksum(words, words.size() - 1) != words.back()) fail("checksum does not match: the data are damaged");
+    if (words[1] != detail::demVersion)
+        fail("version " + std::to_string(words[1]) + " is not supported");
+    if (detail::demChecksum(words, words.size() - 1) != words.back())
+        fail("checksum does not match: the data are damaged");
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
-    if (words[5] != p_.pairs.histories() || words[7] != savedFields()) fail("it has other fields (models were switched on or off)");
+    if (words[5] != p_.pairs.histories() || words[7] != savedFields())
+        fail("it has other fields (models were switched on or off)");
     const int n = words[6];
-    if (n != p_.particles.n) fail("it is of " + std::to_string(n) + " particles, the case of " + std::to_string(p_.particles.n));
-    if (words[8] != p_.bonds.count() || words[9] != p_.clumps.count() || words[10] != p_.walls.count) fail("it has other bonds, clumps or walls");
+    if (n != p_.particles.n)
+        fail("it is of " + std::to_string(n) + " particles, the case of "
+            + std::to_string(p_.particles.n));
+    if (words[8] != p_.bonds.count() || words[9] != p_.clumps.count()
+        || words[10] != p_.walls.count)
+        fail("it has other bonds, clumps or walls");
     detail::StateReader<Context<Backend>> read{p_.set.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
@@ -353,14 +380,17 @@ void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words
     std::vector<std::int32_t> ids(n);
     take(ids.data(), ids.size()*sizeof(std::int32_t));
     for (int f = 0; f < p_.particles.values.fields(); ++f)
-        if (isSaved(f)) read(p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
+        if (isSaved(f))
+            read(
+                p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     restoreIds(ids);
     std::vector<int> all(p_.bonds.count());
     for (int k = 0; k < p_.bonds.count(); ++k) all[k] = k;
     p_.bonds.forEachMemory(all, [&](auto& array, int numbers)
     {
         auto values = array.download();
-        for (int k = 0; k < p_.bonds.count(); ++k) take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
+        for (int k = 0; k < p_.bonds.count(); ++k)
+            take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
         array.upload(p_.set.context, values);
     });
     if (p_.clumps.count())
@@ -393,10 +423,12 @@ void Checkpoint<Backend, D, P>::restoreSearch(const DemSearchState& s)
         else fits = fits && lo > s.lower[d] && hi < s.lower[d] + s.length[d];
     }
     if (!fits)
-        throw std::invalid_argument("saved state: it is of another domain: moving walls reach farther, as with a later endTime, or the mesh has changed");
+        throw std::invalid_argument("saved state: it is of another domain: moving walls reach "
+                                    "farther, as with a later endTime, or the mesh has changed");
     const double cell = p_.reach.wallCell();
     p_.reach.radii = s.radii;
-    for (int d = 0; d < D; ++d) p_.set.box.set(d, s.lower[d], s.length[d], p_.set.config.periodic[p_.set.config.axes[d]]);
+    for (int d = 0; d < D; ++d)
+        p_.set.box.set(d, s.lower[d], s.length[d], p_.set.config.periodic[p_.set.config.axes[d]]);
     neighbours_.setSkin(p_.set.config.skin >= 0 ? p_.reach.leastSkin() : s.skin);
     if (p_.reach.wallCell() != cell) p_.walls.set(p_.reach.wallCell(), p_.particles.n);
 }
@@ -407,7 +439,8 @@ void Checkpoint<Backend, D, P>::restoreIds(const std::vector<std::int32_t>& ids)
 {
     const int n = int(ids.size());
     const auto fail = [] { throw std::invalid_argument("saved state: it is of other particles"); };
-    std::vector<int> keyOf(n ? *std::max_element(p_.particles.ids.begin(), p_.particles.ids.end()) + 1 : 0, -1);
+    std::vector<int> keyOf(
+        n ? *std::max_element(p_.particles.ids.begin(), p_.particles.ids.end()) + 1 : 0, -1);
     for (int key = 0; key < n; ++key) keyOf[p_.particles.ids[key]] = key;
     std::vector<std::int32_t> keys(n);
     for (int i = 0; i < n; ++i)
@@ -427,7 +460,11 @@ template<class Reader>
 void Checkpoint<Backend, D, P>::restoreNeighbours(Reader& read, int entries, int wallEntries)
 {
     const auto check = [](bool good)
-    { if (!good) throw std::invalid_argument("saved state: its contacts do not fit (another skin, or walls elsewhere)"); };
+    {
+        if (!good)
+            throw std::invalid_argument(
+                "saved state: its contacts do not fit (another skin, or walls elsewhere)");
+    };
     // walls' poses stand behind the lists of contacts in the words: read them ahead
     Reader ahead = read;
     ahead.at += std::size_t(entries)*(1 + historyRows()*historyTogether()*sizeof(real)/4);

@@ -1,4 +1,5 @@
-/*  Forces at the positions at hand: kernels of contacts, walls and bonds with all that they read, and of the motion that follows.
+/*  Forces at the positions at hand: kernels of contacts, walls and bonds with all that they read,
+    and of the motion that follows.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -35,7 +36,8 @@ public:
     //- All of them
     void evaluate(ForceTurn = ForceTurn::inStep);
 
-    //- On the CPU a step may move particles as it adds up their forces; else forces go into the fields, where they are not yet
+    //- On the CPU a step may move particles as it adds up their forces; else forces go into the
+    //  fields, where they are not yet
     void moveParticles();
     void collectForces();
 
@@ -82,7 +84,9 @@ MoveSolids<D, P> ContactForces<Backend, D, P>::mover()
     m.clumps = p_.clumps.count() ? p_.clumps.data() : nullptr;
     m.offset = p_.clumps.offset().data();
     // paper 2's spring goes with the mass of its particles
-    NormalLaws::at(p_.set.laws.normal, [&](auto law) { m.sharesMass = p_.clumps.count() && !decltype(law)::type::stiffnessByMass; });
+    NormalLaws::at(p_.set.laws.normal,
+        [&](auto law)
+        { m.sharesMass = p_.clumps.count() && !decltype(law)::type::stiffnessByMass; });
     return m;
 }
 
@@ -102,7 +106,9 @@ template<class Backend, int D, class P>
 ForceClock ContactForces<Backend, D, P>::forceClock(ForceTurn turn)
 {
     if constexpr (Backend::gpu)
-        if (turn == ForceTurn::ahead) return ForceClock{p_.clock.data() + p_.memory.current, p_.clock.data() + 1 - p_.memory.current, turn};
+        if (turn == ForceTurn::ahead)
+            return ForceClock{
+                p_.clock.data() + p_.memory.current, p_.clock.data() + 1 - p_.memory.current, turn};
     return ForceClock{p_.clock.data(), p_.clock.data(), turn};
 }
 
@@ -120,11 +126,15 @@ StepState<D, P> ContactForces<Backend, D, P>::stepState()
     return s;
 }
 
-//- Walls are listed from farther away where a particle's way is measured against others that move with it: walls do not
+//- Walls are listed from farther away where a particle's way is measured against others that move
+//  with it: walls do not
 template<class Backend, int D, class P>
 double ContactForces<Backend, D, P>::wallReach() const
 {
-    if constexpr (Backend::gpu) if (p_.memory.frames.on()) return p_.reach.reach + (SearchReach<Backend, D, P>::wallSkins - 1)*2*double(p_.reach.halfSkin);
+    if constexpr (Backend::gpu)
+        if (p_.memory.frames.on())
+            return p_.reach.reach
+                + (SearchReach<Backend, D, P>::wallSkins - 1)*2*double(p_.reach.halfSkin);
     return p_.reach.reach;
 }
 
@@ -183,7 +193,8 @@ WallPass<D, P, Law> ContactForces<Backend, D, P>::wallKernel(ForceTurn turn)
             pass.state = stepState();
             pass.solids = pass.state.from;
         }
-        // as many threads as there is room for: recorded launches stay what they are while numbers change
+        // as many threads as there is room for: recorded launches stay what they are while numbers
+        // change
         pass.listed = p_.memory.wallList.data();
         pass.listedCount = p_.memory.wallListFirst.data() + p_.particles.n;
     }
@@ -202,7 +213,8 @@ void ContactForces<Backend, D, P>::wallPass(ForceTurn turn)
 template<class Backend, int D, class P>
 void ContactForces<Backend, D, P>::bondPass(ForceTurn turn)
 {
-    BondPass<D, P> pass{p_.bonds.view(p_.order.slotOf.data()), p_.set.box, p_.particles.view(), p_.order.records.view(), forceClock(turn), {}};
+    BondPass<D, P> pass{p_.bonds.view(p_.order.slotOf.data()), p_.set.box, p_.particles.view(),
+        p_.order.records.view(), forceClock(turn), {}};
     if constexpr (Backend::gpu)
         if (turn == ForceTurn::ahead)
         {
@@ -210,7 +222,9 @@ void ContactForces<Backend, D, P>::bondPass(ForceTurn turn)
             pass.solids = pass.state.from;
         }
     constexpr int threads = BondBlocks<D, P>::threads;
-    if constexpr (Backend::gpu) forEachBlock(p_.set.context, (p_.bonds.count() + threads - 1)/threads, BondBlocks<D, P>{pass});
+    if constexpr (Backend::gpu)
+        forEachBlock(
+            p_.set.context, (p_.bonds.count() + threads - 1)/threads, BondBlocks<D, P>{pass});
     else forEach(p_.set.context, p_.bonds.count(), pass);
 }
 
@@ -226,8 +240,9 @@ void ContactForces<Backend, D, P>::evaluate(ForceTurn turn)
     {
         bondPass(turn);
         if constexpr (Backend::gpu)
-            forEach(p_.set.context, p_.particles.n, GatherBonds<D, P>
-            {p_.bonds.table(), p_.bonds.force(), p_.particles.view(), forceClock(turn), p_.order.sort.active()});
+            forEach(p_.set.context, p_.particles.n,
+                GatherBonds<D, P>{p_.bonds.table(), p_.bonds.force(), p_.particles.view(),
+                    forceClock(turn), p_.order.sort.active()});
     }
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
@@ -242,7 +257,10 @@ void ContactForces<Backend, D, P>::evaluate(ForceTurn turn)
 //- On the CPU: where a step moves particles as it adds up their forces
 template<class Backend, int D, class P>
 bool ContactForces<Backend, D, P>::movesAtOnce() const
-{ return !Backend::gpu && !p_.clumps.count() && p_.set.config.integrator == DemIntegratorKind::leapfrog; }
+{
+    return !Backend::gpu && !p_.clumps.count()
+        && p_.set.config.integrator == DemIntegratorKind::leapfrog;
+}
 
 //- On the CPU: forces into the fields, where they are not yet
 template<class Backend, int D, class P>
@@ -251,7 +269,9 @@ void ContactForces<Backend, D, P>::collectForces()
 #ifndef __CUDACC__
     if constexpr (!Backend::gpu)
     {
-        if (p_.memory.uncollected) forEach(p_.set.context, p_.particles.n, CollectForces<D, P>{collected(), p_.particles.view(), p_.order.sort.active()});
+        if (p_.memory.uncollected)
+            forEach(p_.set.context, p_.particles.n,
+                CollectForces<D, P>{collected(), p_.particles.view(), p_.order.sort.active()});
         p_.memory.uncollected = false;
     }
 #endif
@@ -274,18 +294,19 @@ void ContactForces<Backend, D, P>::moveParticles()
 
 template<class Backend, int D, class P>
 MoveWalls ContactForces<Backend, D, P>::wallMover(DemClockData* clock)
-{ return MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), clock, clock, double(p_.reach.halfSkin), p_.reach.radii.smallest}; }
+{
+    return MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), clock, clock,
+        double(p_.reach.halfSkin), p_.reach.radii.smallest};
+}
 
 #ifndef __CUDACC__
 template<class Backend, int D, class P>
 CollectedForce<D, P> ContactForces<Backend, D, P>::collected()
 {
     const bool walls = p_.walls.count && p_.walls.memory.entries;
-    return CollectedForce<D, P>
-    {
-        &p_.memory.deferred, p_.memory.sums.data(), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.force.data(), p_.bonds.table(),
-        p_.bonds.force(), p_.particles.view().id
-    };
+    return CollectedForce<D, P>{&p_.memory.deferred, p_.memory.sums.data(),
+        walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.force.data(),
+        p_.bonds.table(), p_.bonds.force(), p_.particles.view().id};
 }
 #endif
 

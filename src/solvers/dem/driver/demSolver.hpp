@@ -1,4 +1,5 @@
-/*  The DEM scene on one backend, in one dimension and precision: its parts (solvers/dem/parts), and classes that do one thing with them each.
+/*  The DEM scene on one backend, in one dimension and precision: its parts (solvers/dem/parts), and
+    classes that do one thing with them each.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -37,7 +38,8 @@ public:
     DemMomentum momentum() override { return readings_.momentum(); }
     double deepestOverlap() override { return readings_.deepestOverlap(); }
     std::vector<DemWallForce> wallForces() override { return readings_.wallForces(); }
-    void setExternalForces(const std::vector<double>& force, const std::vector<double>& moment) override;
+    void setExternalForces(
+        const std::vector<double>& force, const std::vector<double>& moment) override;
     std::vector<std::int32_t> saveState() override { return checkpoint_.save(); }
     void loadState(const std::vector<std::int32_t>& words) override { checkpoint_.load(words); }
     DemPlan plan() const override { return p_.set.plan; }
@@ -67,9 +69,9 @@ private:
 };
 
 template<class Backend, int D, class P>
-DemSolver<Backend, D, P>::DemSolver(const DemConfig& config, const DemInput& input, const DemPlan& plan)
-:
-    DrivenSolids<Backend, D, P>(p_, forces_, ranks_, stepper_, reports_), p_(config, input, plan)
+DemSolver<Backend, D, P>::DemSolver(
+    const DemConfig& config, const DemInput& input, const DemPlan& plan)
+    : DrivenSolids<Backend, D, P>(p_, forces_, ranks_, stepper_, reports_), p_(config, input, plan)
 {
     p_.pairs.set(input.particles);
     p_.reach.setBox(input.particles.radius);
@@ -105,14 +107,17 @@ void DemSolver<Backend, D, P>::prime()
     p_.clock.write();
     // moving walls take their places; no step has any length yet
     if (p_.motion.walls())
-        forEach(p_.set.context, p_.walls.count, MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), p_.clock.data(), p_.clock.data(), 1e300, 1e300});
+        forEach(p_.set.context, p_.walls.count,
+            MoveWalls{p_.walls.walls.data(), p_.motion.wallTable(), p_.clock.data(),
+                p_.clock.data(), 1e300, 1e300});
     neighbours_.rebuild(true);
     forces_.evaluate();
     forces_.collectForces();
     p_.clock.read();
     p_.clock.now.active = 0;
     p_.clock.write();
-    // on the GPU once more: what a rebuild needs besides is loaded and has its memory before the first step
+    // on the GPU once more: what a rebuild needs besides is loaded and has its memory before the
+    // first step
     if (Backend::gpu || p_.clock.now.needRebuild) neighbours_.rebuild();
     p_.set.context.synchronise();
 }
@@ -134,19 +139,25 @@ DemReport DemSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
 }
 
 template<class Backend, int D, class P>
-void DemSolver<Backend, D, P>::setExternalForces(const std::vector<double>& force, const std::vector<double>& moment)
+void DemSolver<Backend, D, P>::setExternalForces(
+    const std::vector<double>& force, const std::vector<double>& moment)
 {
     ranks_.requireAlone("forces from outside");
     std::vector<real> all(std::size_t(p_.particles.n)*(D + S), real(0));
     for (int i = 0; i < p_.particles.n; ++i)
     {
         const std::size_t at = 3*std::size_t(p_.particles.ids[i]);
-        if (!force.empty() && at + 3 > force.size()) throw std::invalid_argument("external forces: too few for the ids");
-        if (!moment.empty() && at + 3 > moment.size()) throw std::invalid_argument("external moments: too few for the ids");
+        if (!force.empty() && at + 3 > force.size())
+            throw std::invalid_argument("external forces: too few for the ids");
+        if (!moment.empty() && at + 3 > moment.size())
+            throw std::invalid_argument("external moments: too few for the ids");
         real* to = &all[std::size_t(i)*(D + S)];
-        if (!force.empty()) for (int d = 0; d < D; ++d) to[d] = real(force[at + p_.set.config.axes[d]]);
+        if (!force.empty())
+            for (int d = 0; d < D; ++d) to[d] = real(force[at + p_.set.config.axes[d]]);
         if (!moment.empty())
-            for (int c = 0; c < S; ++c) to[D + c] = real(D == 2 ? p_.set.spinSign()*moment[at + p_.set.config.axes[2]] : moment[at + c]);
+            for (int c = 0; c < S; ++c)
+                to[D + c] = real(D == 2 ? p_.set.spinSign()*moment[at + p_.set.config.axes[2]]
+                                        : moment[at + c]);
     }
     if (p_.sleeps()) sleepers_.wakeChanged(p_.particles.external.download(), all);
     p_.particles.external.upload(p_.set.context, all);

@@ -22,20 +22,23 @@ public:
     using real = typename P::real;
     static constexpr int S = spins<D>;
 
-    DrivenSolids
-    (
-        DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks, SolidStepper<Backend, D, P>& stepper,
-        SceneReports<Backend, D, P>& reports
-    )
-    :
-        p_(parts), forces_(forces), ranks_(ranks), stepper_(stepper), reports_(reports)
+    DrivenSolids(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces,
+        RankedSolids<Backend, D, P>& ranks, SolidStepper<Backend, D, P>& stepper,
+        SceneReports<Backend, D, P>& reports)
+        : p_(parts), forces_(forces), ranks_(ranks), stepper_(stepper), reports_(reports)
     {}
 
     int keys() const override { return p_.particles.n; }
     bool still() const override { return p_.still; }
-    SolidView<D, P> view() override { return SolidView<D, P>{p_.set.box, p_.particles.view(), p_.order.slotOf.data()}; }
+    SolidView<D, P> view() override
+    {
+        return SolidView<D, P>{p_.set.box, p_.particles.view(), p_.order.slotOf.data()};
+    }
     BodyView<D, P> bodies() override
-    { return BodyView<D, P>{p_.clumps.data(), p_.groups.data(), p_.clumps.constraints(), p_.set.box, p_.clumps.count()}; }
+    {
+        return BodyView<D, P>{p_.clumps.data(), p_.groups.data(), p_.clumps.constraints(),
+            p_.set.box, p_.clumps.count()};
+    }
     std::vector<std::int32_t> order() override;
     real* external() override;
     void measureSpeed() override;
@@ -70,9 +73,12 @@ template<class Backend, int D, class P>
 typename P::real* DrivenSolids<Backend, D, P>::external()
 {
     ranks_.requireAlone("solids in a fluid");
-    if (!p_.particles.external.size()) p_.particles.external.upload(p_.set.context, std::vector<real>(std::size_t(p_.particles.n)*(D + S), real(0)));
+    if (!p_.particles.external.size())
+        p_.particles.external.upload(
+            p_.set.context, std::vector<real>(std::size_t(p_.particles.n)*(D + S), real(0)));
     p_.reach.driven = true;
-    p_.reach.suddenDisplacement = real(0.1)*p_.reach.halfSkin;       // the fluid's blow of a step may be harder than any of the bodies' own
+    // the fluid's blow of a step may be harder than any of the bodies' own
+    p_.reach.suddenDisplacement = real(0.1)*p_.reach.halfSkin;
     return p_.particles.external.data();
 }
 
@@ -80,7 +86,10 @@ template<class Backend, int D, class P>
 void DrivenSolids<Backend, D, P>::measureSpeed()
 {
 #ifdef __CUDACC__
-    if constexpr (Backend::gpu) if (!p_.still) p_.memory.speed.ask(p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
+    if constexpr (Backend::gpu)
+        if (!p_.still)
+            p_.memory.speed.ask(
+                p_.set.context, p_.particles.n, SpeedOfSolids<D, P>{forces_.mover()});
 #endif
 }
 
@@ -98,11 +107,15 @@ template<class Backend, int D, class P>
 int DrivenSolids<Backend, D, P>::subcycles(double dt)
 {
     if (p_.still) return 1;
-    const int contacts = std::max(1, int(std::ceil(dt/p_.set.plan.timeStep*(1 - 1e-9))));     // K of paper 2, section 2.3, rounded up; Eq. 25
-    const double way = 1.25*dt*speedAtHand(), room = double(p_.reach.halfSkin) - double(p_.reach.suddenDisplacement);
+    // K of paper 2, section 2.3, rounded up; Eq. 25
+    const int contacts = std::max(1, int(std::ceil(dt/p_.set.plan.timeStep*(1 - 1e-9))));
+    const double way = 1.25*dt*speedAtHand(),
+                 room = double(p_.reach.halfSkin) - double(p_.reach.suddenDisplacement);
     if (!(way > 0.1*contacts*room)) return contacts;
-    // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists are new where too little is left
-    const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9)))) : contacts;
+    // fast ones, or a blow since the last look: a step stays within what new lists allow, and lists
+    // are new where too little is left
+    const int steps = way < 1e6*room ? std::max(contacts, int(std::ceil(way/room*(1 - 1e-9))))
+                                       : contacts;
     p_.clock.now.fullDt = dt/steps;
     p_.clock.write();
     forEach(p_.set.context, p_.particles.n, CheckWays<D, P>{forces_.mover()});
@@ -111,7 +124,8 @@ int DrivenSolids<Backend, D, P>::subcycles(double dt)
     return steps;
 }
 
-//- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a step before
+//- The sum of the kicks of these steps (dem/motion/mover.hpp): leapfrog's first one begins half a
+//  step before
 template<class Backend, int D, class P>
 double DrivenSolids<Backend, D, P>::kickTime(double dt, int subcycles)
 {
@@ -122,8 +136,9 @@ double DrivenSolids<Backend, D, P>::kickTime(double dt, int subcycles)
 template<class Backend, int D, class P>
 void DrivenSolids<Backend, D, P>::push(double dt)
 {
-    forEach(p_.set.context, p_.particles.n, PushSolids<D, P>
-    {p_.particles.view(), p_.groups.data(), p_.particles.external.data(), p_.clumps.count() > 0, p_.order.sort.active(), dt});
+    forEach(p_.set.context, p_.particles.n,
+        PushSolids<D, P>{p_.particles.view(), p_.groups.data(), p_.particles.external.data(),
+            p_.clumps.count() > 0, p_.order.sort.active(), dt});
     p_.clumps.push(dt, p_.order.slotOf.data());
 }
 
@@ -138,7 +153,8 @@ bool DrivenSolids<Backend, D, P>::advanceTo(double t, double dt, int subcycles)
         ++p_.clock.now.step;
         return true;
     }
-    p_.clumps.gather(nullptr, p_.order.slotOf.data());      // they begin the step with forces that hold the fluid's of now
+    // they begin the step with forces that hold the fluid's of now
+    p_.clumps.gather(nullptr, p_.order.slotOf.data());
     p_.clock.now.target = t;
     p_.clock.now.lastStep = std::int64_t(1) << 62;
     p_.clock.now.fullDt = dt/subcycles;

@@ -1,8 +1,10 @@
-/*  Fused steps (GPU). Between calls a scene is at rest with forces known; within a call its steps are
+/*  Fused steps (GPU). Between calls a scene is at rest with forces known; within a call its steps
+    are
 
         kick and drift | forces, kick, drift | forces, kick, drift | ... | forces
 
-    of which what stands between two bars is one kernel (two where there are walls, three with bonds), and recorded in graphs.
+    of which what stands between two bars is one kernel (two where there are walls, three with
+    bonds), and recorded in graphs.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,14 +19,10 @@ template<class Backend, int D, class P>
 class FusedStepper
 {
 public:
-
-    FusedStepper
-    (
-        DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks,
-        Neighbours<Backend, D, P>& neighbours, Sleepers<Backend, D, P>& sleepers
-    )
-    :
-        p_(parts), forces_(forces), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers)
+    FusedStepper(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces,
+        RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours,
+        Sleepers<Backend, D, P>& sleepers)
+        : p_(parts), forces_(forces), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers)
     {}
 
     //- To the clock's target
@@ -51,7 +49,8 @@ private:
     RankedSolids<Backend, D, P>& ranks_;
     Neighbours<Backend, D, P>& neighbours_;
     Sleepers<Backend, D, P>& sleepers_;
-    std::int64_t stepsExpected_ = 16, stepsSince_ = 0;      // between the last two searches, since the last one
+    // between the last two searches, since the last one
+    std::int64_t stepsExpected_ = 16, stepsSince_ = 0;
 };
 
 //- The fields' state, and the records', into what steps use
@@ -68,18 +67,21 @@ void FusedStepper<Backend, D, P>::openSteps()
             p_.memory.own.allocate(p_.set.context, p_.particles.n);
         }
         const bool walls = p_.walls.count && p_.walls.memory.entries;
-        forEach(p_.set.context, p_.particles.n, OpenSteps<D, P>
-        {forces_.stepState(), p_.particles.view(), p_.bonds.first(), walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.order.sort.active()});
+        forEach(p_.set.context, p_.particles.n,
+            OpenSteps<D, P>{forces_.stepState(), p_.particles.view(), p_.bonds.first(),
+                walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.order.sort.active()});
     }
 }
 
-//- Back into the fields; the records that everyone else reads are made anew where they are not those of the last step
+//- Back into the fields; the records that everyone else reads are made anew where they are not
+//  those of the last step
 template<class Backend, int D, class P>
 void FusedStepper<Backend, D, P>::closeSteps()
 {
     if constexpr (Backend::gpu)
     {
-        forEach(p_.set.context, p_.particles.n, CloseSteps<D, P>{forces_.stepState(), p_.particles.view(), p_.order.sort.active()});
+        forEach(p_.set.context, p_.particles.n,
+            CloseSteps<D, P>{forces_.stepState(), p_.particles.view(), p_.order.sort.active()});
         if (p_.memory.current) p_.memory.records.swap(p_.order.records);
         p_.memory.current = 0;
     }
@@ -92,7 +94,8 @@ void FusedStepper<Backend, D, P>::fusedStep()
     if constexpr (Backend::gpu)
     {
         const StepState<D, P> state = forces_.stepState();
-        if (p_.walls.surfaces && p_.walls.memory.entries) forces_.template wallPass<Law>(ForceTurn::ahead);
+        if (p_.walls.surfaces && p_.walls.memory.entries)
+            forces_.template wallPass<Law>(ForceTurn::ahead);
         if (p_.bonds.count()) forces_.bondPass(ForceTurn::ahead);
         FusedStep<Backend, D, P, Law> step{};
         forces_.setModel(step.contacts);
@@ -107,7 +110,9 @@ void FusedStepper<Backend, D, P>::fusedStep()
         step.bondForce = p_.bonds.force();
         step.sleeping = p_.sleeps();
         forEach(p_.set.context, p_.particles.n, step);
-        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data() + 1 - p_.memory.current));
+        if (p_.motion.walls())
+            forEach(p_.set.context, p_.walls.count,
+                forces_.wallMover(p_.clock.data() + 1 - p_.memory.current));
         p_.memory.current = 1 - p_.memory.current;
     }
 }
@@ -120,14 +125,14 @@ std::vector<const void*> FusedStepper<Backend, D, P>::graphKey(int count)
     {
         const auto list = p_.order.list.view();
         const auto walls = p_.walls.view();
-        key =
-        {
-            reinterpret_cast<const void*>(std::size_t(count)), reinterpret_cast<const void*>(std::size_t(p_.memory.current)),
-            p_.order.records.view().a, p_.memory.records.view().a, list.entry, list.history, list.base, list.count, list.rest,
-            reinterpret_cast<const void*>(list.stride), walls.entryFirst, walls.entry, walls.element, walls.on, walls.normal,
-            walls.history, walls.force, reinterpret_cast<const void*>(std::size_t(p_.walls.memory.entries > 0)), p_.memory.wallList.data(),
-            reinterpret_cast<const void*>(p_.memory.wallList.size()), p_.particles.external.data()
-        };
+        key = {reinterpret_cast<const void*>(std::size_t(count)),
+            reinterpret_cast<const void*>(std::size_t(p_.memory.current)),
+            p_.order.records.view().a, p_.memory.records.view().a, list.entry, list.history,
+            list.base, list.count, list.rest, reinterpret_cast<const void*>(list.stride),
+            walls.entryFirst, walls.entry, walls.element, walls.on, walls.normal, walls.history,
+            walls.force, reinterpret_cast<const void*>(std::size_t(p_.walls.memory.entries > 0)),
+            p_.memory.wallList.data(), reinterpret_cast<const void*>(p_.memory.wallList.size()),
+            p_.particles.external.data()};
     }
     return key;
 }
@@ -141,15 +146,21 @@ void FusedStepper<Backend, D, P>::fusedSteps(int count)
 #ifdef __CUDACC__
         if constexpr (std::is_same<Backend, Gpu>::value)
         {
-            // what is recorded must not change from batch to batch: motion tables do, and fields that are sorted
+            // what is recorded must not change from batch to batch: motion tables do, and fields
+            // that are sorted
             const int together = stepsTogether;
-            if (!p_.set.context.profile.timing && !p_.motion.groups() && !p_.motion.walls() && p_.particles.at.turn < 0)
+            if (!p_.set.context.profile.timing && !p_.motion.groups() && !p_.motion.walls()
+                && p_.particles.at.turn < 0)
                 for (; count >= together; count -= together)
                 {
                     if (p_.memory.graphs.size() > 16) p_.memory.graphs.clear();
                     Graph& graph = p_.memory.graphs[graphKey(together)];
                     if (!graph.recorded())
-                        graph.record(p_.set.context, [&] { for (int k = 0; k < together; ++k) fusedStep<decltype(law)>(); });
+                        graph.record(p_.set.context,
+                            [&]
+                            {
+                                for (int k = 0; k < together; ++k) fusedStep<decltype(law)>();
+                            });
                     graph.replay(p_.set.context);
                 }
         }
@@ -158,8 +169,9 @@ void FusedStepper<Backend, D, P>::fusedSteps(int count)
     });
 }
 
-//- Steps until there is something for the host to do. Those beyond switch themselves off, but cost their launch: the device has the
-//  next few in hand while the host looks at the last ones, unless new neighbours are due by then, as they were the last time
+//- Steps until there is something for the host to do. Those beyond switch themselves off, but cost
+//  their launch: the device has the next few in hand while the host looks at the last ones, unless
+//  new neighbours are due by then, as they were the last time
 template<class Backend, int D, class P>
 void FusedStepper<Backend, D, P>::runAhead(std::int64_t count)
 {
@@ -180,7 +192,8 @@ void FusedStepper<Backend, D, P>::runAhead(std::int64_t count)
             }
             p_.clock.now = readback.take(p_.set.context);
             p_.clock.now.settleAge();
-            over = !p_.clock.now.active || p_.clock.now.needRebuild || ranks_.finished() || (launched == count && !readback.waiting());
+            over = !p_.clock.now.active || p_.clock.now.needRebuild || ranks_.finished()
+                || (launched == count && !readback.waiting());
         }
         while (readback.waiting()) p_.clock.now = readback.take(p_.set.context);
         p_.clock.now.settleAge();
@@ -207,12 +220,19 @@ void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
     if constexpr (Backend::gpu)
     {
         if (ranks_.finished()) return;
-        if (p_.clock.now.needRebuild) { neighbours_.adaptSkin(); neighbours_.rebuild(); ++rebuilds; forgetSearch(); }
+        if (p_.clock.now.needRebuild)
+        {
+            neighbours_.adaptSkin();
+            neighbours_.rebuild();
+            ++rebuilds;
+            forgetSearch();
+        }
         p_.motion.sample(p_.clock.now);
         p_.clock.now.needRebuild = 0;
         p_.clock.write();
         forEach(p_.set.context, 1, DemTick{p_.clock.data()});
-        if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data()));
+        if (p_.motion.walls())
+            forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data()));
         forEach(p_.set.context, p_.particles.n, forces_.mover());
         p_.clock.read();
         p_.clock.now.settleAge();
@@ -229,22 +249,32 @@ void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
                 openSteps();
                 if (p_.sleeps()) sleepers_.check(true);
             }
-            if (p_.clock.now.needWindow || p_.clock.now.time >= p_.clock.now.windowEnd) p_.motion.sample(p_.clock.now);
+            if (p_.clock.now.needWindow || p_.clock.now.time >= p_.clock.now.windowEnd)
+                p_.motion.sample(p_.clock.now);
             p_.clock.now.needRebuild = 0;
             const std::int64_t before = p_.clock.now.step;
             const int begin = p_.memory.current;
             const DemClockData& c = p_.clock.now;
-            const double left = std::min(double(c.lastStep - c.step), std::ceil((c.target - c.time)/c.fullDt) + 1);
-            const double most = p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck - p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck : left;
+            const double left = std::min(
+                double(c.lastStep - c.step), std::ceil((c.target - c.time)/c.fullDt) + 1);
+            const double most = p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck
+                    - p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck
+                                            : left;
             p_.clock.write();
             runAhead(std::int64_t(std::min(most, left)));
             const int taken = int(p_.clock.now.step - before);
             p_.memory.current = int((begin + taken) % 2);
             stepsSince_ += taken;
-            if (p_.sleeps() && taken && p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck == 0) sleepers_.check(true);
+            if (p_.sleeps() && taken
+                && p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck == 0)
+                sleepers_.check(true);
         }
         closeSteps();
-        if (p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none) { searchMoved(); ++rebuilds; }
+        if (p_.clock.now.lost() && p_.clock.now.halt == DemHalt::none)
+        {
+            searchMoved();
+            ++rebuilds;
+        }
         p_.clock.write();
         forces_.evaluate(ForceTurn::always);
         p_.clock.read();

@@ -1,11 +1,13 @@
-/*  Solids on several ranks (CPU): each owns the particles of its brick, and has ghosts of those of others that they may touch.
+/*  Solids on several ranks (CPU): each owns the particles of its brick, and has ghosts of those of
+    others that they may touch.
 
-    Ghosts stand among a rank's own particles in the order of their cells, marked as asleep: they act, and nothing acts on them. That order is
-    the one of one process, so pairs have the same owner there, forces are added up in the same order, and results are the same bits. What a pair
+    Ghosts stand among a rank's own particles in the order of their cells, marked as asleep: they
+    act, and nothing acts on them. That order is the one of one process, so pairs have the same
+    owner there, forces are added up in the same order, and results are the same bits. What a pair
     across a border remembers is kept by both ranks, each of which works it out.
 
-    In a step ranks send positions and velocities of ghosts, and agree on the clock's flags. At a rebuild particles change their ranks with all
-    their fields, histories of contacts and of walls.
+    In a step ranks send positions and velocities of ghosts, and agree on the clock's flags. At a
+    rebuild particles change their ranks with all their fields, histories of contacts and of walls.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,7 +32,8 @@ public:
     std::unique_ptr<ParticleExchange> others;       // null: there is one rank
     std::vector<Vector3> escaped;                   // since the last report,
     std::vector<std::int32_t> escapedId;
-    std::int64_t passedBefore = 0;                  // walls, of particles whose keys have changed since; one of them
+    // walls, of particles whose keys have changed since; one of them
+    std::int64_t passedBefore = 0;
     std::int32_t passedIdBefore = -1;
 
     explicit RankedSolids(DemParts<Backend, D, P>& parts) : p_(parts) {}
@@ -41,9 +44,11 @@ public:
 
     //- Memory for so many particles from now on
     void setCapacity(int n);
-    void setCapacity() { setCapacity(others->residents() + others->residents()/4 + 256); }     // for what is here
+    // for what is here
+    void setCapacity() { setCapacity(others->residents() + others->residents()/4 + 256); }
 
-    //- In a rebuild: who is here from now on; particles are in their new places; what contacts of arrivals remember; where to cut blocks
+    //- In a rebuild: who is here from now on; particles are in their new places; what contacts of
+    //  arrivals remember; where to cut blocks
     void regroup();
     void settle(const std::uint32_t* newOrder);
     void takeContacts();
@@ -69,8 +74,10 @@ private:
     void unpackParticle(int slot, bool whole, const unsigned char*& from);
 
     DemParts<Backend, D, P>& p_;
-    std::vector<std::vector<std::size_t>> touchingOf_;  // entries of each slot, where they are asked for
-    struct RankContact { std::int64_t a, b; };          // owner and other: numbers of the order before, then slots of then
+    // entries of each slot, where they are asked for
+    std::vector<std::vector<std::size_t>> touchingOf_;
+    // owner and other: numbers of the order before, then slots of then
+    struct RankContact { std::int64_t a, b; };
     std::vector<RankContact> arrivedContacts_;
     std::vector<real> arrivedHistories_;
     struct RankWall { int particle, wall, on[wallTouches]; };
@@ -109,7 +116,8 @@ void RankedSolids<Backend, D, P>::setPieces()
     others->setPieces(grids, p_.reach.reach);
 }
 
-//- Memory for so many particles from now on; residents stay in their slots, and a rebuild does the rest
+//- Memory for so many particles from now on; residents stay in their slots, and a rebuild does the
+//  rest
 template<class Backend, int D, class P>
 void RankedSolids<Backend, D, P>::setCapacity(int n)
 {
@@ -136,7 +144,9 @@ void RankedSolids<Backend, D, P>::setCapacity(int n)
         else p_.particles.values.template add<std::int32_t>(info[f].name);
     }
     p_.particles.values.allocate(p_.set.context, n);
-    for (int f = 0; f < p_.particles.values.fields(); ++f) std::memcpy(p_.particles.values.bytes(f), old.bytes(f), std::size_t(residents)*old.elementBytes(f));
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
+        std::memcpy(p_.particles.values.bytes(f), old.bytes(f),
+            std::size_t(residents)*old.elementBytes(f));
     p_.particles.values.upload(p_.set.context, p_.particles.at.id, keys);
 
     // lists of before are about the slots of before: those behind have none
@@ -172,7 +182,8 @@ void RankedSolids<Backend, D, P>::setCapacity(int n)
 template<class Backend, int D, class P>
 void RankedSolids<Backend, D, P>::takeKey(int slot, std::int32_t id)
 {
-    p_.particles.ids[p_.particles.values.template data<std::int32_t>(p_.particles.at.id)[slot]] = id;
+    p_.particles.ids[p_.particles.values.template data<std::int32_t>(p_.particles.at.id)[slot]] =
+        id;
 }
 
 template<class Backend, int D, class P>
@@ -194,7 +205,8 @@ void RankedSolids<Backend, D, P>::packParticle(int slot, bool whole, RankBytes& 
 
 //- Touching pairs of a particle with what they remember
 template<class Backend, int D, class P>
-void RankedSolids<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[maybe_unused]] RankBytes& to)
+void RankedSolids<Backend, D, P>::packContacts(
+    [[maybe_unused]] int slot, [[maybe_unused]] RankBytes& to)
 {
     if constexpr (!Backend::gpu)
     {
@@ -216,7 +228,8 @@ void RankedSolids<Backend, D, P>::packContacts([[maybe_unused]] int slot, [[mayb
         putValues(to, &count);
         for (const std::size_t e : touchingOf_[slot])
         {
-            const std::int64_t pair[2] = {others->number(list.owner[e]), others->number(list.other(list.entry[e]))};
+            const std::int64_t pair[2] = {
+                others->number(list.owner[e]), others->number(list.other(list.entry[e]))};
             putValues(to, pair, 2);
             putValues(to, list.history + e*words, p_.pairs.histories());
         }
@@ -245,11 +258,15 @@ void RankedSolids<Backend, D, P>::packWalls(int slot, RankBytes& to)
 template<class Backend, int D, class P>
 void RankedSolids<Backend, D, P>::unpackParticle(int slot, bool whole, const unsigned char*& from)
 {
-    if (slot >= p_.particles.n) setCapacity(std::max(slot + 1, p_.particles.n + p_.particles.n/4) + 64);
+    if (slot >= p_.particles.n)
+        setCapacity(std::max(slot + 1, p_.particles.n + p_.particles.n/4) + 64);
     std::int32_t id;
     takeValues(from, &id);
     takeKey(slot, id);
-    if (D == 2) takeValues(from, &p_.particles.emptyCoordinate[p_.particles.values.template data<std::int32_t>(p_.particles.at.id)[slot]]);
+    if (D == 2)
+        takeValues(from,
+            &p_.particles.emptyCoordinate[p_.particles.values.template data<std::int32_t>(
+                p_.particles.at.id)[slot]]);
     for (int f = 0; f < p_.particles.values.fields(); ++f)
     {
         if (f == p_.particles.at.id || f == p_.particles.at.calm) continue;
@@ -265,7 +282,8 @@ void RankedSolids<Backend, D, P>::unpackParticle(int slot, bool whole, const uns
         takeValues(from, pair, 2);
         arrivedContacts_.push_back(RankContact{pair[0], pair[1]});
         arrivedHistories_.resize(arrivedHistories_.size() + p_.pairs.histories());
-        takeValues(from, arrivedHistories_.data() + arrivedHistories_.size() - p_.pairs.histories(), p_.pairs.histories());
+        takeValues(from, arrivedHistories_.data() + arrivedHistories_.size() - p_.pairs.histories(),
+            p_.pairs.histories());
     }
     takeValues(from, &walls);
     for (int k = 0; k < walls; ++k)
@@ -275,9 +293,11 @@ void RankedSolids<Backend, D, P>::unpackParticle(int slot, bool whole, const uns
         takeValues(from, &w.wall);
         takeValues(from, w.on, wallTouches);
         arrivedWalls_.push_back(w);
-        const std::size_t numbers = std::size_t(wallTouches)*(D + p_.pairs.histories()) + wallWords<D>;
+        const std::size_t numbers = std::size_t(wallTouches)*(D + p_.pairs.histories())
+            + wallWords<D>;
         arrivedWallNumbers_.resize(arrivedWallNumbers_.size() + numbers);
-        takeValues(from, arrivedWallNumbers_.data() + arrivedWallNumbers_.size() - numbers, numbers);
+        takeValues(
+            from, arrivedWallNumbers_.data() + arrivedWallNumbers_.size() - numbers, numbers);
     }
 }
 
@@ -299,9 +319,11 @@ void RankedSolids<Backend, D, P>::regroup()
         arrivedContacts_.clear();
         arrivedWalls_.clear();
         touchingOf_.clear();
-        others->migrate(p_.order.sort.keys(),
+        others->migrate(
+            p_.order.sort.keys(),
             [&](int slot, bool whole, RankBytes& to) { packParticle(slot, whole, to); },
-            [&](int slot, bool whole, const unsigned char*& from) { unpackParticle(slot, whole, from); });
+            [&](int slot, bool whole, const unsigned char*& from)
+            { unpackParticle(slot, whole, from); });
         for (RankContact& c : arrivedContacts_)
         {
             c.a = others->slotOf(c.a);
@@ -312,7 +334,8 @@ void RankedSolids<Backend, D, P>::regroup()
         {
             Vector3 x{{0, 0, 0}};
             if (D == 2) x[p_.set.config.axes[2]] = p_.particles.emptyCoordinate[f.id[slot]];
-            for (int d = 0; d < D; ++d) x[p_.set.config.axes[d]] = p_.set.box.toMetres(d, f.x[d][slot]);
+            for (int d = 0; d < D; ++d)
+                x[p_.set.config.axes[d]] = p_.set.box.toMetres(d, f.x[d][slot]);
             escaped.push_back(x);
             escapedId.push_back(p_.particles.ids[f.id[slot]]);
         }
@@ -387,8 +410,10 @@ void RankedSolids<Backend, D, P>::takeWallContacts()
             const std::size_t at = std::size_t(e)*wallTouches;
             std::copy_n(w.on, wallTouches, m.on.data() + at);
             std::copy_n(from, wallTouches*D, m.normal.data() + at*D);
-            std::copy_n(from + wallTouches*D, wallTouches*p_.pairs.histories(), m.history.data() + at*p_.pairs.histories());
-            std::copy_n(from + wallTouches*(D + p_.pairs.histories()), wallWords<D>, m.force.data() + std::size_t(e)*wallWords<D>);
+            std::copy_n(from + wallTouches*D, wallTouches*p_.pairs.histories(),
+                m.history.data() + at*p_.pairs.histories());
+            std::copy_n(from + wallTouches*(D + p_.pairs.histories()), wallWords<D>,
+                m.force.data() + std::size_t(e)*wallWords<D>);
         }
     }
 }
@@ -420,35 +445,41 @@ void RankedSolids<Backend, D, P>::shareStep()
     {
         const SolidFields<D, P> f = p_.particles.view();
         const SolidRecords<D, P> solids = p_.order.records.view();
-        others->share(D*(sizeof(std::int64_t) + sizeof(double)) + S*sizeof(real), [&](int i, unsigned char* to)
-        {
-            for (int d = 0; d < D; ++d)
+        others->share(
+            D*(sizeof(std::int64_t) + sizeof(double)) + S*sizeof(real),
+            [&](int i, unsigned char* to)
             {
-                std::memcpy(to + 8*d, f.x[d] + i, 8);
-                std::memcpy(to + 8*(D + d), f.v[d] + i, 8);
-            }
-            for (int c = 0; c < S; ++c) std::memcpy(to + 16*D + c*sizeof(real), f.w[c] + i, sizeof(real));
-        },
-        [&](int i, const unsigned char* from)
-        {
-            for (int d = 0; d < D; ++d)
+                for (int d = 0; d < D; ++d)
+                {
+                    std::memcpy(to + 8*d, f.x[d] + i, 8);
+                    std::memcpy(to + 8*(D + d), f.v[d] + i, 8);
+                }
+                for (int c = 0; c < S; ++c)
+                    std::memcpy(to + 16*D + c*sizeof(real), f.w[c] + i, sizeof(real));
+            },
+            [&](int i, const unsigned char* from)
             {
-                std::memcpy(f.x[d] + i, from + 8*d, 8);
-                std::memcpy(f.v[d] + i, from + 8*(D + d), 8);
-            }
-            for (int c = 0; c < S; ++c) std::memcpy(f.w[c] + i, from + 16*D + c*sizeof(real), sizeof(real));
-            Vec<D, position> p;
-            for (int d = 0; d < D; ++d) p.c[d] = p_.set.box.pairPosition(d, f.x[d][i]);
-            solids.store(i, p, ContactBody<D, real>{convert<real>(f.velocity(i)), f.spin(i), f.radius[i], f.mass[i]}, f.material[i]);
-        });
+                for (int d = 0; d < D; ++d)
+                {
+                    std::memcpy(f.x[d] + i, from + 8*d, 8);
+                    std::memcpy(f.v[d] + i, from + 8*(D + d), 8);
+                }
+                for (int c = 0; c < S; ++c)
+                    std::memcpy(f.w[c] + i, from + 16*D + c*sizeof(real), sizeof(real));
+                Vec<D, position> p;
+                for (int d = 0; d < D; ++d) p.c[d] = p_.set.box.pairPosition(d, f.x[d][i]);
+                solids.store(i, p,
+                    ContactBody<D, real>{
+                        convert<real>(f.velocity(i)), f.spin(i), f.radius[i], f.mass[i]},
+                    f.material[i]);
+            });
         DemClockData& c = *p_.clock.data();
-        std::vector<double> flags
-        {
-            double(c.needRebuild), double(c.aged[0]), double(c.aged[1]), double(c.far[0]), double(c.far[1]), double(int(c.halt)), double(p_.interrupted)
-        };
+        std::vector<double> flags{double(c.needRebuild), double(c.aged[0]), double(c.aged[1]),
+            double(c.far[0]), double(c.far[1]), double(int(c.halt)), double(p_.interrupted)};
         p_.set.config.ranks->largest(flags);
         int k = 0;
-        for (int* to : {&c.needRebuild, c.aged, c.aged + 1, c.far, c.far + 1}) *to = int(flags[k++]);
+        for (int* to : {&c.needRebuild, c.aged, c.aged + 1, c.far, c.far + 1})
+            *to = int(flags[k++]);
         c.halt = DemHalt(int(flags[k++]));
         stopAgreed_ = flags[k] > 0;
     }

@@ -20,9 +20,9 @@ public:
     using real = typename P::real;
     static constexpr int S = spins<D>;
 
-    SceneReadings(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks)
-    :
-        p_(parts), forces_(forces), ranks_(ranks)
+    SceneReadings(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces,
+        RankedSolids<Backend, D, P>& ranks)
+        : p_(parts), forces_(forces), ranks_(ranks)
     {}
 
     // As DemScene has them
@@ -69,7 +69,8 @@ std::vector<double> SceneReadings<Backend, D, P>::orientations(int n)
         {
             if (D == 3) { turns[4*std::size_t(i) + k] = double(q[i]); continue; }
             turns[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
-            turns[4*std::size_t(i) + 1 + p_.set.config.axes[2]] = p_.set.spinSign()*std::sin(0.5*double(q[i]));
+            turns[4*std::size_t(i) + 1 + p_.set.config.axes[2]] = p_.set.spinSign()
+                *std::sin(0.5*double(q[i]));
         }
     }
     return turns;
@@ -88,14 +89,19 @@ DemState SceneReadings<Backend, D, P>::motion()
     s.moment = p_.particles.template vector<real>(n, p_.particles.at.m, S, true);
     const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     const SolidFieldNumbers& at = p_.particles.at;
-    const auto radius = p_.particles.template field<real>(at.radius), mass = p_.particles.template field<real>(at.mass);
+    const auto radius = p_.particles.template field<real>(at.radius),
+               mass = p_.particles.template field<real>(at.mass);
     const auto inverse = p_.particles.template field<real>(at.inertia);
     s.material = p_.particles.template field<std::int32_t>(at.material);
     s.group = p_.particles.template field<std::int32_t>(at.group);
-    s.clump = p_.particles.at.clump < 0 ? std::vector<std::int32_t>(n, -1) : p_.particles.template field<std::int32_t>(p_.particles.at.clump);
+    s.clump = p_.particles.at.clump < 0
+        ? std::vector<std::int32_t>(n, -1)
+        : p_.particles.template field<std::int32_t>(p_.particles.at.clump);
     for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) v->resize(n);
     const std::vector<real> external = p_.particles.external.download();
-    const auto calm = p_.particles.at.calm < 0 ? std::vector<std::int32_t>() : p_.particles.template field<std::int32_t>(p_.particles.at.calm);
+    const auto calm = p_.particles.at.calm < 0
+        ? std::vector<std::int32_t>()
+        : p_.particles.template field<std::int32_t>(p_.particles.at.calm);
     // leapfrog keeps velocities of half a step ago: forces are of now
     const double half = halfStep();
     for (auto* v : {&s.radius, &s.mass}) v->resize(n);
@@ -106,15 +112,18 @@ DemState SceneReadings<Backend, D, P>::motion()
         s.radius[i] = double(radius[i]);
         s.mass[i] = double(mass[i]);
         const DemGroup& g = p_.set.input.groups[s.group[i]];
-        const bool asleep = !calm.empty() && calm[i] >= asleepFrom, kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
+        const bool asleep = !calm.empty() && calm[i] >= asleepFrom,
+                   kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
         const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
         for (int d = 0; d < D; ++d)
         {
             const std::size_t at = 3*std::size_t(i) + p_.set.config.axes[d];
             double& f = s.force[at];
             double& v = s.velocity[at];
-            f += (g.gravity ? s.mass[i]*p_.set.config.gravity[p_.set.config.axes[d]] : 0) + g.force[p_.set.config.axes[d]] + (more ? double(more[d]) : 0);
-            const double damped = locallyDamped(f, v, g.localDamping) - g.viscousDamping*s.mass[i]*v;
+            f += (g.gravity ? s.mass[i]*p_.set.config.gravity[p_.set.config.axes[d]] : 0)
+                + g.force[p_.set.config.axes[d]] + (more ? double(more[d]) : 0);
+            const double damped = locallyDamped(f, v, g.localDamping)
+                - g.viscousDamping*s.mass[i]*v;
             if (kicked && !g.held[p_.set.config.axes[d]]) v += half*damped/s.mass[i];
         }
         for (int c = 0; c < S; ++c)
@@ -124,12 +133,14 @@ DemState SceneReadings<Backend, D, P>::motion()
             double& m = s.moment[at];
             double& w = s.spin[at];
             m += g.moment[axis] + (more ? (D == 2 ? p_.set.spinSign() : 1)*double(more[D + c]) : 0);
-            const double rate = locallyDamped(m, w, g.localDamping)*double(inverse[i]) - g.viscousSpinDamping*w;
+            const double rate = locallyDamped(m, w, g.localDamping)*double(inverse[i])
+                - g.viscousSpinDamping*w;
             if (kicked && !g.heldSpin) w += half*rate;
         }
     }
     if (p_.particles.at.turn >= 0) s.orientation = orientations(n);
-    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment}) ranks_.dropGhosts(*v, 3);
+    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment})
+        ranks_.dropGhosts(*v, 3);
     for (auto* v : {&s.radius, &s.mass}) ranks_.dropGhosts(*v, 1);
     for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) ranks_.dropGhosts(*v, 1);
     ranks_.dropGhosts(s.orientation, 4);
@@ -159,7 +170,8 @@ std::vector<int> SceneReadings<Backend, D, P>::wallContacts()
         if constexpr (Law::NormalLaw::reaches)
         {
             const auto history = p_.walls.memory.history.download();
-            for (std::size_t s = 0; s < on.size(); ++s) on[s] = on[s] && Law::NormalLaw::acts(&history[s*Law::template history<D>]);
+            for (std::size_t s = 0; s < on.size(); ++s)
+                on[s] = on[s] && Law::NormalLaw::acts(&history[s*Law::template history<D>]);
         }
     });
     return on;
@@ -176,7 +188,8 @@ std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         forces_.setModel(probe);
-        forEach(p_.set.context, p_.particles.n, ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
+        forEach(p_.set.context, p_.particles.n,
+            ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
     });
     const auto all = others.download();
     const auto [base, count] = p_.order.shape();
@@ -193,7 +206,8 @@ std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
     const auto first = p_.walls.memory.entryFirst.download();
     const auto acts = wallContacts();
     for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1]; ++e) if (acts[std::size_t(e)*wallTouches]) ++contacts[i];
+        for (int e = first[i]; e < first[i + 1]; ++e)
+            if (acts[std::size_t(e)*wallTouches]) ++contacts[i];
     return contacts;
 }
 
@@ -210,11 +224,13 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
     {
         ContactProbe<Backend, D, P, decltype(law)> probe;
         forces_.setModel(probe);
-        forEach(p_.set.context, p_.particles.n, ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
+        forEach(p_.set.context, p_.particles.n,
+            ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
     });
     const auto all = probed.download();
     const auto [base, count] = p_.order.shape();
-    const auto put = [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
+    const auto put =
+        [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
     {
         out.a.push_back(p_.particles.ids[key[i]]);
         out.b.push_back(b);
@@ -250,8 +266,13 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
             const int slot = e*wallTouches;
             if (!acts[slot] || ranks_.ghost(i)) continue;
             Vec<D, double> local, f;
-            for (int d = 0; d < D; ++d) { local.c[d] = double(normal[slot*D + d]); f.c[d] = double(force[e*wallWords<D> + d]); }
-            const real reach = p_.pairs.reach(material[i], p_.set.input.walls[entry[e].wall].material);
+            for (int d = 0; d < D; ++d)
+            {
+                local.c[d] = double(normal[slot*D + d]);
+                f.c[d] = double(force[e*wallWords<D> + d]);
+            }
+            const real reach = p_.pairs.reach(
+                material[i], p_.set.input.walls[entry[e].wall].material);
             put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach),
                 outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
         }
@@ -287,10 +308,14 @@ DemEnergy SceneReadings<Backend, D, P>::energy()
         if (ranks_.others) sum.calm = p_.particles.view().calm;
         e.contact = sumOver<1>(p_.set.context, p_.order.active(), sum)[0];
     });
-    const auto wall = p_.walls.memory.entries ? p_.walls.memory.force.download() : std::vector<real>();
-    if (!ranks_.others) for (int k = 0; k < p_.walls.memory.entries; ++k) e.contact += double(wall[k*wallWords<D> + D + S]);
+    const auto wall = p_.walls.memory.entries ? p_.walls.memory.force.download()
+                                              : std::vector<real>();
+    if (!ranks_.others)
+        for (int k = 0; k < p_.walls.memory.entries; ++k)
+            e.contact += double(wall[k*wallWords<D> + D + S]);
     for (int i = 0; ranks_.others && p_.walls.memory.entries && i < p_.order.active(); ++i)
-        for (int k = p_.walls.memory.entryFirst.data()[i]; !ranks_.ghost(i) && k < p_.walls.memory.entryFirst.data()[i + 1]; ++k)
+        for (int k = p_.walls.memory.entryFirst.data()[i];
+             !ranks_.ghost(i) && k < p_.walls.memory.entryFirst.data()[i + 1]; ++k)
             e.contact += double(wall[k*wallWords<D> + D + S]);
     e.bond = p_.bonds.energy(p_.order.slotOf);
     return e;
@@ -317,7 +342,11 @@ DemGroupSums SceneReadings<Backend, D, P>::groupSums(int group)
         r.momentum[axis] = sums[2 + D + d];
         if (!r.particles) continue;
         const auto reach = [&](bool up)
-        { return reduceMax(p_.set.context, n, GroupReach<D, P>{p_.particles.view(), p_.set.box, p_.order.sort.active(), group, d, up}); };
+        {
+            return reduceMax(p_.set.context, n,
+                GroupReach<D, P>{
+                    p_.particles.view(), p_.set.box, p_.order.sort.active(), group, d, up});
+        };
         r.max[axis] = p_.set.box.lower[d] + reach(true);
         r.min[axis] = p_.set.box.lower[d] + p_.set.box.length[d] - reach(false);
     }
@@ -335,7 +364,9 @@ DemMomentum SceneReadings<Backend, D, P>::momentum()
     sum.half = real(halfStep());
     const auto sums = sumOver<D + S>(p_.set.context, p_.order.active(), sum);
     for (int d = 0; d < D; ++d) r.linear[p_.set.config.axes[d]] = sums[d];
-    for (int c = 0; c < S; ++c) r.angular[D == 2 ? p_.set.config.axes[2] : c] = (D == 2 ? p_.set.spinSign() : 1)*sums[D + c];
+    for (int c = 0; c < S; ++c)
+        r.angular[D == 2 ? p_.set.config.axes[2] : c] = (D == 2 ? p_.set.spinSign() : 1)
+            *sums[D + c];
     return r;
 }
 
@@ -359,8 +390,10 @@ double SceneReadings<Backend, D, P>::deepestOverlap()
     for (int i = 0; i < n; ++i)
         for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
         {
-            const double gap = double(p_.pairs.gap(material[i], p_.set.input.walls[entry[e].wall].material));
-            most = std::max(most, 0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
+            const double gap = double(
+                p_.pairs.gap(material[i], p_.set.input.walls[entry[e].wall].material));
+            most = std::max(most,
+                0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
         }
     return most;
 }
@@ -404,10 +437,13 @@ std::vector<DemWallForce> SceneReadings<Backend, D, P>::wallForces()
         for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
         {
             Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
-            for (int d = 0; d < D; ++d) f.c[p_.set.config.axes[d]] = -double(force[e*wallWords<D> + d]);
+            for (int d = 0; d < D; ++d)
+                f.c[p_.set.config.axes[d]] = -double(force[e*wallWords<D> + d]);
             for (int c = 0; c < S; ++c)
-                m.c[D == 2 ? p_.set.config.axes[2] : c] = -(D == 2 ? p_.set.spinSign() : 1)*double(force[e*wallWords<D> + D + c]);
-            const Vec<3, double> centre{{x[3*i], x[3*i + 1], x[3*i + 2]}}, pressed = alongNormals(e, f), turned = cross(centre, pressed);
+                m.c[D == 2 ? p_.set.config.axes[2] : c] = -(D == 2 ? p_.set.spinSign() : 1)
+                    *double(force[e*wallWords<D> + D + c]);
+            const Vec<3, double> centre{{x[3*i], x[3*i + 1], x[3*i + 2]}},
+                pressed = alongNormals(e, f), turned = cross(centre, pressed);
             m = m + cross(centre, f);
             DemWallForce& w = out[entry[e].wall];
             for (int d = 0; d < 3; ++d)
@@ -431,15 +467,22 @@ std::vector<ArrayInfo> SceneReadings<Backend, D, P>::arrays() const
     for (const auto& f : p_.particles.values.info()) put("solids", f.name, f.bytes);
     put("solids", "records", p_.order.records.bytes());
     put("solids", "reference", p_.order.reference.bytes());
-    put("solids", "sort", p_.order.sort.bytes() + p_.order.inverse.bytes() + p_.order.slotOf.bytes());
+    put("solids", "sort",
+        p_.order.sort.bytes() + p_.order.inverse.bytes() + p_.order.slotOf.bytes());
     put("contacts", "lists and histories", p_.order.list.bytes() + p_.order.oldList.bytes());
     if constexpr (Backend::gpu)
     {
-        put("solids", "fused steps", p_.memory.records.bytes() + p_.memory.low.bytes() + p_.memory.own.bytes() + p_.memory.frames.bytes());
-        put("contacts", "rebuilding", p_.memory.nearCount.bytes() + p_.memory.keptFirst.bytes() + p_.memory.keptPartner.bytes()
-          + p_.memory.keptHistory.bytes() + p_.memory.wallListFirst.bytes() + p_.memory.wallList.bytes());
-        put("solids", "order", p_.memory.place.bytes() + p_.memory.order.bytes() + p_.memory.cost.bytes() + p_.memory.found.bytes()
-          + p_.memory.foundNear.bytes() + p_.memory.foundWalls.bytes() + p_.memory.foundElements.bytes());
+        put("solids", "fused steps",
+            p_.memory.records.bytes() + p_.memory.low.bytes() + p_.memory.own.bytes()
+                + p_.memory.frames.bytes());
+        put("contacts", "rebuilding",
+            p_.memory.nearCount.bytes() + p_.memory.keptFirst.bytes()
+                + p_.memory.keptPartner.bytes() + p_.memory.keptHistory.bytes()
+                + p_.memory.wallListFirst.bytes() + p_.memory.wallList.bytes());
+        put("solids", "order",
+            p_.memory.place.bytes() + p_.memory.order.bytes() + p_.memory.cost.bytes()
+                + p_.memory.found.bytes() + p_.memory.foundNear.bytes()
+                + p_.memory.foundWalls.bytes() + p_.memory.foundElements.bytes());
     }
     put("bonds", "bonds", p_.bonds.bytes());
     put("clumps", "clumps", p_.clumps.bytes());
@@ -452,7 +495,8 @@ template<class Backend, int D, class P>
 std::vector<KernelInfo> SceneReadings<Backend, D, P>::kernels() const
 {
     std::vector<KernelInfo> r;
-    for (const auto& e : p_.set.context.profile.entries()) r.push_back(KernelInfo{e.name, e.launches, e.seconds});
+    for (const auto& e : p_.set.context.profile.entries())
+        r.push_back(KernelInfo{e.name, e.launches, e.seconds});
     return r;
 }
 

@@ -12,7 +12,8 @@ namespace riprap
 {
 
 static constexpr const char* passingCure =
-    ": it passes through what it meets; take a shorter step, and contacts that are stiff enough for this speed";
+    ": it passes through what it meets; take a shorter step, and contacts that are stiff enough "
+    "for this speed";
 
 template<class Backend, int D, class P>
 class SceneReports
@@ -23,9 +24,9 @@ public:
 
     DemReport last;
 
-    SceneReports(DemParts<Backend, D, P>& parts, RankedSolids<Backend, D, P>& ranks, Neighbours<Backend, D, P>& neighbours, Sleepers<Backend, D, P>& sleepers)
-    :
-        p_(parts), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers)
+    SceneReports(DemParts<Backend, D, P>& parts, RankedSolids<Backend, D, P>& ranks,
+        Neighbours<Backend, D, P>& neighbours, Sleepers<Backend, D, P>& sleepers)
+        : p_(parts), ranks_(ranks), neighbours_(neighbours), sleepers_(sleepers)
     {}
 
     //- What was done since a step, after the last one
@@ -79,10 +80,9 @@ void SceneReports<Backend, D, P>::collectEscaped(DemReport& report)
         report.escaped.swap(ranks_.escaped);
         report.escapedId.swap(ranks_.escapedId);
         const ParticleExchange::Counts& c = ranks_.others->counts();
-        report.rank = DemRankReport
-        {
-            std::size_t(ranks_.others->ownedHere()), std::size_t(ranks_.others->ghostsHere()), c.arrivals, c.divisions, c.bytesShared, c.bytesMigrating
-        };
+        report.rank = DemRankReport{std::size_t(ranks_.others->ownedHere()),
+            std::size_t(ranks_.others->ghostsHere()), c.arrivals, c.divisions, c.bytesShared,
+            c.bytesMigrating};
         return;
     }
     const int active = p_.order.active();
@@ -112,7 +112,8 @@ void SceneReports<Backend, D, P>::collectPassed(DemReport& report)
     p_.walls.clearPassed(p_.particles.n);
 }
 
-//- The way of particle i in the last step, of its radius, which the guard tested. No number: infinity
+//- The way of particle i in the last step, of its radius, which the guard tested. No number:
+//  infinity
 template<class Backend, int D, class P>
 std::vector<double> SceneReports<Backend, D, P>::offences(int n)
 {
@@ -140,8 +141,9 @@ void SceneReports<Backend, D, P>::findOffender(DemReport& report)
         report.stop = DemStop::tooFast;
         std::ostringstream s;
         s.precision(6);
-        s << "a wall goes farther in a step of " << p_.clock.now.dt << " s than the radius of the smallest particle, "
-           << p_.reach.radii.smallest << " m" << passingCure;
+        s << "a wall goes farther in a step of " << p_.clock.now.dt
+          << " s than the radius of the smallest particle, " << p_.reach.radii.smallest << " m"
+          << passingCure;
         report.stopMessage = s.str();
         return;
     }
@@ -161,9 +163,11 @@ void SceneReports<Backend, D, P>::findOffenderOfRanks(DemReport& report)
     const int n = p_.order.active();
     const std::vector<double> offence = offences(n);
     int worst = -1;
-    for (int i = 0; i < n; ++i) if (!ranks_.ghost(i) && (worst < 0 || offence[i] > offence[worst])) worst = i;
+    for (int i = 0; i < n; ++i)
+        if (!ranks_.ghost(i) && (worst < 0 || offence[i] > offence[worst])) worst = i;
     const double here = worst < 0 ? -1 : offence[worst], most = ranks_.largest(here);
-    const int speaker = ranks.size() - int(ranks_.largest(here == most ? ranks.size() - ranks.rank() : 0));
+    const int speaker = ranks.size()
+        - int(ranks_.largest(here == most ? ranks.size() - ranks.rank() : 0));
     std::vector<RankBytes> out(ranks.size()), in;
     if (ranks.rank() == speaker && worst >= 0)
     {
@@ -195,17 +199,27 @@ void SceneReports<Backend, D, P>::describeOffender(DemReport& report, int worst,
     s.precision(6);
     const std::vector<double> x = p_.particles.positions(worst + 1);
     double speed2 = 0;
-    for (int d = 0; d < D; ++d) { const double v = p_.particles.template field<double>(p_.particles.at.v + d)[worst]; speed2 += v*v; }
-    report.stopId = p_.particles.ids[p_.particles.template field<std::int32_t>(p_.particles.at.id)[worst]];
+    for (int d = 0; d < D; ++d)
+    {
+        const double v = p_.particles.template field<double>(p_.particles.at.v + d)[worst];
+        speed2 += v*v;
+    }
+    report.stopId =
+        p_.particles.ids[p_.particles.template field<std::int32_t>(p_.particles.at.id)[worst]];
     report.stopPosition = Vector3{{x[3*worst], x[3*worst + 1], x[3*worst + 2]}};
-    report.stopValue = std::isfinite(offence) ? std::sqrt(speed2) : std::numeric_limits<double>::infinity();
+    report.stopValue = std::isfinite(offence) ? std::sqrt(speed2)
+                                              : std::numeric_limits<double>::infinity();
     report.stop = !std::isfinite(offence) ? DemStop::notANumber : DemStop::tooFast;
     if (report.stop == DemStop::notANumber) s << "has a velocity that is not a number";
     else
     {
-        const double radius = double(p_.particles.template field<real>(p_.particles.at.radius)[worst]);
-        s << "goes " << offence*radius << " m in a step of " << p_.clock.now.dt << " s, at " << report.stopValue << " m/s, and ";
-        if (p_.reach.driven) s << "lists of neighbours reach " << double(p_.reach.halfSkin) << " m: the fluid's blow on it is too hard for this time step";
+        const double radius = double(
+            p_.particles.template field<real>(p_.particles.at.radius)[worst]);
+        s << "goes " << offence*radius << " m in a step of " << p_.clock.now.dt << " s, at "
+          << report.stopValue << " m/s, and ";
+        if (p_.reach.driven)
+            s << "lists of neighbours reach " << double(p_.reach.halfSkin)
+              << " m: the fluid's blow on it is too hard for this time step";
         else s << "its radius is " << radius << " m" << passingCure;
     }
     report.stopMessage = s.str();

@@ -17,12 +17,13 @@ public:
 
     using real = typename P::real;
 
-    WallContacts(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces, RankedSolids<Backend, D, P>& ranks)
-    :
-        p_(parts), forces_(forces), ranks_(ranks)
+    WallContacts(DemParts<Backend, D, P>& parts, ContactForces<Backend, D, P>& forces,
+        RankedSolids<Backend, D, P>& ranks)
+        : p_(parts), forces_(forces), ranks_(ranks)
     {}
 
-    //- In a rebuild; on the GPU in two, before and after particles are in their new places. fresh: nothing is remembered
+    //- In a rebuild; on the GPU in two, before and after particles are in their new places. fresh:
+    //  nothing is remembered
     void build(bool fresh);
     void count();
     void write(bool fresh, int elements);
@@ -39,8 +40,8 @@ private:
 template<class Backend, int D, class P>
 WallSearch<D, P> WallContacts<Backend, D, P>::search()
 {
-    return WallSearch<D, P>
-    {p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count, p_.walls.surface(), forces_.wallReach(), p_.order.sort.active()};
+    return WallSearch<D, P>{p_.set.box, p_.particles.view(), p_.walls.walls.data(), p_.walls.count,
+        p_.walls.surface(), forces_.wallReach(), p_.order.sort.active()};
 }
 
 template<class Backend, int D, class P>
@@ -48,13 +49,15 @@ void WallContacts<Backend, D, P>::count()
 {
     std::swap(p_.walls.memory, p_.walls.oldMemory);
     WallMemoryArrays<Backend, real>& m = p_.walls.memory;
-    if (p_.motion.walls()) forEach(p_.set.context, p_.walls.count, KeepWallReference{p_.walls.walls.data()});
+    if (p_.motion.walls())
+        forEach(p_.set.context, p_.walls.count, KeepWallReference{p_.walls.walls.data()});
     m.entryFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
     m.elementFirst.allocate(p_.set.context, std::size_t(p_.particles.n) + 1);
     if constexpr (Backend::gpu)
     {
         // where particles still are: their order follows
-        for (Array<Backend, int>* a : {&p_.memory.foundWalls, &p_.memory.foundElements}) if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
+        for (Array<Backend, int>* a : {&p_.memory.foundWalls, &p_.memory.foundElements})
+            if (a->size() == 0) a->allocate(p_.set.context, p_.particles.n);
         forEach(p_.set.context, p_.particles.n, FindWalls<D, P, false>
         {
             search(), p_.memory.foundWalls.data(), p_.memory.foundElements.data(), nullptr, nullptr,
@@ -62,7 +65,9 @@ void WallContacts<Backend, D, P>::count()
         });
         return;
     }
-    forEach(p_.set.context, p_.particles.n, FindWalls<D, P, false>{search(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
+    forEach(p_.set.context, p_.particles.n,
+        FindWalls<D, P, false>{
+            search(), m.entryFirst.data(), m.elementFirst.data(), nullptr, nullptr, nullptr});
     exclusiveScan(p_.set.context, p_.order.scan, m.entryFirst.data(), p_.particles.n + 1);
     exclusiveScan(p_.set.context, p_.order.scan, m.elementFirst.data(), p_.particles.n + 1);
 }
@@ -82,14 +87,19 @@ void WallContacts<Backend, D, P>::write(bool fresh, int elements)
         m.history.allocate(p_.set.context, room*wallTouches*H);
         m.force.allocate(p_.set.context, room*wallWords<D>);
     }
-    if (m.element.size() < std::size_t(elements) + 1) m.element.allocate(p_.set.context, std::size_t(elements) + elements/8 + 1);
-    forEach(p_.set.context, p_.particles.n, FindWalls<D, P, true>
-    {search(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(), m.element.data(), nullptr});
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        forEach(p_.set.context, p_.particles.n, HandOverWalls<D, real, decltype(law)::template history<D>>
-        {p_.walls.view(p_.walls.oldMemory), p_.walls.view(m), p_.newOrder(), p_.order.sort.active(), fresh});
-    });
+    if (m.element.size() < std::size_t(elements) + 1)
+        m.element.allocate(p_.set.context, std::size_t(elements) + elements/8 + 1);
+    forEach(p_.set.context, p_.particles.n,
+        FindWalls<D, P, true>{search(), m.entryFirst.data(), m.elementFirst.data(), m.entry.data(),
+            m.element.data(), nullptr});
+    withLaw(p_.set.laws,
+        [&](auto law)
+        {
+            forEach(p_.set.context, p_.particles.n,
+                HandOverWalls<D, real, decltype(law)::template history<D>>{
+                    p_.walls.view(p_.walls.oldMemory), p_.walls.view(m), p_.newOrder(),
+                    p_.order.sort.active(), fresh});
+        });
     if (ranks_.others && !fresh) ranks_.takeWallContacts();
 }
 
@@ -98,8 +108,10 @@ void WallContacts<Backend, D, P>::build(bool fresh)
 {
     count();
     int elements = 0;
-    p_.set.context.toHost(&p_.walls.memory.entries, p_.walls.memory.entryFirst.data() + p_.particles.n, sizeof(int));
-    p_.set.context.toHost(&elements, p_.walls.memory.elementFirst.data() + p_.particles.n, sizeof(int));
+    p_.set.context.toHost(
+        &p_.walls.memory.entries, p_.walls.memory.entryFirst.data() + p_.particles.n, sizeof(int));
+    p_.set.context.toHost(
+        &elements, p_.walls.memory.elementFirst.data() + p_.particles.n, sizeof(int));
     write(fresh, elements);
 }
 

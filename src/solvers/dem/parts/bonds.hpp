@@ -20,7 +20,9 @@ public:
     using real = typename P::real;
     static constexpr int S = spins<D>;
 
-    Bonds(DemSetting<Backend, D, P>& set, ParticleFields<Backend, D, P>& particles) : set_(set), particles_(particles) {}
+    Bonds(DemSetting<Backend, D, P>& set, ParticleFields<Backend, D, P>& particles)
+        : set_(set), particles_(particles)
+    {}
 
     void set(const DemBonds&, const DemParticles&);
 
@@ -38,7 +40,8 @@ public:
 
     //- For the host
     std::size_t broken();
-    std::vector<std::int32_t> brokenAt(Array<Backend, int>& slots, int n);     // of the first n particles
+    // of the first n particles
+    std::vector<std::int32_t> brokenAt(Array<Backend, int>& slots, int n);
     DemBondState state(Array<Backend, int>& slots);
     double energy(Array<Backend, int>& slots);
     std::size_t bytes() const;
@@ -64,7 +67,8 @@ void Bonds<Backend, D, P>::set(const DemBonds& in, const DemParticles& q)
     std::vector<int> keyOf;
     for (int i = 0; i < particles_.n; ++i)
     {
-        if (std::size_t(particles_.ids[i]) >= keyOf.size()) keyOf.resize(std::size_t(particles_.ids[i]) + 1, -1);
+        if (std::size_t(particles_.ids[i]) >= keyOf.size())
+            keyOf.resize(std::size_t(particles_.ids[i]) + 1, -1);
         keyOf[particles_.ids[i]] = i;
     }
     std::vector<std::int32_t> end[2], type(in.type);
@@ -83,8 +87,10 @@ void Bonds<Backend, D, P>::set(const DemBonds& in, const DemParticles& q)
         for (int d = 0; d < D; ++d)
         {
             const int axis = set_.config.axes[d];
-            const std::int64_t xa = set_.box.toFixed(d, q.position[3*std::size_t(a) + axis]), xb = set_.box.toFixed(d, q.position[3*std::size_t(b) + axis]);
-            const double s = double(std::int64_t(std::uint64_t(xb) - std::uint64_t(xa)))*set_.box.unit[d];
+            const std::int64_t xa = set_.box.toFixed(d, q.position[3*std::size_t(a) + axis]),
+                               xb = set_.box.toFixed(d, q.position[3*std::size_t(b) + axis]);
+            const double s = double(std::int64_t(std::uint64_t(xb) - std::uint64_t(xa)))
+                *set_.box.unit[d];
             d2 += s*s;
         }
         rest.push_back(std::sqrt(d2) - double(real(q.radius[a])) - double(real(q.radius[b])));
@@ -97,11 +103,9 @@ void Bonds<Backend, D, P>::set(const DemBonds& in, const DemParticles& q)
     for (const DemBondType& t : set_.input.bondTypes)
     {
         const auto strength = [](double s) { return real(std::min(s, 1e30)); };
-        types.push_back(BondParameters<real>
-        {
-            real(t.normalStiffness), real(t.shearStiffness), strength(t.tensileStrength), strength(t.shearStrength),
-            real(2*t.dampingRatio), real(t.radiusFactor), t.radiusKind == BondRadiusKind::harmonic, D == 3 || t.cylinder
-        });
+        types.push_back(BondParameters<real>{real(t.normalStiffness), real(t.shearStiffness),
+            strength(t.tensileStrength), strength(t.shearStrength), real(2*t.dampingRatio),
+            real(t.radiusFactor), t.radiusKind == BondRadiusKind::harmonic, D == 3 || t.cylinder});
     }
     for (int e = 0; e < 2; ++e) ends_[e].upload(set_.context, end[e]);
     type_.upload(set_.context, type);
@@ -202,11 +206,13 @@ DemBondState Bonds<Backend, D, P>::state(Array<Backend, int>& slots)
         {
             s.force[3*std::size_t(k) + set_.config.axes[d]] = double(force[k].force.c[d]);
             if (i < 0 || j < 0) continue;
-            const double r = double(std::int64_t(std::uint64_t(x[d][j]) - std::uint64_t(x[d][i])))*set_.box.unit[d];
+            const double r = double(std::int64_t(std::uint64_t(x[d][j]) - std::uint64_t(x[d][i])))
+                *set_.box.unit[d];
             d2 += r*r;
         }
         for (int c = 0; c < S; ++c)
-            s.moment[3*std::size_t(k) + (D == 2 ? set_.config.axes[2] : c)] = (D == 2 ? set_.spinSign() : 1)*double(force[k].bending.c[c]);
+            s.moment[3*std::size_t(k) + (D == 2 ? set_.config.axes[2] : c)] =
+                (D == 2 ? set_.spinSign() : 1)*double(force[k].bending.c[c]);
         s.gap.push_back(i < 0 || j < 0 ? 0 : std::sqrt(d2) - double(radius[i]) - double(radius[j]));
     }
     return s;
@@ -222,12 +228,14 @@ double Bonds<Backend, D, P>::energy(Array<Backend, int>& slots)
     const auto history = history_.download();
     const auto types = types_.download();
     const auto slotOf = slots.download();
-    const auto ends = std::array<std::vector<std::int32_t>, 2>{ends_[0].download(), ends_[1].download()};
+    const auto ends = std::array<std::vector<std::int32_t>, 2>{
+        ends_[0].download(), ends_[1].download()};
     for (int k = 0; k < count_; ++k)
     {
         if (b.broken[k]) continue;
-        sum += double(bondEnergy<D, real>
-        (types[b.type[k]], radius[slotOf[ends[0][k]]], radius[slotOf[ends[1][k]]], real(b.gap[k] - b.restGap[k]), &history[std::size_t(k)*bondHistory<D>]));
+        sum += double(bondEnergy<D, real>(types[b.type[k]], radius[slotOf[ends[0][k]]],
+            radius[slotOf[ends[1][k]]], real(b.gap[k] - b.restGap[k]),
+            &history[std::size_t(k)*bondHistory<D>]));
     }
     return sum;
 }
@@ -235,8 +243,8 @@ double Bonds<Backend, D, P>::energy(Array<Backend, int>& slots)
 template<class Backend, int D, class P>
 std::size_t Bonds<Backend, D, P>::bytes() const
 {
-    return ends_[0].bytes() + ends_[1].bytes() + type_.bytes() + broken_.bytes() + rest_.bytes() + history_.bytes() + force_.bytes() + first_.bytes()
-      + reference_.bytes();
+    return ends_[0].bytes() + ends_[1].bytes() + type_.bytes() + broken_.bytes() + rest_.bytes()
+        + history_.bytes() + force_.bytes() + first_.bytes() + reference_.bytes();
 }
 
 } // namespace riprap

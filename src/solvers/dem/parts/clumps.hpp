@@ -21,17 +21,21 @@ public:
 
     using real = typename P::real;
 
-    Clumps(DemSetting<Backend, D, P>& set, ParticleFields<Backend, D, P>& particles, const SolidGroups<Backend, D, P>& groups)
-    :
-        set_(set), particles_(particles), groups_(groups)
+    Clumps(DemSetting<Backend, D, P>& set, ParticleFields<Backend, D, P>& particles,
+        const SolidGroups<Backend, D, P>& groups)
+        : set_(set), particles_(particles), groups_(groups)
     {}
 
     void set(const DemParticles&);
 
     int count() const { return count_; }
     ClumpData* data() { return clumps_.data(); }
-    Array<Backend, double>& offset() { return offset_; }           // of members in their bodies, 3 a key
-    const ClumpConstraint* constraints() const { return constraints_.size() ? constraints_.data() : nullptr; }
+    // of members in their bodies, 3 a key
+    Array<Backend, double>& offset() { return offset_; }
+    const ClumpConstraint* constraints() const
+    {
+        return constraints_.size() ? constraints_.data() : nullptr;
+    }
     ClumpMembers<D, P> members(const int* slotOf);
     ClumpKick<D, P> kick() const;
 
@@ -40,7 +44,11 @@ public:
 
     //- What forces from outside do over dt at once
     void push(double dt, const int* slotOf)
-    { if (count_) sumClumps(set_.context, count_, largest_, PushClumps<D, P>{members(slotOf), groups_.data(), constraints(), dt}); }
+    {
+        if (count_)
+            sumClumps(set_.context, count_, largest_,
+                PushClumps<D, P>{members(slotOf), groups_.data(), constraints(), dt});
+    }
 
     //- For the host; half: by how much velocities of now are ahead of those kept [s]
     DemClumpState state(double half);
@@ -53,7 +61,8 @@ private:
 
     int leastSharing(int together) const;
     std::vector<ClumpData> bodies(const std::vector<int>& first) const;
-    void placeMembers(const DemParticles&, const std::vector<ClumpData>&, const std::vector<int>& first);
+    void placeMembers(
+        const DemParticles&, const std::vector<ClumpData>&, const std::vector<int>& first);
     ClumpConstraint constraintOf(const DemGroup&) const;
     void setConstraints(std::vector<ClumpData>&);
     void setSprings(const std::vector<ClumpData>&);
@@ -71,16 +80,20 @@ private:
     Array<Backend, SpringData> springs_;
     Array<Backend, int> springFirst_;                   // of a clump
     std::vector<SpringData> allSprings_;                // the same in the order of clumps,
-    std::vector<std::pair<int, int>> springOfGroups_;   // and of groups: the clump, and which of them
+    // and of groups: the clump, and which of them
+    std::vector<std::pair<int, int>> springOfGroups_;
 };
 
-//- Where a face lands flat while one member touches, each of its n members would damp as if it were alone. Over a step, a fifth of that of the n springs, that
-//  takes 0.4 zeta sqrt(n/least) of the speed: less than half with n zeta^2 at least
+//- Where a face lands flat while one member touches, each of its n members would damp as if it were
+//  alone. Over a step, a fifth of that of the n springs, that takes 0.4 zeta sqrt(n/least) of the
+//  speed: less than half with n zeta^2 at least
 template<class Backend, int D, class P>
 int Clumps<Backend, D, P>::leastSharing(int together) const
 {
     double zeta = 0;
-    for (const DemPair& p : set_.input.pairs) zeta = std::max(zeta, linearDampingRatio(p.properties.restitution, p.properties.attraction));
+    for (const DemPair& p : set_.input.pairs)
+        zeta = std::max(
+            zeta, linearDampingRatio(p.properties.restitution, p.properties.attraction));
     return std::max(1, int(std::ceil(together*std::min(1.0, zeta*zeta))));
 }
 
@@ -95,7 +108,8 @@ std::vector<ClumpData> Clumps<Backend, D, P>::bodies(const std::vector<int>& fir
         ClumpData& c = clumps[k];
         c = ClumpData{};
         c.q[0] = in.orientation[0];
-        for (int d = 0; d < 3; ++d) c.q[1 + d] = (D == 2 ? set_.spinSign() : 1)*in.orientation[1 + set_.config.axes[d]];
+        for (int d = 0; d < 3; ++d)
+            c.q[1 + d] = (D == 2 ? set_.spinSign() : 1)*in.orientation[1 + set_.config.axes[d]];
         for (int d = 0; d < D; ++d)
         {
             c.x[d] = set_.box.toFixed(d, in.position[set_.config.axes[d]]);
@@ -110,7 +124,8 @@ std::vector<ClumpData> Clumps<Backend, D, P>::bodies(const std::vector<int>& fir
         if (D == 2) c.L[2] = in.inertia[2]*set_.spinSign()*in.spin[set_.config.axes[2]];
         else
         {
-            Vec<3, double> w = rotated(c.q, Vec<3, double>{{in.spin[0], in.spin[1], in.spin[2]}}, true);
+            Vec<3, double> w = rotated(
+                c.q, Vec<3, double>{{in.spin[0], in.spin[1], in.spin[2]}}, true);
             for (int d = 0; d < 3; ++d) w.c[d] *= c.inertia[d];
             const Vec<3, double> L = rotated(c.q, w);
             for (int d = 0; d < 3; ++d) c.L[d] = L.c[d];
@@ -121,7 +136,8 @@ std::vector<ClumpData> Clumps<Backend, D, P>::bodies(const std::vector<int>& fir
 
 //- Members of each body, and where they are in it
 template<class Backend, int D, class P>
-void Clumps<Backend, D, P>::placeMembers(const DemParticles& particles, const std::vector<ClumpData>& clumps, const std::vector<int>& first)
+void Clumps<Backend, D, P>::placeMembers(const DemParticles& particles,
+    const std::vector<ClumpData>& clumps, const std::vector<int>& first)
 {
     const auto& of = particles.clump;
     std::vector<double> offset(3*std::size_t(particles_.n), 0.0);
@@ -134,8 +150,10 @@ void Clumps<Backend, D, P>::placeMembers(const DemParticles& particles, const st
         Vec<3, double> arm{{0, 0, 0}};
         for (int d = 0; d < D; ++d)
         {
-            const std::int64_t x = set_.box.toFixed(d, particles.position[3*std::size_t(i) + set_.config.axes[d]]);
-            arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))*set_.box.unit[d];
+            const std::int64_t x = set_.box.toFixed(
+                d, particles.position[3*std::size_t(i) + set_.config.axes[d]]);
+            arm.c[d] = double(std::int64_t(std::uint64_t(x) - std::uint64_t(clumps[of[i]].x[d])))
+                *set_.box.unit[d];
         }
         arm = rotated(clumps[of[i]].q, arm, true);
         for (int d = 0; d < 3; ++d) offset[3*std::size_t(i) + d] = arm.c[d];
@@ -173,7 +191,9 @@ ClumpConstraint Clumps<Backend, D, P>::constraintOf(const DemGroup& g) const
     ClumpConstraint s{};
     s.any = in.any();
     s.hinge = in.hinge;
-    s.turn = in.rotation == RotationKind::free ? ClumpTurn::free : in.rotation == RotationKind::axis ? ClumpTurn::about : ClumpTurn::none;
+    s.turn = in.rotation == RotationKind::free ? ClumpTurn::free
+        : in.rotation == RotationKind::axis ? ClumpTurn::about
+                                               : ClumpTurn::none;
     double n[3] = {}, length = 0, turn = 0;
     for (int d = 0; d < D; ++d)
     {
@@ -186,12 +206,15 @@ ClumpConstraint Clumps<Backend, D, P>::constraintOf(const DemGroup& g) const
     }
     if (D == 2) s.axis[2] = 1;
     else for (double& a : s.axis) a /= std::sqrt(std::max(turn, 1e-300));
-    const bool line = in.translation == TranslationKind::line, plane = in.translation == TranslationKind::plane;
+    const bool line = in.translation == TranslationKind::line,
+               plane = in.translation == TranslationKind::plane;
     for (int i = 0; i < D; ++i)
         for (int j = 0; j < D; ++j)
         {
             const double nn = n[i]*n[j]/std::max(length, 1e-300);
-            s.along[3*i + j] = line ? nn : (in.translation != TranslationKind::none)*(i == j) - plane*nn;
+            s.along[3*i + j] = line
+                ? nn
+                : (in.translation != TranslationKind::none)*(i == j) - plane*nn;
         }
     return s;
 }
@@ -205,7 +228,8 @@ void Clumps<Backend, D, P>::setConstraints(std::vector<ClumpData>& clumps)
         constraintOf_.push_back(constraintOf(g));
         any = any || g.constraint.any();
     }
-    for (ClumpData& c : clumps) if (constraintOf_[c.group].any) restrain(c, constraintOf_[c.group], set_.box);
+    for (ClumpData& c : clumps)
+        if (constraintOf_[c.group].any) restrain(c, constraintOf_[c.group], set_.box);
     if (any) constraints_.upload(set_.context, constraintOf_);
 }
 
@@ -222,7 +246,8 @@ void Clumps<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
         const DemClump& body = set_.input.clumps[k];
         const DemPose start = body.moved ? body.start : DemPose{body.position, body.orientation};
         double q[4] = {start.orientation[0], 0, 0, 0};
-        for (int d = 0; d < 3; ++d) q[1 + d] = (D == 2 ? set_.spinSign() : 1)*start.orientation[1 + set_.config.axes[d]];
+        for (int d = 0; d < 3; ++d)
+            q[1 + d] = (D == 2 ? set_.spinSign() : 1)*start.orientation[1 + set_.config.axes[d]];
         for (const DemSpring& in : set_.input.groups[body.group].springs)
         {
             SpringData s{};
@@ -245,7 +270,8 @@ void Clumps<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
     }
     for (int g = 0; g < int(set_.input.groups.size()); ++g)
         for (int e = 0; e < int(set_.input.groups[g].springs.size()); ++e)
-            for (int k = 0; k < count_; ++k) if (clumps[k].group == g) springOfGroups_.push_back({k, first[k] + e});
+            for (int k = 0; k < count_; ++k)
+                if (clumps[k].group == g) springOfGroups_.push_back({k, first[k] + e});
     springs_.upload(set_.context, allSprings_);
     springFirst_.upload(set_.context, first);
 }
@@ -253,7 +279,8 @@ void Clumps<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
 template<class Backend, int D, class P>
 ClumpMembers<D, P> Clumps<Backend, D, P>::members(const int* slotOf)
 {
-    return {clumps_.data(), set_.box, particles_.view(), memberFirst_.data(), member_.data(), slotOf, particles_.externalForces()};
+    return {clumps_.data(), set_.box, particles_.view(), memberFirst_.data(), member_.data(),
+        slotOf, particles_.externalForces()};
 }
 
 template<class Backend, int D, class P>
@@ -267,7 +294,9 @@ ClumpKick<D, P> Clumps<Backend, D, P>::kick() const
 template<class Backend, int D, class P>
 void Clumps<Backend, D, P>::gather(const DemClockData* clock, const int* slotOf)
 {
-    if (count_) sumClumps(set_.context, count_, largest_, GatherClumps<D, P>{members(slotOf), {springs_.data(), springFirst_.data()}, clock});
+    if (count_)
+        sumClumps(set_.context, count_, largest_,
+            GatherClumps<D, P>{members(slotOf), {springs_.data(), springFirst_.data()}, clock});
 }
 
 //- A constrained clump half a step later: from numbers that the host has
@@ -298,16 +327,21 @@ DemClumpState Clumps<Backend, D, P>::state(double half)
         const ClumpData later = kicked(c, half);
         const Vec<3, double> w = spinOf(later, c.q);
         double v[3] = {}, x[3] = {}, f[3] = {}, m[3] = {}, q[4] = {c.q[0], 0, 0, 0}, spin[3] = {};
-        if (D == 2) x[set_.config.axes[2]] = set_.input.clumps[&c - all.data()].position[set_.config.axes[2]];
+        if (D == 2)
+            x[set_.config.axes[2]] =
+                set_.input.clumps[&c - all.data()].position[set_.config.axes[2]];
         for (int d = 0; d < 3; ++d)
         {
             const int axis = set_.config.axes[d];
             if (d < D)
             {
                 x[axis] = set_.box.toMetres(d, c.x[d]);
-                f[axis] = c.f[d] + (g.gravity ? c.mass*set_.config.gravity[axis] : 0) + g.force[axis];
-                const double damped = locallyDamped(f[axis], c.v[d], g.localDamping) - g.viscousDamping*c.mass*c.v[d];
-                v[axis] = constrained ? later.v[d] : c.v[d] + (g.held[axis] ? 0 : half*damped/c.mass);
+                f[axis] = c.f[d] + (g.gravity ? c.mass*set_.config.gravity[axis] : 0)
+                    + g.force[axis];
+                const double damped = locallyDamped(f[axis], c.v[d], g.localDamping)
+                    - g.viscousDamping*c.mass*c.v[d];
+                v[axis] = constrained ? later.v[d]
+                                      : c.v[d] + (g.held[axis] ? 0 : half*damped/c.mass);
             }
             const double sign = D == 2 ? set_.spinSign() : 1;
             m[axis] = sign*c.m[d] + g.moment[axis];
@@ -334,7 +368,8 @@ std::vector<DemSpringState> Clumps<Backend, D, P>::springs()
     std::vector<DemSpringState> all;
     if (allSprings_.empty()) return all;
     const std::vector<ClumpData> clumps = clumps_.download();
-    for (const DemGroup& g : set_.input.groups) for (const DemSpring& s : g.springs) all.push_back(DemSpringState{g.name + "." + s.name});
+    for (const DemGroup& g : set_.input.groups)
+        for (const DemSpring& s : g.springs) all.push_back(DemSpringState{g.name + "." + s.name});
     for (std::size_t i = 0; i < all.size(); ++i)
     {
         const ClumpData& c = clumps[springOfGroups_[i].first];
@@ -375,14 +410,16 @@ void Clumps<Backend, D, P>::addEnergies(const DemClumpState& c, DemEnergy& e) co
     const auto potential = [&](double m, const double* x)
     {
         double sum = 0;
-        for (int d = 0; d < D; ++d) sum -= m*set_.config.gravity[set_.config.axes[d]]*x[set_.config.axes[d]];
+        for (int d = 0; d < D; ++d)
+            sum -= m*set_.config.gravity[set_.config.axes[d]]*x[set_.config.axes[d]];
         return sum;
     };
     for (int k = 0; k < count_; ++k)
     {
         if (c.left[k]) continue;
         const DemClump& in = set_.input.clumps[k];
-        for (int d = 0; d < 3; ++d) e.translation += 0.5*in.mass*c.velocity[3*k + d]*c.velocity[3*k + d];
+        for (int d = 0; d < 3; ++d)
+            e.translation += 0.5*in.mass*c.velocity[3*k + d]*c.velocity[3*k + d];
         Vec<3, double> w{{c.spin[3*k], c.spin[3*k + 1], c.spin[3*k + 2]}};
         if (D == 2) e.rotation += 0.5*in.inertia[2]*squaredNorm(w);
         else
@@ -390,14 +427,16 @@ void Clumps<Backend, D, P>::addEnergies(const DemClumpState& c, DemEnergy& e) co
             w = rotated(&c.orientation[4*k], w, true);
             for (int d = 0; d < 3; ++d) e.rotation += 0.5*in.inertia[d]*w.c[d]*w.c[d];
         }
-        if (set_.input.groups[in.group].gravity) e.potential += potential(in.mass, &c.position[3*k]);
+        if (set_.input.groups[in.group].gravity)
+            e.potential += potential(in.mass, &c.position[3*k]);
     }
 }
 
 template<class Backend, int D, class P>
 std::size_t Clumps<Backend, D, P>::bytes() const
 {
-    return clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes() + constraints_.bytes() + springs_.bytes() + springFirst_.bytes();
+    return clumps_.bytes() + offset_.bytes() + memberFirst_.bytes() + member_.bytes()
+        + constraints_.bytes() + springs_.bytes() + springFirst_.bytes();
 }
 
 } // namespace riprap

@@ -1,5 +1,5 @@
-/*  Steps of a scene small enough for one block of the GPU: many in one launch, barriers where launches would follow one another. The passes, and so
-    the bits, are those of a launch each.
+/*  Steps of a scene small enough for one block of the GPU: many in one launch, barriers where
+    launches would follow one another. The passes, and so the bits, are those of a launch each.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,7 +17,8 @@ namespace riprap
 struct BlockLimits
 {
     static constexpr int threads = 512;
-    static constexpr int particles = 1024, bonds = 3072, nearWalls = 2048;      // with more, launches that fill the device are faster
+    // with more, launches that fill the device are faster
+    static constexpr int particles = 1024, bonds = 3072, nearWalls = 2048;
 };
 
 //- Velocity Verlet

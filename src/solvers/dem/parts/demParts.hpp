@@ -1,4 +1,5 @@
-/*  What a scene of solids consists of. Its parts know what they are made from; what the solver does with them is in solvers/dem/driver.
+/*  What a scene of solids consists of. Its parts know what they are made from; what the solver does
+    with them is in solvers/dem/driver.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -33,14 +34,17 @@ struct BackendMemory
     SolidRecordMemory<Backend, D, P> records;       // the second ones
     Array<Backend, LowWords<P>> low;
     Array<Backend, OwnWords<real>> own;
-    Array<Backend, int> place, found, foundNear, foundWalls, foundElements, cost;        // of particles in the order of cells
+    // of particles in the order of cells
+    Array<Backend, int> place, found, foundNear, foundWalls, foundElements, cost;
     Array<Backend, std::uint32_t> order;
     Array<Backend, int> nearCount, keptFirst, keptPartner, wallListFirst, wallList, totals;
     Array<Backend, real> keptHistory;
     LocalFrameMemory<Backend, D, P> frames;         // of fused steps
-    int current = 0;                                // records and clock that the next step begins with
+    // records and clock that the next step begins with
+    int current = 0;
     AsyncReadback<Backend, DemClockData> readback;
-    bool moved = false;                             // forces are not yet those of the positions at hand
+    // forces are not yet those of the positions at hand
+    bool moved = false;
 
 #ifdef __CUDACC__
     LargestAhead speed;
@@ -86,10 +90,18 @@ struct DemParts
     bool sleeps() const { return set.config.sleepSpeed > 0; }
 
     //- Are steps fused (GPU)? Clumps gather their members' forces first, and Verlet kicks twice
-    bool fuses() const { return Backend::gpu && !clumps.count() && set.config.integrator == DemIntegratorKind::leapfrog; }
+    bool fuses() const
+    {
+        return Backend::gpu && !clumps.count()
+            && set.config.integrator == DemIntegratorKind::leapfrog;
+    }
 
     //- Has the device come to the target, the last step, or to a guard?
-    bool over() const { return clock.now.halt != DemHalt::none || clock.now.time >= clock.now.target || clock.now.step >= clock.now.lastStep; }
+    bool over() const
+    {
+        return clock.now.halt != DemHalt::none || clock.now.time >= clock.now.target
+            || clock.now.step >= clock.now.lastStep;
+    }
 
     //- Which particle goes where in a rebuild
     const std::uint32_t* newOrder() const

@@ -22,7 +22,8 @@ struct MarkLeavers
     HD void operator()(int i) const
     {
         const SolidFields<D, P>& s = mover.fields;
-        if (i < *mover.active && s.clump[i] >= 0 && !mover.inside(s.position(i))) raiseOnce(&clumps[s.clump[i]].left);
+        if (i < *mover.active && s.clump[i] >= 0 && !mover.inside(s.position(i)))
+            raiseOnce(&clumps[s.clump[i]].left);
     }
 };
 
@@ -40,9 +41,11 @@ struct SolidKeys
     {
         const Vec<D, std::int64_t> x = mover.fields.position(i);
         Vec<D, typename P::real> r;
-        for (int d = 0; d < D; ++d) r.c[d] = mover.box.pairRelative(d, mover.box.pairPosition(d, x.c[d]));
+        for (int d = 0; d < D; ++d)
+            r.c[d] = mover.box.pairRelative(d, mover.box.pairPosition(d, x.c[d]));
         const int clump = mover.clumps ? mover.fields.clump[i] : -1;
-        const bool in = i < *mover.active && (clump < 0 ? mover.inside(x) : !mover.clumps[clump].left);
+        const bool in = i < *mover.active
+            && (clump < 0 ? mover.inside(x) : !mover.clumps[clump].left);
         keys[i] = std::uint32_t(in ? classes.cellOf(r, mover.fields.radius[i]) : classes.cells());
         indices[i] = std::uint32_t(i);
     }
@@ -82,10 +85,13 @@ struct PlaceSolids
         slotOf[s.id[i]] = in ? i : -1;
         if (!in) return;
         Vec<D, typename P::position> p;
-        for (int d = 0; d < D; ++d) mover.reference[d][i] = p.c[d] = mover.box.pairPosition(d, s.x[d][i]);
+        for (int d = 0; d < D; ++d)
+            mover.reference[d][i] = p.c[d] = mover.box.pairPosition(d, s.x[d][i]);
         const Vec<D, typename P::real> v = convert<typename P::real>(s.velocity(i));
         mover.frames.include(mover.box, p, v);
-        mover.solids.store(i, p, ContactBody<D, typename P::real>{v, s.spin(i), s.radius[i], mover.massInContacts(i)}, s.material[i]);
+        mover.solids.store(i, p,
+            ContactBody<D, typename P::real>{v, s.spin(i), s.radius[i], mover.massInContacts(i)},
+            s.material[i]);
     }
 };
 

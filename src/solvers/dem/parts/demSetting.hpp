@@ -48,7 +48,8 @@ struct DemSetting
     }
 };
 
-//- The clock on the device (two: that of the step, and the next one) and as the host last saw it, or is about to set it
+//- The clock on the device (two: that of the step, and the next one) and as the host last saw it,
+//  or is about to set it
 template<class Backend>
 class SceneClock
 {
@@ -56,7 +57,10 @@ public:
 
     DemClockData now;
 
-    explicit SceneClock(Context<Backend>& context) : context_(context) { clock_.allocate(context_, 2); }
+    explicit SceneClock(Context<Backend>& context) : context_(context)
+    {
+        clock_.allocate(context_, 2);
+    }
 
     DemClockData* data() { return clock_.data(); }
     void read() { context_.toHost(&now, clock_.data(), sizeof(DemClockData)); }

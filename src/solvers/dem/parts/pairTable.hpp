@@ -49,7 +49,8 @@ private:
     Array<Backend, real> parameters_, gaps_;
     std::vector<real> gapOf_;   // the same
     std::vector<real> reachOf_; // what of the gaps is the law's reach
-    int alone_ = -1;            // the pair of the one material that all particles are of; -1: there are several
+    // the pair of the one material that all particles are of; -1: there are several
+    int alone_ = -1;
     std::vector<real> singlePair_;    // its numbers (else of the first pair), its gap behind them
     double largestGap_ = 0;
     int histories_ = 0;
@@ -59,7 +60,8 @@ template<class Backend, int D, class P>
 int PairTable<Backend, D, P>::materialOfAll(const std::vector<std::int32_t>& of)
 {
     if (of.empty()) return 0;
-    return std::all_of(of.begin(), of.end(), [&](std::int32_t m) { return m == of[0]; }) ? of[0] : -1;
+    return std::all_of(of.begin(), of.end(), [&](std::int32_t m) { return m == of[0]; }) ? of[0]
+                                                                                         : -1;
 }
 
 template<class Backend, int D, class P>

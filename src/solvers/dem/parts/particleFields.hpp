@@ -15,7 +15,8 @@ namespace riprap
 struct SolidFieldNumbers
 {
     int x = 0, v = 0, w = 0, f = 0, m = 0;
-    int radius = 0, mass = 0, inertia = 0, material = 0, group = 0, clump = -1, turn = -1, id = 0, calm = -1;
+    int radius = 0, mass = 0, inertia = 0, material = 0, group = 0, clump = -1, turn = -1, id = 0,
+        calm = -1;
 };
 
 template<class Backend, int D, class P>
@@ -30,11 +31,13 @@ public:
     int reported;                           // of them known to be in the scene
     FieldSet<Backend> values;
     SolidFieldNumbers at;
-    std::vector<std::int32_t> ids;          // of keys: a particle's key is its place in the input, until ranks change it
+    // of keys: a particle's key is its place in the input, until ranks change it
+    std::vector<std::int32_t> ids;
     std::vector<double> emptyCoordinate;    // of keys, in 2D
     Array<Backend, real> external;          // D forces, then moments, a key; empty: there are none
 
-    ParticleFields(DemSetting<Backend, D, P>& set, int count) : n(count), reported(count), set_(set) {}
+    ParticleFields(DemSetting<Backend, D, P>& set, int count) : n(count), reported(count), set_(set)
+    {}
 
     //- The fields that a scene needs. calm: how long a particle has been slow
     void add(bool calm);
@@ -44,14 +47,18 @@ public:
     const real* externalForces() const { return external.size() ? external.data() : nullptr; }
 
     //- For the host: one field; vectors and positions of the first `count` in three components
-    template<class T> std::vector<T> field(int f) { return values.template download<T>(set_.context, f); }
+    template<class T> std::vector<T> field(int f)
+    {
+        return values.template download<T>(set_.context, f);
+    }
     template<class T> std::vector<double> vector(int count, int first, int components, bool spin);
     std::vector<double> positions(int count);
 
 private:
 
     template<class T, class Values> void uploadField(int field, const Values& of);
-    template<class T> void uploadVector(int field, int components, const std::vector<double>& from, bool spin);
+    template<class T>
+    void uploadVector(int field, int components, const std::vector<double>& from, bool spin);
 
     DemSetting<Backend, D, P>& set_;
 };
@@ -70,7 +77,8 @@ void ParticleFields<Backend, D, P>::uploadField(int field, const Values& of)
 //- Components of vectors in the solver's axes, or the one spin of 2D
 template<class Backend, int D, class P>
 template<class T>
-void ParticleFields<Backend, D, P>::uploadVector(int field, int components, const std::vector<double>& from, bool spin)
+void ParticleFields<Backend, D, P>::uploadVector(
+    int field, int components, const std::vector<double>& from, bool spin)
 {
     if (from.empty()) return;               // memory begins as zero
     for (int d = 0; d < components; ++d)
@@ -88,11 +96,13 @@ void ParticleFields<Backend, D, P>::add(bool calm)
     const auto addVector = [&](const char* name, int components)
     {
         const int first = values.fields();
-        for (int d = 0; d < components; ++d) values.template add<real>(std::string(name) + "." + axis[components == 1 ? 2 : d]);
+        for (int d = 0; d < components; ++d)
+            values.template add<real>(std::string(name) + "." + axis[components == 1 ? 2 : d]);
         return first;
     };
     at.x = values.fields();
-    for (int d = 0; d < D; ++d) values.template add<std::int64_t>(std::string("position.") + axis[d]);
+    for (int d = 0; d < D; ++d)
+        values.template add<std::int64_t>(std::string("position.") + axis[d]);
     at.v = values.fields();
     for (int d = 0; d < D; ++d) values.template add<double>(std::string("velocity.") + axis[d]);
     at.w = addVector("spin", S);
@@ -107,7 +117,8 @@ void ParticleFields<Backend, D, P>::add(bool calm)
     if (set_.config.orientation)
     {
         at.turn = values.fields();
-        for (int k = 0; k < (D == 2 ? 1 : 4); ++k) values.template add<real>("orientation." + std::to_string(k));
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+            values.template add<real>("orientation." + std::to_string(k));
     }
     if (calm) at.calm = values.template add<std::int32_t>("calm");
     at.id = values.template add<std::int32_t>("key");
@@ -118,25 +129,36 @@ void ParticleFields<Backend, D, P>::fill(const DemParticles& in)
 {
     values.allocate(set_.context, n);
     for (int d = 0; d < D; ++d)
-        uploadField<std::int64_t>(at.x + d, [&](int i) { return set_.box.toFixed(d, in.position[3*std::size_t(i) + set_.config.axes[d]]); });
+        uploadField<std::int64_t>(at.x + d,
+            [&](int i)
+            { return set_.box.toFixed(d, in.position[3*std::size_t(i) + set_.config.axes[d]]); });
     uploadVector<double>(at.v, D, in.velocity, false);
     uploadVector<real>(at.w, S, in.spin, true);
     uploadField<real>(at.radius, [&](int i) { return real(in.radius[i]); });
     uploadField<real>(at.mass, [&](int i) { return real(in.mass[i]); });
-    uploadField<real>(at.inertia, [&](int i)
-    { return real(1/(in.inertia.empty() ? (D == 2 ? 0.5 : 0.4)*in.mass[i]*in.radius[i]*in.radius[i] : in.inertia[i])); });
+    uploadField<real>(at.inertia,
+        [&](int i)
+        {
+            return real(1
+                /(in.inertia.empty()
+                        ? (D == 2 ? 0.5 : 0.4)*in.mass[i]*in.radius[i]*in.radius[i]
+                        : in.inertia[i]));
+        });
     ids = in.id;
     if (ids.empty()) for (int i = 0; i < n; ++i) ids.push_back(i);
     uploadField<std::int32_t>(at.id, [](int i) { return i; });
     if (!in.material.empty()) values.upload(set_.context, at.material, in.material);
     if (!in.group.empty()) values.upload(set_.context, at.group, in.group);
     if (at.clump >= 0)
-        values.upload(set_.context, at.clump, in.clump.empty() ? std::vector<std::int32_t>(n, -1) : in.clump);
+        values.upload(
+            set_.context, at.clump, in.clump.empty() ? std::vector<std::int32_t>(n, -1) : in.clump);
     if (at.turn >= 0)
         for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
             values.upload(set_.context, at.turn + k, std::vector<real>(n, real(D == 3 && k == 0)));
     if (D == 2) emptyCoordinate.resize(n);
-    if (D == 2) for (int i = 0; i < n; ++i) emptyCoordinate[i] = in.position[3*std::size_t(i) + set_.config.axes[2]];
+    if (D == 2)
+        for (int i = 0; i < n; ++i)
+            emptyCoordinate[i] = in.position[3*std::size_t(i) + set_.config.axes[2]];
 }
 
 template<class Backend, int D, class P>
@@ -163,13 +185,15 @@ SolidFields<D, P> ParticleFields<Backend, D, P>::view()
     s.id = values.template data<std::int32_t>(at.id);
     s.calm = at.calm < 0 ? nullptr : values.template data<std::int32_t>(at.calm);
     if (at.turn >= 0)
-        for (int k = 0; k < (D == 2 ? 1 : 4); ++k) s.turn[k] = values.template data<real>(at.turn + k);
+        for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+            s.turn[k] = values.template data<real>(at.turn + k);
     return s;
 }
 
 template<class Backend, int D, class P>
 template<class T>
-std::vector<double> ParticleFields<Backend, D, P>::vector(int count, int first, int components, bool spin)
+std::vector<double> ParticleFields<Backend, D, P>::vector(
+    int count, int first, int components, bool spin)
 {
     std::vector<double> out(3*std::size_t(count), 0.0);
     for (int d = 0; d < components; ++d)
@@ -177,7 +201,9 @@ std::vector<double> ParticleFields<Backend, D, P>::vector(int count, int first, 
         const auto v = field<T>(first + d);
         const bool one = spin && D == 2;
         #pragma omp parallel for schedule(static) if (count > 10000)
-        for (int i = 0; i < count; ++i) out[3*std::size_t(i) + set_.config.axes[one ? 2 : d]] = (one ? set_.spinSign() : 1)*double(v[i]);
+        for (int i = 0; i < count; ++i)
+            out[3*std::size_t(i) + set_.config.axes[one ? 2 : d]] = (one ? set_.spinSign() : 1)
+                *double(v[i]);
     }
     return out;
 }
@@ -188,12 +214,15 @@ std::vector<double> ParticleFields<Backend, D, P>::positions(int count)
 {
     std::vector<double> out(3*std::size_t(count), 0.0);
     const auto key = field<std::int32_t>(at.id);
-    if (D == 2) for (int i = 0; i < count; ++i) out[3*std::size_t(i) + set_.config.axes[2]] = emptyCoordinate[key[i]];
+    if (D == 2)
+        for (int i = 0; i < count; ++i)
+            out[3*std::size_t(i) + set_.config.axes[2]] = emptyCoordinate[key[i]];
     for (int d = 0; d < D; ++d)
     {
         const auto x = field<std::int64_t>(at.x + d);
         #pragma omp parallel for schedule(static) if (count > 10000)
-        for (int i = 0; i < count; ++i) out[3*std::size_t(i) + set_.config.axes[d]] = set_.box.toMetres(d, x[i]);
+        for (int i = 0; i < count; ++i)
+            out[3*std::size_t(i) + set_.config.axes[d]] = set_.box.toMetres(d, x[i]);
     }
     return out;
 }

@@ -1,7 +1,8 @@
 /*  Prescribed motions of groups and walls, sampled over a window of time for the device.
 
-    Motions are asked for from now to the target, and neither before nor after: a table may begin where the run does and end with
-    it. Beyond the target, where the last sample of all may lie, they are continued on straight lines.
+    Motions are asked for from now to the target, and neither before nor after: a table may begin
+    where the run does and end with it. Beyond the target, where the last sample of all may lie,
+    they are continued on straight lines.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -57,7 +58,10 @@ struct BoundedMotion
 };
 
 template<std::size_t N, class Numbers>
-BoundedMotion<N, Numbers> bounded(Numbers numbers, double begin, double end) { return {numbers, begin, end}; }
+BoundedMotion<N, Numbers> bounded(Numbers numbers, double begin, double end)
+{
+    return {numbers, begin, end};
+}
 
 } // namespace detail
 
@@ -80,8 +84,14 @@ public:
     //- Motions sampled over the steps to come; the host's clock must be current
     void sample(DemClockData&);
 
-    MotionTable groupTable() const { return MotionTable{groupTable_.data(), samples, rigidMotionNumbers, begin_, step_}; }
-    MotionTable wallTable() const { return MotionTable{wallTable_.data(), samples, poseNumbers, begin_, step_}; }
+    MotionTable groupTable() const
+    {
+        return MotionTable{groupTable_.data(), samples, rigidMotionNumbers, begin_, step_};
+    }
+    MotionTable wallTable() const
+    {
+        return MotionTable{wallTable_.data(), samples, poseNumbers, begin_, step_};
+    }
 
 private:
 
@@ -144,7 +154,8 @@ void PrescribedMotion<Backend, D, P>::sampleGroups(double end)
             {
                 const int axis = set_.config.axes[d];
                 row[d] = r.velocity[axis];
-                row[3 + d] = D == 2 && d == 2 ? set_.spinSign()*r.spin[axis] : (D == 2 ? 0 : r.spin[axis]);
+                row[3 + d] = D == 2 && d == 2 ? set_.spinSign()*r.spin[axis]
+                                              : (D == 2 ? 0 : r.spin[axis]);
                 row[6 + d] = r.centre[axis];
             }
             return row;
@@ -152,7 +163,8 @@ void PrescribedMotion<Backend, D, P>::sampleGroups(double end)
         for (int k = 0; k < samples; ++k)
             for (const double x : motion.at(begin_ + k*step_, step_)) *to++ = x;
     }
-    set_.context.toDevice(groupTable_.data(), groupSamples_.data(), groupSamples_.size()*sizeof(double));
+    set_.context.toDevice(
+        groupTable_.data(), groupSamples_.data(), groupSamples_.size()*sizeof(double));
 }
 
 template<class Backend, int D, class P>
@@ -168,7 +180,8 @@ void PrescribedMotion<Backend, D, P>::sampleWalls(double end)
             std::array<double, poseNumbers/2> r;
             for (int a = 0; a < 3; ++a)
             {
-                for (int b = 0; b < 3; ++b) r[3*a + b] = p.rotation[3*set_.config.axes[a] + set_.config.axes[b]];
+                for (int b = 0; b < 3; ++b)
+                    r[3*a + b] = p.rotation[3*set_.config.axes[a] + set_.config.axes[b]];
                 r[9 + a] = p.translation[set_.config.axes[a]];
             }
             return r;
@@ -180,7 +193,8 @@ void PrescribedMotion<Backend, D, P>::sampleWalls(double end)
             for (const double x : motion.rate(t, step_)) *to++ = x;
         }
     }
-    set_.context.toDevice(wallTable_.data(), wallSamples_.data(), wallSamples_.size()*sizeof(double));
+    set_.context.toDevice(
+        wallTable_.data(), wallSamples_.data(), wallSamples_.size()*sizeof(double));
 }
 
 } // namespace riprap

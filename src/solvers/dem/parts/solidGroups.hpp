@@ -49,7 +49,8 @@ GroupData<D, typename P::real> SolidGroups<Backend, D, P>::of(const DemGroup& g)
         r.free[d] = real(!g.held[set_.config.axes[d]]);
         r.force[d] = real(g.force[set_.config.axes[d]]);
     }
-    for (int c = 0; c < S; ++c) r.moment[c] = real(D == 2 ? set_.spinSign()*g.moment[set_.config.axes[2]] : g.moment[c]);
+    for (int c = 0; c < S; ++c)
+        r.moment[c] = real(D == 2 ? set_.spinSign()*g.moment[set_.config.axes[2]] : g.moment[c]);
     r.freeSpin = real(!g.heldSpin);
     r.gravity = real(g.gravity);
     r.localDamping = real(g.localDamping);

@@ -1,4 +1,5 @@
-/*  Particles in the order of their cells: what of them is read side by side, and lists of who is near whom.
+/*  Particles in the order of their cells: what of them is read side by side, and lists of who is
+    near whom.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,7 +21,8 @@ public:
     using real = typename P::real;
 
     SolidRecordMemory<Backend, D, P> records;
-    Array<Backend, typename P::position> reference;     // where particles were when neighbours were sought
+    // where particles were when neighbours were sought
+    Array<Backend, typename P::position> reference;
     CellSort<Backend> sort;
     SortScratch<Backend> scan;
     Array<Backend, int> inverse;            // from the order before
@@ -68,7 +70,8 @@ int SolidOrder<Backend, D, P>::active()
 template<class Backend, int D, class P>
 typename SolidOrder<Backend, D, P>::ListShape SolidOrder<Backend, D, P>::shape()
 {
-    ListShape s{std::vector<int>(list.blocks() + 1), std::vector<int>(std::size_t(list.blocks())*list.width)};
+    ListShape s{std::vector<int>(list.blocks() + 1),
+        std::vector<int>(std::size_t(list.blocks())*list.width)};
     set_.context.toHost(s.base.data(), list.base(), s.base.size()*sizeof(int));
     set_.context.toHost(s.count.data(), list.count(), s.count.size()*sizeof(int));
     return s;

@@ -25,8 +25,8 @@ struct WallMemoryArrays
 
     std::size_t bytes() const
     {
-        return entryFirst.bytes() + elementFirst.bytes() + entry.bytes() + element.bytes() + on.bytes() + normal.bytes()
-          + history.bytes() + force.bytes();
+        return entryFirst.bytes() + elementFirst.bytes() + entry.bytes() + element.bytes()
+            + on.bytes() + normal.bytes() + history.bytes() + force.bytes();
     }
 };
 
@@ -85,7 +85,8 @@ int Walls<Backend, D, P>::set(double cell, int particles)
         motions = std::max(motions, in.motion + 1);
         for (int d = 0; d < 3; ++d) w.frame.R[4*d] = 1;
         double length = 0;
-        for (int d = 0; d < D; ++d) length += in.normal[set_.config.axes[d]]*in.normal[set_.config.axes[d]];
+        for (int d = 0; d < D; ++d)
+            length += in.normal[set_.config.axes[d]]*in.normal[set_.config.axes[d]];
         for (int d = 0; d < D; ++d)
         {
             const int axis = set_.config.axes[d];
@@ -98,13 +99,15 @@ int Walls<Backend, D, P>::set(double cell, int particles)
         {
             std::vector<double> vertices;
             for (std::size_t v = 0; v < in.vertices.size(); v += 3)
-                for (int d = 0; d < D; ++d) vertices.push_back(in.vertices[v + set_.config.axes[d]]);
+                for (int d = 0; d < D; ++d)
+                    vertices.push_back(in.vertices[v + set_.config.axes[d]]);
             std::vector<int> elements(in.elements.begin(), in.elements.end());
             for (int d = 0; d < D; ++d)
             {
                 const int axis = set_.config.axes[d];
                 if (!set_.config.periodic[axis] || in.motion >= 0) continue;
-                repeatSurface<D>(vertices, elements, d, set_.config.domainMin[axis], set_.config.domainMax[axis], cell);
+                repeatSurface<D>(vertices, elements, d, set_.config.domainMin[axis],
+                    set_.config.domainMax[axis], cell);
             }
             builder.add(vertices, elements, cell, w);
         }
@@ -124,22 +127,23 @@ int Walls<Backend, D, P>::set(double cell, int particles)
 template<class Backend, int D, class P>
 SurfaceView<D> Walls<Backend, D, P>::surface()
 {
-    return SurfaceView<D>
-    {vertices_.data(), elements_.data(), sharedFirst_.data(), shared_.data(), cellFirst_.data(), cellElement_.data()};
+    return SurfaceView<D>{vertices_.data(), elements_.data(), sharedFirst_.data(), shared_.data(),
+        cellFirst_.data(), cellElement_.data()};
 }
 
 template<class Backend, int D, class P>
 WallMemory<D, typename P::real> Walls<Backend, D, P>::view(WallMemoryArrays<Backend, real>& m)
 {
-    return WallMemory<D, real>
-    {
-        m.entryFirst.data(), m.entry.data(), m.element.data(), m.on.data(), m.normal.data(), m.history.data(), m.force.data()
-    };
+    return WallMemory<D, real>{m.entryFirst.data(), m.entry.data(), m.element.data(), m.on.data(),
+        m.normal.data(), m.history.data(), m.force.data()};
 }
 
 template<class Backend, int D, class P>
 void Walls<Backend, D, P>::clearPassed(int particles)
-{ if (surfaces) passed.upload(set_.context, std::vector<WallPassings>(1, WallPassings{0, particles, 0})); }
+{
+    if (surfaces)
+        passed.upload(set_.context, std::vector<WallPassings>(1, WallPassings{0, particles, 0}));
+}
 
 template<class Backend, int D, class P>
 double Walls<Backend, D, P>::largestSpeed()
@@ -147,14 +151,16 @@ double Walls<Backend, D, P>::largestSpeed()
     double most2 = 0;
     if (count)
         for (const WallData& w : walls.download())
-            for (int corner = 0; corner < 8 && w.motion >= 0; ++corner) most2 = std::max(most2, MoveWalls::cornerSpeed2(w, corner));
+            for (int corner = 0; corner < 8 && w.motion >= 0; ++corner)
+                most2 = std::max(most2, MoveWalls::cornerSpeed2(w, corner));
     return std::sqrt(most2);
 }
 
 template<class Backend, int D, class P>
 std::size_t Walls<Backend, D, P>::bytes() const
 {
-    return walls.bytes() + vertices_.bytes() + elements_.bytes() + sharedFirst_.bytes() + shared_.bytes() + cellFirst_.bytes() + cellElement_.bytes();
+    return walls.bytes() + vertices_.bytes() + elements_.bytes() + sharedFirst_.bytes()
+        + shared_.bytes() + cellFirst_.bytes() + cellElement_.bytes();
 }
 
 } // namespace riprap

@@ -1,4 +1,5 @@
-/*  Grid to particles, by the scheme of the case. Compiled by units of its own (gridToParticlesCpu2.C ...), which alone know the schemes' types.
+/*  Grid to particles, by the scheme of the case. Compiled by units of its own
+    (gridToParticlesCpu2.C ...), which alone know the schemes' types.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -41,14 +42,15 @@ public:
     int mark() const;
 
     //- occupied: tiles that have particles
-    void take(Context<Backend>&, const GridVelocities<D, R>&, const OccupiedTiles<Backend, D>& occupied, double dt) const;
+    void take(Context<Backend>&, const GridVelocities<D, R>&,
+        const OccupiedTiles<Backend, D>& occupied, double dt) const;
 
     //- Particles from `first` on that have come in have the grid's velocity
     void enter(Context<Backend>&, const GridVelocities<D, R>&, int first, int count) const;
 
 private:
-
-    template<int Order, class Formula, class F> void run(const GridVelocities<D, R>&, const Formula&, const F&) const;
+    template<int Order, class Formula, class F>
+    void run(const GridVelocities<D, R>&, const Formula&, const F&) const;
 
     int choice_, order_;
     TransferCard card_;

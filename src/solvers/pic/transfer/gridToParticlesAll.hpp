@@ -17,7 +17,9 @@ namespace riprap
 
 template<class Backend, int D, class R>
 GridToParticles<Backend, D, R>::GridToParticles(const PicConfig& c)
-: choice_(transferChoice(c)), order_(c.splineOrder), card_(transferOf(c)), numbers_(c.transferNumbers), gradient_(keepsGradient(card_, numbers_)) {}
+    : choice_(transferChoice(c)), order_(c.splineOrder), card_(transferOf(c)),
+      numbers_(c.transferNumbers), gradient_(keepsGradient(card_, numbers_))
+{}
 
 template<class Backend, int D, class R>
 int GridToParticles<Backend, D, R>::mark() const
@@ -31,7 +33,8 @@ int GridToParticles<Backend, D, R>::mark() const
 //- f(kernel), with and without places around which the nodes are no block
 template<class Backend, int D, class R>
 template<int Order, class Formula, class F>
-void GridToParticles<Backend, D, R>::run(const GridVelocities<D, R>& v, const Formula& formula, const F& f) const
+void GridToParticles<Backend, D, R>::run(
+    const GridVelocities<D, R>& v, const Formula& formula, const F& f) const
 {
     const auto start = [&](auto around)
     {
@@ -56,22 +59,30 @@ void GridToParticles<Backend, D, R>::run(const GridVelocities<D, R>& v, const Fo
 
 //- Cell by cell where the CPU has registers full of particles
 template<class Backend, int Order, int D, class R, bool Around, class Formula>
-void takeFromGrid(Context<Backend>& context, const GridToParticle<Order, D, R, Around, Formula>& kernel, const OccupiedTiles<Backend, D>& occupied)
+void takeFromGrid(Context<Backend>& context,
+    const GridToParticle<Order, D, R, Around, Formula>& kernel,
+    const OccupiedTiles<Backend, D>& occupied)
 {
-    if constexpr (!Backend::gpu && D == 2 && Order == 2) forEachRow(context, occupied.count(), cellsOf(kernel, occupied.tiles(), occupied.list()));
+    if constexpr (!Backend::gpu && D == 2 && Order == 2)
+        forEachRow(context, occupied.count(), cellsOf(kernel, occupied.tiles(), occupied.list()));
     else forEach(context, kernel.particles.count, kernel);
 }
 
 template<class Backend, int D, class R>
-void GridToParticles<Backend, D, R>::take
-(Context<Backend>& context, const GridVelocities<D, R>& v, const OccupiedTiles<Backend, D>& occupied, double dt) const
+void GridToParticles<Backend, D, R>::take(Context<Backend>& context, const GridVelocities<D, R>& v,
+    const OccupiedTiles<Backend, D>& occupied, double dt) const
 {
-    withTransfer(choice_, order_, [&](auto scheme, auto order)
-    { run<decltype(order)::value>(v, scheme.template make<R>(numbers_, dt), [&](const auto& kernel) { takeFromGrid(context, kernel, occupied); }); });
+    withTransfer(choice_, order_,
+        [&](auto scheme, auto order)
+        {
+            run<decltype(order)::value>(v, scheme.template make<R>(numbers_, dt),
+                [&](const auto& kernel) { takeFromGrid(context, kernel, occupied); });
+        });
 }
 
 template<class Backend, int D, class R>
-void GridToParticles<Backend, D, R>::enter(Context<Backend>& context, const GridVelocities<D, R>& v, int first, int count) const
+void GridToParticles<Backend, D, R>::enter(
+    Context<Backend>& context, const GridVelocities<D, R>& v, int first, int count) const
 {
     withSpline(order_, [&](auto order)
     {

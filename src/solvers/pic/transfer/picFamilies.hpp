@@ -1,4 +1,5 @@
-/*  The transfer schemes and splines there are, a line each family, and from a configuration to their types, once, outside the loops.
+/*  The transfer schemes and splines there are, a line each family, and from a configuration to
+    their types, once, outside the loops.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -35,7 +36,8 @@ void withSplineOf(int order, F& f)
 template<class F>
 void withTransfer(int choice, int order, F f)
 {
-    Transfers::at(choice, [&](auto scheme) { detail::withSplineOf<typename decltype(scheme)::type>(order, f); });
+    Transfers::at(choice,
+        [&](auto scheme) { detail::withSplineOf<typename decltype(scheme)::type>(order, f); });
 }
 
 } // namespace riprap

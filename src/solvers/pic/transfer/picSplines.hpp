@@ -10,9 +10,21 @@
 namespace riprap
 {
 
-struct LinearBSpline { static constexpr const char* word = "linear"; static constexpr int order = 1; };
-struct QuadraticBSpline { static constexpr const char* word = "quadratic"; static constexpr int order = 2; };
-struct CubicBSpline { static constexpr const char* word = "cubic"; static constexpr int order = 3; };
+struct LinearBSpline
+{
+    static constexpr const char* word = "linear";
+    static constexpr int order = 1;
+};
+struct QuadraticBSpline
+{
+    static constexpr const char* word = "quadratic";
+    static constexpr int order = 2;
+};
+struct CubicBSpline
+{
+    static constexpr const char* word = "cubic";
+    static constexpr int order = 3;
+};
 
 using Splines = Models<LinearBSpline, QuadraticBSpline, CubicBSpline>;
 

@@ -1,4 +1,5 @@
-/*  What the cards of all transfer schemes and splines say, without their types: for whoever reads, checks or prints a configuration.
+/*  What the cards of all transfer schemes and splines say, without their types: for whoever reads,
+    checks or prints a configuration.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -33,10 +34,12 @@ struct SplineCard
 std::vector<TransferCard> transfers();
 std::vector<SplineCard> splines();
 
-//- Place in the table; std::invalid_argument if there is no such scheme, or if it does not go with the splines
+//- Place in the table; std::invalid_argument if there is no such scheme, or if it does not go with
+//  the splines
 int transferChoice(const PicConfig&);
 
-//- Of the configuration's; std::invalid_argument too if a number is out of its range, or the step longer than the scheme bears
+//- Of the configuration's; std::invalid_argument too if a number is out of its range, or the step
+//  longer than the scheme bears
 TransferCard transferOf(const PicConfig&);
 
 //- Do particles keep the gradient of the grid's velocity?

@@ -1,4 +1,5 @@
-/*  A solver of the pressure equation on the host that knows bodies: conjugate gradients with the diagonal, for tests without OpenFOAM.
+/*  A solver of the pressure equation on the host that knows bodies: conjugate gradients with the
+    diagonal, for tests without OpenFOAM.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -24,7 +25,8 @@ public:
         std::vector<double> diagonal(s.diagonal);
         for (const BodyRows& b : s.bodies)
             for (std::size_t i = 0; i < b.row.size(); ++i)
-                for (int m = 0; m < b.modes; ++m) diagonal[b.row[i]] += b.u[i*b.modes + m]*b.u[i*b.modes + m];
+                for (int m = 0; m < b.modes; ++m)
+                    diagonal[b.row[i]] += b.u[i*b.modes + m]*b.u[i*b.modes + m];
         for (int i = 0; i < n; ++i) inverse[i] = 1/diagonal[i];
         product(s, s.x, q);
         double first = 0, now = 0, rz = 0;
@@ -45,7 +47,12 @@ public:
             product(s, p, q);
             for (int i = 0; i < n; ++i) pq += p[i]*q[i];
             now = 0;
-            for (int i = 0; i < n; ++i) { s.x[i] += rz/pq*p[i]; r[i] -= rz/pq*q[i]; now += std::abs(r[i]); }
+            for (int i = 0; i < n; ++i)
+            {
+                s.x[i] += rz/pq*p[i];
+                r[i] -= rz/pq*q[i];
+                now += std::abs(r[i]);
+            }
         }
         report.finalResidual = first > 0 ? now/first : 0;
         report.iterations = iterations;
@@ -54,8 +61,8 @@ public:
     }
 
 private:
-
-    static void product(const ReducedSystem& s, const std::vector<double>& x, std::vector<double>& y)
+    static void product(
+        const ReducedSystem& s, const std::vector<double>& x, std::vector<double>& y)
     {
         for (int i = 0; i < s.rows(); ++i) y[i] = s.diagonal[i]*x[i];
         for (std::size_t f = 0; f < s.owner.size(); ++f)
@@ -67,8 +74,10 @@ private:
             for (int m = 0; m < b.modes; ++m)
             {
                 double dot = 0;
-                for (std::size_t i = 0; i < b.row.size(); ++i) dot += b.u[i*b.modes + m]*x[b.row[i]];
-                for (std::size_t i = 0; i < b.row.size(); ++i) y[b.row[i]] += b.u[i*b.modes + m]*dot;
+                for (std::size_t i = 0; i < b.row.size(); ++i)
+                    dot += b.u[i*b.modes + m]*x[b.row[i]];
+                for (std::size_t i = 0; i < b.row.size(); ++i)
+                    y[b.row[i]] += b.u[i*b.modes + m]*dot;
             }
     }
 };

@@ -43,12 +43,18 @@ struct Block
             wall[d].assign(grid.faces(d), R(0));
             u[d].assign(grid.faces(d), R(0));
             if (grid.periodic[d]) continue;
-            eachFace(d, [&](int f, const auto& x) { if (x.c[d] == 0 || x.c[d] == grid.n[d]) aperture[d][f] = 0; });
+            eachFace(d,
+                [&](int f, const auto& x)
+                {
+                    if (x.c[d] == 0 || x.c[d] == grid.n[d]) aperture[d][f] = 0;
+                });
         }
     }
 
-    template<class F>
-    void eachFace(int d, const F& f) const { for (int i = 0; i < grid.faces(d); ++i) f(i, grid.faceIndex(d, i)); }
+    template<class F> void eachFace(int d, const F& f) const
+    {
+        for (int i = 0; i < grid.faces(d); ++i) f(i, grid.faceIndex(d, i));
+    }
 
     Point centre(int i) const
     {
@@ -135,7 +141,8 @@ struct Block
     double largestImbalance() const
     {
         double worst = 0;
-        for (int i = 0; i < grid.cells(); ++i) if (wet(i)) worst = std::max(worst, std::fabs(imbalance(i)));
+        for (int i = 0; i < grid.cells(); ++i)
+            if (wet(i)) worst = std::max(worst, std::fabs(imbalance(i)));
         return worst;
     }
 
@@ -146,7 +153,8 @@ struct Block
             eachFace(d, [&](int f, const auto& x)
             {
                 const int a = grid.cellOf(d, x, 0), b = grid.cellOf(d, x, 1);
-                if (aperture[d][f] > 0 && ((a >= 0 && wet(a)) || (b >= 0 && wet(b)))) worst = std::max(worst, std::fabs(double(u[d][f])));
+                if (aperture[d][f] > 0 && ((a >= 0 && wet(a)) || (b >= 0 && wet(b))))
+                    worst = std::max(worst, std::fabs(double(u[d][f])));
             });
         return worst;
     }

@@ -1,5 +1,6 @@
-/*  The multigrid-preconditioned solver on plain arrays: against a solution that is known, on open, closed, periodic and random
-    domains; iterations that do not grow with the grid; the same bits with any number of threads.
+/*  The multigrid-preconditioned solver on plain arrays: against a solution that is known, on open,
+    closed, periodic and random domains; iterations that do not grow with the grid; the same bits
+    with any number of threads.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -79,7 +80,12 @@ struct GridSystem
 
     void makeRhs()
     {
-        eachCell([&](const Place<D>& p) { if (diagonal(p) > 0) rhs[p.c] = apply(p, exact); else exact[p.c] = 0; });
+        eachCell(
+            [&](const Place<D>& p)
+            {
+                if (diagonal(p) > 0) rhs[p.c] = apply(p, exact);
+                else exact[p.c] = 0;
+            });
     }
 };
 
@@ -91,7 +97,9 @@ struct Solved
 };
 
 template<int D>
-Solved<D> solveGrid(const int* n, const bool* periodic, const std::function<void(GridSystem<D>&)>& fill, MultigridControls controls, GridSystem<D>* keep = nullptr)
+Solved<D> solveGrid(const int* n, const bool* periodic,
+    const std::function<void(GridSystem<D>&)>& fill, MultigridControls controls,
+    GridSystem<D>* keep = nullptr)
 {
     Context<Backend> context;
     MultigridSolver<Backend, D> solver;
@@ -124,7 +132,9 @@ void roughSea(GridSystem<D>& g, const bool* periodic, bool closed)
         const double hole = (u - 0.4)*(u - 0.4) + (w - 0.2)*(w - 0.2);
         return w < 0.5 + 0.2*std::sin(6*u) && hole > 0.01;
     };
-    g.fill(periodic, wet, [&](int, const Place<D>&) { return random(0.05, 1); }, [&] { return random(0.5, 3); });
+    g.fill(
+        periodic, wet, [&](int, const Place<D>&) { return random(0.05, 1); },
+        [&] { return random(0.5, 3); });
     g.eachCell([&](const Place<D>& p) { g.exact[p.c] = random(-1, 1) + p.x[0]; });
     g.makeRhs();
 }
@@ -133,7 +143,10 @@ template<class C> struct MultigridCase : BackendTest {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 struct DimensionNames
 {
-    template<class C> static std::string GetName(int) { return std::string(Backend::gpu ? "Gpu" : "Cpu") + char('0' + C::value); }
+    template<class C> static std::string GetName(int)
+    {
+        return std::string(Backend::gpu ? "Gpu" : "Cpu") + char('0' + C::value);
+    }
 };
 #ifdef __CUDACC__
 template<class C> struct GpuMultigrid : MultigridCase<C> {};
@@ -152,16 +165,20 @@ MULTIGRID_TEST(FindsTheKnownSolution)
     for (const auto& n : sizes)
         for (int ring = 0; ring < 3; ++ring)
         {
-            if (n[0] == 1 && ring) continue;        // a cell that is its own neighbour has no equation
+            // a cell that is its own neighbour has no equation
+            if (n[0] == 1 && ring) continue;
             const bool periodic[3] = {ring > 0, ring > 1, ring > 1};
             MultigridControls controls;
             controls.tolerance = 1e-13;
             controls.maxIter = 60;
             GridSystem<D> g{GridShape<D>{}};
-            const auto r = solveGrid<D>(n, periodic, [&](GridSystem<D>& s) { roughSea(s, periodic, false); }, controls, &g);
-            EXPECT_TRUE(r.report.converged) << n[0] << " x " << n[1] << " ring " << ring << " residual " << r.report.finalResidual;
+            const auto r = solveGrid<D>(
+                n, periodic, [&](GridSystem<D>& s) { roughSea(s, periodic, false); }, controls, &g);
+            EXPECT_TRUE(r.report.converged) << n[0] << " x " << n[1] << " ring " << ring
+                                            << " residual " << r.report.finalResidual;
             double worst = 0;
-            g.eachCell([&](const Place<D>& p) { worst = std::max(worst, std::fabs(r.x[p.c] - g.exact[p.c])); });
+            g.eachCell([&](const Place<D>& p)
+                { worst = std::max(worst, std::fabs(r.x[p.c] - g.exact[p.c])); });
             // the residual's 1e-13 times the condition of the matrix, about (2 n)^2
             EXPECT_LT(worst, 1e-13*4*64*64*n[0]) << n[0] << " x " << n[1] << " ring " << ring;
         }
@@ -178,7 +195,8 @@ MULTIGRID_TEST(ClosedTankIsSolvedUpToAConstant)
         controls.tolerance = 1e-12;
         controls.maxIter = 60;
         GridSystem<D> g{GridShape<D>{}};
-        const auto r = solveGrid<D>(n, periodic, [&](GridSystem<D>& s) { roughSea(s, periodic, true); }, controls, &g);
+        const auto r = solveGrid<D>(
+            n, periodic, [&](GridSystem<D>& s) { roughSea(s, periodic, true); }, controls, &g);
         EXPECT_TRUE(r.report.converged) << r.report.finalResidual;
         double low = 1e30, high = -1e30;
         g.eachCell([&](const Place<D>& p)
@@ -201,7 +219,8 @@ MULTIGRID_TEST(IterationsDoNotGrowWithTheGrid)
         const bool periodic[3] = {};
         const auto r = solveGrid<D>(n, periodic, [&](GridSystem<D>& g)
         {
-            // unit coefficients below a surface that lies at a third of a cell above the last row but one
+            // unit coefficients below a surface that lies at a third of a cell above the last row
+            // but one
             const auto wet = [&](const Place<D>& p) { return p.x[D - 1] < side - 2; };
             g.fill(periodic, wet, [](int, const Place<D>&) { return 1.0; }, [] { return 3.0; });
             Random random(3);
@@ -209,7 +228,8 @@ MULTIGRID_TEST(IterationsDoNotGrowWithTheGrid)
             g.makeRhs();
         }, MultigridControls{});
         EXPECT_TRUE(r.report.converged);
-        EXPECT_LE(r.report.iterations, 13) << side;         // 8 to 13 in the measurements that the coarsening was chosen by
+        // 8 to 13 in the measurements that the coarsening was chosen by
+        EXPECT_LE(r.report.iterations, 13) << side;
         EXPECT_LE(r.report.iterations, before + 3) << side;
         before = r.report.iterations;
     }
@@ -221,15 +241,19 @@ MULTIGRID_TEST(RepeatsBitForBit)
     const int n[3] = {50, 41, 12};
     const bool periodic[3] = {};
     std::vector<double> first;
-    withThreads([&](int threads)
-    {
-        const auto r = solveGrid<D>(n, periodic, [&](GridSystem<D>& s) { roughSea(s, periodic, false); }, MultigridControls{});
-        if (first.empty()) first = r.x;
-        EXPECT_TRUE(first == r.x) << threads << " threads";
-    });
+    withThreads(
+        [&](int threads)
+        {
+            const auto r = solveGrid<D>(
+                n, periodic, [&](GridSystem<D>& s) { roughSea(s, periodic, false); },
+                MultigridControls{});
+            if (first.empty()) first = r.x;
+            EXPECT_TRUE(first == r.x) << threads << " threads";
+        });
 }
 
-//- A V-cycle with the sweeps of a level in one launch (2D) and small levels near, or in eight and where they are, closed and around rings of even and odd length, over two tiled levels
+//- A V-cycle with the sweeps of a level in one launch (2D) and small levels near, or in eight and
+//  where they are, closed and around rings of even and odd length, over two tiled levels
 template<int D>
 void sweepsTogetherAsApart()
 {
@@ -265,7 +289,8 @@ void sweepsTogetherAsApart()
         float largest = 0;
         for (const float v : z[0]) largest = std::max(largest, std::abs(v));
         EXPECT_GT(largest, 1);
-        for (std::size_t i = 0; i < z[0].size(); ++i) ASSERT_NEAR(z[1][i], z[0][i], 1e-5*largest) << ring << " " << i;
+        for (std::size_t i = 0; i < z[0].size(); ++i)
+            ASSERT_NEAR(z[1][i], z[0][i], 1e-5*largest) << ring << " " << i;
     }
 }
 

@@ -1,5 +1,5 @@
-/*  The pressure step: manufactured solutions, water at rest, fluxes that balance whatever the apertures, pockets, lone cells, and
-    the host's way against the device's.
+/*  The pressure step: manufactured solutions, water at rest, fluxes that balance whatever the
+    apertures, pockets, lone cells, and the host's way against the device's.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -21,7 +21,8 @@ template<class C> struct CpuPressure : PressureStepCase<C> {};
 TYPED_TEST_SUITE(CpuPressure, AllCases, CaseNames);
 #endif
 
-//- Root mean square error of p against p = phi (1 + x^3 + y^3) with u* = dt/rho grad p, which leaves no flow at all
+//- Root mean square error of p against p = phi (1 + x^3 + y^3) with u* = dt/rho grad p, which
+//  leaves no flow at all
 template<class C>
 double manufacturedError(int cells, const Point& normal, double offset)
 {
@@ -29,21 +30,29 @@ double manufacturedError(int cells, const Point& normal, double offset)
     using R = typename C::real;
     const double h = 1.0/cells;
     Block<D, R> b({cells, cells, cells}, h);
-    const auto distance = [&](const Point& x) { double s = -offset; for (int d = 0; d < D; ++d) s += normal[d]*x[d]; return s; };
-    const auto exact = [&](const Point& x) { return distance(x)*(1 + std::pow(x[0], 3) + std::pow(x[1], 3)); };
+    const auto distance = [&](const Point& x)
+    {
+        double s = -offset;
+        for (int d = 0; d < D; ++d) s += normal[d]*x[d];
+        return s;
+    };
+    const auto exact = [&](const Point& x)
+    { return distance(x)*(1 + std::pow(x[0], 3) + std::pow(x[1], 3)); };
     for (int i = 0; i < b.grid.cells(); ++i) b.phi[i] = R(distance(b.centre(i)));
     for (int d = 0; d < D; ++d)
         b.eachFace(d, [&](int f, const auto&)
         {
             const Point x = b.faceCentre(d, f);
-            const double slope = normal[d]*(1 + std::pow(x[0], 3) + std::pow(x[1], 3)) + (d < 2 ? distance(x)*3*x[d]*x[d] : 0);
+            const double slope = normal[d]*(1 + std::pow(x[0], 3) + std::pow(x[1], 3))
+                + (d < 2 ? distance(x)*3*x[d]*x[d] : 0);
             b.u[d][f] = R(b.timeStep/b.density*slope);
         });
     auto solver = tight();
     b.project(solver);
     EXPECT_TRUE(b.report.converged);
     double sum = 0;
-    for (int i = 0; i < b.grid.cells(); ++i) if (b.wet(i)) sum += std::pow(b.p[i] - exact(b.centre(i)), 2)/b.report.wetCells;
+    for (int i = 0; i < b.grid.cells(); ++i)
+        if (b.wet(i)) sum += std::pow(b.p[i] - exact(b.centre(i)), 2)/b.report.wetCells;
     return std::sqrt(sum);
 }
 
@@ -51,12 +60,15 @@ double manufacturedError(int cells, const Point& normal, double offset)
 PRESSURE_TEST(SecondOrderWithFlatAndInclinedSurface)
 {
     constexpr int D = TypeParam::D;
-    if (TypeParam::mixed) GTEST_SKIP() << "the velocities that drive it are rounded: only double shows an order";
-    const Point flat = D == 2 ? Point{0, 1, 0} : Point{0, 0, 1}, inclined = D == 2 ? Point{0.6, 0.8, 0} : Point{0.36, 0.48, 0.8};
+    if (TypeParam::mixed)
+        GTEST_SKIP() << "the velocities that drive it are rounded: only double shows an order";
+    const Point flat = D == 2 ? Point{0, 1, 0} : Point{0, 0, 1},
+                inclined = D == 2 ? Point{0.6, 0.8, 0} : Point{0.36, 0.48, 0.8};
     for (const Point& n : {flat, inclined})
     {
         const int coarse = D == 2 ? 16 : 10;
-        const double e0 = manufacturedError<TypeParam>(coarse, n, 0.63), e2 = manufacturedError<TypeParam>(4*coarse, n, 0.63);
+        const double e0 = manufacturedError<TypeParam>(coarse, n, 0.63),
+                     e2 = manufacturedError<TypeParam>(4*coarse, n, 0.63);
         EXPECT_GT(std::log2(e0/e2)/2, 1.8) << "from " << e0 << " to " << e2;
     }
 }
@@ -74,12 +86,15 @@ PRESSURE_TEST(WaterAtRestAtAnyLevel)
         auto solver = tight();
         b.project(solver);
         EXPECT_LT(b.largestSpeed(), 1e-11 + 8*TypeParam::epsilon*g*b.timeStep) << level;
-        if (level == 0.5251) continue;      // theta 0.002 is taken as 0.01: at rest, with p higher by its share of a cell
+        // theta 0.002 is taken as 0.01: at rest, with p higher by its share of a cell
+        if (level == 0.5251) continue;
         for (int i = 0; i < b.grid.cells(); ++i)
             if (b.wet(i))
             {
                 const double expected = b.density*g*(level - b.centre(i)[D - 1]);
-                ASSERT_NEAR(b.p[i], expected, 1e-8*b.density*g + 20*TypeParam::epsilon*b.density*g) << level;
+                ASSERT_NEAR(b.p[i], expected,
+                    1e-8*b.density*g + 20*TypeParam::epsilon*b.density*g)
+                    << level;
             }
     }
 }
@@ -97,7 +112,8 @@ PRESSURE_TEST(FluxesBalanceWhateverTheApertures)
             b.eachFace(d, [&](int f, const auto& x)
             {
                 const bool end = !b.grid.periodic[d] && (x.c[d] == 0 || x.c[d] == b.grid.n[d]);
-                if (end) b.aperture[d][f] = R(d == D - 1 && x.c[d] > 0 ? 1 : 0);        // open above
+                // open above
+                if (end) b.aperture[d][f] = R(d == D - 1 && x.c[d] > 0 ? 1 : 0);
                 else b.aperture[d][f] = R(random(-0.3, 1));
                 if (b.aperture[d][f] < 0) b.aperture[d][f] = 0;
                 b.u[d][f] = R(random(-1, 1));
@@ -117,7 +133,8 @@ PRESSURE_TEST(FluxesBalanceWhateverTheApertures)
         auto solver = tight(1e-13);
         b.project(solver);
         EXPECT_TRUE(b.report.converged) << b.report.finalResidual;
-        // no pocket is expected to be squeezed here: each wet cell has a dry neighbour or a way to one
+        // no pocket is expected to be squeezed here: each wet cell has a dry neighbour or a way to
+        // one
         if (b.pocketCells == 0) EXPECT_LT(b.largestImbalance(), 1e-9 + 2e3*TypeParam::epsilon);
         else ADD_FAILURE() << b.pocketCells << " cells in pockets";
         EXPECT_LT(b.report.iterations, 60);
@@ -157,7 +174,8 @@ PRESSURE_TEST(PocketsDoNotDisturbOthers)
         }
         else if (b.wet(i))
         {
-            ASSERT_NEAR(b.p[i], b.density*g*(level - b.centre(i)[D - 1]), 1e-6*b.density*g + 20*TypeParam::epsilon*b.density*g);
+            ASSERT_NEAR(b.p[i], b.density*g*(level - b.centre(i)[D - 1]),
+                1e-6*b.density*g + 20*TypeParam::epsilon*b.density*g);
             ASSERT_NEAR(b.imbalance(i), 0, 1e-9 + 100*TypeParam::epsilon);
         }
     }
@@ -166,7 +184,8 @@ PRESSURE_TEST(PocketsDoNotDisturbOthers)
     EXPECT_NEAR(squeezed, -0.3*11*(D == 2 ? 1 : 11), 1e-5);
 }
 
-//- A second projection of the same water keeps the coefficients of the first: to the bit what it is by itself. With a tank without a surface, and drops
+//- A second projection of the same water keeps the coefficients of the first: to the bit what it is
+//  by itself. With a tank without a surface, and drops
 PRESSURE_TEST(SameWaterNeedsNoNewCoefficients)
 {
     constexpr int D = TypeParam::D;
@@ -208,7 +227,8 @@ PRESSURE_TEST(LoneCellsFallFreely)
     b.phi[cell(4, 5, 3)] = R(-0.01);        // a drop
     b.phi[cell(8, 8, 2)] = R(-1);           // water walled in on all sides: no unknown
     for (int d = 0; d < D; ++d)
-        for (int side = 0; side < 2; ++side) b.aperture[d][b.grid.faceOf(d, b.grid.cellIndex(cell(8, 8, 2)), side)] = 0;
+        for (int side = 0; side < 2; ++side)
+            b.aperture[d][b.grid.faceOf(d, b.grid.cellIndex(cell(8, 8, 2)), side)] = 0;
     const R fall = R(-9.81e-3);
     for (R& u : b.u[1]) u = fall;
     auto solver = tight();
@@ -236,7 +256,9 @@ public:
             {
                 EXPECT_LT(s.owner[f], s.neighbour[f]);
                 const std::size_t b = f ? f - 1 : 0;
-                EXPECT_TRUE(f == 0 || std::make_pair(s.owner[b], s.neighbour[b]) < std::make_pair(s.owner[f], s.neighbour[f]));
+                EXPECT_TRUE(f == 0
+                    || std::make_pair(s.owner[b], s.neighbour[b])
+                        < std::make_pair(s.owner[f], s.neighbour[f]));
                 r[s.owner[f]] += s.offDiagonal[f]*v[s.neighbour[f]];
                 r[s.neighbour[f]] += s.offDiagonal[f]*v[s.owner[f]];
             }
@@ -252,7 +274,8 @@ public:
             for (int i = 0; i < n; ++i) rz += r[i]*r[i]/s.diagonal[i];
             if (report.iterations == 0) first = rz;
             if (rz <= 1e-28*first) break;
-            for (int i = 0; i < n; ++i) p[i] = r[i]/s.diagonal[i] + (before > 0 ? rz/before*p[i] : 0);
+            for (int i = 0; i < n; ++i)
+                p[i] = r[i]/s.diagonal[i] + (before > 0 ? rz/before*p[i] : 0);
             before = rz;
             const std::vector<double> q = apply(p);
             double pq = 0;
@@ -269,10 +292,12 @@ PRESSURE_TEST(HostAndDeviceAgree)
     using R = typename TypeParam::real;
     for (int ring = 0; ring < 3; ++ring)
     {
-        const std::array<int, 3> n = ring == 2 ? std::array<int, 3>{2, 15, 1} : std::array<int, 3>{13, 15, 6};
+        const std::array<int, 3> n = ring == 2 ? std::array<int, 3>{2, 15, 1}
+                                               : std::array<int, 3>{13, 15, 6};
         Block<D, R> a(n, 0.1, {ring > 0, false, ring > 1});
         Random random(11);
-        for (int i = 0; i < a.grid.cells(); ++i) a.phi[i] = R(a.centre(i)[1] - 1.03 + 0.2*a.centre(i)[0]);
+        for (int i = 0; i < a.grid.cells(); ++i)
+            a.phi[i] = R(a.centre(i)[1] - 1.03 + 0.2*a.centre(i)[0]);
         for (R& u : a.u[1]) u = R(random(-1, 1));
         Block<D, R> b = a;
         auto multigrid = tight(1e-14);

@@ -1,5 +1,7 @@
-/*  What each transfer scheme of the table does, with all splines that it goes with, with and without the particles' gradients: momentum to the grid and back,
-    linear fields, energy, spray, particles without water. A scheme that is added to the table is tested by these; what is its own by a test beside them.
+/*  What each transfer scheme of the table does, with all splines that it goes with, with and
+    without the particles' gradients: momentum to the grid and back, linear fields, energy, spray,
+    particles without water. A scheme that is added to the table is tested by these; what is its own
+    by a test beside them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,7 +34,11 @@ struct Choice
     bool gradient;
     double step;            // that it bears [s]
 
-    std::string name() const { return config.transfer + " of order " + std::to_string(config.splineOrder) + (gradient ? ", affine" : ""); }
+    std::string name() const
+    {
+        return config.transfer + " of order " + std::to_string(config.splineOrder)
+            + (gradient ? ", affine" : "");
+    }
 };
 
 //- f(choice) for all there are
@@ -46,10 +52,13 @@ void eachChoice(F f)
                 PicConfig c;
                 c.transfer = card.word;
                 c.splineOrder = order;
-                for (const TransferEntry& e : card.entries) if (!e.yesNo) e.set(c.transferNumbers, e.typical);
+                for (const TransferEntry& e : card.entries)
+                    if (!e.yesNo) e.set(c.transferNumbers, e.typical);
                 c.transferNumbers.affine = affine;
                 const bool gradient = keepsGradient(card, c.transferNumbers);
-                if (gradient == affine) f(Choice{c, card, gradient, 0.5*std::min(card.timeStep(c.transferNumbers), 0.02)});
+                if (gradient == affine)
+                    f(Choice{
+                        c, card, gradient, 0.5*std::min(card.timeStep(c.transferNumbers), 0.02)});
             }
 }
 
@@ -69,18 +78,26 @@ struct Taking
     double fall[D] = {};
 
     template<class F>
-    Taking(const Choice& c, int cells, int perCell, int margin, const F& velocity, bool periodic = false)
-    : choice(c), cloud(cells, perCell, margin, velocity, periodic), scheme(c.config)
+    Taking(const Choice& c, int cells, int perCell, int margin, const F& velocity,
+        bool periodic = false)
+        : choice(c), cloud(cells, perCell, margin, velocity, periodic), scheme(c.config)
     {
         cloud.map.prepare(cloud.context, cloud.grid, cloud.sort);
         setNear(allWater);
         EXPECT_EQ(scheme.gradient(), c.gradient);
     }
 
-    void setNear(unsigned char water) { near.upload(cloud.context, std::vector<unsigned char>(cloud.grid.cells(), water)); }
+    void setNear(unsigned char water)
+    {
+        near.upload(cloud.context, std::vector<unsigned char>(cloud.grid.cells(), water));
+    }
 
     //- The particles' velocities on the grid
-    void toGrid() { withSpline(choice.config.splineOrder, [&](auto order) { cloud.template toGrid<decltype(order)::value>(choice.gradient); }); }
+    void toGrid()
+    {
+        withSpline(choice.config.splineOrder,
+            [&](auto order) { cloud.template toGrid<decltype(order)::value>(choice.gradient); });
+    }
 
     //- u = velocity(x, d, its number) at faces; change: du
     template<class F>
@@ -89,7 +106,8 @@ struct Taking
         for (int d = 0; d < D; ++d)
         {
             std::vector<R> u(cloud.grid.faces(d));
-            for (std::size_t i = 0; i < u.size(); ++i) u[i] = R(velocity(cloud.faceAt(d, int(i)), d, int(i)));
+            for (std::size_t i = 0; i < u.size(); ++i)
+                u[i] = R(velocity(cloud.faceAt(d, int(i)), d, int(i)));
             (change ? du : cloud.u)[d].upload(cloud.context, u);
         }
     }
@@ -141,7 +159,8 @@ struct Taking
     }
 };
 
-//- The grid has the particles' momentum; the step adds to it; the particles then have all of it. To round-off of sums of that many numbers
+//- The grid has the particles' momentum; the step adds to it; the particles then have all of it. To
+//  round-off of sums of that many numbers
 SCHEME_TEST(MomentumIsConserved)
 {
     using C = TypeParam;
@@ -163,9 +182,15 @@ SCHEME_TEST(MomentumIsConserved)
                 m[d] = t.cloud.mass[d].download();
                 double momentum = 0, size = 0;
                 mass[d] = 0;
-                for (std::size_t i = 0; i < u[d].size(); ++i) { mass[d] += m[d][i]; momentum += double(m[d][i])*u[d][i]; size += std::abs(double(m[d][i])*u[d][i]); }
+                for (std::size_t i = 0; i < u[d].size(); ++i)
+                {
+                    mass[d] += m[d][i];
+                    momentum += double(m[d][i])*u[d][i];
+                    size += std::abs(double(m[d][i])*u[d][i]);
+                }
                 EXPECT_NEAR(mass[d]/t.cloud.n, 1, 100*C::epsilon) << choice.name();
-                EXPECT_NEAR(momentum, before[d], 200*C::epsilon*(size + t.cloud.n)) << choice.name();
+                EXPECT_NEAR(momentum, before[d], 200*C::epsilon*(size + t.cloud.n))
+                    << choice.name();
             }
             t.set(true, [&](const auto&, int, int) { return random(-0.5, 1); });
             double expected[D] = {};
@@ -191,8 +216,8 @@ SCHEME_TEST(MomentumIsConserved)
     });
 }
 
-//- A velocity linear in space, changed by one that is linear too, in a block that ends at walls or in itself: what particles and their gradients then are, and what
-//  with these the grid gets back
+//- A velocity linear in space, changed by one that is linear too, in a block that ends at walls or
+//  in itself: what particles and their gradients then are, and what with these the grid gets back
 SCHEME_TEST(LinearFieldsAreKept)
 {
     using C = TypeParam;
@@ -210,7 +235,8 @@ SCHEME_TEST(LinearFieldsAreKept)
         if (!choice.gradient || !choice.card.keepsLinear) return;
         for (const bool periodic : {false, true})
         {
-            Taking<C> t(choice, 8, 5, 2, [&](const auto& x, int d) { return linear(x, d, 1); }, periodic);
+            Taking<C> t(
+                choice, 8, 5, 2, [&](const auto& x, int d) { return linear(x, d, 1); }, periodic);
             t.set(false, [&](const auto& x, int d, int) { return linear(x, d, 1.5); });
             t.set(true, [&](const auto& x, int d, int) { return linear(x, d, 0.5); });
             t.take();
@@ -218,15 +244,23 @@ SCHEME_TEST(LinearFieldsAreKept)
             for (int d = 0; d < D; ++d)
             {
                 const auto v = t.v(d);
-                for (int i = 0; i < t.cloud.n; ++i) ASSERT_NEAR(v[i], linear(places[i], d, 1.5), 100*C::epsilon) << choice.name();
-                for (int a = 0; a < D; ++a) for (const R c : t.gradient(d*D + a)) ASSERT_NEAR(c, 1.5*slope(d, a), 3000*C::epsilon) << choice.name();
+                for (int i = 0; i < t.cloud.n; ++i)
+                    ASSERT_NEAR(v[i], linear(places[i], d, 1.5), 100*C::epsilon) << choice.name();
+                for (int a = 0; a < D; ++a)
+                    for (const R c : t.gradient(d*D + a))
+                        ASSERT_NEAR(c, 1.5*slope(d, a), 3000*C::epsilon) << choice.name();
             }
             t.toGrid();
             for (int d = 0; d < D; ++d)
             {
                 const auto u = t.cloud.u[d].download(), m = t.cloud.mass[d].download();
                 for (std::size_t i = 0; i < u.size(); ++i)
-                    if (m[i] > 0.01) { ASSERT_NEAR(u[i], linear(t.cloud.faceAt(d, int(i)), d, 1.5), 8000*C::epsilon) << choice.name(); }
+                    if (m[i] > 0.01)
+                    {
+                        ASSERT_NEAR(
+                            u[i], linear(t.cloud.faceAt(d, int(i)), d, 1.5), 8000*C::epsilon)
+                            << choice.name();
+                    }
             }
         }
     });
@@ -240,7 +274,8 @@ SCHEME_TEST(NoChangeGivesNoEnergy)
     {
         Random random(3);
         Taking<C> t(choice, 8, 5, 2, [&](const Vec<C::D, double>&, int) { return random(-1, 1); });
-        withSpline(choice.config.splineOrder, [&](auto order) { t.cloud.template toGrid<decltype(order)::value>(false); });
+        withSpline(choice.config.splineOrder,
+            [&](auto order) { t.cloud.template toGrid<decltype(order)::value>(false); });
         t.set(true, [](const auto&, int, int) { return 0; });
         const double before = t.energy();
         t.take();
@@ -249,7 +284,8 @@ SCHEME_TEST(NoChangeGivesNoEnergy)
     });
 }
 
-//- Beside the surface no particle becomes faster than it was, having fallen, or than the grid there is
+//- Beside the surface no particle becomes faster than it was, having fallen, or than the grid there
+//  is
 SCHEME_TEST(SprayIsBounded)
 {
     using C = TypeParam;
@@ -276,22 +312,28 @@ SCHEME_TEST(SprayIsBounded)
             const auto v = t.v(d);
             for (int i = 0; i < t.cloud.n; ++i) speed[i] += double(v[i])*v[i];
         }
-        withSpline(choice.config.splineOrder, [&](auto order) { t.cloud.template toParticles<decltype(order)::value>(); });
+        withSpline(choice.config.splineOrder,
+            [&](auto order) { t.cloud.template toParticles<decltype(order)::value>(); });
         for (int d = 0; d < D; ++d)
         {
             const auto v = t.v(d);
             for (int i = 0; i < t.cloud.n; ++i) grid[i] += double(v[i])*v[i];
         }
-        for (int i = 0; i < t.cloud.n; ++i) ASSERT_LE(speed[i], std::max(fallen[i], grid[i])*(1 + 200*C::epsilon) + R(1e-6)*C::epsilon) << choice.name();
+        for (int i = 0; i < t.cloud.n; ++i)
+            ASSERT_LE(speed[i],
+                std::max(fallen[i], grid[i])*(1 + 200*C::epsilon) + R(1e-6)*C::epsilon)
+                << choice.name();
     });
 }
 
-//- Particles that come in, the last of all, have the grid's velocity and gradient whatever the scheme
+//- Particles that come in, the last of all, have the grid's velocity and gradient whatever the
+//  scheme
 SCHEME_TEST(WhatComesInTakesTheGrid)
 {
     using C = TypeParam;
     constexpr int D = C::D;
-    const auto linear = [](const Vec<D, double>& x, int d) { return 0.3 + 0.5*x.c[0] - 0.25*(d + 1)*x.c[1]; };
+    const auto linear = [](const Vec<D, double>& x, int d)
+    { return 0.3 + 0.5*x.c[0] - 0.25*(d + 1)*x.c[1]; };
     eachChoice([&](const Choice& choice)
     {
         Taking<C> t(choice, 8, 3, 2, [](const Vec<D, double>&, int) { return 7; });
@@ -306,8 +348,12 @@ SCHEME_TEST(WhatComesInTakesTheGrid)
             const auto v = t.v(d), x = t.gradient(d*D);
             for (int i = 0; i < t.cloud.n; ++i)
             {
-                ASSERT_NEAR(v[i], i < first ? 7 : linear(places[i], d), 100*C::epsilon) << choice.name();
-                if (choice.gradient && i >= first) { ASSERT_NEAR(x[i], 0.5, 3000*C::epsilon) << choice.name(); }
+                ASSERT_NEAR(v[i], i < first ? 7 : linear(places[i], d), 100*C::epsilon)
+                    << choice.name();
+                if (choice.gradient && i >= first)
+                {
+                    ASSERT_NEAR(x[i], 0.5, 3000*C::epsilon) << choice.name();
+                }
             }
         }
     });
@@ -322,7 +368,8 @@ SCHEME_TEST(WithoutWaterParticlesFall)
     eachChoice([](const Choice& choice)
     {
         Random random(29);
-        Taking<C> t(choice, 8, 3, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); }, true);
+        Taking<C> t(
+            choice, 8, 3, 0, [&](const Vec<D, double>&, int) { return random(-1, 1); }, true);
         t.set(false, [&](const auto&, int, int) { return random(-1, 1); });
         t.set(true, [&](const auto&, int, int) { return random(-1, 1); });
         t.take();
@@ -338,10 +385,13 @@ SCHEME_TEST(WithoutWaterParticlesFall)
         for (int d = 0; d < D; ++d)
         {
             const auto v = t.v(d);
-            for (int i = 0; i < t.cloud.n; ++i) ASSERT_EQ(v[i], before[d][i] + R(t.fall[d])) << choice.name();
+            for (int i = 0; i < t.cloud.n; ++i)
+                ASSERT_EQ(v[i], before[d][i] + R(t.fall[d])) << choice.name();
         }
-        for (int k = 0; k < memory; ++k) for (const R m : t.memory(k)) ASSERT_EQ(m, R(0)) << choice.name();
-        for (int k = 0; choice.gradient && k < D*D; ++k) for (const R c : t.gradient(k)) ASSERT_EQ(c, R(0)) << choice.name();
+        for (int k = 0; k < memory; ++k)
+            for (const R m : t.memory(k)) ASSERT_EQ(m, R(0)) << choice.name();
+        for (int k = 0; choice.gradient && k < D*D; ++k)
+            for (const R c : t.gradient(k)) ASSERT_EQ(c, R(0)) << choice.name();
     });
 }
 

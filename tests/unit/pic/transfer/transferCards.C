@@ -1,5 +1,6 @@
-/*  What each transfer scheme's card says, over the whole table: word and entries, the choice by words, what is refused, the user's guide.
-    picTransfers.hpp: what the schemes do. A scheme that is added to the table is tested by these.
+/*  What each transfer scheme's card says, over the whole table: word and entries, the choice by
+    words, what is refused, the user's guide. picTransfers.hpp: what the schemes do. A scheme that
+    is added to the table is tested by these.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -16,7 +17,8 @@ namespace riprap
 namespace
 {
 
-//- Entries without a name of their own would be lost, a default that the struct does not have would not be taken
+//- Entries without a name of their own would be lost, a default that the struct does not have would
+//  not be taken
 TEST(TransferCards, EntriesAreComplete)
 {
     std::set<std::string> words;
@@ -30,7 +32,10 @@ TEST(TransferCards, EntriesAreComplete)
         {
             EXPECT_TRUE(names.insert(e.name).second) << card.word << " " << e.name;
             EXPECT_GT(std::string(e.what).size(), 0u) << e.name;
-            if (e.yesNo || !e.required) { EXPECT_EQ(e.value(TransferProperties()), e.otherwise) << card.word << " " << e.name; }
+            if (e.yesNo || !e.required)
+            {
+                EXPECT_EQ(e.value(TransferProperties()), e.otherwise) << card.word << " " << e.name;
+            }
             if (!e.yesNo) { EXPECT_TRUE(e.allows(e.typical)) << card.word << " " << e.name; }
             if (!e.yesNo) { EXPECT_FALSE(e.allows(-1)) << card.word << " " << e.name; }
             TransferProperties p;
@@ -49,7 +54,9 @@ TEST(TransferCards, SharedEntriesAgree)
         {
             const auto [at, isNew] = seen.emplace(e.name, e);
             if (isNew) continue;
-            EXPECT_TRUE(at->second.number == e.number && at->second.yesNo == e.yesNo && at->second.range == e.range) << e.name;
+            EXPECT_TRUE(at->second.number == e.number && at->second.yesNo == e.yesNo
+                && at->second.range == e.range)
+                << e.name;
             EXPECT_STREQ(at->second.unit, e.unit) << e.name;
         }
     EXPECT_EQ(seen.size(), allTransferEntries().size());
@@ -74,10 +81,12 @@ std::string whyNot(const PicConfig& c)
 
 TEST(TransferCards, WordsFindTheirSchemes)
 {
-    for (const TransferCard& card : transfers()) EXPECT_STREQ(transferOf(with(card)).word, card.word);
+    for (const TransferCard& card : transfers())
+        EXPECT_STREQ(transferOf(with(card)).word, card.word);
     PicConfig c;
     c.transfer = "harmonic";
-    for (const TransferCard& card : transfers()) EXPECT_NE(whyNot(c).find(card.word), std::string::npos) << whyNot(c);
+    for (const TransferCard& card : transfers())
+        EXPECT_NE(whyNot(c).find(card.word), std::string::npos) << whyNot(c);
 }
 
 TEST(TransferCards, WhatDoesNotGoIsRefused)
@@ -119,7 +128,8 @@ TEST(TransferCards, TheGradientIsAChoiceOrNot)
     for (const TransferCard& card : transfers())
     {
         PicConfig c = with(card);
-        EXPECT_EQ(keepsGradient(card, c.transferNumbers), card.gradient || card.has("affine")) << card.word;
+        EXPECT_EQ(keepsGradient(card, c.transferNumbers), card.gradient || card.has("affine"))
+            << card.word;
         c.transferNumbers.affine = false;
         EXPECT_EQ(keepsGradient(card, c.transferNumbers), card.gradient) << card.word;
         EXPECT_FALSE(card.gradient && card.has("affine")) << card.word << " leaves no choice";
@@ -134,8 +144,10 @@ TEST(TransferCards, GuideHasThem)
     std::ifstream in(std::string(root) + "/docs/pic.md");
     const std::string guide{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     ASSERT_GT(guide.size(), 0u);
-    const auto has = [&](const std::string& word) { EXPECT_NE(guide.find("`" + word + "`"), std::string::npos) << word; };
-    for (const auto& words : {wordsOf(transfers()), wordsOf(splines())}) for (const std::string& w : words) has(w);
+    const auto has = [&](const std::string& word)
+    { EXPECT_NE(guide.find("`" + word + "`"), std::string::npos) << word; };
+    for (const auto& words : {wordsOf(transfers()), wordsOf(splines())})
+        for (const std::string& w : words) has(w);
     for (const TransferEntry& e : allTransferEntries()) has(e.name);
 }
 

@@ -1,4 +1,5 @@
-/*  Rigid bodies that leave the domain: as one, while what stays goes on as if they had never been; energy and a restart know of it.
+/*  Rigid bodies that leave the domain: as one, while what stays goes on as if they had never been;
+    energy and a restart know of it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -12,7 +13,8 @@ namespace
 
 using DemClumpEscape = DemTest;
 
-//- Two dumbbells and a ball: the first flies up at 1 m/s, the other one and the ball towards each other
+//- Two dumbbells and a ball: the first flies up at 1 m/s, the other one and the ball towards each
+//  other
 DemInput two()
 {
     DemInput in = oneMaterial(1e3);
@@ -43,7 +45,8 @@ DemInput without(const DemInput& all, const std::vector<std::int32_t>& gone)
     for (int i = 0; i < int(all.particles.size()); ++i)
     {
         if (std::count(gone.begin(), gone.end(), i)) continue;
-        addParticle(in, at(all.particles.position, i), at(all.particles.velocity, i), all.particles.radius[i], all.particles.mass[i]);
+        addParticle(in, at(all.particles.position, i), at(all.particles.velocity, i),
+            all.particles.radius[i], all.particles.mass[i]);
         in.particles.clump.push_back(all.particles.clump[i]);
         in.particles.id.push_back(i);
     }
@@ -81,7 +84,9 @@ TEST_P(DemClumpEscape, LeavesAsOne)
         ASSERT_EQ(a.id.size(), 3u);
         for (const int id : {2, 3, 4})
             for (int d = 0; d < 3; ++d)
-                EXPECT_NEAR(at(a.position, find(a, id))[d], at(b.position, find(b, id))[d], mixed() ? 1e-5 : 1e-9) << D << ' ' << id;
+                EXPECT_NEAR(at(a.position, find(a, id))[d], at(b.position, find(b, id))[d],
+                    mixed() ? 1e-5 : 1e-9)
+                    << D << ' ' << id;
         EXPECT_LT(at(a.velocity, find(a, 2))[0], 0.2) << "they have met";
     }
 }

@@ -1,4 +1,5 @@
-/*  Impacts of rigid bodies of many members on a plane: the step that they need, and their restitution.
+/*  Impacts of rigid bodies of many members on a plane: the step that they need, and their
+    restitution.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,8 +16,9 @@ enum class Shape {ball, flat, corner};
 
 struct Drop { DemInput in; int touching = 0; };
 
-//- A body of mass 1 kg on a lattice, 20 members (3D: 14) across, that falls at 1 m/s on a plane from 0.1 mm above. corner: turned by 45 degrees, so that it
-//  lands on a corner (2D) or an edge (3D)
+//- A body of mass 1 kg on a lattice, 20 members (3D: 14) across, that falls at 1 m/s on a plane
+//  from 0.1 mm above. corner: turned by 45 degrees, so that it lands on a corner (2D) or an edge
+//  (3D)
 Drop drop(int D, Shape shape, double e)
 {
     const int across = D == 3 ? 14 : 20;
@@ -28,8 +30,12 @@ Drop drop(int D, Shape shape, double e)
             for (int i = 0; i < across; ++i)
             {
                 Vector3 x{{i*size - offset, j*size - offset, D == 3 ? k*size - offset : 0}};
-                if (shape == Shape::ball && x[0]*x[0] + x[1]*x[1] + x[2]*x[2] > offset*offset*1.0001) continue;
-                if (shape == Shape::corner) x = Vector3{{std::sqrt(0.5)*(x[0] - x[1]), std::sqrt(0.5)*(x[0] + x[1]), x[2]}};
+                if (shape == Shape::ball
+                    && x[0]*x[0] + x[1]*x[1] + x[2]*x[2] > offset*offset*1.0001)
+                    continue;
+                if (shape == Shape::corner)
+                    x = Vector3{
+                        {std::sqrt(0.5)*(x[0] - x[1]), std::sqrt(0.5)*(x[0] + x[1]), x[2]}};
                 at.push_back(x);
                 low = std::min(low, x[1]);
                 inertia += x[0]*x[0] + x[1]*x[1];
@@ -41,7 +47,8 @@ Drop drop(int D, Shape shape, double e)
     for (const Vector3& x : at)
     {
         d.touching += x[1] < low + 1e-9;
-        addParticle(d.in, {{x[0], x[1] + lift, x[2]}}, {{0, -1, 0}}, 0.5*size, 1.0/double(at.size()));
+        addParticle(
+            d.in, {{x[0], x[1] + lift, x[2]}}, {{0, -1, 0}}, 0.5*size, 1.0/double(at.size()));
     }
     d.in.particles.clump.assign(at.size(), 0);
     DemClump body;
@@ -108,8 +115,9 @@ TEST_P(DemClumpImpact, ElasticBounce)
         }
 }
 
-//- Dashpots know the body: with the mass of single members bodies bounced as if nothing braked them (0.97 for 0.4). A share of what touches has no closed
-//  form where members join in one after the other, or where fewer touch than share: bodies that land on a corner bounce more
+//- Dashpots know the body: with the mass of single members bodies bounced as if nothing braked them
+//  (0.97 for 0.4). A share of what touches has no closed form where members join in one after the
+//  other, or where fewer touch than share: bodies that land on a corner bounce more
 TEST_P(DemClumpImpact, Restitution)
 {
     for (const int D : {2, 3})
@@ -120,9 +128,17 @@ TEST_P(DemClumpImpact, Restitution)
             const DemReport r = scene->advance(0.02);
             ASSERT_EQ(r.stop, DemStop::none) << r.stopMessage;
             const double u = scene->clumps().velocity[1];
-            // a contact that begins as a step ends loses half of a step's dashpot: 0.2 zeta of the speed, zeta = 0.35
-            if (shape != Shape::corner) { EXPECT_NEAR(u, e, 0.07*e + 0.01) << D << "D, shape " << int(shape); }
-            else { EXPECT_LT(u, 0.6) << D << "D: one member, or an edge of them, with the share of a few more"; }
+            // a contact that begins as a step ends loses half of a step's dashpot: 0.2 zeta of the
+            // speed, zeta = 0.35
+            if (shape != Shape::corner)
+            {
+                EXPECT_NEAR(u, e, 0.07*e + 0.01) << D << "D, shape " << int(shape);
+            }
+            else
+            {
+                EXPECT_LT(u, 0.6)
+                    << D << "D: one member, or an edge of them, with the share of a few more";
+            }
             EXPECT_GT(u, 0.9*e);
         }
 }
@@ -137,7 +153,8 @@ TEST(DemClumpPlan, WarnsOfSoftContacts)
     const Drop ball = drop(2, Shape::ball, 0.4);
     DemInput in = ball.in;
     EXPECT_TRUE(planDemScene(c, in).warnings.empty());
-    in.clumps[0].velocity[1] = -11*std::sqrt(double(ball.touching));     // 11 sqrt(1 kg/1e6 N/m) = 11 mm, of radii of 10 mm
+    // 11 sqrt(1 kg/1e6 N/m) = 11 mm, of radii of 10 mm
+    in.clumps[0].velocity[1] = -11*std::sqrt(double(ball.touching));
     const auto warnings = planDemScene(c, in).warnings;
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("sinks in by 0.011"), std::string::npos) << warnings[0];

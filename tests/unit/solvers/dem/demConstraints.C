@@ -41,12 +41,14 @@ DemConfig withStep(DemConfig c, double step)
     return c;
 }
 
-//- Small swings of a physical pendulum: w^2 = m g d/(J + m d^2), w lowered by 1/16 of the amplitude's square
+//- Small swings of a physical pendulum: w^2 = m g d/(J + m d^2), w lowered by 1/16 of the
+//  amplitude's square
 TEST_P(DemConstraints, PendulumKeepsItsPeriod)
 {
     const double length = 0.2, start = 0.05, turned = 0.6;
     for (const int D : {2, 3})
-        for (const auto integrator : {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
+        for (const auto integrator :
+            {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
         {
             // in 3D the hinge is no principal axis: n.J n = Jy sin^2 + Jz cos^2
             std::array<double, 4> q{{1, 0, 0, 0}};
@@ -54,17 +56,21 @@ TEST_P(DemConstraints, PendulumKeepsItsPeriod)
             if (D == 3)
             {
                 q = {{std::cos(turned/2), std::sin(turned/2), 0, 0}};
-                about = inertia[1]*std::pow(std::sin(turned), 2) + inertia[2]*std::pow(std::cos(turned), 2);
+                about = inertia[1]*std::pow(std::sin(turned), 2)
+                    + inertia[2]*std::pow(std::cos(turned), 2);
             }
             const Vector3 point{{0.1, 0.2, 0}};
-            DemInput in = oneBody({{point[0] + length*std::sin(start), point[1] - length*std::cos(start), 0}}, q);
+            DemInput in = oneBody(
+                {{point[0] + length*std::sin(start), point[1] - length*std::cos(start), 0}}, q);
             in.groups[0].constraint.hinge = true;
             in.groups[0].constraint.point = point;
             DemConfig c = withStep(config(D), 1e-4);
             c.integrator = integrator;
             auto scene = createDemScene(c, in);
-            const double energy = scene->energy().total(), high = mass*weight*length*(1 - std::cos(start));
-            const double w = std::sqrt(mass*weight*length/(about + mass*length*length))*(1 - start*start/16);
+            const double energy = scene->energy().total(),
+                         high = mass*weight*length*(1 - std::cos(start));
+            const double w = std::sqrt(mass*weight*length/(about + mass*length*length))
+                *(1 - start*start/16);
             for (int k = 1; k <= 8; ++k)
             {
                 const double t = 0.25*k;
@@ -72,7 +78,8 @@ TEST_P(DemConstraints, PendulumKeepsItsPeriod)
                 const DemClumpState s = scene->clumps();
                 const double x = s.position[0] - point[0], y = s.position[1] - point[1];
                 EXPECT_NEAR(std::hypot(x, y), length, 1e-12);
-                EXPECT_NEAR(std::atan2(x, -y), start*std::cos(w*t), 2e-4*start) << D << "D, t = " << t;
+                EXPECT_NEAR(std::atan2(x, -y), start*std::cos(w*t), 2e-4*start)
+                    << D << "D, t = " << t;
                 // the velocity is that of a turn about the hinge
                 EXPECT_NEAR(s.velocity[0], -s.spin[2]*y, 1e-9);
                 EXPECT_NEAR(s.velocity[1], s.spin[2]*x, 1e-9);
@@ -97,7 +104,8 @@ TEST_P(DemConstraints, GuidedBodiesFallByTheirShare)
             scene->advance(t);
             const DemClumpState s = scene->clumps();
             const double part = line ? std::sin(slope) : std::cos(slope);
-            const double ex = line ? std::cos(slope) : -std::sin(slope), ey = line ? -std::sin(slope) : -std::cos(slope);
+            const double ex = line ? std::cos(slope) : -std::sin(slope),
+                         ey = line ? -std::sin(slope) : -std::cos(slope);
             EXPECT_NEAR(s.position[0], fallen*part*ex, 1e-9);
             EXPECT_NEAR(s.position[1], 0.2 + fallen*part*ey, 1e-9);
             EXPECT_NEAR(s.velocity[1], weight*t*part*ey, 1e-9);
@@ -105,7 +113,8 @@ TEST_P(DemConstraints, GuidedBodiesFallByTheirShare)
         }
 }
 
-//- About a fixed axis that is no principal one: spin and energy stay; a moment turns by n.M t^2/(2 n.J n)
+//- About a fixed axis that is no principal one: spin and energy stay; a moment turns by n.M t^2/(2
+//  n.J n)
 TEST_P(DemConstraints, TurnsAboutItsAxisAlone)
 {
     const double s = 1/std::sqrt(3.0), about = (inertia[0] + inertia[1] + inertia[2])/3, t = 0.5;
@@ -234,10 +243,12 @@ TEST_P(DemConstraints, PointsStayOnTheBody)
     for (int e = 0; e < 4; ++e) k.orientation[e] = s.orientation[e];
     for (std::size_t i = 0; i < p.id.size(); ++i)
         for (int d = 0; d < 3; ++d) later.particles.position[3*p.id[i] + d] = p.position[3*i + d];
-    const auto before = scene->springs(), now = createDemScene(withStep(config(2), 1e-4), later)->springs();
+    const auto before = scene->springs(),
+               now = createDemScene(withStep(config(2), 1e-4), later)->springs();
     for (int d = 0; d < 2; ++d) EXPECT_NEAR(now[0].point[d], before[0].point[d], 1e-9);
     EXPECT_NEAR(now[0].length, before[0].length, 1e-9);
-    EXPECT_NEAR(std::hypot(before[0].point[0] - s.position[0], before[0].point[1] - s.position[1]), std::hypot(0.03, 0.02), 1e-12);
+    EXPECT_NEAR(std::hypot(before[0].point[0] - s.position[0], before[0].point[1] - s.position[1]),
+        std::hypot(0.03, 0.02), 1e-12);
 }
 
 TEST_P(DemConstraints, RefusesWhatCannotBe)

@@ -1,5 +1,6 @@
-/*  What a scene of solids does not use is not there: no bonds, no bond list; no friction, no history; 2D without the third component;
-    no walls, no clumps, no orientation: neither arrays nor kernels.
+/*  What a scene of solids does not use is not there: no bonds, no bond list; no friction, no
+    history; 2D without the third component; no walls, no clumps, no orientation: neither arrays nor
+    kernels.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,7 +23,8 @@ protected:
         DemInput in = oneMaterial();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                addParticle(in, {{0.02*i - 0.02, 0.02*j - 0.02, dimensions == 3 ? 0.1 : 0}}, {{0.01*i, 0, 0}});
+                addParticle(in, {{0.02*i - 0.02, 0.02*j - 0.02, dimensions == 3 ? 0.1 : 0}},
+                    {{0.01*i, 0, 0}});
         return in;
     }
 
@@ -37,18 +39,24 @@ protected:
         for (const ArrayInfo& a : scene->arrays()) r.arrays[a.set + " " + a.name] += a.bytes;
         // on the GPU one kernel does it all
         if (scene->device() == DeviceKind::cpu)
-            for (const KernelInfo& k : scene->kernels()) if (k.launches > 0) r.kernels.insert(k.name);
+            for (const KernelInfo& k : scene->kernels())
+                if (k.launches > 0) r.kernels.insert(k.name);
         return r;
     }
 
     static bool any(const Counts& r, const std::string& word)
     {
-        const auto has = [&](const std::string& name) { return name.find(word) != std::string::npos; };
-        return std::any_of(r.arrays.begin(), r.arrays.end(), [&](const auto& a) { return has(a.first); })
-          || std::any_of(r.kernels.begin(), r.kernels.end(), has);
+        const auto has = [&](const std::string& name)
+        { return name.find(word) != std::string::npos; };
+        return std::any_of(
+                   r.arrays.begin(), r.arrays.end(), [&](const auto& a) { return has(a.first); })
+            || std::any_of(r.kernels.begin(), r.kernels.end(), has);
     }
 
-    static std::size_t lists(const Counts& r) { return r.arrays.at("contacts lists and histories"); }
+    static std::size_t lists(const Counts& r)
+    {
+        return r.arrays.at("contacts lists and histories");
+    }
 };
 
 TEST_P(DemEconomy, NoBondsNoBondList)
@@ -65,11 +73,15 @@ TEST_P(DemEconomy, NoBondsNoBondList)
         ASSERT_EQ(in.bonds.size(), 12u);
         const Counts some = counts(c, in);
         EXPECT_TRUE(some.arrays.count("bonds bonds"));
-        if (GetParam().device == DeviceKind::cpu) { EXPECT_GT(some.kernels.size(), none.kernels.size()); }
+        if (GetParam().device == DeviceKind::cpu)
+        {
+            EXPECT_GT(some.kernels.size(), none.kernels.size());
+        }
     }
 }
 
-//- A history spring takes memory in each list, and in 3D a rolling spring more of it; without friction, or with the one-step spring, there is none
+//- A history spring takes memory in each list, and in 3D a rolling spring more of it; without
+//  friction, or with the one-step spring, there is none
 TEST_P(DemEconomy, NoFrictionNoHistory)
 {
     for (const int D : {2, 3})
@@ -122,7 +134,8 @@ TEST_P(DemEconomy, NoWallsClumpsOrientation)
     EXPECT_TRUE(any(some, "orientation"));
 }
 
-//- Materials of walls alone, or of nobody, change neither a bit nor which numbers contacts between particles read. Order does not matter
+//- Materials of walls alone, or of nobody, change neither a bit nor which numbers contacts between
+//  particles read. Order does not matter
 TEST_P(DemEconomy, MaterialsOfNoParticleChangeNothing)
 {
     for (const int D : {2, 3})
@@ -133,7 +146,8 @@ TEST_P(DemEconomy, MaterialsOfNoParticleChangeNothing)
         in.pairs[0].properties.friction = 0.5;
         in.walls.push_back(planeWall({{0, -0.04, 0}}, {{0, 1, 0}}));
         // rows that meet each other and the wall
-        for (std::size_t i = 0; i < in.particles.size(); ++i) in.particles.velocity[3*i + 1] = -10*in.particles.position[3*i + 1] - 0.3;
+        for (std::size_t i = 0; i < in.particles.size(); ++i)
+            in.particles.velocity[3*i + 1] = -10*in.particles.position[3*i + 1] - 0.3;
         const auto positions = [&]
         {
             auto scene = createDemScene(c, in);

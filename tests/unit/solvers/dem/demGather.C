@@ -1,5 +1,6 @@
-/*  What the GPU does, on the CPU: full lists in blocks of 32, forces gathered, histories kept at both ends, each step one
-    kernel, in batches that switch themselves off. A backend that says it is a GPU and runs its kernels here is compared with the CPU's own way.
+/*  What the GPU does, on the CPU: full lists in blocks of 32, forces gathered, histories kept at
+    both ends, each step one kernel, in batches that switch themselves off. A backend that says it
+    is a GPU and runs its kernels here is compared with the CPU's own way.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,7 +21,10 @@ inline void sortPairs(Context<GpuLike>& context, SortScratch<GpuLike>& s, int n,
 { sortPairs(static_cast<Context<Cpu>&>(context), reinterpret_cast<SortScratch<Cpu>&>(s), n, bits); }
 
 inline void exclusiveScan(Context<GpuLike>& context, SortScratch<GpuLike>& s, int* data, int n)
-{ exclusiveScan(static_cast<Context<Cpu>&>(context), reinterpret_cast<SortScratch<Cpu>&>(s), data, n); }
+{
+    exclusiveScan(
+        static_cast<Context<Cpu>&>(context), reinterpret_cast<SortScratch<Cpu>&>(s), data, n);
+}
 
 inline std::string deviceLabel(GpuLike) { return "a CPU in the way of a GPU"; }
 
@@ -52,10 +56,12 @@ DemInput heap(DemConfig& c)
     for (int k = 0; k < 500; ++k)
     {
         const double r = 0.02*std::pow(3.0, 0.25*(u(engine) - 1));
-        addParticle(in, {{-0.13 + 0.036*(k % 8), -0.4 + 0.036*(k/8 % 8), -0.15 + 0.036*(k/64)}}, {{0.3*u(engine), 0.3*u(engine), 0.3*u(engine)}},
-            r, 1e4*r*r*r);
+        addParticle(in,
+            {{-0.13 + 0.036*(k % 8), -0.4 + 0.036*(k/8 % 8), -0.15 + 0.036*(k/64)}},
+            {{0.3*u(engine), 0.3*u(engine), 0.3*u(engine)}}, r, 1e4*r*r*r);
     }
-    for (const double side : {-1.0, 1.0}) in.walls.push_back(planeWall({{side*0.16, 0, 0}}, {{-side, 0, 0}}));
+    for (const double side : {-1.0, 1.0})
+        in.walls.push_back(planeWall({{side*0.16, 0, 0}}, {{-side, 0, 0}}));
     in.walls.push_back(planeWall({{0, -0.42, 0}}, {{0, 1, 0}}));
     DemBondType t;
     t.normalStiffness = t.shearStiffness = 1e6;
@@ -94,7 +100,8 @@ TEST(DemGather, FullListsAgreeWithHalfLists)
             }
             EXPECT_EQ(a.contacts[i], b.contacts[j]);
         }
-        EXPECT_NEAR(half->energy().total(), full.energy().total(), 1e-9*std::abs(full.energy().total()));
+        EXPECT_NEAR(
+            half->energy().total(), full.energy().total(), 1e-9*std::abs(full.energy().total()));
     }
     EXPECT_GT(half->contacts().a.size(), 100u);
 }
@@ -111,7 +118,8 @@ TEST(DemGather, MixedPrecisionKeepsWholePositions)
     in.bonds = DemBonds();
     DemParticles all = in.particles;
     in.particles = DemParticles();
-    for (int k = 0; k < 64; ++k) addParticle(in, at(all.position, k), at(all.velocity, k), all.radius[k], all.mass[k]);
+    for (int k = 0; k < 64; ++k)
+        addParticle(in, at(all.position, k), at(all.velocity, k), all.radius[k], all.mass[k]);
     auto half = createDemScene(c, in);
     DemSolver<GpuLike, 2, Mixed> full(c, in, planDemScene(c, in));
     half->advance(1e9, 150);
@@ -125,7 +133,8 @@ TEST(DemGather, MixedPrecisionKeepsWholePositions)
             EXPECT_NEAR(a.position[3*i + d], b.position[3*find(b, a.id[i]) + d], 1e-7);
             EXPECT_NEAR(a.force[3*i + d], b.force[3*find(b, a.id[i]) + d], 1e-2);
         }
-    EXPECT_NEAR(half->energy().total(), full.energy().total(), 1e-5*std::abs(full.energy().total()));
+    EXPECT_NEAR(
+        half->energy().total(), full.energy().total(), 1e-5*std::abs(full.energy().total()));
 }
 
 //- However many steps a call takes, the same bits: fused steps stop and go on in the middle
@@ -141,7 +150,8 @@ TEST(DemGather, CallsDoNotMatter)
     EXPECT_EQ(one.time(), many.time());
     const DemState a = one.particles(), b = many.particles();
     for (std::size_t i = 0; i < a.id.size(); ++i)
-        for (int d = 0; d < 3; ++d) EXPECT_NEAR(a.position[3*i + d], b.position[3*find(b, a.id[i]) + d], 1e-12);
+        for (int d = 0; d < 3; ++d)
+            EXPECT_NEAR(a.position[3*i + d], b.position[3*find(b, a.id[i]) + d], 1e-12);
 }
 
 //- Saved in the middle and loaded into another: bit for bit

@@ -1,4 +1,5 @@
-/*  DEM scenes of few particles against closed forms: impacts, weight on a plane, sliding to rolling, slopes, groups, guards.
+/*  DEM scenes of few particles against closed forms: impacts, weight on a plane, sliding to
+    rolling, slopes, groups, guards.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,7 +23,8 @@ TEST_P(DemImpact, HeadOnExchange)
         auto scene = createDemScene(config(D), in);
         scene->advance(0.08);
         const DemState s = scene->particles();
-        // leapfrog's phase error (w dt)^2/24 and a first overlap of up to v dt: 1e-4 at this step; mixed: overlaps to 1e-7 of the radius
+        // leapfrog's phase error (w dt)^2/24 and a first overlap of up to v dt: 1e-4 at this step;
+        // mixed: overlaps to 1e-7 of the radius
         EXPECT_NEAR(s.velocity[3*find(s, 0)], 0, 2e-3);
         EXPECT_NEAR(s.velocity[3*find(s, 1)], 1, 2e-3);
         EXPECT_NEAR(s.velocity[3*find(s, 0)] + s.velocity[3*find(s, 1)], 1, mixed() ? 1e-6 : 1e-13);
@@ -50,7 +52,8 @@ TEST_P(DemImpact, WeightOnPlane)
     }
 }
 
-//- MFIX DEM04: a sphere thrown along a rough plane slides until t = 2 u0/(7 mu g), then rolls at 5/7 u0 (disks: 2/3, u0/(3 mu g))
+//- MFIX DEM04: a sphere thrown along a rough plane slides until t = 2 u0/(7 mu g), then rolls at
+//  5/7 u0 (disks: 2/3, u0/(3 mu g))
 TEST_P(DemImpact, SlidesThenRolls)
 {
     for (const int D : {2, 3})
@@ -66,7 +69,8 @@ TEST_P(DemImpact, SlidesThenRolls)
         const double rest = -0.19 - 0.01*g/1e4;
         addParticle(in, {{-0.3, rest, 0}}, {{u0, 0, 0}});
         auto scene = createDemScene(c, in);
-        const double end = (D == 2 ? 1.0/3 : 2.0/7)*u0/(mu*g), rolling = (D == 2 ? 2.0/3 : 5.0/7)*u0;
+        const double end = (D == 2 ? 1.0/3 : 2.0/7)*u0/(mu*g),
+                     rolling = (D == 2 ? 2.0/3 : 5.0/7)*u0;
         scene->advance(0.5*end);
         DemState s = scene->particles();
         EXPECT_NEAR(s.velocity[0], u0 - 0.5*mu*g*end, 1e-3*u0);
@@ -77,7 +81,8 @@ TEST_P(DemImpact, SlidesThenRolls)
     }
 }
 
-//- On a slope below friction's angle and with its rolling held, a body rests on the history spring, and creeps on the one-step spring
+//- On a slope below friction's angle and with its rolling held, a body rests on the history spring,
+//  and creeps on the one-step spring
 //  at V = m g sin(slope)/(k_t dt)
 TEST_P(DemImpact, OneStepSpringCreeps)
 {
@@ -100,10 +105,12 @@ TEST_P(DemImpact, OneStepSpringCreeps)
         addParticle(in, {{-0.3, -0.19 - 0.01*g*std::cos(slope)/1e4, 0}});
         auto scene = createDemScene(c, in);
         scene->advance(0.9);                // seven times m/(k_t dt), in which it is approached
-        const double speed = scene->particles().velocity[0], creep = 0.01*g*std::sin(slope)/(kappa*1e4*c.timeStep);
+        const double speed = scene->particles().velocity[0],
+                     creep = 0.01*g*std::sin(slope)/(kappa*1e4*c.timeStep);
         if (kind == "history") EXPECT_NEAR(speed, 0, 1e-4*creep);
         else EXPECT_NEAR(speed, creep, 0.01*creep);
-        // the wall gets the weight along its normal, and along itself what holds the body; both act at the centre's height over the wall or on it
+        // the wall gets the weight along its normal, and along itself what holds the body; both act
+        // at the centre's height over the wall or on it
         const DemWallForce f = scene->wallForces()[0];
         const double weight = 0.01*g;
         EXPECT_NEAR(f.normal[1], -weight*std::cos(slope), 1e-4*weight);
@@ -116,8 +123,8 @@ TEST_P(DemImpact, OneStepSpringCreeps)
     }
 }
 
-//- A sphere that rolls is slowed by 5/7 mu_r g (J = 2/5 m R^2), whichever friction makes it roll; a pair without rolling friction
-//  rolls on
+//- A sphere that rolls is slowed by 5/7 mu_r g (J = 2/5 m R^2), whichever friction makes it roll; a
+//  pair without rolling friction rolls on
 TEST_P(DemImpact, RollingFrictionOfAnyFriction)
 {
     for (const std::string kind : {"history", "oneStep"})
@@ -167,7 +174,8 @@ TEST_P(DemImpact, RollingFrictionHolds)
     }
 }
 
-//- Local damping in free fall: a = (1 - alpha) g; viscous damping: v = g/c (1 - exp(-c t)); held axes keep their velocity
+//- Local damping in free fall: a = (1 - alpha) g; viscous damping: v = g/c (1 - exp(-c t)); held
+//  axes keep their velocity
 TEST_P(DemImpact, Groups)
 {
     DemConfig c = config(3);
@@ -193,7 +201,8 @@ TEST_P(DemImpact, Groups)
     const double single = mixed() ? 2e-5 : 1e-9;
     // the first half step, from rest, is not damped: a velocity of zero has no sign
     EXPECT_NEAR(s.velocity[3*find(s, 0) + 2], -0.3*10*t - 0.7*10*0.5e-4, single);
-    EXPECT_NEAR(s.velocity[3*find(s, 1) + 2], -2*(1 - std::exp(-5*t)), 5e-4);       // damping of half a step ago
+    // damping of half a step ago
+    EXPECT_NEAR(s.velocity[3*find(s, 1) + 2], -2*(1 - std::exp(-5*t)), 5e-4);
     EXPECT_NEAR(s.velocity[3*find(s, 2) + 2], 0.5, 1e-12);
     EXPECT_NEAR(s.velocity[3*find(s, 2)], 2*t, single);
     EXPECT_NEAR(s.velocity[3*find(s, 3) + 2], 0, 1e-12);
@@ -219,7 +228,8 @@ TEST_P(DemImpact, VerletAndLeapfrogAgree)
         const DemEnergy e = scene->energy();
         EXPECT_LE(e.total(), 0.5*0.01*1.09*(1 + 1e-4));
     }
-    // the same scheme but for where velocities stand when forces are without memory: rounding and Coulomb's limit alone
+    // the same scheme but for where velocities stand when forces are without memory: rounding and
+    // Coulomb's limit alone
     for (int d = 0; d < 2; ++d) EXPECT_NEAR(v[0][d], v[1][d], 1e-3);
 }
 
@@ -230,7 +240,8 @@ TEST_P(DemImpact, TooFastIsRefused)
     c.timeStep = 1e-5;
     DemInput in = oneMaterial();
     addParticle(in, {{0, 0, 0}});
-    addParticle(in, {{-0.0215, 0, 0}}, {{1100, 0, 0}});     // 1.5 mm off, 11 mm in a step; with nobody near it might go on
+    // 1.5 mm off, 11 mm in a step; with nobody near it might go on
+    addParticle(in, {{-0.0215, 0, 0}}, {{1100, 0, 0}});
     in.particles.id = {7, 42};
     const DemReport r = createDemScene(c, in)->advance(1);
     EXPECT_EQ(r.stop, DemStop::tooFast);
@@ -239,18 +250,23 @@ TEST_P(DemImpact, TooFastIsRefused)
     EXPECT_EQ(r.totalSteps, 1);
     // what it says is what was tested: the way and the limit it broke
     double way = 0, speed = 0, step = 0, limit = 0;
-    ASSERT_EQ(std::sscanf(r.stopMessage.c_str(), "goes %lf m in a step of %lf s, at %lf m/s, and its radius is %lf m",
-        &way, &step, &speed, &limit), 4) << r.stopMessage;
+    ASSERT_EQ(std::sscanf(r.stopMessage.c_str(),
+                  "goes %lf m in a step of %lf s, at %lf m/s, and its radius is %lf m", &way, &step,
+                  &speed, &limit),
+        4)
+        << r.stopMessage;
     EXPECT_NEAR(way, 11e-3, 1e-6);
     EXPECT_NEAR(speed, 1100, 1e-3);
     EXPECT_NEAR(step, 1e-5, 1e-11);
     EXPECT_NEAR(limit, 0.01, 1e-8);
 }
 
-//- One that outruns its neighbours in a step meets them all the same: as with a skin that is wide enough, elastically
+//- One that outruns its neighbours in a step meets them all the same: as with a skin that is wide
+//  enough, elastically
 TEST_P(DemImpact, FastOnesMeet)
 {
-    for (const DemIntegratorKind kind : {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
+    for (const DemIntegratorKind kind :
+        {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
         for (const double speed : {5.0, 20.0})
         {
             DemConfig c = config(3);
@@ -273,7 +289,9 @@ TEST_P(DemImpact, FastOnesMeet)
             EXPECT_GT(s[0].velocity[3*find(s[0], 3)], 0.5*speed);
             for (const int id : {3, 9})
                 for (int d = 0; d < 3; ++d)
-                    EXPECT_NEAR(s[0].velocity[3*find(s[0], id) + d], s[1].velocity[3*find(s[1], id) + d], (mixed() ? 1e-6 : 1e-12)*speed) << id << " " << speed;
+                    EXPECT_NEAR(s[0].velocity[3*find(s[0], id) + d],
+                        s[1].velocity[3*find(s[1], id) + d], (mixed() ? 1e-6 : 1e-12)*speed)
+                        << id << " " << speed;
         }
 }
 
@@ -321,22 +339,44 @@ TEST(DemInput, Refusals)
         DemConfig cc = c;
         DemInput in = good;
         change(cc, in);
-        try { createDemScene(cc, in); } catch (const std::invalid_argument& e) { return std::string(e.what()); }
+        try
+        {
+            createDemScene(cc, in);
+        }
+        catch (const std::invalid_argument& e)
+        {
+            return std::string(e.what());
+        }
         return std::string("accepted");
     };
     const auto expect = [&](auto change, const char* part)
     { const std::string m = message(change); EXPECT_NE(m.find(part), std::string::npos) << m; };
     EXPECT_EQ(message([](DemConfig&, DemInput&) {}), "accepted");
-    expect([](DemConfig&, DemInput& in) { in.pairs[0].properties.normalStiffness = 0; }, "normal stiffness must be positive");
-    expect([](DemConfig& cc, DemInput&) { cc.timeStep = 1; }, "0.5 sqrt(m/k) of contact stone-stone");
+    expect([](DemConfig&, DemInput& in) { in.pairs[0].properties.normalStiffness = 0; },
+        "normal stiffness must be positive");
+    expect(
+        [](DemConfig& cc, DemInput&) { cc.timeStep = 1; }, "0.5 sqrt(m/k) of contact stone-stone");
     expect([](DemConfig&, DemInput& in) { in.pairs.clear(); }, "nothing is said about materials");
     expect([](DemConfig&, DemInput& in) { in.particles.material = {3}; }, "unknown material 3");
     expect([](DemConfig&, DemInput& in) { in.particles.radius[0] = 0; }, "has no radius");
     expect([](DemConfig&, DemInput& in) { in.particles.position[0] = 3; }, "outside the domain");
-    expect([](DemConfig& cc, DemInput&) { cc.normal = "hertz"; cc.tangential = "none"; cc.rolling = "spring"; },
+    expect(
+        [](DemConfig& cc, DemInput&)
+        {
+            cc.normal = "hertz";
+            cc.tangential = "none";
+            cc.rolling = "spring";
+        },
         "rolling friction needs friction");
-    expect([](DemConfig&, DemInput& in) { in.bonds.a = {0}; in.bonds.b = {5}; in.bondTypes.resize(1);
-        in.bondTypes[0].normalStiffness = in.bondTypes[0].shearStiffness = 1; }, "unknown particle");
+    expect(
+        [](DemConfig&, DemInput& in)
+        {
+            in.bonds.a = {0};
+            in.bonds.b = {5};
+            in.bondTypes.resize(1);
+            in.bondTypes[0].normalStiffness = in.bondTypes[0].shearStiffness = 1;
+        },
+        "unknown particle");
     EXPECT_THROW(bondsWithin(c, good.particles, 0, 0.001), std::invalid_argument);
     c.timeStep = 1;
     c.allowLargeStep = true;

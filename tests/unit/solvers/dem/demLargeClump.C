@@ -1,5 +1,5 @@
-/*  A rigid body of more members than a block of the GPU sums at once: a ball hits its corner. Momentum and moment of momentum of both, energy, the
-    same bits again.
+/*  A rigid body of more members than a block of the GPU sums at once: a ball hits its corner.
+    Momentum and moment of momentum of both, energy, the same bits again.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -19,7 +19,8 @@ struct Blow
     double inertia = 0;
 };
 
-//- `across` spheres a side about the origin, and a ball on its way to the corner with the lowest x and the highest y (and z)
+//- `across` spheres a side about the origin, and a ball on its way to the corner with the lowest x
+//  and the highest y (and z)
 Blow blow(DemConfig c, int D, int across)
 {
     const double size = 0.02, offset = 0.5*(across - 1)*size;
@@ -29,7 +30,8 @@ Blow blow(DemConfig c, int D, int across)
         for (int j = 0; j < across; ++j)
             for (int i = 0; i < across; ++i)
             {
-                const double x = i*size - offset, y = j*size - offset, z = D == 3 ? k*size - offset : 0;
+                const double x = i*size - offset, y = j*size - offset,
+                             z = D == 3 ? k*size - offset : 0;
                 addParticle(b.in, {{x, y, z}}, {{0, 0, 0}}, 0.5*size);
                 body.mass += 0.01;
                 b.inertia += 0.01*(x*x + y*y);
@@ -38,7 +40,8 @@ Blow blow(DemConfig c, int D, int across)
     for (int d = 0; d < 3; ++d) body.inertia[d] = b.inertia;
     b.in.particles.clump.assign(b.in.particles.size(), 0);
     b.in.clumps.push_back(body);
-    addParticle(b.in, {{-offset - 1.2*size, offset, D == 3 ? offset : 0}}, {{1, 0, 0}}, 0.5*size, 0.3);
+    addParticle(
+        b.in, {{-offset - 1.2*size, offset, D == 3 ? offset : 0}}, {{1, 0, 0}}, 0.5*size, 0.3);
     b.in.particles.clump.push_back(-1);
     return b;
 }
@@ -84,7 +87,8 @@ TEST_P(DemLargeClump, KeepsWhatABallBrings)
                 const DemClumpState c = scene->clumps();
                 EXPECT_GT(c.velocity[0], 0.1*0.3/b.in.clumps[0].mass) << "the ball must have hit";
                 EXPECT_LT(c.spin[2], -0.01) << "and turned it";
-                for (int k = 0; k < 6; ++k) EXPECT_NEAR(after[k], before[k], (mixed() ? 1e-6 : 1e-12)*0.3) << k;
+                for (int k = 0; k < 6; ++k)
+                    EXPECT_NEAR(after[k], before[k], (mixed() ? 1e-6 : 1e-12)*0.3) << k;
                 EXPECT_NEAR(scene->energy().total(), energy, 1e-3*energy);
                 now = c.velocity;
                 now.insert(now.end(), c.spin.begin(), c.spin.end());

@@ -1,5 +1,5 @@
-/*  DEM scenes of many particles: contacts against brute force (sizes from 1 to 10 as well), momentum and energy, the same bits for any
-    number of threads, restart, settling.
+/*  DEM scenes of many particles: contacts against brute force (sizes from 1 to 10 as well),
+    momentum and energy, the same bits for any number of threads, restart, settling.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -62,7 +62,8 @@ TEST_P(DemMany, FindsEveryContact)
                 c.stepFraction = 0.01;
                 for (int d = 0; d < D; ++d) c.periodic[d] = periodic;
                 const double large = D == 2 ? 0.05 : 0.09;
-                DemInput in = cloud(D == 2 ? 300 : 400, D, large/ratio, large, 11, periodic ? 0.5 : 0.4);
+                DemInput in = cloud(
+                    D == 2 ? 300 : 400, D, large/ratio, large, 11, periodic ? 0.5 : 0.4);
                 auto scene = createDemScene(c, in);
                 for (int k = 0; k < 3; ++k)
                 {
@@ -72,13 +73,17 @@ TEST_P(DemMany, FindsEveryContact)
                     const DemContacts found = scene->contacts();
                     std::set<std::pair<int, int>> pairs;
                     std::map<int, int> counts;
-                    for (const auto* ids : {&found.a, &found.b}) for (const int id : *ids) ++counts[id];
-                    for (std::size_t i = 0; i < s.id.size(); ++i) EXPECT_EQ(s.contacts[i], counts[s.id[i]]);
+                    for (const auto* ids : {&found.a, &found.b})
+                        for (const int id : *ids) ++counts[id];
+                    for (std::size_t i = 0; i < s.id.size(); ++i)
+                        EXPECT_EQ(s.contacts[i], counts[s.id[i]]);
                     for (std::size_t q = 0; q < found.a.size(); ++q)
-                        EXPECT_TRUE(pairs.insert(std::minmax(found.a[q], found.b[q])).second) << "twice";
+                        EXPECT_TRUE(pairs.insert(std::minmax(found.a[q], found.b[q])).second)
+                            << "twice";
                     const auto expected = touching(c, s);
                     EXPECT_GT(expected.size(), 20u);
-                    for (const auto& p : expected) EXPECT_TRUE(pairs.count(p)) << D << " " << ratio << " " << periodic;
+                    for (const auto& p : expected)
+                        EXPECT_TRUE(pairs.count(p)) << D << " " << ratio << " " << periodic;
                     EXPECT_LE(pairs.size(), expected.size() + 2);
                 }
             }
@@ -92,7 +97,8 @@ TEST_P(DemMany, MotionIsThatOfParticles)
         DemConfig c = config(D);
         for (int d = 0; d < D; ++d) c.periodic[d] = true;
         c.orientation = true;
-        auto scene = createDemScene(c, cloud(300, D, 0.03, 0.03, 5, 0.5)), unread = createDemScene(c, cloud(300, D, 0.03, 0.03, 5, 0.5));
+        auto scene = createDemScene(c, cloud(300, D, 0.03, 0.03, 5, 0.5)),
+             unread = createDemScene(c, cloud(300, D, 0.03, 0.03, 5, 0.5));
         scene->advance(1, 25);
         scene->motion();
         scene->advance(1, 25);
@@ -101,13 +107,22 @@ TEST_P(DemMany, MotionIsThatOfParticles)
         const DemState motion = scene->motion(), all = unread->particles();
         EXPECT_GT(*std::max_element(all.contacts.begin(), all.contacts.end()), 0);
         EXPECT_TRUE(motion.contacts.empty());
-        for (const auto field : {&DemState::position, &DemState::velocity, &DemState::spin, &DemState::force, &DemState::moment,
-             &DemState::orientation, &DemState::radius, &DemState::mass}) { EXPECT_EQ(all.*field, motion.*field); }
-        for (const auto field : {&DemState::material, &DemState::group, &DemState::clump, &DemState::id}) { EXPECT_EQ(all.*field, motion.*field); }
+        for (const auto field :
+            {&DemState::position, &DemState::velocity, &DemState::spin, &DemState::force,
+                &DemState::moment, &DemState::orientation, &DemState::radius, &DemState::mass})
+        {
+            EXPECT_EQ(all.*field, motion.*field);
+        }
+        for (const auto field :
+            {&DemState::material, &DemState::group, &DemState::clump, &DemState::id})
+        {
+            EXPECT_EQ(all.*field, motion.*field);
+        }
     }
 }
 
-//- Nothing from outside: linear momentum stays, with friction and damping; an elastic cloud keeps its energy
+//- Nothing from outside: linear momentum stays, with friction and damping; an elastic cloud keeps
+//  its energy
 TEST_P(DemMany, MomentumAndEnergy)
 {
     for (const int D : {2, 3})
@@ -130,7 +145,8 @@ TEST_P(DemMany, MomentumAndEnergy)
             {
                 const DemState s = scene->particles();
                 Vector3 p{{0, 0, 0}};
-                for (std::size_t i = 0; i < s.id.size(); ++i) for (int d = 0; d < D; ++d) p[d] += s.mass[i]*s.velocity[3*i + d];
+                for (std::size_t i = 0; i < s.id.size(); ++i)
+                    for (int d = 0; d < D; ++d) p[d] += s.mass[i]*s.velocity[3*i + d];
                 return p;
             };
             const Vector3 before = momentum();
@@ -138,7 +154,8 @@ TEST_P(DemMany, MomentumAndEnergy)
             scene->advance(1e9, 500);
             const DemEnergy last = scene->energy();
             const double scale = std::sqrt(2*last.total()*200*0.27);
-            for (int d = 0; d < D; ++d) EXPECT_NEAR(momentum()[d], before[d], (mixed() ? 1e-5 : 1e-13)*scale);
+            for (int d = 0; d < D; ++d)
+                EXPECT_NEAR(momentum()[d], before[d], (mixed() ? 1e-5 : 1e-13)*scale);
             if (!rough) EXPECT_NEAR(last.total(), first.total(), 1e-4*first.total());
             else EXPECT_LT(last.total(), first.total());
         }
@@ -178,7 +195,8 @@ DemInput everything(DemConfig& c, int D)
     in.bonds.a = {1, 2, 3};
     in.bonds.b = {2, 3, 4};
     for (int k = 1; k < 5; ++k)
-        for (int d = 0; d < 3; ++d) in.particles.position[3*k + d] = d == 0 ? -0.2 + 0.07*k : (d == 1 ? 0.3 : 0);
+        for (int d = 0; d < 3; ++d)
+            in.particles.position[3*k + d] = d == 0 ? -0.2 + 0.07*k : (d == 1 ? 0.3 : 0);
     DemClump body;
     body.position = Vector3{{0.1, 0.25, 0}};
     body.mass = 0.3;
@@ -188,7 +206,9 @@ DemInput everything(DemConfig& c, int D)
     for (const int k : {10, 11})
     {
         in.particles.clump[k] = 0;
-        for (int d = 0; d < 3; ++d) in.particles.position[3*k + d] = body.position[d] + (d == 0 ? 0.02*(2*k - 21) : 0);
+        for (int d = 0; d < 3; ++d)
+            in.particles.position[3*k + d] = body.position[d]
+                + (d == 0 ? 0.02*(2*k - 21) : 0);
     }
     return in;
 }
@@ -243,7 +263,8 @@ TEST_P(DemMany, RestartIsExact)
     }
 }
 
-//- What a cloud on disk has of a scene: those that are still there, by their ids, with rounded places and speeds
+//- What a cloud on disk has of a scene: those that are still there, by their ids, with rounded
+//  places and speeds
 DemInput asWritten(DemScene& scene, const DemInput& from)
 {
     const DemState s = scene.particles();
@@ -289,7 +310,8 @@ DemInput asWritten(DemScene& scene, const DemInput& from)
     return in;
 }
 
-//- The largest and the smallest particle leave, and one of a bonded pair: what is left goes on as if nothing had been written
+//- The largest and the smallest particle leave, and one of a bonded pair: what is left goes on as
+//  if nothing had been written
 TEST_P(DemMany, RestartWithoutThoseThatLeftIsExact)
 {
     DemConfig c = config(3);
@@ -304,11 +326,13 @@ TEST_P(DemMany, RestartWithoutThoseThatLeftIsExact)
     const int side = 18, n = side*side*side;        // more than one block of the CPU
     for (int k = 0; k < n; ++k)
     {
-        const Vector3 x{{-0.425 + 0.05*(k % side), -0.425 + 0.05*(k/side % side), -0.425 + 0.05*(k/side/side)}};
+        const Vector3 x{{-0.425 + 0.05*(k % side), -0.425 + 0.05*(k/side % side),
+            -0.425 + 0.05*(k/side/side)}};
         Vector3 v{{u(engine), u(engine), u(engine)}};
         double r = 0.0225;
         // corners and an edge
-        if (k == 0 || k == n - 1 || k == side - 1) for (int d = 0; d < 3; ++d) v[d] = x[d] > 0 ? 8 : -8;
+        if (k == 0 || k == n - 1 || k == side - 1)
+            for (int d = 0; d < 3; ++d) v[d] = x[d] > 0 ? 8 : -8;
         if (k == 0) r = 0.024;
         if (k == n - 1) r = 0.02;
         addParticle(in, x, v, r);
@@ -348,7 +372,8 @@ TEST_P(DemMany, RestartWithoutThoseThatLeftIsExact)
     other->loadState(saved);
     EXPECT_EQ(fingerprint(*scene), fingerprint(*other));
     EXPECT_EQ(other->saveState(), scene->saveState());
-    for (DemScene* s : {scene.get(), other.get()}) ASSERT_EQ(s->advance(1e9, 250).stop, DemStop::none);
+    for (DemScene* s : {scene.get(), other.get()})
+        ASSERT_EQ(s->advance(1e9, 250).stop, DemStop::none);
     EXPECT_EQ(fingerprint(*scene), fingerprint(*other));
     EXPECT_EQ(scene->clumps().orientation, other->clumps().orientation);
     EXPECT_GT(scene->contacts().a.size(), 100u);
@@ -369,11 +394,13 @@ DemInput softAndFast(DemConfig& c, int D)
     return in;
 }
 
-//- No pair is missed whatever the skin: lists that hold for no step, the scene's own choice, lists that hold for many
+//- No pair is missed whatever the skin: lists that hold for no step, the scene's own choice, lists
+//  that hold for many
 TEST_P(DemMany, SkinDoesNotMatter)
 {
     for (const int D : {2, 3})
-        for (const DemIntegratorKind kind : {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
+        for (const DemIntegratorKind kind :
+            {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
         {
             DemConfig c = config(D);
             c.integrator = kind;
@@ -393,14 +420,16 @@ TEST_P(DemMany, SkinDoesNotMatter)
             ASSERT_EQ(v[0].size(), v[2].size());
             double most = 0;
             for (std::size_t i = 0; i < v[0].size(); ++i)
-                for (const int other : {0, 1}) most = std::max(most, std::abs(v[other][i] - v[2][i]));
+                for (const int other : {0, 1})
+                    most = std::max(most, std::abs(v[other][i] - v[2][i]));
             EXPECT_LT(most, mixed() ? 0.1 : 1e-6) << D << "D";
             EXPECT_GE(rebuilds[0], 58);
             EXPECT_LT(rebuilds[1], 45);         // by default for 60 as well
         }
 }
 
-//- With a skin that was adapted a run goes on as the one that was not written, bit for bit; also where it has become less again
+//- With a skin that was adapted a run goes on as the one that was not written, bit for bit; also
+//  where it has become less again
 TEST_P(DemMany, RestartWithAdaptedSkinIsExact)
 {
     DemConfig c = config(2);

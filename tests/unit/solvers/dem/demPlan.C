@@ -1,4 +1,5 @@
-/*  What a DEM scene says of itself before it runs: the step's limits; helpers for bonds; forces from outside.
+/*  What a DEM scene says of itself before it runs: the step's limits; helpers for bonds; forces
+    from outside.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -38,7 +39,11 @@ TEST(DemPlan, LimitsOfSprings)
     catch (const std::invalid_argument& e)
     {
         double step = 0, hard = 0, share = 0;
-        EXPECT_EQ(std::sscanf(e.what(), "the time step of %lf s is above %lf s, %lf sqrt(m/k) of contact stone-stone", &step, &hard, &share), 3) << e.what();
+        EXPECT_EQ(std::sscanf(e.what(),
+                      "the time step of %lf s is above %lf s, %lf sqrt(m/k) of contact stone-stone",
+                      &step, &hard, &share),
+            3)
+            << e.what();
         EXPECT_NEAR(step, 0.6*limit, 1e-5*limit);
         EXPECT_NEAR(hard, 0.5*limit, 1e-5*limit);
         EXPECT_NEAR(share, 0.5, 1e-9);
@@ -62,7 +67,8 @@ TEST(DemPlan, LimitsOfSprings)
     EXPECT_NE(p.warnings[0].find("1.401 m/s"), std::string::npos) << p.warnings[0];
 }
 
-//- What a close packing stands: its normal modes (fcc: w^2 = 8 and 40 kappa, hexagonal: 6 and 24 kappa of k/m), and steps that follow
+//- What a close packing stands: its normal modes (fcc: w^2 = 8 and 40 kappa, hexagonal: 6 and 24
+//  kappa of k/m), and steps that follow
 TEST(DemPlan, PackedParticles)
 {
     PackedContact packed;
@@ -179,7 +185,8 @@ TEST_P(DemPlanned, ExternalForces)
         scene->advance(0.2);
         const DemState s = scene->particles();
         const double inertia = (D == 2 ? 0.5 : 0.4)*0.01*1e-4;
-        // leapfrog: the kick at 0.1 s is the mean of the step before and the one after, which is free
+        // leapfrog: the kick at 0.1 s is the mean of the step before and the one after, which is
+        // free
         EXPECT_NEAR(s.velocity[3*find(s, 3) + 1], 2*0.1, 2*1.01e-4);
         EXPECT_NEAR(s.velocity[3*find(s, 1) + 1], 0, 1e-12);
         EXPECT_NEAR(s.spin[3*find(s, 1) + 2], 1e-6/inertia*0.1, 1e-6/inertia*1.01e-4);
@@ -203,7 +210,8 @@ TEST_P(DemPlanned, AxesOfThePlane)
     scene->advance(0.2);
     const DemState s = scene->particles();
     EXPECT_NEAR(s.velocity[0], 2.0/3*0.5, 1e-3);
-    EXPECT_NEAR(s.spin[1], s.velocity[0]/0.01, 0.05);       // rolls towards +x over a floor below: about +y
+    // rolls towards +x over a floor below: about +y
+    EXPECT_NEAR(s.spin[1], s.velocity[0]/0.01, 0.05);
     EXPECT_DOUBLE_EQ(s.position[1], 0.07);
 }
 

@@ -52,7 +52,8 @@ struct Outcome
 
 void include(Outcome& o, DemScene& scene, const DemReport& r, std::size_t owned)
 {
-    for (const auto& row : rowsOf(scene.particles())) EXPECT_TRUE(o.rows.insert(row).second) << "particle " << row.first << " on two ranks";
+    for (const auto& row : rowsOf(scene.particles()))
+        EXPECT_TRUE(o.rows.insert(row).second) << "particle " << row.first << " on two ranks";
     const DemEnergy e = scene.energy();
     o.energy.translation += e.translation;
     o.energy.rotation += e.rotation;
@@ -61,12 +62,20 @@ void include(Outcome& o, DemScene& scene, const DemReport& r, std::size_t owned)
     const auto walls = scene.wallForces();
     o.walls.resize(walls.size());
     for (std::size_t w = 0; w < walls.size(); ++w)
-        for (int d = 0; d < 3; ++d) { o.walls[w].force[d] += walls[w].force[d]; o.walls[w].moment[d] += walls[w].moment[d]; }
+        for (int d = 0; d < 3; ++d)
+        {
+            o.walls[w].force[d] += walls[w].force[d];
+            o.walls[w].moment[d] += walls[w].moment[d];
+        }
     o.deepest = std::max(o.deepest, scene.deepestOverlap());
     const DemContacts c = scene.contacts();
     for (std::size_t k = 0; k < c.a.size(); ++k)
-        EXPECT_TRUE(o.contacts.emplace(std::make_pair(c.a[k], c.b[k]), Vector3{{c.force[3*k], c.force[3*k + 1], c.force[3*k + 2]}}).second);
-    for (std::size_t k = 0; k < r.escapedId.size(); ++k) EXPECT_TRUE(o.escaped.emplace(r.escapedId[k], r.escaped[k]).second);
+        EXPECT_TRUE(o.contacts
+                        .emplace(std::make_pair(c.a[k], c.b[k]),
+                            Vector3{{c.force[3*k], c.force[3*k + 1], c.force[3*k + 2]}})
+                        .second);
+    for (std::size_t k = 0; k < r.escapedId.size(); ++k)
+        EXPECT_TRUE(o.escaped.emplace(r.escapedId[k], r.escaped[k]).second);
     o.passed += r.passedWalls;
     o.report = r;
     o.arrivals += r.rank.arrivals;
@@ -101,7 +110,10 @@ Outcome runOnRanks(int ranks, DemConfig c, const DemInput& in, std::int64_t step
     return o;
 }
 
-void expectNear(double a, double b, double scale, const char* what) { EXPECT_NEAR(a, b, 1e-12*scale) << what; }
+void expectNear(double a, double b, double scale, const char* what)
+{
+    EXPECT_NEAR(a, b, 1e-12*scale) << what;
+}
 
 void expectSame(const Outcome& a, const Outcome& b, int ranks)
 {
@@ -116,10 +128,12 @@ void expectSame(const Outcome& a, const Outcome& b, int ranks)
         ++different;
         for (int k = 0; k < 19 && different == 1; ++k)
         {
-            EXPECT_EQ(row.second[k], other->second[k]) << "number " << k << " of particle " << row.first << " on " << ranks << " ranks";
+            EXPECT_EQ(row.second[k], other->second[k])
+                << "number " << k << " of particle " << row.first << " on " << ranks << " ranks";
         }
     }
-    EXPECT_EQ(different, 0u) << "particles of other bits on " << ranks << " ranks, of " << a.rows.size();
+    EXPECT_EQ(different, 0u) << "particles of other bits on " << ranks << " ranks, of "
+                            << a.rows.size();
     EXPECT_EQ(a.report.steps, b.report.steps);
     EXPECT_EQ(a.report.rebuilds, b.report.rebuilds);
     EXPECT_EQ(a.report.time, b.report.time);
@@ -129,7 +143,8 @@ void expectSame(const Outcome& a, const Outcome& b, int ranks)
     EXPECT_EQ(a.escaped, b.escaped);
     EXPECT_EQ(a.passed, b.passed);
     EXPECT_EQ(a.deepest, b.deepest);
-    const double all = std::abs(a.energy.translation) + std::abs(a.energy.potential) + a.energy.contact;
+    const double all = std::abs(a.energy.translation) + std::abs(a.energy.potential)
+        + a.energy.contact;
     expectNear(a.energy.translation, b.energy.translation, all, "translation");
     expectNear(a.energy.rotation, b.energy.rotation, all, "rotation");
     expectNear(a.energy.potential, b.energy.potential, all, "potential");
@@ -158,7 +173,8 @@ protected:
         std::mt19937 engine(seed);
         std::uniform_real_distribution<double> u(0, 1);
         const double spacing = 2.02*large;
-        const int across = dimensions == 2 ? 12 : 7, layer = dimensions == 2 ? across : across*across;
+        const int across = dimensions == 2 ? 12 : 7,
+                  layer = dimensions == 2 ? across : across*across;
         for (int i = 0; i < n; ++i)
         {
             const double r = small + (large - small)*u(engine);
@@ -167,7 +183,8 @@ protected:
             x[0] = -0.4 + spacing*(q % across) + 0.1*large*u(engine);
             if (dimensions == 3) x[1] = -0.2 + spacing*(q/across) + 0.1*large*u(engine);
             x[dimensions - 1] = -0.44 + spacing*(i/layer) + 0.1*large*u(engine);
-            addParticle(in, x, Vector3{{u(engine) - 0.5, dimensions == 3 ? u(engine) - 0.5 : 0, 0}}, r, 1e4*r*r*r);
+            addParticle(in, x, Vector3{{u(engine) - 0.5, dimensions == 3 ? u(engine) - 0.5 : 0, 0}},
+                r, 1e4*r*r*r);
         }
         addBox(in, dimensions);
         return in;
@@ -183,7 +200,8 @@ protected:
         return c;
     }
 
-    void compare(const DemConfig& c, const DemInput& in, std::int64_t steps, std::vector<int> ranks, bool moves = true) const
+    void compare(const DemConfig& c, const DemInput& in, std::int64_t steps, std::vector<int> ranks,
+        bool moves = true) const
     {
         const Outcome one = runAlone(c, in, steps);
         for (const int n : ranks)
@@ -195,11 +213,20 @@ protected:
     }
 };
 
-TEST_P(DemRanks, columnCollapse) { compare(falling(3), column(3, 700, 0.014, 0.02, 5), 900, {2, 3, 4}); }
+TEST_P(DemRanks, columnCollapse)
+{
+    compare(falling(3), column(3, 700, 0.014, 0.02, 5), 900, {2, 3, 4});
+}
 
-TEST_P(DemRanks, columnCollapseOfManySizes) { compare(falling(3), column(3, 500, 0.005, 0.025, 9), 900, {2, 4}); }
+TEST_P(DemRanks, columnCollapseOfManySizes)
+{
+    compare(falling(3), column(3, 500, 0.005, 0.025, 9), 900, {2, 4});
+}
 
-TEST_P(DemRanks, columnCollapseOfDisks) { compare(falling(2), column(2, 300, 0.008, 0.016, 5), 1500, {2, 3, 5}); }
+TEST_P(DemRanks, columnCollapseOfDisks)
+{
+    compare(falling(2), column(2, 300, 0.008, 0.016, 5), 1500, {2, 3, 5});
+}
 
 TEST_P(DemRanks, hertzAndVerlet)
 {
@@ -211,7 +238,8 @@ TEST_P(DemRanks, hertzAndVerlet)
     compare(c, column(3, 400, 0.014, 0.02, 3), 900, {2, 3});
 }
 
-//- Fast particles in a box without sides: they cross borders and periodic sides all the time, also at corners
+//- Fast particles in a box without sides: they cross borders and periodic sides all the time, also
+//  at corners
 class DemRanksOfGas : public DemRanks
 {
 protected:
@@ -230,8 +258,10 @@ protected:
         {
             Vector3 x{{0, 0, 0}};
             int k = i;
-            for (int d = 0; d < D; ++d, k /= across) x[d] = -0.5 + (k % across + 0.5 + 0.1*u(engine))/across;
-            addParticle(in, x, Vector3{{u(engine), u(engine), D == 3 ? u(engine) : 0}}, D == 2 ? 0.02 : 0.04, 0.01);
+            for (int d = 0; d < D; ++d, k /= across)
+                x[d] = -0.5 + (k % across + 0.5 + 0.1*u(engine))/across;
+            addParticle(in, x, Vector3{{u(engine), u(engine), D == 3 ? u(engine) : 0}},
+                D == 2 ? 0.02 : 0.04, 0.01);
         }
         compare(c, in, 1200, {2, 3, 8});
     }
@@ -241,7 +271,8 @@ TEST_P(DemRanksOfGas, inAPeriodicBox) { run(3); }
 
 TEST_P(DemRanksOfGas, inAPeriodicSquare) { run(2); }
 
-//- A tray of triangles that shakes: walls remember touches by their normals, and go with particles from rank to rank
+//- A tray of triangles that shakes: walls remember touches by their normals, and go with particles
+//  from rank to rank
 TEST_P(DemRanks, shakenSurfaces)
 {
     DemConfig c = falling(3);
@@ -250,8 +281,10 @@ TEST_P(DemRanks, shakenSurfaces)
     DemWall tray;
     tray.name = "tray";
     tray.motion = 0;
-    tray.vertices = {-0.45, -0.45, -0.46, 0.45, -0.45, -0.46, 0.45, 0.45, -0.46, -0.45, 0.45, -0.46, -0.49, -0.49, 0.4, 0.49, -0.49, 0.4, 0.49, 0.49, 0.4, -0.49, 0.49, 0.4};
-    tray.elements = {0, 1, 2, 0, 2, 3, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+    tray.vertices = {-0.45, -0.45, -0.46, 0.45, -0.45, -0.46, 0.45, 0.45, -0.46, -0.45, 0.45, -0.46,
+        -0.49, -0.49, 0.4, 0.49, -0.49, 0.4, 0.49, 0.49, 0.4, -0.49, 0.49, 0.4};
+    tray.elements = {
+        0, 1, 2, 0, 2, 3, 0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
     in.walls.push_back(tray);
     in.wallMotion = [](int, double t)
     {
@@ -287,8 +320,11 @@ TEST_P(DemRanks, manyBlocks)
     {
         const int across = 24;
         const double r = 0.0175;
-        addParticle(in, Vector3{{-0.44 + 2*r*(i % across) + 1e-3*u(engine), -0.44 + 2*r*(i/across % across) + 1e-3*u(engine),
-          -0.44 + 1.98*r*(i/across/across) + 1e-3*u(engine)}}, Vector3{{u(engine), u(engine), u(engine)}}, r, 0.02);
+        addParticle(in,
+            Vector3{{-0.44 + 2*r*(i % across) + 1e-3*u(engine),
+                -0.44 + 2*r*(i/across % across) + 1e-3*u(engine),
+                -0.44 + 1.98*r*(i/across/across) + 1e-3*u(engine)}},
+            Vector3{{u(engine), u(engine), u(engine)}}, r, 0.02);
     }
     addBox(in, 3);
     compare(c, in, 150, {2, 3});
@@ -347,8 +383,10 @@ TEST_P(DemRanks, advancesInPieces)
     expectSame(one, three, 3);
 }
 
-//- So many ranks go on from a state (empty: from the beginning) for some steps, and save theirs; 1: one process, without ranks
-Outcome goOn(int ranks, const DemConfig& c, const DemInput& in, std::vector<std::int32_t>& state, std::int64_t steps)
+//- So many ranks go on from a state (empty: from the beginning) for some steps, and save theirs; 1:
+//  one process, without ranks
+Outcome goOn(int ranks, const DemConfig& c, const DemInput& in, std::vector<std::int32_t>& state,
+    std::int64_t steps)
 {
     Outcome o;
     std::mutex mutex;
@@ -379,14 +417,16 @@ Outcome goOn(int ranks, const DemConfig& c, const DemInput& in, std::vector<std:
     return o;
 }
 
-//- Words of a state are those of one process; 4, 1 and 3 ranks go on with each other's, and end with the bits of one that did not change
+//- Words of a state are those of one process; 4, 1 and 3 ranks go on with each other's, and end
+//  with the bits of one that did not change
 TEST_P(DemRanks, savedStates)
 {
     for (const int dimensions : {2, 3})
     {
         DemConfig c = falling(dimensions);
         c.orientation = dimensions == 3;
-        const DemInput in = dimensions == 2 ? column(2, 200, 0.008, 0.016, 5) : column(3, 400, 0.014, 0.02, 5);
+        const DemInput in = dimensions == 2 ? column(2, 200, 0.008, 0.016, 5)
+                                            : column(3, 400, 0.014, 0.02, 5);
         std::vector<std::int32_t> one, many;
         Outcome a, b;
         for (const int ranks : {4, 1, 3})
@@ -475,10 +515,13 @@ TEST_P(DemRanks, aWholeScene)
         const DemContacts contacts = scene->contacts();
         for (std::size_t k = 0; k < contacts.a.size(); ++k)
         {
-            const Vector3 f{{contacts.force[3*k], contacts.force[3*k + 1], contacts.force[3*k + 2]}};
-            EXPECT_TRUE(whole.contacts.emplace(std::make_pair(contacts.a[k], contacts.b[k]), f).second);
+            const Vector3 f{
+                {contacts.force[3*k], contacts.force[3*k + 1], contacts.force[3*k + 2]}};
+            EXPECT_TRUE(
+                whole.contacts.emplace(std::make_pair(contacts.a[k], contacts.b[k]), f).second);
         }
-        for (std::size_t k = 0; k < r.escapedId.size(); ++k) whole.escaped.emplace(r.escapedId[k], r.escaped[k]);
+        for (std::size_t k = 0; k < r.escapedId.size(); ++k)
+            whole.escaped.emplace(r.escapedId[k], r.escaped[k]);
         whole.passed = r.passedWalls;
         whole.report = r;
         std::lock_guard<std::mutex> lock(mutex);
@@ -487,7 +530,8 @@ TEST_P(DemRanks, aWholeScene)
     EXPECT_GT(one.escaped.size(), 0u);
 }
 
-//- Step by step: walls, energies and overlaps right after rebuilds as well, when particles have just arrived
+//- Step by step: walls, energies and overlaps right after rebuilds as well, when particles have
+//  just arrived
 TEST_P(DemRanks, whatIsReadBackAfterEachStep)
 {
     constexpr int steps = 1200;
@@ -517,14 +561,20 @@ TEST_P(DemRanks, whatIsReadBackAfterEachStep)
         for (Read& r : three) read(*scene, r);
     });
     double energy = 0, force = 0;
-    for (const Read& r : one) { energy = std::max(energy, r.energy); force = std::max(force, std::abs(r.wall[4][2])); }
+    for (const Read& r : one)
+    {
+        energy = std::max(energy, r.energy);
+        force = std::max(force, std::abs(r.wall[4][2]));
+    }
     EXPECT_GT(force, 0);
     for (int k = 0; k < steps; ++k)
     {
         ASSERT_NEAR(one[k].energy, three[k].energy, 1e-12*energy) << "step " << k;
         ASSERT_EQ(one[k].deepest, three[k].deepest) << "step " << k;
         for (int w = 0; w < 6; ++w)
-            for (int d = 0; d < 3; ++d) ASSERT_NEAR(one[k].wall[w][d], three[k].wall[w][d], 1e-12*force) << "step " << k << ", wall " << w;
+            for (int d = 0; d < 3; ++d)
+                ASSERT_NEAR(one[k].wall[w][d], three[k].wall[w][d], 1e-12*force)
+                    << "step " << k << ", wall " << w;
     }
 }
 
@@ -569,7 +619,12 @@ TEST_P(DemRanks, interruptsStopAllRanks)
         auto scene = createDemScene(own, in);
         std::thread other;
         if (transport.rank() == 1)
-            other = std::thread([&] { std::this_thread::sleep_for(std::chrono::milliseconds(300)); scene->interrupt(); });
+            other = std::thread(
+                [&]
+                {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                    scene->interrupt();
+                });
         const DemReport r = scene->advance(1e9, 100000000);
         if (other.joinable()) other.join();
         std::lock_guard<std::mutex> lock(mutex);
@@ -612,8 +667,10 @@ TEST_P(DemRanks, refusesWhatIsNotThereYet)
         return text;
     };
     EXPECT_EQ(why([](DemConfig&, DemInput&) {}), "");
-    EXPECT_NE(why([](DemConfig& c, DemInput&) { c.device = DeviceKind::gpu; }).find("CPU"), std::string::npos);
-    EXPECT_NE(why([](DemConfig& c, DemInput&) { c.sleepSpeed = 1e-3; }).find("sleep"), std::string::npos);
+    EXPECT_NE(why([](DemConfig& c, DemInput&) { c.device = DeviceKind::gpu; }).find("CPU"),
+        std::string::npos);
+    EXPECT_NE(
+        why([](DemConfig& c, DemInput&) { c.sleepSpeed = 1e-3; }).find("sleep"), std::string::npos);
     EXPECT_NE(why([](DemConfig&, DemInput& in)
     {
         in.bonds = DemBonds{{0}, {1}, {}, {}};
@@ -635,7 +692,8 @@ TEST_P(DemRanks, refusesWhatIsNotThereYet)
         catch (const std::invalid_argument& e) { text = e.what(); }
         return text;
     };
-    EXPECT_NE(later([](DemScene& s) { s.setExternalForces({}, {}); }).find("outside"), std::string::npos);
+    EXPECT_NE(
+        later([](DemScene& s) { s.setExternalForces({}, {}); }).find("outside"), std::string::npos);
     EXPECT_NE(why([](DemConfig&, DemInput& in)
     {
         DemClump clump;
@@ -647,7 +705,8 @@ TEST_P(DemRanks, refusesWhatIsNotThereYet)
     }).find("rigid bodies"), std::string::npos);
 }
 
-const auto onCpus = testing::Values(DemCase{DeviceKind::cpu, PrecisionKind::mixed}, DemCase{DeviceKind::cpu, PrecisionKind::doubled});
+const auto onCpus = testing::Values(DemCase{DeviceKind::cpu, PrecisionKind::mixed},
+    DemCase{DeviceKind::cpu, PrecisionKind::doubled});
 INSTANTIATE_TEST_SUITE_P(Dem, DemRanks, onCpus, demCaseName);
 INSTANTIATE_TEST_SUITE_P(Dem, DemRanksOfGas, onCpus, demCaseName);
 

@@ -1,4 +1,5 @@
-/*  Steps of a small scene in one launch (solvers/dem/parts/demBlockSteps.hpp) have the bits of those in a launch each, which is what they are while kernels are timed.
+/*  Steps of a small scene in one launch (solvers/dem/parts/demBlockSteps.hpp) have the bits of
+    those in a launch each, which is what they are while kernels are timed.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -22,7 +23,8 @@ protected:
         for (int k = 0; k < layers; ++k)
             for (int j = 0; j < across; ++j)
                 for (int i = 0; i < across; ++i)
-                    addParticle(in, {{0.02*i - 0.1, 0.02*j - 0.4, D == 3 ? 0.02*k - 0.1 : 0}}, {{1.5, -1, D == 3 ? 0.4 : 0}});
+                    addParticle(in, {{0.02*i - 0.1, 0.02*j - 0.4, D == 3 ? 0.02*k - 0.1 : 0}},
+                        {{1.5, -1, D == 3 ? 0.4 : 0}});
         in.bondTypes.emplace_back();
         in.bondTypes[0].normalStiffness = in.bondTypes[0].shearStiffness = 2e4;
         in.bondTypes[0].tensileStrength = D == 2 ? 30 : 300;
@@ -30,7 +32,9 @@ protected:
         std::mt19937 engine(5);
         std::uniform_real_distribution<double> u(-1, 1);
         for (int i = 0; i < loose; ++i)
-            addParticle(in, {{0.4*u(engine), 0.2 + 0.2*u(engine), D == 3 ? 0.4*u(engine) : 0}}, {{u(engine), u(engine), D == 3 ? u(engine) : 0}}, 0.008 + 0.002*u(engine));
+            addParticle(in,
+                {{0.4*u(engine), 0.2 + 0.2*u(engine), D == 3 ? 0.4*u(engine) : 0}},
+                {{u(engine), u(engine), D == 3 ? u(engine) : 0}}, 0.008 + 0.002*u(engine));
         addBox(in, D);
         return in;
     }
@@ -68,7 +72,11 @@ TEST_P(DemOneBlock, BitsOfALaunchEach)
         if (GetParam().device == DeviceKind::gpu)
         {
             const auto ran = [](const std::vector<KernelInfo>& kernels)
-            { return std::any_of(kernels.begin(), kernels.end(), [](const KernelInfo& k) { return std::string(k.name) == "blockSteps" && k.launches > 0; }); };
+            {
+                return std::any_of(kernels.begin(), kernels.end(),
+                    [](const KernelInfo& k)
+                    { return std::string(k.name) == "blockSteps" && k.launches > 0; });
+            };
             EXPECT_TRUE(ran(one->kernels()));
             EXPECT_FALSE(ran(each->kernels()));
         }

@@ -1,4 +1,5 @@
-/*  Sleep of particles at rest: who sleeps, what it costs in accuracy and gains in time, what wakes them, restart with sleepers.
+/*  Sleep of particles at rest: who sleeps, what it costs in accuracy and gains in time, what wakes
+    them, restart with sleepers.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -19,7 +20,9 @@ DemInput pit(DemConfig& c, int side, int layers)
 {
     c.gravity = Vector3{{0, 0, -gravity}};
     c.tangential = "history";
-    c.stepFraction = 0.03;          // so many contacts with strong dashpots: at longer steps spins swing from half step to half step
+    // so many contacts with strong dashpots: at longer steps spins swing from half step to half
+    // step
+    c.stepFraction = 0.03;
     c.sleepAfter = 0.01;
     DemInput in = oneMaterial();
     PairProperties& p = in.pairs[0].properties;
@@ -37,7 +40,9 @@ DemInput pit(DemConfig& c, int side, int layers)
     in.walls.push_back(planeWall({{0, 0, -0.4}}, {{0, 0, 1}}));
     for (int l = 0; l < layers; ++l)
         for (int k = 0, n = side - l % 2; k < n*n; ++k)
-            addParticle(in, {{radius*(2*(k % n) + 1 - n), radius*(2*(k/n) + 1 - n), -0.4 + radius*(1 + std::sqrt(2.0)*l)}});
+            addParticle(in,
+                {{radius*(2*(k % n) + 1 - n), radius*(2*(k/n) + 1 - n),
+                    -0.4 + radius*(1 + std::sqrt(2.0)*l)}});
     return in;
 }
 
@@ -45,12 +50,15 @@ double largestDifference(const DemState& a, const DemState& b)
 {
     double most = 0;
     for (std::size_t i = 0; i < a.id.size(); ++i)
-        for (int d = 0; d < 3; ++d) most = std::max(most, std::abs(a.position[3*i + d] - b.position[3*find(b, a.id[i]) + d]));
+        for (int d = 0; d < 3; ++d)
+            most = std::max(
+                most, std::abs(a.position[3*i + d] - b.position[3*find(b, a.id[i]) + d]));
     return most;
 }
 
-//- The settled pile sleeps where the other lies awake, apart by far less than the way v_s t that sleepers could still have gone. Who falls
-//  asleep slows down from v_s within sleepAfter: forces are out of balance by no more than some m v_s/sleepAfter, 1 % of the weight
+//- The settled pile sleeps where the other lies awake, apart by far less than the way v_s t that
+//  sleepers could still have gone. Who falls asleep slows down from v_s within sleepAfter: forces
+//  are out of balance by no more than some m v_s/sleepAfter, 1 % of the weight
 TEST_P(DemSleep, PileFallsAsleepWhereItLies)
 {
     DemConfig c = config(3);
@@ -68,10 +76,12 @@ TEST_P(DemSleep, PileFallsAsleepWhereItLies)
     double load = 0;
     for (const DemWallForce& w : sleeping->wallForces()) load += w.force[2];
     EXPECT_NEAR(load, -weight, 0.03*weight);
-    EXPECT_NEAR(sleeping->energy().total(), awake->energy().total(), 1e-3*std::abs(awake->energy().total()));
+    EXPECT_NEAR(sleeping->energy().total(), awake->energy().total(),
+        1e-3*std::abs(awake->energy().total()));
 }
 
-//- What comes near wakes those that it is about to hit, and they carry the impact on; later all sleep again
+//- What comes near wakes those that it is about to hit, and they carry the impact on; later all
+//  sleep again
 TEST_P(DemSleep, WhatMovesNearWakes)
 {
     DemConfig c = config(3);
@@ -96,7 +106,11 @@ TEST_P(DemSleep, WhatMovesNearWakes)
     // the same pile but for where the last one came to lie
     DemState s = scene->particles(), w = awake->particles();
     double mean = 0, other = 0;
-    for (std::size_t i = 0; i < s.id.size(); ++i) { mean += s.position[3*i + 2]; other += w.position[3*i + 2]; }
+    for (std::size_t i = 0; i < s.id.size(); ++i)
+    {
+        mean += s.position[3*i + 2];
+        other += w.position[3*i + 2];
+    }
     EXPECT_NEAR(mean, other, 0.02*radius*double(s.id.size()));
 }
 
@@ -145,7 +159,8 @@ TEST_P(DemSleep, RestartIsExact)
 //- Steps of a sleeping pile take a fraction of the time
 TEST_P(DemSleep, SavesTime)
 {
-    if (GetParam().device == DeviceKind::gpu) GTEST_SKIP() << "so few particles take a GPU no longer awake than asleep";
+    if (GetParam().device == DeviceKind::gpu)
+        GTEST_SKIP() << "so few particles take a GPU no longer awake than asleep";
     DemConfig c = config(3);
     DemInput in = pit(c, 12, 7);
     double used[2];

@@ -25,11 +25,17 @@ DemInput flying(int dimensions)
         for (int j = 0; j < across; ++j)
             for (int i = 0; i < across; ++i)
             {
-                const Vector3 x{{0.12*(i - 2.5), 0.12*(j - 2.5), dimensions == 3 ? 0.12*(k - 2.5) : 0}};
-                addParticle(in, x, {{among(random), among(random), dimensions == 3 ? among(random) : 0}}, 0.03 + 0.02*std::abs(among(random)));
+                const Vector3 x{
+                    {0.12*(i - 2.5), 0.12*(j - 2.5), dimensions == 3 ? 0.12*(k - 2.5) : 0}};
+                addParticle(in, x,
+                    {{among(random), among(random), dimensions == 3 ? among(random) : 0}},
+                    0.03 + 0.02*std::abs(among(random)));
                 in.particles.group.push_back((i + j + k) % 2);
                 in.particles.clump.push_back(-1);
-                for (int d = 0; d < 3; ++d) in.particles.spin[in.particles.spin.size() - 1 - d] = dimensions == 3 || d == 0 ? 5*among(random) : 0;
+                for (int d = 0; d < 3; ++d)
+                    in.particles.spin[in.particles.spin.size() - 1 - d] = dimensions == 3 || d == 0
+                        ? 5*among(random)
+                        : 0;
             }
     in.particles.clump[0] = in.particles.clump[2] = 0;
     DemClump body;
@@ -81,8 +87,9 @@ TEST_P(DemSums, AreThoseOfALoop)
                     all.linear[d] += m*u[d];
                 }
                 for (int d = D == 2 ? 2 : 0; d < 3; ++d)
-                    all.angular[d] += m*(x[(d + 1) % 3]*u[(d + 2) % 3] - x[(d + 2) % 3]*u[(d + 1) % 3])
-                      + (D == 2 ? 0.5 : 0.4)*m*s.radius[i]*s.radius[i]*s.spin[3*i + d];
+                    all.angular[d] += m
+                            *(x[(d + 1) % 3]*u[(d + 2) % 3] - x[(d + 2) % 3]*u[(d + 1) % 3])
+                        + (D == 2 ? 0.5 : 0.4)*m*s.radius[i]*s.radius[i]*s.spin[3*i + d];
             }
             const DemGroupSums found = scene->groupSums(group);
             EXPECT_EQ(found.particles, r.particles);

@@ -1,4 +1,5 @@
-/*  Walls and rigid bodies: triangles feel as a plane, corners and edges, moving walls; clumps as rigid bodies.
+/*  Walls and rigid bodies: triangles feel as a plane, corners and edges, moving walls; clumps as
+    rigid bodies.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,12 +33,14 @@ DemWall meshedPlane(int D, int n)
         for (int i = 0; i < n; ++i)
         {
             const int a = j*(n + 1) + i;
-            for (const int v : {a, a + 1, a + n + 2, a, a + n + 2, a + n + 1}) w.elements.push_back(v);
+            for (const int v : {a, a + 1, a + n + 2, a, a + n + 2, a + n + 1})
+                w.elements.push_back(v);
         }
     return w;
 }
 
-//- Rolling and bouncing over the edges of triangles far smaller, alike and larger than the sphere: as over the plane to 1e-10, in either precision
+//- Rolling and bouncing over the edges of triangles far smaller, alike and larger than the sphere:
+//  as over the plane to 1e-10, in either precision
 TEST_P(DemWalls, TrianglesFeelAsAPlane)
 {
     for (const int D : {2, 3})
@@ -60,7 +63,8 @@ TEST_P(DemWalls, TrianglesFeelAsAPlane)
                 for (const int mesh : {0, 1})
                 {
                     in.walls.clear();
-                    in.walls.push_back(mesh ? meshedPlane(D, n) : planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
+                    in.walls.push_back(
+                        mesh ? meshedPlane(D, n) : planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
                     auto scene = createDemScene(c, in);
                     const DemReport r = scene->advance(0.3);
                     EXPECT_EQ(r.stop, DemStop::none);
@@ -70,14 +74,16 @@ TEST_P(DemWalls, TrianglesFeelAsAPlane)
                 EXPECT_GT(s[1].position[0], -0.2);
                 for (int d = 0; d < 3; ++d)
                 {
-                    EXPECT_NEAR(s[0].position[d], s[1].position[d], 1e-10) << D << " " << n << " " << tilt;
+                    EXPECT_NEAR(s[0].position[d], s[1].position[d], 1e-10)
+                        << D << " " << n << " " << tilt;
                     EXPECT_NEAR(s[0].velocity[d], s[1].velocity[d], 1e-9);
                     EXPECT_NEAR(s[0].spin[d], s[1].spin[d], 1e-7);
                 }
             }
 }
 
-//- A surface goes on across periodic sides, seam included: a sphere that crosses them rolls and bounces as over the plane
+//- A surface goes on across periodic sides, seam included: a sphere that crosses them rolls and
+//  bounces as over the plane
 TEST_P(DemWalls, SurfacesCrossPeriodicSides)
 {
     for (const int D : {2, 3})
@@ -100,7 +106,8 @@ TEST_P(DemWalls, SurfacesCrossPeriodicSides)
             for (const int mesh : {0, 1})
             {
                 in.walls.clear();
-                in.walls.push_back(mesh ? meshedPlane(D, n) : planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
+                in.walls.push_back(
+                    mesh ? meshedPlane(D, n) : planeWall({{0, -0.2, 0}}, {{0, 1, 0}}));
                 auto scene = createDemScene(c, in);
                 EXPECT_EQ(scene->advance(0.4).stop, DemStop::none);
                 s[mesh] = scene->particles();
@@ -118,7 +125,8 @@ TEST_P(DemWalls, SurfacesCrossPeriodicSides)
         }
 }
 
-//- A sphere that falls beside the end of a plate turns about its edge; on a corner of two plates it rests on both, and only on both
+//- A sphere that falls beside the end of a plate turns about its edge; on a corner of two plates it
+//  rests on both, and only on both
 TEST_P(DemWalls, EdgesAndCorners)
 {
     for (const int D : {2, 3})
@@ -130,7 +138,8 @@ TEST_P(DemWalls, EdgesAndCorners)
         DemWall w;
         w.name = "corner";
         for (const double z : {-0.4, 0.4})
-            for (const Vector3 x : {Vector3{{-0.1, 0.1, 0}}, Vector3{{0, 0, 0}}, Vector3{{0.1, 0.1, 0}}})
+            for (const Vector3 x :
+                {Vector3{{-0.1, 0.1, 0}}, Vector3{{0, 0, 0}}, Vector3{{0.1, 0.1, 0}}})
             {
                 w.vertices.push_back(x[0]);
                 w.vertices.push_back(x[1]);
@@ -159,7 +168,8 @@ TEST_P(DemWalls, EdgeIsFelt)
         DemInput in = oneMaterial();
         DemWall w = meshedPlane(D, 4);
         in.walls.push_back(w);
-        // beside the end of the plane, centre 0.006 out and 0.006 above: touches the edge by R - 0.006 sqrt(2)
+        // beside the end of the plane, centre 0.006 out and 0.006 above: touches the edge by R -
+        // 0.006 sqrt(2)
         addParticle(in, {{0.456, -0.194, 0.013}});
         auto scene = createDemScene(c, in);
         const DemContacts k = scene->contacts();
@@ -211,14 +221,16 @@ TEST_P(DemWalls, MovingWalls)
     r = scene->advance(0.05);
     EXPECT_EQ(r.stop, DemStop::none) << r.stopMessage;
     s = scene->particles();
-    // The surface runs at w x r = (0, 3, 0) x (0.1, ., 0) = (0, 0, -0.3). The sphere slides until 0.3/(3.5 mu g) = 0.017 s,
-    // then rolls with 2/7 of it, and is turned with 2/7 of w (turntable): by 1 - cos(0.03) = 4e-4 of it until the end
+    // The surface runs at w x r = (0, 3, 0) x (0.1, ., 0) = (0, 0, -0.3). The sphere slides until
+    // 0.3/(3.5 mu g) = 0.017 s, then rolls with 2/7 of it, and is turned with 2/7 of w (turntable):
+    // by 1 - cos(0.03) = 4e-4 of it until the end
     EXPECT_NEAR(s.velocity[2], -0.3*2/7, 1e-3*0.3);
     EXPECT_NEAR(s.velocity[2] - 0.01*s.spin[0], -0.3, 1e-3*0.3) << "it rolls: no slip at the floor";
 }
 
-//- Motions are asked for neither before the run nor after its target, where a table may end; an accelerated plate and a group that
-//  moves alike are where the motion says at every target all the same: x = a t^2/2, exact at the samples, for the table's polynomial
+//- Motions are asked for neither before the run nor after its target, where a table may end; an
+//  accelerated plate and a group that moves alike are where the motion says at every target all the
+//  same: x = a t^2/2, exact at the samples, for the table's polynomial
 TEST_P(DemWalls, MotionsAreAskedForWithinTheRun)
 {
     DemConfig c = config(3);
@@ -282,12 +294,14 @@ TEST_P(DemWalls, TooFastWallIsRefused)
     EXPECT_NE(r.stopMessage.find("wall"), std::string::npos);
 }
 
-//- A soft body that is pressed through a plate beyond its centre comes back on the side that it came from, with all of its energy; one that not even a
-//  whole diameter of overlap holds is said to have passed
+//- A soft body that is pressed through a plate beyond its centre comes back on the side that it
+//  came from, with all of its energy; one that not even a whole diameter of overlap holds is said
+//  to have passed
 TEST_P(DemWalls, SoftBodiesStayOnTheirSide)
 {
     for (const int D : {2, 3})
-        for (const double speed : {2.0, 5.0, 6.0, 9.0})         // overlaps of 0.6, 1.6, 1.9 and 2.8 radii
+        // overlaps of 0.6, 1.6, 1.9 and 2.8 radii
+        for (const double speed : {2.0, 5.0, 6.0, 9.0})
         {
             DemConfig c = config(D);
             DemInput in = oneMaterial(1e3);
@@ -335,7 +349,8 @@ TEST_P(DemWalls, OverlapOfOneThatIsPressedThrough)
     EXPECT_NEAR(deepest, 0.01 - 5*std::sqrt(0.01/1e3), 2e-4);
 }
 
-//- The same at the end of the domain, where its centre is outside meanwhile: it has not escaped where a wall is said to stand there
+//- The same at the end of the domain, where its centre is outside meanwhile: it has not escaped
+//  where a wall is said to stand there
 TEST_P(DemWalls, PressedIntoTheWallOfTheDomain)
 {
     for (const int D : {2, 3})
@@ -363,14 +378,20 @@ DemInput dumbbell(Vector3 inertia, Vector3 spin)
     k.spin = spin;
     k.velocity = Vector3{{0.1, 0, 0}};
     in.clumps.push_back(k);
-    for (const double x : {-0.02, 0.02}) { addParticle(in, {{x, 0, 0}}, {{0, 0, 0}}, 0.015); in.particles.clump.push_back(0); }
+    for (const double x : {-0.02, 0.02})
+    {
+        addParticle(in, {{x, 0, 0}}, {{0, 0, 0}}, 0.015);
+        in.particles.clump.push_back(0);
+    }
     return in;
 }
 
-//- Velocity and spin of a body are those of now, not of half a step ago: under a force and a moment that stay v = F t/m and w = M t/I
+//- Velocity and spin of a body are those of now, not of half a step ago: under a force and a moment
+//  that stay v = F t/m and w = M t/I
 TEST_P(DemWalls, ClumpsVelocityAndSpinAreOfNow)
 {
-    for (const DemIntegratorKind kind : {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
+    for (const DemIntegratorKind kind :
+        {DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet})
     {
         DemConfig c = config(3);
         c.integrator = kind;
@@ -389,7 +410,8 @@ TEST_P(DemWalls, ClumpsVelocityAndSpinAreOfNow)
     }
 }
 
-//- Free rotation: about a principal axis as a clock; about the middle axis it tumbles, with energy and angular momentum kept
+//- Free rotation: about a principal axis as a clock; about the middle axis it tumbles, with energy
+//  and angular momentum kept
 TEST_P(DemWalls, ClumpTurnsFreely)
 {
     for (const int D : {2, 3})
@@ -418,7 +440,8 @@ TEST_P(DemWalls, ClumpTurnsFreely)
         // second order in w dt = 1e-3
         EXPECT_NEAR(scene->energy().rotation, before, 1e-5*before);
     }
-    EXPECT_GT(least, 5);                    // the spin in space stays near L, though the body turns over
+    // the spin in space stays near L, though the body turns over
+    EXPECT_GT(least, 5);
 }
 
 //- A clump of one sphere is a sphere

@@ -1,4 +1,5 @@
-/*  Scenes with each combination of the contact laws in the tables: GPU against CPU, single precision against double.
+/*  Scenes with each combination of the contact laws in the tables: GPU against CPU, single
+    precision against double.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -12,8 +13,9 @@ namespace
 
 class LawScenes : public DemTest {};
 
-//- A handful of bodies that fall onto each other and a wall, each combination of laws: on each device and in each precision as on the CPU in
-//  double, as far as chaos lets it within so few impacts
+//- A handful of bodies that fall onto each other and a wall, each combination of laws: on each
+//  device and in each precision as on the CPU in double, as far as chaos lets it within so few
+//  impacts
 TEST_P(LawScenes, AreAsOnTheCpu)
 {
     eachLaw([&](auto law, const LawChoice& choice)
@@ -31,7 +33,10 @@ TEST_P(LawScenes, AreAsOnTheCpu)
             pair.properties = typical(lawEntries(choice), false);
             in.pairs.push_back(pair);
             for (int k = 0; k < 8; ++k)
-                addParticle(in, {{0.0101*(k % 2) + 0.0005*k, 0.019*(k/2 % 2), -0.4899 + 0.0205*(k/4)}}, {{0.1*k, -0.05*k, -0.2}}, 0.01 - 0.0005*(k % 3));
+                addParticle(in,
+                    {{0.0101*(k % 2) + 0.0005*k, 0.019*(k/2 % 2),
+                        -0.4899 + 0.0205*(k/4)}},
+                    {{0.1*k, -0.05*k, -0.2}}, 0.01 - 0.0005*(k % 3));
             in.walls.push_back(planeWall({{0, 0, -0.5}}, {{0, 0, 1}}));
             auto scene = createDemScene(c, in);
             scene->advance(0.005);
@@ -50,7 +55,8 @@ TEST_P(LawScenes, AreAsOnTheCpu)
             for (int d = 0; d < 3; ++d)
             {
                 const double v = there.velocity[3*find(there, id) + d];
-                EXPECT_NEAR(s.velocity[3*find(s, id) + d], v, mixed() ? 2e-3 : 1e-6) << nameOf(choice) << " " << id << " " << d;
+                EXPECT_NEAR(s.velocity[3*find(s, id) + d], v, mixed() ? 2e-3 : 1e-6)
+                    << nameOf(choice) << " " << id << " " << d;
             }
     });
 }

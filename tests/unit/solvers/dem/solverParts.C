@@ -1,4 +1,5 @@
-/*  Parts of the solver of solids by themselves (solvers/dem/parts): prescribed motions, and how far neighbours are sought.
+/*  Parts of the solver of solids by themselves (solvers/dem/parts): prescribed motions, and how far
+    neighbours are sought.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -96,7 +97,8 @@ TEST(SearchReach, SkinsFollowTheSmallestRadiusAndTheDomain)
     reach.set(0.008);
     EXPECT_EQ(reach.state().skin, 0.008);
     EXPECT_EQ(reach.state().radii.largest, reach.radii.largest);
-    // of a periodic domain: a third of it holds the largest pair and the skin, and walls that have been repeated hold no more than the least one
+    // of a periodic domain: a third of it holds the largest pair and the skin, and walls that have
+    // been repeated hold no more than the least one
     c.periodic[set.config.axes[0]] = true;
     DemSetting<Cpu, 2, Mixed> periodic(c, in, DemPlan());
     SearchReach<Cpu, 2, Mixed> again(periodic, pairs);

@@ -1,4 +1,5 @@
-/*  Bodies that are held in water at rest bear its weight that they displace (Archimedes), at whatever height of the grid.
+/*  Bodies that are held in water at rest bear its weight that they displace (Archimedes), at
+    whatever height of the grid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,22 +31,29 @@ protected:
         return c;
     }
 
-    template<class Distance>
-    PicShape shapeIn(const Vector3& half, const Distance& distance) const { return shapeOf(D(), half, 0.25*h, 2*h, distance); }
+    template<class Distance> PicShape shapeIn(const Vector3& half, const Distance& distance) const
+    {
+        return shapeOf(D(), half, 0.25*h, 2*h, distance);
+    }
 
     PicShape boxShape(const Vector3& half) const
     {
-        PicShape s = shapeIn(half, [&](double x, double y, double z)
-        {
-            if (D() == 2) return AxisBox<2>{{{-half[0], -half[1]}}, {{half[0], half[1]}}}.distance({{x, y}});
-            return AxisBox<3>{{{-half[0], -half[1], -half[2]}}, {{half[0], half[1], half[2]}}}.distance({{x, y, z}});
-        });
+        PicShape s = shapeIn(half,
+            [&](double x, double y, double z)
+            {
+                if (D() == 2)
+                    return AxisBox<2>{{{-half[0], -half[1]}}, {{half[0], half[1]}}}.distance(
+                        {{x, y}});
+                return AxisBox<3>{{{-half[0], -half[1], -half[2]}}, {{half[0], half[1], half[2]}}}
+                    .distance({{x, y, z}});
+            });
         s.volume = 4*half[0]*half[1]*(D() == 3 ? 2*half[2] : 1);
         return s;
     }
 
     //- Force of the water in the first step, and its moment about the third axis
-    Vector3 held(const PicShape& shape, const Vector3& at, double turn = 0, double surface = level) const
+    Vector3 held(
+        const PicShape& shape, const Vector3& at, double turn = 0, double surface = level) const
     {
         const PicConfig c = tank();
         PicInside inside;
@@ -54,7 +62,8 @@ protected:
         for (bool& held : solids->input.groups[0].held) held = true;
         solids->input.groups[0].heldSpin = true;
         inside.solids = solids;
-        const FluidInput water = box(c, {{0, 0, 0}}, {{c.domainMax[0], surface, c.domainMax[2]}}, [](double, double) { return true; });
+        const FluidInput water = box(c, {{0, 0, 0}}, {{c.domainMax[0], surface, c.domainMax[2]}},
+            [](double, double) { return true; });
         const auto s = createPicScene(c, water, PicWalls(), nullptr, std::move(inside));
         EXPECT_EQ(s->advance(1e-3, 1).stop, StopReason::none);
         const Vector3 f = s->coupling().force;
@@ -93,7 +102,8 @@ TEST_P(HeldBodies, ADeckAtTheSurfaceBearsWhatIsUnderWater)
         {
             const double draught = 2*half[1] - std::max(0.0, freeboard);
             const Vector3 f = held(shape, {{0.3, surface + freeboard - half[1], 0.2}}, 0, surface);
-            EXPECT_NEAR(f[1], weight*2*half[0]*draught, 0.01*weight*2*half[0]*5*h) << freeboard << ' ' << surface;
+            EXPECT_NEAR(f[1], weight*2*half[0]*draught, 0.01*weight*2*half[0]*5*h)
+                << freeboard << ' ' << surface;
         }
 }
 
@@ -120,14 +130,18 @@ TEST_P(HeldBodies, ARoundBodyBearsWhatItDisplacesAtAnyHeight)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
     const double R = 5*h;
-    const PicShape shape = shapeIn({{R, R, R}}, [&](double x, double y, double z) { return std::sqrt(x*x + y*y + (D() == 3 ? z*z : 0)) - R; });
+    const PicShape shape = shapeIn({{R, R, R}},
+        [&](double x, double y, double z)
+        { return std::sqrt(x*x + y*y + (D() == 3 ? z*z : 0)) - R; });
     for (const double depth : {0.0, 1.5*R})
     {
         double before = 0;
         for (int k = 0; k <= 20; k += D() == 3 ? 4 : 1)
         {
             const double y = level - depth + 0.1*h*(k - 10), t = std::min(level - y, R);
-            const double volume = D() == 2 ? R*R*(M_PI/2 + std::asin(t/R)) + t*std::sqrt(R*R - t*t) : M_PI*(2*R*R*R/3 + R*R*t - t*t*t/3);
+            const double volume = D() == 2
+                ? R*R*(M_PI/2 + std::asin(t/R)) + t*std::sqrt(R*R - t*t)
+                : M_PI*(2*R*R*R/3 + R*R*t - t*t*t/3);
             const Vector3 f = held(shape, {{0.3, y, 0.2}});
             const double ratio = f[1]/(weight*volume);
             EXPECT_NEAR(ratio, 1, 0.01) << depth << ' ' << k;
@@ -137,7 +151,8 @@ TEST_P(HeldBodies, ARoundBodyBearsWhatItDisplacesAtAnyHeight)
     }
 }
 
-//- Half as heavy as water, let go where it floats: it stays there, wherever the level lies in a cell
+//- Half as heavy as water, let go where it floats: it stays there, wherever the level lies in a
+//  cell
 TEST_P(HeldBodies, AFreeBoxKeepsItsDraughtAtAnyOffset)
 {
     if (D() == 3) GTEST_SKIP() << "seconds saved";
@@ -150,8 +165,11 @@ TEST_P(HeldBodies, AFreeBoxKeepsItsDraughtAtAnyOffset)
         c.seedsPerDirection = 0;
         const double surface = 0.2 + 0.25*h*k;
         PicInside inside;
-        inside.solids = body(c, {{0.3, surface, 0}}, shape, mass, mass*(half[0]*half[0] + half[1]*half[1])/3);
-        const FluidInput water = box(c, {{0, 0, 0}}, {{0.6, surface, 1}}, [&](double x, double y) { return std::abs(x - 0.3) > half[0] || y < surface - half[1]; });
+        inside.solids = body(c, {{0.3, surface, 0}}, shape, mass,
+            mass*(half[0]*half[0] + half[1]*half[1])/3);
+        const FluidInput water = box(c, {{0, 0, 0}}, {{0.6, surface, 1}},
+            [&](double x, double y)
+            { return std::abs(x - 0.3) > half[0] || y < surface - half[1]; });
         const auto s = createPicScene(c, water, PicWalls(), nullptr, std::move(inside));
         double most = 0;
         for (int i = 1; i <= 6; ++i)

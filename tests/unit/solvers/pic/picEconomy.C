@@ -25,7 +25,9 @@ protected:
     //- Of a tank half full of water after three steps
     Cost cost(const PicConfig& c, PicInside inside = PicInside()) const
     {
-        const auto s = scene(c, box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; }), std::move(inside));
+        const auto s = scene(c,
+            box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; }),
+            std::move(inside));
         s->advance(1, 3);
         Cost r;
         for (const KernelInfo& k : s->kernels()) r.launches[k.name] += k.launches;
@@ -51,12 +53,15 @@ protected:
 
     static void none(const Cost& c, const std::set<std::string>& kernels)
     {
-        for (const std::string& k : kernels) EXPECT_EQ(c.launches.count(k) ? c.launches.at(k) : 0, 0) << k << " was launched";
+        for (const std::string& k : kernels)
+            EXPECT_EQ(c.launches.count(k) ? c.launches.at(k) : 0, 0) << k << " was launched";
     }
 
-    const std::set<std::string> implicitViscosity{"viscousSource", "viscousResidual", "viscousProduct", "viscousDot", "viscousAdd", "setFaces"};
-    const std::set<std::string> solids{"pushOut", "nodeDistances", "closeFaces", "openVolumes", "openWeights", "markKnownCells", "extendSurface", "faceDistances",
-        "stickToSolids", "slowBetweenSolids"};
+    const std::set<std::string> implicitViscosity{"viscousSource", "viscousResidual",
+        "viscousProduct", "viscousDot", "viscousAdd", "setFaces"};
+    const std::set<std::string> solids{"pushOut", "nodeDistances", "closeFaces", "openVolumes",
+        "openWeights", "markKnownCells", "extendSurface", "faceDistances", "stickToSolids",
+        "slowBetweenSolids"};
 };
 
 RIPRAP_ALL_SETUPS(PicEconomy);
@@ -68,7 +73,9 @@ TEST_P(PicEconomy, WhatIsOffCostsNothing)
     none(plain, implicitViscosity);
     none(plain, solids);
     none(plain, {"diffuse", "copyPeriodic", "setOpenFaces", "pushOpenFaces", "readOpenFaces"});
-    EXPECT_EQ(plain.arrays.count("absorb") + plain.arrays.count("viscosity") + plain.arrays.count("openings"), 0u);
+    EXPECT_EQ(plain.arrays.count("absorb") + plain.arrays.count("viscosity")
+            + plain.arrays.count("openings"),
+        0u);
     // apertures of the faces alone: no velocities of walls, no distances, no open parts of cells
     EXPECT_EQ(plain.bytes.at("walls"), faces(c)*(mixed() ? sizeof(float) : sizeof(double)));
 

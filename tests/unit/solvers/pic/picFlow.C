@@ -1,4 +1,5 @@
-/*  Whole PIC scenes against closed forms: viscosity between walls, explicit and implicit; a pool at rest; a vortex and its order.
+/*  Whole PIC scenes against closed forms: viscosity between walls, explicit and implicit; a pool at
+    rest; a vortex and its order.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,7 +33,8 @@ protected:
         return c;
     }
 
-    //- Relative L2 error of the particles' velocities against Couette flow from rest (Morris, Fox & Zhu 1997), nu = 0.1, L = 1
+    //- Relative L2 error of the particles' velocities against Couette flow from rest (Morris, Fox &
+    //  Zhu 1997), nu = 0.1, L = 1
     static double couetteError(PicScene& s, double t)
     {
         const FluidState f = s.fluid();
@@ -41,7 +43,9 @@ protected:
         {
             const double y = f.position[3*i + 1];
             double u = y;
-            for (int n = 1; n < 200; ++n) u += 2/(n*M_PI)*(n % 2 ? -1 : 1)*std::sin(n*M_PI*y)*std::exp(-n*n*M_PI*M_PI*0.1*t);
+            for (int n = 1; n < 200; ++n)
+                u += 2/(n*M_PI)*(n % 2 ? -1 : 1)*std::sin(n*M_PI*y)
+                    *std::exp(-n*n*M_PI*M_PI*0.1*t);
             const double across = std::hypot(f.velocity[3*i + 1], f.velocity[3*i + 2]);
             error += (f.velocity[3*i] - u)*(f.velocity[3*i] - u) + across*across;
             size += u*u;
@@ -52,12 +56,14 @@ protected:
 
 RIPRAP_ALL_SETUPS(PicFlow);
 
-//- Second order over 10 cells: 1 % is twice what is seen. The implicit one takes steps beyond the explicit limit
+//- Second order over 10 cells: 1 % is twice what is seen. The implicit one takes steps beyond the
+//  explicit limit
 TEST_P(PicFlow, WaterFollowsAWallThatSlides)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
     std::int64_t steps[3];
-    for (const ViscousKind scheme : {ViscousKind::automatic, ViscousKind::explicitly, ViscousKind::implicitly})
+    for (const ViscousKind scheme :
+        {ViscousKind::automatic, ViscousKind::explicitly, ViscousKind::implicitly})
     {
         const PicConfig c = channel(10, scheme);
         const auto s = scene(c, box(c, {{0, 0, 0}}, {{1, 1, 1}}, everywhere), PicInside());
@@ -70,7 +76,8 @@ TEST_P(PicFlow, WaterFollowsAWallThatSlides)
     EXPECT_EQ(steps[int(ViscousKind::implicitly)], steps[int(ViscousKind::automatic)]);
 }
 
-//- A step sixty times beyond the explicit limit: what is left is the linear profile, without oscillation
+//- A step sixty times beyond the explicit limit: what is left is the linear profile, without
+//  oscillation
 TEST_P(PicFlow, ImplicitViscosityIsStable)
 {
     if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
@@ -83,7 +90,8 @@ TEST_P(PicFlow, ImplicitViscosityIsStable)
     for (const double v : s->fluid().velocity) { EXPECT_LT(v, 1 + 1e-3); EXPECT_GT(v, -1e-3); }
 }
 
-//- At any level, with particles anywhere in their part of a cell, sticky walls and implicit viscosity
+//- At any level, with particles anywhere in their part of a cell, sticky walls and implicit
+//  viscosity
 TEST_P(PicFlow, APoolStaysAtRest)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
@@ -96,7 +104,8 @@ TEST_P(PicFlow, APoolStaysAtRest)
         c.noSlip = true;
         c.viscosity = 1000*0.05;
         c.viscousScheme = ViscousKind::implicitly;
-        c.absorbers = {{"beach", {{0.3, 0, 0}}, {{1, 0, 0}}, 20}};      // what absorbs motion leaves weight alone
+        // what absorbs motion leaves weight alone
+        c.absorbers = {{"beach", {{0.3, 0, 0}}, {{1, 0, 0}}, 20}};
         const double depth = level*c.cellSize*(D() == 2 ? 1 : 0.75);
         const auto s = scene(c, box(c, {{0, 0, 0}}, {{1, depth, 1}}, everywhere), PicInside());
         s->advance(0.2);
@@ -126,7 +135,8 @@ TEST_P(PicFlow, EndsAndExtremesAreThoseOfAllParticles)
     EXPECT_NEAR(e.potential, mass*potential, 1e-10*mass*potential);
 }
 
-//- In a zone that is whole everywhere: exp(-r t), with half a step's r dt = 1 % of it by the implicit step; before a zone nothing is lost
+//- In a zone that is whole everywhere: exp(-r t), with half a step's r dt = 1 % of it by the
+//  implicit step; before a zone nothing is lost
 TEST_P(PicFlow, AZoneAbsorbsMotion)
 {
     for (const double begins : {-2.0, 3.0})
@@ -143,7 +153,8 @@ TEST_P(PicFlow, AZoneAbsorbsMotion)
         s->advance(0.5);
         const double expected = begins < 0 ? std::exp(-2*0.5) : 1;
         const FluidState state = s->fluid();
-        for (std::size_t i = 0; i < state.id.size(); ++i) EXPECT_NEAR(state.velocity[3*i], expected, begins < 0 ? 0.02*expected : 1e-6);
+        for (std::size_t i = 0; i < state.id.size(); ++i)
+            EXPECT_NEAR(state.velocity[3*i], expected, begins < 0 ? 0.02*expected : 1e-6);
     }
 }
 
@@ -161,7 +172,8 @@ TEST_P(PicFlow, AFlatSurfaceBeginsWithSlopeOne)
     }
 }
 
-//- Taylor-Green vortices at Re 100, periodic: the error of the particles' velocities falls with second order (FLIP), faster (APIC)
+//- Taylor-Green vortices at Re 100, periodic: the error of the particles' velocities falls with
+//  second order (FLIP), faster (APIC)
 TEST_P(PicFlow, VorticesDecayWithSecondOrder)
 {
     if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
@@ -186,7 +198,8 @@ TEST_P(PicFlow, VorticesDecayWithSecondOrder)
                 v[0] = -decay*std::cos(k*x[0])*std::sin(k*x[1]);
                 v[1] = decay*std::sin(k*x[0])*std::cos(k*x[1]);
             };
-            for (std::size_t i = 0; i < f.position.size()/3; ++i) u(&f.position[3*i], 0, &f.velocity[3*i]);
+            for (std::size_t i = 0; i < f.position.size()/3; ++i)
+                u(&f.position[3*i], 0, &f.velocity[3*i]);
             const auto s = scene(c, f, PicInside());
             s->advance(1);
             const FluidState now = s->fluid();
@@ -202,16 +215,19 @@ TEST_P(PicFlow, VorticesDecayWithSecondOrder)
                 }
             }
             error[run] = std::sqrt(e/size);
-            for (const KernelInfo& k : s->kernels()) if (k.name == "pressureTail") cycles[run] = k.launches;
+            for (const KernelInfo& k : s->kernels())
+                if (k.name == "pressureTail") cycles[run] = k.launches;
         }
         EXPECT_GT(std::log2(error[0]/error[1]), 1.8) << error[0] << ' ' << error[1];
         EXPECT_LT(error[1], 0.02);
         EXPECT_NEAR(error[2], error[1], 0.01*error[1]);
-        if (GetParam().device == DeviceKind::cpu) { EXPECT_LT(cycles[2], 0.8*cycles[1]); }       // of a recorded loop the GPU counts the first pass
+        // of a recorded loop the GPU counts the first pass
+        if (GetParam().device == DeviceKind::cpu) { EXPECT_LT(cycles[2], 0.8*cycles[1]); }
     }
 }
 
-//- p = -rho/4 (cos 2kx + cos 2ky) of the same vortices without viscosity: rho U^2/2 where they meet, above the mean, which is 0
+//- p = -rho/4 (cos 2kx + cos 2ky) of the same vortices without viscosity: rho U^2/2 where they
+//  meet, above the mean, which is 0
 TEST_P(PicFlow, PressureIsTheWholeOfIt)
 {
     if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
@@ -234,11 +250,14 @@ TEST_P(PicFlow, PressureIsTheWholeOfIt)
         s->advance(0.2);
         const SampleResult q = s->sample({0.25, 0.25, 0.5, 0.75, 0.25, 0.5});
         // without reflection the vortices have lost 4 % by then
-        for (const double p : q.pressure) EXPECT_NEAR(p, 0.5*c.density, (reflection > 0 ? 0.01 : 0.06)*0.5*c.density) << reflection;
+        for (const double p : q.pressure)
+            EXPECT_NEAR(p, 0.5*c.density, (reflection > 0 ? 0.01 : 0.06)*0.5*c.density)
+                << reflection;
     }
 }
 
-//- Planes along the axes, also those that touch a side of the cell, and planes that lean as little as round-off does: no tilt is too small
+//- Planes along the axes, also those that touch a side of the cell, and planes that lean as little
+//  as round-off does: no tilt is too small
 template<int D>
 void expectPartsUnderPlanes()
 {
@@ -248,7 +267,8 @@ void expectPartsUnderPlanes()
             {
                 double m[D];
                 for (int d = 0; d < D; ++d) m[d] = d == across ? -1 : tilt;
-                EXPECT_NEAR(cutFraction<D>(phi, m), 0.5 - phi, 0.5*tilt + 1e-15) << D << ' ' << tilt << ' ' << phi;
+                EXPECT_NEAR(cutFraction<D>(phi, m), 0.5 - phi, 0.5*tilt + 1e-15)
+                    << D << ' ' << tilt << ' ' << phi;
             }
     // both parts make the whole; a corner cut off is a simplex
     const double slopes[3] = {0.3, 1, 2e-6};

@@ -1,4 +1,5 @@
-/*  Forces of PIC scenes on parts of walls and on solids: shear between walls, water at rest, an obstacle that moves through the grid.
+/*  Forces of PIC scenes on parts of walls and on solids: shear between walls, water at rest, an
+    obstacle that moves through the grid.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -40,11 +41,16 @@ protected:
         o.part = 9;
         for (int k = 0; k < (D() == 2 ? 4 : 8); ++k)
         {
-            const bool right = D() == 2 ? k == 1 || k == 2 : k & 1, top = D() == 2 ? k > 1 : k & 2, back = k & 4;
-            o.vertices.insert(o.vertices.end(), {right ? high[0] : low[0], top ? high[1] : low[1], D() == 3 && back ? high[2] : low[2]});
+            const bool right = D() == 2 ? k == 1 || k == 2 : k & 1, top = D() == 2 ? k > 1 : k & 2,
+                       back = k & 4;
+            o.vertices.insert(o.vertices.end(),
+                {right ? high[0] : low[0], top ? high[1] : low[1],
+                    D() == 3 && back ? high[2] : low[2]});
         }
         if (D() == 2) o.elements = {0, 1, 1, 2, 2, 3, 3, 0};
-        else o.elements = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+        else
+            o.elements = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0,
+                4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
         return o;
     }
 
@@ -66,7 +72,8 @@ protected:
 
 RIPRAP_ALL_SETUPS(PicForces);
 
-//- Couette flow from rest (Morris, Fox & Zhu 1997), nu = 0.1: mu du/dy at both walls. Velocities are those of the middle of the last step
+//- Couette flow from rest (Morris, Fox & Zhu 1997), nu = 0.1: mu du/dy at both walls. Velocities
+//  are those of the middle of the last step
 TEST_P(PicForces, ShearOnWallsThatSlide)
 {
     if (D() == 3) GTEST_SKIP() << "a plane flow";
@@ -91,7 +98,8 @@ TEST_P(PicForces, ShearOnWallsThatSlide)
     EXPECT_NEAR(f[3].viscous[0], -100*above, 0.01*100*above);
 }
 
-//- Each side by the depth, a block between the planes of the grid and a held ball by what they displace
+//- Each side by the depth, a block between the planes of the grid and a held ball by what they
+//  displace
 TEST_P(PicForces, InWaterAtRest)
 {
     PicConfig c = config(16);
@@ -143,7 +151,9 @@ TEST_P(PicForces, OnABlockThatMoves)
     inside.obstacles.push_back(block({{0.3, 0.2, 0.3}}, {{0.6, 0.45, 0.6}}));
     inside.obstacles[0].body = 0;
     inside.motion = [&](int, double t) { WallPose p; p.translation = {{speed*t, 0, 0}}; return p; };
-    const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), sides(c), nullptr, std::move(inside));
+    const auto s = createPicScene(c,
+        box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), sides(c), nullptr,
+        std::move(inside));
     s->advance(0.2);                        // it was set in motion at once
     for (int k = 0; k < 30; ++k)
     {

@@ -1,4 +1,5 @@
-/*  Openings of the sides of PIC: steady flow in a channel, a basin that is filled, water that follows the level beyond, exact restart.
+/*  Openings of the sides of PIC: steady flow in a channel, a basin that is filled, water that
+    follows the level beyond, exact restart.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,7 +31,10 @@ protected:
         return w;
     }
 
-    static std::function<double(double)> constant(double value) { return [value](double) { return value; }; }
+    static std::function<double(double)> constant(double value)
+    {
+        return [value](double) { return value; };
+    }
 
     static PicOpening level(const char* name, double height)
     {
@@ -59,7 +63,11 @@ protected:
         return o;
     }
 
-    static std::unique_ptr<PicScene> open(const PicConfig& c, const FluidInput& f, const PicWalls& w) { return createPicScene(c, f, w); }
+    static std::unique_ptr<PicScene> open(
+        const PicConfig& c, const FluidInput& f, const PicWalls& w)
+    {
+        return createPicScene(c, f, w);
+    }
 
     static double fastest(PicScene& s)
     {
@@ -83,8 +91,8 @@ protected:
 
 RIPRAP_ALL_SETUPS(PicOpenings);
 
-//- A stream of uniform velocity and depth is a solution: given on one side, held by the level or carried off on the other. Whatever the
-//  level's place in a cell; water changes once
+//- A stream of uniform velocity and depth is a solution: given on one side, held by the level or
+//  carried off on the other. Whatever the level's place in a cell; water changes once
 TEST_P(PicOpenings, AStreamStaysUniform)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
@@ -99,7 +107,8 @@ TEST_P(PicOpenings, AStreamStaysUniform)
                 c.spacing = 0.25*c.cellSize;
                 if (depth != 0.5) continue;
             }
-            c.openings = byFlow ? std::vector<PicOpening>{flow("river", u*depth), level("sea", depth)}
+            c.openings = byFlow
+                ? std::vector<PicOpening>{flow("river", u*depth), level("sea", depth)}
                 : std::vector<PicOpening>{velocity("river", u), velocity("weir", u)};
             FluidInput f = box(c, {{0, 0, 0}}, {{1, depth, 1}}, everywhere);
             for (std::size_t i = 0; i < f.position.size()/3; ++i) f.velocity[3*i] = u;
@@ -110,7 +119,8 @@ TEST_P(PicOpenings, AStreamStaysUniform)
             const FluidState state = s->fluid();
             double worst = 0;
             for (std::size_t i = 0; i < state.id.size(); ++i)
-                for (int d = 0; d < D(); ++d) worst = std::max(worst, std::abs(state.velocity[3*i + d] - (d ? 0 : u)));
+                for (int d = 0; d < D(); ++d)
+                    worst = std::max(worst, std::abs(state.velocity[3*i + d] - (d ? 0 : u)));
             EXPECT_LT(worst, 0.02*u) << depth << ' ' << byFlow;
             EXPECT_NEAR(surface(*s, 0.5, 0.5), depth, 0.1*c.cellSize) << depth << ' ' << byFlow;
             ASSERT_EQ(r.passed.size(), 2u);
@@ -119,7 +129,8 @@ TEST_P(PicOpenings, AStreamStaysUniform)
             EXPECT_NEAR(double(r.passed[0].in), all, 0.02*all) << depth << ' ' << byFlow;
             EXPECT_NEAR(double(r.passed[1].out), all, 0.04*all) << depth << ' ' << byFlow;
             EXPECT_EQ(r.passed[0].out + r.passed[1].in, 0);
-            EXPECT_EQ(std::int64_t(state.id.size()), std::int64_t(before) + r.passed[0].in - r.passed[1].out);
+            EXPECT_EQ(std::int64_t(state.id.size()),
+                std::int64_t(before) + r.passed[0].in - r.passed[1].out);
         }
 }
 
@@ -158,7 +169,8 @@ TEST_P(PicOpenings, EqualLevelsRest)
     }
 }
 
-//- A basin beside water that stands higher, or lower, takes its level: it swings about it, and less than at first; the mean of ten seconds is the level
+//- A basin beside water that stands higher, or lower, takes its level: it swings about it, and less
+//  than at first; the mean of ten seconds is the level
 TEST_P(PicOpenings, ABasinTakesTheLevelBeyond)
 {
     if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
@@ -174,14 +186,16 @@ TEST_P(PicOpenings, ABasinTakesTheLevelBeyond)
         {
             const PicReport r = s->advance(5 + 0.5*k);
             mean += (r.volume - beyond)/samples;
-            EXPECT_NEAR(r.volume, beyond, 1.2*c.cellSize) << beyond << " at " << r.time;     // 1.6 cells at first
+            // 1.6 cells at first
+            EXPECT_NEAR(r.volume, beyond, 1.2*c.cellSize) << beyond << " at " << r.time;
             EXPECT_LT(std::abs(r.volumeError), 2e-3);
         }
         EXPECT_NEAR(mean, 0, 0.15*c.cellSize) << beyond;
     }
 }
 
-//- The same in two runs, to the bit, though a new scene begins with the particles of the first instant
+//- The same in two runs, to the bit, though a new scene begins with the particles of the first
+//  instant
 TEST_P(PicOpenings, ARunContinuesToTheBit)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
@@ -199,7 +213,8 @@ TEST_P(PicOpenings, ARunContinuesToTheBit)
     EXPECT_EQ(once->saveState(), again->saveState());
 }
 
-//- From the particles alone: what has passed goes on, and what has come in but is no particles yet comes in: volume = Q t across the two runs
+//- From the particles alone: what has passed goes on, and what has come in but is no particles yet
+//  comes in: volume = Q t across the two runs
 TEST_P(PicOpenings, CountsGoOnFromTheParticles)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
@@ -236,7 +251,9 @@ TEST_P(PicOpenings, CountsGoOnFromTheParticles)
     const PicReport end = second->advance(0.8);
     EXPECT_TRUE(end.escaped.empty());
     EXPECT_NEAR(end.passed[0].volume, rate*0.8, 1e-6*rate);
-    const std::int64_t more = end.passed[0].in - half.passed[0].in + end.passed[1].in - half.passed[1].in - (end.passed[0].out - half.passed[0].out) - (end.passed[1].out - half.passed[1].out);
+    const std::int64_t more = end.passed[0].in - half.passed[0].in + end.passed[1].in
+        - half.passed[1].in - (end.passed[0].out - half.passed[0].out)
+        - (end.passed[1].out - half.passed[1].out);
     EXPECT_EQ(std::int64_t(second->fluid().id.size()), std::int64_t(state.id.size()) + more);
 }
 
@@ -263,9 +280,14 @@ TEST_P(PicOpenings, AStateGoesToTheOtherDevice)
             const FluidState all = s.fluid();
             std::vector<std::size_t> order(all.id.size());
             for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-            std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return all.id[a] < all.id[b]; });
+            std::sort(order.begin(), order.end(),
+                [&](std::size_t a, std::size_t b) { return all.id[a] < all.id[b]; });
             std::vector<double> x;
-            for (const std::size_t i : order) { x.push_back(all.id[i]); x.insert(x.end(), &all.position[3*i], &all.position[3*i] + 3); }
+            for (const std::size_t i : order)
+            {
+                x.push_back(all.id[i]);
+                x.insert(x.end(), &all.position[3*i], &all.position[3*i] + 3);
+            }
             return x;
         };
         EXPECT_EQ(inOrder(*one), inOrder(*two));

@@ -1,4 +1,5 @@
-/*  What tests of whole PIC scenes share: a unit box of water, on every backend that is there, in 2D and 3D and both precisions.
+/*  What tests of whole PIC scenes share: a unit box of water, on every backend that is there, in 2D
+    and 3D and both precisions.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -32,18 +33,21 @@ protected:
 
     //- Particles on a lattice in a box, those where `open` says so
     template<class Open>
-    static FluidInput box(const PicConfig& c, const Vector3& low, const Vector3& high, const Open& open)
+    static FluidInput box(
+        const PicConfig& c, const Vector3& low, const Vector3& high, const Open& open)
     {
         FluidInput f;
         int n[3];
-        for (int d = 0; d < 3; ++d) n[d] = d < c.dimensions ? int(std::lround((high[d] - low[d])/c.spacing)) : 1;
+        for (int d = 0; d < 3; ++d)
+            n[d] = d < c.dimensions ? int(std::lround((high[d] - low[d])/c.spacing)) : 1;
         for (int k = 0; k < n[2]; ++k)
             for (int j = 0; j < n[1]; ++j)
                 for (int i = 0; i < n[0]; ++i)
                 {
                     const int at[3] = {i, j, k};
                     double x[3];
-                    for (int d = 0; d < 3; ++d) x[d] = low[d] + (at[d] + 0.5)*(high[d] - low[d])/n[d];
+                    for (int d = 0; d < 3; ++d)
+                        x[d] = low[d] + (at[d] + 0.5)*(high[d] - low[d])/n[d];
                     if (!open(x[0], x[1])) continue;
                     f.position.insert(f.position.end(), x, x + 3);
                 }
@@ -51,7 +55,8 @@ protected:
         return f;
     }
 
-    static std::unique_ptr<PicScene> scene(const PicConfig& c, const FluidInput& f, PicInside inside)
+    static std::unique_ptr<PicScene> scene(
+        const PicConfig& c, const FluidInput& f, PicInside inside)
     { return createPicScene(c, f, PicWalls(), nullptr, std::move(inside)); }
 };
 

@@ -1,5 +1,6 @@
-/*  Each transfer scheme of the table in whole scenes: a column that collapses, on every device, in both dimensions and precisions. The state that was saved goes on to
-    the bit; what the scheme remembers is among the fields; what it does not bear is refused.
+/*  Each transfer scheme of the table in whole scenes: a column that collapses, on every device, in
+    both dimensions and precisions. The state that was saved goes on to the bit; what the scheme
+    remembers is among the fields; what it does not bear is refused.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,12 +21,16 @@ protected:
         PicConfig c = config(8);
         c.transfer = card.word;
         c.splineOrder = card.orders.front();
-        for (const TransferEntry& e : card.entries) if (!e.yesNo) e.set(c.transferNumbers, e.typical);
+        for (const TransferEntry& e : card.entries)
+            if (!e.yesNo) e.set(c.transferNumbers, e.typical);
         return c;
     }
 
     static std::unique_ptr<PicScene> column(const PicConfig& c)
-    { return scene(c, box(c, {{0, 0, 0}}, {{0.5, 0.75, 1}}, [](double, double) { return true; }), PicInside()); }
+    {
+        return scene(c, box(c, {{0, 0, 0}}, {{0.5, 0.75, 1}}, [](double, double) { return true; }),
+            PicInside());
+    }
 };
 
 RIPRAP_ALL_SETUPS(PicSchemeScenes);
@@ -57,7 +62,8 @@ TEST_P(PicSchemeScenes, FieldsAreThoseOfTheScheme)
             const auto s = column(c);
             std::map<std::string, int> fields;
             for (const ArrayInfo& a : s->arrays()) ++fields[a.name];
-            EXPECT_EQ(fields["affine"], keepsGradient(card, c.transferNumbers) ? D()*D() : 0) << card.word;
+            EXPECT_EQ(fields["affine"], keepsGradient(card, c.transferNumbers) ? D()*D() : 0)
+                << card.word;
             EXPECT_EQ(fields["transfer"], card.memory*D()) << card.word;
         }
 }
@@ -68,12 +74,17 @@ TEST_P(PicSchemeScenes, StatesOfOtherFieldsAreRefused)
     for (const TransferCard& from : transfers())
         for (const TransferCard& to : transfers())
         {
-            const bool same = keepsGradient(from, TransferProperties()) == keepsGradient(to, TransferProperties())
+            const bool same = keepsGradient(from, TransferProperties())
+                    == keepsGradient(to, TransferProperties())
                 && (std::string(from.word) == to.word || (!from.memory && !to.memory));
             const auto state = column(with(from))->saveState();
             const auto other = column(with(to));
             if (same) { EXPECT_NO_THROW(other->loadState(state)) << from.word << " " << to.word; }
-            else { EXPECT_THROW(other->loadState(state), std::invalid_argument) << from.word << " " << to.word; }
+            else
+            {
+                EXPECT_THROW(other->loadState(state), std::invalid_argument)
+                    << from.word << " " << to.word;
+            }
         }
 }
 
@@ -98,7 +109,8 @@ TEST_P(PicSchemeScenes, UnknownWordsAreRefusedWithTheValidOnes)
     try { column(c); FAIL(); }
     catch (const std::invalid_argument& e)
     {
-        for (const TransferCard& card : transfers()) EXPECT_NE(std::string(e.what()).find(card.word), std::string::npos) << e.what();
+        for (const TransferCard& card : transfers())
+            EXPECT_NE(std::string(e.what()).find(card.word), std::string::npos) << e.what();
     }
 }
 

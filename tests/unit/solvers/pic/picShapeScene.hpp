@@ -11,7 +11,8 @@ namespace riprap
 
 //- In a box of these half sides about the centre of mass, and a margin
 template<class Distance>
-PicShape shapeOf(int dimensions, const Vector3& half, double step, double margin, const Distance& distance)
+PicShape shapeOf(
+    int dimensions, const Vector3& half, double step, double margin, const Distance& distance)
 {
     PicShape s;
     s.name = "shape";
@@ -23,7 +24,9 @@ PicShape shapeOf(int dimensions, const Vector3& half, double step, double margin
     }
     for (int k = 0; k < s.n[2]; ++k)
         for (int j = 0; j < s.n[1]; ++j)
-            for (int i = 0; i < s.n[0]; ++i) s.distance.push_back(distance(s.lower[0] + i*step, s.lower[1] + j*step, dimensions == 3 ? s.lower[2] + k*step : 0));
+            for (int i = 0; i < s.n[0]; ++i)
+                s.distance.push_back(distance(s.lower[0] + i*step, s.lower[1] + j*step,
+                    dimensions == 3 ? s.lower[2] + k*step : 0));
     return s;
 }
 
@@ -31,8 +34,10 @@ class PicShapeScene : public PicSolidScene
 {
 protected:
 
-    //- One body of a shape, with a small ball at its centre for contacts. turn: about the third axis
-    std::shared_ptr<PicSolids> body(const PicConfig& c, const Vector3& at, const PicShape& shape, double mass, double inertia, double turn = 0) const
+    //- One body of a shape, with a small ball at its centre for contacts. turn: about the third
+    //  axis
+    std::shared_ptr<PicSolids> body(const PicConfig& c, const Vector3& at, const PicShape& shape,
+        double mass, double inertia, double turn = 0) const
     {
         auto s = balls(c, {at}, 0.02, 1000);
         s->input.particles.clump = {0};

@@ -12,7 +12,10 @@ namespace
 {
 
 PicShape ballShape(int dimensions, double radius, double step)
-{ return shapeOf(dimensions, {{radius, radius, radius}}, step, 4*step, [&](double x, double y, double z) { return std::sqrt(x*x + y*y + z*z) - radius; }); }
+{
+    return shapeOf(dimensions, {{radius, radius, radius}}, step, 4*step,
+        [&](double x, double y, double z) { return std::sqrt(x*x + y*y + z*z) - radius; });
+}
 
 template<int D>
 SampledShape<D> turnedShape(const PicShape& shape, const Vec<D, double>& centre, double angle)
@@ -33,7 +36,8 @@ SampledShape<D> turnedShape(const PicShape& shape, const Vec<D, double>& centre,
     return s;
 }
 
-//- There a shape has its part of a volume, a disk the mean over eight planes, and a ball none: volumes alone are compared, in 3D with the true one
+//- There a shape has its part of a volume, a disk the mean over eight planes, and a ball none:
+//  volumes alone are compared, in 3D with the true one
 template<int D>
 bool hasPole(const SampledShape<D>& s, const UniformGrid<D>& grid, int d, int f)
 {
@@ -41,7 +45,9 @@ bool hasPole(const SampledShape<D>& s, const UniformGrid<D>& grid, int d, int f)
     return inPole(s, middleOfFace(nodes.position(grid.faceIndex(d, f)), d, grid.h), d, grid.h) > 0;
 }
 
-//- As of the ball itself, wherever it lies and however it is turned. Distances err by step^2/8R at most; where a face's plane nearly touches the ball its share errs by more, as the chord does: the mean is compared
+//- As of the ball itself, wherever it lies and however it is turned. Distances err by step^2/8R at
+//  most; where a face's plane nearly touches the ball its share errs by more, as the chord does:
+//  the mean is compared
 template<int D>
 void latticeIsBall(double step, double bound, double ofVolume)
 {
@@ -93,7 +99,9 @@ TEST(PicShapes, ALatticeOfABallCutsAsTheBall)
 {
     latticeIsBall<2>(0.5, 0.01, 0.005);
     latticeIsBall<2>(0.25, 0.0025, 0.00125);
-    latticeIsBall<3>(0.5, 0.02, 0.0075);        // the mean error of linear distances, step^2/12 times twice the curvature, is 0.5 % of the volume
+    // the mean error of linear distances, step^2/12 times twice the curvature, is 0.5 % of the
+    // volume
+    latticeIsBall<3>(0.5, 0.02, 0.0075);
 }
 
 RIPRAP_ALL_SETUPS(PicShapeScene);
@@ -103,7 +111,9 @@ double toEllipse(double a, double b, double x, double y)
 {
     constexpr int n = 720;
     double nearest = 1e300;
-    for (int i = 0; i < n; ++i) nearest = std::min(nearest, std::hypot(x - a*std::cos(2*M_PI*i/n), y - b*std::sin(2*M_PI*i/n)));
+    for (int i = 0; i < n; ++i)
+        nearest = std::min(nearest,
+            std::hypot(x - a*std::cos(2*M_PI*i/n), y - b*std::sin(2*M_PI*i/n)));
     return (x*x/(a*a) + y*y/(b*b) < 1 ? -1 : 1)*nearest;
 }
 
@@ -115,36 +125,44 @@ PicObstacle ellipticTank(double a, double b)
     const int n = 400;
     for (int i = 0; i < n; ++i)
     {
-        o.vertices.insert(o.vertices.end(), {0.5 + a*std::cos(2*M_PI*i/n), 0.5 + b*std::sin(2*M_PI*i/n), 0});
+        o.vertices.insert(o.vertices.end(),
+            {0.5 + a*std::cos(2*M_PI*i/n), 0.5 + b*std::sin(2*M_PI*i/n), 0});
         o.elements.insert(o.elements.end(), {i, (i + 1) % n});
     }
     return o;
 }
 
-//- An ellipse in a confocal tank, in elliptic coordinates x = c cosh(s) cos(t), y = c sinh(s) sin(t): the flow of a body with velocity V along y is
-//  phi = -V a cosh(s - s1)/sinh(s1 - s0) sin(t), so that its added mass is rho pi a^2 coth(s1 - s0), a its half axis across the motion (b if it stands)
+//- An ellipse in a confocal tank, in elliptic coordinates x = c cosh(s) cos(t), y = c sinh(s)
+//  sin(t): the flow of a body with velocity V along y is phi = -V a cosh(s - s1)/sinh(s1 - s0)
+//  sin(t), so that its added mass is rho pi a^2 coth(s1 - s0), a its half axis across the motion (b
+//  if it stands)
 TEST_P(PicShapeScene, AnEllipseStartsAgainstItsAddedMass)
 {
     if (D() == 3) GTEST_SKIP() << "plane";
-    const double a = 0.25, b = 0.15, A = 0.45, B = std::sqrt(A*A - (a*a - b*b)), dt = 1e-3, g = 9.81;
+    const double a = 0.25, b = 0.15, A = 0.45, B = std::sqrt(A*A - (a*a - b*b)), dt = 1e-3,
+                 g = 9.81;
     const double coth = 1/std::tanh(std::atanh(B/A) - std::atanh(b/a));
     PicConfig c = config(60);
     c.seedsPerDirection = 1;
     c.adjustTimeStep = false;
     c.fixedTimeStep = dt;
     const FluidInput water = box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; });
-    const PicShape shape = shapeOf(2, {{a, b, 0}}, 0.5*c.cellSize, 2*c.cellSize, [&](double x, double y, double) { return toEllipse(a, b, x, y); });
+    const PicShape shape = shapeOf(2, {{a, b, 0}}, 0.5*c.cellSize, 2*c.cellSize,
+        [&](double x, double y, double) { return toEllipse(a, b, x, y); });
     for (const bool stands : {false, true})
         for (const double ratio : {0.1, 2.7})
         {
             PicInside inside;
             inside.obstacles.push_back(stands ? ellipticTank(B, A) : ellipticTank(A, B));
             const double area = M_PI*a*b, across = stands ? b : a;
-            inside.solids = body(c, {{0.5, 0.5, 0.5}}, shape, 1000*ratio*area, 1000*ratio*area*(a*a + b*b)/4, stands ? M_PI/2 : 0);
+            inside.solids = body(c, {{0.5, 0.5, 0.5}}, shape, 1000*ratio*area,
+                1000*ratio*area*(a*a + b*b)/4, stands ? M_PI/2 : 0);
             const auto s = createPicScene(c, water, PicWalls(), &solver, std::move(inside));
             s->advance(dt);
             const double theory = (ratio - 1)/(ratio + across*across/(a*b)*coth)*g;
-            EXPECT_NEAR(g - s->coupling().force[1]/(1000*ratio*area), theory, 0.01*std::abs(theory)) << stands << ' ' << ratio;
+            EXPECT_NEAR(
+                g - s->coupling().force[1]/(1000*ratio*area), theory, 0.01*std::abs(theory))
+                << stands << ' ' << ratio;
         }
 }
 
@@ -161,10 +179,12 @@ TEST_P(PicShapeScene, ABallStartsAgainstItsAddedMass)
     const double mass = 1000*ratio*(D() == 2 ? M_PI*a*a : 4*M_PI/3*a*a*a);
     PicInside inside;
     inside.obstacles.push_back(roundTank(D(), R));
-    inside.solids = body(c, {{0.5, 0.5, 0.5}}, ballShape(D(), a, 0.5*c.cellSize), mass, (D() == 2 ? 0.5 : 0.4)*mass*a*a);
+    inside.solids = body(c, {{0.5, 0.5, 0.5}}, ballShape(D(), a, 0.5*c.cellSize), mass,
+        (D() == 2 ? 0.5 : 0.4)*mass*a*a);
     const auto s = createPicScene(c, water, PicWalls(), &solver, std::move(inside));
     s->advance(dt);
-    EXPECT_NEAR(g - s->coupling().force[1]/mass, (ratio - 1)/(ratio + C)*g, (D() == 2 ? 0.005 : 0.02)*g*(ratio - 1)/(ratio + C));
+    EXPECT_NEAR(g - s->coupling().force[1]/mass, (ratio - 1)/(ratio + C)*g,
+        (D() == 2 ? 0.005 : 0.02)*g*(ratio - 1)/(ratio + C));
 }
 
 //- Half as heavy as water and half under it: a square floats however it is turned
@@ -175,9 +195,12 @@ TEST_P(PicShapeScene, ASquareFloatsOnItsVolume)
     PicConfig c = config(40);
     c.adjustTimeStep = false;
     c.fixedTimeStep = dt;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
     const PicShape shape = shapeOf(2, {{half, half, 0}}, 0.5*c.cellSize, 2*c.cellSize,
-        [&](double x, double y, double) { return AxisBox<2>{{{-half, -half}}, {{half, half}}}.distance({{x, y}}); });
+        [&](double x, double y, double) {
+            return AxisBox<2>{{{-half, -half}}, {{half, half}}}.distance({{x, y}});
+        });
     const double mass = 500*4*half*half;
     for (const double turn : {0.0, M_PI/6, M_PI/4})
     {
@@ -193,7 +216,8 @@ TEST_P(PicShapeScene, RefusesWhatIsNoShape)
 {
     if (D() == 3) GTEST_SKIP() << "the same";
     PicConfig c = config(32);
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
     const auto refused = [&](const std::function<void(PicSolids&)>& change)
     {
         auto s = body(c, {{0.5, 0.5, 0.5}}, ballShape(2, 0.1, 0.5*c.cellSize), 1, 1);

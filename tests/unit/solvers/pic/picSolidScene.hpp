@@ -17,7 +17,8 @@ protected:
     HostSolver solver;
 
     //- Balls of this density on a stiff linear contact law
-    std::shared_ptr<PicSolids> balls(const PicConfig& c, const std::vector<Vector3>& at, double radius, double density, bool weak = false) const
+    std::shared_ptr<PicSolids> balls(const PicConfig& c, const std::vector<Vector3>& at,
+        double radius, double density, bool weak = false) const
     {
         auto s = std::make_shared<PicSolids>();
         s->weak = weak;
@@ -31,14 +32,17 @@ protected:
         s->input.pairs[0].properties.restitution = 0.3;
         for (const Vector3& x : at)
         {
-            s->input.particles.position.insert(s->input.particles.position.end(), x.begin(), x.end());
+            s->input.particles.position.insert(
+                s->input.particles.position.end(), x.begin(), x.end());
             s->input.particles.radius.push_back(radius);
-            s->input.particles.mass.push_back(density*(D() == 2 ? M_PI*radius*radius : 4*M_PI/3*std::pow(radius, 3)));
+            s->input.particles.mass.push_back(
+                density*(D() == 2 ? M_PI*radius*radius : 4*M_PI/3*std::pow(radius, 3)));
         }
         return s;
     }
 
-    std::unique_ptr<PicScene> withSolids(const PicConfig& c, const FluidInput& f, std::shared_ptr<PicSolids> solids)
+    std::unique_ptr<PicScene> withSolids(
+        const PicConfig& c, const FluidInput& f, std::shared_ptr<PicSolids> solids)
     {
         PicInside inside;
         inside.solids = std::move(solids);
@@ -57,7 +61,9 @@ inline PicObstacle roundTank(int dimensions, double radius)
         const int n = 400;
         for (int i = 0; i < n; ++i)
         {
-            o.vertices.insert(o.vertices.end(), {0.5 + radius*std::cos(2*M_PI*i/n), 0.5 + radius*std::sin(2*M_PI*i/n), 0});
+            o.vertices.insert(o.vertices.end(),
+                {0.5 + radius*std::cos(2*M_PI*i/n),
+                    0.5 + radius*std::sin(2*M_PI*i/n), 0});
             o.elements.insert(o.elements.end(), {i, (i + 1) % n});
         }
         return o;
@@ -67,12 +73,15 @@ inline PicObstacle roundTank(int dimensions, double radius)
         for (int i = 0; i < 2*n; ++i)
         {
             const double t = M_PI*j/n, f = M_PI*i/n;
-            o.vertices.insert(o.vertices.end(), {0.5 + radius*std::sin(t)*std::cos(f), 0.5 + radius*std::sin(t)*std::sin(f), 0.5 + radius*std::cos(t)});
+            o.vertices.insert(o.vertices.end(),
+                {0.5 + radius*std::sin(t)*std::cos(f), 0.5 + radius*std::sin(t)*std::sin(f),
+                    0.5 + radius*std::cos(t)});
         }
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < 2*n; ++i)
         {
-            const int k = (i + 1) % (2*n), a = j*2*n + i, b = j*2*n + k, e = (j + 1)*2*n + i, f = (j + 1)*2*n + k;
+            const int k = (i + 1) % (2*n), a = j*2*n + i, b = j*2*n + k,
+                      e = (j + 1)*2*n + i, f = (j + 1)*2*n + k;
             if (j > 0) o.elements.insert(o.elements.end(), {a, e, b});
             if (j < n - 1) o.elements.insert(o.elements.end(), {b, e, f});
         }

@@ -15,7 +15,8 @@ namespace
 
 RIPRAP_ALL_SETUPS(PicSolidScene);
 
-//- From rest: (rho_s - rho_f)/(rho_s + C rho_f) g, C of concentric circles and spheres (Lamb, Hydrodynamics, 68 and 93)
+//- From rest: (rho_s - rho_f)/(rho_s + C rho_f) g, C of concentric circles and spheres (Lamb,
+//  Hydrodynamics, 68 and 93)
 TEST_P(PicSolidScene, StartsAgainstItsAddedMass)
 {
     const double R = 0.45, a = 0.2, dt = 1e-3, g = 9.81;
@@ -38,7 +39,8 @@ TEST_P(PicSolidScene, StartsAgainstItsAddedMass)
     }
 }
 
-//- One that is held bears what it displaces (Archimedes); one that is moved, ever faster, its added mass (as above)
+//- One that is held bears what it displaces (Archimedes); one that is moved, ever faster, its added
+//  mass (as above)
 TEST_P(PicSolidScene, HeldAndMovedOnesBearTheWater)
 {
     const double R = 0.45, a = 0.2, dt = 1e-3, rate = 2;
@@ -87,7 +89,8 @@ TEST_P(PicSolidScene, HoldsAtAnyDensityWhereWeakCouplingDoesNot)
 {
     if (D() == 3) GTEST_SKIP() << "seconds saved";
     PicConfig c = config(32);
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
     for (const double ratio : {0.01, 0.5, 1.0})
         for (const bool weak : {false, true})
         {
@@ -97,12 +100,16 @@ TEST_P(PicSolidScene, HoldsAtAnyDensityWhereWeakCouplingDoesNot)
             const PicReport r = s->advance(0.15, 100);
             const std::vector<double> x = s->solids()->particles().position;
             const double y = x.empty() ? 1e300 : x[1];          // blown out of the domain
-            if (weak) EXPECT_TRUE(r.stop != StopReason::none || r.time < 0.15 || !(std::abs(y - 0.4) < 0.15)) << ratio;
+            if (weak)
+                EXPECT_TRUE(
+                    r.stop != StopReason::none || r.time < 0.15 || !(std::abs(y - 0.4) < 0.15))
+                    << ratio;
             else
             {
                 EXPECT_EQ(r.stop, StopReason::none) << ratio;
                 EXPECT_LT(std::abs(r.volumeError), 1e-3);
-                // slower than in no more water than it displaces, by its added mass of at least its volume
+                // slower than in no more water than it displaces, by its added mass of at least its
+                // volume
                 const double most = 0.5*9.81*(1 - ratio)/(1 + ratio)*0.15*0.15;
                 EXPECT_GT(y, ratio == 1 ? 0.399 : 0.4);
                 EXPECT_LT(y, 0.4 + most + 1e-3);
@@ -110,19 +117,25 @@ TEST_P(PicSolidScene, HoldsAtAnyDensityWhereWeakCouplingDoesNot)
         }
 }
 
-//- Bodies of given velocity in the first solution would do work there that nothing pays for: energy grew by 15 and 13 % of the body's
+//- Bodies of given velocity in the first solution would do work there that nothing pays for: energy
+//  grew by 15 and 13 % of the body's
 TEST_P(PicSolidScene, LightOnesThatHitReflectingWaterBringNoEnergy)
 {
     if (D() == 3) GTEST_SKIP() << "seconds saved";
     PicConfig c = config(40);
     c.reflection = 1;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
     for (const double ratio : {0.05, 0.1})
     {
         auto ball = balls(c, {{{0.52, 0.62, 0.5}}}, 0.1, 1000*ratio);
         ball->input.particles.velocity = {0, -3, 0};
         const auto s = withSolids(c, water, ball);
-        const auto energy = [&] { const auto e = s->energy(); return e.kinetic + e.potential + s->solids()->energy().total(); };
+        const auto energy = [&]
+        {
+            const auto e = s->energy();
+            return e.kinetic + e.potential + s->solids()->energy().total();
+        };
         const double start = energy(), brought = s->solids()->energy().translation;
         for (int k = 0; k < 12; ++k)
         {
@@ -133,7 +146,9 @@ TEST_P(PicSolidScene, LightOnesThatHitReflectingWaterBringNoEnergy)
     }
 }
 
-//- The water of a cell that a body nearly fills, and whose only opening is to the air, weighs as much as a body this light. Solved for with the body's velocity as given, it threw one of 33 back and forth, 2.4 times as fast in each step
+//- The water of a cell that a body nearly fills, and whose only opening is to the air, weighs as
+//  much as a body this light. Solved for with the body's velocity as given, it threw one of 33 back
+//  and forth, 2.4 times as fast in each step
 TEST_P(PicSolidScene, SliversOnTopOfLightOnesMoveWithThem)
 {
     if (D() == 3) GTEST_SKIP() << "seconds saved";
@@ -141,18 +156,22 @@ TEST_P(PicSolidScene, SliversOnTopOfLightOnesMoveWithThem)
     c.reflection = 1;
     c.fixedTimeStep = 1e-3;
     const double h = c.cellSize, radius = 4.5*h, level = 0.5;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, level, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, level, 1}}, [](double, double) { return true; });
     for (int k = 0; k < 33; ++k)
     {
         const double out = (-0.1 + 0.02*(k % 11))*h, x = 0.5 + 0.31*k*h;
-        const auto s = withSolids(c, water, balls(c, {{{x - 0.5*std::floor(2*x - 0.5), level + out - radius, 0.5}}}, radius, 1));
+        const auto s = withSolids(c, water,
+            balls(
+                c, {{{x - 0.5*std::floor(2*x - 0.5), level + out - radius, 0.5}}}, radius, 1));
         ASSERT_EQ(s->advance(1e30, 10).stop, StopReason::none) << k;
         const std::vector<double> v = s->solids()->particles().velocity;
         EXPECT_LT(std::hypot(v[0], v[1]), 4*9.81*s->time()) << k;
     }
 }
 
-//- Heavy ones, whose equation our solver takes as they are in the grid, as with a solver on the host; and the same bits every time, water between them slowed
+//- Heavy ones, whose equation our solver takes as they are in the grid, as with a solver on the
+//  host; and the same bits every time, water between them slowed
 TEST_P(PicSolidScene, MovesHeavyOnesWhereTheGridIs)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
@@ -161,7 +180,8 @@ TEST_P(PicSolidScene, MovesHeavyOnesWhereTheGridIs)
     c.adjustTimeStep = false;
     c.fixedTimeStep = 2e-3;
     const double a = 2.6*c.cellSize;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
     const auto run = [&](LinearSolver* of, double beta, double time = 0)
     {
         PicInside inside;
@@ -174,8 +194,10 @@ TEST_P(PicSolidScene, MovesHeavyOnesWhereTheGridIs)
         EXPECT_EQ(s->advance(0.04).stop, StopReason::none);
         return s;
     };
-    const auto host = run(&solver, 1), here = run(nullptr, 1), slowed = run(nullptr, 0.5), again = run(nullptr, 0.5);
-    const std::vector<double> there = host->solids()->particles().velocity, v = here->solids()->particles().velocity;
+    const auto host = run(&solver, 1), here = run(nullptr, 1), slowed = run(nullptr, 0.5),
+               again = run(nullptr, 0.5);
+    const std::vector<double> there = host->solids()->particles().velocity,
+                              v = here->solids()->particles().velocity;
     ASSERT_EQ(v.size(), there.size());
     EXPECT_LT(v[1], -0.1);
     for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(v[i], there[i], 1e-5);
@@ -183,21 +205,25 @@ TEST_P(PicSolidScene, MovesHeavyOnesWhereTheGridIs)
     EXPECT_NE(slowed->saveState(), here->saveState());
 
     // in the time of a step: the same; in a longer time: between
-    const std::vector<double> aStep = slowed->solids()->particles().velocity, timed = run(nullptr, 0.5, 2e-3)->solids()->particles().velocity;
+    const std::vector<double> aStep = slowed->solids()->particles().velocity,
+                              timed = run(nullptr, 0.5, 2e-3)->solids()->particles().velocity;
     for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(timed[i], aStep[i], 1e-5);
     EXPECT_NE(run(nullptr, 0.5, 2e-2)->saveState(), slowed->saveState());
 }
 
-//- Two heavy balls fall on the floor and on each other, come to rest a gap apart, and the water with them
+//- Two heavy balls fall on the floor and on each other, come to rest a gap apart, and the water
+//  with them
 TEST_P(PicSolidScene, RestsOnTheFloorAndContinuesToTheBit)
 {
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
     PicConfig c = config(D() == 2 ? 32 : 16);
     const double a = 2.6*c.cellSize, gap = 2*c.cellSize;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
     const auto make = [&]
     {
-        auto solids = balls(c, {{{0.5, a + gap + 0.01, 0.5}}, {{0.5 + 0.3*a, 3.2*a + 2*gap, 0.5}}}, a, 2700);
+        auto solids = balls(
+            c, {{{0.5, a + gap + 0.01, 0.5}}, {{0.5 + 0.3*a, 3.2*a + 2*gap, 0.5}}}, a, 2700);
         solids->input.pairs[0].properties.gap = gap;
         solids->input.pairs[0].properties.friction = 0.3;
         for (int side = 0; side < 4; ++side)
@@ -234,14 +260,18 @@ TEST_P(PicSolidScene, RestsOnTheFloorAndContinuesToTheBit)
     EXPECT_LT(std::abs(r.volumeError), 1e-3);
 }
 
-//- Without a gap: three disks that touch trap water between them, which gets out; they come to rest on each other and on the floor
+//- Without a gap: three disks that touch trap water between them, which gets out; they come to rest
+//  on each other and on the floor
 TEST_P(PicSolidScene, TouchAtTheirTrueSurfaces)
 {
     if (D() == 3) GTEST_SKIP() << "balls trap nothing";
     PicConfig c = config(32);
     const double a = 2.6*c.cellSize;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
-    auto solids = balls(c, {{{0.5 - a, a, 0.5}}, {{0.5 + a, a, 0.5}}, {{0.5, a*(1 + std::sqrt(3.0)), 0.5}}}, a, 2700);
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; });
+    auto solids = balls(c,
+        {{{0.5 - a, a, 0.5}}, {{0.5 + a, a, 0.5}}, {{0.5, a*(1 + std::sqrt(3.0)), 0.5}}}, a,
+        2700);
     solids->input.pairs[0].properties.friction = 0.5;
     DemWall floor;
     floor.plane = true;
@@ -254,10 +284,13 @@ TEST_P(PicSolidScene, TouchAtTheirTrueSurfaces)
     const DemState q = s->solids()->particles();
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < i; ++j)
-            EXPECT_GT(std::hypot(q.position[3*i] - q.position[3*j], q.position[3*i + 1] - q.position[3*j + 1]), 2*a - 0.1*c.cellSize);
+            EXPECT_GT(std::hypot(q.position[3*i] - q.position[3*j],
+                          q.position[3*i + 1] - q.position[3*j + 1]),
+                2*a - 0.1*c.cellSize);
 }
 
-//- Water, solids and walls: what one gets the others give, in each step. Balls of like and unlike densities press on the floor and on each other, and one rises
+//- Water, solids and walls: what one gets the others give, in each step. Balls of like and unlike
+//  densities press on the floor and on each other, and one rises
 TEST_P(PicSolidScene, MomentumIsBalancedInEachStep)
 {
     constexpr double dt = 1e-3, g = 9.81;
@@ -268,13 +301,17 @@ TEST_P(PicSolidScene, MomentumIsBalancedInEachStep)
         c.fixedTimeStep = dt;
         c.reflection = reflects;
         const double a = 2.6*c.cellSize, gap = 2*c.cellSize, first = a + gap - 0.02*c.cellSize;
-        auto solids = balls(c, {{{0.4, first, 0.45}}, {{0.4 + 0.5*a, first + 1.7*a + gap, 0.45}}, {{0.75, 0.4, 0.6}}}, a, 1000);
+        auto solids = balls(c,
+            {{{0.4, first, 0.45}}, {{0.4 + 0.5*a, first + 1.7*a + gap, 0.45}},
+                {{0.75, 0.4, 0.6}}},
+            a, 1000);
         const double ratio[3] = {2.7, 1.5, 0.3};
         double weight = 0;
         for (int b = 0; b < 3; ++b) weight += g*(solids->input.particles.mass[b] *= ratio[b]);
         solids->input.particles.velocity = {0.2, -0.1, 0, -0.3, -0.2, 0.1, 0.1, 0.2, -0.2};
         solids->input.pairs[0].properties.gap = gap;
-        solids->input.pairs[0].properties.normalStiffness = 1e4;        // one step of the solids in each of the water's
+        // one step of the solids in each of the water's
+        solids->input.pairs[0].properties.normalStiffness = 1e4;
         solids->input.pairs[0].properties.friction = 0.3;
         DemWall floor;
         floor.plane = true;
@@ -283,18 +320,26 @@ TEST_P(PicSolidScene, MomentumIsBalancedInEachStep)
         const std::vector<double> mass = solids->input.particles.mass;
         PicInside inside;
         inside.solids = solids;
-        const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+        const auto s = createPicScene(c,
+            box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), PicWalls(),
+            &solver, std::move(inside));
         s->watchMomentum(true);
         const auto ofSolids = [&]
         {
             Vector3 sum{{0, 0, 0}};
             const DemState q = s->solids()->particles();
-            for (std::size_t i = 0; i < q.id.size(); ++i) for (int d = 0; d < 3; ++d) sum[d] += mass[q.id[i]]*q.velocity[3*i + d];
+            for (std::size_t i = 0; i < q.id.size(); ++i)
+                for (int d = 0; d < 3; ++d) sum[d] += mass[q.id[i]]*q.velocity[3*i + d];
             return sum;
         };
-        // with reflection, what particles were left ahead by is a gradient about the surface of a step ago (1e-6), and at faces that were all but closed then and are not now (leastKnown of
-        // pic/grid/extrapolate.hpp; 2e-5 in 3D) it is what stood beside them
-        const double exact = mixed() ? 1e-5 : 1e-10, across = !reflects ? exact : D() == 3 ? 3e-5 : mixed() ? 1e-5 : 2e-6;
+        // with reflection, what particles were left ahead by is a gradient about the surface of a
+        // step ago (1e-6), and at faces that were all but closed then and are not now (leastKnown
+        // of pic/grid/extrapolate.hpp; 2e-5 in 3D) it is what stood beside them
+        const double exact = mixed() ? 1e-5 : 1e-10,
+                     across = !reflects ? exact
+            : D() == 3 ? 3e-5
+            : mixed() ? 1e-5
+                                        : 2e-6;
         Vector3 held{}, lastForce{}, lastWall{};
         double transferred = 0, kicks = 0;
         for (int step = 0; step < 20; ++step)
@@ -302,19 +347,25 @@ TEST_P(PicSolidScene, MomentumIsBalancedInEachStep)
             ASSERT_EQ(s->advance((step + 1)*dt, 1).stop, StopReason::none);
             ASSERT_EQ(s->coupling().subcycles, 1);
             const PicMomentum m = s->momentum();
-            const Vector3 force = s->coupling().force, now = ofSolids(), wall = s->solids()->wallForces()[0].force;
+            const Vector3 force = s->coupling().force, now = ofSolids(),
+                          wall = s->solids()->wallForces()[0].force;
             EXPECT_LT(wall[1], 0) << step;
             const double kick = step ? dt : 0.5*dt, scale = kick*(weight + 9810);
             for (int d = 0; d < 3; ++d)
             {
-                EXPECT_NEAR(m.water[d], m.gravity[d] + m.other[d] - m.walls[d] - m.solids[d], across*scale) << step << ' ' << d;
+                EXPECT_NEAR(m.water[d], m.gravity[d] + m.other[d] - m.walls[d] - m.solids[d],
+                    across*scale)
+                    << step << ' ' << d;
                 EXPECT_NEAR(m.solids[d], kick*force[d], 1e-12*scale);
                 EXPECT_NEAR(m.other[d], 0, exact*scale);
                 transferred += std::abs(m.particles[d] - m.water[d]);
                 kicks += std::abs(m.walls[d] + m.solids[d]) + std::abs(m.gravity[d]);
                 if (!step) continue;
-                // solids: the water's force, half of its change at once (picBodies.hpp), their weight, and the mean of what the floor gives before and after
-                const double impulse = dt*(force[d] - (d == 1 ? weight : 0) - 0.5*(wall[d] + lastWall[d])) + 0.5*dt*(force[d] - lastForce[d]);
+                // solids: the water's force, half of its change at once (picBodies.hpp), their
+                // weight, and the mean of what the floor gives before and after
+                const double impulse = dt
+                        *(force[d] - (d == 1 ? weight : 0) - 0.5*(wall[d] + lastWall[d]))
+                    + 0.5*dt*(force[d] - lastForce[d]);
                 EXPECT_NEAR(now[d] - held[d], impulse, exact*scale) << step << ' ' << d;
             }
             held = now;
@@ -350,13 +401,15 @@ std::shared_ptr<PicSolids> sleeperAndMover(std::shared_ptr<PicSolids> solids)
     return solids;
 }
 
-//- A ball on the floor falls asleep in still water; a wave that another one makes, which begins to move far away, wakes it before anything touches it
+//- A ball on the floor falls asleep in still water; a wave that another one makes, which begins to
+//  move far away, wakes it before anything touches it
 TEST_P(PicSolidScene, SleepsAtRestAndWakesByFlow)
 {
     if (D() == 3) GTEST_SKIP() << "seconds saved";
     PicConfig c = config(32);
     const double a = 2.6*c.cellSize;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
     PicInside inside;
     inside.solids = sleeperAndMover(balls(c, {{{0.7, a, 0.5}}, {{0.2, 0.2, 0.5}}}, a, 2700));
     const auto s = createPicScene(c, water, PicWalls(), &solver, std::move(inside));
@@ -376,7 +429,8 @@ TEST_P(PicSolidScene, SleepersContinueToTheBit)
     if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
     PicConfig c = config(D() == 2 ? 32 : 14);
     const double a = 2.6*c.cellSize;
-    const FluidInput water = box(c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.5, 1}}, [](double, double) { return true; });
     const auto make = [&]
     {
         PicInside inside;
@@ -410,7 +464,9 @@ TEST_P(PicSolidScene, IsStoppedAtAPeriodicSide)
     solids->input.particles.velocity = {0.5, 0, 0};
     PicInside inside;
     inside.solids = solids;
-    const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+    const auto s = createPicScene(c,
+        box(c, {{0, 0, 0}}, {{1, 0.75, 1}}, [](double, double) { return true; }), PicWalls(),
+        &solver, std::move(inside));
     EXPECT_EQ(s->advance(0.05).stop, StopReason::none);
     const PicReport r = s->advance(1);
     EXPECT_EQ(r.stop, StopReason::solids);
@@ -431,17 +487,21 @@ TEST_P(PicSolidScene, ShearFromRestTurnsANeutralCylinder)
     c.slide[1][1] = {{0.5, 0, 0}};
     PicInside inside;
     inside.solids = balls(c, {{{0.5, 0.5, 0.5}}}, 0.125, 1000);
-    const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+    const auto s = createPicScene(c,
+        box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; }), PicWalls(), &solver,
+        std::move(inside));
     EXPECT_EQ(s->advance(3).stop, StopReason::none);
     const DemState q = s->solids()->particles();
     EXPECT_NEAR(q.position[0], 0.5, 1e-3);
     EXPECT_NEAR(q.position[1], 0.5, 1e-3);
-    // less than half the shear rate, which is that of wide and slow shear: walls are near, and shear takes H^2/(pi^2 nu) = 5 s to settle
+    // less than half the shear rate, which is that of wide and slow shear: walls are near, and
+    // shear takes H^2/(pi^2 nu) = 5 s to settle
     EXPECT_LT(-q.spin[2], 0.5);
     EXPECT_GT(-q.spin[2], 0.35);
 }
 
-//- Water between a turning cylinder and a round tank that it sticks to (Couette): velocity, and the moment 4 pi mu w r^2 R^2/(R^2 - r^2)
+//- Water between a turning cylinder and a round tank that it sticks to (Couette): velocity, and the
+//  moment 4 pi mu w r^2 R^2/(R^2 - r^2)
 TEST_P(PicSolidScene, FeelsTheMomentOfWaterThatSticks)
 {
     if (D() == 3) GTEST_SKIP() << "a plane flow";
@@ -458,20 +518,31 @@ TEST_P(PicSolidScene, FeelsTheMomentOfWaterThatSticks)
         auto solids = balls(c, {{{0.5, 0.5, 0.5}}}, r, 1000);
         solids->input.groups.resize(1);
         solids->input.groups[0].motion = 0;
-        solids->input.groupMotion = [&](int, double) { RigidMotion m; m.spin[2] = w; m.centre = {{0.5, 0.5, 0.5}}; return m; };
+        solids->input.groupMotion = [&](int, double)
+        {
+            RigidMotion m;
+            m.spin[2] = w;
+            m.centre = {{0.5, 0.5, 0.5}};
+            return m;
+        };
         inside.solids = solids;
-        const auto s = createPicScene(c, box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; }), PicWalls(), &solver, std::move(inside));
+        const auto s = createPicScene(c,
+            box(c, {{0, 0, 0}}, {{1, 1, 1}}, [](double, double) { return true; }), PicWalls(),
+            &solver, std::move(inside));
         s->forcesOnWalls();                     // from now on somebody asks
         EXPECT_EQ(s->advance(3).stop, StopReason::none);
-        const double at = 0.3, theory = w*r*r/(R*R - r*r)*(R*R/at - at), moment = 4*M_PI*nu*c.density*w*r*r*R*R/(R*R - r*r);
+        const double at = 0.3, theory = w*r*r/(R*R - r*r)*(R*R/at - at),
+                     moment = 4*M_PI*nu*c.density*w*r*r*R*R/(R*R - r*r);
         const SampleResult q = s->sample({0.5 + at, 0.5, 0.5, 0.5, 0.5 - at, 0.5});
         const double coarse = n == 24 ? 3 : 1;
         EXPECT_NEAR(q.velocity[1], theory, 0.02*coarse*theory);
         EXPECT_NEAR(q.velocity[3], theory, 0.02*coarse*theory);
         EXPECT_NEAR(s->solids()->particles().moment[2], -moment, 0.02*coarse*moment);
-        // what the body has given the tank gets, but for what the pressure's rough velocities in cut cells carry: 1.4 % at 48 cells
+        // what the body has given the tank gets, but for what the pressure's rough velocities in
+        // cut cells carry: 1.4 % at 48 cells
         double onTank = 0;
-        for (const FluidForce& f : s->forcesOnWalls()) onTank += (f.place[0] - 0.5)*f.viscous[1] - (f.place[1] - 0.5)*f.viscous[0];
+        for (const FluidForce& f : s->forcesOnWalls())
+            onTank += (f.place[0] - 0.5)*f.viscous[1] - (f.place[1] - 0.5)*f.viscous[0];
         EXPECT_NEAR(onTank, -s->solids()->particles().moment[2], 0.02*moment);
         EXPECT_NEAR(s->forcesOnSolids()[0].viscousMoment[2], -moment, 0.02*coarse*moment);
     }
@@ -506,7 +577,8 @@ TEST_P(PicSolidScene, AloneAreAsInASceneOfTheirOwn)
     for (const double w : pic->grid().water) EXPECT_EQ(w, 0);
 }
 
-//- Steps in which the same time passes leave the same, however many they are; one of beta's own what the paper has, to the bit
+//- Steps in which the same time passes leave the same, however many they are; one of beta's own
+//  what the paper has, to the bit
 TEST(PicSolids, ContactsSlowByTimeNotBySteps)
 {
     for (const double C : {0.0, 0.1, 0.5, 0.93, 1.0})
@@ -514,7 +586,8 @@ TEST(PicSolids, ContactsSlowByTimeNotBySteps)
         EXPECT_EQ(keptVelocity(C, 1), C);
         EXPECT_NEAR(keptVelocity(C, 0.5)*keptVelocity(C, 0.5), C, 1e-15);
         double product = 1;
-        for (const double part : {0.125, 0.0625, 0.3125, 0.25, 0.25}) product *= keptVelocity(C, part);
+        for (const double part : {0.125, 0.0625, 0.3125, 0.25, 0.25})
+            product *= keptVelocity(C, part);
         EXPECT_NEAR(product, C, 1e-15);
         EXPECT_NEAR(keptVelocity(C, 3), C*C*C, 1e-15);
     }
@@ -550,7 +623,8 @@ TEST(PicSolids, BallsHaveTheirVolume)
         for (int d = 0; d < 3; ++d) grid.n[d] = 14;
         FreeBody<3, BallUnion<3>> body;
         Ball<3> ball;
-        for (int d = 0; d < 3; ++d) body.centre[d] = ball.centre[d] = 6.5 + std::fmod((k + 1)*(0.618 + 0.137*d), 1);
+        for (int d = 0; d < 3; ++d)
+            body.centre[d] = ball.centre[d] = 6.5 + std::fmod((k + 1)*(0.618 + 0.137*d), 1);
         ball.radius = body.reach = R;
         body.shape.balls = {ball};
         body.velocity.assign(6, 0.0);
@@ -558,7 +632,8 @@ TEST(PicSolids, BallsHaveTheirVolume)
         for (int d = 0; d < 3; ++d) cut.aperture[d].assign(grid.faces(d), 1.0);
         cutBodies(grid, std::vector<FreeBody<3, BallUnion<3>>>{body}, k % 3, cut);
         const double error = cut.terms[0].volume/volume - 1;
-        EXPECT_LT(std::abs(error), 0.015) << k;     // circles in the planes of faces, where a plane nearly touches the ball
+        // circles in the planes of faces, where a plane nearly touches the ball
+        EXPECT_LT(std::abs(error), 0.015) << k;
         mean += error/places;
     }
     EXPECT_LT(std::abs(mean), 0.005);

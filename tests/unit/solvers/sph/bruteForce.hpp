@@ -1,4 +1,5 @@
-/*  All pairs in double by the paper's equations, without cells, lists or sorting: what one pass of a scene must give.
+/*  All pairs in double by the paper's equations, without cells, lists or sorting: what one pass of
+    a scene must give.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,10 +18,12 @@ public:
     std::vector<Vector3> acceleration, drift;
     std::vector<double> rate;               // drho/dt
     std::vector<double> wallPressure;
-    double neighbours = 0;                  // a particle, within the support at rest density, walls included
+    // a particle, within the support at rest density, walls included
+    double neighbours = 0;
 
-    BruteForce(const SphConfig& config, const FluidInput& f, const WallInput& w = {}, const Vector3& wallSpeed = {{0, 0, 0}})
-    : c(config)
+    BruteForce(const SphConfig& config, const FluidInput& f, const WallInput& w = {},
+        const Vector3& wallSpeed = {{0, 0, 0}})
+        : c(config)
     {
         h0 = c.smoothingRatio*c.spacing;
         support = supportOf(c);
@@ -40,13 +43,15 @@ private:
     double pressure(double rho) const
     {
         const double s = c.soundSpeed*c.soundSpeed*c.density;
-        return c.eos == EosKind::linear ? s*(rho/c.density - 1) : s/c.gamma*(std::pow(rho/c.density, c.gamma) - 1);
+        return c.eos == EosKind::linear ? s*(rho/c.density - 1)
+                                        : s/c.gamma*(std::pow(rho/c.density, c.gamma) - 1);
     }
 
     double densityAt(double p) const
     {
         const double s = c.soundSpeed*c.soundSpeed*c.density;
-        return c.density*(c.eos == EosKind::linear ? 1 + p/s : std::pow(1 + p*c.gamma/s, 1/c.gamma));
+        return c.density
+            *(c.eos == EosKind::linear ? 1 + p/s : std::pow(1 + p*c.gamma/s, 1/c.gamma));
     }
 
     //- x_i - x_j in the solved directions, nearest image
@@ -76,7 +81,9 @@ private:
         p.m = c.density*std::pow(c.spacing, c.dimensions);
         p.h = h0;
         if (c.variableSmoothing)        // Eq. 37 integrated, limited
-            p.h = std::min(std::max(h0*std::pow(c.density/p.rho, 1.0/c.dimensions), h0/c.maxSmoothingGrowth), h0*c.maxSmoothingGrowth);
+            p.h = std::min(std::max(h0*std::pow(c.density/p.rho, 1.0/c.dimensions),
+                               h0/c.maxSmoothingGrowth),
+                h0*c.maxSmoothingGrowth);
         return p;
     }
 
@@ -98,7 +105,8 @@ private:
         for (const auto& f : fluid)
         {
             const Vector3 x = separation(p.x, f.x);
-            const double weight = paper::W(c.kernel, c.dimensions, std::sqrt(paper::dot(x, x)), 0.5*(h0 + f.h));
+            const double weight = paper::W(
+                c.kernel, c.dimensions, std::sqrt(paper::dot(x, x)), 0.5*(h0 + f.h));
             sumW += weight;
             sumP += weight*(f.p + f.rho*paper::dot(solved(c.gravity), x));
             paper::add(sumV, weight, f.v);
@@ -122,8 +130,10 @@ private:
     {
         Vector3 a = solved(c.gravity), u{{0, 0, 0}}, gradC{{0, 0, 0}};
         double r = 0, divergence = 0;
-        const bool laminar = c.viscosityModel == "laminar" || c.viscosityModel == "laminarAndArtificial";
-        const bool artificial = c.viscosityModel == "artificial" || c.viscosityModel == "laminarAndArtificial";
+        const bool laminar = c.viscosityModel == "laminar"
+            || c.viscosityModel == "laminarAndArtificial";
+        const bool artificial = c.viscosityModel == "artificial"
+            || c.viscosityModel == "laminarAndArtificial";
         const auto take = [&](paper::Pair& p)
         {
             paper::add(a, 1, p.a);
@@ -136,14 +146,16 @@ private:
         for (std::size_t j = 0; j < fluid.size(); ++j)
         {
             if (j == i) continue;
-            paper::Pair p(c.kernel, c.dimensions, fluid[i], fluid[j], separation(fluid[i].x, fluid[j].x));
+            paper::Pair p(
+                c.kernel, c.dimensions, fluid[i], fluid[j], separation(fluid[i].x, fluid[j].x));
             p.pressure();
             p.continuity();
             if (laminar) p.laminar(c.viscosity);
             if (artificial) p.artificial(c.artificialAlpha, c.soundSpeed);
             if (c.antiClump > 0) p.antiClump(c.antiClump, c.spacing);
             if (c.xsph > 0) p.xsph(c.xsph);
-            if (c.diffusion == "molteni") p.diffusion(c.diffusionDelta, c.soundSpeed, c.density, {{0, 0, 0}});
+            if (c.diffusion == "molteni")
+                p.diffusion(c.diffusionDelta, c.soundSpeed, c.density, {{0, 0, 0}});
             if (c.diffusion == "fourtakas")
                 p.diffusion(c.diffusionDelta, c.soundSpeed, c.density, solved(c.gravity));
             take(p);
@@ -163,14 +175,19 @@ private:
         drift.push_back(u);
     }
 
-    //- Skillen et al. 2013: - A h |v| grad C, faded out linearly where div r falls from D to the threshold, at most |v|/5 an axis
+    //- Skillen et al. 2013: - A h |v| grad C, faded out linearly where div r falls from D to the
+    //  threshold, at most |v|/5 an axis
     void shift(const paper::Particle& p, const Vector3& gradC, double divergence, Vector3& u) const
     {
-        const double threshold = c.shiftingSurfaceThreshold > 0 ? c.shiftingSurfaceThreshold : (c.dimensions == 2 ? 1.5 : 2.75);
-        const double fade = std::min(std::max((divergence - threshold)/(c.dimensions - threshold), 0.0), 1.0);
+        const double threshold = c.shiftingSurfaceThreshold > 0 ? c.shiftingSurfaceThreshold
+                                                                : (c.dimensions == 2 ? 1.5 : 2.75);
+        const double fade = std::min(
+            std::max((divergence - threshold)/(c.dimensions - threshold), 0.0), 1.0);
         const double speed = std::sqrt(paper::dot(p.v, p.v));
         for (int d = 0; d < 3; ++d)
-            u[d] += std::min(std::max(-c.shiftingCoefficient*h0*speed*fade*gradC[d], -0.2*speed), 0.2*speed);
+            u[d] += std::min(
+                std::max(-c.shiftingCoefficient*h0*speed*fade*gradC[d], -0.2*speed),
+                0.2*speed);
     }
 };
 

@@ -44,7 +44,8 @@ protected:
         }
         catch (const std::invalid_argument& e)
         {
-            EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << "'" << e.what() << "' does not say '" << why << "'";
+            EXPECT_NE(std::string(e.what()).find(why), std::string::npos)
+                << "'" << e.what() << "' does not say '" << why << "'";
         }
     }
 };
@@ -98,7 +99,12 @@ TEST_P(Checks, Domain)
     refuses("domain is empty", [](C& c, F&, W&, M&) { c.domainMax[1] = c.domainMin[1]; });
     refuses("domain is empty", [](C& c, F&, W&, M&) { c.domainMax[0] = nan; });
     refuses("domain is empty", [](C& c, F&, W&, M&) { c.escapeInset = 10; });
-    refuses("domain is empty", [](C& c, F&, W&, M&) { c.periodic[0] = true; c.domainMax[0] = c.domainMin[0]; });
+    refuses("domain is empty",
+        [](C& c, F&, W&, M&)
+        {
+            c.periodic[0] = true;
+            c.domainMax[0] = c.domainMin[0];
+        });
     refuses("three search radii", [](C& c, F& f, W& w, M&)
     {
         w = W();
@@ -118,7 +124,12 @@ TEST_P(Checks, Fluid)
     refuses("fluid particle 5 at (", [](C&, F& f, W&, M&) { f.position[15] = 7; });
     refuses("outside the domain", [](C&, F& f, W&, M&) { f.position[15] = 7; });
     refuses("outside the domain", [](C&, F& f, W&, M&) { f.position[16] = nan; });
-    refuses("outside the domain", [](C& c, F& f, W&, M&) { c.escapeInset = 0.1; f.position[1] = -0.06; });
+    refuses("outside the domain",
+        [](C& c, F& f, W&, M&)
+        {
+            c.escapeInset = 0.1;
+            f.position[1] = -0.06;
+        });
     refuses("fluid particle 4", [](C&, F& f, W&, M&) { f.density[4] = 0; });
     refuses("fluid particle 4", [](C&, F& f, W&, M&) { f.density[4] = nan; });
     refuses("fluid particle 4", [](C&, F& f, W&, M&) { f.velocity[12] = nan; });
@@ -143,7 +154,8 @@ TEST_P(Checks, Device)
     const int gpus = gpuCount(why);
     EXPECT_EQ(chooseDevice(DeviceKind::cpu, 1000000, 3).device, DeviceKind::cpu);
     EXPECT_FALSE(chooseDevice(DeviceKind::cpu, 1000000, 3).reason.empty());
-    const DeviceChoice small = chooseDevice(DeviceKind::automatic, 10, 2), large = chooseDevice(DeviceKind::automatic, 1000000, 2);
+    const DeviceChoice small = chooseDevice(DeviceKind::automatic, 10, 2),
+                       large = chooseDevice(DeviceKind::automatic, 1000000, 2);
     EXPECT_EQ(small.device, DeviceKind::cpu) << small.reason;
     EXPECT_EQ(large.device, gpus ? DeviceKind::gpu : DeviceKind::cpu) << large.reason;
     EXPECT_NE(large.reason.find(gpus ? "1000000" : why), std::string::npos) << large.reason;

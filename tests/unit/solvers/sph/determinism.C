@@ -1,4 +1,5 @@
-/*  The same input gives the same bits: again, with any number of threads, and whatever is read in between.
+/*  The same input gives the same bits: again, with any number of threads, and whatever is read in
+    between.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -43,7 +44,9 @@ TEST_P(Determinism, AgainTheSameBits)
     for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
         for (const bool piston : {false, true})
         {
-            SCOPED_TRACE(std::string(integrator == IntegratorKind::leapfrog ? "leapfrog" : "symplectic") + (piston ? ", piston" : ""));
+            SCOPED_TRACE(
+                std::string(integrator == IntegratorKind::leapfrog ? "leapfrog" : "symplectic")
+                + (piston ? ", piston" : ""));
             SphConfig c = full();
             c.integrator = integrator;
             const auto a = make(c, piston), b = make(c, piston);
@@ -72,7 +75,8 @@ TEST_P(Determinism, AnyNumberOfThreads)
         omp_set_num_threads(threads);
         FluidInput f = D() == 2 ? lattice(c, {{0, 0, 0}}, {{0.8, 1, 0}}) : column(c);
         disturb(c, f, 0.05, 0.5, 0);
-        for (std::size_t k = 0; k < f.size(); ++k) f.position[3*k + 1] = std::min(f.position[3*k + 1], 1.0);
+        for (std::size_t k = 0; k < f.size(); ++k)
+            f.position[3*k + 1] = std::min(f.position[3*k + 1], 1.0);
         SphConfig open = c;
         open.domainMax[1] = 1.2;
         WallInput w = floorOf(open, 1, 0, 3);
@@ -94,7 +98,9 @@ TEST_P(Determinism, ReadingChangesNothing)
     for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
         for (const bool piston : {false, true})
         {
-            SCOPED_TRACE(std::string(integrator == IntegratorKind::leapfrog ? "leapfrog" : "symplectic") + (piston ? ", piston" : ""));
+            SCOPED_TRACE(
+                std::string(integrator == IntegratorKind::leapfrog ? "leapfrog" : "symplectic")
+                + (piston ? ", piston" : ""));
             SphConfig c = full();
             c.integrator = integrator;
             const auto a = make(c, piston), b = make(c, piston);
@@ -115,7 +121,9 @@ TEST_P(Determinism, ReadingChangesNothing)
                 EXPECT_EQ(w.velocity, unread.velocity);
                 // wallForces sorts the fluid anew: sums in another order
                 for (std::size_t i = 0; i < w.pressure.size(); ++i)
-                    ASSERT_NEAR(w.pressure[i], unread.pressure[i], 100*epsilon()*largest(w.pressure)) << "wall point " << i;
+                    ASSERT_NEAR(
+                        w.pressure[i], unread.pressure[i], 100*epsilon()*largest(w.pressure))
+                        << "wall point " << i;
             }
             a->advance(0.04);
             b->advance(0.04);

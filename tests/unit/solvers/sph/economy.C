@@ -1,5 +1,6 @@
-/*  What a scene does not use is not there: the kernels it launches, how often, and the arrays it holds, exactly. A test here fails
-    when something is added that costs every scene; then say so here, with the reason.
+/*  What a scene does not use is not there: the kernels it launches, how often, and the arrays it
+    holds, exactly. A test here fails when something is added that costs every scene; then say so
+    here, with the reason.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -34,7 +35,10 @@ protected:
         return c;
     }
 
-    FluidInput fluid(const SphConfig& c) const { return lattice(c, {{0, 0, 0}}, {{1, 0.5, D() == 3 ? 0.5 : 0.0}}); }
+    FluidInput fluid(const SphConfig& c) const
+    {
+        return lattice(c, {{0, 0, 0}}, {{1, 0.5, D() == 3 ? 0.5 : 0.0}});
+    }
 
     std::unique_ptr<SphScene> make(const SphConfig& c, bool walls, bool moving) const
     {
@@ -56,7 +60,9 @@ protected:
         k["clock"] = {1, 1};                // the last one before a rebuild finds that it is due
         k["leapfrogDrift"] = {1, 0};
         k["fluidPass"] = {1, 0};
-        for (const char* name : {"fluidKeys", "sort", "clearCells", "countCells", "scan", "permute", "placeFluid"}) k[name] = {0, 1};
+        for (const char* name :
+            {"fluidKeys", "sort", "clearCells", "countCells", "scan", "permute", "placeFluid"})
+            k[name] = {0, 1};
         return k;
     }
 
@@ -66,10 +72,12 @@ protected:
         k["moveWalls"] = {1, 0};
         k["wallForce"] = {1, 0};            // their work
         k["wallKeys"] = k["placeWalls"] = {0, 1};
-        for (const char* name : {"sort", "clearCells", "countCells", "scan", "permute"}) k[name].rebuild += 1;
+        for (const char* name : {"sort", "clearCells", "countCells", "scan", "permute"})
+            k[name].rebuild += 1;
     }
 
-    void expectKernels(const char* what, const SphConfig& c, bool walls, bool moving, const Kernels& expected) const
+    void expectKernels(const char* what, const SphConfig& c, bool walls, bool moving,
+        const Kernels& expected) const
     {
         SCOPED_TRACE(what);
         const auto s = make(c, walls, moving);
@@ -85,11 +93,20 @@ protected:
         {
             EXPECT_EQ(launched.count(k.first), 1u) << k.first << " was not launched";
             // recorded cycles on the GPU run on after the last step, switched off
-            if (!gpu) { EXPECT_EQ(launched[k.first], k.second.step*r.steps + k.second.rebuild*r.rebuilds) << k.first; }
+            if (!gpu)
+            {
+                EXPECT_EQ(
+                    launched[k.first], k.second.step*r.steps + k.second.rebuild*r.rebuilds)
+                    << k.first;
+            }
             launched.erase(k.first);
         }
-        if (gpu) for (const char* list : {"listFluid", "listFluidWall", "listWallFluid", "clearFrames", "clearStill", "settleFrames"}) launched.erase(list);
-        for (const auto& k : launched) ADD_FAILURE() << k.first << " was launched " << k.second << " times";
+        if (gpu)
+            for (const char* list : {"listFluid", "listFluidWall", "listWallFluid", "clearFrames",
+                     "clearStill", "settleFrames"})
+                launched.erase(list);
+        for (const auto& k : launched)
+            ADD_FAILURE() << k.first << " was launched " << k.second << " times";
     }
 
     //- Double-buffered fields, pair records and positions when neighbours were sought
@@ -101,7 +118,8 @@ protected:
         for (int d = 0; d < D(); ++d)
         {
             a[std::string("fluid position") + axes[d]] = 2*8;
-            a[std::string("fluid velocity") + axes[d]] = a[std::string("fluid acceleration") + axes[d]] = 2*real;
+            a[std::string("fluid velocity") + axes[d]] =
+                a[std::string("fluid acceleration") + axes[d]] = 2*real;
         }
         a["fluid densityDeviation"] = a["fluid densityRate"] = 2*real;
         a["fluid id"] = 2*4;
@@ -127,7 +145,8 @@ protected:
         a["wall motion"] = 0;       // compared below
     }
 
-    void expectArrays(const char* what, const SphConfig& c, bool walls, bool moving, Arrays expected) const
+    void expectArrays(
+        const char* what, const SphConfig& c, bool walls, bool moving, Arrays expected) const
     {
         SCOPED_TRACE(what);
         const auto s = make(c, walls, moving);
@@ -135,7 +154,8 @@ protected:
         const std::size_t n = fluid(c).size(), nWalls = walls ? floorOf(c, 1, 0, layers).size() : 0;
         const std::size_t position = mixed() ? 4 : 8;
         double volume = 1;
-        for (int d = 0; d < D(); ++d) volume *= (c.domainMax[d] - c.domainMin[d] + 0.5)/c.spacing;      // with the margin of the box
+        // with the margin of the box
+        for (int d = 0; d < D(); ++d) volume *= (c.domainMax[d] - c.domainMin[d] + 0.5)/c.spacing;
         std::size_t lists = 0;
         for (const ArrayInfo& a : s->arrays())
         {
@@ -145,8 +165,8 @@ protected:
             EXPECT_EQ(a.bytesPerParticle, a.bytes/count);
             if (a.name == "cells")
             {
-                // keys and order of particles, each with a copy to sort into, unless they never move; at most two cells a spacing^D;
-                // what the GPU's sort needs besides
+                // keys and order of particles, each with a copy to sort into, unless they never
+                // move; at most two cells a spacing^D; what the GPU's sort needs besides
                 const std::size_t sort = a.set == "fluid" || moving ? 16*count : 0;
                 EXPECT_GE(a.bytes, sort);
                 EXPECT_LE(a.bytes, sort + 4*std::size_t(std::max(1000.0, 2*volume) + 2)
@@ -155,7 +175,8 @@ protected:
             }
             ASSERT_EQ(expected.count(name), 1u) << name << " of " << a.bytes << " bytes";
             if (a.name == "motion")
-                EXPECT_EQ(a.bytes, nWalls*(D()*position + 3*8) + 33*2*12*8) << "where neighbours were sought, reference position, poses";
+                EXPECT_EQ(a.bytes, nWalls*(D()*position + 3*8) + 33*2*12*8)
+                    << "where neighbours were sought, reference position, poses";
             else if (a.name == "records")       // padded by 16
                 EXPECT_EQ(a.bytes, (count + 16)*expected[name]);
             else
@@ -163,7 +184,10 @@ protected:
             expected.erase(name);
         }
         for (const auto& a : expected) ADD_FAILURE() << a.first << " is missing";
-        EXPECT_EQ(lists, GetParam().device == DeviceKind::gpu ? (walls ? 2u + (moving || c.wallModel == WallKind::extrapolated) : 1u) : 0u);
+        EXPECT_EQ(lists,
+            GetParam().device == DeviceKind::gpu
+                ? (walls ? 2u + (moving || c.wallModel == WallKind::extrapolated) : 1u)
+                : 0u);
     }
 };
 
@@ -189,7 +213,8 @@ TEST_P(Economy, KernelsWithoutWalls)
     Kernels k = always();
     k.erase("leapfrogDrift");
     k.erase("fluidPass");
-    for (const char* name : {"symplecticKick", "densityPass", "symplecticDrift", "momentumPass"}) k[name] = {1, 0};
+    for (const char* name : {"symplecticKick", "densityPass", "symplecticDrift", "momentumPass"})
+        k[name] = {1, 0};
     expectKernels("symplectic", other, false, false, k);
 }
 

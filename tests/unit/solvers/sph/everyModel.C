@@ -1,5 +1,6 @@
-/*  Every family of kernels takes a few steps and does what the CPU does in double precision: integrators, walls that rest and that move, constant
-    and variable smoothing, the paper's terms and all terms. Short on purpose: tests/Sanitize runs these under compute-sanitizer.
+/*  Every family of kernels takes a few steps and does what the CPU does in double precision:
+    integrators, walls that rest and that move, constant and variable smoothing, the paper's terms
+    and all terms. Short on purpose: tests/Sanitize runs these under compute-sanitizer.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -54,8 +55,9 @@ protected:
         return scene(c, f, w, piston ? pistonMotion() : WallMotion());
     }
 
-    //- In spacings, sound speeds and densities: a few roundings of pairs (6e-8, 1e-16; divisions on the GPU are to 2 ulp) in each of a dozen steps of
-    //  which each moves a particle by a hundredth of a spacing. The CPU's mixed precision comes to 3e-8
+    //- In spacings, sound speeds and densities: a few roundings of pairs (6e-8, 1e-16; divisions on
+    //  the GPU are to 2 ulp) in each of a dozen steps of which each moves a particle by a hundredth
+    //  of a spacing. The CPU's mixed precision comes to 3e-8
     double tolerance() const { return mixed() ? 1e-6 : 1e-12; }
 
     void compare(SphScene& tested, SphScene& reference, const SphConfig& c) const
@@ -83,12 +85,15 @@ protected:
         for (std::size_t k = 0; k < 2; ++k)
         {
             EXPECT_NEAR(sa.volumeFraction[k], sb.volumeFraction[k], tolerance());
-            EXPECT_NEAR(sa.pressure[k], sb.pressure[k], tolerance()*c.density*c.soundSpeed*c.soundSpeed);
+            EXPECT_NEAR(sa.pressure[k], sb.pressure[k],
+                tolerance()*c.density*c.soundSpeed*c.soundSpeed);
         }
         const std::vector<Vector3> fa = tested.wallForces(), fb = reference.wallForces();
         ASSERT_EQ(fa.size(), fb.size());
         for (std::size_t k = 0; k < fa.size(); ++k)
-            for (int d = 0; d < c.dimensions; ++d) EXPECT_NEAR(fa[k][d], fb[k][d], tolerance()*c.density*c.soundSpeed*c.soundSpeed);
+            for (int d = 0; d < c.dimensions; ++d)
+                EXPECT_NEAR(
+                    fa[k][d], fb[k][d], tolerance()*c.density*c.soundSpeed*c.soundSpeed);
     }
 };
 
@@ -96,12 +101,15 @@ RIPRAP_ALL_SETUPS(EveryModel);
 
 TEST_P(EveryModel, DoesAsTheCpuInDouble)
 {
-    if (GetParam().device == DeviceKind::cpu && !mixed()) GTEST_SKIP() << "is what the others are compared with";
+    if (GetParam().device == DeviceKind::cpu && !mixed())
+        GTEST_SKIP() << "is what the others are compared with";
     for (int k = 0; k < 32; ++k)
     {
-        const Model m{k & 1 ? IntegratorKind::symplectic : IntegratorKind::leapfrog, k & 2 ? WallKind::extrapolated : WallKind::stationary,
-            bool(k & 4), bool(k & 8), bool(k & 16)};
-        SCOPED_TRACE(std::string(k & 1 ? "symplectic" : "leapfrog") + (k & 2 ? ", extrapolated" : ", stationary") + (k & 4 ? ", piston" : "")
+        const Model m{k & 1 ? IntegratorKind::symplectic : IntegratorKind::leapfrog,
+            k & 2 ? WallKind::extrapolated : WallKind::stationary, bool(k & 4), bool(k & 8),
+            bool(k & 16)};
+        SCOPED_TRACE(std::string(k & 1 ? "symplectic" : "leapfrog")
+            + (k & 2 ? ", extrapolated" : ", stationary") + (k & 4 ? ", piston" : "")
             + (k & 8 ? ", variable h" : "") + (k & 16 ? ", every term" : ""));
         const SphConfig c = configOf(m);
         SphConfig exact = c;

@@ -1,4 +1,5 @@
-/*  What stops a run, and what leaves the domain: with the particle, where and how much; nothing is lost silently.
+/*  What stops a run, and what leaves the domain: with the particle, where and how much; nothing is
+    lost silently.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -17,7 +18,8 @@ protected:
     //- A blob in the middle of an open box; ids that are not indices
     FluidInput blob(const SphConfig& c) const
     {
-        FluidInput f = lattice(c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
+        FluidInput f = lattice(
+            c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
         for (std::size_t i = 0; i < f.size(); ++i) f.id.push_back(1000 - 3*int(i));
         return f;
     }
@@ -106,8 +108,8 @@ TEST_P(Guards, NotANumberStops)
 
 TEST_P(Guards, NotANumberIsOfTheParticleThatBegan)
 {
-    // beyond the support of the blob, but next to it in memory: a pack of neighbours reads it in lanes that are not in use, where
-    // zero times infinity is no number
+    // beyond the support of the blob, but next to it in memory: a pack of neighbours reads it in
+    // lanes that are not in use, where zero times infinity is no number
     SphConfig c = config();
     for (const double x : {0.2, 0.75, 0.8})
     {
@@ -170,7 +172,8 @@ TEST_P(Guards, EscapedAreReportedOnce)
 
 TEST_P(Guards, MissedPairsAreSaid)
 {
-    // a fixed step that is far too long: from rest past the skin, where a step's travel was foreseen as none
+    // a fixed step that is far too long: from rest past the skin, where a step's travel was
+    // foreseen as none
     SphConfig c = config();
     c.adjustTimeStep = false;
     c.fixedTimeStep = 0.01;
@@ -193,7 +196,8 @@ TEST_P(Guards, AllMayEscape)
     for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] = 8;
     const auto s = scene(c, f);
     std::set<int> gone;
-    for (int k = 1; k <= 5; ++k) for (const int id : s->advance(0.02*k).escapedId) EXPECT_TRUE(gone.insert(id).second);
+    for (int k = 1; k <= 5; ++k)
+        for (const int id : s->advance(0.02*k).escapedId) EXPECT_TRUE(gone.insert(id).second);
     EXPECT_EQ(gone.size(), f.size());
     EXPECT_EQ(s->time(), 0.1) << "an empty scene goes on";
     EXPECT_TRUE(s->fluid().id.empty());

@@ -37,11 +37,18 @@ protected:
     {
         FluidInput f = lattice(c, {{0, 0, 0}}, {{width, height, D() == 3 ? width : 0.0}});
         for (std::size_t i = 0; i < f.size(); ++i)
-            f.density[i] = c.density*std::pow(1 + c.gamma*g*(height - f.position[3*i + 1])/(c.soundSpeed*c.soundSpeed), 1/c.gamma);
+            f.density[i] = c.density
+                *std::pow(1
+                        + c.gamma*g*(height - f.position[3*i + 1])
+                            /(c.soundSpeed*c.soundSpeed),
+                    1/c.gamma);
         return f;
     }
 
-    double weight(const SphConfig& c, std::size_t n) const { return c.density*std::pow(c.spacing, D())*double(n)*g; }
+    double weight(const SphConfig& c, std::size_t n) const
+    {
+        return c.density*std::pow(c.spacing, D())*double(n)*g;
+    }
 };
 
 RIPRAP_ALL_SETUPS(Hydrostatic);
@@ -50,7 +57,8 @@ TEST_P(Hydrostatic, PressureStaysAndTheFloorCarriesTheWeight)
 {
     for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
     {
-        if (D() == 3 && !mixed() && integrator == IntegratorKind::symplectic) continue;     // seconds saved
+        // seconds saved
+        if (D() == 3 && !mixed() && integrator == IntegratorKind::symplectic) continue;
         SphConfig c = column();
         c.integrator = integrator;
         const FluidInput in = fluid(c);
@@ -78,10 +86,13 @@ TEST_P(Hydrostatic, PressureStaysAndTheFloorCarriesTheWeight)
             for (std::size_t i = 0; i < w.pressure.size(); ++i)
             {
                 const double y = floor.position[3*i + 1];
-                if (y > -c.spacing) wallError = std::max(wallError, std::abs(w.pressure[i]/(c.density*g*(height - y)) - 1));
+                if (y > -c.spacing)
+                    wallError = std::max(
+                        wallError, std::abs(w.pressure[i]/(c.density*g*(height - y)) - 1));
             }
         }
-        // 10 particles high: the topmost lacks neighbours and its spacing settles, which moves all others by a fraction of a spacing
+        // 10 particles high: the topmost lacks neighbours and its spacing settles, which moves all
+        // others by a fraction of a spacing
         EXPECT_LT(std::sqrt(error2/samples), 0.03) << "L2 of the pressure, of rho g H";
         EXPECT_LT(wallError, 0.06) << "extrapolated from the fluid to the first layer of the wall";
         const double w = weight(c, in.size());
@@ -97,7 +108,8 @@ TEST_P(Hydrostatic, PressureStaysAndTheFloorCarriesTheWeight)
 
 TEST_P(Hydrostatic, StationaryWallsCarryTheWeightToo)
 {
-    // they push when the density of the fluid rises: the column rings longer, hence stronger damping
+    // they push when the density of the fluid rises: the column rings longer, hence stronger
+    // damping
     SphConfig c = column();
     c.wallModel = WallKind::stationary;
     c.wallSpacing = 0.5*c.spacing;

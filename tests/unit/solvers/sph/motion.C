@@ -36,7 +36,8 @@ protected:
 
     FluidInput disorder(const SphConfig& c) const
     {
-        FluidInput f = lattice(c, c.domainMin, {{c.domainMax[0], c.domainMax[1], D() == 3 ? c.domainMax[2] : c.domainMin[2]}});
+        FluidInput f = lattice(c, c.domainMin,
+            {{c.domainMax[0], c.domainMax[1], D() == 3 ? c.domainMax[2] : c.domainMin[2]}});
         disturb(c, f, 0.2, 0.5, 0.01);
         for (std::size_t i = 0; i < f.size(); ++i)
             for (int d = 0; d < D(); ++d)
@@ -73,15 +74,16 @@ TEST_P(Motion, FreeFall)
             c.domainMin = {{-0.2, -0.4, -0.2}};
             c.adjustTimeStep = adjust;
             c.fixedTimeStep = 1e-3;
-            FluidInput f = lattice(c, {{0.3, 0.4, D() == 3 ? 0.3 : 0.0}}, {{0.7, 0.8, D() == 3 ? 0.6 : 0.0}});
+            FluidInput f = lattice(
+                c, {{0.3, 0.4, D() == 3 ? 0.3 : 0.0}}, {{0.7, 0.8, D() == 3 ? 0.6 : 0.0}});
             for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] = 0.25;
             const auto s = scene(c, f);
             const double t = 0.3;
             const SphReport r = s->advance(t);
             const FluidState after = s->fluid();
             ASSERT_EQ(after.id.size(), f.size());
-            // nothing but gravity acts, exactly: at rest density and equal velocities every pair gives zero. Each step rounds v twice
-            // and dt once
+            // nothing but gravity acts, exactly: at rest density and equal velocities every pair
+            // gives zero. Each step rounds v twice and dt once
             const double v = 3, tolerance = 3*r.steps*epsilon()*v;
             for (std::size_t k = 0; k < after.id.size(); ++k)
                 for (int d = 0; d < D(); ++d)
@@ -89,7 +91,8 @@ TEST_P(Motion, FreeFall)
                     const std::size_t from = 3*after.id[k] + d, to = 3*k + d;
                     const double v0 = f.velocity[from], g = c.gravity[d];
                     ASSERT_NEAR(after.velocity[to], v0 + g*t, tolerance);
-                    ASSERT_NEAR(after.position[to], f.position[from] + v0*t + 0.5*g*t*t, tolerance*t + 1e-14);
+                    ASSERT_NEAR(after.position[to], f.position[from] + v0*t + 0.5*g*t*t,
+                        tolerance*t + 1e-14);
                 }
             for (const double rho : after.density) ASSERT_EQ(rho, c.density);
         }
@@ -113,11 +116,14 @@ TEST_P(Motion, MomentumIsConserved)
             const FluidState last = s->fluid();
             const Vector3 after = momentum(last);
             double sum = 0, change = 0;
-            for (std::size_t k = 0; k < last.velocity.size(); ++k) sum += std::abs(last.velocity[k]);
-            for (std::size_t i = 0; i < first.id.size(); ++i) change = std::max(change, std::abs(last.velocity[3*i]));
-            // the two halves of a pair force differ by their rounding alone: forces are some 20 times what remains of them; v is
-            // rounded twice a step
-            for (int d = 0; d < D(); ++d) EXPECT_NEAR(after[d], before[d], 30*4*epsilon()*sum) << "axis " << d;
+            for (std::size_t k = 0; k < last.velocity.size(); ++k)
+                sum += std::abs(last.velocity[k]);
+            for (std::size_t i = 0; i < first.id.size(); ++i)
+                change = std::max(change, std::abs(last.velocity[3*i]));
+            // the two halves of a pair force differ by their rounding alone: forces are some 20
+            // times what remains of them; v is rounded twice a step
+            for (int d = 0; d < D(); ++d)
+                EXPECT_NEAR(after[d], before[d], 30*4*epsilon()*sum) << "axis " << d;
             EXPECT_GT(change, 0.1) << "or nothing happened";
         }
 }
@@ -130,11 +136,16 @@ TEST_P(Motion, TheSameAnywhereInSpace)
         everyTerm(c);
         c.viscosity = 0.5;
         const auto here = scene(c, disorder(c));
-        // by powers of two no position is rounded: the same bits. By 100 m the positions move by up to 1e-14 m, and mixed
-        // precision may see a neighbour a unit of 2^-32 m further off, whose effect has no time to grow in ten steps
+        // by powers of two no position is rounded: the same bits. By 100 m the positions move by up
+        // to 1e-14 m, and mixed precision may see a neighbour a unit of 2^-32 m further off, whose
+        // effect has no time to grow in ten steps
         const Vector3 shift = exact ? Vector3{{128, -256, 64}} : Vector3{{100, 100, -100}};
         SphConfig moved = c;
-        for (int d = 0; d < 3; ++d) { moved.domainMin[d] += shift[d]; moved.domainMax[d] += shift[d]; }
+        for (int d = 0; d < 3; ++d)
+        {
+            moved.domainMin[d] += shift[d];
+            moved.domainMax[d] += shift[d];
+        }
         FluidInput f = disorder(c);
         for (std::size_t k = 0; k < f.position.size(); ++k) f.position[k] += shift[k % 3];
         const auto there = scene(moved, f);
@@ -152,7 +163,8 @@ TEST_P(Motion, TheSameAnywhereInSpace)
                 ASSERT_NEAR(a.velocity[3*i + d], b.velocity[3*j + d], 1e-6);
                 double dx = b.position[3*j + d] - a.position[3*i + d] - shift[d];
                 dx -= std::round(dx);
-                ASSERT_NEAR(dx, 0, exact ? 1e-12 : 1e-9) << "the sum with the box's corner is rounded at 256 m";
+                ASSERT_NEAR(dx, 0, exact ? 1e-12 : 1e-9)
+                    << "the sum with the box's corner is rounded at 256 m";
             }
             if (exact) { ASSERT_EQ(a.density[i], b.density[j]); }
         }

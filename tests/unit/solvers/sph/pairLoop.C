@@ -1,4 +1,5 @@
-/*  The pair loop of whole scenes: accelerations, density rates and drifts of random particles against all pairs in double.
+/*  The pair loop of whole scenes: accelerations, density rates and drifts of random particles
+    against all pairs in double.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -20,16 +21,20 @@ protected:
         const BruteForce expected(c, f, w);
         const Derivatives d = derivatives(*s, c);
         ASSERT_EQ(d.acceleration.size(), f.size());
-        // of the largest: mixed sums 20 to 65 terms of which each is right to some 6e-8 and which mostly cancel; double likewise
+        // of the largest: mixed sums 20 to 65 terms of which each is right to some 6e-8 and which
+        // mostly cancel; double likewise
         const double tolerance = mixed() ? 1e-5 : 1e-12;
-        const double a = largest(expected.acceleration), r = largest(expected.rate), u = largest(expected.drift);
+        const double a = largest(expected.acceleration), r = largest(expected.rate),
+                     u = largest(expected.drift);
         int wrong = 0;
         for (std::size_t i = 0; i < f.size() && wrong < 3; ++i)
         {
             for (int k = 0; k < 3; ++k)
             {
-                EXPECT_NEAR(d.acceleration[i][k], expected.acceleration[i][k], tolerance*a) << "particle " << i << ", axis " << k;
-                EXPECT_NEAR(d.drift[i][k], expected.drift[i][k], tolerance*u) << "drift of particle " << i << ", axis " << k;
+                EXPECT_NEAR(d.acceleration[i][k], expected.acceleration[i][k], tolerance*a)
+                    << "particle " << i << ", axis " << k;
+                EXPECT_NEAR(d.drift[i][k], expected.drift[i][k], tolerance*u)
+                    << "drift of particle " << i << ", axis " << k;
             }
             EXPECT_NEAR(d.rate[i], expected.rate[i], tolerance*r) << "particle " << i;
             wrong += HasFailure();
@@ -39,7 +44,9 @@ protected:
             const WallState state = s->walls();
             for (std::size_t i = 0; i < w.size() && wrong < 3; ++i)
             {
-                EXPECT_NEAR(state.pressure[i], expected.wallPressure[i], tolerance*largest(expected.wallPressure)) << "wall point " << i;
+                EXPECT_NEAR(state.pressure[i], expected.wallPressure[i],
+                    tolerance*largest(expected.wallPressure))
+                    << "wall point " << i;
                 wrong += HasFailure();
             }
         }
@@ -86,7 +93,12 @@ TEST_P(PairLoop, EachTermAlone)
         compare(c, particles(c));
     };
     one("laminar", [](SphConfig& c) { c.viscosityModel = "laminar"; c.viscosity = 20; });
-    one("artificial", [](SphConfig& c) { c.viscosityModel = "artificial"; c.artificialAlpha = 0.5; });
+    one("artificial",
+        [](SphConfig& c)
+        {
+            c.viscosityModel = "artificial";
+            c.artificialAlpha = 0.5;
+        });
     one("antiClump", [](SphConfig& c) { c.antiClump = 0.2; });
     one("XSPH", [](SphConfig& c) { c.xsph = 0.5; });
     one("molteni", [](SphConfig& c) { c.diffusion = "molteni"; c.diffusionDelta = 0.5; });
@@ -119,7 +131,8 @@ TEST_P(PairLoop, Walls)
     for (const WallKind model : {WallKind::stationary, WallKind::extrapolated})
         for (const bool noSlip : {true, false})
         {
-            SCOPED_TRACE(std::string(model == WallKind::stationary ? "stationary" : "extrapolated") + (noSlip ? ", noSlip" : ", freeSlip"));
+            SCOPED_TRACE(std::string(model == WallKind::stationary ? "stationary" : "extrapolated")
+                + (noSlip ? ", noSlip" : ", freeSlip"));
             SphConfig c = base();
             c.wallModel = model;
             c.noSlip = noSlip;
@@ -159,17 +172,22 @@ TEST_P(PairLoop, AnyPlane)
         c.viscosityModel = "laminar";
         c.viscosity = 20;
         FluidInput f = lattice(c, c.domainMin, c.domainMax);
-        for (std::size_t i = 0; i < f.size(); ++i) f.position[3*i + axes[2]] = i ? 0.77 : 0.88;        // of no concern: it comes back as the middle of the domain
+        // of no concern: it comes back as the middle of the domain
+        for (std::size_t i = 0; i < f.size(); ++i) f.position[3*i + axes[2]] = i ? 0.77 : 0.88;
         disturb(c, f, 0.2, 1, 0.02);
-        for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i + axes[2]] = 4;      // of no concern in the plane
+        // of no concern in the plane
+        for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i + axes[2]] = 4;
         compare(c, f);
         const auto s = scene(c, f);
         const FluidState state = s->fluid();
-        for (std::size_t k = 0; k < f.size(); ++k) ASSERT_EQ(state.position[3*k + axes[2]], 0.5*(c.domainMin[axes[2]] + c.domainMax[axes[2]]));
+        for (std::size_t k = 0; k < f.size(); ++k)
+            ASSERT_EQ(state.position[3*k + axes[2]],
+                0.5*(c.domainMin[axes[2]] + c.domainMax[axes[2]]));
     }
 }
 
-//- The shortest periods: rows of cells are each other's neighbours from both sides, and the skin is what room there is
+//- The shortest periods: rows of cells are each other's neighbours from both sides, and the skin is
+//  what room there is
 TEST_P(PairLoop, ShortPeriods)
 {
     for (const double spacing : {0.1, 0.05, 0.03, 0.07, 0.011, 1.0/24})
@@ -183,7 +201,8 @@ TEST_P(PairLoop, ShortPeriods)
                 c.periodic[d] = true;
                 c.domainMax[d] = period*spacing;
             }
-            FluidInput f = lattice(c, {{0, 0, 0}}, {{8*spacing, 8*spacing, D() == 3 ? 8*spacing : 0.0}});
+            FluidInput f = lattice(
+                c, {{0, 0, 0}}, {{8*spacing, 8*spacing, D() == 3 ? 8*spacing : 0.0}});
             disturb(c, f, 0.2, 1, 0.02);
             for (std::size_t k = 0; k < f.position.size(); ++k)
                 f.position[k] -= c.domainMax[k % 3]*std::floor(f.position[k]/c.domainMax[k % 3]);
@@ -193,8 +212,9 @@ TEST_P(PairLoop, ShortPeriods)
 
 TEST_P(PairLoop, RadialForcesConserveMomenta)
 {
-    // a free blob: pressure, anti-clump term and artificial viscosity act along the line of centres, so that momentum and angular
-    // momentum are conserved; laminar viscosity (Morris) conserves the first
+    // a free blob: pressure, anti-clump term and artificial viscosity act along the line of
+    // centres, so that momentum and angular momentum are conserved; laminar viscosity (Morris)
+    // conserves the first
     SphConfig c = config();
     if (D() == 3) c.spacing = 0.1;
     c.viscosityModel = "artificial";
@@ -203,7 +223,8 @@ TEST_P(PairLoop, RadialForcesConserveMomenta)
     for (const bool variable : {false, true})
     {
         c.variableSmoothing = variable;
-        FluidInput f = lattice(c, {{0.2, 0.3, D() == 3 ? 0.2 : 0.0}}, {{0.8, 0.7, D() == 3 ? 0.8 : 0.0}});
+        FluidInput f = lattice(
+            c, {{0.2, 0.3, D() == 3 ? 0.2 : 0.0}}, {{0.8, 0.7, D() == 3 ? 0.8 : 0.0}});
         disturb(c, f, 0.3, 1, 0.02);
         const auto s = scene(c, f);
         const Derivatives d = derivatives(*s, c);
@@ -220,7 +241,8 @@ TEST_P(PairLoop, RadialForcesConserveMomenta)
                 sumForce += std::abs(a[k]);
             }
         }
-        // each pair's two halves are rounded separately: of 20 to 65 terms a particle, larger than their sum, some 20 roundings each
+        // each pair's two halves are rounded separately: of 20 to 65 terms a particle, larger than
+        // their sum, some 20 roundings each
         for (int k = 0; k < 3; ++k)
         {
             EXPECT_NEAR(force[k], 0, 10*epsilon()*sumForce);

@@ -19,7 +19,9 @@ protected:
         SphConfig c = config();
         if (D() == 3)
         {
-            c.spacing = 0.1;        // keeps the reference, 4e5 pairs, short; a period of 10 spacings has no room for a wide skin
+            // keeps the reference, 4e5 pairs, short; a period of 10 spacings has no room for a wide
+            // skin
+            c.spacing = 0.1;
             c.skin = 0.1;
         }
         c.domainMin[1] = -0.5;      // room for walls
@@ -32,14 +34,17 @@ protected:
 
     FluidInput particles(const SphConfig& c) const
     {
-        FluidInput f = lattice(c, {{0, 0, 0}}, {{c.domainMax[0], 0.6, D() == 3 ? c.domainMax[2] : 0.0}});
+        FluidInput f = lattice(
+            c, {{0, 0, 0}}, {{c.domainMax[0], 0.6, D() == 3 ? c.domainMax[2] : 0.0}});
         disturb(c, f, 0.3, 1, 0.02);
         for (std::size_t i = 0; i < f.size(); ++i)
         {
             // the jitter must not leave the bottom; across the periodic edges it may
             f.position[3*i + 1] = std::max(f.position[3*i + 1], 0.1*c.spacing);
             for (const int d : {0, 2})
-                if (c.periodic[d]) f.position[3*i + d] -= c.domainMax[d]*std::floor(f.position[3*i + d]/c.domainMax[d]);
+                if (c.periodic[d])
+                    f.position[3*i + d] -= c.domainMax[d]
+                        *std::floor(f.position[3*i + d]/c.domainMax[d]);
         }
         return f;
     }

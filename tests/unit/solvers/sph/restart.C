@@ -1,4 +1,5 @@
-/*  Saved states: a scene that is given one continues bit for bit, and refuses what is damaged or of another scene.
+/*  Saved states: a scene that is given one continues bit for bit, and refuses what is damaged or of
+    another scene.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -27,13 +28,15 @@ protected:
 
         SphConfig later = c;
         later.startTime = 0.06;
-        for (const SphConfig& start : {c, later})       // with the case's start time, and with that of the restart
+        // with the case's start time, and with that of the restart
+        for (const SphConfig& start : {c, later})
         {
             const auto second = scene(start, f, w, motion);
             second->loadState(saved);
             EXPECT_EQ(second->time(), 0.06);
             expectSameWalls(*first, *second);
-            const auto reference = scene(c, f, w, motion);      // first, saved at the same time, runs on in `reference`
+            // first, saved at the same time, runs on in `reference`
+            const auto reference = scene(c, f, w, motion);
             reference->advance(0.05);
             reference->advance(0.06);
             EXPECT_EQ(reference->saveState(), saved);
@@ -78,7 +81,8 @@ protected:
     static std::vector<std::int32_t> signedWords(std::vector<std::int32_t> words)
     {
         std::uint32_t h = 2166136261u;
-        for (std::size_t i = 0; i + 1 < words.size(); ++i) h = (h ^ std::uint32_t(words[i]))*16777619u;
+        for (std::size_t i = 0; i + 1 < words.size(); ++i)
+            h = (h ^ std::uint32_t(words[i]))*16777619u;
         words.back() = std::int32_t(h);
         return words;
     }
@@ -137,7 +141,8 @@ TEST_P(Restart, RefusesWhatDoesNotFit)
     const auto saved = s->saveState();
     const FluidState before = s->fluid();
 
-    for (const std::size_t at : {std::size_t(5), std::size_t(20), saved.size()/2, saved.size() - 2, saved.size() - 1})
+    for (const std::size_t at :
+        {std::size_t(5), std::size_t(20), saved.size()/2, saved.size() - 2, saved.size() - 1})
     {
         auto damaged = saved;
         damaged[at] ^= 1 << 7;

@@ -46,18 +46,21 @@ TEST_P(Sample, ConstantFieldsAreReproduced)
         std::vector<double> points;
         std::mt19937 engine(3);
         for (int k = 0; k < 100; ++k)
-            for (int d = 0; d < 3; ++d) points.push_back(k < 20 ? (k % 2 ? 0.999999 : 0.0) : riprap::uniform(engine, 0, 1));
+            for (int d = 0; d < 3; ++d)
+                points.push_back(k < 20 ? (k % 2 ? 0.999999 : 0.0) : riprap::uniform(engine, 0, 1));
         for (int round = 0; round < 2; ++round)
         {
             const SampleResult r = s->sample(points);
             for (int k = 0; k < 100; ++k)
             {
-                // divided by the sum of weights: constants come back but for rounding, also across the periodic edges
-                ASSERT_NEAR(r.pressure[k], taitPressure(c, deviation), 30*epsilon()*taitPressure(c, deviation)/deviation);
+                // divided by the sum of weights: constants come back but for rounding, also across
+                // the periodic edges
+                ASSERT_NEAR(r.pressure[k], taitPressure(c, deviation),
+                    30*epsilon()*taitPressure(c, deviation)/deviation);
                 for (int d = 0; d < D(); ++d) ASSERT_NEAR(r.velocity[3*k + d], v[d], 30*epsilon());
                 if (D() == 2) { ASSERT_EQ(r.velocity[3*k + 2], 0); }
-                // mass/density is 1/1.03 of a cell; the sum over the lattice replaces an integral: 1.3 % too much at a particle,
-                // less between
+                // mass/density is 1/1.03 of a cell; the sum over the lattice replaces an integral:
+                // 1.3 % too much at a particle, less between
                 ASSERT_NEAR(r.volumeFraction[k], 1/(1 + deviation), 0.015);
             }
             s->advance(0.02);       // and after the fluid has moved on
@@ -65,7 +68,8 @@ TEST_P(Sample, ConstantFieldsAreReproduced)
     }
 }
 
-//- A Shepard mean of a linear field is the field's value at the centroid of what was sampled: with that, it is exact at a surface too
+//- A Shepard mean of a linear field is the field's value at the centroid of what was sampled: with
+//  that, it is exact at a surface too
 TEST_P(Sample, LinearFieldFromTheCentroid)
 {
     for (const bool variable : {false, true})
@@ -84,13 +88,15 @@ TEST_P(Sample, LinearFieldFromTheCentroid)
         }
         const auto s = scene(c, f);
         // inside, in surfaces, in a corner, and beyond the surface
-        const std::vector<double> points{0.5, 0.5, mid, 0.5, 0.8, mid, 0.2, 0.47, mid, 0.8, 0.8, mid, 0.51, 0.85, mid};
+        const std::vector<double> points{
+            0.5, 0.5, mid, 0.5, 0.8, mid, 0.2, 0.47, mid, 0.8, 0.8, mid, 0.51, 0.85, mid};
         const SampleResult r = s->sample(points);
         for (int k = 0; k < 5; ++k)
         {
             const double* d = &r.centroid[3*k];
             const double gradient = -5000*d[1] + 2000*d[0];
-            EXPECT_NEAR(r.pressure[k] - gradient, pressure(&points[3*k]), 1000*epsilon()*c.soundSpeed*c.soundSpeed*c.density/400)
+            EXPECT_NEAR(r.pressure[k] - gradient, pressure(&points[3*k]),
+                1000*epsilon()*c.soundSpeed*c.soundSpeed*c.density/400)
                 << "point " << k;
             EXPECT_NEAR(r.velocity[3*k] - d[1], 0.5 + points[3*k + 1], 100*epsilon());
         }
@@ -105,8 +111,10 @@ TEST_P(Sample, NothingWhereNoFluidIs)
     SphConfig c = config();
     const auto s = scene(c, uniform(c, false, 0.03, {{1, 0, 0}}));
     const double h = 1.25*c.spacing, mid = D() == 3 ? 0.5 : 0;
-    // beyond the support, outside the domain, far away; and the surface, where half the support is empty
-    const SampleResult r = s->sample({0.2 - 2*h, 0.5, mid, 5, 0.5, mid, -1e6, 1e6, 0, 0.2, 0.5, mid, 0.5, 0.5, mid});
+    // beyond the support, outside the domain, far away; and the surface, where half the support is
+    // empty
+    const SampleResult r = s->sample(
+        {0.2 - 2*h, 0.5, mid, 5, 0.5, mid, -1e6, 1e6, 0, 0.2, 0.5, mid, 0.5, 0.5, mid});
     for (int k = 0; k < 3; ++k)
     {
         EXPECT_EQ(r.volumeFraction[k], 0);
@@ -114,14 +122,16 @@ TEST_P(Sample, NothingWhereNoFluidIs)
         EXPECT_EQ(r.velocity[3*k], 0);
     }
     EXPECT_NEAR(r.volumeFraction[3], 0.5/1.03, 0.03);
-    EXPECT_NEAR(r.pressure[3], taitPressure(c, 0.03), 1e-4*taitPressure(c, 0.03)) << "does not fade at the surface";
+    EXPECT_NEAR(r.pressure[3], taitPressure(c, 0.03), 1e-4*taitPressure(c, 0.03))
+        << "does not fade at the surface";
     EXPECT_NEAR(r.volumeFraction[4], 1/1.03, 0.015);
     EXPECT_TRUE(s->sample({}).pressure.empty());
 }
 
 TEST_P(Sample, NothingBehindPlanes)
 {
-    // a linear pressure in x > 0.5, and wild particles beyond: a wall's face at 0.5, seen from it and from a spacing and a half before it
+    // a linear pressure in x > 0.5, and wild particles beyond: a wall's face at 0.5, seen from it
+    // and from a spacing and a half before it
     SphConfig c = config();
     c.eos = EosKind::linear;
     FluidInput f = uniform(c, false, 0, {{1, 0, 0}});
@@ -133,11 +143,13 @@ TEST_P(Sample, NothingBehindPlanes)
         if (x < 0.5) f.velocity[3*i] = -100;
     }
     const auto s = scene(c, f);
-    const std::vector<double> points{0.5, 0.5, mid, 0.5 + 1.5*c.spacing, 0.5, mid, 0.5, 0.5, mid, 0.7, 0.7, mid};
+    const std::vector<double> points{
+        0.5, 0.5, mid, 0.5 + 1.5*c.spacing, 0.5, mid, 0.5, 0.5, mid, 0.7, 0.7, mid};
     const auto planes = [&](int n)
     {
         SightPlanes p;
-        p.first = {0, 1, 2, 2 + n, 2 + n};      // the third point has two, one along y as well; the last none
+        // the third point has two, one along y as well; the last none
+        p.first = {0, 1, 2, 2 + n, 2 + n};
         p.normal = {1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0};
         p.depth = {1e-3*c.spacing, 1.501*c.spacing, 1e-3*c.spacing, 1e-3*c.spacing};
         p.normal.resize(3*(2 + n));
@@ -161,7 +173,8 @@ TEST_P(Sample, NothingBehindPlanes)
 
 TEST_P(Sample, FollowsTheFluid)
 {
-    // a blob that flies past a point: what is read belongs to now, not to the last time that neighbours were sought
+    // a blob that flies past a point: what is read belongs to now, not to the last time that
+    // neighbours were sought
     SphConfig c = config();
     const auto s = scene(c, uniform(c, false, 0, {{1, 0, 0}}));
     const double mid = D() == 3 ? 0.5 : 0;
@@ -170,7 +183,11 @@ TEST_P(Sample, FollowsTheFluid)
         const double t = 0.01*k;
         s->advance(t);
         const SampleResult r = s->sample({0.8, 0.5, mid, 0.8 + t, 0.5, mid});
-        if (k == 0 || k == 10) { EXPECT_NEAR(r.volumeFraction[0], k ? 1 : 0.5, 0.03) << "the surface was there at the start, and passes"; }
+        if (k == 0 || k == 10)
+        {
+            EXPECT_NEAR(r.volumeFraction[0], k ? 1 : 0.5, 0.03)
+                << "the surface was there at the start, and passes";
+        }
         EXPECT_NEAR(r.volumeFraction[1], 0.5, 0.03) << "the surface is now here";
     }
 }
@@ -214,13 +231,15 @@ TEST_P(Sample, EnergyByHand)
                 kinetic += 0.5*m*f.velocity[3*i + d]*f.velocity[3*i + d];
                 potential -= m*c.gravity[d]*f.position[3*i + d];
             }
-            // the integral of p/rho^2 over rho: of p(d) = c0^2 rho0/gamma ((1 + d)^gamma - 1), and of c0^2 rho0 d
+            // the integral of p/rho^2 over rho: of p(d) = c0^2 rho0/gamma ((1 + d)^gamma - 1), and
+            // of c0^2 rho0 d
             const double r = f.density[i]/c.density, c2 = c.soundSpeed*c.soundSpeed;
             elastic += m*c2*(eos == EosKind::linear ? std::log(r) + 1/r - 1
                 : ((std::pow(r, 6) - 1)/6 + 1/r - 1)/7);
         }
         const SphEnergy e = s->energy();
-        const double tolerance = mixed() ? 1e-6 : 1e-12;        // inputs were rounded to float, the deviation d to 6e-8 of itself
+        // inputs were rounded to float, the deviation d to 6e-8 of itself
+        const double tolerance = mixed() ? 1e-6 : 1e-12;
         EXPECT_NEAR(e.kinetic, kinetic, tolerance*kinetic);
         EXPECT_NEAR(e.potential, potential, tolerance*std::abs(potential));
         EXPECT_NEAR(e.elastic, elastic, tolerance*elastic);
@@ -238,13 +257,16 @@ TEST_P(Sample, EnergyIsKept)
     c.acousticCourant = 0.1;
     FluidInput f = uniform(c, true, 0, {{0, 0, 0}});
     // a slow shear wave, with room to become disorder: 10 % of the speed of sound
-    for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] = 0.5*std::sin(2*std::acos(-1.0)*f.position[3*i + 1]);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        f.velocity[3*i] = 0.5*std::sin(2*std::acos(-1.0)*f.position[3*i + 1]);
     const auto s = scene(c, f);
     const SphEnergy before = s->energy();
     s->advance(0.3);
     const SphEnergy after = s->energy();
-    // the scheme is of second order in a step of a thirtieth of the fastest wave's period; no drift but what disorder makes of it
-    EXPECT_NEAR(after.kinetic + after.elastic, before.kinetic + before.elastic, 0.01*before.kinetic);
+    // the scheme is of second order in a step of a thirtieth of the fastest wave's period; no drift
+    // but what disorder makes of it
+    EXPECT_NEAR(
+        after.kinetic + after.elastic, before.kinetic + before.elastic, 0.01*before.kinetic);
 }
 
 } // namespace

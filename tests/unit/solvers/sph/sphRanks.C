@@ -41,7 +41,8 @@ FluidState sorted(const FluidState& s)
 {
     std::vector<std::size_t> order(s.id.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+    std::sort(order.begin(), order.end(),
+        [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
     FluidState r;
     for (const std::size_t i : order)
     {
@@ -70,7 +71,9 @@ void readBack(Outcome& o, SphScene& s)
 {
     std::vector<double> points;
     for (int i = 0; i < 12; ++i)
-        for (int j = 0; j < 6; ++j) for (const double z : {0.0, 0.3}) points.insert(points.end(), {-0.05 + 0.1*i, 0.02 + 0.1*j, z});
+        for (int j = 0; j < 6; ++j)
+            for (const double z : {0.0, 0.3})
+                points.insert(points.end(), {-0.05 + 0.1*i, 0.02 + 0.1*j, z});
     o.fluid = sorted(s.fluid());
     o.energy = s.energy();
     o.extremes = s.extremes();
@@ -87,7 +90,10 @@ void readBack(Outcome& o, SphScene& s)
 
 using Course = std::function<void(SphScene&, Outcome&)>;
 
-Course stepsOf(std::int64_t n) { return [n](SphScene& s, Outcome& o) { include(o, s.advance(1e9, n)); }; }
+Course stepsOf(std::int64_t n)
+{
+    return [n](SphScene& s, Outcome& o) { include(o, s.advance(1e9, n)); };
+}
 
 class SphRanks : public TankScene
 {
@@ -119,11 +125,13 @@ protected:
     {
         FluidInput f = column(c);
         disturb(c, f, 0.05, 0.2, 0.001);
-        for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] += 1.5;     // so that some soon cross borders
+        // so that some soon cross borders
+        for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] += 1.5;
         return f;
     }
 
-    static Outcome alone(const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run)
+    static Outcome alone(
+        const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run)
     {
         Outcome o;
         const auto scene = createSphScene(c, f, w);
@@ -132,7 +140,8 @@ protected:
         return o;
     }
 
-    static Outcome onSeveral(int ranks, const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run)
+    static Outcome onSeveral(
+        int ranks, const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run)
     {
         Outcome first;
         std::mutex mutex;
@@ -160,12 +169,16 @@ protected:
         return first;
     }
 
-    static void expectNear(double a, double b, double scale, const char* what) { EXPECT_NEAR(a, b, 1e-12*scale) << what; }
+    static void expectNear(double a, double b, double scale, const char* what)
+    {
+        EXPECT_NEAR(a, b, 1e-12*scale) << what;
+    }
 
     static std::set<Vector3> points(const std::vector<double>& x)
     {
         std::set<Vector3> all;
-        for (std::size_t i = 0; i < x.size(); i += 3) all.insert(Vector3{{x[i], x[i + 1], x[i + 2]}});
+        for (std::size_t i = 0; i < x.size(); i += 3)
+            all.insert(Vector3{{x[i], x[i + 1], x[i + 2]}});
         return all;
     }
 
@@ -188,9 +201,12 @@ protected:
         EXPECT_EQ(a.report.fluid, b.report.fluid);
         EXPECT_FALSE(a.report.skinExceeded);
         EXPECT_FALSE(b.report.skinExceeded);
-        EXPECT_EQ(std::set<Vector3>(a.escaped.begin(), a.escaped.end()), std::set<Vector3>(b.escaped.begin(), b.escaped.end()));
-        EXPECT_EQ(std::set<int>(a.escapedId.begin(), a.escapedId.end()), std::set<int>(b.escapedId.begin(), b.escapedId.end()));
-        EXPECT_EQ(std::set<int>(a.wild.begin(), a.wild.end()), std::set<int>(b.wild.begin(), b.wild.end()));
+        EXPECT_EQ(std::set<Vector3>(a.escaped.begin(), a.escaped.end()),
+            std::set<Vector3>(b.escaped.begin(), b.escaped.end()));
+        EXPECT_EQ(std::set<int>(a.escapedId.begin(), a.escapedId.end()),
+            std::set<int>(b.escapedId.begin(), b.escapedId.end()));
+        EXPECT_EQ(std::set<int>(a.wild.begin(), a.wild.end()),
+            std::set<int>(b.wild.begin(), b.wild.end()));
         EXPECT_EQ(a.walls.position, b.walls.position);
         EXPECT_EQ(a.walls.pressure, b.walls.pressure);
         EXPECT_EQ(a.sample.volumeFraction, b.sample.volumeFraction);
@@ -221,18 +237,22 @@ protected:
         expectNear(a.energy.faceWork, b.energy.faceWork, all, "work of faces");
         expectNear(a.energy.stiffening, b.energy.stiffening, all, "stiffening");
         double force = 1e-6;
-        for (const FluidForce& f : a.places) for (int d = 0; d < 3; ++d) force += std::abs(f.pressure[d]) + std::abs(f.viscous[d]);
+        for (const FluidForce& f : a.places)
+            for (int d = 0; d < 3; ++d) force += std::abs(f.pressure[d]) + std::abs(f.viscous[d]);
         ASSERT_EQ(a.wallForces.size(), b.wallForces.size());
         for (std::size_t k = 0; k < a.wallForces.size(); ++k)
-            for (int d = 0; d < 3; ++d) expectNear(a.wallForces[k][d], b.wallForces[k][d], force, "force on walls");
+            for (int d = 0; d < 3; ++d)
+                expectNear(a.wallForces[k][d], b.wallForces[k][d], force, "force on walls");
         std::map<Vector3, Vector3> places;
         for (const FluidForce& f : a.places) places[f.place] = f.pressure;
         EXPECT_EQ(a.places.size(), b.places.size());
         for (const FluidForce& f : b.places) EXPECT_EQ(places[f.place], f.pressure);
-        for (int d = 0; d < 3; ++d) expectNear(a.faces.impulse[d], b.faces.impulse[d], 1, "impulse of faces");
+        for (int d = 0; d < 3; ++d)
+            expectNear(a.faces.impulse[d], b.faces.impulse[d], 1, "impulse of faces");
     }
 
-    void compare(const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run, std::vector<int> ranks, bool moves = true) const
+    void compare(const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run,
+        std::vector<int> ranks, bool moves = true) const
     {
         const Outcome one = alone(c, f, w, run);
         for (const int n : ranks)
@@ -295,7 +315,10 @@ TEST_P(SphRanks, fluidLeavesTheDomain)
     c.domainMin[1] = -0.02;
     FluidInput f = water(c);
     for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i + 1] -= 2;
-    const Course fall = [](SphScene& s, Outcome& o) { for (int k = 1; k <= 4; ++k) include(o, s.advance(0.03*k)); };
+    const Course fall = [](SphScene& s, Outcome& o)
+    {
+        for (int k = 1; k <= 4; ++k) include(o, s.advance(0.03*k));
+    };
     const Outcome one = alone(c, f, WallInput(), fall);
     EXPECT_GT(one.escaped.size(), 20u);
     EXPECT_GT(one.fluid.id.size(), 10u);
@@ -333,7 +356,8 @@ TEST_P(SphRanks, facesOfWalls)
     if (D() == 2) add({0, 1, 0});
     else { add({0, 1, 2}); add({0, 2, 3}); }
     FluidInput f = water(c);
-    for (std::size_t i = 0; i < f.size(); ++i) if (f.position[3*i + 1] < 0.06) f.velocity[3*i + 1] = -2;
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (f.position[3*i + 1] < 0.06) f.velocity[3*i + 1] = -2;
     const Course course = stepsOf(60);
     EXPECT_GT(alone(c, f, w, course).faces.count, 2);
     compare(c, f, w, course, {2, 3}, false);
@@ -344,7 +368,11 @@ TEST_P(SphRanks, moreRanksThanParticles)
     const SphConfig c = damBreak(0.05);
     FluidInput f = oneParticle(D(), {{0.3, 0.1, 0.2}}, {{0.5, 0, 0}});
     const FluidInput other = oneParticle(D(), {{0.37, 0.1, 0.2}}, {{-0.5, 0, 0}});
-    for (int d = 0; d < 3; ++d) { f.position.push_back(other.position[d]); f.velocity.push_back(other.velocity[d]); }
+    for (int d = 0; d < 3; ++d)
+    {
+        f.position.push_back(other.position[d]);
+        f.velocity.push_back(other.velocity[d]);
+    }
     f.density.push_back(1001);
     compare(c, f, walls(c), stepsOf(60), {5}, false);
 }
@@ -381,7 +409,8 @@ TEST_P(SphRanks, piecesAndSavedStates)
     compare(c, water(c), walls(c), run, {3});
 }
 
-//- 4, 1 and 3 ranks go on with each other's states, and end with the bits of one process that does the same
+//- 4, 1 and 3 ranks go on with each other's states, and end with the bits of one process that does
+//  the same
 TEST_P(SphRanks, savedStates)
 {
     SphConfig c = damBreak(0.05);
@@ -405,7 +434,8 @@ TEST_P(SphRanks, savedStates)
     {
         SCOPED_TRACE(std::to_string(ranks) + " ranks");
         const Outcome a = alone(c, f, w, goOn(one));
-        const Outcome b = ranks == 1 ? alone(c, f, w, goOn(many)) : onSeveral(ranks, c, f, w, goOn(many));
+        const Outcome b = ranks == 1 ? alone(c, f, w, goOn(many))
+                                     : onSeveral(ranks, c, f, w, goOn(many));
         expectSame(a, b);
         EXPECT_EQ(one, many);
     }
@@ -428,7 +458,11 @@ TEST_P(SphRanks, placesOfEachRank)
         SightPlanes p;
         for (int i = 0; rank == 2 && i <= 10; ++i) p.first.push_back(i/2);
         for (std::size_t i = 1; i < p.first.size(); ++i)
-            if (p.first[i] > p.first[i - 1]) { p.normal.insert(p.normal.end(), {0, 1, 0}); p.depth.push_back(0.01); }
+            if (p.first[i] > p.first[i - 1])
+            {
+                p.normal.insert(p.normal.end(), {0, 1, 0});
+                p.depth.push_back(0.01);
+            }
         return p;
     };
     std::vector<SampleResult> alone;
@@ -445,8 +479,9 @@ TEST_P(SphRanks, placesOfEachRank)
         whole->advance(1e9, 3);
         const int rank = transport.rank();
         const SampleResult r = whole->sample(points(rank), planes(rank));
-        if (r.volumeFraction != alone[rank].volumeFraction || r.pressure != alone[rank].pressure || r.velocity != alone[rank].velocity
-         || r.centroid != alone[rank].centroid) throw std::logic_error("rank " + std::to_string(rank) + " has other values");
+        if (r.volumeFraction != alone[rank].volumeFraction || r.pressure != alone[rank].pressure
+            || r.velocity != alone[rank].velocity || r.centroid != alone[rank].centroid)
+            throw std::logic_error("rank " + std::to_string(rank) + " has other values");
     });
 }
 
@@ -505,8 +540,11 @@ TEST_P(SphRanks, interruption)
         own.ranks = &transport;
         const auto part = createSphScene(own, water(c), walls(c));
         if (transport.rank() == 1) part->interrupt();
-        const std::int64_t steps = part->advance(1e9, 20).steps, more = part->advance(1e9, 20).steps;
-        if (steps != 1 || more != 20) throw std::logic_error("took " + std::to_string(steps) + " and " + std::to_string(more) + " steps");
+        const std::int64_t steps = part->advance(1e9, 20).steps,
+                           more = part->advance(1e9, 20).steps;
+        if (steps != 1 || more != 20)
+            throw std::logic_error(
+                "took " + std::to_string(steps) + " and " + std::to_string(more) + " steps");
     });
 }
 
@@ -514,7 +552,8 @@ TEST_P(SphRanks, interruption)
 TEST_P(SphRanks, oneRank)
 {
     const SphConfig c = damBreak(0.05);
-    const Outcome one = alone(c, water(c), walls(c), stepsOf(20)), same = onSeveral(1, c, water(c), walls(c), stepsOf(20));
+    const Outcome one = alone(c, water(c), walls(c), stepsOf(20)),
+                  same = onSeveral(1, c, water(c), walls(c), stepsOf(20));
     expectSame(one, same);
     EXPECT_EQ(same.report.rank.owned, 0u);
 }
@@ -522,7 +561,8 @@ TEST_P(SphRanks, oneRank)
 //- What several ranks cannot have is refused by all
 TEST_P(SphRanks, refusals)
 {
-    const auto expectRefused = [&](const SphConfig& c, const WallInput& w, const WallMotion& motion, const std::string& why)
+    const auto expectRefused = [&](const SphConfig& c, const WallInput& w, const WallMotion& motion,
+                                   const std::string& why)
     {
         onRanks(2, [&](Transport& transport)
         {
@@ -531,7 +571,8 @@ TEST_P(SphRanks, refusals)
             try { createSphScene(own, water(c), w, motion); }
             catch (const std::invalid_argument& e)
             {
-                if (std::string(e.what()).find(why) == std::string::npos) throw std::logic_error(e.what());
+                if (std::string(e.what()).find(why) == std::string::npos)
+                    throw std::logic_error(e.what());
                 return;
             }
             throw std::logic_error("accepted, but: " + why);

@@ -1,5 +1,5 @@
-/*  Another maxVelocity and speed of sound between two steps: pressures stay, energy is accounted for, steps follow, restarts are exact. And
-    who is faster than some speeds.
+/*  Another maxVelocity and speed of sound between two steps: pressures stay, energy is accounted
+    for, steps follow, restarts are exact. And who is faster than some speeds.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -52,14 +52,17 @@ TEST_P(Stiffness, PressureIsKept)
                 lowest = std::min(lowest, a.pressure[i]);
                 ASSERT_NEAR(b.pressure[i], a.pressure[i], single()*scale);
                 const double p = a.pressure[i], B = c1*c1*c.density;
-                const double expected = eos == EosKind::linear ? p/B : std::pow(1 + 7*p/B, 1.0/7) - 1;
+                const double expected = eos == EosKind::linear
+                    ? p/B
+                    : std::pow(1 + 7*p/B, 1.0/7) - 1;
                 ASSERT_NEAR(b.density[i]/c.density - 1, expected, single()*scale/B);
             }
             EXPECT_LT(lowest, -0.01*scale) << "some are in tension";
         }
 }
 
-//- The jump of the elastic energy is what is accounted for; nearly -sum V p^2/2 (1/(rho c^2) - 1/(rho c'^2))
+//- The jump of the elastic energy is what is accounted for; nearly -sum V p^2/2 (1/(rho c^2) -
+//  1/(rho c'^2))
 TEST_P(Stiffness, EnergyIsAccountedFor)
 {
     FluidInput f;
@@ -78,14 +81,16 @@ TEST_P(Stiffness, EnergyIsAccountedFor)
     EXPECT_EQ(after.potential, before.potential);
     EXPECT_NEAR(after.elastic - before.elastic, after.stiffening, 1e-12*total(before));
     EXPECT_LT(after.stiffening, 0);
-    EXPECT_NEAR(after.stiffening, expected, 0.15*std::abs(expected));       // deviations of some per cent
+    // deviations of some per cent
+    EXPECT_NEAR(after.stiffening, expected, 0.15*std::abs(expected));
     // and the sum of two raises
     s->advance(0.03);
     const SphEnergy third = s->energy();
     EXPECT_EQ(third.stiffening, after.stiffening);
     s->setMaxVelocity(3*c.maxVelocity, 3*c.soundSpeed);
     const SphEnergy last = s->energy();
-    EXPECT_NEAR(last.elastic - third.elastic, last.stiffening - third.stiffening, 1e-12*total(before));
+    EXPECT_NEAR(
+        last.elastic - third.elastic, last.stiffening - third.stiffening, 1e-12*total(before));
 }
 
 //- Energy in all, with what was accounted for, only falls through a raise
@@ -110,7 +115,8 @@ TEST_P(Stiffness, NothingIsGained)
 TEST_P(Stiffness, StepsAndGuardsFollow)
 {
     SphConfig c = config();         // vmax 2, c0 20 m/s
-    FluidInput f = lattice(c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
+    FluidInput f = lattice(
+        c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
     for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] = 9;
     const auto s = scene(c, f);
     std::string limit;
@@ -143,13 +149,15 @@ TEST_P(Stiffness, GoesOnAsOneThatBeganSo)
     f.velocity = now.velocity;
     f.density = now.density;
     const auto other = scene(c, f, walls(c));
-    // first forces were those of before, which were of the same pressures: artificial viscosity alone differs
+    // first forces were those of before, which were of the same pressures: artificial viscosity
+    // alone differs
     s->advance(0.02);
     other->advance(0.02);
     const FluidState a = s->fluid(), b = other->fluid();
     const auto ia = byId(a), ib = byId(b);
     for (std::size_t k = 0; k < ia.size(); ++k)
-        for (int d = 0; d < D(); ++d) ASSERT_NEAR(a.position[3*ia[k] + d], b.position[3*ib[k] + d], 0.05*c.spacing);
+        for (int d = 0; d < D(); ++d)
+            ASSERT_NEAR(a.position[3*ia[k] + d], b.position[3*ib[k] + d], 0.05*c.spacing);
 }
 
 TEST_P(Stiffness, RestartIsExact)
@@ -190,7 +198,8 @@ TEST_P(Stiffness, RestartIsExact)
 TEST_P(Stiffness, FasterThan)
 {
     SphConfig c = config();
-    FluidInput f = lattice(c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
+    FluidInput f = lattice(
+        c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
     for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i + i % D()] = 0.01*double(i);
     const auto counts = scene(c, f)->fasterThan({0, 0.005, 0.015, 0.055, 0.1, 0.105, 0.5, 10});
     const auto n = f.size();

@@ -1,4 +1,5 @@
-/*  A small dam break: a column of fluid at the left of a tank of wall points, which may have a piston for its left wall.
+/*  A small dam break: a column of fluid at the left of a tank of wall points, which may have a
+    piston for its left wall.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -30,7 +31,10 @@ protected:
         return c;
     }
 
-    FluidInput column(const SphConfig& c) const { return lattice(c, {{0, 0, 0}}, {{0.4, 0.4, D() == 3 ? 0.5 : 0.0}}); }
+    FluidInput column(const SphConfig& c) const
+    {
+        return lattice(c, {{0, 0, 0}}, {{0.4, 0.4, D() == 3 ? 0.5 : 0.0}});
+    }
 
     WallInput walls(const SphConfig& c) const
     {
@@ -38,14 +42,17 @@ protected:
         points.spacing = c.wallSpacing;
         const double thick = layers*c.wallSpacing;
         const double z0 = D() == 3 ? -thick : 0, z1 = D() == 3 ? 0.5 + thick : 0;
-        const std::vector<double> x = lattice(points, {{-thick, -thick, z0}}, {{1 + thick, 0.7, z1}}).position;
+        const std::vector<double> x = lattice(points, {{-thick, -thick, z0}},
+            {{1 + thick, 0.7, z1}}).position;
         WallInput w;
         for (std::size_t i = 0; i < x.size()/3; ++i)
         {
             const double* p = &x[3*i];
-            if (p[0] > 0 && p[0] < 1 && p[1] > 0 && (D() == 2 || (p[2] > 0 && p[2] < 0.5))) continue;
+            if (p[0] > 0 && p[0] < 1 && p[1] > 0 && (D() == 2 || (p[2] > 0 && p[2] < 0.5)))
+                continue;
             w.position.insert(w.position.end(), p, p + 3);
-            const double n[3] = {p[0] < 0 ? 1.0 : (p[0] > 1 ? -1.0 : 0.0), p[0] > 0 && p[0] < 1 && p[1] < 0 ? 1.0 : 0.0, 0};
+            const double n[3] = {p[0] < 0 ? 1.0 : (p[0] > 1 ? -1.0 : 0.0),
+                p[0] > 0 && p[0] < 1 && p[1] < 0 ? 1.0 : 0.0, 0};
             w.normal.insert(w.normal.end(), n, n + 3);
         }
         return w;
@@ -55,7 +62,8 @@ protected:
     static void makePiston(WallInput& w)
     {
         w.nBodies = 2;
-        for (std::size_t i = 0; i < w.size(); ++i) w.body.push_back(w.position[3*i] < 0 && w.position[3*i + 1] > 0 ? 0 : -1);
+        for (std::size_t i = 0; i < w.size(); ++i)
+            w.body.push_back(w.position[3*i] < 0 && w.position[3*i + 1] > 0 ? 0 : -1);
     }
 
     //- Forth and back by 0.1 m in 0.4 s, without a jerk at the start

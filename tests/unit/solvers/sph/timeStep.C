@@ -1,4 +1,5 @@
-/*  The length of a step, its limits, and how runs begin and end: targets, numbers of steps, interrupts.
+/*  The length of a step, its limits, and how runs begin and end: targets, numbers of steps,
+    interrupts.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -18,7 +19,8 @@ protected:
     //- A blob at rest: every limit is known
     FluidInput blob(const SphConfig& c, double speed = 0) const
     {
-        FluidInput f = lattice(c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
+        FluidInput f = lattice(
+            c, {{0.4, 0.4, D() == 3 ? 0.4 : 0.0}}, {{0.6, 0.6, D() == 3 ? 0.6 : 0.0}});
         for (std::size_t i = 0; i < f.size(); ++i) f.velocity[3*i] = speed;
         return f;
     }
@@ -63,7 +65,8 @@ TEST_P(TimeStep, Limits)
     expectStep("viscous", 0.125*h*h/2, c);
     c.viscosityModel = "artificial";
     expectStep("acoustic", 0.3*h/c0, c);
-    c.artificialAlpha = 40;                             // nu = alpha c0 h/(2 (D + 2)), Monaghan 2005
+    // nu = alpha c0 h/(2 (D + 2)), Monaghan 2005
+    c.artificialAlpha = 40;
     expectStep("viscous", 0.125*h*h/(40*c0*h/(2*(D() + 2))), c);
     c.viscosityModel = "laminarAndArtificial";
     expectStep("viscous", 0.125*h*h/(2 + 40*c0*h/(2*(D() + 2))), c);
@@ -98,7 +101,8 @@ TEST_P(TimeStep, LimitsTakeTheSmallestSmoothingLength)
     if (D() == 2) c.gravity = {{-4e4, 3e4, 0}};
     c.viscosityModel = "none";
     c.eos = EosKind::linear;
-    c.forceCourant = 0.01;          // the surface of compressed fluid is accelerated too: by less than 1 % of this
+    // the surface of compressed fluid is accelerated too: by less than 1 % of this
+    c.forceCourant = 0.01;
     std::string name;
     const double dt = scene(c, f)->estimateTimeStep(name);
     EXPECT_EQ(name, "force");
@@ -113,7 +117,8 @@ TEST_P(TimeStep, LimitsTakeTheSmallestSmoothingLength)
 
 TEST_P(TimeStep, GrowsByATenthAtMost)
 {
-    // a fast particle that shortens the step until it leaves: then the way is free for 1.45 times as much
+    // a fast particle that shortens the step until it leaves: then the way is free for 1.45 times
+    // as much
     SphConfig c = config();
     FluidInput f = blob(c);
     const double loner[3] = {0.97, 0.9, 0.1}, velocity[3] = {9, 0, 0};
@@ -149,7 +154,8 @@ TEST_P(TimeStep, TargetsAreReachedExactly)
             const auto s = scene(c, blob(c, 0.3));
             EXPECT_EQ(s->time(), 0.1);
             std::int64_t total = 0;
-            for (const double t : {0.1001, 0.101, 0.1 + 1.0/300, 0.103333333333333333, 0.11, 0.11 + 1e-12, 0.12})
+            for (const double t :
+                {0.1001, 0.101, 0.1 + 1.0/300, 0.103333333333333333, 0.11, 0.11 + 1e-12, 0.12})
             {
                 const SphReport r = s->advance(t);
                 EXPECT_EQ(r.time, t) << "the same number, not one near it";
@@ -162,7 +168,8 @@ TEST_P(TimeStep, TargetsAreReachedExactly)
             const FluidState f = s->fluid();
             const FluidInput start = blob(c, 0.3);
             for (std::size_t i = 0; i < f.id.size(); ++i)
-                ASSERT_NEAR(f.position[3*i], start.position[3*f.id[i]] + 0.3*0.02, 0.02*0.3*total*2*epsilon() + 1e-14);
+                ASSERT_NEAR(f.position[3*i], start.position[3*f.id[i]] + 0.3*0.02,
+                    0.02*0.3*total*2*epsilon() + 1e-14);
             // nothing to do: no step, no change
             const SphReport none = s->advance(0.12), back = s->advance(0.05);
             EXPECT_EQ(none.steps + back.steps, 0);
@@ -204,16 +211,23 @@ TEST_P(TimeStep, NumberOfSteps)
 
 TEST_P(TimeStep, Interrupt)
 {
-    // by the motion of a wall, which is asked at the start of a call: at once, and the next call goes on
+    // by the motion of a wall, which is asked at the start of a call: at once, and the next call
+    // goes on
     SphConfig c = tank();
     WallInput w = walls(c);
     makePiston(w);
     SphScene* running = nullptr;
-    const auto s = scene(c, column(c), w, [&](int, double) { if (running) running->interrupt(); return WallPose(); });
+    const auto s = scene(c, column(c), w,
+        [&](int, double)
+        {
+            if (running) running->interrupt();
+            return WallPose();
+        });
     running = s.get();
     const SphReport stopped = s->advance(0.01);
     EXPECT_LT(stopped.time, 0.01);
-    EXPECT_EQ(stopped.steps, 1) << "a call that returns without a step would look like one that cannot go on";
+    EXPECT_EQ(stopped.steps, 1)
+        << "a call that returns without a step would look like one that cannot go on";
     EXPECT_EQ(stopped.stop, StopReason::none);
     running = nullptr;
     EXPECT_EQ(s->advance(0.01).time, 0.01);
