@@ -137,6 +137,48 @@ check sizesCounted etc/checkSizes --self-test
 check python etc/checkPython
 check whitespace etc/checkWhitespace
 
+# etc/wrapLines breaks long lines of C++ and touches nothing else
+wrapped()
+{
+    command -v clang-format >/dev/null || { echo "SKIP wrapLines clang-format is missing"; return 3; }
+    local folder; folder=$(mktemp -d)
+    cat >"$folder/long.hpp" <<'CODE'
+//- Sums that are so long that the comment above them does not fit, either, and goes on in a line of its own
+double sumOfAll(double a,double b, double c);
+
+inline double product(double a, double b)
+{
+    const double first = 2*a*b + 3*(a + b)*(a - b), second = 4*a/(1 + b*b) + 5*(a*a + b*b), third = a;      // all
+    if (first > second) throw std::invalid_argument("product: the first of the three is larger than the second");
+    return first*second*third;
+}
+CODE
+    cat >"$folder/short.hpp" <<'CODE'
+//- Sums that are so long that the comment above them does not fit, either, and goes on in a line of
+//  its own
+double sumOfAll(double a,double b, double c);
+
+inline double product(double a, double b)
+{
+    // all
+    const double first = 2*a*b + 3*(a + b)*(a - b),
+                 second = 4*a/(1 + b*b) + 5*(a*a + b*b), third = a;
+    if (first > second)
+        throw std::invalid_argument("product: the first of the three is larger than the second");
+    return first*second*third;
+}
+CODE
+    etc/wrapLines "$folder/long.hpp" && diff "$folder/short.hpp" "$folder/long.hpp" && etc/wrapLines "$folder/long.hpp" && diff "$folder/short.hpp" "$folder/long.hpp"
+    local status=$?
+    printf '// %0120d\n' 0 >"$folder/word.hpp"
+    if etc/wrapLines "$folder/word.hpp" 2>/dev/null; then echo "a word of 120 columns was not named"; status=1; fi
+    cp "$folder/word.hpp" "$folder/word.C"
+    if etc/checkWhitespace "$folder/word.C" >/dev/null; then echo "a line of 123 columns is accepted"; status=1; fi
+    rm -rf "$folder"
+    return $status
+}
+check wrapLines wrapped
+
 check licences etc/checkLicences
 noLicence()
 {
