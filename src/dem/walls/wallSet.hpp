@@ -157,7 +157,20 @@ private:
             }
     }
 
-    void makeCells(const std::vector<int>& own, double cell, WallData& wall)
+    //- Of the element that begins with own[e]
+    void extent(const std::vector<int>& own, std::size_t e, int d, double& low, double& high) const
+    {
+        low = 1e300;
+        high = -1e300;
+        for (int k = 0; k < D; ++k)
+        {
+            low = std::min(low, vertex[own[e + k]*D + d]);
+            high = std::max(high, vertex[own[e + k]*D + d]);
+        }
+    }
+
+    //- As large as an element is on average, at least `cell`, and not too many
+    void setGrid(const std::vector<int>& own, double cell, WallData& wall) const
     {
         double size = 0;
         for (int d = 0; d < 3; ++d)
@@ -166,21 +179,11 @@ private:
             wall.high[d] = d < D ? -1e300 : 0;
             wall.n[d] = 1;
         }
-        const auto extent = [&](std::size_t e, int d, double& low, double& high)
-        {
-            low = 1e300;
-            high = -1e300;
-            for (int k = 0; k < D; ++k)
-            {
-                low = std::min(low, vertex[own[e + k]*D + d]);
-                high = std::max(high, vertex[own[e + k]*D + d]);
-            }
-        };
         for (std::size_t e = 0; e < own.size(); e += D)
             for (int d = 0; d < D; ++d)
             {
                 double low, high;
-                extent(e, d, low, high);
+                extent(own, e, d, low, high);
                 wall.low[d] = std::min(wall.low[d], low);
                 wall.high[d] = std::max(wall.high[d], high);
                 size += (high - low)/double(own.size());
@@ -197,6 +200,11 @@ private:
         }
         for (int d = 0; d < D; ++d)
             wall.inverseCell[d] = wall.n[d]/std::max(wall.high[d] - wall.low[d], 1e-300);
+    }
+
+    void makeCells(const std::vector<int>& own, double cell, WallData& wall)
+    {
+        setGrid(own, cell, wall);
         std::vector<std::vector<int>> cells(std::size_t(wall.n[0])*wall.n[1]*wall.n[2]);
         for (std::size_t e = 0; e < own.size(); e += D)
         {
@@ -204,7 +212,7 @@ private:
             for (int d = 0; d < D; ++d)
             {
                 double low, high;
-                extent(e, d, low, high);
+                extent(own, e, d, low, high);
                 from[d] = wallCell(wall, d, low);
                 to[d] = wallCell(wall, d, high);
             }

@@ -154,6 +154,30 @@ Vec<D, double> solidMiddle(const NodeGrid<D>& nodes, int d,
     return x;
 }
 
+//- What obstacles leave of faces: of each closed ones, the part of those that move, and that times
+//  their velocity
+template<int D>
+void closeFaces(const NodeGrid<D>& nodes, const std::vector<char>* closed,
+    const std::vector<double>* share, const std::vector<double>* flux, CutGrid<D>& out)
+{
+    const UniformGrid<D>& grid = nodes.grid;
+    for (int d = 0; d < D; ++d)
+        for (int f = 0; f < grid.faces(d); ++f)
+        {
+            const double before = out.aperture[d][f];
+            double open = closed[d][f] ? 0
+                                       : before
+                    *(1 - solidOfFace(nodes, d, grid.faceIndex(d, f), out.distance.data()).share);
+            if (open < smallestAperture) open = 0;
+            const double velocity = share[d][f] > 0 ? flux[d][f]/share[d][f] : 0;
+            if (open < 1)
+                out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f]
+                                             + (before - open)*velocity)
+                    /(1 - open);
+            out.aperture[d][f] = open;
+        }
+}
+
 //- Cuts a grid by obstacles; dt: of the step that moves those that move
 template<int D>
 void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& obstacles, double dt,
@@ -200,21 +224,7 @@ void cutObstacles(const UniformGrid<D>& grid, const std::vector<Obstacle<D>>& ob
                     flux[d][f] += own*motion->along(d, solidMiddle(nodes, d, x, part));
             }
     }
-    for (int d = 0; d < D; ++d)
-        for (int f = 0; f < grid.faces(d); ++f)
-        {
-            const double before = out.aperture[d][f];
-            double open = closed[d][f] ? 0
-                                       : before
-                    *(1 - solidOfFace(nodes, d, grid.faceIndex(d, f), out.distance.data()).share);
-            if (open < smallestAperture) open = 0;
-            const double velocity = share[d][f] > 0 ? flux[d][f]/share[d][f] : 0;
-            if (open < 1)
-                out.wallVelocity[d][f] = ((1 - before)*out.wallVelocity[d][f]
-                                             + (before - open)*velocity)
-                    /(1 - open);
-            out.aperture[d][f] = open;
-        }
+    closeFaces(nodes, closed, share, flux, out);
     for (int d = 0; d < D; ++d) out.sealed[d].swap(closed[d]);
 }
 

@@ -193,28 +193,32 @@ private:
     }
 };
 
-//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a
-//  level take one launch, as far as there is one for them (2D). nearTail: the small levels are
-//  copied to memory that is near
+//- The levels that are not in the tail: sweeps of each in one launch where together (2D), else each
+//  in a launch of its own, row by row on the CPU
 template<int D, class Backend>
-void vCycle(Context<Backend>& context, const std::vector<LevelData<D>>& level,
-    const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
-    const std::vector<float*>& second = std::vector<float*>(), bool nearTail = false)
+struct TiledCycle
 {
     using Tiled = TiledCells<D>;
-    const Launches<Backend> launch{context};
-    const int tiled = int(cells.size());        // levels that are not in the tail
-    const bool together = D == 2 && !second.empty() && sweeps == tileSweeps;
-    for (int l = 0; l < tiled; ++l)
+
+    Context<Backend>& context;
+    const std::vector<LevelData<D>>& level;
+    const std::vector<Tiled>& cells;
+    const std::vector<float*>& second;
+    int sweeps;
+    bool together;
+
+    //- Level l, and what the next coarser one gets
+    void down(int l) const
     {
-        const bool last = l + 1 == tiled;
         if (together)
         {
             if constexpr (D == 2)
                 forEachBlock(context, cells[l].capacity,
                     RelaxTile<false>{level[l], cells[l], second[l], nullptr, level[l + 1]});
-            continue;
+            return;
         }
+        const Launches<Backend> launch{context};
+        const bool last = l + 1 == int(cells.size());
         const DenseCells<D> dense(level[l + 1].shape);
         if constexpr (!Backend::gpu)
             if (!level[l].shape.ringRows())
@@ -226,7 +230,7 @@ void vCycle(Context<Backend>& context, const std::vector<LevelData<D>>& level,
                 else
                     launch.eachRow(
                         dense.rows(), RestrictRow<D, DenseCells<D>>{level[l], level[l + 1], dense});
-                continue;
+                return;
             }
         relaxDown(launch, level[l], cells[l], sweeps);
         if (!last)
@@ -236,21 +240,18 @@ void vCycle(Context<Backend>& context, const std::vector<LevelData<D>>& level,
             launch.each(
                 dense.all(), RestrictResidual<D, DenseCells<D>>{level[l], level[l + 1], dense});
     }
-    if (nearTail)
+
+    //- Level l from the next coarser one
+    void up(int l) const
     {
-        const NearTail<D> near(tail);
-        singleBlock(context, near, near.floats());
-    }
-    else singleBlock(context, tail);
-    for (int l = tiled - 1; l >= 0; --l)
-    {
+        const Launches<Backend> launch{context};
         if constexpr (!Backend::gpu)
             if (!together && !level[l].shape.ringRows())
             {
                 launch.eachRow(
                     cells[l].rows(), ProlongRow<D, Tiled>{level[l], level[l + 1], cells[l]});
                 relaxUpRows(launch, level[l], cells[l], sweeps);
-                continue;
+                return;
             }
         if (!together)
         {
@@ -262,6 +263,27 @@ void vCycle(Context<Backend>& context, const std::vector<LevelData<D>>& level,
             forEachBlock(context, cells[l].capacity,
                 RelaxTile<true>{level[l], cells[l], level[l].x, second[l], level[l + 1]});
     }
+};
+
+//- x of the finest level from its b. second: another x of each tiled level; with it the sweeps of a
+//  level take one launch, as far as there is one for them (2D). nearTail: the small levels are
+//  copied to memory that is near
+template<int D, class Backend>
+void vCycle(Context<Backend>& context, const std::vector<LevelData<D>>& level,
+    const std::vector<TiledCells<D>>& cells, const TailCycle<D>& tail, int sweeps,
+    const std::vector<float*>& second = std::vector<float*>(), bool nearTail = false)
+{
+    const bool together = D == 2 && !second.empty() && sweeps == tileSweeps;
+    const TiledCycle<D, Backend> tiled{context, level, cells, second, sweeps, together};
+    const int levels = int(cells.size());
+    for (int l = 0; l < levels; ++l) tiled.down(l);
+    if (nearTail)
+    {
+        const NearTail<D> near(tail);
+        singleBlock(context, near, near.floats());
+    }
+    else singleBlock(context, tail);
+    for (int l = levels - 1; l >= 0; --l) tiled.up(l);
 }
 
 } // namespace riprap

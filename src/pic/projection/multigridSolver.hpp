@@ -141,6 +141,16 @@ public:
 
 private:
 
+    //- Of an array of a level: its cells, with a margin on either side
+    template<class T> static T* take(T*& next, const GridShape<D>& shape)
+    {
+        T* p = next + shape.margin;
+        next += shape.cells + 2*shape.margin;
+        return p;
+    }
+
+    int setLevels(const int* cells);
+    void placeLevels(Context<Backend>& context);
     void chooseCapacities(const std::vector<int>& count);
     void start(Context<Backend>& context, const CoupledView<D>* bodies);
     void iterate(
@@ -169,15 +179,12 @@ private:
     CoupledView<D> recorded_{};             // of coupledLoop_
 };
 
+//- Their shapes. \return tiles of those that are not in the tail
 template<class Backend, int D>
-void MultigridSolver<Backend, D>::allocate(
-    Context<Backend>& context, const int* cells, const bool* periodic)
+int MultigridSolver<Backend, D>::setLevels(const int* cells)
 {
-    levels_.clear(); cells_.clear(); second_.clear(); firstTile_.clear(); active_.clear();
-    forgetLoops();
     int n[D], tiles = 0;
-    for (int d = 0; d < D; ++d) { n[d] = cells[d]; periodic_[d] = periodic[d]; }
-    std::size_t floats = 0;
+    for (int d = 0; d < D; ++d) n[d] = cells[d];
     for (bool last = false; !last; )
     {
         long long total = 1;
@@ -185,23 +192,28 @@ void MultigridSolver<Backend, D>::allocate(
         for (int d = 0; d < D; ++d) { total *= n[d]; small = small && n[d] <= 2; }
         const bool tiled = levels_.empty() || total > tailCells;
         LevelData<D> level{};
-        level.shape.set(n, periodic, tiled);
+        level.shape.set(n, periodic_, tiled);
         levels_.push_back(level);
         if (tiled) { firstTile_.push_back(tiles); tiles += level.shape.tileCount; }
-        floats += std::size_t(D + 4 + (tiled && together_))
-            *(level.shape.cells + 2*level.shape.margin);
         last = small && levels_.size() > 1;
         for (int d = 0; d < D; ++d) n[d] = (n[d] + 1)/2;
+    }
+    return tiles;
+}
+
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::placeLevels(Context<Backend>& context)
+{
+    std::size_t floats = 0;
+    for (std::size_t l = 0; l < levels_.size(); ++l)
+    {
+        const GridShape<D>& shape = levels_[l].shape;
+        floats += std::size_t(D + 4 + (l < firstTile_.size() && together_))
+            *(shape.cells + 2*shape.margin);
     }
     // a tile's rows read beyond a coarser level that is smaller: what they find must be finite
     floats_.allocate(context, floats + (1 << tileCellsLog));
     float* f = floats_.data();
-    const auto take = [](auto*& next, const GridShape<D>& shape)
-    {
-        auto* p = next + shape.margin;
-        next += shape.cells + 2*shape.margin;
-        return p;
-    };
     for (LevelData<D>& l : levels_)
     {
         for (int d = 0; d < D; ++d) l.a[d] = take(f, l.shape);
@@ -218,6 +230,17 @@ void MultigridSolver<Backend, D>::allocate(
     fine_.inverse = levels_[0].inverse;
     fine_.b = levels_[0].b;
     fine_.z = levels_[0].x;
+}
+
+template<class Backend, int D>
+void MultigridSolver<Backend, D>::allocate(
+    Context<Backend>& context, const int* cells, const bool* periodic)
+{
+    levels_.clear(); cells_.clear(); second_.clear(); firstTile_.clear(); active_.clear();
+    forgetLoops();
+    for (int d = 0; d < D; ++d) periodic_[d] = periodic[d];
+    const int tiles = setLevels(cells);
+    placeLevels(context);
 
     const int tiledLevels = int(firstTile_.size());
     tail_.levels = int(levels_.size()) - tiledLevels;

@@ -81,12 +81,10 @@ void checkIds(const DemParticles& p)
             throw std::invalid_argument("solid " + at(p, order[k]) + " has the id of another");
 }
 
-void checkParticles(const DemConfig& c, const DemInput& in)
+//- Each array has a value for each particle
+void checkLengths(const DemParticles& p)
 {
-    const DemParticles& p = in.particles;
     const std::size_t n = p.size();
-    require(n > 0, "there are no solids");
-    requireCountable(double(n), mostSolidParticles, "solid particles");
     const auto sized = [&](std::size_t size, std::size_t each, bool mayBeEmpty, const char* what)
     {
         require(size == each*n || (mayBeEmpty && size == 0),
@@ -101,35 +99,45 @@ void checkParticles(const DemConfig& c, const DemInput& in)
     sized(p.group.size(), 1, true, "group");
     sized(p.clump.size(), 1, true, "clump");
     sized(p.id.size(), 1, true, "id");
+}
+
+void checkParticle(const DemConfig& c, const DemInput& in, std::size_t i)
+{
+    const DemParticles& p = in.particles;
     const int groups = std::max<int>(1, int(in.groups.size()));
-    const auto check = [&](std::size_t i)
+    const auto bad = [&](const std::string& why)
+    { throw std::invalid_argument("solid " + at(p, i) + " " + why); };
+    if (!(p.radius[i] > 0)) bad("has no radius");
+    if (!(p.mass[i] > 0) || !std::isfinite(p.mass[i])) bad("has no mass");
+    if (!p.inertia.empty() && !(p.inertia[i] > 0)) bad("has no inertia");
+    for (int d = 0; d < 3; ++d)
     {
-        const auto bad = [&](const std::string& why)
-        { throw std::invalid_argument("solid " + at(p, i) + " " + why); };
-        if (!(p.radius[i] > 0)) bad("has no radius");
-        if (!(p.mass[i] > 0) || !std::isfinite(p.mass[i])) bad("has no mass");
-        if (!p.inertia.empty() && !(p.inertia[i] > 0)) bad("has no inertia");
-        for (int d = 0; d < 3; ++d)
-        {
-            const double x = p.position[3*i + d], v = p.velocity.empty() ? 0 : p.velocity[3*i + d];
-            if (!std::isfinite(x) || !std::isfinite(v)) bad("has no proper position or velocity");
-        }
-        for (int d = 0; d < c.dimensions; ++d)
-        {
-            const int axis = c.axes[d];
-            const double x = p.position[3*i + axis], r = p.radius[i];
-            if (x < c.domainMin[axis] - c.walled[axis][0]*r
-                || x > c.domainMax[axis] + c.walled[axis][1]*r)
-                bad("is outside the domain");
-        }
-        if (!p.material.empty() && (p.material[i] < 0 || p.material[i] >= int(in.materials.size())))
-            bad("is of unknown material " + std::to_string(p.material[i]));
-        if (!p.group.empty() && (p.group[i] < 0 || p.group[i] >= groups))
-            bad("is of unknown group " + std::to_string(p.group[i]));
-        if (!p.clump.empty() && (p.clump[i] < -1 || p.clump[i] >= int(in.clumps.size())))
-            bad("is of unknown clump " + std::to_string(p.clump[i]));
-        if (!p.id.empty() && p.id[i] < 0) bad("has a negative id");
-    };
+        const double x = p.position[3*i + d], v = p.velocity.empty() ? 0 : p.velocity[3*i + d];
+        if (!std::isfinite(x) || !std::isfinite(v)) bad("has no proper position or velocity");
+    }
+    for (int d = 0; d < c.dimensions; ++d)
+    {
+        const int axis = c.axes[d];
+        const double x = p.position[3*i + axis], r = p.radius[i];
+        if (x < c.domainMin[axis] - c.walled[axis][0]*r
+            || x > c.domainMax[axis] + c.walled[axis][1]*r)
+            bad("is outside the domain");
+    }
+    if (!p.material.empty() && (p.material[i] < 0 || p.material[i] >= int(in.materials.size())))
+        bad("is of unknown material " + std::to_string(p.material[i]));
+    if (!p.group.empty() && (p.group[i] < 0 || p.group[i] >= groups))
+        bad("is of unknown group " + std::to_string(p.group[i]));
+    if (!p.clump.empty() && (p.clump[i] < -1 || p.clump[i] >= int(in.clumps.size())))
+        bad("is of unknown clump " + std::to_string(p.clump[i]));
+    if (!p.id.empty() && p.id[i] < 0) bad("has a negative id");
+}
+
+void checkParticles(const DemConfig& c, const DemInput& in)
+{
+    const std::size_t n = in.particles.size();
+    require(n > 0, "there are no solids");
+    requireCountable(double(n), mostSolidParticles, "solid particles");
+    checkLengths(in.particles);
     // the first that is wrong, by as many threads as there are
     long long worst = (long long)n;
     #pragma omp parallel for schedule(static) reduction(min: worst)
@@ -138,15 +146,15 @@ void checkParticles(const DemConfig& c, const DemInput& in)
         if (i > worst) continue;
         try
         {
-            check(std::size_t(i));
+            checkParticle(c, in, std::size_t(i));
         }
         catch (const std::invalid_argument&)
         {
             worst = std::min(worst, i);
         }
     }
-    if (worst < (long long)n) check(std::size_t(worst));
-    checkIds(p);
+    if (worst < (long long)n) checkParticle(c, in, std::size_t(worst));
+    checkIds(in.particles);
 }
 
 //- Numbers of a pair that its laws use

@@ -84,6 +84,8 @@ private:
     bool isSaved(int field) const;
     int savedFields() const;
     std::vector<std::int32_t> checkpointWords();
+    static constexpr std::size_t header = 13;       // words
+    void checkHeader(const std::vector<std::int32_t>& words) const;
     void takeState(const std::vector<std::int32_t>& words);
     std::vector<std::int32_t> wordsOfFirst(const std::vector<std::int32_t>& words) const;
     void collectAll();
@@ -339,13 +341,12 @@ void Checkpoint<Backend, D, P>::collectAll()
         p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));
 }
 
-//- As one process that has all particles
+//- Is it a state of this scene?
 template<class Backend, int D, class P>
-void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
+void Checkpoint<Backend, D, P>::checkHeader(const std::vector<std::int32_t>& words) const
 {
     const auto fail = [](const std::string& why)
     { throw std::invalid_argument("saved state: " + why); };
-    constexpr std::size_t header = 13;
     if (words.size() < header + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1)
         fail("too short");
     if (words[0] != detail::demMagic) fail("not a state of riprap's solids");
@@ -358,18 +359,25 @@ void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words
     if (words[4] != int(Backend::gpu)) fail("it was written on another kind of device");
     if (words[5] != p_.pairs.histories() || words[7] != savedFields())
         fail("it has other fields (models were switched on or off)");
-    const int n = words[6];
-    if (n != p_.particles.n)
-        fail("it is of " + std::to_string(n) + " particles, the case of "
+    if (words[6] != p_.particles.n)
+        fail("it is of " + std::to_string(words[6]) + " particles, the case of "
             + std::to_string(p_.particles.n));
     if (words[8] != p_.bonds.count() || words[9] != p_.clumps.count()
         || words[10] != p_.walls.count)
         fail("it has other bonds, clumps or walls");
+}
+
+//- As one process that has all particles
+template<class Backend, int D, class P>
+void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words)
+{
+    checkHeader(words);
+    const int n = p_.particles.n;
     detail::StateReader<Context<Backend>> read{p_.set.context, words, header};
     const auto take = [&](void* data, std::size_t bytes)
     {
         const std::size_t next = read.at + (bytes + 3)/4;
-        if (next + 1 > words.size()) fail("wrong length");
+        if (next + 1 > words.size()) throw std::invalid_argument("saved state: wrong length");
         if (bytes) std::memcpy(data, &words[read.at], bytes);
         read.at = next;
     };

@@ -41,6 +41,8 @@ private:
     template<class Law> void fusedStep();
     void fusedSteps(int count);
     void runAhead(std::int64_t count);
+    void begin(std::int64_t& rebuilds);
+    std::int64_t stepsAhead() const;
     void searchMoved();
     void forgetSearch() { p_.clock.now.search(); stepsSince_ = 0; }
 
@@ -214,12 +216,12 @@ void FusedStepper<Backend, D, P>::searchMoved()
     }
 }
 
+//- The first half step, with neighbours that are good for it
 template<class Backend, int D, class P>
-void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
+void FusedStepper<Backend, D, P>::begin(std::int64_t& rebuilds)
 {
     if constexpr (Backend::gpu)
     {
-        if (ranks_.finished()) return;
         if (p_.clock.now.needRebuild)
         {
             neighbours_.adaptSkin();
@@ -238,6 +240,28 @@ void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
         p_.clock.now.settleAge();
         openSteps();
         if (p_.sleeps()) sleepers_.check(true);
+    }
+}
+
+//- As many as are left, or up to where solids are looked at that may fall asleep
+template<class Backend, int D, class P>
+std::int64_t FusedStepper<Backend, D, P>::stepsAhead() const
+{
+    constexpr std::int64_t perCheck = Sleepers<Backend, D, P>::stepsPerCheck;
+    const DemClockData& c = p_.clock.now;
+    const double left =
+        std::min(double(c.lastStep - c.step), std::ceil((c.target - c.time)/c.fullDt) + 1);
+    const double most = p_.sleeps() ? perCheck - c.step % perCheck : left;
+    return std::int64_t(std::min(most, left));
+}
+
+template<class Backend, int D, class P>
+void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
+{
+    if constexpr (Backend::gpu)
+    {
+        if (ranks_.finished()) return;
+        begin(rebuilds);
         while (!ranks_.finished())
         {
             if (p_.clock.now.needRebuild)
@@ -254,14 +278,9 @@ void FusedStepper<Backend, D, P>::run(std::int64_t& rebuilds)
             p_.clock.now.needRebuild = 0;
             const std::int64_t before = p_.clock.now.step;
             const int begin = p_.memory.current;
-            const DemClockData& c = p_.clock.now;
-            const double left = std::min(
-                double(c.lastStep - c.step), std::ceil((c.target - c.time)/c.fullDt) + 1);
-            const double most = p_.sleeps() ? Sleepers<Backend, D, P>::stepsPerCheck
-                    - p_.clock.now.step % Sleepers<Backend, D, P>::stepsPerCheck
-                                            : left;
+            const std::int64_t ahead = stepsAhead();
             p_.clock.write();
-            runAhead(std::int64_t(std::min(most, left)));
+            runAhead(ahead);
             const int taken = int(p_.clock.now.step - before);
             p_.memory.current = int((begin + taken) % 2);
             stepsSince_ += taken;

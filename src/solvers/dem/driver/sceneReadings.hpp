@@ -44,6 +44,9 @@ private:
 
     double halfStep() const;
     std::vector<double> orientations(int n);
+    DemState fields(int n);
+    void dropGhosts(DemState&);
+    template<class Put> void eachWallContact(int n, const Put&);
     std::vector<int> wallContacts();
     std::vector<std::int32_t> contactCounts(int n);
 
@@ -76,35 +79,55 @@ std::vector<double> SceneReadings<Backend, D, P>::orientations(int n)
     return turns;
 }
 
+//- As the device has it, ghosts included
 template<class Backend, int D, class P>
-DemState SceneReadings<Backend, D, P>::motion()
+DemState SceneReadings<Backend, D, P>::fields(int n)
 {
-    p_.clock.read();
-    const int n = p_.order.active();
     DemState s;
     s.position = p_.particles.positions(n);
     s.velocity = p_.particles.template vector<double>(n, p_.particles.at.v, D, false);
     s.spin = p_.particles.template vector<real>(n, p_.particles.at.w, S, true);
     s.force = p_.particles.template vector<real>(n, p_.particles.at.f, D, false);
     s.moment = p_.particles.template vector<real>(n, p_.particles.at.m, S, true);
-    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
     const SolidFieldNumbers& at = p_.particles.at;
-    const auto radius = p_.particles.template field<real>(at.radius),
-               mass = p_.particles.template field<real>(at.mass);
-    const auto inverse = p_.particles.template field<real>(at.inertia);
     s.material = p_.particles.template field<std::int32_t>(at.material);
     s.group = p_.particles.template field<std::int32_t>(at.group);
     s.clump = p_.particles.at.clump < 0
         ? std::vector<std::int32_t>(n, -1)
         : p_.particles.template field<std::int32_t>(p_.particles.at.clump);
     for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) v->resize(n);
+    for (auto* v : {&s.radius, &s.mass}) v->resize(n);
+    if (at.turn >= 0) s.orientation = orientations(n);
+    return s;
+}
+
+template<class Backend, int D, class P>
+void SceneReadings<Backend, D, P>::dropGhosts(DemState& s)
+{
+    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment})
+        ranks_.dropGhosts(*v, 3);
+    for (auto* v : {&s.radius, &s.mass}) ranks_.dropGhosts(*v, 1);
+    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) ranks_.dropGhosts(*v, 1);
+    ranks_.dropGhosts(s.orientation, 4);
+}
+
+template<class Backend, int D, class P>
+DemState SceneReadings<Backend, D, P>::motion()
+{
+    p_.clock.read();
+    const int n = p_.order.active();
+    DemState s(fields(n));
+    const SolidFieldNumbers& at = p_.particles.at;
+    const auto key = p_.particles.template field<std::int32_t>(at.id);
+    const auto radius = p_.particles.template field<real>(at.radius),
+               mass = p_.particles.template field<real>(at.mass);
+    const auto inverse = p_.particles.template field<real>(at.inertia);
     const std::vector<real> external = p_.particles.external.download();
     const auto calm = p_.particles.at.calm < 0
         ? std::vector<std::int32_t>()
         : p_.particles.template field<std::int32_t>(p_.particles.at.calm);
     // leapfrog keeps velocities of half a step ago: forces are of now
     const double half = halfStep();
-    for (auto* v : {&s.radius, &s.mass}) v->resize(n);
     #pragma omp parallel for schedule(static) if (n > 10000)
     for (int i = 0; i < n; ++i)
     {
@@ -138,12 +161,7 @@ DemState SceneReadings<Backend, D, P>::motion()
             if (kicked && !g.heldSpin) w += half*rate;
         }
     }
-    if (p_.particles.at.turn >= 0) s.orientation = orientations(n);
-    for (auto* v : {&s.position, &s.velocity, &s.spin, &s.force, &s.moment})
-        ranks_.dropGhosts(*v, 3);
-    for (auto* v : {&s.radius, &s.mass}) ranks_.dropGhosts(*v, 1);
-    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) ranks_.dropGhosts(*v, 1);
-    ranks_.dropGhosts(s.orientation, 4);
+    dropGhosts(s);
     return s;
 }
 
@@ -211,6 +229,37 @@ std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
     return contacts;
 }
 
+//- put(particle, number of the wall from -1 down, force, overlap, normal, arm) of each
+template<class Backend, int D, class P>
+template<class Put>
+void SceneReadings<Backend, D, P>::eachWallContact(int n, const Put& put)
+{
+    if (!p_.walls.count || !p_.walls.memory.entries) return;
+    const auto first = p_.walls.memory.entryFirst.download();
+    const auto entry = p_.walls.memory.entry.download();
+    const auto acts = wallContacts();
+    const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
+    const auto force = p_.walls.memory.force.download(), normal = p_.walls.memory.normal.download();
+    const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
+    const std::vector<WallData> walls = p_.walls.walls.download();
+    for (int i = 0; i < n; ++i)
+        for (int e = first[i]; e < first[i + 1]; ++e)
+        {
+            const int slot = e*wallTouches;
+            if (!acts[slot] || ranks_.ghost(i)) continue;
+            Vec<D, double> local, f;
+            for (int d = 0; d < D; ++d)
+            {
+                local.c[d] = double(normal[slot*D + d]);
+                f.c[d] = double(force[e*wallWords<D> + d]);
+            }
+            const real reach = p_.pairs.reach(
+                material[i], p_.set.input.walls[entry[e].wall].material);
+            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach),
+                outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
+        }
+}
+
 template<class Backend, int D, class P>
 DemContacts SceneReadings<Backend, D, P>::contacts()
 {
@@ -252,30 +301,7 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
             if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
             put(i, p_.particles.ids[key[c.other]], c.force, double(c.overlap), c.n, double(c.arm));
         }
-    if (!p_.walls.count || !p_.walls.memory.entries) return out;
-    const auto first = p_.walls.memory.entryFirst.download();
-    const auto entry = p_.walls.memory.entry.download();
-    const auto acts = wallContacts();
-    const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
-    const auto force = p_.walls.memory.force.download(), normal = p_.walls.memory.normal.download();
-    const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
-    const std::vector<WallData> walls = p_.walls.walls.download();
-    for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1]; ++e)
-        {
-            const int slot = e*wallTouches;
-            if (!acts[slot] || ranks_.ghost(i)) continue;
-            Vec<D, double> local, f;
-            for (int d = 0; d < D; ++d)
-            {
-                local.c[d] = double(normal[slot*D + d]);
-                f.c[d] = double(force[e*wallWords<D> + d]);
-            }
-            const real reach = p_.pairs.reach(
-                material[i], p_.set.input.walls[entry[e].wall].material);
-            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach),
-                outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
-        }
+    eachWallContact(n, put);
     return out;
 }
 
