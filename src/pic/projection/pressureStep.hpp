@@ -12,10 +12,10 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 #include "pic/grid/activeRows.hpp"
 #include "pic/bodies/bodyTerm.hpp"
 #include "pic/bodies/coupledGradient.hpp"
+#include "pic/projection/hostSystem.hpp"
 #include "pic/projection/multigridSolver.hpp"
 #include "pic/pressure/pockets.hpp"
 #include "pic/projection/project.hpp"
@@ -201,30 +201,6 @@ private:
     int pocketCells_ = 0;
 };
 
-//- Where a cell of the grid is kept
-template<int D>
-int storedAt(const UniformGrid<D>& grid, const GridShape<D>& shape, int cell)
-{
-    const auto index = grid.cellIndex(cell);
-    int c = 0;
-    for (int d = 0; d < D; ++d) c += index.c[d]*shape.stride[d];
-    return c;
-}
-
-//- Cells whose water and free bodies push each other. A sliver on top of a light body weighs as
-//  much as the body: solved for apart, with the body's velocity as given, it would throw it back
-//  and forth
-template<int D>
-std::vector<char> besideBodies(
-    const UniformGrid<D>& grid, const GridShape<D>& shape, const std::vector<BodyTerm>& bodies)
-{
-    std::vector<char> beside(shape.cells, 0);
-    for (const BodyTerm& b : bodies)
-        if (b.modes) for (const int cell : b.cell) beside[storedAt(grid, shape, cell)] = 1;
-    return beside;
-}
-
-//- Rows in the order of the grid: owners ascend, and so do the neighbours of each
 template<class Backend, int D, class R>
 PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& context,
     const PressureFields<D, R>& f, LinearSolver& solver, const MultigridControls* controls,
@@ -232,112 +208,26 @@ PressureReport PressureStep<Backend, D, R>::solveOnHost(Context<Backend>& contex
 {
     const UniformGrid<D>& grid = f.grid;
     const FineData<D>& fine = multigrid_.fine();
-    const GridShape<D>& shape = fine.shape;
-    const auto fetch = [&](const double* from)
-    {
-        std::vector<double> v(shape.cells + 2*shape.margin);
-        context.toHost(v.data(), from - shape.margin, v.size()*sizeof(double));
-        return v;
-    };
-    std::vector<double> a[D], s = fetch(fine.s), rhs = fetch(fine.rhs), x = fetch(fine.x);
-    for (int d = 0; d < D; ++d) a[d] = fetch(fine.a[d]);
+    HostLevel<D> level(context, fine);
 
     ReducedSystem r;
     r.dimensions = D;
     for (int d = 0; d < 3; ++d) { r.n[d] = grid.n[d]; r.periodic[d] = grid.periodic[d]; }
-    std::vector<int> row(shape.cells, -1), stored;
-    const std::vector<char> moved = besideBodies(grid, shape, bodies);
-    int lone = 0;
-    r.closed = true;
-    for (int i = 0; i < grid.cells(); ++i)
-    {
-        Place<D> p;
-        p.c = 0;
-        const auto index = grid.cellIndex(i);
-        double joined = 0;
-        for (int d = 0; d < D; ++d) { p.x[d] = index.c[d]; p.c += p.x[d]*shape.stride[d]; }
-        for (int d = 0; d < D; ++d)
-            joined += a[d][p.c + shape.margin] + a[d][shape.above(p, d) + shape.margin];
-        const double tied = s[p.c + shape.margin];
-        double& value = x[p.c + shape.margin];
-        // a drop of one cell that no body pushes: solved here, since GAMG could not join it to any
-        // other
-        if (!(joined > 0) && !(tied > 0 && moved[p.c]))
-        {
-            if (tied > 0) { value = rhs[p.c + shape.margin]/tied; ++lone; }
-            continue;
-        }
-        row[p.c] = r.rows();
-        r.closed = r.closed && tied <= 1e-9*(joined + tied);
-        r.cell.push_back(i);
-        stored.push_back(p.c);
-        r.diagonal.push_back(joined + tied);
-        r.rhs.push_back(rhs[p.c + shape.margin]);
-        r.x.push_back(value);
-    }
+    const HostRows rows = numberRows(grid, fine.shape, bodies, level, r);
     // p = 0 in one cell of each pocket: exact, since the right-hand sides of a pocket sum to zero,
     // and solvers that factorise meet no singular matrix
     if (pocketCells_ && !controls)
-        for (const int c : pockets_.roots()) if (row[c] >= 0) r.diagonal[row[c]] *= 2;
-    for (int own = 0; own < r.rows(); ++own)
-    {
-        const Place<D> p = shape.place(stored[own]);
-        std::pair<int, double> face[2*D];
-        int faces = 0;
-        const auto add = [&](int other, double coefficient)
-        {
-            if (!(coefficient > 0) || row[other] <= own) return;
-            for (int k = 0; k < faces; ++k)
-                if (face[k].first == row[other])
-                {
-                    face[k].second += coefficient;
-                    return;
-                }
-            face[faces++] = {row[other], coefficient};
-        };
-        for (int d = 0; d < D; ++d)
-        {
-            const int above = shape.above(p, d);
-            if (a[d][above + shape.margin] > 0) add(above, a[d][above + shape.margin]);
-            if (a[d][p.c + shape.margin] > 0) add(shape.below(p, d), a[d][p.c + shape.margin]);
-        }
-        for (int k = 1; k < faces; ++k)
-            for (int m = k; m > 0 && face[m].first < face[m - 1].first; --m)
-                std::swap(face[m], face[m - 1]);
-        for (int k = 0; k < faces; ++k)
-        {
-            r.owner.push_back(own);
-            r.neighbour.push_back(face[k].first);
-            r.offDiagonal.push_back(-face[k].second);
-        }
-    }
-    // M^-1 = L L^T
-    const double scale = bodyScale(f);
+        for (const int c : pockets_.roots()) if (rows.row[c] >= 0) r.diagonal[rows.row[c]] *= 2;
+    joinRows(fine.shape, level, rows, r);
     for (const BodyTerm& b : bodies)
-    {
-        const std::vector<double> root = b.rootOfInverseMass();
-        BodyRows rows;
-        rows.modes = b.modes;
-        rows.light = b.modes && b.lighterThan(heavyRatio<D>*f.density);
-        for (std::size_t i = 0; i < b.cell.size(); ++i)
-        {
-            const int c = storedAt(grid, shape, b.cell[i]);
-            if (row[c] < 0) continue;
-            rows.row.push_back(row[c]);
-            for (int m = 0; m < b.modes; ++m)
-            {
-                double u = 0;
-                for (int k = m; k < b.modes; ++k) u += b.j[i*b.modes + k]*root[k*b.modes + m];
-                rows.u.push_back(scale*u);
-            }
-        }
-        r.bodies.push_back(std::move(rows));
-    }
-    PressureReport report = controls ? solveCoupled(context, r, stored, *controls)
+        r.bodies.push_back(
+            rowsOfBody(grid, fine.shape, rows, b, bodyScale(f), heavyRatio<D>*f.density));
+
+    PressureReport report = controls ? solveCoupled(context, r, rows.stored, *controls)
                                      : solver.solve(r);
-    report.wetCells = r.rows() + lone;
-    for (int i = 0; i < r.rows(); ++i) x[stored[i] + shape.margin] = r.x[i];
-    context.toDevice(fine.x - shape.margin, x.data(), x.size()*sizeof(double));
+    report.wetCells = r.rows() + rows.lone;
+    for (int i = 0; i < r.rows(); ++i) level.x(rows.stored[i]) = r.x[i];
+    level.storeX(context, fine);
     return report;
 }
 
