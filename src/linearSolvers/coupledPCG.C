@@ -11,6 +11,31 @@ namespace Foam
 
     lduMatrix::solver::addsymMatrixConstructorToTable<coupledPCG>
         addcoupledPCGSymMatrixConstructorToTable_;
+
+
+    //- The bodies that come with the mesh of the wet cells; any other mesh has none
+    struct meshBodies
+    {
+        autoPtr<processRanks> ranks;
+        autoPtr<riprap::BodyDeflation> deflation;
+
+        meshBodies(const lduMesh& any, const riprap::DeflationControls& controls)
+        {
+            const wetMesh* mesh = dynamic_cast<const wetMesh*>(&any);
+            if (!mesh) return;
+            const riprap::ReducedSystem& system = mesh->system();
+            if (system.divided && UPstream::nProcs(any.comm()) > 1)
+                ranks.reset(new processRanks(system, any.comm()));
+            if (!system.bodies.empty())
+                deflation.reset(new riprap::BodyDeflation(system, controls, ranks.get()));
+        }
+    };
+
+
+    static bool deflates(const riprap::BodyDeflation* bodies)
+    {
+        return bodies && bodies->columns() > 0;
+    }
 }
 
 
@@ -47,6 +72,38 @@ void Foam::coupledPCG::product(solveScalarField& ax, const solveScalarField& x,
 }
 
 
+void Foam::coupledPCG::residual
+(
+    solveScalarField& r,
+    const solveScalarField& psi,
+    const solveScalarField& source,
+    solveScalarField& q,
+    const riprap::BodyDeflation* bodies,
+    direction cmpt
+) const
+{
+    product(q, psi, bodies, cmpt);
+    r = source - q;
+}
+
+
+void Foam::coupledPCG::precondition
+(
+    solveScalarField& z,
+    const solveScalarField& r,
+    const lduMatrix::preconditioner& preconditioner,
+    solveScalarField& q,
+    const riprap::BodyDeflation* bodies,
+    direction cmpt
+) const
+{
+    preconditioner.precondition(z, r, cmpt);
+    if (!deflates(bodies)) return;
+    residual(q, z, r, q, bodies, cmpt);
+    bodies->correct(q.begin(), z.begin());
+}
+
+
 Foam::solverPerformance Foam::coupledPCG::scalarSolve(
     solveScalarField& psi, const solveScalarField& source, const direction cmpt) const
 {
@@ -55,30 +112,20 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(
     const label comm = matrix().mesh().comm();
     const label n = psi.size();
 
-    // The bodies come with the mesh of the wet cells; any other has none
-    autoPtr<riprap::BodyDeflation> bodies;
-    const wetMesh* mesh = dynamic_cast<const wetMesh*>(&matrix().mesh());
-    autoPtr<processRanks> ranks;
-    if (mesh && mesh->system().divided && UPstream::nProcs(comm) > 1)
-        ranks.reset(new processRanks(mesh->system(), comm));
-    if (mesh && !mesh->system().bodies.empty())
-        bodies.reset(new riprap::BodyDeflation(mesh->system(), deflation_, ranks.get()));
-    const riprap::BodyDeflation* deflation = bodies.get();
-    const bool deflates = deflation && deflation->columns() > 0;
+    const meshBodies ofMesh(matrix().mesh(), deflation_);
+    const riprap::BodyDeflation* bodies = ofMesh.deflation.get();
 
     solveScalarField z(n), p(n, Zero), q(n), r(n), old(n, Zero);
-    product(q, psi, deflation, cmpt);
-    r = source - q;
+    residual(r, psi, source, q, bodies, cmpt);
     const solveScalar normFactor = this->normFactor(psi, source, q, p);
     performance.initialResidual() = gSumMag(r, comm)/normFactor;
     performance.finalResidual() = performance.initialResidual();
     if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_)) return performance;
 
-    if (deflates)       // the residual has then nothing in the span of Z
+    if (deflates(bodies))       // the residual has then nothing in the span of Z
     {
-        deflation->correct(r.begin(), psi.begin());
-        product(q, psi, deflation, cmpt);
-        r = source - q;
+        bodies->correct(r.begin(), psi.begin());
+        residual(r, psi, source, q, bodies, cmpt);
         performance.finalResidual() = gSumMag(r, comm)/normFactor;
         if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_)) return performance;
     }
@@ -89,20 +136,14 @@ Foam::solverPerformance Foam::coupledPCG::scalarSolve(
     solveScalar rz = 0;
     do
     {
-        preconditioner->precondition(z, r, cmpt);
-        if (deflates)
-        {
-            product(q, z, deflation, cmpt);
-            q = r - q;
-            deflation->correct(q.begin(), z.begin());
-        }
+        precondition(z, r, *preconditioner, q, bodies, cmpt);
         const solveScalar rzOld = rz;
         const solveScalar change = gSumProd(z, r, comm) - gSumProd(z, old, comm);
         rz = gSumProd(z, r, comm);
         const solveScalar beta = rzOld != 0 ? change/rzOld : 0;
         forAll(p, i) p[i] = z[i] + beta*p[i];
 
-        product(q, p, deflation, cmpt);
+        product(q, p, bodies, cmpt);
         const solveScalar pq = gSumProd(p, q, comm);
         if (performance.checkSingularity(mag(pq)/normFactor)) break;
         const solveScalar alpha = rz/pq;
