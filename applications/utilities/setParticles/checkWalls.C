@@ -122,6 +122,59 @@ public:
     }
 };
 
+
+// Shares of a particle's kernel sum that walls and fluid give
+class shepardSums
+{
+    const riprap::KernelModel& kernel_;
+    const label dimensions_;
+    const scalar h_, fluidVolume_, wallVolume_;
+    const pointGrid fluid_, walls_;
+
+    scalar weight(scalar r) const { return kernel_.weight(dimensions_, r, h_); }
+
+public:
+    shepardSums(label dimensions, const wallPoints& walls, const pointField& fluid,
+        const riprap::SphConfig& config)
+        : kernel_(riprap::kernelOf(config.kernel)), dimensions_(dimensions),
+          h_(config.smoothingRatio*config.spacing),
+          fluidVolume_(std::pow(config.spacing, dimensions)),
+          wallVolume_(std::pow(walls.spacing, dimensions)), fluid_(support(), fluid),
+          walls_(support(), walls.position)
+    {}
+
+    scalar support() const { return kernel_.support*h_; }
+
+    //- Of the fluid alone, on a square lattice
+    scalar ofLattice(const polyMesh& mesh, scalar spacing) const
+    {
+        scalar sum = 0;
+        for (const vector& d : probes(mesh, support(), spacing)) sum += fluidVolume_*weight(mag(d));
+        return sum;
+    }
+
+    //- false: no wall is near
+    bool addWalls(const point& x, scalar& sum) const
+    {
+        bool near = false;
+        walls_.near
+        (
+            x,
+            [&](label, const vector&, scalar d)
+            {
+                near = true;
+                sum += wallVolume_*weight(d);
+            }
+        );
+        return near;
+    }
+
+    void addFluid(const point& x, scalar& sum) const
+    {
+        fluid_.near(x, [&](label, const vector&, scalar d) { sum += fluidVolume_*weight(d); });
+    }
+};
+
 } // namespace Foam
 
 
@@ -135,49 +188,22 @@ Foam::shepardRange Foam::checkWalls
     const riprap::SphConfig& config
 )
 {
-    const label D = mesh.nGeometricD();
-    const scalar spacing = config.spacing;
-    const scalar h = config.smoothingRatio*spacing;
-    const riprap::KernelModel& kernel = riprap::kernelOf(config.kernel);
-    const scalar support = kernel.support*h;
-    const auto weight = [&](scalar r) { return kernel.weight(D, r, h); };
-    const scalar fluidVolume = std::pow(spacing, D), wallVolume = std::pow(walls.spacing, D);
-
-    const pointGrid fluidGrid(support, fluid), wallGrid(support, walls.position);
-
-    const surfaceFinder surface(mesh, bodies, patchIDs, walls, fluid, spacing, support);
+    const shepardSums sums(mesh.nGeometricD(), walls, fluid, config);
+    const surfaceFinder surface(
+        mesh, bodies, patchIDs, walls, fluid, config.spacing, sums.support());
 
     shepardRange range;
-    range.lattice = 0;
-    for (const vector& d : probes(mesh, support, spacing))
-    {
-        range.lattice += fluidVolume*weight(mag(d));
-    }
-
+    range.lattice = sums.ofLattice(mesh, config.spacing);
     for (const point& x : fluid)
     {
         scalar sum = 0;
-        bool near = false;
-        wallGrid.near
-        (
-            x,
-            [&](label, const vector&, scalar d)
-            {
-                near = true;
-                sum += wallVolume*weight(d);
-            }
-        );
-        if (!near) continue;
+        if (!sums.addWalls(x, sum)) continue;
         if (surface.reaches(x))
         {
             ++range.leftOut;
             continue;
         }
-        fluidGrid.near
-        (
-            x,
-            [&](label, const vector&, scalar d) { sum += fluidVolume*weight(d); }
-        );
+        sums.addFluid(x, sum);
 
         ++range.checked;
         sum /= range.lattice;

@@ -71,6 +71,51 @@ Foam::scalar Foam::particlePacking::estimate(const boundBox& box, const boundBox
 }
 
 
+Foam::vector Foam::particlePacking::steps() const
+{
+    const bool hexagonal = kind_ == kind::hexagonal;
+    const scalar a =
+        !hexagonal ? spacing_
+      : planar_ ? spacing_*std::sqrt(2/std::sqrt(scalar(3)))
+      : spacing_*std::pow(scalar(2), scalar(1)/6);
+    return vector
+    (
+        a,
+        hexagonal ? a*std::sqrt(scalar(3))/2 : a,
+        planar_ ? 1 : hexagonal ? a*std::sqrt(scalar(2)/3) : a
+    );
+}
+
+
+Foam::scalar Foam::particlePacking::latticeCoordinate(label d, label i, label j, label k) const
+{
+    const bool hexagonal = kind_ == kind::hexagonal;
+    scalar x = (d == 0 ? i : d == 1 ? j : k) + 0.5;
+    if (hexagonal && d == 0) x += ((j + k) % 2) ? 0.25 : -0.25;
+    if (hexagonal && d == 1 && !planar_) x += (k % 2) ? scalar(1)/6 : -scalar(1)/6;
+    return x;
+}
+
+
+void Foam::particlePacking::indexRanges
+(
+    const boundBox& box,
+    const boundBox& limits,
+    const vector& step,
+    labelVector& begin,
+    labelVector& end
+) const
+{
+    for (label d = 0; d < (planar_ ? 2 : 3); ++d)
+    {
+        const scalar low = box.min()[axes_[d]];
+        const scalar high = min(box.max()[axes_[d]], limits.max()[axes_[d]]);
+        begin[d] = label(std::floor(max(scalar(0), (limits.min()[axes_[d]] - low)/step[d] - 1)));
+        end[d] = label(std::floor((high - low)/step[d])) + 2;
+    }
+}
+
+
 Foam::pointField Foam::particlePacking::fill(const boundBox& box, const boundBox& limits) const
 {
     if
@@ -82,37 +127,9 @@ Foam::pointField Foam::particlePacking::fill(const boundBox& box, const boundBox
         return pointField();
     }
 
-    // Steps along a row, from row to row, from layer to layer
-    const bool hexagonal = kind_ == kind::hexagonal;
-    const scalar a =
-        !hexagonal ? spacing_
-      : planar_ ? spacing_*std::sqrt(2/std::sqrt(scalar(3)))
-      : spacing_*std::pow(scalar(2), scalar(1)/6);
-    const scalar step[3] =
-    {
-        a,
-        hexagonal ? a*std::sqrt(scalar(3))/2 : a,
-        planar_ ? 1 : hexagonal ? a*std::sqrt(scalar(2)/3) : a
-    };
-
-    // Coordinate along axis d of the lattice point (i, j, k)
-    auto coordinate = [&](label d, label i, label j, label k)
-    {
-        scalar x = (d == 0 ? i : d == 1 ? j : k) + 0.5;
-        if (hexagonal && d == 0) x += ((j + k) % 2) ? 0.25 : -0.25;
-        if (hexagonal && d == 1 && !planar_) x += (k % 2) ? scalar(1)/6 : -scalar(1)/6;
-        return box.min()[axes_[d]] + x*step[d];
-    };
-
-    // Index ranges that cover box and limits, one to spare for the shifts of hexagonal rows
-    label begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};
-    for (label d = 0; d < (planar_ ? 2 : 3); ++d)
-    {
-        const scalar low = box.min()[axes_[d]];
-        const scalar high = min(box.max()[axes_[d]], limits.max()[axes_[d]]);
-        begin[d] = label(std::floor(max(scalar(0), (limits.min()[axes_[d]] - low)/step[d] - 1)));
-        end[d] = label(std::floor((high - low)/step[d])) + 2;
-    }
+    const vector step(steps());
+    labelVector begin(0, 0, 0), end(1, 1, 1);
+    indexRanges(box, limits, step, begin, end);
 
     const scalar slack = 1e-6*spacing_;
     DynamicList<point> points;
@@ -127,7 +144,7 @@ Foam::pointField Foam::particlePacking::fill(const boundBox& box, const boundBox
                 for (label d = 0; d < (planar_ ? 2 : 3); ++d)
                 {
                     const direction axis = axes_[d];
-                    p[axis] = coordinate(d, i, j, k);
+                    p[axis] = box.min()[axis] + latticeCoordinate(d, i, j, k)*step[d];
                     // Half-open, so that boxes side by side share no particle
                     in = in && p[axis] < box.max()[axis] - slack
                         && p[axis] > limits.min()[axis] && p[axis] < limits.max()[axis];

@@ -3,8 +3,7 @@
 #include "randomPacking.H"
 #include "bodyGrading.H"
 #include "pointGrid.H"
-
-#include <random>
+#include "uniformNumbers.H"
 
 namespace Foam
 {
@@ -47,9 +46,7 @@ static scalar pushApart
 
 Foam::scalarField Foam::randomPacking::radii(scalar volume, bool planar) const
 {
-    std::mt19937_64 generator(seed);
-    // Not std::uniform_real_distribution: the same numbers with every library
-    auto uniform = [&]() { return scalar(generator() >> 11)*0x1p-53; };
+    uniformNumbers uniform(seed);
 
     DynamicList<scalar> all;
     scalar left = solidFraction*volume;
@@ -65,7 +62,7 @@ Foam::scalarField Foam::randomPacking::radii(scalar volume, bool planar) const
 }
 
 
-bool Foam::randomPacking::place
+bool Foam::randomPacking::throwIn
 (
     const boundBox& box,
     const fits& fit,
@@ -74,10 +71,7 @@ bool Foam::randomPacking::place
     pointField& x
 ) const
 {
-    std::mt19937_64 generator(seed + 1);
-    auto uniform = [&]() { return scalar(generator() >> 11)*0x1p-53; };
-
-    // Thrown in where even the full size fits
+    uniformNumbers uniform(seed + 1);
     x.setSize(radii.size());
     forAll(x, i)
     {
@@ -93,6 +87,20 @@ bool Foam::randomPacking::place
         }
         while (!fit(x[i], radii[i]));
     }
+    return true;
+}
+
+
+bool Foam::randomPacking::place
+(
+    const boundBox& box,
+    const fits& fit,
+    const particlePacking& frame,
+    const scalarField& radii,
+    pointField& x
+) const
+{
+    if (!throwIn(box, fit, frame, radii, x)) return false;
 
     // A move out of the volume is tried again along each axis alone
     auto move = [&](label i, const vector& way)

@@ -17,9 +17,8 @@
 #include "mathematicalConstants.H"
 #include "quaternion.H"
 #include "solidRegions.H"
+#include "uniformNumbers.H"
 #include "unitConversion.H"
-
-#include <random>
 
 namespace Foam
 {
@@ -107,9 +106,7 @@ static tensorField readOrientations(
     }
     if (kind == orientationKind::random)
     {
-        std::mt19937_64 generator(dict.whole("seed", 1, 0, labelMax));
-        // Not std::uniform_real_distribution: the same numbers with every library
-        auto uniform = [&]() { return scalar(generator() >> 11)*0x1p-53; };
+        uniformNumbers uniform(dict.whole("seed", 1, 0, labelMax));
         for (tensor& R : all)
         {
             if (planar)
@@ -127,6 +124,104 @@ static tensorField readOrientations(
     return all;
 }
 
+
+static void requireDimensions(const dictionary& dict, const word& source, bool planar)
+{
+    const bool outline = source == "clumpsFromOutline";
+    if (planar == outline) return;
+    FatalIOErrorInFunction(dict) << "Source " << source << " needs a case in "
+                                << (outline ? "2D" : "3D") << "; in " << (planar ? "2D" : "3D")
+                                << " it is "
+                                << (planar ? "clumpsFromOutline" : "clumpsFromSurface")
+                                << exit(FatalIOError);
+}
+
+
+static DynamicList<ball> readBalls(
+    checkedDictionary& dict, label most, label resolution, const clumpShape& shape, bool planar)
+{
+    const scalar smallest = dict.positive("smallestRadius", 0.02*shape.longest());
+    DynamicList<ball> balls(cover(inscribed(shape, resolution), most, smallest));
+    if (balls.empty())
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "No sphere of at least smallestRadius " << smallest << " m fits into the "
+            << (planar ? "outline" : "surface") << exit(FatalIOError);
+    }
+    return balls;
+}
+
+
+static pointField readCentres(checkedDictionary& dict, const point& otherwise)
+{
+    pointField centres(1, otherwise);
+    if (dict.found("centres")) centres = dict.dict().get<pointField>("centres");
+    if (centres.empty())
+    {
+        FatalIOErrorInFunction(dict.dict()) << "Entry centres is empty" << exit(FatalIOError);
+    }
+    return centres;
+}
+
+
+// For unit density, and at rest
+static riprap::DemClump clumpAt(
+    const clumpShape& shape, const point& centre, const tensor& rotation)
+{
+    riprap::DemClump body;
+    body.mass = body.volume = shape.volume;
+    const quaternion turn(rotation & shape.axes);
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        body.position[d] = centre[d];
+        body.inertia[d] = shape.moments[d];
+        body.orientation[d + 1] = turn.v()[d];
+    }
+    body.orientation[0] = turn.w();
+    return body;
+}
+
+
+static void placeClumps
+(
+    const clumpShape& shape,
+    const DynamicList<ball>& balls,
+    const pointField& centres,
+    const tensorField& rotation,
+    solidRegion& region
+)
+{
+    DynamicList<point> position;
+    DynamicList<scalar> radius;
+    DynamicList<label> clump;
+    forAll(centres, c)
+    {
+        for (const ball& b : balls)
+        {
+            position.append(centres[c] + (rotation[c] & (b.centre - shape.middle)));
+            radius.append(b.radius);
+            clump.append(region.clumps.size());
+        }
+        region.clumps.append(clumpAt(shape, centres[c], rotation[c]));
+    }
+    region.position = position;
+    region.radius = radius;
+    region.clump = clump;
+}
+
+
+static void logClumps(const word& region, label n, const DynamicList<ball>& balls,
+    const clumpShape& shape, bool planar)
+{
+    scalar largest = 0;
+    for (const ball& b : balls) largest = max(largest, b.radius);
+    Info<< "    " << region << ": " << n << " clumps of " << balls.size() << " spheres, radius "
+        << balls.last().radius << " to " << largest << " m; " << (planar ? "area " : "volume ")
+        << shape.volume << (planar ? " m2" : " m3")
+        << ", principal moments of inertia per density " << shape.moments
+        << (planar ? " m4" : " m5") << nl;
+}
+
 } // namespace Foam
 
 
@@ -134,71 +229,22 @@ void Foam::readClumps(
     checkedDictionary& dict, const word& source, const solidSpace& space, solidRegion& region)
 {
     const riprap::DemConfig& config = space.settings.config;
-    const bool planar = config.dimensions == 2, outline = source == "clumpsFromOutline";
-    if (planar != outline)
-    {
-        FatalIOErrorInFunction(dict.dict())
-            << "Source " << source << " needs a case in " << (outline ? "2D" : "3D") << "; in "
-            << (planar ? "2D" : "3D") << " it is "
-            << (planar ? "clumpsFromOutline" : "clumpsFromSurface") << exit(FatalIOError);
-    }
+    const bool planar = config.dimensions == 2;
+    requireDimensions(dict.dict(), source, planar);
 
     const label most = dict.whole("spheres", 50, 1, 10000);
     const label resolution = dict.whole("resolution", 40, 4, 400);
     const clumpShape shape(readShape(dict, space.mesh.time(), config.dimensions, config.axes));
     region.shape = shapeEntries(dict.dict());
-    const scalar smallest = dict.positive("smallestRadius", 0.02*shape.longest());
-    const DynamicList<ball> balls(cover(inscribed(shape, resolution), most, smallest));
-    if (balls.empty())
-    {
-        FatalIOErrorInFunction(dict.dict())
-            << "No sphere of at least smallestRadius " << smallest << " m fits into the "
-            << (outline ? "outline" : "surface") << exit(FatalIOError);
-    }
+    const DynamicList<ball> balls(readBalls(dict, most, resolution, shape, planar));
 
-    pointField centres(1, shape.middle);
-    if (dict.found("centres")) centres = dict.dict().get<pointField>("centres");
-    if (centres.empty())
-    {
-        FatalIOErrorInFunction(dict.dict()) << "Entry centres is empty" << exit(FatalIOError);
-    }
+    pointField centres(readCentres(dict, shape.middle));
     const tensorField rotation(readOrientations(dict, config, centres.size()));
-    const scalar mid = space.mesh.bounds().midpoint()[config.axes[2]];
-
-    DynamicList<point> position;
-    DynamicList<scalar> radius;
-    DynamicList<label> clump;
-    forAll(centres, c)
+    if (planar)
     {
-        point centre(centres[c]);
-        if (planar) centre[config.axes[2]] = mid;
-        riprap::DemClump body;
-        body.mass = body.volume = shape.volume;
-        const quaternion turn(rotation[c] & shape.axes);
-        for (direction d = 0; d < vector::nComponents; ++d)
-        {
-            body.position[d] = centre[d];
-            body.inertia[d] = shape.moments[d];
-            body.orientation[d + 1] = turn.v()[d];
-        }
-        body.orientation[0] = turn.w();
-        for (const ball& b : balls)
-        {
-            position.append(centre + (rotation[c] & (b.centre - shape.middle)));
-            radius.append(b.radius);
-            clump.append(region.clumps.size());
-        }
-        region.clumps.append(body);
+        for (point& centre : centres)
+            centre[config.axes[2]] = space.mesh.bounds().midpoint()[config.axes[2]];
     }
-    region.position = position;
-    region.radius = radius;
-    region.clump = clump;
-
-    scalar largest = 0;
-    for (const ball& b : balls) largest = max(largest, b.radius);
-    Info<< "    " << region.name << ": " << centres.size() << " clumps of " << balls.size()
-        << " spheres, radius " << balls.last().radius << " to " << largest << " m; "
-        << (planar ? "area " : "volume ") << shape.volume << (planar ? " m2" : " m3")
-        << ", principal moments of inertia per density " << shape.moments
-        << (planar ? " m4" : " m5") << nl;
+    placeClumps(shape, balls, centres, rotation, region);
+    logClumps(region.name, centres.size(), balls, shape, planar);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "solidRegions.H"
-#include "mathematicalConstants.H"
+#include "bodyGrading.H"
 #include "particleSource.H"
 
 namespace Foam
@@ -35,106 +35,158 @@ static void requireOneMotion(const solidRegion& region)
 }
 
 
-static solidRegion readRegion(const namedDictionary& entries, const solidSpace& space)
+// What entries of a region say of all its particles, and of its rigid bodies
+struct regionEntries
 {
-    const demSettings& settings = space.settings;
+    label material = 0, group = 0;
+    vector velocity = Zero, spin = Zero;
+    bool rigid = false;
+};
 
-    solidRegion region;
-    region.name = entries.name;
-    region.dict = entries.dict;
-    checkedDictionary dict(region.dict);
-    dict.found("set");
-    region.clip = dict.either("clip", "yes", "no", false);
 
-    const label material = readName
+static regionEntries readEntries(checkedDictionary& dict, const demSettings& settings)
+{
+    regionEntries entries;
+    entries.material = readName
     (
         dict, "material",
-        [&](const word& w) { return settings.material(w, region.dict); },
+        [&](const word& w) { return settings.material(w, dict.dict()); },
         settings.materials.size() == 1 ? 0 : -1
     );
-    if (material < 0) region.dict.get<word>("material");
-    const label group = readName
+    if (entries.material < 0) dict.dict().get<word>("material");
+    entries.group = readName
     (
         dict, "group",
-        [&](const word& w) { return settings.group(w, region.dict); },
-        settings.group("free", region.dict)
+        [&](const word& w) { return settings.group(w, dict.dict()); },
+        settings.group("free", dict.dict())
     );
-    vector velocity(Zero), spin(Zero);
-    if (dict.found("velocity")) velocity = dict.velocity("velocity");
-    if (dict.found("spin")) spin = region.dict.get<vector>("spin");
-    const bool rigid = dict.either("rigid", "yes", "no", false);
+    if (dict.found("velocity")) entries.velocity = dict.velocity("velocity");
+    if (dict.found("spin")) entries.spin = dict.dict().get<vector>("spin");
+    entries.rigid = dict.either("rigid", "yes", "no", false);
+    return entries;
+}
 
-    dict.found("source");
-    const word source(region.dict.get<word>("source"));
-    const bool shaped = source == "clumpsFromSurface" || source == "clumpsFromOutline";
-    if (rigid && shaped)
-    {
-        FatalIOErrorInFunction(region.dict)
-            << "Entry rigid is yes, but the bodies of source " << source
-            << " are rigid ones already: leave it out" << exit(FatalIOError);
-    }
-    rigidEntries given;
-    if (rigid) given = readRigid(dict, settings.config.dimensions == 2, source != "csv");
-    scalarField unitMass;
+
+static bool holdsClumps(const word& source)
+{
+    return source == "clumpsFromSurface" || source == "clumpsFromOutline";
+}
+
+
+static void requireVolume(const checkedDictionary& dict, const word& source)
+{
+    const wordList volumes(particleSource::dictionaryConstructorTablePtr_->sortedToc());
+    if (volumes.found(source)) return;
+    wordList valid(volumes);
+    valid.append("clumpsFromSurface");
+    valid.append("clumpsFromOutline");
+    dict.unknownWord("source", source, valid);
+}
+
+
+// Particles of the entry source; the mass of each for unit density, where it is not that of a ball
+static scalarField readSource
+(
+    checkedDictionary& dict,
+    const word& source,
+    bool rigid,
+    const rigidEntries& body,
+    const solidSpace& space,
+    solidRegion& region
+)
+{
     if (source == "csv")
     {
         readSolidList(dict, space, region);
         if (rigid)
         {
             requireOneMotion(region);
-            readRigidSurface(dict, given, space, region);
+            readRigidSurface(dict, body, space, region);
         }
+        return scalarField();
     }
-    else if (shaped)
+    if (holdsClumps(source))
     {
         readClumps(dict, source, space, region);
+        return scalarField();
     }
-    else
-    {
-        const wordList volumes(particleSource::dictionaryConstructorTablePtr_->sortedToc());
-        if (!volumes.found(source))
-        {
-            wordList valid(volumes);
-            valid.append("clumpsFromSurface");
-            valid.append("clumpsFromOutline");
-            dict.unknownWord("source", source, valid);
-        }
-        unitMass = placeInVolume(dict, rigid, space, region);
-    }
-    dict.end();
+    requireVolume(dict, source);
+    return placeInVolume(dict, rigid, space, region);
+}
 
-    // Those that the source has not brought itself
+
+// Fields that the source has not brought itself
+static void fillMissing(const regionEntries& entries, solidRegion& region)
+{
     const label n = region.size();
-    if (region.velocity.empty()) region.velocity = vectorField(n, velocity);
-    if (region.spin.empty()) region.spin = vectorField(n, spin);
-    if (region.material.empty()) region.material = labelField(n, material);
-    if (region.group.empty()) region.group = labelField(n, group);
+    if (region.velocity.empty()) region.velocity = vectorField(n, entries.velocity);
+    if (region.spin.empty()) region.spin = vectorField(n, entries.spin);
+    if (region.material.empty()) region.material = labelField(n, entries.material);
+    if (region.group.empty()) region.group = labelField(n, entries.group);
     if (region.clump.empty()) region.clump = labelField(n, -1);
+}
+
+
+// Clumps are read for unit density, and at rest
+static void completeClumps(const regionEntries& entries, scalar density, solidRegion& region)
+{
     for (riprap::DemClump& clump : region.clumps)
     {
-        clump.group = group;
-        clump.mass *= settings.materials[material].density;
+        clump.group = entries.group;
+        clump.mass *= density;
         for (direction d = 0; d < vector::nComponents; ++d)
         {
-            clump.inertia[d] *= settings.materials[material].density;
-            clump.velocity[d] = velocity[d];
-            clump.spin[d] = spin[d];
+            clump.inertia[d] *= density;
+            clump.velocity[d] = entries.velocity[d];
+            clump.spin[d] = entries.spin[d];
         }
     }
-    if (region.mass.empty())
+}
+
+
+// unitMass: of each particle for unit density; empty: its volume
+static void setMasses(const demSettings& settings, const scalarField& unitMass, solidRegion& region)
+{
+    const bool planar = settings.config.dimensions == 2;
+    region.mass.setSize(region.size());
+    forAll(region.mass, i)
     {
-        region.mass.setSize(n);
-        forAll(region.mass, i)
-        {
-            const scalar R = region.radius[i];
-            using constant::mathematical::pi;
-            const scalar volume = unitMass.size() ? unitMass[i]
-                : settings.config.dimensions == 2 ? pi*sqr(R)
-                                                  : 4*pi/3*pow3(R);
-            region.mass[i] = settings.materials[region.material[i]].density*volume;
-        }
+        const scalar volume = unitMass.size() ? unitMass[i] : ballVolume(region.radius[i], planar);
+        region.mass[i] = settings.materials[region.material[i]].density*volume;
     }
-    if (rigid && n) makeRigid(space, group, velocity, spin, given, region);
+}
+
+
+static solidRegion readRegion(const namedDictionary& named, const solidSpace& space)
+{
+    const demSettings& settings = space.settings;
+
+    solidRegion region;
+    region.name = named.name;
+    region.dict = named.dict;
+    checkedDictionary dict(region.dict);
+    dict.found("set");
+    region.clip = dict.either("clip", "yes", "no", false);
+    const regionEntries entries(readEntries(dict, settings));
+
+    dict.found("source");
+    const word source(region.dict.get<word>("source"));
+    if (entries.rigid && holdsClumps(source))
+    {
+        FatalIOErrorInFunction(region.dict)
+            << "Entry rigid is yes, but the bodies of source " << source
+            << " are rigid ones already: leave it out" << exit(FatalIOError);
+    }
+    rigidEntries body;
+    if (entries.rigid) body = readRigid(dict, settings.config.dimensions == 2, source != "csv");
+    const scalarField unitMass(readSource(dict, source, entries.rigid, body, space, region));
+    dict.end();
+
+    fillMissing(entries, region);
+    completeClumps(entries, settings.materials[entries.material].density, region);
+    if (region.mass.empty()) setMasses(settings, unitMass, region);
+    if (entries.rigid && region.size())
+        makeRigid(space, entries.group, entries.velocity, entries.spin, body, region);
     return region;
 }
 
