@@ -222,6 +222,74 @@ static void takeExactPositions(const polyMesh& mesh, particleCloud& c)
 }
 
 
+//- Of each process the box of its mesh, as bytes; none: it has no cells
+static bytesOfRanks boxesOfRanks(pstreamTransport& ranks, const polyMesh& mesh)
+{
+    boundBox own(mesh.points(), false);
+    if (mesh.nPoints()) own.inflate(1e-6);
+    riprap::RankBytes bytes;
+    if (mesh.nCells()) riprap::putValues(bytes, &own);
+    bytesOfRanks boxes;
+    ranks.exchange(bytesOfRanks(ranks.size(), bytes), boxes);
+    return boxes;
+}
+
+
+//- Those of the points wanted that a process with this box may know; with
+//  nearest all
+static labelList pointsFor
+(
+    const riprap::RankBytes& bytes,
+    const pointField& points,
+    const boolList& wanted,
+    bool nearest
+)
+{
+    if (bytes.empty()) return labelList();
+    DynamicList<label> some;
+    boundBox box;
+    const unsigned char* from = bytes.data();
+    takeBytes(from, &box);
+    forAll(points, i)
+    {
+        if (wanted[i] && (nearest || box.contains(points[i]))) some.append(i);
+    }
+    return labelList(std::move(some));
+}
+
+
+//- Of each point that a process asks for: the cell of this one, -1: none, and
+//  with nearest how far it is
+static riprap::RankBytes answerCells
+(
+    const polyMesh& mesh,
+    const riprap::RankBytes& asked,
+    bool nearest
+)
+{
+    const unsigned char* from = asked.data();
+    pointField there(label(asked.size()/sizeof(point)));
+    takeBytes(from, there.data(), there.size());
+    const labelList cell(locateParticles(mesh, there, labelList(), nearest));
+    riprap::RankBytes answer;
+    forAll(there, i)
+    {
+        scalar far = 0;
+        if (nearest)
+        {
+            far = mag
+            (
+                mesh.cellTree().findNearest(there[i], sqr(GREAT)).hitPoint()
+              - there[i]
+            );
+        }
+        riprap::putValues(answer, &cell[i]);
+        riprap::putValues(answer, &far);
+    }
+    return answer;
+}
+
+
 //- Which process has the cell that each point is in, and its number there;
 //  asked of those whose meshes may have it. Else, with nearest, of all: the cell
 //  that is nearest
@@ -236,52 +304,20 @@ static void askForCells
 )
 {
     pstreamTransport ranks;
-    boundBox own(mesh.points(), false);
-    if (mesh.nPoints()) own.inflate(1e-6);
-    riprap::RankBytes bytes;
-    if (mesh.nCells()) riprap::putValues(bytes, &own);
-    bytesOfRanks boxes;
-    ranks.exchange(bytesOfRanks(ranks.size(), bytes), boxes);
+    const bytesOfRanks boxes(boxesOfRanks(ranks, mesh));
 
-    bytesOfRanks out(ranks.size()), in, back, answers;
+    bytesOfRanks out(ranks.size()), in, back(ranks.size()), answers;
     std::vector<labelList> asked(ranks.size());
     for (int rank = 0; rank < ranks.size(); ++rank)
     {
-        if (boxes[rank].empty()) continue;
-        boundBox box;
-        const unsigned char* from = boxes[rank].data();
-        takeBytes(from, &box);
-        DynamicList<label> some;
-        forAll(points, i)
-        {
-            if (wanted[i] && (nearest || box.contains(points[i]))) some.append(i);
-        }
-        for (const label i : some) riprap::putValues(out[rank], &points[i]);
-        asked[rank].transfer(some);
+        asked[rank] = pointsFor(boxes[rank], points, wanted, nearest);
+        for (const label i : asked[rank]) riprap::putValues(out[rank], &points[i]);
     }
     ranks.exchange(out, in);
 
-    back.resize(ranks.size());
     for (int rank = 0; rank < ranks.size(); ++rank)
     {
-        const unsigned char* from = in[rank].data();
-        pointField there(label(in[rank].size()/sizeof(point)));
-        takeBytes(from, there.data(), there.size());
-        const labelList cell(locateParticles(mesh, there, labelList(), nearest));
-        forAll(there, i)
-        {
-            scalar far = 0;
-            if (nearest)
-            {
-                far = mag
-                (
-                    mesh.cellTree().findNearest(there[i], sqr(GREAT)).hitPoint()
-                  - there[i]
-                );
-            }
-            riprap::putValues(back[rank], &cell[i]);
-            riprap::putValues(back[rank], &far);
-        }
+        back[rank] = answerCells(mesh, in[rank], nearest);
     }
     ranks.exchange(back, answers);
 

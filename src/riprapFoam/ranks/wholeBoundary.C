@@ -115,7 +115,41 @@ static riprap::RankBytes ownFaces(const polyMesh& mesh)
 }
 
 
-static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
+//- The boundaries of all processes
+struct wholeFaces
+{
+    std::vector<boundaryFace> faces;        // sorted
+    std::map<label, point> pointOf;         // by numbers of the whole mesh
+    bool merge = false;                     // processes share points, each by a number of its own
+};
+
+
+//- \return the face that was put at from, which goes on to the next
+static boundaryFace takeFace
+(
+    const unsigned char*& from,
+    std::map<label, point>& pointOf
+)
+{
+    label head[3];
+    takeBytes(from, head, 3);
+    boundaryFace f;
+    f.patch = head[0];
+    f.number = head[1];
+    for (label v = 0; v < head[2]; ++v)
+    {
+        label number;
+        point x;
+        takeBytes(from, &number);
+        takeBytes(from, &x);
+        f.points.push_back(number);
+        pointOf[number] = x;
+    }
+    return f;
+}
+
+
+static wholeFaces gatherFaces(const polyMesh& mesh)
 {
     pstreamTransport ranks;
     std::vector<riprap::RankBytes> all;
@@ -124,8 +158,7 @@ static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
         std::vector<riprap::RankBytes>(ranks.size(), ownFaces(mesh)), all
     );
 
-    std::vector<boundaryFace> faces;
-    std::map<label, point> pointOf;
+    wholeFaces whole;
     label merge = 0;
     for (const riprap::RankBytes& bytes : all)
     {
@@ -134,54 +167,101 @@ static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
         takeBytes(from, &merge);
         while (from < end)
         {
-            label head[3];
-            takeBytes(from, head, 3);
-            boundaryFace f;
-            f.patch = head[0];
-            f.number = head[1];
-            for (label v = 0; v < head[2]; ++v)
-            {
-                label number;
-                point x;
-                takeBytes(from, &number);
-                takeBytes(from, &x);
-                f.points.push_back(number);
-                pointOf[number] = x;
-            }
-            faces.push_back(std::move(f));
+            whole.faces.push_back(takeFace(from, whole.pointOf));
         }
     }
-    std::sort(faces.begin(), faces.end());
+    whole.merge = merge;
+    std::sort(whole.faces.begin(), whole.faces.end());
+    return whole;
+}
 
+
+//- Points one after the other, those at one place as one; of each number its
+//  index
+static std::map<label, label> numberPoints
+(
+    const polyMesh& mesh,
+    const wholeFaces& whole,
+    pointField& points
+)
+{
     std::map<label, label> indexOf;
-    pointField points(label(pointOf.size()));
+    points.setSize(label(whole.pointOf.size()));
     label n = 0;
-    for (const auto& p : pointOf)
+    for (const auto& p : whole.pointOf)
     {
         points[n] = p.second;
         indexOf[p.first] = n++;
     }
-    labelList merged(identity(points.size()));
-    if (merge)
-    {
-        // What it returns depends on the version
-        mergePoints(points, 1e-8*mesh.bounds().mag(), false, merged);
-        pointField unique(max(merged) + 1);
-        forAll(points, i) unique[merged[i]] = points[i];
-        points.transfer(unique);
-    }
+    if (!whole.merge) return indexOf;
 
+    // What it returns depends on the version
+    labelList merged(identity(points.size()));
+    mergePoints(points, 1e-8*mesh.bounds().mag(), false, merged);
+    pointField unique(max(merged) + 1);
+    forAll(points, i) unique[merged[i]] = points[i];
+    points.transfer(unique);
+    for (auto& index : indexOf) index.second = merged[index.second];
+    return indexOf;
+}
+
+
+static faceList shapesOf
+(
+    const std::vector<boundaryFace>& faces,
+    const std::map<label, label>& indexOf
+)
+{
     faceList shapes(label(faces.size()));
-    labelList sizes(mesh.boundaryMesh().size(), Zero);
     forAll(shapes, i)
     {
         shapes[i].setSize(label(faces[i].points.size()));
         forAll(shapes[i], v)
         {
-            shapes[i][v] = merged[indexOf[faces[i].points[v]]];
+            shapes[i][v] = indexOf.at(faces[i].points[v]);
         }
-        ++sizes[faces[i].patch];
     }
+    return shapes;
+}
+
+
+//- Those of the mesh but between processes, with the faces that they have in all
+static void addPatches
+(
+    const polyMesh& mesh,
+    const std::vector<boundaryFace>& faces,
+    polyMesh& whole
+)
+{
+    labelList sizes(mesh.boundaryMesh().size(), Zero);
+    for (const boundaryFace& f : faces) ++sizes[f.patch];
+
+    DynamicList<label> kept;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (!isA<processorPolyPatch>(patch)) kept.append(patch.index());
+    }
+    PtrList<polyPatch> patches(kept.size());
+    label start = 0;
+    forAll(kept, i)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[kept[i]];
+        patches.set
+        (
+            i, patch.clone(whole.boundaryMesh(), i, sizes[kept[i]], start)
+        );
+        start += sizes[kept[i]];
+    }
+    whole.addPatches(patches);
+}
+
+
+static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
+{
+    const wholeFaces boundary(gatherFaces(mesh));
+    pointField points;
+    const std::map<label, label> indexOf(numberPoints(mesh, boundary, points));
+    faceList shapes(shapesOf(boundary.faces, indexOf));
 
     labelList owner(shapes.size(), Zero), neighbour;
     auto whole = autoPtr<polyMesh>::New
@@ -200,24 +280,7 @@ static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
         std::move(neighbour),
         false
     );
-
-    DynamicList<label> kept;
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!isA<processorPolyPatch>(patch)) kept.append(patch.index());
-    }
-    PtrList<polyPatch> patches(kept.size());
-    label start = 0;
-    forAll(kept, i)
-    {
-        const polyPatch& patch = mesh.boundaryMesh()[kept[i]];
-        patches.set
-        (
-            i, patch.clone(whole->boundaryMesh(), i, sizes[kept[i]], start)
-        );
-        start += sizes[kept[i]];
-    }
-    whole->addPatches(patches);
+    addPatches(mesh, boundary.faces, *whole);
     return whole;
 }
 
