@@ -60,7 +60,7 @@ riprap::PicInside Foam::solverModules::picDem::inside(bool continued)
                 );
             }
         }
-        inside.motion = picMotion(bodies_);
+        inside.motion = bodies_.motion();
     }
     return inside;
 }

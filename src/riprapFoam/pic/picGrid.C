@@ -7,7 +7,6 @@
 #include "emptyPolyPatch.H"
 #include "SubField.H"
 #include "wallPoints.H"
-#include "pic/grid/uniformGrid.hpp"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -19,6 +18,20 @@ namespace
     constexpr const char* rule =
         "PIC needs a mesh that is one block of equal squares (2D) or cubes"
         " (3D) along the axes, without grading";
+
+    //- Its number among the openings, -1: it is none
+    int openingOf(const Foam::polyPatch& patch, const riprap::PicConfig& config)
+    {
+        int number = -1;
+        for (std::size_t k = 0; k < config.openings.size(); ++k)
+        {
+            if (config.openings[k].name == patch.name())
+            {
+                number = int(k);
+            }
+        }
+        return number;
+    }
 }
 
 
@@ -136,8 +149,7 @@ void Foam::picGrid::numberCells(const polyMesh& mesh)
 }
 
 
-//- Everything inside is open, and so are faces of patches of type patch; walls
-//  are numbered in the order of wallPatches
+//- Walls are numbered in the order of wallPatches
 void Foam::picGrid::openSides
 (
     const polyMesh& mesh,
@@ -149,72 +161,88 @@ void Foam::picGrid::openSides
     {
         grid.n[d] = cells_[d];
     }
-
     for (int d = 0; d < dimensions_; ++d)
     {
-        std::vector<double>& open = walls_.aperture[d];
-        int last[3] = {cells_[0] - 1, cells_[1] - 1, cells_[2] - 1};
-        last[d] += 1;
-        open.assign((last[0] + 1)*(last[1] + 1)*(last[2] + 1), 1.0);
-
-        #pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < open.size(); ++i)
-        {
-            const int layer = grid.faceIndex(d, int(i)).c[d];
-            if (layer == 0 || layer == cells_[d])
-            {
-                open[i] = 0;
-            }
-        }
-        if (!config.openings.empty())
-        {
-            walls_.opening[d].assign(open.size(), -1);
-        }
-        walls_.part[d].assign(open.size(), -1);
+        openInside(d, grid, !config.openings.empty());
     }
 
     const labelList walls(wallPatches(mesh));
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(patch))
+        if (!isA<emptyPolyPatch>(patch))
         {
-            continue;
+            setPatch
+            (
+                patch,
+                grid,
+                walls.find(patch.index()),
+                openingOf(patch, config)
+            );
         }
+    }
+}
 
-        const int wall = walls.find(patch.index());
-        int number = -1;
-        for (std::size_t k = 0; k < config.openings.size(); ++k)
+
+void Foam::picGrid::openInside
+(
+    int d,
+    const riprap::UniformGrid<3>& grid,
+    bool openings
+)
+{
+    std::vector<double>& open = walls_.aperture[d];
+    int last[3] = {cells_[0] - 1, cells_[1] - 1, cells_[2] - 1};
+    last[d] += 1;
+    open.assign((last[0] + 1)*(last[1] + 1)*(last[2] + 1), 1.0);
+
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < open.size(); ++i)
+    {
+        const int layer = grid.faceIndex(d, int(i)).c[d];
+        if (layer == 0 || layer == cells_[d])
         {
-            if (config.openings[k].name == patch.name())
+            open[i] = 0;
+        }
+    }
+    if (openings)
+    {
+        walls_.opening[d].assign(open.size(), -1);
+    }
+    walls_.part[d].assign(open.size(), -1);
+}
+
+
+void Foam::picGrid::setPatch
+(
+    const polyPatch& patch,
+    const riprap::UniformGrid<3>& grid,
+    int wall,
+    int opening
+)
+{
+    forAll(patch, facei)
+    {
+        const vector& area = patch.faceAreas()[facei];
+        for (int d = 0; d < dimensions_; ++d)
+        {
+            const scalar along = area[axes_[d]];
+            if (mag(along) < 0.5*mag(area))
             {
-                number = int(k);
+                continue;
             }
-        }
-
-        forAll(patch, facei)
-        {
-            const vector& area = patch.faceAreas()[facei];
-            for (int d = 0; d < dimensions_; ++d)
+            riprap::UniformGrid<3>::Index f =
+                grid.cellIndex(gridCell_[patch.faceCells()[facei]]);
+            f.c[d] += along > 0;
+            const int face = grid.face(d, f);
+            if (wall >= 0)
             {
-                const scalar along = area[axes_[d]];
-                if (mag(along) < 0.5*mag(area))
-                {
-                    continue;
-                }
-                riprap::UniformGrid<3>::Index f =
-                    grid.cellIndex(gridCell_[patch.faceCells()[facei]]);
-                f.c[d] += along > 0;
-                const int face = grid.face(d, f);
-                if (wall >= 0)
-                {
-                    walls_.part[d][face] = wall;
-                    continue;
-                }
-                walls_.aperture[d][face] = 1;
-                if (number >= 0)
-                {
-                    walls_.opening[d][face] = number;
-                }
+                walls_.part[d][face] = wall;
+                continue;
+            }
+            walls_.aperture[d][face] = 1;
+            if (opening >= 0)
+            {
+                walls_.opening[d][face] = opening;
             }
         }
     }

@@ -98,10 +98,4 @@ void Foam::requireObstacles
 }
 
 
-riprap::WallMotion Foam::picMotion(const wallBodies& bodies)
-{
-    return [&bodies](int body, double t) { return bodies.pose(body, t); };
-}
-
-
 // ************************************************************************* //

@@ -72,30 +72,6 @@ static std::shared_ptr<Function1<Type>> series
 }
 
 
-static std::function<scalar(scalar)> heights
-(
-    checkedDictionary& dict,
-    const word& opening,
-    const riprap::PicConfig& config
-)
-{
-    scalar g2 = 0;
-    for (int d = 0; d < config.dimensions; ++d)
-    {
-        g2 += sqr(config.gravity[config.axes[d]]);
-    }
-    if (!(g2 > 0))
-    {
-        FatalIOErrorInFunction(dict.dict())
-            << "Opening " << opening << " has a level, and there is no gravity"
-            << " that says what is up" << exit(FatalIOError);
-    }
-    const auto level =
-        series<scalar>(dict, opening, "level", "a height against gravity [m]");
-    return [level](scalar t) { return level->value(t); };
-}
-
-
 //- Largest size of what a series gives, from now to the end of the run
 template<class Value>
 static scalar largest(const Time& time, const Value& value)
@@ -146,6 +122,86 @@ static void requireNear
 }
 
 
+static std::function<riprap::Vector3(scalar)> velocities
+(
+    checkedDictionary& dict,
+    const word& opening,
+    const polyMesh& mesh
+)
+{
+    const auto u =
+        series<vector>(dict, opening, "velocity", "a vector [m/s]");
+    requireSlow
+    (
+        dict.dict(),
+        opening,
+        "velocity",
+        largest(mesh.time(), [&](scalar t) { return u->value(t); })
+    );
+    return [u](scalar t)
+    {
+        const vector v(u->value(t));
+        return riprap::Vector3{{v.x(), v.y(), v.z()}};
+    };
+}
+
+
+//- In 2D per metre
+static std::function<scalar(scalar)> flowRates
+(
+    checkedDictionary& dict,
+    const word& opening,
+    const polyMesh& mesh,
+    const riprap::PicConfig& config
+)
+{
+    const auto rate =
+        series<scalar>(dict, opening, "flowRate", "into the mesh [m3/s]");
+    const polyPatch& patch = mesh.boundaryMesh()[mesh.boundaryMesh().findPatchID(opening)];
+    requireSlow
+    (
+        dict.dict(),
+        opening,
+        "flowRate",
+        largest(mesh.time(), [&](scalar t) { return rate->value(t); })
+       /max(sum(mag(patch.faceAreas())), VSMALL)
+    );
+    const scalar thickness =
+        config.dimensions == 2 ? mesh.bounds().span()[config.axes[2]] : 1;
+    return [rate, thickness](scalar t)
+    {
+        return rate->value(t)/thickness;
+    };
+}
+
+
+static std::function<scalar(scalar)> heights
+(
+    checkedDictionary& dict,
+    const word& opening,
+    const polyMesh& mesh,
+    const riprap::PicConfig& config
+)
+{
+    scalar g2 = 0;
+    for (int d = 0; d < config.dimensions; ++d)
+    {
+        g2 += sqr(config.gravity[config.axes[d]]);
+    }
+    if (!(g2 > 0))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Opening " << opening << " has a level, and there is no gravity"
+            << " that says what is up" << exit(FatalIOError);
+    }
+    const auto level =
+        series<scalar>(dict, opening, "level", "a height against gravity [m]");
+    const auto height = [level](scalar t) { return level->value(t); };
+    requireNear(dict.dict(), opening, largest(mesh.time(), height), mesh);
+    return height;
+}
+
+
 static riprap::PicOpening readOpening
 (
     const dictionary& entries,
@@ -169,46 +225,16 @@ static riprap::PicOpening readOpening
 
     if (opening.kind == OpeningKind::velocity)
     {
-        const auto u =
-            series<vector>(dict, name, "velocity", "a vector [m/s]");
-        requireSlow
-        (
-            entries,
-            name,
-            "velocity",
-            largest(mesh.time(), [&](scalar t) { return u->value(t); })
-        );
-        opening.velocity = [u](scalar t)
-        {
-            const vector v(u->value(t));
-            return riprap::Vector3{{v.x(), v.y(), v.z()}};
-        };
+        opening.velocity = velocities(dict, name, mesh);
     }
     else if (opening.kind == OpeningKind::flowRate)
     {
-        const auto rate =
-            series<scalar>(dict, name, "flowRate", "into the mesh [m3/s]");
-        const polyPatch& patch = mesh.boundaryMesh()[mesh.boundaryMesh().findPatchID(name)];
-        requireSlow
-        (
-            entries,
-            name,
-            "flowRate",
-            largest(mesh.time(), [&](scalar t) { return rate->value(t); })
-           /max(sum(mag(patch.faceAreas())), VSMALL)
-        );
-        const scalar thickness =
-            config.dimensions == 2 ? mesh.bounds().span()[config.axes[2]] : 1;
-        opening.flowRate = [rate, thickness](scalar t)
-        {
-            return rate->value(t)/thickness;
-        };
+        opening.flowRate = flowRates(dict, name, mesh, config);
     }
 
     if (opening.kind == OpeningKind::level || dict.found("level"))
     {
-        opening.level = heights(dict, name, config);
-        requireNear(entries, name, largest(mesh.time(), opening.level), mesh);
+        opening.level = heights(dict, name, mesh, config);
     }
     dict.end();
     return opening;

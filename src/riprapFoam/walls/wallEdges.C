@@ -94,6 +94,66 @@ static void fillLine
     }
 }
 
+
+// Where three sharp edges or more meet, and all are convex or flat
+static bool isConvexCorner(const triSurface& s, const List<wallSurface::edgeKind>& kinds, label p)
+{
+    label nSharp = 0;
+    bool convex = true;
+    for (const label e : s.pointEdges()[p])
+    {
+        nSharp += kinds[e] == wallSurface::edgeKind::convex;
+        convex = convex && kinds[e] != wallSurface::edgeKind::open
+            && kinds[e] != wallSurface::edgeKind::concave;
+    }
+    return nSharp >= 3 && convex;
+}
+
+
+// Points about a corner that are no deeper than the wall's layers, and their depths. The lattice
+// lies along the first face's normal and the edge of it that is nearest to a right angle
+static void cornerLattice
+(
+    const wallSpace& space,
+    const wallSurface& wall,
+    label p,
+    pointField& lattice,
+    scalarField& depth
+)
+{
+    const triSurface& s = wall.surface;
+    const labelList& faces = s.pointFaces()[p];
+    const vector e1(s.faceNormals()[faces[0]]);
+    vector second(Zero);
+    for (const label f : faces)
+    {
+        const vector n(s.faceNormals()[f] - (s.faceNormals()[f] & e1)*e1);
+        if (mag(n) > mag(second)) second = n;
+    }
+    const vector e2(normalised(second)), e3(e1 ^ e2);
+
+    const point& corner = s.localPoints()[p];
+    const label n = 2*wall.layers;
+    for (label l = 0; l < 8*n*n*n; ++l)
+    {
+        const point x
+        (
+            corner + space.spacing*
+            (
+                (l % (2*n) - n + 0.5)*e1 + ((l/(2*n)) % (2*n) - n + 0.5)*e2
+              + (l/(4*n*n) - n + 0.5)*e3
+            )
+        );
+        scalar deepest = 0;
+        for (const label f : faces) deepest = max(deepest, (corner - x) & s.faceNormals()[f]);
+        if (deepest < space.firstOffset + (wall.layers - 0.9)*space.spacing)
+        {
+            lattice.append(x);
+            depth.append(deepest);
+        }
+    }
+}
+
 } // namespace Foam
 
 
@@ -157,52 +217,15 @@ void Foam::fillCorners
     const triSurface& s = wall.surface;
     forAll(s.pointEdges(), p)
     {
-        label nSharp = 0;
-        bool convex = true;
-        for (const label e : s.pointEdges()[p])
-        {
-            nSharp += kinds[e] == wallSurface::edgeKind::convex;
-            convex = convex && kinds[e] != wallSurface::edgeKind::open
-                && kinds[e] != wallSurface::edgeKind::concave;
-        }
-        if (nSharp < 3 || !convex) continue;
-
-        // Lattice along the first face's normal and the edge of it that is nearest to a right angle
-        const labelList& faces = s.pointFaces()[p];
-        const vector e1(s.faceNormals()[faces[0]]);
-        vector second(Zero);
-        for (const label f : faces)
-        {
-            const vector n(s.faceNormals()[f] - (s.faceNormals()[f] & e1)*e1);
-            if (mag(n) > mag(second)) second = n;
-        }
-        const vector e2(normalised(second)), e3(e1 ^ e2);
+        if (!isConvexCorner(s, kinds, p)) continue;
 
         const point& corner = s.localPoints()[p];
-        const label n = 2*wall.layers;
+        label source = labelMax;
+        for (const label f : s.pointFaces()[p]) source = min(source, s.localFaces()[f].region());
+
         pointField lattice;
         scalarField depth;
-        label source = labelMax;
-        for (const label f : faces) source = min(source, s.localFaces()[f].region());
-
-        for (label l = 0; l < 8*n*n*n; ++l)
-        {
-            const point x
-            (
-                corner + space.spacing*
-                (
-                    (l % (2*n) - n + 0.5)*e1 + ((l/(2*n)) % (2*n) - n + 0.5)*e2
-                  + (l/(4*n*n) - n + 0.5)*e3
-                )
-            );
-            scalar deepest = 0;
-            for (const label f : faces) deepest = max(deepest, (corner - x) & s.faceNormals()[f]);
-            if (deepest < space.firstOffset + (wall.layers - 0.9)*space.spacing)
-            {
-                lattice.append(x);
-                depth.append(deepest);
-            }
-        }
+        cornerLattice(space, wall, p, lattice, depth);
         const scalarField distance(wall.distance(lattice));
         forAll(lattice, i)
         {

@@ -241,6 +241,13 @@ riprap::WallPose Foam::wallBodies::pose(label body, scalar t) const
 }
 
 
+riprap::WallMotion Foam::wallBodies::motion() const
+{
+    if (!size()) return riprap::WallMotion();
+    return [this](int body, double t) { return pose(body, t); };
+}
+
+
 Foam::labelList Foam::wallBodies::bodyOf(const wordList& surfaces) const
 {
     labelList body(surfaces.size(), -1);
