@@ -9,6 +9,40 @@
 #include "functionObjectList.H"
 #include "timeManifest.H"
 #include "timeSelector.H"
+#include <functional>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Its errors are warnings: another time may be better
+static bool succeeds(const std::function<void()>& process)
+{
+    bool good = true;
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+    try
+    {
+        process();
+    }
+    catch (const IOerror& err)
+    {
+        Warning<< err << endl;
+        good = false;
+    }
+    catch (const error& err)
+    {
+        Warning<< err << endl;
+        good = false;
+    }
+    FatalError.dontThrowExceptions();
+    FatalIOError.dontThrowExceptions();
+    return good;
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -110,10 +144,7 @@ void Foam::postProcessTimes
         Info<< "Time = " << runTime.timeName() << nl << endl;
         mesh.readUpdate();
 
-        // Another time may be better
-        FatalError.throwExceptions();
-        FatalIOError.throwExceptions();
-        try
+        const auto process = [&]()
         {
             module.initialise();
             module.updateFields();
@@ -134,19 +165,8 @@ void Foam::postProcessTimes
             {
                 functions->end();
             }
-        }
-        catch (const IOerror& err)
-        {
-            Warning<< err << endl;
-            ++failed;
-        }
-        catch (const error& err)
-        {
-            Warning<< err << endl;
-            ++failed;
-        }
-        FatalError.dontThrowExceptions();
-        FatalIOError.dontThrowExceptions();
+        };
+        if (!succeeds(process)) ++failed;
         Info<< endl;
     }
 

@@ -127,6 +127,204 @@ static std::string timesSolver(scalar cost, scalar solver)
       : numberText(100*cost/solver) + " % of the solver's time";
 }
 
+
+//- What a run takes
+struct runForecast
+{
+    scalar samples = 0, written = 0;                // how many
+    bool asynchronous = true;
+    bool fieldsAreRead = false;                     // at each sample
+    scalar start = 0, solver = 0;                   // [s]
+    scalar field = 0;                               // of a time [s]
+    timedWrite write;                               // of a time
+    std::vector<timedObject> objects;
+    DynamicList<word> others;                       // that are not timed
+
+    scalar fields() const
+    {
+        return field*(fieldsAreRead ? max(samples, written) : written);
+    }
+
+    scalar inObjects() const
+    {
+        scalar sum = 0;
+        for (const timedObject& f : objects)
+        {
+            sum += f.seconds();
+        }
+        return sum;
+    }
+
+    scalar writing() const
+    {
+        return written*write.handOver;
+    }
+
+    //- The last time, and those that the run makes faster than they are written
+    scalar waiting() const
+    {
+        if (!asynchronous || written < 1) return 0;
+        const scalar between = (solver + inObjects() + fields())/written;
+        return write.format
+          + (written - 1)*max(write.format - between, scalar(0));
+    }
+
+    scalar all() const
+    {
+        return start + solver + fields() + inObjects() + writing() + waiting();
+    }
+};
+
+
+static void startObjects(Time& time, runForecast& run)
+{
+    for (const functionDict& f : functionDicts(time))
+    {
+        if (f.ofRiprap)
+        {
+            run.objects.push_back(start(f, time, run.samples, run.written));
+        }
+        else
+        {
+            run.others.append(f.name);
+        }
+    }
+}
+
+
+//- The first sample sets up what later ones use
+static void timeObjects
+(
+    solverModule& module,
+    std::vector<timedObject>& objects
+)
+{
+    for (timedObject& f : objects)
+    {
+        sample(f);
+    }
+    for (int k = 0; k < repeats && module.trialStep(); ++k)
+    {
+        for (timedObject& f : objects)
+        {
+            const scalar execute = f.execute, write = f.write;
+            if (k == 0) f.begin += execute + write;
+            sample(f);
+            if (k > 0)
+            {
+                f.execute = min(f.execute, execute);
+                f.write = min(f.write, write);
+            }
+        }
+    }
+}
+
+
+//- The second time
+static scalar timeFields(solverModule& module)
+{
+    module.updateFields();
+    return seconds([&]() { module.updateFields(); });
+}
+
+
+static void logWallTimes(const runForecast& run, bool hasFields)
+{
+    const scalar samples = run.samples, written = run.written, all = run.all();
+
+    Info<< nl << "Expected wall time [s], as the log will end" << nl;
+    const auto put = [&](const std::string& name, scalar s, scalar n, int indent)
+    {
+        Info<< wallTimes::row(name, s, all, int64_t(n), indent).c_str() << nl;
+    };
+    put("start", run.start, 1, 4);
+    put("solver", run.solver, samples, 4);
+    if (hasFields) put("fields", run.fields(), run.fieldsAreRead ? samples : written, 4);
+    put("function objects", run.inObjects(), samples, 4);
+    for (const timedObject& f : run.objects)
+    {
+        put(f.name, f.seconds(), f.writes, 8);
+    }
+    put("writing", run.writing(), written, 4);
+    put("waiting for writing", run.waiting(), written, 4);
+    put("all", all, 1, 4);
+    put("written meanwhile", run.asynchronous ? written*run.write.format : 0, 1, 4);
+    Info<< "Files: " << int64_t(written) << " times "
+        << bytesText(run.write.bytes).c_str() << ", formatted but not on disk" << nl;
+    if (run.others.size())
+    {
+        Info<< "Not timed, since they may write: "
+            << listed(wordList(run.others)).c_str() << nl;
+    }
+}
+
+
+static void logCost(const std::string& what)
+{
+    Info<< "Costs much: " << what.c_str() << nl;
+}
+
+
+static void logObjectCosts(const runForecast& run, const runEffort& effort)
+{
+    for (const timedObject& f : run.objects)
+    {
+        if (f.seconds() < worthNaming*run.solver) continue;
+        const scalar one = f.write + f.executes/max(f.writes, scalar(1))*f.execute;
+        logCost
+        (
+            "function object " + f.name + " takes "
+          + timesSolver(f.seconds(), run.solver) + ", "
+          + numberText(1000*one) + " ms a sample, as long as "
+          + numberText(one/effort.secondsPerStep) + " steps: sample less often"
+            " by its writeInterval, or by sampleInterval"
+        );
+    }
+}
+
+
+//- Of what takes more than it should
+static void logCosts
+(
+    const runForecast& run,
+    const runEffort& effort,
+    scalar sampleInterval
+)
+{
+    const scalar stepsASample = effort.steps/max(run.samples, scalar(1));
+    if (sampleInterval > 0 && stepsASample < fewSteps)
+    {
+        logCost
+        (
+            "sampleInterval " + numberText(sampleInterval) + " s of system/"
+            "controlDict is " + numberText(stepsASample) + " steps; the solver"
+            " is fastest where samples are farther apart"
+        );
+    }
+    logObjectCosts(run, effort);
+    if (run.fields() > worthNaming*run.solver)
+    {
+        logCost
+        (
+            "fields take " + timesSolver(run.fields(), run.solver) + ": they are"
+            " brought to OpenFOAM "
+          + std::string(run.fieldsAreRead ? "at each sample, for a function"
+            " object of another library" : "at each written time")
+        );
+    }
+    const scalar writing = run.writing() + run.waiting();
+    if (writing > worthNaming*run.solver)
+    {
+        logCost
+        (
+            "writing takes " + timesSolver(writing, run.solver) + ", "
+          + numberText(run.write.handOver + run.write.format) + " s a time: write"
+            " less often by writeInterval, or pictures between the states by"
+            " stateInterval and pictureFields"
+        );
+    }
+}
+
 } // End namespace Foam
 
 
@@ -192,136 +390,28 @@ void Foam::foretellRun
 
     const dictionary& control = time.controlDict();
     const scalar length = time.endTime().value() - time.value();
-    const scalar samples = sampleInterval > 0
+
+    runForecast run;
+    run.samples = sampleInterval > 0
       ? std::ceil(length/sampleInterval - 1e-6)
       : effort.steps;
-    const scalar written = timesOf(control, "write", length, samples, 0);
-    const bool asynchronous =
-        control.getOrDefault<bool>("writeAsynchronously", true);
-    const scalar solver = effort.secondsPerStep*effort.steps;
+    run.written = timesOf(control, "write", length, run.samples, 0);
+    run.asynchronous = control.getOrDefault<bool>("writeAsynchronously", true);
+    run.fieldsAreRead = fieldsAreRead;
+    run.start = startSeconds;
+    run.solver = effort.secondsPerStep*effort.steps;
 
-    // The first sample sets up what later ones use
-    std::vector<timedObject> objects;
-    DynamicList<word> others;
     const timeWriter::trial nothingIsWritten;
-    for (const functionDict& f : functionDicts(time))
+    startObjects(time, run);
+    timeObjects(module, run.objects);
+    run.field = timeFields(module);
+    if (run.written > 0)
     {
-        if (f.ofRiprap) objects.push_back(start(f, time, samples, written));
-        else others.append(f.name);
-    }
-    for (timedObject& f : objects)
-    {
-        sample(f);
-    }
-    for (int k = 0; k < repeats && module.trialStep(); ++k)
-    {
-        for (timedObject& f : objects)
-        {
-            const scalar execute = f.execute, write = f.write;
-            if (k == 0) f.begin += execute + write;
-            sample(f);
-            if (k > 0)
-            {
-                f.execute = min(f.execute, execute);
-                f.write = min(f.write, write);
-            }
-        }
-    }
-    module.updateFields();
-    const scalar field = seconds([&]() { module.updateFields(); });
-    const scalar fields = field*(fieldsAreRead ? max(samples, written) : written);
-    const timedWrite write
-    (
-        written > 0 ? timeWrite(module, asynchronous) : timedWrite()
-    );
-
-    scalar inObjects = 0;
-    for (const timedObject& f : objects)
-    {
-        inObjects += f.seconds();
-    }
-    // The last time, and those that the run makes faster than they are written
-    const scalar between =
-        written > 0 ? (solver + inObjects + fields)/written : 0;
-    const scalar waiting = !asynchronous || written < 1 ? 0
-      : write.format
-      + (written - 1)*max(write.format - between, scalar(0));
-    const scalar writing = written*write.handOver;
-    const scalar all =
-        startSeconds + solver + fields + inObjects + writing + waiting;
-
-    Info<< nl << "Expected wall time [s], as the log will end" << nl;
-    const auto put = [&](const std::string& name, scalar s, scalar n, int indent)
-    {
-        Info<< wallTimes::row(name, s, all, int64_t(n), indent).c_str() << nl;
-    };
-    put("start", startSeconds, 1, 4);
-    put("solver", solver, samples, 4);
-    if (module.hasFields()) put("fields", fields, fieldsAreRead ? samples : written, 4);
-    put("function objects", inObjects, samples, 4);
-    for (const timedObject& f : objects)
-    {
-        put(f.name, f.seconds(), f.writes, 8);
-    }
-    put("writing", writing, written, 4);
-    put("waiting for writing", waiting, written, 4);
-    put("all", all, 1, 4);
-    put("written meanwhile", asynchronous ? written*write.format : 0, 1, 4);
-    Info<< "Files: " << int64_t(written) << " times "
-        << bytesText(write.bytes).c_str() << ", formatted but not on disk" << nl;
-    if (others.size())
-    {
-        Info<< "Not timed, since they may write: "
-            << listed(wordList(others)).c_str() << nl;
+        run.write = timeWrite(module, run.asynchronous);
     }
 
-    const auto tooMuch = [&](const std::string& what)
-    {
-        Info<< "Costs much: " << what.c_str() << nl;
-    };
-    const scalar stepsASample = effort.steps/max(samples, scalar(1));
-    if (sampleInterval > 0 && stepsASample < fewSteps)
-    {
-        tooMuch
-        (
-            "sampleInterval " + numberText(sampleInterval) + " s of system/"
-            "controlDict is " + numberText(stepsASample) + " steps; the solver"
-            " is fastest where samples are farther apart"
-        );
-    }
-    for (const timedObject& f : objects)
-    {
-        if (f.seconds() < worthNaming*solver) continue;
-        const scalar one = f.write + f.executes/max(f.writes, scalar(1))*f.execute;
-        tooMuch
-        (
-            "function object " + f.name + " takes "
-          + timesSolver(f.seconds(), solver) + ", "
-          + numberText(1000*one) + " ms a sample, as long as "
-          + numberText(one/effort.secondsPerStep) + " steps: sample less often"
-            " by its writeInterval, or by sampleInterval"
-        );
-    }
-    if (fields > worthNaming*solver)
-    {
-        tooMuch
-        (
-            "fields take " + timesSolver(fields, solver) + ": they are brought"
-            " to OpenFOAM "
-          + std::string(fieldsAreRead ? "at each sample, for a function object"
-            " of another library" : "at each written time")
-        );
-    }
-    if (writing + waiting > worthNaming*solver)
-    {
-        tooMuch
-        (
-            "writing takes " + timesSolver(writing + waiting, solver) + ", "
-          + numberText(write.handOver + write.format) + " s a time: write less"
-            " often by writeInterval, or pictures between the states by"
-            " stateInterval and pictureFields"
-        );
-    }
+    logWallTimes(run, module.hasFields());
+    logCosts(run, effort, sampleInterval);
     Info<< endl;
 }
 
