@@ -125,6 +125,45 @@ static std::vector<double> masses
 }
 
 
+//- Places, sizes and velocities
+static void setMotion
+(
+    const polyMesh& mesh,
+    const particleCloud& cloud,
+    riprap::DemParticles& p
+)
+{
+    const word& name = cloud.name;
+    p.position = toStdVector(name, "positions", cloud.position);
+    p.velocity = toStdVector(name, "U", requiredVectors(mesh, cloud, "U"));
+    p.spin.assign(3*cloud.size(), 0);
+    if (cloud.vectors.found("omega"))
+    {
+        p.spin = toStdVector(name, "omega", cloud.vectors["omega"]);
+    }
+    p.radius = toStdVectorPositive(name, "radius", requiredScalars(mesh, cloud, "radius"));
+}
+
+
+//- As the cloud has them, else the masses of their materials
+static void setInertia
+(
+    const particleCloud& cloud,
+    const demSettings& settings,
+    riprap::DemParticles& p
+)
+{
+    const word& name = cloud.name;
+    p.mass =
+        cloud.scalars.found("mass")
+      ? toStdVectorPositive(name, "mass", cloud.scalars["mass"])
+      : masses(settings, p);
+    if (cloud.scalars.found("inertia"))
+    {
+        p.inertia = toStdVectorPositive(name, "inertia", cloud.scalars["inertia"]);
+    }
+}
+
 } // End namespace Foam
 
 
@@ -155,14 +194,7 @@ Foam::solidSet Foam::readSolids
 
     solidSet solids;
     riprap::DemParticles& p = solids.particles;
-    p.position = toStdVector(name, "positions", cloud.position);
-    p.velocity = toStdVector(name, "U", requiredVectors(mesh, cloud, "U"));
-    p.spin.assign(3*cloud.size(), 0);
-    if (cloud.vectors.found("omega"))
-    {
-        p.spin = toStdVector(name, "omega", cloud.vectors["omega"]);
-    }
-    p.radius = toStdVectorPositive(name, "radius", requiredScalars(mesh, cloud, "radius"));
+    setMotion(mesh, cloud, p);
     p.material = indices
     (
         cloud, "material",
@@ -178,14 +210,7 @@ Foam::solidSet Foam::readSolids
     }
     p.group = indices(cloud, "group", groups, settings.groupNames());
     p.id = uniqueIds(name, "origId", cloud.labels["origId"]);
-    p.mass =
-        cloud.scalars.found("mass")
-      ? toStdVectorPositive(name, "mass", cloud.scalars["mass"])
-      : masses(settings, p);
-    if (cloud.scalars.found("inertia"))
-    {
-        p.inertia = toStdVectorPositive(name, "inertia", cloud.scalars["inertia"]);
-    }
+    setInertia(cloud, settings, p);
 
     readBondFiles(mesh.time(), meaning(properties, "bondTypes", typeOf), solids);
     readClumpFiles(mesh.time(), groups, solids);

@@ -160,7 +160,88 @@ static void materialNeeds
 }
 
 
-//- A pair's own entry, or default
+//- The entries of pairs: their own, or default
+class pairEntries
+{
+    const dictionary& dict_;
+    const List<riprap::DemPair>& pairs_;
+    const wordList names_;              // of the materials
+
+public:
+
+    explicit pairEntries(const demSettings& settings)
+    :
+        dict_(subDictOf(settings.dict, "pairs")),
+        pairs_(settings.pairs),
+        names_(settings.materialNames())
+    {}
+
+    const dictionary& dict() const
+    {
+        return dict_;
+    }
+
+    //- Empty: default
+    word own(const riprap::DemPair& p) const
+    {
+        const word ab(names_[p.a] + '-' + names_[p.b]);
+        const word ba(names_[p.b] + '-' + names_[p.a]);
+        return dict_.found(ab, keyType::LITERAL) ? ab
+          : dict_.found(ba, keyType::LITERAL) ? ba : word();
+    }
+
+    bool hasDefault() const
+    {
+        return dict_.found("default", keyType::LITERAL);
+    }
+
+    //- What default says; null: no pair takes it
+    const riprap::PairProperties* ofDefault() const
+    {
+        const riprap::PairProperties* properties = nullptr;
+        for (const riprap::DemPair& p : pairs_)
+        {
+            if (own(p).empty()) properties = &p.properties;
+        }
+        return properties;
+    }
+
+    //- Does default say what pairs that can meet are like?
+    bool needsDefault(const usedMaterials& used) const
+    {
+        for (const riprap::DemPair& p : pairs_)
+        {
+            if (own(p).empty() && used.meet(p)) return true;
+        }
+        return false;
+    }
+};
+
+
+//- Without an entry of its own a pair is as default says (others; null: there is
+//  no default)
+static void dropOwn
+(
+    std::vector<riprap::DemPair>& pairs,
+    const riprap::DemPair& p,
+    const riprap::PairProperties* others
+)
+{
+    const auto same = [&p](const riprap::DemPair& q)
+    {
+        return q.a == p.a && q.b == p.b;
+    };
+    if (others)
+    {
+        std::find_if(pairs.begin(), pairs.end(), same)->properties = *others;
+    }
+    else
+    {
+        remove(pairs, same);
+    }
+}
+
+
 static void pairNeeds
 (
     sceneNeeds& needs,
@@ -169,64 +250,35 @@ static void pairNeeds
     withoutPairs& pairs
 )
 {
-    const dictionary& all = subDictOf(settings.dict, "pairs");
-    const wordList names(settings.materialNames());
-    const auto own = [&](const riprap::DemPair& p)
-    {
-        const word ab(names[p.a] + '-' + names[p.b]);
-        const word ba(names[p.b] + '-' + names[p.a]);
-        return all.found(ab, keyType::LITERAL) ? ab
-          : all.found(ba, keyType::LITERAL) ? ba : word();
-    };
-    bool byDefault = false;
-    const riprap::PairProperties* others = nullptr;     // the default's
+    const pairEntries entries(settings);
+    const riprap::PairProperties* others = entries.ofDefault();
+    const bool defaults = entries.hasDefault();
     for (const riprap::DemPair& p : settings.pairs)
     {
-        if (!own(p).empty()) continue;
-        byDefault = byDefault || used.meet(p);
-        others = &p.properties;
-    }
-    const bool defaults = all.found("default", keyType::LITERAL);
-    for (const riprap::DemPair& p : settings.pairs)
-    {
-        if (used.meet(p) || own(p).empty() || (defaults && !others)) continue;
-
-        const auto change = [&](std::vector<riprap::DemPair>& changed)
-        {
-            const auto same = [&p](const riprap::DemPair& q)
-            {
-                return q.a == p.a && q.b == p.b;
-            };
-            if (defaults)
-            {
-                std::find_if(changed.begin(), changed.end(), same)->properties =
-                    *others;
-            }
-            else
-            {
-                remove(changed, same);
-            }
-        };
+        if (used.meet(p) || entries.own(p).empty() || (defaults && !others)) continue;
         pairs.name
         (
             needs,
-            all,
-            own(p),
+            entries.dict(),
+            entries.own(p),
             "no solid of one meets a solid or wall of the other",
-            change
+            [&](std::vector<riprap::DemPair>& changed)
+            {
+                dropOwn(changed, p, defaults ? others : nullptr);
+            }
         );
     }
-    if (!byDefault)
+    if (!entries.needsDefault(used))
     {
         pairs.name
         (
             needs,
-            all,
+            entries.dict(),
             "default",
             "all pairs that can meet have entries of their own",
             [&](std::vector<riprap::DemPair>& changed)
             {
-                remove(changed, [&](const riprap::DemPair& q) { return own(q).empty(); });
+                remove(changed, [&](const riprap::DemPair& q) { return entries.own(q).empty(); });
             }
         );
     }

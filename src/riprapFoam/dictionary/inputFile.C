@@ -50,6 +50,10 @@ class inputFile
     void requireOne(const textToken& keyword, const std::string& entry, names&) const;
     void readEntry(const textToken& keyword, names&);
     void readValue(const textToken& keyword, const std::string& entry);
+    void readValueDirective(const textToken&, const std::string& entry);
+
+    //- A dictionary in a list; before: its name, if that is a word
+    void readListEntry(const textToken& before, int line, const std::string& entry, names&);
 
     //- To the } that ends it, or the end of the file
     enum ends { file, brace, condition };
@@ -92,6 +96,48 @@ static bool textOf(const fileName& name, std::string& text)
     // Compressed or binary: not a person's
     return in.good() && text.find('\0') == std::string::npos && text.compare(0, 2, "\x1f\x8b") != 0;
 }
+
+
+static bool isInclude(const std::string& directive)
+{
+    return directive == "#include" || directive == "#includeIfPresent" || directive == "#sinclude";
+}
+
+
+//- Brackets that are open in the value of an entry, and what is wrong with them
+class valueBrackets
+{
+    const std::string where_;
+    std::string open_;
+
+    std::string fault(const std::string& bracket, const char* what) const
+    {
+        return where_ + ", has a bracket " + bracket + what;
+    }
+
+public:
+
+    valueBrackets(const std::string& entry, int line)
+    :
+        where_("Entry " + entry + ", line " + std::to_string(line))
+    {}
+
+    bool empty() const { return open_.empty(); }
+    bool inDimensions() const { return !open_.empty() && open_.back() == '['; }
+    bool closes(const textToken& t) const
+    {
+        return !t.is('}') && !open_.empty() && open_.back() == (t.is(')') ? '(' : '[');
+    }
+
+    void add(const textToken& t) { open_ += t.text; }
+    void close() { open_.pop_back(); }
+
+    std::string notClosed() const
+    {
+        return fault(open_.substr(open_.size() - 1), " that nothing closes");
+    }
+    std::string notOpened(const textToken& t) const { return fault(t.text, " that nothing opens"); }
+};
 
 } // End namespace Foam
 
@@ -163,7 +209,7 @@ void Foam::inputFile::include(
 bool Foam::inputFile::readDirective(const textToken& t, names& known)
 {
     const std::string& name = t.text;
-    if (name == "#include" || name == "#includeIfPresent" || name == "#sinclude")
+    if (isInclude(name))
     {
         include(text_.next().text, t.line, false, "");
     }
@@ -253,7 +299,7 @@ void Foam::inputFile::readEntry(const textToken& keyword, names& known)
 //- To its semicolon
 void Foam::inputFile::readValue(const textToken& keyword, const std::string& entry)
 {
-    std::string open;               // brackets
+    valueBrackets open(entry, keyword.line);
     names known;                    // of dictionaries in a list
     textToken before = keyword;
     for (textToken t = text_.next(); ; before = t, t = text_.next())
@@ -264,8 +310,7 @@ void Foam::inputFile::readValue(const textToken& keyword, const std::string& ent
             if (keyword.kind == textToken::end && open.empty()) return;
             stop(before.line,
                 open.empty() ? "Entry " + entry + " has no semicolon at its end"
-                             : "Entry " + entry + ", line " + std::to_string(keyword.line)
-                        + ", has a bracket " + open.back() + " that nothing closes");
+                             : open.notClosed());
         }
         if (open.empty() && t.is(';')) return;
 
@@ -274,54 +319,47 @@ void Foam::inputFile::readValue(const textToken& keyword, const std::string& ent
         {
             checkWord(t, entry);
             // [s^-1]
-            if (!open.empty() && open.back() == '[' && t.text.back() == ']') open.pop_back();
+            if (open.inDimensions() && t.text.back() == ']') open.close();
         }
-        else if (t.kind == textToken::directive)
-        {
-            if (t.text == "#include" || t.text == "#includeIfPresent" || t.text == "#sinclude")
-            {
-                include(text_.next().text, t.line, true, entry);
-            }
-            else if (t.text == "#eval" || t.text == "#calc")
-            {
-                const textToken expression(text_.next());
-                if (expression.is('{')) text_.takeBraces();
-            }
-        }
-        else if (t.is('(') || t.is('['))
-        {
-            open += t.text;
-        }
-        else if (t.is('{'))
-        {
-            const std::string above(path_);
-            path_ = entry + '/';
-            if (before.kind == textToken::word && before.line != 0)
-            {
-                requireOne(before, path_ + before.text, known);
-                path_ += before.text + '/';
-            }
-            readBlock(brace, t.line);
-            path_ = above;
-        }
+        else if (t.kind == textToken::directive) readValueDirective(t, entry);
+        else if (t.is('(') || t.is('[')) open.add(t);
+        else if (t.is('{')) readListEntry(before, t.line, entry, known);
         else if (t.is(')') || t.is(']') || t.is('}'))
         {
-            const char wanted = t.is(')') ? '(' : '[';
-            if (open.empty() || open.back() != wanted || t.is('}'))
-            {
-                stop(t.line,
-                    "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket "
-                        + t.text + " that nothing opens");
-            }
-            open.pop_back();
+            if (!open.closes(t)) stop(t.line, open.notOpened(t));
+            open.close();
         }
-        else if (t.is(';'))
-        {
-            stop(t.line,
-                "Entry " + entry + ", line " + std::to_string(keyword.line) + ", has a bracket "
-                    + open.back() + " that nothing closes");
-        }
+        else if (t.is(';')) stop(t.line, open.notClosed());
     }
+}
+
+
+void Foam::inputFile::readValueDirective(const textToken& t, const std::string& entry)
+{
+    if (isInclude(t.text))
+    {
+        include(text_.next().text, t.line, true, entry);
+    }
+    else if (t.text == "#eval" || t.text == "#calc")
+    {
+        const textToken expression(text_.next());
+        if (expression.is('{')) text_.takeBraces();
+    }
+}
+
+
+void Foam::inputFile::readListEntry(
+    const textToken& before, int line, const std::string& entry, names& known)
+{
+    const std::string above(path_);
+    path_ = entry + '/';
+    if (before.kind == textToken::word && before.line != 0)
+    {
+        requireOne(before, path_ + before.text, known);
+        path_ += before.text + '/';
+    }
+    readBlock(brace, line);
+    path_ = above;
 }
 
 

@@ -294,6 +294,51 @@ static timeManifest ofAllRanks(timeManifest own)
 }
 
 
+static void requireFiles
+(
+    const fileName& timePath,
+    const DynamicList<fileName>& written,
+    const fileNameList& required
+)
+{
+    for (const fileName& file : required)
+    {
+        if (written.found(file)) continue;
+        throw std::runtime_error
+        (
+            "Time " + timePath.name() + " has been written without its file "
+          + file + ": no run could go on from it. Earlier times are whole"
+        );
+    }
+}
+
+
+//- Known, or of the file as it is; the end of a state must be there
+static fileSum wholeSum
+(
+    const fileName& timePath,
+    const fileName& file,
+    const fileSums& known
+)
+{
+    const auto written = known.find(timePath/file);
+    const fileSum now
+    (
+        written == known.end() ? sumOf(timePath/file) : written->second
+    );
+    if (isState(file) && !now.foam && file.ext() != "vtp")
+    {
+        throw std::runtime_error
+        (
+            "File " + timePath/file + " was not written to its end, but"
+            " for " + std::to_string(now.bytes) + " bytes: is the disk"
+            " full? This time is not whole, earlier ones are"
+        );
+    }
+    return now;
+}
+
+
 static std::string reasonOf(const timeManifest& manifest)
 {
     return manifest.is == timeManifest::kind::none
@@ -364,16 +409,7 @@ void Foam::timeManifest::finish
     DynamicList<fileName> files;
     listFiles(timePath, "", files);
     sort(files);
-
-    for (const fileName& file : required)
-    {
-        if (files.found(file)) continue;
-        throw std::runtime_error
-        (
-            "Time " + timePath.name() + " has been written without its file "
-          + file + ": no run could go on from it. Earlier times are whole"
-        );
-    }
+    requireFiles(timePath, files, required);
 
     std::ostringstream lines;
     lines << "# As riprapFoam wrote them (compressed ones: what they hold):"
@@ -386,20 +422,7 @@ void Foam::timeManifest::finish
     }
     for (const fileName& file : files)
     {
-        const auto written = known.find(timePath/file);
-        const fileSum now
-        (
-            written == known.end() ? sumOf(timePath/file) : written->second
-        );
-        if (isState(file) && !now.foam && file.ext() != "vtp")
-        {
-            throw std::runtime_error
-            (
-                "File " + timePath/file + " was not written to its end, but"
-                " for " + std::to_string(now.bytes) + " bytes: is the disk"
-                " full? This time is not whole, earlier ones are"
-            );
-        }
+        const fileSum now(wholeSum(timePath, file, known));
         lines << now.bytes << ' ' << now.sum << (now.foam ? " foam " : " other ")
             << file << '\n';
     }

@@ -55,32 +55,77 @@ inline FluidEnd farEnd(const std::vector<double>& position, const Vector3& direc
     return end;
 }
 
+struct FrontCandidate
+{
+    double s;                   // (x - origin).direction [m]
+    std::size_t particle;
+};
+
+//- Furthest first. What is not a number is in no window
+inline std::vector<FrontCandidate> frontWindow(
+    const std::vector<double>& position, const FrontRule& rule)
+{
+    std::vector<FrontCandidate> window;
+    for (std::size_t i = 0; 3*i < position.size(); ++i)
+    {
+        const double s = along(&position[3*i], rule.origin, rule.direction);
+        if (s > -std::numeric_limits<double>::infinity()) window.push_back({s, i});
+    }
+    std::sort
+    (
+        window.begin(), window.end(),
+        [](const FrontCandidate& a, const FrontCandidate& b) { return a.s > b.s; }
+    );
+    return window;
+}
+
+//- Of candidate c, counted up to what the rule needs
+inline int frontNeighbours
+(
+    const std::vector<FrontCandidate>& window,
+    std::size_t c,
+    const std::vector<double>& position,
+    const FrontRule& rule
+)
+{
+    const double s = window[c].s;
+    const double* x = &position[3*window[c].particle];
+    const auto near = [&](std::size_t other)
+    {
+        const double* y = &position[3*window[other].particle];
+        const double dx = x[0] - y[0], dy = x[1] - y[1], dz = x[2] - y[2];
+        return dx*dx + dy*dy + dz*dz < rule.support*rule.support;
+    };
+
+    int neighbours = 0;
+    for (std::size_t o = c; o-- > 0 && window[o].s - s < rule.support;)
+    {
+        neighbours += near(o);
+    }
+    for
+    (
+        std::size_t o = c + 1;
+        o < window.size() && s - window[o].s < rule.support
+     && neighbours < rule.minNeighbours;
+        ++o
+    )
+    {
+        neighbours += near(o);
+    }
+    return neighbours;
+}
+
 //- (x - origin).direction of the front particle's centre [m]; -infinity when no particle counts.
 //  farEnd(reach): the particles no further than reach behind the furthest one
 template<class FarEnd>
 double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
 {
-    const double none = -std::numeric_limits<double>::infinity();
-
-    struct Candidate { double s; std::size_t particle; };
-    std::vector<Candidate> window;
-
     for (double reach = 4*rule.support;; reach *= 2)
     {
         const FluidEnd end(farEnd(reach));
         const std::vector<double>& position = end.position;
-        window.clear();
-        for (std::size_t i = 0; 3*i < position.size(); ++i)
-        {
-            const double s = along(&position[3*i], rule.origin, rule.direction);
-            if (s > none) window.push_back({s, i});
-        }
+        const std::vector<FrontCandidate> window(frontWindow(position, rule));
         if (window.empty()) break;
-        std::sort
-        (
-            window.begin(), window.end(),
-            [](const Candidate& a, const Candidate& b) { return a.s > b.s; }
-        );
 
         const double first = window[0].s;
         const bool all = 3*end.particles == position.size();
@@ -90,39 +135,15 @@ double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
             const double s = window[c].s;
             if (!all && s < first - reach + rule.support) break;    // neighbours may lie outside
 
-            const double* x = &position[3*window[c].particle];
-            if (along(x, rule.origin, rule.up) >= rule.maxHeight) continue;
-
-            const auto near = [&](std::size_t other)
-            {
-                const double* y = &position[3*window[other].particle];
-                const double dx = x[0] - y[0], dy = x[1] - y[1], dz = x[2] - y[2];
-                return dx*dx + dy*dy + dz*dz < rule.support*rule.support;
-            };
-
-            int neighbours = 0;
-            for (std::size_t o = c; o-- > 0 && window[o].s - s < rule.support;)
-            {
-                neighbours += near(o);
-            }
-            for
-            (
-                std::size_t o = c + 1;
-                o < window.size() && s - window[o].s < rule.support
-             && neighbours < rule.minNeighbours;
-                ++o
-            )
-            {
-                neighbours += near(o);
-            }
-
-            if (neighbours >= rule.minNeighbours) return s;
+            if (along(&position[3*window[c].particle], rule.origin, rule.up) >= rule.maxHeight)
+                continue;
+            if (frontNeighbours(window, c, position, rule) >= rule.minNeighbours) return s;
         }
 
-        if (all || !std::isfinite(reach)) break;        // what is not a number is in no window
+        if (all || !std::isfinite(reach)) break;
     }
 
-    return none;
+    return -std::numeric_limits<double>::infinity();
 }
 
 inline double fluidFront(const std::vector<double>& position, const FrontRule& rule)

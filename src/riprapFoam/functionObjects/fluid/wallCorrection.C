@@ -81,6 +81,39 @@ std::vector<riprap::Vector3> Foam::functionObjects::wallCorrection::images
 }
 
 
+std::vector<Foam::functionObjects::wallCorrection::movingPose>
+Foam::functionObjects::wallCorrection::posesOf(const sphSceneObject& sph) const
+{
+    std::vector<movingPose> poses(moving_.size());
+    for (std::size_t body = 0; body < poses.size(); ++body)
+    {
+        poses[body].pose = sph.bodies().pose(body, sph.scene().time());
+        poses[body].centre = riprap::placed(poses[body].pose, moving_[body].centre());
+    }
+    return poses;
+}
+
+
+std::vector<riprap::WallNeighbour>
+Foam::functionObjects::wallCorrection::nearMoving
+(
+    const riprap::SphConfig& config,
+    const point& p,
+    const std::vector<movingPose>& poses
+) const
+{
+    std::vector<riprap::WallNeighbour> walls;
+    for (std::size_t body = 0; body < moving_.size(); ++body)
+    {
+        for (const riprap::Vector3& x : images(config, p, poses[body].centre))
+        {
+            moving_[body].near(x, poses[body].pose, walls);
+        }
+    }
+    return walls;
+}
+
+
 void Foam::functionObjects::wallCorrection::cover
 (
     const riprap::SphConfig& config,
@@ -124,17 +157,9 @@ void Foam::functionObjects::wallCorrection::update
         sortWalls(sph);
     }
 
-    std::vector<riprap::WallPose> poses(moving_.size());
-    std::vector<riprap::Vector3> centres(moving_.size());
-    for (std::size_t body = 0; body < poses.size(); ++body)
-    {
-        poses[body] = sph.bodies().pose(body, sph.scene().time());
-        centres[body] = riprap::placed(poses[body], moving_[body].centre());
-    }
-
+    const std::vector<movingPose> poses(posesOf(sph));
     const bool fresh = places_.size() != std::size_t(points.size());
     places_.resize(points.size());
-    std::vector<riprap::WallNeighbour> walls;
 
     forAll(points, i)
     {
@@ -157,15 +182,7 @@ void Foam::functionObjects::wallCorrection::update
             }
         }
 
-        walls.clear();
-        for (std::size_t body = 0; body < moving_.size(); ++body)
-        {
-            for (const riprap::Vector3& x : images(config, points[i], centres[body]))
-            {
-                moving_[body].near(x, poses[body], walls);
-            }
-        }
-
+        std::vector<riprap::WallNeighbour> walls(nearMoving(config, points[i], poses));
         if (moved || p.byMoving || !walls.empty())
         {
             p.byMoving = !walls.empty();
