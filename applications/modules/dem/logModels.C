@@ -160,6 +160,31 @@ void Foam::solverModules::dem::logBonds() const
 }
 
 
+void Foam::solverModules::dem::logWalls() const
+{
+    for (const riprap::DemWall& wall : input_.walls)
+    {
+        logItem("wall") << wall.name.c_str() << ": "
+            << settings_.materialNames()[wall.material] << ", ";
+        if (wall.plane)
+        {
+            Info<< "plane";
+        }
+        else
+        {
+            Info<< label(wall.elements.size()/settings_.config.dimensions)
+                << " elements";
+        }
+        if (wall.motion >= 0)
+        {
+            Info<< ", " << movingWalls_.name(wall.motion) << ": "
+                << movingWalls_.function(wall.motion);
+        }
+        Info<< nl;
+    }
+}
+
+
 void Foam::solverModules::dem::logTimeStep() const
 {
     const riprap::DemConfig& c = settings_.config;
@@ -190,8 +215,7 @@ void Foam::solverModules::dem::logModels() const
     logItem("particles") << "solids " << run_.particles << ", clumps "
         << label(input_.clumps.size()) << nl;
     logBodies(settings_.config, input_);
-    logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
-        << "; periodic: " << axesText(c, true).c_str() << nl;
+    logSpace(c);
     logDevice
     (
         scene_->deviceName(), choice.reason, scene_->device(), scene_->arrays()
@@ -210,26 +234,7 @@ void Foam::solverModules::dem::logModels() const
     logGroups();
     logBonds();
 
-    for (const riprap::DemWall& wall : input_.walls)
-    {
-        logItem("wall") << wall.name.c_str() << ": "
-            << settings_.materialNames()[wall.material] << ", ";
-        if (wall.plane)
-        {
-            Info<< "plane";
-        }
-        else
-        {
-            Info<< label(wall.elements.size()/c.dimensions) << " elements";
-        }
-        if (wall.motion >= 0)
-        {
-            Info<< ", " << movingWalls_.name(wall.motion) << ": "
-                << movingWalls_.function(wall.motion);
-        }
-        Info<< nl;
-    }
-
+    logWalls();
     logTimeStep();
 
     if (c.sleepSpeed > 0)
@@ -237,14 +242,8 @@ void Foam::solverModules::dem::logModels() const
         logItem("sleep") << "slower than " << c.sleepSpeed << " m/s for "
             << c.sleepAfter << " s" << nl;
     }
-    logItem("guards") << "escape "
-        << (settings_.guards.stopAtEscape ? "stop" : "warn")
-        << ", maxEscaped " << settings_.guards.maxEscaped << nl;
-    if (settings_.unused.size())
-    {
-        logItem("not used") << listed(settings_.unused).c_str()
-            << " of pairs: they are other laws'" << nl;
-    }
+    logItem("guards") << settings_.guards << nl;
+    logUnused(settings_.unused, " of pairs: they are other laws'");
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
     if (!run_.steps) warnOfTouchingStart(*scene_, c, input_);
 }

@@ -14,6 +14,14 @@ void Foam::escapeGuard::read(checkedDictionary& dict)
 }
 
 
+Foam::Ostream& Foam::operator<<(Ostream& os, const escapeGuard& guard)
+{
+    return os
+        << "escape " << (guard.stopAtEscape ? "stop" : "warn")
+        << ", maxEscaped " << guard.maxEscaped;
+}
+
+
 void Foam::escapeCount::add(const std::vector<riprap::Vector3>& positions)
 {
     for (const riprap::Vector3& x : positions)

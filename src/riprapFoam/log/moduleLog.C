@@ -5,6 +5,7 @@
 
 #include "moduleLog.H"
 #include "HashTable.H"
+#include "listed.H"
 #include <cstdio>
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -15,6 +16,15 @@ Foam::OSstream& Foam::logItem(std::string what)
     OSstream& os = Info();
     os  << "    " << what.c_str() << ' ';
     return os;
+}
+
+
+void Foam::logUnused(const wordList& entries, const char* why)
+{
+    if (entries.size())
+    {
+        logItem("not used") << listed(entries).c_str() << why << nl;
+    }
 }
 
 
