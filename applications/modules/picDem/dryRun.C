@@ -82,9 +82,7 @@ Foam::runEffort Foam::solverModules::picDem::dryRun(scalar sampleInterval)
 void Foam::solverModules::picDem::writeTrial()
 {
     particleModule::writeTrial();
-    p_->write();
-    U_->write();
-    alpha_->write();
+    fields_->write();
 }
 
 

@@ -1,15 +1,9 @@
 /*---------------------------------------------------------------------------*\
     riprap: particles inside OpenFOAM
     SPDX-License-Identifier: GPL-3.0-or-later
-
-Description
-    p, U and alpha.water on the mesh. U is the mean of a cell's faces; p and U
-    are 0 where there is no water. On walls p is that of the cell and what its
-    water weighs down to there, so that forces on patches are of second order;
-    on patches that are open to the atmosphere it is 0.
 \*---------------------------------------------------------------------------*/
 
-#include "picDem.H"
+#include "gridFields.H"
 #include "calculatedFvPatchFields.H"
 #include "emptyPolyPatch.H"
 #include "foamVersions/foamVersions.H"
@@ -74,20 +68,15 @@ public:
 
 
 template<class Type>
-static void make
+static autoPtr<GeometricField<Type, fvPatchField, volMesh>> make
 (
-    autoPtr<GeometricField<Type, fvPatchField, volMesh>>& field,
     const word& name,
     const fvMesh& mesh,
     const dimensionSet& dimensions,
     const word& patchType
 )
 {
-    if (field.valid())
-    {
-        return;
-    }
-    field.reset
+    return autoPtr<GeometricField<Type, fvPatchField, volMesh>>
     (
         new gridField<Type>
         (
@@ -111,38 +100,17 @@ static void make
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::solverModules::picDem::makeFields()
+void Foam::gridFields::setWallPressure(const riprap::PicConfig& c)
 {
-    // What is calculated is written with its values, too
-    make
-    (
-        p_, "p", mesh_, dimPressure,
-        calculatedFvPatchField<scalar>::typeName
-    );
-    make
-    (
-        U_, "U", mesh_, dimVelocity,
-        zeroGradientFvPatchField<vector>::typeName
-    );
-    make
-    (
-        alpha_, "alpha.water", mesh_, dimless,
-        zeroGradientFvPatchField<scalar>::typeName
-    );
-}
-
-
-void Foam::solverModules::picDem::setWallPressure()
-{
-    const riprap::PicConfig& c = settings_.config;
     const vector weight
     (
         c.density*vector(c.gravity[0], c.gravity[1], c.gravity[2])
     );
 
-    forAll(mesh_.boundary(), patchi)
+    const fvMesh& mesh = p_->mesh();
+    forAll(mesh.boundary(), patchi)
     {
-        const fvPatch& patch = mesh_.boundary()[patchi];
+        const fvPatch& patch = mesh.boundary()[patchi];
         if (patch.coupled() || isA<emptyPolyPatch>(patch.patch()))
         {
             continue;
@@ -168,12 +136,47 @@ void Foam::solverModules::picDem::setWallPressure()
 }
 
 
-void Foam::solverModules::picDem::updateFields()
-{
-    const wallTimes::part timed("fields");
-    const riprap::PicGridState state(scene_->grid());
-    const labelList& cell = grid_.gridCell();
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+// What is calculated is written with its values, too
+Foam::gridFields::gridFields(const fvMesh& mesh)
+:
+    p_
+    (
+        make<scalar>
+        (
+            "p", mesh, dimPressure,
+            calculatedFvPatchField<scalar>::typeName
+        )
+    ),
+    U_
+    (
+        make<vector>
+        (
+            "U", mesh, dimVelocity,
+            zeroGradientFvPatchField<vector>::typeName
+        )
+    ),
+    alpha_
+    (
+        make<scalar>
+        (
+            "alpha.water", mesh, dimless,
+            zeroGradientFvPatchField<scalar>::typeName
+        )
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::gridFields::update
+(
+    const riprap::PicGridState& state,
+    const labelList& cell,
+    const riprap::PicConfig& config
+)
+{
     scalarField& p = p_->primitiveFieldRef();
     vectorField& U = U_->primitiveFieldRef();
     scalarField& alpha = alpha_->primitiveFieldRef();
@@ -189,9 +192,17 @@ void Foam::solverModules::picDem::updateFields()
     }
 
     p_->correctBoundaryConditions();
-    setWallPressure();
+    setWallPressure(config);
     U_->correctBoundaryConditions();
     alpha_->correctBoundaryConditions();
+}
+
+
+void Foam::gridFields::write() const
+{
+    p_->write();
+    U_->write();
+    alpha_->write();
 }
 
 

@@ -10,7 +10,53 @@ Description
 #include "sphNames.H"
 #include "wallPoints.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- They go on counting, whether the exact state is used or not
+static void continueOpenings(const picRestart& run, riprap::PicConfig& config)
+{
+    for (riprap::PicOpening& opening : config.openings)
+    {
+        const auto passage = run.passed.find(opening.name);
+        if (passage != run.passed.end())
+        {
+            opening.before = passage->second;
+        }
+    }
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::solverModules::picDem::makeScene
+(
+    const particleCloud& cloud,
+    bool continued
+)
+{
+    try
+    {
+        scene_ = riprap::createPicScene
+        (
+            settings_.config,
+            fluidInput(cloud),
+            grid_.walls(),
+            &pressure_,
+            inside(continued)
+        );
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(solids_ ? solids_->dict() : settings_.dict)
+            << "The case cannot be run: " << e.what() << exit(FatalIOError);
+    }
+}
+
 
 void Foam::solverModules::picDem::buildScene
 (
@@ -35,33 +81,9 @@ void Foam::solverModules::picDem::buildScene
     {
         config.seedsPerDirection = 0;
     }
+    continueOpenings(run_, config);
 
-    // Openings go on counting, whether the exact state is used or not
-    for (riprap::PicOpening& opening : config.openings)
-    {
-        const auto passage = run_.passed.find(opening.name);
-        if (passage != run_.passed.end())
-        {
-            opening.before = passage->second;
-        }
-    }
-
-    try
-    {
-        scene_ = riprap::createPicScene
-        (
-            config,
-            fluidInput(cloud),
-            grid_.walls(),
-            &pressure_,
-            inside(continued)
-        );
-    }
-    catch (const std::invalid_argument& e)
-    {
-        FatalIOErrorInFunction(solids_ ? solids_->dict() : settings_.dict)
-            << "The case cannot be run: " << e.what() << exit(FatalIOError);
-    }
+    makeScene(cloud, continued);
 
     const label particles = label(scene_->farEnd({{1, 0, 0}}, 0).particles);
     if (!continued)
@@ -112,7 +134,10 @@ void Foam::solverModules::picDem::registerScene()
             mesh_, *scene_, settings_.config, report_, bodies_, walls, bodyOfWall
         )
     );
-    makeFields();
+    if (!fields_.valid())
+    {
+        fields_.reset(new gridFields(mesh_));
+    }
 }
 
 

@@ -40,6 +40,51 @@ static void logTransfer(const riprap::PicConfig& c)
     Info<< (keepsGradient(card, numbers) ? ", affine" : "") << nl;
 }
 
+
+static void logGrid(const riprap::PicConfig& c)
+{
+    logItem("grid") << c.dimensions << "D: ";
+    for (int d = 0; d < c.dimensions; ++d)
+    {
+        Info<< (d ? " x " : "") << c.cells[c.axes[d]];
+    }
+    Info<< " cells of " << c.cellSize << " m along "
+        << axesText(c, false).c_str() << "; periodic: "
+        << axesText(c, true).c_str() << nl;
+}
+
+
+//- Where water is calmed, comes and goes
+static void logZones(const riprap::PicConfig& c)
+{
+    for (const riprap::PicAbsorber& zone : c.absorbers)
+    {
+        logItem("absorb") << zone.name.c_str() << ", " << zone.rate << " 1/s"
+            << nl;
+    }
+    for (const riprap::PicOpening& opening : c.openings)
+    {
+        logItem("opening") << opening.name.c_str() << ", "
+            << picNames::opening[opening.kind] << nl;
+    }
+}
+
+
+static void logTimeStep(const riprap::PicConfig& c)
+{
+    logItem("time step");
+    if (c.adjustTimeStep)
+    {
+        Info<< "maxCo " << c.maxCourant << ", of flying particles "
+            << c.maxFlyingCourant;
+    }
+    else
+    {
+        Info<< "fixed deltaT " << c.fixedTimeStep << " s";
+    }
+    Info<< nl;
+}
+
 } // End namespace Foam
 
 
@@ -72,14 +117,7 @@ void Foam::solverModules::picDem::logModels() const
     Info<< nl << "Particles in cells" << nl;
     logItem("particles") << run_.particles << ", spacing " << run_.spacing
         << " m; given with spacing " << run_.given << " m" << nl;
-    logItem("grid") << c.dimensions << "D: ";
-    for (int d = 0; d < c.dimensions; ++d)
-    {
-        Info<< (d ? " x " : "") << c.cells[c.axes[d]];
-    }
-    Info<< " cells of " << c.cellSize << " m along "
-        << axesText(c, false).c_str() << "; periodic: "
-        << axesText(c, true).c_str() << nl;
+    logGrid(c);
     logDevice
     (
         scene_->deviceName(),
@@ -102,42 +140,17 @@ void Foam::solverModules::picDem::logModels() const
         logItem("viscosity") << picNames::viscosity[int(c.viscousScheme)] << nl;
     }
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
-    for (const riprap::PicAbsorber& zone : c.absorbers)
-    {
-        logItem("absorb") << zone.name.c_str() << ", " << zone.rate << " 1/s"
-            << nl;
-    }
-    for (const riprap::PicOpening& opening : c.openings)
-    {
-        logItem("opening") << opening.name.c_str() << ", "
-            << picNames::opening[opening.kind] << nl;
-    }
+    logZones(c);
     if (obstacles_.valid())
     {
         logItem("obstacles") << listed(obstacles_->names()).c_str() << ", moving: "
             << bodies_.size() << nl;
     }
 
-    logItem("time step");
-    if (c.adjustTimeStep)
-    {
-        Info<< "maxCo " << c.maxCourant << ", of flying particles "
-            << c.maxFlyingCourant;
-    }
-    else
-    {
-        Info<< "fixed deltaT " << c.fixedTimeStep << " s";
-    }
-    Info<< nl;
-
-    logItem("guards") << "Courant " << c.maxCourantEver << ", escape "
-        << (settings_.guards.stopAtEscape ? "stop" : "warn")
-        << ", maxEscaped " << settings_.guards.maxEscaped << nl;
-    if (settings_.unused.size())
-    {
-        logItem("not used") << listed(settings_.unused).c_str()
-            << ": other transfers'" << nl;
-    }
+    logTimeStep(c);
+    logItem("guards") << "Courant " << c.maxCourantEver << ", "
+        << settings_.guards << nl;
+    logUnused(settings_.unused, ": other transfers'");
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
 
     if (solids_)

@@ -42,6 +42,30 @@ static void absorberNeeds
 }
 
 
+static void seedNeeds
+(
+    sceneNeeds& needs,
+    const dictionary& seeds,
+    const riprap::PicConfig& c,
+    bool goesOn
+)
+{
+    if (goesOn)
+    {
+        needs.idle
+        (
+            seeds,
+            wordList({"perDirection", "jitter"}),
+            "the run goes on with the particles that there are"
+        );
+    }
+    else if (c.seedsPerDirection == 0)
+    {
+        needs.idle(seeds, "jitter", "seeds/perDirection is 0");
+    }
+}
+
+
 //- Seconds in kernels of viscosity, and in all
 static Pair<scalar> viscousSeconds(const std::vector<riprap::KernelInfo>& all)
 {
@@ -108,21 +132,7 @@ void Foam::solverModules::picDem::needs(sceneNeeds& needs)
 
     needs.idle(dict, settings_.unused, "of transfers that are not chosen");
 
-    const dictionary& seeds = subDictOf(dict, "seeds");
-    if (hasPicRun(runTime_))
-    {
-        needs.idle
-        (
-            seeds,
-            wordList({"perDirection", "jitter"}),
-            "the run goes on with the particles that there are"
-        );
-    }
-    else if (c.seedsPerDirection == 0)
-    {
-        needs.idle(seeds, "jitter", "seeds/perDirection is 0");
-    }
-
+    seedNeeds(needs, subDictOf(dict, "seeds"), c, hasPicRun(runTime_));
     absorberNeeds(needs, subDictOf(dict, "absorb"), c);
 
     if (!solids_)

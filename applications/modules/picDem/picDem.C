@@ -57,6 +57,13 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::solverModules::picDem::updateFields()
+{
+    const wallTimes::part timed("fields");
+    fields_->update(scene_->grid(), grid_.gridCell(), settings_.config);
+}
+
+
 void Foam::solverModules::picDem::interrupt()
 {
     askToStop();
