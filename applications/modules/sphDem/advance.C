@@ -35,7 +35,7 @@ void Foam::solverModules::sphDem::takeSteps(scalar t, int64_t maxSteps)
 
 Foam::scalar Foam::solverModules::sphDem::advance(scalar t, bool singleStep)
 {
-    writeWalls();
+    walls_.write();
     takeSteps(t, singleStep ? 1 : 0);
 
     return report_.time;

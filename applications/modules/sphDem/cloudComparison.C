@@ -122,6 +122,20 @@ bool Foam::cloudComparison::sameDensities(scalar reference) const
 }
 
 
+const char* Foam::cloudComparison::changed
+(
+    scalar closePosition,
+    scalar referenceDensity
+) const
+{
+    return
+        !samePositions(closePosition) ? "positions"
+      : !sameVelocities() ? "U"
+      : !sameDensities(referenceDensity) ? "rho"
+      : nullptr;
+}
+
+
 Foam::label Foam::cloudComparison::otherPressures() const
 {
     const scalar scale = config_.density*sqr(config_.soundSpeed);

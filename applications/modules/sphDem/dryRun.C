@@ -67,11 +67,15 @@ Foam::runEffort Foam::solverModules::sphDem::dryRun(scalar sampleInterval)
 
     Info<< "Particles" << nl
         << "    fluid: " << run_.particles << nl;
-    reportWallPoints(walls_, Info);
+    reportWallPoints(walls_.points(), Info);
     Info<< "Neighbours: " << scene_->neighboursPerParticle()
         << " a particle" << nl << endl;
 
-    Foam::logMemory(arraysTogether(*scene_), run_.particles + walls_.size());
+    Foam::logMemory
+    (
+        arraysTogether(*scene_),
+        run_.particles + walls_.points().size()
+    );
     return logEffort(sampleInterval);
 }
 

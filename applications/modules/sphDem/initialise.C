@@ -9,21 +9,52 @@ Description
 #include "sphDem.H"
 #include "wholeBoundary.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- What the scene is like that a run has now
+static void setRun
+(
+    sphRestart& run,
+    const riprap::SphConfig& config,
+    label particles,
+    riprap::DeviceKind device
+)
+{
+    run.spacing = config.spacing;
+    run.maxVelocity = config.maxVelocity;
+    run.soundSpeed = config.soundSpeed;
+    run.density = config.density;
+    run.setDomain(config);
+    run.particles = particles;
+    run.device = sphNames::device[device];
+    run.precision = sphNames::precision[config.precision];
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 void Foam::solverModules::sphDem::makeScene
 (
     const riprap::FluidInput& fluid,
-    const riprap::WallInput& walls,
-    const riprap::WallMotion& motion
+    const riprap::WallInput& walls
 )
 {
     scene_.reset();
     part_.reset();
     try
     {
-        scene_ =
-            riprap::createSphScene(settings_.config, fluid, walls, motion);
+        scene_ = riprap::createSphScene
+        (
+            settings_.config,
+            fluid,
+            walls,
+            walls_.bodies().motion()
+        );
     }
     catch (const std::invalid_argument& e)
     {
@@ -37,6 +68,64 @@ void Foam::solverModules::sphDem::makeScene
         part_ = std::move(scene_);
         scene_ = riprap::wholeSphScene(*part_, *ranks_);
     }
+}
+
+
+void Foam::solverModules::sphDem::makeCoupledScene
+(
+    const riprap::FluidInput& fluid,
+    const riprap::WallInput& walls,
+    bool continued
+)
+{
+    const riprap::SphConfig& config = settings_.config;
+    const riprap::SolidInput solids
+    (
+        solids_->input(config, fluid, continued)
+    );
+    try
+    {
+        scene_ = riprap::createSphDemScene
+        (
+            config,
+            fluid,
+            walls,
+            solids,
+            walls_.bodies().motion()
+        );
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(solids_->dict())
+            << e.what() << exit(FatalIOError);
+    }
+}
+
+
+//- Of a run that is continued, not an estimate from where the fluid is now
+void Foam::solverModules::sphDem::setSpeeds
+(
+    const particleCloud& cloud,
+    bool continued,
+    otherSpeeds others
+)
+{
+    if (continued && settings_.autoMaxVelocity)
+    {
+        settings_.config.maxVelocity = run_.maxVelocity;
+        settings_.config.soundSpeed = settings_.soundSpeedRatio*run_.maxVelocity;
+        return;
+    }
+
+    addSolids(others);
+    setMaxVelocity
+    (
+        settings_,
+        wholeBoundary(mesh_),
+        cloud.position,
+        cloud.vectors["U"],
+        others
+    );
 }
 
 
@@ -58,31 +147,14 @@ void Foam::solverModules::sphDem::buildScene
     config.ranks = ranks_.get();
 
     otherSpeeds others;
-    const riprap::WallInput walls(buildWalls(others));
+    const riprap::WallInput walls(walls_.build(settings_, others));
     domainKept_ = !continued || run_.keepDomain(config);
     if (solids_)
     {
         solids_->read(continued);
     }
 
-    if (continued && settings_.autoMaxVelocity)
-    {
-        // That of the run, not an estimate from where the fluid is now
-        config.maxVelocity = run_.maxVelocity;
-        config.soundSpeed = settings_.soundSpeedRatio*run_.maxVelocity;
-    }
-    else
-    {
-        addSolids(others);
-        setMaxVelocity
-        (
-            settings_,
-            wholeBoundary(mesh_),
-            cloud.position,
-            cloud.vectors["U"],
-            others
-        );
-    }
+    setSpeeds(cloud, continued, others);
 
     const riprap::FluidInput fluid(fluidInput(cloud));
     if (!continued)
@@ -91,32 +163,13 @@ void Foam::solverModules::sphDem::buildScene
         warnOfOtherProperties();
     }
 
-    const riprap::WallMotion motion
-    (
-        bodies_.size()
-      ? [this](int body, double t) { return bodies_.pose(body, t); }
-      : riprap::WallMotion()
-    );
     if (solids_)
     {
-        const riprap::SolidInput solids
-        (
-            solids_->input(config, fluid, continued)
-        );
-        try
-        {
-            scene_ =
-                riprap::createSphDemScene(config, fluid, walls, solids, motion);
-        }
-        catch (const std::invalid_argument& e)
-        {
-            FatalIOErrorInFunction(solids_->dict())
-                << e.what() << exit(FatalIOError);
-        }
+        makeCoupledScene(fluid, walls, continued);
     }
     else
     {
-        makeScene(fluid, walls, motion);
+        makeScene(fluid, walls);
     }
 
     if (!continued)
@@ -124,15 +177,8 @@ void Foam::solverModules::sphDem::buildScene
         run_ = sphRestart();
         run_.initialParticles = cloud.size();
     }
-    run_.spacing = config.spacing;
-    run_.maxVelocity = config.maxVelocity;
-    run_.soundSpeed = config.soundSpeed;
-    run_.density = config.density;
-    run_.setDomain(config);
+    setRun(run_, config, cloud.size(), scene_->device());
     run_.time = runTime_.value();
-    run_.particles = cloud.size();
-    run_.device = sphNames::device[scene_->device()];
-    run_.precision = sphNames::precision[config.precision];
 
     if (solids_)
     {
@@ -156,8 +202,8 @@ void Foam::solverModules::sphDem::registerScene()
             *scene_,
             settings_.config,
             report_,
-            bodies_,
-            walls_
+            walls_.bodies(),
+            walls_.points()
         )
     );
 }

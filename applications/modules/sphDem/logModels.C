@@ -28,8 +28,8 @@ Foam::wordList Foam::solverModules::sphDem::modelsOff() const
         if (!term.chosen(c)) off.append(term.word);
     }
     if (c.shifting == ShiftingKind::none) off.append("shifting");
-    if (walls_.size() == 0) off.append("walls");
-    if (bodies_.size() == 0) off.append("movingWalls");
+    if (walls_.points().size() == 0) off.append("walls");
+    if (walls_.bodies().size() == 0) off.append("movingWalls");
     if (!solids_) off.append("solids");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
@@ -128,6 +128,74 @@ static void logTerms(const riprap::SphConfig& c)
     }
 }
 
+
+static void logSmoothingLength(const riprap::SphConfig& c)
+{
+    logItem("smoothingLength") << (c.variableSmoothing ? "variable" : "constant")
+        << ", h0 " << c.smoothingRatio*c.spacing << " m = "
+        << c.smoothingRatio << " x spacing " << c.spacing << " m";
+    if (c.variableSmoothing)
+    {
+        Info<< ", growth up to " << c.maxSmoothingGrowth;
+    }
+    Info<< nl;
+}
+
+
+static void logEquationOfState(const sphSettings& settings)
+{
+    const riprap::SphConfig& c = settings.config;
+    logItem("equationOfState") << sphNames::equationOfState[c.eos];
+    if (c.eos == riprap::EosKind::Tait)
+    {
+        Info<< ", gamma " << c.gamma;
+    }
+    Info<< ", rho " << c.density << " kg/m3, c0 " << c.soundSpeed << " m/s = "
+        << settings.soundSpeedRatio << " x maxVelocity " << c.maxVelocity
+        << " m/s" << (settings.autoMaxVelocity ? " (auto)" : "") << nl;
+}
+
+
+static void logWalls(const sphSettings& settings, const fluidWalls& walls)
+{
+    const riprap::SphConfig& c = settings.config;
+    const wallPoints& points = walls.points();
+    const wallBodies& bodies = walls.bodies();
+    if (points.size())
+    {
+        logItem("walls") << sphNames::wallModel[c.wallModel] << ", "
+            << (c.noSlip ? "noSlip" : "freeSlip") << ", " << points.layers
+            << " layers of spacing " << points.spacing << " m, "
+            << (settings.walls.impermeable ? "impermeable" : "permeable")
+            << nl;
+    }
+    for (const string& note : points.notes)
+    {
+        logItem("") << note.c_str() << nl;
+    }
+    for (label i = 0; i < bodies.size(); ++i)
+    {
+        logItem("moving walls") << bodies.name(i) << ": " << bodies.function(i)
+            << nl;
+    }
+}
+
+
+static void logTimeIntegration(const riprap::SphConfig& c)
+{
+    logItem("timeIntegration") << sphNames::timeIntegration[c.integrator];
+    if (c.adjustTimeStep)
+    {
+        Info<< ", acousticCourant " << c.acousticCourant << ", forceCourant "
+            << c.forceCourant << ", viscousCourant " << c.viscousCourant;
+    }
+    else
+    {
+        Info<< ", fixed deltaT " << c.fixedTimeStep << " s";
+    }
+    Info<< nl;
+}
+
 } // End namespace Foam
 
 
@@ -141,9 +209,8 @@ void Foam::solverModules::sphDem::logModels() const
 
     Info<< nl << "Smoothed particle hydrodynamics" << nl;
     logItem("particles") << "fluid " << run_.particles << ", walls "
-        << walls_.size() << nl;
-    logItem("space") << c.dimensions << "D: " << axesText(c, false).c_str()
-        << "; periodic: " << axesText(c, true).c_str() << nl;
+        << walls_.points().size() << nl;
+    logSpace(c);
     logDevice
     (
         scene_->deviceName(),
@@ -152,69 +219,18 @@ void Foam::solverModules::sphDem::logModels() const
         arraysTogether(*scene_)
     );
     logItem("precision") << sphNames::precision[c.precision] << nl;
-
     logItem("kernel") << c.kernel.c_str() << nl;
-    logItem("smoothingLength") << (c.variableSmoothing ? "variable" : "constant")
-        << ", h0 " << c.smoothingRatio*c.spacing << " m = "
-        << c.smoothingRatio << " x spacing " << c.spacing << " m";
-    if (c.variableSmoothing)
-    {
-        Info<< ", growth up to " << c.maxSmoothingGrowth;
-    }
-    Info<< nl;
-
-    logItem("equationOfState") << sphNames::equationOfState[c.eos];
-    if (c.eos == riprap::EosKind::Tait)
-    {
-        Info<< ", gamma " << c.gamma;
-    }
-    Info<< ", rho " << c.density << " kg/m3, c0 " << c.soundSpeed << " m/s = "
-        << settings_.soundSpeedRatio << " x maxVelocity " << c.maxVelocity
-        << " m/s" << (settings_.autoMaxVelocity ? " (auto)" : "") << nl;
-
+    logSmoothingLength(c);
+    logEquationOfState(settings_);
     logTerms(c);
-
-    if (walls_.size())
-    {
-        logItem("walls") << sphNames::wallModel[c.wallModel] << ", "
-            << (c.noSlip ? "noSlip" : "freeSlip") << ", " << walls_.layers
-            << " layers of spacing " << walls_.spacing << " m, "
-            << (settings_.walls.impermeable ? "impermeable" : "permeable")
-            << nl;
-    }
-    for (const string& note : walls_.notes)
-    {
-        logItem("") << note.c_str() << nl;
-    }
-    for (label i = 0; i < bodies_.size(); ++i)
-    {
-        logItem("moving walls") << bodies_.name(i) << ": " << bodies_.function(i)
-            << nl;
-    }
-
-    logItem("timeIntegration") << sphNames::timeIntegration[c.integrator];
-    if (c.adjustTimeStep)
-    {
-        Info<< ", acousticCourant " << c.acousticCourant << ", forceCourant "
-            << c.forceCourant << ", viscousCourant " << c.viscousCourant;
-    }
-    else
-    {
-        Info<< ", fixed deltaT " << c.fixedTimeStep << " s";
-    }
-    Info<< nl;
+    logWalls(settings_, walls_);
+    logTimeIntegration(c);
 
     logItem("guards") << "densityDeviation " << c.maxDensityDeviation
         << ", speedRatio " << c.maxSpeedRatio << ", wild "
         << (c.removeWild ? "remove" : "stop") << ", maxWild "
-        << settings_.maxWild << " 1/s, escape "
-        << (settings_.guards.stopAtEscape ? "stop" : "warn")
-        << ", maxEscaped " << settings_.guards.maxEscaped << nl;
-    if (settings_.unused.size())
-    {
-        logItem("not used") << listed(settings_.unused).c_str()
-            << ": of terms that are not chosen" << nl;
-    }
+        << settings_.maxWild << " 1/s, " << settings_.guards << nl;
+    logUnused(settings_.unused, ": of terms that are not chosen");
     logItem("off") << listed(modelsOff()).c_str() << nl << endl;
 
     if (solids_)

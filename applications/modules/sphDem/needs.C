@@ -103,6 +103,104 @@ static void termNeeds
     }
 }
 
+
+//- A few steps of both scenes, and whether they come out the same
+static modelCost costOf
+(
+    riprap::SphScene& with,
+    riprap::SphScene& without,
+    scalar endTime
+)
+{
+    return tryWithout
+    (
+        with,
+        without,
+        endTime,
+        [](riprap::SphScene& scene)
+        {
+            const riprap::FluidState s(scene.fluid());
+            return std::make_tuple(s.id, s.position, s.velocity, s.density);
+        }
+    );
+}
+
+
+//- Smoothing length, equation of state and viscosity
+static void equationNeeds
+(
+    sceneNeeds& needs,
+    const sphSettings& settings,
+    const Time& time
+)
+{
+    const riprap::SphConfig& c = settings.config;
+    if (!c.variableSmoothing)
+    {
+        needs.idle
+        (
+            subDictOf(settings.dict, "smoothingLength"),
+            "maxGrowth",
+            "h is constant"
+        );
+    }
+    if (c.eos == riprap::EosKind::linear)
+    {
+        needs.idle(settings.dict, "gamma", "equationOfState is linear");
+    }
+    if (!anyTerm(c, &riprap::TermEffect::seesViscosity))
+    {
+        const std::string why
+        (
+            "no term that is chosen looks at it; the file must have it"
+        );
+        needs.idle
+        (
+            readConstant("fluidProperties", time),
+            wordList({"mu", "nu"}),
+            why
+        );
+    }
+}
+
+
+static void wallNeeds
+(
+    sceneNeeds& needs,
+    const sphSettings& settings,
+    label points,
+    bool solids
+)
+{
+    const dictionary& walls = subDictOf(settings.dict, "walls");
+    if (points == 0)
+    {
+        needs.idle(walls, wordList({"model", "slip"}), "there are no wall points");
+        if (!solids)
+        {
+            needs.idle(walls, "impermeable", "there are no walls");
+        }
+    }
+    else if (!anyTerm(settings.config, &riprap::TermEffect::atWalls))
+    {
+        needs.idle(walls, "slip", "no term that is chosen acts at walls");
+    }
+}
+
+
+static void guardNeeds(sceneNeeds& needs, const sphSettings& settings)
+{
+    const dictionary& guards = subDictOf(settings.dict, "guards");
+    if (!settings.config.removeWild)
+    {
+        needs.idle(guards, "maxWild", "guards/wild is stop");
+    }
+    if (settings.guards.stopAtEscape)
+    {
+        needs.idle(guards, "maxEscaped", "guards/escape is stop");
+    }
+}
+
 } // End namespace Foam
 
 
@@ -116,12 +214,6 @@ void Foam::solverModules::sphDem::needs(sceneNeeds& needs)
     // Both scenes anew: the run's own has gone on
     riprap::FluidInput fluid;
     riprap::WallInput walls;
-    const riprap::WallMotion motion
-    (
-        bodies_.size()
-      ? [this](int body, double t) { return bodies_.pose(body, t); }
-      : riprap::WallMotion()
-    );
     const scalar room = scene_->device() == riprap::DeviceKind::gpu
       ? scalar(riprap::gpuInUse().free) : GREAT;
     const auto trial = [&](const riprap::SphConfig& changed)
@@ -130,65 +222,22 @@ void Foam::solverModules::sphDem::needs(sceneNeeds& needs)
         if (fluid.size() == 0)
         {
             otherSpeeds others;
-            walls = buildWalls(others);
+            walls = walls_.build(settings_, others);
             fluid = fluidInput(readFluid());
         }
-        const auto with = riprap::createSphScene(c, fluid, walls, motion);
-        const auto without = riprap::createSphScene(changed, fluid, walls, motion);
-        return tryWithout
-        (
-            *with,
-            *without,
-            runTime_.endTime().value(),
-            [](riprap::SphScene& scene)
-            {
-                const riprap::FluidState s(scene.fluid());
-                return std::make_tuple(s.id, s.position, s.velocity, s.density);
-            }
-        );
+        const auto scene = [&](const riprap::SphConfig& config)
+        {
+            return riprap::createSphScene
+            (
+                config, fluid, walls, walls_.bodies().motion()
+            );
+        };
+        const auto with = scene(c), without = scene(changed);
+        return costOf(*with, *without, runTime_.endTime().value());
     };
     termNeeds(needs, settings_, trial);
-
-    if (!c.variableSmoothing)
-    {
-        needs.idle
-        (
-            subDictOf(dict, "smoothingLength"),
-            "maxGrowth",
-            "h is constant"
-        );
-    }
-    if (c.eos == riprap::EosKind::linear)
-    {
-        needs.idle(dict, "gamma", "equationOfState is linear");
-    }
-    if (!anyTerm(c, &riprap::TermEffect::seesViscosity))
-    {
-        const std::string why
-        (
-            "no term that is chosen looks at it; the file must have it"
-        );
-        needs.idle
-        (
-            readConstant("fluidProperties", runTime_),
-            wordList({"mu", "nu"}),
-            why
-        );
-    }
-
-    const dictionary& ofWalls = subDictOf(dict, "walls");
-    if (walls_.size() == 0)
-    {
-        needs.idle(ofWalls, wordList({"model", "slip"}), "there are no wall points");
-        if (!solids_)
-        {
-            needs.idle(ofWalls, "impermeable", "there are no walls");
-        }
-    }
-    else if (!anyTerm(c, &riprap::TermEffect::atWalls))
-    {
-        needs.idle(ofWalls, "slip", "no term that is chosen acts at walls");
-    }
+    equationNeeds(needs, settings_, runTime_);
+    wallNeeds(needs, settings_, walls_.points().size(), bool(solids_));
 
     if (!c.adjustTimeStep)
     {
@@ -199,16 +248,7 @@ void Foam::solverModules::sphDem::needs(sceneNeeds& needs)
             "adjustTimeStep is no"
         );
     }
-    const dictionary& guards = subDictOf(dict, "guards");
-    if (!c.removeWild)
-    {
-        needs.idle(guards, "maxWild", "guards/wild is stop");
-    }
-    if (settings_.guards.stopAtEscape)
-    {
-        needs.idle(guards, "maxEscaped", "guards/escape is stop");
-    }
-
+    guardNeeds(needs, settings_);
     controlNeeds(needs, c.adjustTimeStep, false);
     if (solids_)
     {

@@ -70,12 +70,9 @@ bool Foam::solverModules::sphDem::loadState
     try
     {
         // Of several processes the first tells the others
-        scene_->loadState
-        (
-            Pstream::master()
-          ? readSphState(runTime_)
-          : std::vector<std::int32_t>()
-        );
+        std::vector<std::int32_t> state;
+        if (Pstream::master()) state = readSphState(runTime_);
+        scene_->loadState(state);
     }
     catch (const std::invalid_argument& e)
     {
@@ -85,15 +82,10 @@ bool Foam::solverModules::sphDem::loadState
     // Older states do not say
     const scalar density = before.density > 0 ? before.density : config.density;
 
-    cloudComparison compare(config, cloud, scene_->fluid());
+    const cloudComparison compare(config, cloud, scene_->fluid());
     const scalar closeX = 1e-3*config.spacing + 1e-5*mesh_.bounds().mag();
     const char* changed =
-        asWritten_ ? nullptr
-      : !compare.samePositions(closeX) ? "positions"
-      : !compare.sameVelocities() ? "U"
-      : !compare.sameDensities(density) ? "rho"
-      : nullptr;
-
+        asWritten_ ? nullptr : compare.changed(closeX, density);
     if (changed)
     {
         return notUsed

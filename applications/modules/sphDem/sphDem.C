@@ -60,7 +60,7 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
     particleModule(runTime, mesh, "fluid"),
     asRead_(settingsOfRanks(readSphSettings(wholeBoundary(mesh)))),
     settings_(asRead_),
-    bodies_(runTime, asRead_.walls.motion)
+    walls_(runTime, mesh, asRead_.walls.motion)
 {
     if (Pstream::parRun()) ranks_.reset(new pstreamTransport);
 

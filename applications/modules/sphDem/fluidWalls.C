@@ -1,13 +1,9 @@
 /*---------------------------------------------------------------------------*\
     riprap: particles inside OpenFOAM
     SPDX-License-Identifier: GPL-3.0-or-later
-
-Description
-    Wall points from the mesh's patches and constant/geometry; which of them
-    move with which body.
 \*---------------------------------------------------------------------------*/
 
-#include "sphDem.H"
+#include "fluidWalls.H"
 #include "UIndirectList.H"
 #include "toStdVector.H"
 #include "sweptDomain.H"
@@ -16,67 +12,12 @@ Description
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-riprap::WallInput Foam::solverModules::sphDem::buildWalls
-(
-    otherSpeeds& others
-)
-{
-    const sphWalls& walls = settings_.walls;
-
-    const labelList patches
-    (
-        walls.everyWallPatch
-      ? wallPatches(mesh_)
-      : wallPatches(mesh_, walls.patches, walls.dict)
-    );
-    const autoPtr<geometryWalls> geometry(wallGeometry(runTime_));
-
-    wallPointsControls controls;
-    controls.spacing = settings_.config.wallSpacing;
-    controls.layers = wallLayers(settings_);
-    controls.where = settings_.walls.dict;
-
-    walls_ = generateWallPoints(mesh_, patches, geometry.get(), controls);
-
-    const labelList bodyOfSource(bodies_.bodyOf(walls_.names));
-    dropBeyondDomain(bodyOfSource);
-    labelList bodyOfPoint(walls_.size());
-
-    riprap::WallInput input;
-    input.nBodies = bodies_.size();
-    input.position.reserve(3*walls_.size());
-    input.normal.reserve(3*walls_.size());
-    input.body.reserve(walls_.size());
-    input.part.reserve(walls_.size());
-
-    forAll(walls_.position, i)
-    {
-        for (direction d = 0; d < vector::nComponents; ++d)
-        {
-            input.position.push_back(walls_.position[i][d]);
-            input.normal.push_back(walls_.normal[i][d]);
-        }
-        bodyOfPoint[i] = bodyOfSource[walls_.source[i]];
-        input.body.push_back(bodyOfPoint[i]);
-        input.part.push_back(walls_.source[i]);
-    }
-
-    coverMotion(bodyOfPoint, others);
-    if (settings_.walls.impermeable)
-    {
-        input.faces = wallFaceInput(bodyOfSource);
-    }
-
-    return input;
-}
-
-
-riprap::WallFaceInput Foam::solverModules::sphDem::wallFaceInput
+riprap::WallFaceInput Foam::fluidWalls::faceInput
 (
     const labelList& bodyOfSource
 ) const
 {
-    const wallFaces& from = walls_.faces;
+    const wallFaces& from = points_.faces;
 
     riprap::WallFaceInput faces;
     faces.point = toStdVector("walls", "faces", pointField(from.points));
@@ -97,12 +38,12 @@ riprap::WallFaceInput Foam::solverModules::sphDem::wallFaceInput
 
 //- Surfaces of constant/geometry may stick out of the mesh: fixed points
 //  that no fluid can come near are left out
-void Foam::solverModules::sphDem::dropBeyondDomain
+void Foam::fluidWalls::dropBeyondDomain
 (
+    const riprap::SphConfig& config,
     const labelList& bodyOfSource
 )
 {
-    const riprap::SphConfig& config = settings_.config;
     const scalar margin = riprap::supportOf(config);
 
     const auto beyond = [&](const point& x)
@@ -125,39 +66,40 @@ void Foam::solverModules::sphDem::dropBeyondDomain
         return false;
     };
 
-    DynamicList<label> kept(walls_.size());
-    forAll(walls_.position, i)
+    DynamicList<label> kept(points_.size());
+    forAll(points_.position, i)
     {
-        const bool moves = bodyOfSource[walls_.source[i]] >= 0;
-        if (moves || !beyond(walls_.position[i]))
+        const bool moves = bodyOfSource[points_.source[i]] >= 0;
+        if (moves || !beyond(points_.position[i]))
         {
             kept.append(i);
         }
     }
-    if (kept.size() == walls_.size())
+    if (kept.size() == points_.size())
     {
         return;
     }
-    walls_.position = pointField(walls_.position, kept);
-    walls_.normal = vectorField(walls_.normal, kept);
-    walls_.source = labelList(UIndirectList<label>(walls_.source, kept));
+    points_.position = pointField(points_.position, kept);
+    points_.normal = vectorField(points_.normal, kept);
+    points_.source = labelList(UIndirectList<label>(points_.source, kept));
 }
 
 
 //- Widen the domain to what moving walls reach; how fast they are, and how deep
 //  they take water
-void Foam::solverModules::sphDem::coverMotion
+void Foam::fluidWalls::coverMotion
 (
     const labelList& bodyOfPoint,
+    sphSettings& settings,
     otherSpeeds& others
-)
+) const
 {
     List<boundBox> reference(bodies_.size());
     forAll(bodyOfPoint, i)
     {
         if (bodyOfPoint[i] >= 0)
         {
-            reference[bodyOfPoint[i]].add(walls_.position[i]);
+            reference[bodyOfPoint[i]].add(points_.position[i]);
         }
     }
     Foam::coverMotion
@@ -165,19 +107,19 @@ void Foam::solverModules::sphDem::coverMotion
         wholeBoundary(mesh_),
         bodies_,
         reference,
-        wallThickness(settings_),
-        settings_.config
+        wallThickness(settings),
+        settings.config
     );
 
-    const riprap::Vector3& gravity = settings_.config.gravity;
+    const riprap::Vector3& gravity = settings.config.gravity;
     const vector g(gravity[0], gravity[1], gravity[2]);
     const auto depth = [&](const boundBox& box)
     {
         return max(box.points()() & g);
     };
     const scalar floor = lowestPlace(wholeBoundary(mesh_), g);
-    const scalar begin = runTime_.value();
-    const scalar end = endOfMotion(runTime_);
+    const scalar begin = time_.value();
+    const scalar end = endOfMotion(time_);
     forAll(reference, body)
     {
         boundBox swept(reference[body]);
@@ -201,16 +143,89 @@ void Foam::solverModules::sphDem::coverMotion
 }
 
 
-void Foam::solverModules::sphDem::writeWalls()
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fluidWalls::fluidWalls
+(
+    const Time& time,
+    const polyMesh& mesh,
+    const List<wallMotion>& motion
+)
+:
+    time_(time),
+    mesh_(mesh),
+    bodies_(time, motion)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+riprap::WallInput Foam::fluidWalls::build
+(
+    sphSettings& settings,
+    otherSpeeds& others
+)
 {
-    if (!wallsWritten_ && walls_.size())
+    const sphWalls& walls = settings.walls;
+
+    const labelList patches
+    (
+        walls.everyWallPatch
+      ? wallPatches(mesh_)
+      : wallPatches(mesh_, walls.patches, walls.dict)
+    );
+    const autoPtr<geometryWalls> geometry(wallGeometry(time_));
+
+    wallPointsControls controls;
+    controls.spacing = settings.config.wallSpacing;
+    controls.layers = wallLayers(settings);
+    controls.where = walls.dict;
+
+    points_ = generateWallPoints(mesh_, patches, geometry.get(), controls);
+
+    const labelList bodyOfSource(bodies_.bodyOf(points_.names));
+    dropBeyondDomain(settings.config, bodyOfSource);
+    labelList bodyOfPoint(points_.size());
+
+    riprap::WallInput input;
+    input.nBodies = bodies_.size();
+    input.position.reserve(3*points_.size());
+    input.normal.reserve(3*points_.size());
+    input.body.reserve(points_.size());
+    input.part.reserve(points_.size());
+
+    forAll(points_.position, i)
+    {
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            input.position.push_back(points_.position[i][d]);
+            input.normal.push_back(points_.normal[i][d]);
+        }
+        bodyOfPoint[i] = bodyOfSource[points_.source[i]];
+        input.body.push_back(bodyOfPoint[i]);
+        input.part.push_back(points_.source[i]);
+    }
+
+    coverMotion(bodyOfPoint, settings, others);
+    if (walls.impermeable)
+    {
+        input.faces = faceInput(bodyOfSource);
+    }
+
+    return input;
+}
+
+
+void Foam::fluidWalls::write()
+{
+    if (!written_ && points_.size())
     {
         // Where setParticles writes them, too
         if (Pstream::master())
         {
-            writeWallPoints(walls_, runTime_.globalPath()/"VTK"/"walls.vtp");
+            writeWallPoints(points_, time_.globalPath()/"VTK"/"walls.vtp");
         }
-        wallsWritten_ = true;
+        written_ = true;
     }
 }
 
