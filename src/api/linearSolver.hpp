@@ -17,7 +17,7 @@ constexpr const char* ownSolver = "cudaPCG";
 struct MultigridControls
 {
     double tolerance = 1e-8, relTol = 0;    // of OpenFOAM's residual
-    // of the first of a step's two solutions (solvers/pic/picStep.hpp); 0: tolerance
+    // of the first of a step's two solutions (solvers/pic/driver/projection.hpp); 0: tolerance
     double reflectionTolerance = 0;
     int maxIter = 1000, minIter = 0;
     int sweeps = 2;                         // before and after each correction

@@ -80,7 +80,7 @@ struct PicConfig : FluidConfig
     std::string transfer = "flip";          // word of a scheme (picTransfers.hpp)
     TransferProperties transferNumbers;
     int advectionOrder = 3;                 // 2, 3
-    // 0 .. 1: of the advection's divergence, see picStep.hpp
+    // 0 .. 1: of the divergence by advection (solvers/pic/driver/projection.hpp)
     double reflection = 1;
     double positionCorrection = 0.05;       // coefficient, 0: off
 

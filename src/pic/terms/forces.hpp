@@ -52,7 +52,7 @@ struct KeepLast
 };
 
 //- What half a drift makes of the velocity: `after`, that of its divergence, which the pressure
-//  holds back while particles move; `last`, that of the projected velocity. See PicSolver::project
+//  holds back while particles move; `last`, that of the projected velocity. See Projection::project
 template<class R>
 struct HalfDrift
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solvers/pic/picAll.hpp"
+#include "solvers/pic/driver/picAll.hpp"
 
 std::unique_ptr<riprap::PicScene> riprap::picCpu2Mixed(
     const PicConfig& c, const FluidInput& f, const PicWalls& w, LinearSolver* s, PicInside&& i)

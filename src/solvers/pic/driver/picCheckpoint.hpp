@@ -1,0 +1,236 @@
+/*  The exact state as words, so that a run continues bit for bit.
+
+    Without solids it is the same on the CPU and the GPU: a run goes on from it on the other, where
+    only rounding is different.
+
+    Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields
+    (and whose memory of a transfer is among them), cells, bytes of the clock; the clock; each field
+    of the particles in the device's order; phi, p, and the velocities of the faces, their last
+    changes and what particles took; what openings remember; of solids, each after its length, what
+    bodies remember and the state of their own scene; a checksum (FNV-1a over all words before it).
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+*/
+#pragma once
+
+#include "solvers/pic/driver/cellCutter.hpp"
+#include "solvers/pic/driver/freeSurface.hpp"
+#include "solvers/checkpointWords.hpp"
+
+namespace riprap
+{
+
+namespace detail
+{
+static constexpr std::int32_t picMagic = 0x72697032, picVersion = 7;
+static constexpr int picHeader = 9;
+static constexpr std::size_t picClockWords = (sizeof(PicClock) + 3)/4;
+}
+
+template<class Backend, int D, class P>
+class PicCheckpoint
+{
+public:
+
+    using real = typename P::real;
+
+    PicCheckpoint
+    (
+        PicParts<Backend, D, P>& parts,
+        ParticleAdvection<Backend, D, P>& advection,
+        FreeSurface<Backend, D, P>& surface,
+        OpenBoundaries<Backend, D, P>& openings,
+        CellCutter<Backend, D, P>& cutter
+    )
+    :
+        p_(parts), advection_(advection), surface_(surface), openings_(openings), cutter_(cutter)
+    {}
+
+    std::vector<std::int32_t> save();
+    void load(const std::vector<std::int32_t>&);
+
+private:
+
+    //- Of a state: where what openings and solids remember begins, and what bodies do
+    struct Found { std::size_t openingsAt, solidsAt; std::vector<double> bodies; };
+
+    template<class F> void forEachSaved(const F&);
+    void check(const std::vector<std::int32_t>& words) const;
+    Found find(const std::vector<std::int32_t>& words);
+    void recut();
+
+    PicParts<Backend, D, P>& p_;
+    ParticleAdvection<Backend, D, P>& advection_;
+    FreeSurface<Backend, D, P>& surface_;
+    OpenBoundaries<Backend, D, P>& openings_;
+    CellCutter<Backend, D, P>& cutter_;
+};
+
+template<class Backend, int D, class P>
+template<class F>
+void PicCheckpoint<Backend, D, P>::forEachSaved(const F& f)
+{
+    FaceVelocities<Backend, D, P>& faces = p_.faces;
+    PicParticleFields<Backend, D, P>& particles = p_.particles;
+    PressureOfWater<Backend, D, P>& pressure = p_.pressure;
+    for (int k = 0; k < particles.values.fields(); ++k)
+        f(particles.values.bytes(k), std::size_t(particles.n)*particles.values.elementBytes(k));
+    f(reinterpret_cast<unsigned char*>(p_.surface.phi.data()), p_.surface.phi.size()*sizeof(real));
+    for (auto* p : {&pressure.p, &pressure.reflected, &pressure.total})
+        f(reinterpret_cast<unsigned char*>(p->data()), p->size()*sizeof(double));
+    for (int d = 0; d < D; ++d)
+        for (auto* a : {&faces.u[d], &faces.change[d], &faces.after[d]})
+            f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
+}
+
+template<class Backend, int D, class P>
+std::vector<std::int32_t> PicCheckpoint<Backend, D, P>::save()
+{
+    PicParticleFields<Backend, D, P>& particles = p_.particles;
+    std::vector<std::int32_t> words{detail::picMagic, detail::picVersion, D, int(sizeof(real)),
+        int(Backend::gpu), particles.n, particles.values.fields() + 256*particles.scheme.mark(),
+        p_.set.grid.cells(), int(sizeof(PicClock))};
+    detail::appendBytes(words, &p_.set.clock, sizeof(PicClock));
+    std::size_t expected = words.size() + 1;
+    forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    words.reserve(expected);
+    forEachSaved([&](unsigned char* data, std::size_t size)
+    {
+        const std::size_t at = words.size();
+        words.resize(at + (size + 3)/4, 0);
+        if (size) p_.set.context.toHost(&words[at], data, size);
+    });
+    if (p_.opens())
+    {
+        const std::vector<double> memory = p_.openings.memory();
+        detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
+    }
+    if (p_.solids.bodies)
+    {
+        const std::vector<double> memory = p_.solids.bodies->memory();
+        words.push_back(int(memory.size()));
+        detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
+        const std::vector<std::int32_t> solids = p_.inside.scene->saveState();
+        words.push_back(std::int32_t(std::uint32_t(solids.size())));
+        words.insert(words.end(), solids.begin(), solids.end());
+    }
+    words.push_back(detail::checksum(words, words.size()));
+    return words;
+}
+
+template<class Backend, int D, class P>
+void PicCheckpoint<Backend, D, P>::check(const std::vector<std::int32_t>& words) const
+{
+    const auto fail = [](const std::string& why)
+    { throw std::invalid_argument("saved state: " + why); };
+    if (words.size() < detail::picHeader + detail::picClockWords + 1) fail("too short");
+    if (words[0] != detail::picMagic) fail("not a state of PIC");
+    if (words[1] != detail::picVersion)
+        fail("version " + std::to_string(words[1]) + " is not supported");
+    if (detail::checksum(words, words.size() - 1) != words.back())
+        fail("checksum does not match: the data are damaged");
+    if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
+    if (words[3] != int(sizeof(real))) fail("it was written with another precision");
+    if (p_.solids.bodies && words[4] != int(Backend::gpu))
+        fail("it was written on another kind of device, which keeps the contacts of solids in "
+             "another order");
+    if (words[6] != p_.particles.values.fields() + 256*p_.particles.scheme.mark())
+        fail("it has other fields (the transfer was changed)");
+    if (words[7] != p_.set.grid.cells())
+        fail("it has " + std::to_string(words[7]) + " cells, the mesh "
+            + std::to_string(p_.set.grid.cells()));
+    if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");
+    const int n = words[5];
+    const std::size_t room = p_.particles.values.size();
+    if (n < 0 || (std::size_t(n) > room && !p_.opens()))
+        fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(room));
+}
+
+//- With as many particles as it has
+template<class Backend, int D, class P>
+typename PicCheckpoint<Backend, D, P>::Found PicCheckpoint<Backend, D, P>::find(
+    const std::vector<std::int32_t>& words)
+{
+    std::size_t expected = detail::picHeader + detail::picClockWords + 1;
+    forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    Found found{expected - 1, 0, {}};
+    if (p_.opens()) expected += 2*p_.openings.memorySize();
+    found.solidsAt = expected - 1;
+    if (p_.solids.bodies && words.size() > expected)
+    {
+        const std::size_t count = std::size_t(std::max(words[found.solidsAt], 0));
+        expected += 1 + 2*count;
+        if (words.size() > expected)
+        {
+            found.bodies.resize(count);
+            std::memcpy(found.bodies.data(), &words[found.solidsAt + 1], count*sizeof(double));
+            expected += 1 + std::size_t(std::uint32_t(words[expected - 1]));
+        }
+    }
+    if (expected != words.size()) throw std::invalid_argument("saved state: wrong length");
+    return found;
+}
+
+template<class Backend, int D, class P>
+void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
+{
+    PicParticleFields<Backend, D, P>& particles = p_.particles;
+    check(words);
+    const int n = words[5], before = particles.n;
+    if (p_.opens()) particles.reserve(n);
+    particles.n = n;
+    Found found;
+    try
+    {
+        found = find(words);
+        if (p_.solids.bodies && !p_.solids.bodies->setMemory(found.bodies))
+            throw std::invalid_argument("saved state: it has other solids");
+    }
+    catch (...)
+    {
+        particles.n = before;
+        throw;
+    }
+    if (p_.solids.bodies)
+    {
+        const std::size_t at = found.solidsAt + 1 + 2*found.bodies.size();
+        p_.inside.scene->loadState(
+            std::vector<std::int32_t>(words.begin() + at + 1, words.end() - 1));
+        p_.solids.bodies->read();
+        p_.solids.loaded = true;
+    }
+    std::memcpy(static_cast<void*>(&p_.set.clock), &words[detail::picHeader], sizeof(PicClock));
+    std::size_t at = detail::picHeader + detail::picClockWords;
+    forEachSaved([&](unsigned char* data, std::size_t size)
+    {
+        if (size) p_.set.context.toDevice(data, &words[at], size);
+        at += (size + 3)/4;
+    });
+    if (p_.opens())
+    {
+        std::vector<double> memory(p_.openings.memorySize());
+        std::memcpy(memory.data(), &words[found.openingsAt], memory.size()*sizeof(double));
+        p_.openings.setMemory(memory.data());
+    }
+    recut();
+    p_.set.context.synchronise();
+}
+
+//- The grid, and the order of particles, as the state has them
+template<class Backend, int D, class P>
+void PicCheckpoint<Backend, D, P>::recut()
+{
+    PicClock& clock = p_.set.clock;
+    if (p_.cuts())
+    {
+        cutter_.cut(clock.time, clock.lastStep > 0 ? clock.lastStep : 1);
+        p_.cut.forStep = p_.cut.moves && clock.steps > 0;
+    }
+    if (p_.opens()) openings_.setFaces(clock.time);
+    advection_.sort();
+    p_.rows.forget();
+    surface_.markWater();
+    surface_.measure();
+}
+
+} // namespace riprap
