@@ -153,8 +153,8 @@ struct PicShape
     double volume = 0;
 };
 
-//- Solids in the water (picBodies.hpp). The fluid decides on device, precision, dimensions and
-//  gravity
+//- Solids in the water (solvers/pic/bodies/picBodies.hpp). The fluid decides on device, precision,
+//  dimensions and gravity
 struct PicSolids
 {
     DemConfig config;

@@ -70,7 +70,7 @@ template<class Backend, int D, class P>
 void BodyCoupling<Backend, D, P>::useVelocities(bool predicted)
 {
     SolidsInWater<Backend, D, P>& solids = p_.solids;
-    const std::vector<double> velocity = solids.bodies->velocities(predicted);
+    const std::vector<double> velocity = solids.bodies->table.velocities(predicted);
     const bool rest = std::all_of(
         velocity.begin(), velocity.end(), [](double v) { return v == 0; });
     if (rest && solids.rest) return;
@@ -82,7 +82,7 @@ void BodyCoupling<Backend, D, P>::useVelocities(bool predicted)
 //- Do bodies give way in the pressure's equation? Else they are walls for it, as where all sleep
 template<class Backend, int D, class P> bool BodyCoupling<Backend, D, P>::yields() const
 {
-    return p_.solids.bodies && !p_.solids.bodies->weak() && p_.solids.bodies->yield();
+    return p_.solids.bodies && !p_.solids.bodies->set.weak && p_.solids.bodies->table.yield();
 }
 
 //- Light bodies bring slow modes, which a solver on the host takes away; it may also be the better
@@ -103,18 +103,18 @@ PressureReport BodyCoupling<Backend, D, P>::solve(
         return pressure.step.project(
             context, fields, pressure.solver, &walls, sameWater, &p_.rows, nullptr, tolerance);
     }
+    const BodyTable<D>& table = solids.bodies->table;
     if (own
-        && !solids.bodies->anyLighter(solids.cut.volumes(),
-            pressure.step.heavyFrom(solids.bodies->bodies().size(), sameWater)
-                *p_.set.config.density))
+        && !table.anyLighter(solids.cut.volumes(),
+            pressure.step.heavyFrom(table.bodies.size(), sameWater)*p_.set.config.density))
     {
-        const std::vector<double> roots = solids.bodies->roots();
+        const std::vector<double> roots = solids.bodies->table.roots();
         const BodiesOnGrid<Backend, D> onGrid{solids.cut, roots};
         return pressure.step.project(
             context, fields, pressure.solver, nullptr, sameWater, &p_.rows, &onGrid, tolerance);
     }
     std::vector<BodyTerm> terms = solids.cut.terms();
-    solids.bodies->fill(terms);
+    solids.bodies->table.fill(terms);
     return pressure.step.project(
         context, fields, pressure.solver, &terms, sameWater, &p_.rows, nullptr, tolerance);
 }
@@ -126,11 +126,12 @@ void BodyCoupling<Backend, D, P>::project(double dt, bool sameWater)
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     PressureOfWater<Backend, D, P>& pressure = p_.pressure;
     if (p_.set.config.reflection > 0)
-        solids.bodies->foresee(yields() ? solids.cut.gather(p_.set.context, pressure.ahead.data())
-                                        : std::vector<double>());
+        solids.bodies->forces.foresee(yields()
+                ? solids.cut.gather(p_.set.context, pressure.ahead.data())
+                : std::vector<double>());
     useVelocities(true);
     pressure.last = solve(p_.pressureFields(dt), sameWater);
-    solids.bodies->move(solids.cut.gather(p_.set.context, pressure.p.data()), dt);
+    solids.bodies->forces.move(solids.cut.gather(p_.set.context, pressure.p.data()), dt);
 }
 
 //- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else
@@ -146,9 +147,9 @@ void BodyCoupling<Backend, D, P>::setSolidVelocity()
         std::vector<real> w = p_.walls.velocity[component].download();
         if (solids.bodies)
         {
-            const auto moving = solids.bodies->withVelocities(false);
+            const auto moving = solids.bodies->table.withVelocities(false);
             std::vector<double> nearest(w.size(), about*grid.h);
-            solids.bodies->eachFaceNear(grid, component, about,
+            solids.bodies->table.eachFaceNear(grid, component, about,
                 [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
                 {
                     const int i = grid.face(component, f);
@@ -174,7 +175,7 @@ void BodyCoupling<Backend, D, P>::drag(double dt)
     const UniformGrid<D>& grid = p_.set.grid;
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     const double stress = p_.set.config.viscosity*(D == 2 ? 1.0 : grid.h);
-    solids.bodies->startDrag();
+    solids.bodies->forces.startDrag();
     for (int component = 0; component < D; ++component)
     {
         const std::vector<real> u = p_.faces.u[component].download(),
@@ -185,7 +186,7 @@ void BodyCoupling<Backend, D, P>::drag(double dt)
             grid, component, layer.data(), nullptr, false, distance.data(), w.data()};
         // the mean of a face's corners, by which faces are told, differs from the distance of its
         // middle by the bend of the surface
-        solids.bodies->eachFaceNear(grid, component, 0.1,
+        solids.bodies->table.eachFaceNear(grid, component, 0.1,
             [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
             {
                 const int i = grid.face(component, f);
@@ -201,13 +202,13 @@ void BodyCoupling<Backend, D, P>::drag(double dt)
                         const real theta = faces.theta(j, i);
                         Vec<D, double> surface = x;
                         surface[d] += offset*(1 - theta)*grid.h;
-                        solids.bodies->drag(body, component,
+                        solids.bodies->forces.drag(body, component,
                             stress*(double(u[j]) - faces.onSurface(j, i, theta))/theta,
                             surface);
                     }
             });
     }
-    solids.bodies->endDrag(dt, p_.set.config.viscosity, solids.cut.volumes());
+    solids.bodies->forces.endDrag(dt, p_.set.config.viscosity, solids.cut.volumes());
 }
 
 //- Eq. 20
@@ -217,7 +218,7 @@ void BodyCoupling<Backend, D, P>::slowBetween(double dt)
     const UniformGrid<D>& grid = p_.set.grid;
     Context<Backend>& context = p_.set.context;
     SolidsInWater<Backend, D, P>& solids = p_.solids;
-    const std::vector<ContactArea<D>> areas = solids.bodies->contacts(grid);
+    const std::vector<ContactArea<D>> areas = solids.bodies->table.contacts(grid);
     if (areas.empty()) return;
     const ContactBoxes<D> boxes(grid);
     std::vector<std::pair<int, int>> order;
@@ -233,8 +234,8 @@ void BodyCoupling<Backend, D, P>::slowBetween(double dt)
     contactBoxes_.upload(context, box);
     contactAreas_.upload(context, sorted);
     SlowBetweenSolids<D, real> slow{grid, p_.particles.view(), boxes, int(box.size()),
-        contactBoxes_.data(), contactAreas_.data(), solids.bodies->contactVelocity(),
-        solids.bodies->contactTimes(dt), {}};
+        contactBoxes_.data(), contactAreas_.data(), solids.bodies->set.contactVelocity,
+        solids.bodies->set.contactTimes(dt), {}};
     for (int d = 0; d < D; ++d)
         slow.u[d] = (p_.set.config.reflection > 0 ? p_.faces.after : p_.faces.u)[d].data();
     forEach(context, p_.particles.n, slow);
@@ -246,20 +247,20 @@ bool BodyCoupling<Backend, D, P>::advance(double dt, double before)
 {
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     const double from = p_.set.clock.time;
-    if (!solids.bodies->finite()) return false;
+    if (!solids.bodies->forces.finite()) return false;
     // a clump feels a force from outside a step of its own later
     constexpr int leastOfClumps = 8;
     // K of paper 2, Eqs. 21 to 25
     const int steps = std::max(
-        solids.side->subcycles(dt), solids.bodies->clumps() ? leastOfClumps : 1);
+        solids.side->subcycles(dt), solids.bodies->set.clumps ? leastOfClumps : 1);
     const double first = dt/steps;
     // leapfrog's velocities are behind by half the last step, and get the new force for it
-    const double lag = solids.bodies->verlet()
+    const double lag = solids.bodies->set.verlet
         ? 0
         : 2*(solids.side->kickTime(dt, steps) - dt) + first;
-    solids.bodies->push(before, lag, solids.side->kickTime(first, 1));
+    solids.bodies->forces.push(before, lag, solids.side->kickTime(first, 1));
     if (!solids.side->advanceTo(steps == 1 ? from + dt : from + first, first, 1)) return false;
-    solids.bodies->hold();
+    solids.bodies->forces.hold();
     if (steps > 1 && !solids.side->advanceTo(from + dt, dt - first, steps - 1)) return false;
     solids.subcycles = steps;
     return true;

@@ -76,7 +76,7 @@ void CellCutter<Backend, D, P>::cut(double t, double dt)
     Context<Backend>& context = p_.set.context;
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     const bool anew = p_.cut.base.nodeDistance.empty() || p_.cut.base.moves,
-               moved = solids.bodies && solids.bodies->read();
+               moved = solids.bodies && solids.bodies->reader.read();
     if (!anew && !moved && !solids.loaded)
     {
         if (solids.bodies) solids.cut.forgetWater(context, p_.cutFields());
@@ -155,11 +155,11 @@ void CellCutter<Backend, D, P>::cutByBodies()
 {
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     if (p_.opens()) openings_.openFully();
-    solids.cut.cut(p_.set.context, p_.set.grid, solids.bodies->bodies(),
+    solids.cut.cut(p_.set.context, p_.set.grid, solids.bodies->table.bodies,
         std::max(p_.set.steepest(), 0), p_.cutFields());
     if (p_.opens()) openings_.keepOpenParts();
     std::vector<double> velocity;
-    for (const auto& b : solids.bodies->bodies())
+    for (const auto& b : solids.bodies->table.bodies)
         velocity.insert(velocity.end(), b.velocity.begin(), b.velocity.end());
     solids.cut.setVelocities(p_.set.context, velocity, p_.cutFields());
     if (p_.opens()) openings_.writeFaces();

@@ -88,7 +88,8 @@ void MomentumBudget<Backend, D, P>::weigh(double dt)
             sum.other[axis] += mass*(double(forced_[d][f]) - before[f] - p_.set.gravity[d]*dt);
         }
     }
-    if (solids.bodies) for (int d = 0; d < 3; ++d) sum.solids[d] = dt*solids.bodies->force()[d];
+    if (solids.bodies)
+        for (int d = 0; d < 3; ++d) sum.solids[d] = dt*solids.bodies->forces.force()[d];
     momentum_ = sum;
 }
 

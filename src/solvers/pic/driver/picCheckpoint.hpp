@@ -107,7 +107,7 @@ std::vector<std::int32_t> PicCheckpoint<Backend, D, P>::save()
     }
     if (p_.solids.bodies)
     {
-        const std::vector<double> memory = p_.solids.bodies->memory();
+        const std::vector<double> memory = p_.solids.bodies->forces.memory();
         words.push_back(int(memory.size()));
         detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
         const std::vector<std::int32_t> solids = p_.inside.scene->saveState();
@@ -183,7 +183,7 @@ void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
     try
     {
         found = find(words);
-        if (p_.solids.bodies && !p_.solids.bodies->setMemory(found.bodies))
+        if (p_.solids.bodies && !p_.solids.bodies->forces.setMemory(found.bodies))
             throw std::invalid_argument("saved state: it has other solids");
     }
     catch (...)
@@ -196,7 +196,7 @@ void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
         const std::size_t at = found.solidsAt + 1 + 2*found.bodies.size();
         p_.inside.scene->loadState(
             std::vector<std::int32_t>(words.begin() + at + 1, words.end() - 1));
-        p_.solids.bodies->read();
+        p_.solids.bodies->reader.read();
         p_.solids.loaded = true;
     }
     std::memcpy(static_cast<void*>(&p_.set.clock), &words[detail::picHeader], sizeof(PicClock));

@@ -47,12 +47,13 @@ bool PicGuards<Backend, D, P>::pass(PicReport& report, double speed, double dt)
     if (!(speed < 1e30)) report.stop = StopReason::notANumber;
     else if (!(courant < config.maxCourantEver)) report.stop = StopReason::speed;
     else if (!(speed <= speedLimit(speed))) stopTooFast(report, speed);
-    else if (solids.bodies && !(solids.bodies->fastest()*dt < config.maxCourantEver*grid.h))
+    else if (solids.bodies
+        && !(solids.bodies->table.fastest()*dt < config.maxCourantEver*grid.h))
         stopAtSolids(report,
-            "would go " + std::to_string(solids.bodies->fastest()*dt/grid.h)
+            "would go " + std::to_string(solids.bodies->table.fastest()*dt/grid.h)
                 + " cells in a step; guards/Courant allows "
                 + std::to_string(config.maxCourantEver));
-    else if (solids.bodies && solids.bodies->acrossPeriodic(grid))
+    else if (solids.bodies && solids.bodies->table.acrossPeriodic(grid))
         stopAtSolids(report, "reaches across a periodic side, where it cannot be followed");
     if (report.stop == StopReason::none) return true;
     findOffender(report, courant);

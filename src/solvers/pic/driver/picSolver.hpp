@@ -32,7 +32,7 @@ public:
     DemScene* solids() override { return p_.inside.scene.get(); }
     Coupling coupling() override
     {
-        return p_.solids.bodies ? Coupling{p_.solids.bodies->force(), p_.solids.subcycles}
+        return p_.solids.bodies ? Coupling{p_.solids.bodies->forces.force(), p_.solids.subcycles}
                                 : Coupling();
     }
     void watchMomentum(bool on) override { budget_.watch(on); }
@@ -40,7 +40,7 @@ public:
     std::vector<FluidForce> forcesOnWalls() override { return wallForces_.all(); }
     std::vector<FluidForce> forcesOnSolids() override
     {
-        return p_.solids.bodies ? p_.solids.bodies->forces() : std::vector<FluidForce>();
+        return p_.solids.bodies ? p_.solids.bodies->forces.forces() : std::vector<FluidForce>();
     }
     FluidEnergy energy() override { return readings_.energy(); }
     FluidExtremes extremes() override { return readings_.extremes(); }

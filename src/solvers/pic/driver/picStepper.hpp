@@ -86,18 +86,18 @@ void PicStepper<Backend, D, P>::step(double dt, PicReport& report)
     if (p_.cut.moves && !p_.cut.forStep) with_.cutter.cut(clock.time, dt);
     if (solids.bodies) with_.coupling.cutToWater();
     if (p_.opens()) with_.openings.setFaces(clock.time);
-    if (solids.bodies) solids.bodies->predict(dt, before);
+    if (solids.bodies) solids.bodies->forces.predict(dt, before);
     clock.lastKick = p_.set.kick(dt);
     with_.projection.project(clock.lastKick, dt);
     with_.budget.holdParticles();
     with_.transfer.toParticles(clock.lastKick);
     with_.budget.compareParticles();
-    if (solids.bodies && solids.bodies->contactVelocity() < 1) with_.coupling.slowBetween(dt);
+    if (solids.bodies && solids.bodies->set.contactVelocity < 1) with_.coupling.slowBetween(dt);
     with_.advection.move(dt);
     if (p_.opens()) with_.openings.inject(dt);
     if (!moveInside(dt, before))
     {
-        const bool finite = !solids.bodies || solids.bodies->finite();
+        const bool finite = !solids.bodies || solids.bodies->forces.finite();
         with_.guards.stopAtSolids(report,
             finite ? "was stopped by a guard of its contacts"
                    : "has a force of the water that is not a number");

@@ -116,7 +116,8 @@ void Projection<Backend, D, P>::project(double dt, double drift)
         p_.rows.eachCellOfBoth(context,
             WholePressure{pressure.step.wet(), pressure.p.data(), pressure.ahead.data(),
                 pressure.total.data(), dt});
-    if (solids.bodies) solids.bodies->act(solids.cut.gather(context, pressure.whole().data()));
+    if (solids.bodies)
+        solids.bodies->forces.act(solids.cut.gather(context, pressure.whole().data()));
     p_.rows.eachFace(context,
         [&](int d)
         {

@@ -52,7 +52,7 @@ double TimeStepControl<Backend, D, P>::step(double speed, std::string& limit) co
     if (p_.solids.bodies)
     {
         const double solid = courantStep(
-            config.maxCourant, grid.h, p_.solids.bodies->fastest(), std::sqrt(g2));
+            config.maxCourant, grid.h, p_.solids.bodies->table.fastest(), std::sqrt(g2));
         if (solid < dt) { dt = solid; limit = "solids"; }
     }
     const double viscous = viscousStep(grid.h, config.viscosity/config.density, D);

@@ -19,7 +19,7 @@
 #include "solvers/pic/parts/gridWalls.hpp"
 #include "solvers/pic/parts/openSides.hpp"
 #include "solvers/pic/parts/picParticleFields.hpp"
-#include "solvers/pic/picBodies.hpp"
+#include "solvers/pic/bodies/picBodies.hpp"
 
 namespace riprap
 {
