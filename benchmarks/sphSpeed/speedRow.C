@@ -38,7 +38,7 @@ std::string plain(std::string s)
 }
 
 //- Neighbours in a GPU's list, which holds those in the skin as well (defaults: skinRatio in
-//  src/solvers/sph/sphSetup.hpp)
+//  src/solvers/sph/parts/sphSetting.hpp)
 double listed(const SpeedOptions& o, const SpeedRow& r)
 {
     const double skin = o.skin >= 0 ? o.skin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "solvers/sph/sphAll.hpp"
+#include "solvers/sph/driver/sphAll.hpp"
 
 std::unique_ptr<riprap::SphScene> riprap::sphGpu2Double
 (const SphConfig& c, const FluidInput& f, const WallInput& w, WallMotion m, SolidPart s)

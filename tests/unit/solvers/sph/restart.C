@@ -77,7 +77,7 @@ protected:
         }
     }
 
-    //- The words with the checksum that fits them (FNV-1a, as in sphState.hpp)
+    //- The words with the checksum that fits them (FNV-1a, as in checkpointWords.hpp)
     static std::vector<std::int32_t> signedWords(std::vector<std::int32_t> words)
     {
         std::uint32_t h = 2166136261u;

@@ -1,4 +1,4 @@
-/*  The kernels of everything that is read back: see sphOutput.hpp.
+/*  The kernels of everything that is read back: see solvers/sph/driver/sphReadings.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */

@@ -1,4 +1,4 @@
-/*  SphSolver: another speed of sound between two steps, and what speaks for it.
+/*  Another speed of sound between two steps, and what speaks for it.
 
     With c' for c every particle keeps its pressure, d' = d'(p(d)), and so the forces at hand. The
     elastic energy, about p^2/(2 rho c^2) a unit volume, changes; the sum of these changes is kept
@@ -8,9 +8,10 @@
 */
 #pragma once
 
+#include <array>
 #include "core/loops/reduceMax.hpp"
-#include "solvers/sph/sphReadBack.hpp"
-#include "solvers/sph/sphSolver.hpp"
+#include "solvers/sph/driver/fluidPasses.hpp"
+#include "solvers/sph/parts/sphReadBack.hpp"
 
 namespace riprap
 {
@@ -69,48 +70,68 @@ struct AbsoluteDeviation
 };
 
 template<class Backend, int D, class P>
-std::array<std::size_t, SphScene::speedClasses> SphSolver<Backend, D, P>::fasterThan(
+class SoundSpeed
+{
+public:
+
+    using real = typename P::real;
+    using Counts = std::array<std::size_t, SphScene::speedClasses>;
+
+    SoundSpeed(SphParts<Backend, D, P>& parts, FluidPasses<Backend, D, P>& fluid)
+        : p_(parts), fluid_(fluid)
+    {}
+
+    // As SphScene has them
+    Counts fasterThan(const std::array<double, SphScene::speedClasses>&);
+    void setMaxVelocity(double maxVelocity, double soundSpeed);
+
+private:
+
+    SphParts<Backend, D, P>& p_;
+    FluidPasses<Backend, D, P>& fluid_;
+};
+
+template<class Backend, int D, class P>
+typename SoundSpeed<Backend, D, P>::Counts SoundSpeed<Backend, D, P>::fasterThan(
     const std::array<double, SphScene::speedClasses>& speeds)
 {
-    CountFaster<D, P, SphScene::speedClasses> count{fluidFields(), {}};
+    CountFaster<D, P, SphScene::speedClasses> count{p_.fluid.fields(), {}};
     for (int k = 0; k < SphScene::speedClasses; ++k) count.speed2[k] = speeds[k]*speeds[k];
     const auto sums = sumOver<SphScene::speedClasses>(
-        context_, activeFluid(), withoutGhosts(count, ghosts()));
-    std::array<std::size_t, SphScene::speedClasses> counts;
+        p_.set.context, p_.fluid.active(), withoutGhosts(count, p_.ghosts()));
+    Counts counts;
     for (int k = 0; k < SphScene::speedClasses; ++k) counts[k] = std::size_t(sums[k]);
     return counts;
 }
 
 template<class Backend, int D, class P>
-void SphSolver<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSpeed)
+void SoundSpeed<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundSpeed)
 {
     if (!(maxVelocity > 0 && soundSpeed > 0))
         throw std::invalid_argument("maxVelocity and the speed of sound must be positive");
-    const EquationOfState<real> before = model_.eos;
+    const EquationOfState<real> before = p_.set.model.eos;
     const auto elasticEnergy = [&]
     {
-        return sumOver<3>(context_, activeFluid(),
-            withoutGhosts(EnergySums<D, P>{box_, model_, fluidFields()}, ghosts()))[2];
+        return sumOver<3>(p_.set.context, p_.fluid.active(),
+            withoutGhosts(
+                EnergySums<D, P>{p_.set.box, p_.set.model, p_.fluid.fields()}, p_.ghosts()))[2];
     };
     const double elastic = elasticEnergy();
-    config_.maxVelocity = maxVelocity;
-    config_.soundSpeed = soundSpeed;
-    terms_ = TermParameters<D, real>(config_);
-    setModel();
-    real* deviation = fluid_.template data<real>(deviationField_);
-    const int n = activeFluid();
-    forEach(context_, n, KeepPressure<real>{before, model_.eos, deviation});
-    stiffening_ += elasticEnergy() - elastic;
+    p_.set.setMaxVelocity(maxVelocity, soundSpeed);
+    real* deviation = p_.fluid.values.template data<real>(p_.fluid.at.deviation);
+    const int n = p_.fluid.active();
+    forEach(p_.set.context, n, KeepPressure<real>{before, p_.set.model.eos, deviation});
+    p_.stiffening += elasticEnergy() - elastic;
     // the next step begins with the maxima of the last pass
-    readClock();
-    host_.maxima[1] = float(
-        reduceMax(context_, n, withoutGhosts(SignalSpeed<D, P>{model_, fluidFields()}, ghosts())));
-    host_.maxima[2] = float(
-        reduceMax(context_, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, ghosts())));
-    writeClock();
-    if (ranks_) { ranks_->agree(*clock_.data(), interrupted_); readClock(); }
-    refreshRecords();
-    if constexpr (Backend::gpu) parts_.graphs.recorded = false;
+    p_.clock.read();
+    p_.clock.now.maxima[1] = float(reduceMax(p_.set.context, n,
+        withoutGhosts(SignalSpeed<D, P>{p_.set.model, p_.fluid.fields()}, p_.ghosts())));
+    p_.clock.now.maxima[2] = float(reduceMax(
+        p_.set.context, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, p_.ghosts())));
+    p_.clock.write();
+    if (p_.ranks) { p_.ranks->agree(*p_.clock.data(), p_.interrupted); p_.clock.read(); }
+    fluid_.refreshRecords();
+    if constexpr (Backend::gpu) p_.memory.graphs.recorded = false;
 }
 
 } // namespace riprap
