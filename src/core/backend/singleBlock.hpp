@@ -50,7 +50,7 @@ struct Team
 static constexpr int teamThreads = 1024;
 
 template<int threads, class F>
-__global__ void __launch_bounds__(threads) oneBlockKernel(F f)
+__global__ void __launch_bounds__(threads) singleBlockKernel(F f)
 {
     Team team;
     team.index = int(threadIdx.x);
@@ -61,14 +61,14 @@ __global__ void __launch_bounds__(threads) oneBlockKernel(F f)
 template<int threads = teamThreads, class F>
 void singleBlock(Context<Gpu>& context, const F& f)
 {
-    profiled(
-        context, F::name, [&] { oneBlockKernel<threads><<<1, threads, 0, context.stream>>>(f); });
+    profiled(context, F::name,
+        [&] { singleBlockKernel<threads><<<1, threads, 0, context.stream>>>(f); });
 }
 
 static constexpr int nearThreads = 512;
 
 template<class F>
-__global__ void __launch_bounds__(nearThreads) oneBlockNearKernel(F f)
+__global__ void __launch_bounds__(nearThreads) singleBlockNearKernel(F f)
 {
     extern __shared__ float teamMemory[];
     Team team;
@@ -95,7 +95,7 @@ void singleBlock(Context<Gpu>& context, const F& f, int floats)
     const int most = nearRoom(context)*int(sizeof(float));
     profiled(context, F::name, [&]
     {
-        const auto kernel = &oneBlockNearKernel<F>;
+        const auto kernel = &singleBlockNearKernel<F>;
         checkCuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, most),
             F::name);
         kernel<<<1, nearThreads, floats*sizeof(float), context.stream>>>(f);
