@@ -2,8 +2,9 @@
 
     unitResults.py PROGRAM STATUS RESULTS.json LOG
 
-The results file is written at the end of a run: when there is none, the program died, and its log tells what passed before and
-which test it was in. A program that ends badly without a failed test (in a destructor, say) has failed as well.
+The results file is written at the end of a run: when there is none, the program died, and its log
+tells what passed before and which test it was in. A program that ends badly without a failed test
+(in a destructor, say) has failed as well.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/sceneNeeds.md: what a step of a scene takes, and with one thing less; whose each kernel and field is"""
+"""docs/sceneNeeds.md: what a step of a scene takes, and with one thing less; whose each kernel and
+field is"""
 import csv
 import fnmatch
 import os
@@ -19,7 +20,8 @@ def readRows(text):
     for row in rows:
         row['has'] = set(row['has'].split(';'))
         for column in ('kernelList', 'fieldList'):
-            row[column] = {name: float(value) for name, value in (part.rsplit('=', 1) for part in row[column].split(';'))}
+            row[column] = {name: float(value) for name, value in (
+                part.rsplit('=', 1) for part in row[column].split(';'))}
     return rows
 
 
@@ -31,17 +33,21 @@ def owners():
 def partsOf(table, solver, kind, name):
     """What needs a kernel or field: alternatives, each a set of parts; None: nobody knows"""
     prefix = ''
-    if solver != 'dem' and (name.startswith('solids: ') or kind == 'field' and name.startswith(ofSolids)):
+    if solver != 'dem' and (name.startswith('solids: ')
+                            or kind == 'field' and name.startswith(ofSolids)):
         solver, prefix, name = 'dem', 'solids/', name[8:] if kind == 'kernel' else name
     mine = [row for row in table if row['solver'] == solver and row['kind'] == kind]
-    found = [row for row in mine if row['name'] == name] or [row for row in mine if fnmatch.fnmatchcase(name, row['name'])]
+    found = ([row for row in mine if row['name'] == name]
+             or [row for row in mine if fnmatch.fnmatchcase(name, row['name'])])
     if not found:
         return None
-    return [{prefix + part for part in alternative.split('+')} for row in found for alternative in row['needs'].split(';')]
+    return [{prefix + part for part in alternative.split('+')} for row in found
+            for alternative in row['needs'].split(';')]
 
 
 def unneeded(row, table):
-    """Kernels that a scene runs and fields that it holds for a part that it does not have, or that no line of the table explains"""
+    """Kernels that a scene runs and fields that it holds for a part that it does not have, or that
+    no line of the table explains"""
     wrong = []
     for kind, column in (('kernel', 'kernelList'), ('field', 'fieldList')):
         for name in row[column]:
@@ -49,7 +55,8 @@ def unneeded(row, table):
             if parts is None:
                 wrong.append(f'{kind} {name} has no owner')
             elif not any(alternative <= row['has'] for alternative in parts):
-                wrong.append(f'{kind} {name} is for {" or ".join("+".join(sorted(p)) for p in parts)}')
+                wrong.append(
+                    f'{kind} {name} is for {" or ".join("+".join(sorted(p)) for p in parts)}')
     return wrong
 
 
@@ -64,7 +71,8 @@ def saved(row, whole):
 
 
 def table(rows, solver):
-    lines = [f'| without | kernels a step | fields | bytes a {itemOf[solver]} | time of a step |', '| --- | --- | --- | --- | --- |']
+    lines = [f'| without | kernels a step | fields | bytes a {itemOf[solver]} | time of a step |',
+             '| --- | --- | --- | --- | --- |']
     whole = None
     for row in rows:
         if row['solver'] != solver:
@@ -72,7 +80,8 @@ def table(rows, solver):
         if not row['without']:
             whole = row
             time = f"{number(row['time'])} µs" if float(row['time']) > 0 else '-'
-            lines.append(f"| **{row['scene']}** ({row['items']}) | {number(row['kernels'])} | {row['fields']} | {number(row['bytes'])} | {time} |")
+            lines.append(f"| **{row['scene']}** ({row['items']}) | {number(row['kernels'])} | "
+                         f"{row['fields']} | {number(row['bytes'])} | {time} |")
             continue
         kernels, fields = (len(set(whole[c]) - set(row[c])) for c in ('kernelList', 'fieldList'))
         gone = [f'{n} gone' if n else '' for n in (kernels, fields)]
@@ -89,7 +98,8 @@ def summary(rows, known):
     kernels = {(r['solver'], k) for r in rows for k in r['kernelList']}
     fields = {(r['solver'], f) for r in rows for f in r['fieldList']}
     wrong = sum(len(unneeded(r, known)) for r in rows)
-    return (f'{len(rows)} scenes run {len(kernels)} kernels and hold {len(fields)} fields. Kernels and fields of parts that a scene does not have: **{wrong}**.')
+    return (f'{len(rows)} scenes run {len(kernels)} kernels and hold {len(fields)} fields. '
+            f'Kernels and fields of parts that a scene does not have: **{wrong}**.')
 
 
 def fill(text, rows):
@@ -98,5 +108,8 @@ def fill(text, rows):
     parts['summary'] = summary(rows, owners())
     found = set(re.findall(r'<!-- generated (\w+)', text))
     if found != set(parts):
-        raise ValueError(f'docs/sceneNeeds.md: generated parts are {sorted(found)}, wanted {sorted(parts)}')
-    return re.sub(r'(<!-- generated (\w+)[^>]*-->).*?<!-- end -->', lambda m: f'{m.group(1)}\n\n{parts[m.group(2)]}\n\n<!-- end -->', text, flags=re.S)
+        raise ValueError(
+            f'docs/sceneNeeds.md: generated parts are {sorted(found)}, wanted {sorted(parts)}')
+    return re.sub(r'(<!-- generated (\w+)[^>]*-->).*?<!-- end -->',
+                  lambda m: f'{m.group(1)}\n\n{parts[m.group(2)]}\n\n<!-- end -->', text,
+                  flags=re.S)

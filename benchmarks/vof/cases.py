@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Case directories of interFoam and interIsoFoam: mesh, water and walls of riprap's tutorials
 
-Water and air with their viscosities; adaptive steps with Courant number 0.5; schemes and solvers of OpenFOAM's own
-damBreak tutorials. Waves and pools have no surface tension, as riprap has none.
+Water and air with their viscosities; adaptive steps with Courant number 0.5; schemes and solvers of
+OpenFOAM's own damBreak tutorials. Waves and pools have no surface tension, as riprap has none.
 """
 import os
 from dataclasses import dataclass, field
@@ -23,15 +23,18 @@ class Scene:
     maxDeltaT: float = 1
     tolerance: float = 1e-9         # of p_rgh
     interval: float = 0.005         # of what is measured [s]
-    probes: list = field(default_factory=list)      # of p at the far wall or the obstacle's front, above the floor [m]
+    # of p at the far wall or the obstacle's front, above the floor [m]
+    probes: list = field(default_factory=list)
     obstacle: tuple = ()            # a box on the floor: from x, to x, height [m]
 
 
 scenes = {
     'damBreak': Scene(0.584, 1.2, 0.5, (0.146, 0.292), sigma=0.07, walls='noSlip', tolerance=1e-7),
-    'dambreakPressure': Scene(1.61, 1, 0.95, (0.6, 0.3), sigma=0.07, walls='noSlip', tolerance=1e-7, probes=[0.003, 0.015, 0.03, 0.08, 0.06]),
+    'dambreakPressure': Scene(1.61, 1, 0.95, (0.6, 0.3), sigma=0.07, walls='noSlip', tolerance=1e-7,
+                              probes=[0.003, 0.015, 0.03, 0.08, 0.06]),
     # a slice of the tank of Kleefsman et al. (2005), seen from the other side
-    'damBreakBox': Scene(3.22, 1, 0.95, (1.228, 0.55), walls='noSlip', tolerance=1e-7, probes=[0.021, 0.061, 0.101, 0.141], obstacle=(2.3955, 2.5565, 0.161)),
+    'damBreakBox': Scene(3.22, 1, 0.95, (1.228, 0.55), walls='noSlip', tolerance=1e-7,
+                         probes=[0.021, 0.061, 0.101, 0.141], obstacle=(2.3955, 2.5565, 0.161)),
     'standingWave': Scene(1, 0.7, 8, (1, 0.5), periodic=True, maxDeltaT=0.005, interval=0.02),
     'hydrostatic': Scene(0.5, 0.375, 5, (0.5, 0.25), maxDeltaT=0.005, interval=0.25),
 }
@@ -54,10 +57,13 @@ def gauges(cell):
 def makeCase(case, solver, name, cell, walls, end, wave):
     scene = scenes[name]
     mesh(case, scene, cell)
-    write(case, 'system/setFieldsDict', 'dictionary', f'''defaultFieldValues (volScalarFieldValue alpha.water 0);
-regions (boxToCell {{ box (-1 -1 -1) ({scene.water[0]} {scene.water[1]} 1); fieldValues (volScalarFieldValue alpha.water 1); }});
+    write(case, 'system/setFieldsDict', 'dictionary',
+          f'''defaultFieldValues (volScalarFieldValue alpha.water 0);
+regions (boxToCell {{ box (-1 -1 -1) ({scene.water[0]} {scene.water[1]} 1); \
+fieldValues (volScalarFieldValue alpha.water 1); }});
 ''')
-    write(case, 'constant/g', 'uniformDimensionedVectorField', 'dimensions [0 1 -2 0 0 0 0];\nvalue (0 -9.81 0);\n')
+    write(case, 'constant/g', 'uniformDimensionedVectorField',
+          'dimensions [0 1 -2 0 0 0 0];\nvalue (0 -9.81 0);\n')
     write(case, 'constant/turbulenceProperties', 'dictionary', 'simulationType laminar;\n')
     write(case, 'constant/dynamicMeshDict', 'dictionary', 'dynamicFvMesh staticFvMesh;\n')
     write(case, 'constant/transportProperties', 'dictionary', f'''phases (water air);
@@ -81,7 +87,8 @@ def mesh(case, scene, cell):
     left { type cyclic; neighbourPatch right; faces ((0 4 7 3)); }
     right { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }'''
     write(case, 'system/blockMeshDict', 'dictionary', f'''scale 1;
-vertices ((0 0 0) ({W} 0 0) ({W} {H} 0) (0 {H} 0) (0 0 {cell}) ({W} 0 {cell}) ({W} {H} {cell}) (0 {H} {cell}));
+vertices ((0 0 0) ({W} 0 0) ({W} {H} 0) (0 {H} 0) \
+(0 0 {cell}) ({W} 0 {cell}) ({W} {H} {cell}) (0 {H} {cell}));
 blocks (hex (0 1 2 3 4 5 6 7) ({nx} {ny} 1) simpleGrading (1 1 1));
 boundary
 (
@@ -105,13 +112,16 @@ def meshAboutObstacle(case, scene, cell):
             v = [k + i + 4*j + d for k in (0, 12) for d in (0, 1, 5, 4)]
             n = [max(1, round(length/cell)) for length in (x[i + 1] - x[i], y[j + 1] - y[j])]
             blocks.append(f"hex ({' '.join(map(str, v))}) ({n[0]} {n[1]} 1) simpleGrading (1 1 1)")
-            for (di, dj), face in {(-1, 0): (0, 4, 7, 3), (1, 0): (1, 2, 6, 5), (0, -1): (0, 1, 5, 4), (0, 1): (3, 7, 6, 2)}.items():
+            for (di, dj), face in {(-1, 0): (0, 4, 7, 3), (1, 0): (1, 2, 6, 5),
+                                   (0, -1): (0, 1, 5, 4), (0, 1): (3, 7, 6, 2)}.items():
                 beside = (i + di, j + dj)
                 if beside in solid or not (0 <= beside[0] < 3 and 0 <= beside[1] < 2):
                     faces['atmosphere' if beside[1] == 2 else 'walls'].append([v[k] for k in face])
             faces['frontAndBack'] += [[v[k] for k in face] for face in ((0, 3, 2, 1), (4, 5, 6, 7))]
-    patches = '\n    '.join(f"{name} {{ type {kind}; faces ({' '.join('(' + ' '.join(map(str, f)) + ')' for f in faces[name])}); }}"
-                            for name, kind in (('walls', 'wall'), ('atmosphere', 'patch'), ('frontAndBack', 'empty')))
+    patches = '\n    '.join(
+        f"{name} {{ type {kind}; "
+        f"faces ({' '.join('(' + ' '.join(map(str, f)) + ')' for f in faces[name])}); }}"
+        for name, kind in (('walls', 'wall'), ('atmosphere', 'patch'), ('frontAndBack', 'empty')))
     lines = '\n    '.join(blocks)
     write(case, 'system/blockMeshDict', 'dictionary', f'''scale 1;
 vertices
@@ -130,7 +140,8 @@ boundary
 
 
 def waveVelocity(scene, cell, cells):
-    """Flat water that passes through rest level, with an amplitude of one cell; potential flow in the air above, too"""
+    """Flat water that passes through rest level, with an amplitude of one cell; potential flow in
+    the air above, too"""
     nx, ny = round(scene.width/cell), round(scene.height/cell)
     k, H = 2*np.pi/scene.width, scene.water[1]
     V = cells*cell*np.sqrt(9.81*k*np.tanh(k*H))
@@ -146,13 +157,17 @@ def waveVelocity(scene, cell, cells):
 def fields(case, scene, walls, velocity):
     ends = 'left { type cyclic; } right { type cyclic; } ' if scene.periodic else ''
     for name, kind, dimensions, wall, top in (
-            ('U', 'volVectorField', '[0 1 -1 0 0 0 0]', walls, 'pressureInletOutletVelocity; value uniform (0 0 0)'),
-            ('p_rgh', 'volScalarField', '[1 -1 -2 0 0 0 0]', 'fixedFluxPressure; value uniform 0', 'totalPressure; p0 uniform 0'),
-            ('alpha.water', 'volScalarField', '[0 0 0 0 0 0 0]', 'zeroGradient', 'inletOutlet; inletValue uniform 0; value uniform 0')):
+            ('U', 'volVectorField', '[0 1 -1 0 0 0 0]', walls,
+             'pressureInletOutletVelocity; value uniform (0 0 0)'),
+            ('p_rgh', 'volScalarField', '[1 -1 -2 0 0 0 0]', 'fixedFluxPressure; value uniform 0',
+             'totalPressure; p0 uniform 0'),
+            ('alpha.water', 'volScalarField', '[0 0 0 0 0 0 0]', 'zeroGradient',
+             'inletOutlet; inletValue uniform 0; value uniform 0')):
         zero = 'uniform (0 0 0)' if kind == 'volVectorField' else 'uniform 0'
         write(case, f'0/{name}', kind, f'''dimensions {dimensions};
 internalField {velocity if name == 'U' and velocity else zero};
-boundaryField {{ walls {{ type {wall}; }} {ends}atmosphere {{ type {top}; }} frontAndBack {{ type empty; }} }}
+boundaryField {{ walls {{ type {wall}; }} {ends}atmosphere {{ type {top}; }} \
+frontAndBack {{ type empty; }} }}
 ''')
 
 
@@ -172,9 +187,10 @@ laplacianSchemes {{ default Gauss linear corrected; }}
 interpolationSchemes {{ default linear; }}
 snGradSchemes {{ default corrected; }}
 ''')
-    alpha = ('isoFaceTol 1e-6; surfCellTol 1e-6; nAlphaBounds 3; snapTol 1e-12; clip true; nAlphaSubCycles 1; cAlpha 1;' if iso else
-             'nAlphaCorr 2; nAlphaSubCycles 1; cAlpha 1; MULESCorr yes; nLimiterIter 5; solver smoothSolver; '
-             'smoother symGaussSeidel; tolerance 1e-8; relTol 0;')
+    alpha = ('isoFaceTol 1e-6; surfCellTol 1e-6; nAlphaBounds 3; snapTol 1e-12; clip true; '
+             'nAlphaSubCycles 1; cAlpha 1;' if iso else
+             'nAlphaCorr 2; nAlphaSubCycles 1; cAlpha 1; MULESCorr yes; nLimiterIter 5; '
+             'solver smoothSolver; smoother symGaussSeidel; tolerance 1e-8; relTol 0;')
     write(case, 'system/fvSolution', 'dictionary', f'''solvers
 {{
     "alpha.water.*" {{ {alpha} }}
@@ -195,18 +211,24 @@ def control(case, solver, name, cell, end):
     top = round(scene.height/cell)*cell
 
     def columns(x):
-        lines = ' '.join(f'column{i} {{ type midPoint; axis y; start ({a:.10g} {0.01*cell:.10g} {middle:.10g}); end ({a:.10g} {top - 0.01*cell:.10g} {middle:.10g}); }}'
+        lines = ' '.join(f'column{i} {{ type midPoint; axis y; start ({a:.10g} {0.01*cell:.10g} '
+                         f'{middle:.10g}); end ({a:.10g} {top - 0.01*cell:.10g} {middle:.10g}); }}'
                          for i, a in enumerate(x))
-        return f'heights {{ type sets; libs (sampling); fields (alpha.water); interpolationScheme cell; setFormat raw; {sampled} sets ( {lines} ); }}\n'
+        return (f'heights {{ type sets; libs (sampling); fields (alpha.water); '
+                f'interpolationScheme cell; setFormat raw; {sampled} sets ( {lines} ); }}\n')
 
     functions, interval = '', end
     if scene.probes:
         wall = scene.obstacle[0] if scene.obstacle else scene.width
         points = ' '.join(f'({wall - 0.3*cell} {max(y, 0.01*cell)} {middle})' for y in scene.probes)
-        functions = f'wallProbes {{ type probes; libs (sampling); fields (p); writeControl timeStep; writeInterval 1; probeLocations ({points}); }}'
+        functions = (f'wallProbes {{ type probes; libs (sampling); fields (p); '
+                     f'writeControl timeStep; writeInterval 1; probeLocations ({points}); }}')
     elif name == 'damBreak':
-        functions = columns([middle]) + f'''    floor {{ type sets; libs (sampling); fields (alpha.water); interpolationScheme cell; setFormat raw; {sampled}
-        sets ( row {{ type midPoint; axis x; start (0 {middle} {middle}); end ({scene.width} {middle} {middle}); }} ); }}'''
+        functions = (columns([middle])
+                     + f'''    floor {{ type sets; libs (sampling); fields (alpha.water); \
+interpolationScheme cell; setFormat raw; {sampled}
+        sets ( row {{ type midPoint; axis x; start (0 {middle} {middle}); \
+end ({scene.width} {middle} {middle}); }} ); }}''')
     elif name == 'standingWave':
         functions = columns(gauges(cell))
     else:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Base cases: each tutorial once, meshed and filled on its coarsest setting; copies of them with one file changed"""
+"""Base cases: each tutorial once, meshed and filled on its coarsest setting; copies of them with
+one file changed"""
 import json
 import os
 import re
@@ -9,8 +10,10 @@ import sys
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), '..', '..'))
 NAME = 'mutate'                 # of the runs
-OTHER = {'blockMeshDict', 'decomposeParDict', 'fvSchemes'}      # not riprap's, or not used by what runs here
-READ = {'g', 'geometry', 'fluidProperties', 'sphProperties', 'picProperties', 'solidProperties', 'controlDict', 'fvSolution', 'fvSchemes', 'setParticlesDict'}
+# not riprap's, or not used by what runs here
+OTHER = {'blockMeshDict', 'decomposeParDict', 'fvSchemes'}
+READ = {'g', 'geometry', 'fluidProperties', 'sphProperties', 'picProperties', 'solidProperties',
+        'controlDict', 'fvSolution', 'fvSchemes', 'setParticlesDict'}
 
 QUICK = '''
 import importlib.util, json, sys
@@ -27,7 +30,8 @@ def tutorials(pattern=''):
     found = []
     for module in sorted(os.listdir(os.path.join(ROOT, 'tutorials'))):
         folder = os.path.join(ROOT, 'tutorials', module)
-        found += [module + '/' + t for t in sorted(os.listdir(folder)) if os.path.exists(os.path.join(folder, t, 'Allrun'))]
+        found += [module + '/' + t for t in sorted(os.listdir(folder))
+                  if os.path.exists(os.path.join(folder, t, 'Allrun'))]
     return [t for t in found if pattern in t]
 
 
@@ -38,10 +42,13 @@ def prepare(tutorial):
     if os.path.exists(os.path.join(base, 'log.setParticles')):
         return base, ''
     python = os.environ.get('RIPRAP_PYTHON', sys.executable)
-    environment = dict(os.environ, PYTHONPATH=os.path.join(ROOT, 'etc', 'python'), PYTHONDONTWRITEBYTECODE='1')
-    quick = subprocess.run([python, '-c', QUICK, os.path.join(folder, 'analysis.py'), folder], capture_output=True, text=True, env=environment)
+    environment = dict(os.environ, PYTHONPATH=os.path.join(ROOT, 'etc', 'python'),
+                       PYTHONDONTWRITEBYTECODE='1')
+    quick = subprocess.run([python, '-c', QUICK, os.path.join(folder, 'analysis.py'), folder],
+                           capture_output=True, text=True, env=environment)
     options = json.loads(quick.stdout) if quick.returncode == 0 else []
-    made = subprocess.run([os.path.join(folder, 'Allrun'), *options, '-name', NAME, '-noRun', '-noPlot'], capture_output=True, text=True, env=environment)
+    made = subprocess.run([os.path.join(folder, 'Allrun'), *options, '-name', NAME, '-noRun',
+                           '-noPlot'], capture_output=True, text=True, env=environment)
     if made.returncode:
         shutil.rmtree(base, ignore_errors=True)
         return None, made.stdout[-300:] + made.stderr[-300:]
@@ -52,13 +59,16 @@ def files(base):
     """Dictionaries that the case's solver reads, and what they include"""
     with open(os.path.join(base, 'system', 'controlDict')) as f:
         solver = re.search(r'^\s*solver\s+(\w+)', f.read(), re.M).group(1)
-    left = {'sphDem': {'picProperties', 'fvSolution'}, 'picDem': {'sphProperties'}, 'dem': {'sphProperties', 'picProperties', 'fluidProperties', 'fvSolution'}}[solver]
+    left = {'sphDem': {'picProperties', 'fvSolution'}, 'picDem': {'sphProperties'},
+            'dem': {'sphProperties', 'picProperties', 'fluidProperties', 'fvSolution'}}[solver]
     found = []
     for part in ('constant', 'system'):
         folder = os.path.join(base, part)
         for name in sorted(os.listdir(folder)):
             path = os.path.join(folder, name)
-            if name in OTHER | left or name.endswith('.py') or not os.path.isfile(path) or os.path.getsize(path) > 20000:
+            if (
+                    name in OTHER | left or name.endswith('.py') or not os.path.isfile(path)
+                    or os.path.getsize(path) > 20000):
                 continue
             with open(path, errors='replace') as f:
                 if 'FoamFile' in f.read(2000):
@@ -67,18 +77,22 @@ def files(base):
 
 
 def unused(base, file):
-    """Of a file that others include: does no dictionary but blockMeshDict use this entry as $name?"""
+    """Of a file that others include: does no dictionary but blockMeshDict use this entry as
+    $name?"""
     texts = []
     for other in files(base):
         with open(os.path.join(base, other)) as f:
             texts.append(f.read())
-    if not re.search(r'#include\s+"[^"]*\b%s"' % re.escape(os.path.basename(file)), '\n'.join(texts)) and file.split('/')[1] in READ:
+    if not re.search(r'#include\s+"[^"]*\b%s"' % re.escape(os.path.basename(file)),
+                     '\n'.join(texts)) and file.split('/')[1] in READ:
         return lambda e: False
-    return lambda e: not e.block and '/' not in e.path and not any(re.search(r'\$[{:.]*%s\b' % re.escape(e.path), t) for t in texts)
+    return (lambda e: not e.block and '/' not in e.path
+            and not any(re.search(r'\$[{:.]*%s\b' % re.escape(e.path), t) for t in texts))
 
 
 def mutant(base, folder, file, text):
-    """A copy in folder in which file has this text. Large things are links: a dry run writes nothing"""
+    """A copy in folder in which file has this text. Large things are links: a dry run writes
+    nothing"""
     os.makedirs(folder)
     for name in os.listdir(base):
         if name.startswith('log.') or name in ('postProcessing', 'VTK'):

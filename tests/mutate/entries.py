@@ -34,7 +34,8 @@ class Token:
 class Entry:
     path: str                   # walls/motion/gate
     name: Token
-    value: list = field(default_factory=list)       # tokens between name and ; or all of a block with its braces
+    # tokens between name and ; or all of a block with its braces
+    value: list = field(default_factory=list)
     end: int = 0                # of the entry with its ; or }
     block: bool = False
 

@@ -15,16 +15,19 @@ def including(case, file):
             if not os.path.isfile(path) or os.path.getsize(path) > 1e5:
                 continue
             with open(path, errors='replace') as f:
-                if re.search(r'#include\s+"[^"]*\b%s"' % re.escape(os.path.basename(file)), f.read()):
+                if re.search(r'#include\s+"[^"]*\b%s"' % re.escape(os.path.basename(file)),
+                             f.read()):
                     found.append(os.path.join(folder, name))
     return found
 
 
 def verdict(status, log, case, file, entry, neverRight):
-    """One of clear, runs, FINDINGS. status: exit status, None after the time limit; case: the folder without the mistake"""
+    """One of clear, runs, FINDINGS. status: exit status, None after the time limit; case: the
+    folder without the mistake"""
     if status is None:
         return 'hang'
-    if re.search(r'printStack|sigHandler|Segmentation|terminate called|core dumped|FOAM aborting', log) or status < 0 or status > 128:
+    if re.search(r'printStack|sigHandler|Segmentation|terminate called|core dumped|FOAM aborting',
+                 log) or status < 0 or status > 128:
         return 'crash'
     if status == 0:
         return 'senseless' if neverRight else 'runs'
@@ -38,7 +41,8 @@ def verdict(status, log, case, file, entry, neverRight):
     named = any(os.path.basename(f) in message for f in [file, *including(case, file)])
     parts = [p for p in entry.split('/') if p]
     word = parts[-1] if parts else ''
-    place = re.search(r'\b' + re.escape(word) + r'\b', message) or re.search(r'at line \d|from line \d|line \d', message)
+    place = (re.search(r'\b' + re.escape(word) + r'\b', message)
+             or re.search(r'at line \d|from line \d|line \d', message))
     return 'clear' if named and place and message.count('FOAM FATAL') == 1 else 'unclear'
 
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be wrong with an entry: kind -> new text of the file, or None where the kind does not apply"""
+"""What can be wrong with an entry: kind -> new text of the file, or None where the kind does not
+apply"""
 import random
 
 # Never right: if such a case runs, something has been ignored
-NEVER_RIGHT = {'word', 'dictionary', 'list', 'emptyList', 'empty', 'nan', 'inf', 'overflow', 'unbalanced', 'noSemicolon',
-               'unknownWord', 'number', 'value', 'dimensions', 'duplicate', 'selfInclude', 'surplus', 'misspelt'}
+NEVER_RIGHT = {'word', 'dictionary', 'list', 'emptyList', 'empty', 'nan', 'inf', 'overflow',
+               'unbalanced', 'noSemicolon', 'unknownWord', 'number', 'value', 'dimensions',
+               'duplicate', 'selfInclude', 'surplus', 'misspelt'}
 
 
 def replaced(text, begin, end, by):
@@ -41,7 +43,8 @@ def ofWord(new):
 def wholeValue(new, block):
     """The entry with another value; block: of dictionaries, else of values"""
     def mutate(text, e, file):
-        return replaced(text, e.name.end, e.end, new) if e.block == block and (e.value or block) else None
+        return (replaced(text, e.name.end, e.end, new) if e.block == block and (e.value or block)
+                else None)
     return mutate
 
 
@@ -49,7 +52,8 @@ def misspelt(text, e, file):
     name = e.name.text
     if len(name) < 3 or e.name.kind != 'word':
         return None
-    return replaced(text, e.name.begin, e.name.end, name[:-2] + name[-1] + name[-2] if name[-1] != name[-2] else name[:-1])
+    return replaced(text, e.name.begin, e.name.end,
+                    name[:-2] + name[-1] + name[-2] if name[-1] != name[-2] else name[:-1])
 
 
 def unbalanced(text, e, file):
@@ -64,12 +68,14 @@ def dimensions(text, e, file):
     brackets = [t for t in e.value if t.text in '[]'] if not e.block else []
     if brackets:
         return replaced(text, brackets[0].begin, brackets[-1].end, '[0 0 3 0 0 0 0]')
-    return replaced(text, e.value[0].begin, e.value[0].begin, '[0 0 3 0 0 0 0] ') if len(numbers(e)) == len(e.value) == 1 else None
+    return (replaced(text, e.value[0].begin, e.value[0].begin, '[0 0 3 0 0 0 0] ')
+            if len(numbers(e)) == len(e.value) == 1 else None)
 
 
 def surplus(text, e, file):
     one = len(e.value) == 1 and (e.value[0].number or e.value[0].plain)
-    return replaced(text, e.end - 1, e.end, ' 17 banana;') if one and text[e.end - 1] == ';' else None
+    return (replaced(text, e.end - 1, e.end, ' 17 banana;') if one and text[e.end - 1] == ';'
+            else None)
 
 
 MUTATIONS = {
@@ -97,8 +103,11 @@ MUTATIONS = {
     'emptyDictionary': wholeValue(' {}', True),
     'dimensions': dimensions,
     'surplus': surplus,
-    'noSemicolon': lambda text, e, file: replaced(text, e.end - 1, e.end, '') if not e.block and text[e.end - 1] == ';' else None,
+    'noSemicolon': lambda text, e, file: replaced(text, e.end - 1, e.end, '')
+    if not e.block and text[e.end - 1] == ';' else None,
     'unbalanced': unbalanced,
-    'duplicate': lambda text, e, file: replaced(text, e.end, e.end, '\n' + text[e.name.begin:e.end]),
-    'selfInclude': lambda text, e, file: replaced(text, e.name.begin, e.name.begin, '#include "%s"\n' % file),
+    'duplicate': lambda text, e, file: replaced(text, e.end, e.end,
+                                                '\n' + text[e.name.begin:e.end]),
+    'selfInclude': lambda text, e, file: replaced(text, e.name.begin, e.name.begin,
+                                                  '#include "%s"\n' % file),
 }

@@ -4,9 +4,10 @@
 
     sameClouds.py CASE TIME OTHER OTHERTIME [--whole] [--close] [--fluid]
 
-CASE is read from its processors' folders, with --whole from its own time; OTHER from its own time. Files are binary. Particles are
-compared by origId (id of the fluid): their fields to the bit, with --close positions to 1e-9 m. Prints what differs and exits with 1, else how
-many particles there are.
+CASE is read from its processors' folders, with --whole from its own time; OTHER from its own time.
+Files are binary. Particles are compared by origId (id of the fluid): their fields to the bit, with
+--close positions to 1e-9 m. Prints what differs and exits with 1, else how many particles there
+are.
 """
 import glob
 import os
@@ -69,10 +70,12 @@ def main(arguments):
     for number, fields in a.items():
         for name, value in fields.items():
             there = b[number].get(name, ())
-            near = close and name == 'positions' and all(abs(x - y) <= 1e-9 for x, y in zip(value, there))
+            near = (close and name == 'positions'
+                    and all(abs(x - y) <= 1e-9 for x, y in zip(value, there)))
             if value != there and not near:
                 wrong.setdefault(name, []).append(number)
-    print('; '.join(f'{name} of {len(numbers)}, {numbers[0]} the first' for name, numbers in wrong.items()) or f'{len(a)} particles')
+    print('; '.join(f'{name} of {len(numbers)}, {numbers[0]} the first'
+                    for name, numbers in wrong.items()) or f'{len(a)} particles')
     return bool(wrong)
 
 

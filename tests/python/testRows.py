@@ -17,15 +17,18 @@ sys.path.insert(0, os.path.join(root, 'benchmarks'))
 from riprap import convergence, records, rows  # noqa: E402  (after the path)
 from pages import rowsPage, workPrecisionTables  # noqa: E402
 
-stick = {'scene': 'pool', 'file': 'pool', 'runs': '.*', 'chance': r'chance\d', 'quantity': 'level', 'dimensions': '2', 'length': '1', 'lengthIs': 'depth', 'kind': 'waves',
+stick = {'scene': 'pool', 'file': 'pool', 'runs': '.*', 'chance': r'chance\d', 'quantity': 'level',
+         'dimensions': '2', 'length': '1', 'lengthIs': 'depth', 'kind': 'waves',
          'yardstick': 'exact', 'of': 'the level', 'use': 'yes', 'reason': ''}
 
 
 def row(run, spacing, error, wall, **more):
     r = dict.fromkeys(records.columns, '')
-    r.update(date='2026-01-01', scene='pool', run=run, model='picDem', settings='transfer=flip', spacing=str(spacing), particles='1000', precision='mixed',
-             device='AMD EPYC, 1 threads', quantity='level', error=str(error), wallTime=str(wall), steps='100', particleSteps='1e5', machine='AMD EPYC (2 threads)',
-             simulated='2', kind='relative')
+    r.update(date='2026-01-01', scene='pool', run=run, model='picDem', settings='transfer=flip',
+             spacing=str(spacing), particles='1000', precision='mixed',
+             device='AMD EPYC, 1 threads', quantity='level', error=str(error), wallTime=str(wall),
+             steps='100', particleSteps='1e5', machine='AMD EPYC (2 threads)', simulated='2',
+             kind='relative')
     r.update(more)
     return r
 
@@ -49,7 +52,8 @@ class Convergence(unittest.TestCase):
         self.assertIsNone(convergence.order([0.1, 0.05], [1, 0]))
         self.assertIsNone(convergence.order([0.1, 0.05], [1, 2]).deviation)
         # with 5 % of scatter the slope lies within two standard errors
-        noisy = convergence.order([0.1, 0.05, 0.02, 0.01], [3*x**1.7*f for x, f in zip([0.1, 0.05, 0.02, 0.01], (1.05, 0.95, 1.05, 0.95))])
+        noisy = convergence.order([0.1, 0.05, 0.02, 0.01], [
+            3*x**1.7*f for x, f in zip([0.1, 0.05, 0.02, 0.01], (1.05, 0.95, 1.05, 0.95))])
         self.assertLess(abs(noisy.order - 1.7), 2*noisy.deviation)
         self.assertGreater(noisy.deviation, 0.01)
 
@@ -76,25 +80,30 @@ class Convergence(unittest.TestCase):
 
 class Rows(unittest.TestCase):
     def testLuckEarnsNothing(self):
-        mine = rows.series(loaded([row('n10', 0.1, 0.001, 1), row('n20', 0.05, 0.04, 8), row('n40', 0.025, 0.01, 64)]))[0]
+        mine = rows.series(loaded([row('n10', 0.1, 0.001, 1), row('n20', 0.05, 0.04, 8),
+                                   row('n40', 0.025, 0.01, 64)]))[0]
         self.assertEqual([p.kept for p in mine.points], [0.04, 0.04, 0.01])
         self.assertEqual(mine.verdict, 'falls')
-        rising = rows.series(loaded([row('n10', 0.1, 0.001, 1), row('n20', 0.05, 0.02, 8), row('n40', 0.025, 0.03, 64)]))[0]
+        rising = rows.series(loaded([row('n10', 0.1, 0.001, 1), row('n20', 0.05, 0.02, 8),
+                                     row('n40', 0.025, 0.03, 64)]))[0]
         self.assertEqual(rising.verdict, 'does not fall')
         self.assertEqual({p.kept for p in rising.points}, {0.03})
 
     def testScenesWithoutFallAreLeftOut(self):
-        judged = rows.scenes(rows.series(loaded([row('n10', 0.1, 0.1, 1), row('n20', 0.05, 0.09, 8), row('n40', 0.025, 0.1, 64)])))
+        judged = rows.scenes(rows.series(loaded([row('n10', 0.1, 0.1, 1), row('n20', 0.05, 0.09, 8),
+                                                 row('n40', 0.025, 0.1, 64)])))
         self.assertEqual(judged['pool'][1], 'no series falls with its spacing')
 
     def testNewestCountsWithTheShortestTimeOfItsSteps(self):
-        found = loaded([row('n10', 0.1, 0.2, 1, steps='50'), row('n10', 0.1, 0.1, 4), row('n10', 0.1, 0.1, 6)])
+        found = loaded([row('n10', 0.1, 0.2, 1, steps='50'), row('n10', 0.1, 0.1, 4),
+                        row('n10', 0.1, 0.1, 6)])
         used = [r for r in found if not r.left]
         self.assertEqual([(r.error, r.cost) for r in used], [(0.1, 2.0)])
         self.assertEqual([r.left for r in found[:2]], ['a newer row of the same settings']*2)
 
     def testChanceMakesABand(self):
-        point = rows.series(loaded([row('n10', 0.1, 0.1, 1), row('n10-chance1', 0.1, 0.14, 1), row('n10-chance2', 0.1, 0.11, 1)]))[0].points[0]
+        point = rows.series(loaded([row('n10', 0.1, 0.1, 1), row('n10-chance1', 0.1, 0.14, 1),
+                                    row('n10-chance2', 0.1, 0.11, 1)]))[0].points[0]
         self.assertEqual((point.low, point.error, point.high), (0.1, 0.11, 0.14))
 
     def testWhatIsLeftOut(self):
@@ -107,26 +116,35 @@ class Rows(unittest.TestCase):
         self.assertEqual(reason(spacing=''), 'no spacing')
         self.assertEqual(reason(wallTime=''), 'no cost recorded')
         self.assertEqual(reason(quantity='another'), 'no yardstick named')
-        self.assertEqual(loaded([row('n10', 0.1, 0.1, 1)], [dict(stick, use='no', reason='a gate')])[0].left, 'a gate')
+        self.assertEqual(loaded([row('n10', 0.1, 0.1, 1)],
+                                [dict(stick, use='no', reason='a gate')])[0].left, 'a gate')
 
     def testPlaces(self):
         self.assertEqual(loaded([row('n10', 0.1, 0.1, 1)])[0].place, 'CPU, one thread')
-        self.assertEqual(loaded([row('n10', 0.1, 0.1, 1, device='Intel', machine='Xeon (16 threads)')])[0].place, 'CPU, several threads')
+        self.assertEqual(
+            loaded([row('n10', 0.1, 0.1, 1, device='Intel', machine='Xeon (16 threads)')])[0].place,
+            'CPU, several threads')
         self.assertEqual(loaded([row('n10', 0.1, 0.1, 1, device='NVIDIA H200')])[0].place, 'GPU')
 
     def testNames(self):
-        for name, variant in {'n50-apic': 'apic', 'tank2D-coarse': 'tank2D', 'dp1.25-freeSlip': 'freeSlip', 'n40-half': 'half', 'column-half-cpu': '', 'square16': 'square',
-                              'hexagonal4-counted': 'hexagonal-counted', '2d-0.001-a5-edges': '2d-0.001-edges', 'wide-dp5': 'wide'}.items():
+        for name, variant in {'n50-apic': 'apic', 'tank2D-coarse': 'tank2D',
+                              'dp1.25-freeSlip': 'freeSlip', 'n40-half': 'half',
+                              'column-half-cpu': '',
+                              'square16': 'square', 'hexagonal4-counted': 'hexagonal-counted',
+                              '2d-0.001-a5-edges': '2d-0.001-edges', 'wide-dp5': 'wide'}.items():
             self.assertEqual(rows.variantOf(name), variant)
         self.assertEqual(rows.variantOf('heave-0.25', r'-0(\.\d+)?'), 'heave')
 
     def testFronts(self):
-        found = loaded([row('n10', 0.1, 0.1, 1), row('n20', 0.05, 0.02, 8), row('n10-apic', 0.1, 0.09, 4, settings='transfer=apic'), row('n20-apic', 0.05, 0.01, 6, settings='transfer=apic'),
+        found = loaded([row('n10', 0.1, 0.1, 1), row('n20', 0.05, 0.02, 8),
+                        row('n10-apic', 0.1, 0.09, 4, settings='transfer=apic'),
+                        row('n20-apic', 0.05, 0.01, 6, settings='transfer=apic'),
                         row('n20-pic', 0.05, 1e-3, 1, settings='transfer=pic')])
         mine, why = rows.scenes(rows.series(found))['pool']
         self.assertEqual(why, '')
         front = rows.fronts(mine)['picDem', 'CPU, one thread']
-        self.assertEqual([(c[0], c[1]) for c in front], [(0.5, 0.1), (2.0, 0.09), (3.0, 0.01)])         # one spacing of pic makes none
+        # one spacing of pic makes none
+        self.assertEqual([(c[0], c[1]) for c in front], [(0.5, 0.1), (2.0, 0.09), (3.0, 0.01)])
         self.assertEqual(rows.cheapest(front, 0.05)[0], 3.0)
         self.assertIsNone(rows.cheapest(front, 0.001))
 
@@ -152,25 +170,32 @@ class Repository(unittest.TestCase):
 
     def testTheGateIsNoYardstick(self):
         self.assertNotIn('damBreak', self.judged)
-        own = [v for v in workPrecisionTables.ownSeries(self.loaded) if v[:2] == ('damBreak', 'picDem')]
+        own = [v for v in workPrecisionTables.ownSeries(self.loaded)
+               if v[:2] == ('damBreak', 'picDem')]
         limit = convergence.richardson(own[0][4], own[0][5])
         self.assertLess(abs(limit.value - 0.115), 0.005)
 
     def testKnownOrders(self):
         """What the pages of verification say of orders"""
-        orders = {(scene, s.solver, s.variant, s.settings.count('ratio=2.5')): s.order.order for scene, (mine, _) in self.judged.items() for s in mine if s.order}
+        orders = {(scene, s.solver, s.variant, s.settings.count('ratio=2.5')): s.order.order
+                  for scene, (mine, _) in self.judged.items() for s in mine if s.order}
         self.assertAlmostEqual(orders['standingWave', 'sphDem', '', 1], 2.0, delta=0.1)
         self.assertAlmostEqual(orders['poiseuille', 'picDem', '', 0], 2.1, delta=0.1)
-        self.assertLess(orders['standingWave', 'sphDem', '', 0], 0)         # h of two spacings: the lattice, docs/theory.md
+        # h of two spacings: the lattice, docs/theory.md
+        self.assertLess(orders['standingWave', 'sphDem', '', 0], 0)
 
     def testPage(self):
         text = rowsPage.page(self.loaded, self.judged, rows.peers())
-        self.assertNotRegex(text, r'(src|href)\s*=|https?://(?!www\.w3\.org/2000/svg)|@import|fetch\(|XMLHttpRequest')
-        data = json.loads(re.search(r'const data = (\{.*?\});\n', text, re.S).group(1).replace('<\\/', '</'))
+        self.assertNotRegex(
+            text,
+            r'(src|href)\s*=|https?://(?!www\.w3\.org/2000/svg)|@import|fetch\(|XMLHttpRequest')
+        data = json.loads(re.search(r'const data = (\{.*?\});\n', text,
+                                    re.S).group(1).replace('<\\/', '</'))
         self.assertEqual(len(data['rows']), len(self.loaded) + len(rows.peers()))
         left = data['columns'].index('left')
         reasons = {data['table'][r[left]] for r in data['rows']}
-        self.assertIn('the gate of the experiment is not modelled: finer runs are farther off', reasons)
+        self.assertIn('the gate of the experiment is not modelled: finer runs are farther off',
+                      reasons)
         self.assertIn('', reasons)
 
     def testPageRuns(self):
@@ -179,10 +204,12 @@ class Repository(unittest.TestCase):
             subprocess.run(['node', '--version'], check=True, capture_output=True)
         except (OSError, subprocess.CalledProcessError):
             self.skipTest('no node')
-        script = re.search(r'<script>\n(.*)</script>', rowsPage.page(self.loaded, self.judged, rows.peers()), re.S).group(1)
+        script = re.search(r'<script>\n(.*)</script>',
+                           rowsPage.page(self.loaded, self.judged, rows.peers()), re.S).group(1)
         with open(os.path.join(root, 'tests', 'python', 'pageOfNothing.js')) as f:
             nothing = f.read()
-        done = subprocess.run(['node', '-'], input=nothing.replace('SCRIPT', script), capture_output=True, text=True)
+        done = subprocess.run(['node', '-'], input=nothing.replace('SCRIPT', script),
+                              capture_output=True, text=True)
         self.assertEqual((done.stdout.strip(), done.returncode), ('ok', 0), done.stderr)
 
     def testYardsticksAreChecked(self):

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes a random case of sphDem with an empty sphProperties: makeScene.py SEED FOLDER [scale]
 
-A tank (open or with a lid, level or tilted by gravity's direction), water columns, blocks of water that fly, obstacles, bodies that fall, rise or are
-thrown, a wall or a tank that moves; 2D and 3D; speeds to 10 m/s; 1 to 8 s. scale: particles per length against the coarse scene (1).
+A tank (open or with a lid, level or tilted by gravity's direction), water columns, blocks of water
+that fly, obstacles, bodies that fall, rise or are thrown, a wall or a tank that moves; 2D and 3D;
+speeds to 10 m/s; 1 to 8 s. scale: particles per length against the coarse scene (1).
 """
 import math
 import os
@@ -30,7 +31,8 @@ def write(folder, place, name, text, cls='dictionary'):
 
 
 class Scene:
-    """Lengths in units of the spacing until they are written: columns and shelves of a grid keep everything apart"""
+    """Lengths in units of the spacing until they are written: columns and shelves of a grid keep
+    everything apart"""
 
     def __init__(self, seed, scale):
         r = self.r = random.Random(seed)
@@ -46,7 +48,9 @@ class Scene:
         self.scale = s
         self.fluids, self.bodies, self.obstacles, self.materials = [], [], [], []
         self.motion = None
-        self.moved = {}         # of what moves: shift along x [m] and angle about y [rad] at a time, once its files are made
+        # of what moves: shift along x [m] and angle about y [rad] at a time, once its files are
+        # made
+        self.moved = {}
         self.fill()
 
     def speed(self):
@@ -72,7 +76,8 @@ class Scene:
         if r.random() < 0.6:
             w, h = int(r.uniform(3, 6)*s), int(r.uniform(3, 8)*s)
             x = int(r.uniform(0.55, 0.75)*self.nx)
-            self.obstacles.append((r.choice(['box', 'cylinder', 'box', 'plate']), x, w, h, depthOfPool > 0))
+            self.obstacles.append((r.choice(['box', 'cylinder', 'box', 'plate']), x, w, h,
+                                   depthOfPool > 0))
         # water that flies
         free = self.nz - max(used, deep if kind != 'pool' else 0)
         if r.random() < 0.5 and free > 14*s:
@@ -96,7 +101,8 @@ class Scene:
             self.bodies.append((x, z, a, r.choice([300, 600, 1500, 3000, 7800]), v))
         if r.random() < 0.25 and not self.bodies:
             self.motion = r.choice(['paddle', 'tank'])
-        self.end = min(8, max(1, r.choice([1, 2, 3])*math.sqrt(self.dp/0.005)*(1 if self.dim == 2 else 0.5)))
+        self.end = min(
+            8, max(1, r.choice([1, 2, 3])*math.sqrt(self.dp/0.005)*(1 if self.dim == 2 else 0.5)))
 
     def floorPotential(self):
         """Potential of a unit mass in the lowest corner of the tank [m2/s2]"""
@@ -104,15 +110,16 @@ class Scene:
         return min(-gx*x*self.dp - gz*z*self.dp for x in (0, self.nx) for z in (0, self.nz))
 
     def behind(self, x, time):
-        """How many of these positions (n, 3) [m] are in a wall at this time: outside the tank but through its open top, in a box, a cylinder or
-        the paddle. Plates have no inside"""
+        """How many of these positions (n, 3) [m] are in a wall at this time: outside the tank but
+        through its open top, in a box, a cylinder or the paddle. Plates have no inside"""
         d, near = self.dp, 1e-3*self.dp
         _, angle = self.moved.get('tank', lambda t: (0, 0))(time)
         across, up = x[:, 0] - 0.5*self.nx*d, x[:, 2]
         # into the frame of a tank that turns about y
         X = 0.5*self.nx*d + math.cos(angle)*across - math.sin(angle)*up
         Y, Z = x[:, 1], math.sin(angle)*across + math.cos(angle)*up
-        inside = self.inBox((X, Y, Z), (0, 0, 0), (self.nx*d, self.ny*d, self.nz*d if self.lid else 1e30), -near)
+        inside = self.inBox((X, Y, Z), (0, 0, 0),
+                            (self.nx*d, self.ny*d, self.nz*d if self.lid else 1e30), -near)
         count = ~inside
         for kind, at, w, h, _ in self.obstacles:
             if kind == 'box':
@@ -122,7 +129,8 @@ class Scene:
                 count |= (X - at*d)**2 + (Z - (h + w)*d)**2 < (0.5*w*d - near)**2
         if 'paddle' in self.moved:
             shift = self.moved['paddle'](time)[0]
-            count |= self.inBox((X - shift, Y, Z), (6*d, -1e30, 0), (9*d, 1e30, (self.nz - 4)*d), near)
+            count |= self.inBox((X - shift, Y, Z), (6*d, -1e30, 0), (9*d, 1e30, (self.nz - 4)*d),
+                                near)
         return int(count.sum())
 
     def inBox(self, x, low, high, by):
@@ -141,7 +149,8 @@ class Scene:
         return (self.ny/2 - a/2)*self.dp, (self.ny/2 + a/2)*self.dp
 
     def inBody(self, x, before, now):
-        """How many of these positions (n, 3) are deeper in the body than a tenth of a spacing, by the positions of its particles at the start and now"""
+        """How many of these positions (n, 3) are deeper in the body than a tenth of a spacing, by
+        the positions of its particles at the start and now"""
         X, Z, a = self.bodies[0][:3]
         y, yy = self.depthOfBody(a)
         middle, centre = before.mean(0), now.mean(0)
@@ -149,7 +158,8 @@ class Scene:
         u, _, v = np.linalg.svd((before - middle).T @ (now - centre))
         turn = v.T @ np.diag([1, 1, np.linalg.det(v.T @ u.T)]) @ u.T
         own = (x - centre) @ turn + middle
-        return int(np.sum(self.inBox(own.T, (X*self.dp, y, Z*self.dp), ((X + a)*self.dp, yy, (Z + a)*self.dp), 0.1*self.dp)))
+        return int(np.sum(self.inBox(own.T, (X*self.dp, y, Z*self.dp),
+                                     ((X + a)*self.dp, yy, (Z + a)*self.dp), 0.1*self.dp)))
 
     # * * * files
 
@@ -162,38 +172,54 @@ class Scene:
         L, W, H = self.nx*d, self.ny*d, self.nz*d
         sides = '(0 1 5 4) (3 7 6 2)'
         top = '(4 5 6 7)'
-        patches = 'floor { type wall; faces ((0 3 2 1)); } left { type wall; faces ((0 4 7 3)); } right { type wall; faces ((1 2 6 5)); }\n'
-        patches += ('sides { type wall; faces (%s); }\n' if self.dim == 3 else 'frontAndBack { type empty; faces (%s); }\n') % sides
+        patches = ('floor { type wall; faces ((0 3 2 1)); } left { type wall; faces ((0 4 7 3)); } '
+                   'right { type wall; faces ((1 2 6 5)); }\n')
+        patches += ('sides { type wall; faces (%s); }\n' if self.dim == 3
+                    else 'frontAndBack { type empty; faces (%s); }\n') % sides
         patches += 'top { type %s; faces (%s); }\n' % ('wall' if self.lid else 'patch', top)
-        write(folder, 'system', 'blockMeshDict', 'scale 1;\nvertices ((0 0 0) (%g 0 0) (%g %g 0) (0 %g 0) (0 0 %g) (%g 0 %g) (%g %g %g) (0 %g %g));\n'
+        write(folder, 'system', 'blockMeshDict',
+              'scale 1;\nvertices ((0 0 0) (%g 0 0) (%g %g 0) (0 %g 0) (0 0 %g) (%g 0 %g) '
+              '(%g %g %g) (0 %g %g));\n'
               % (L, L, W, W, H, L, H, L, W, H, W, H) +
-              'blocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (1 1 1));\nedges ();\nboundary\n(\n%s);\nmergePatchPairs ();\n'
+              'blocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (1 1 1));\nedges ();\n'
+              'boundary\n(\n%s);\nmergePatchPairs ();\n'
               % (max(2, self.nx//4), max(1, self.ny//4), max(2, self.nz//4), patches))
         regions = ''
         for k, (x0, z0, x1, z1, u) in enumerate(self.fluids):
             velocity = 'velocity (%g 0 %g);' % u if u else ''
             pressure = 'pressure zero;' if u and u[1] else ''
-            regions += 'water%d { set fluid; source box; box %s; clip yes; %s %s }\n' % (k, self.box(x0, z0, x1, z1), velocity, pressure)
+            regions += ('water%d { set fluid; source box; box %s; clip yes; %s %s }\n'
+                        % (k, self.box(x0, z0, x1, z1), velocity, pressure))
         for k, (x, z, a, rho, v) in enumerate(self.bodies):
             y, yy = self.depthOfBody(a)
-            regions += ('body%d { set solids; source box; box (%g %g %g) (%g %g %g); radius %g; material m%d; group body%d; rigid yes; mass cell; velocity (0 0 %g); }\n'
+            regions += ('body%d { set solids; source box; box (%g %g %g) (%g %g %g); radius %g; '
+                        'material m%d; group body%d; rigid yes; mass cell; velocity (0 0 %g); }\n'
                         % (k, x*d, y, z*d, (x + a)*d, yy, (z + a)*d, 0.5*d, k, k, -v))
-        write(folder, 'system', 'setParticlesDict', 'spacing %g;\nregions\n(\n%s);\n' % (d, regions))
+        write(folder, 'system', 'setParticlesDict',
+              'spacing %g;\nregions\n(\n%s);\n' % (d, regions))
         self.geometry(folder)
         g = 9.81
-        write(folder, 'constant', 'g', 'dimensions [0 1 -2 0 0 0 0];\nvalue (%g 0 %g);\n' % (g*math.sin(self.tilt), -g*math.cos(self.tilt)),
-              'uniformDimensionedVectorField')
+        write(folder, 'constant', 'g', 'dimensions [0 1 -2 0 0 0 0];\nvalue (%g 0 %g);\n'
+              % (g*math.sin(self.tilt), -g*math.cos(self.tilt)), 'uniformDimensionedVectorField')
         write(folder, 'constant', 'fluidProperties', 'rho 1000;\nmu 1e-3;\n')
         write(folder, 'constant', 'sphProperties', self.walls())
         if self.bodies:
             self.solids(folder)
-        energies = 'solids { type solidEnergies; libs ("libriprapFoam.so"); }\n' if self.bodies else ''
-        write(folder, 'system', 'controlDict', 'application riprapFoam;\nsolver sphDem;\nstartFrom startTime;\nstartTime 0;\nstopAt endTime;\nendTime %g;\n'
-              % self.end + 'deltaT 1e-5;\nadjustTimeStep yes;\nsampleInterval %g;\nwriteControl adjustableRunTime;\nwriteInterval %g;\n'
-              % (self.end/100, self.end/2) + 'writeFormat binary;\nwritePrecision 10;\ntimeFormat general;\ntimePrecision 8;\nrunTimeModifiable no;\n'
-              'functions\n{\nenergy { type energyBalance; libs ("libriprapFoam.so"); }\n%s}\n' % energies)
+        energies = ('solids { type solidEnergies; libs ("libriprapFoam.so"); }\n' if self.bodies
+                    else '')
+        write(folder, 'system', 'controlDict',
+              'application riprapFoam;\nsolver sphDem;\nstartFrom startTime;\nstartTime 0;\n'
+              'stopAt endTime;\nendTime %g;\n'
+              % self.end + 'deltaT 1e-5;\nadjustTimeStep yes;\nsampleInterval %g;\n'
+                           'writeControl adjustableRunTime;\nwriteInterval %g;\n'
+              % (self.end/100, self.end/2) + 'writeFormat binary;\nwritePrecision 10;\ntimeFormat '
+                                             'general;\ntimePrecision 8;\nrunTimeModifiable no;\n'
+              'functions\n{\nenergy { type energyBalance; libs ("libriprapFoam.so"); }\n'
+              '%s}\n' % energies)
         for name in ('fvSchemes',):
-            write(folder, 'system', name, 'ddtSchemes {}\ngradSchemes {}\ndivSchemes {}\nlaplacianSchemes {}\ninterpolationSchemes {}\nsnGradSchemes {}\n')
+            write(folder, 'system', name,
+                  'ddtSchemes {}\ngradSchemes {}\ndivSchemes {}\nlaplacianSchemes {}\n'
+                  'interpolationSchemes {}\nsnGradSchemes {}\n')
 
     def geometry(self, folder):
         d, text = self.dp, ''
@@ -201,14 +227,18 @@ class Scene:
         for k, (kind, x, w, h, inPool) in enumerate(self.obstacles):
             if kind == 'box':
                 y0, y1 = (-W, 2*W) if self.dim == 2 else (0.25*W, 0.75*W)
-                text += 'obstacle%d { type searchableBox; min (%g %g 0); max (%g %g %g); }\n' % (k, x*d, y0, (x + w)*d, y1, h*d)
+                text += ('obstacle%d { type searchableBox; min (%g %g 0); max (%g %g %g); }\n'
+                         % (k, x*d, y0, (x + w)*d, y1, h*d))
             elif kind == 'cylinder':
                 z = (h + w)*d
-                text += 'obstacle%d { type searchableCylinder; point1 (%g %g %g); point2 (%g %g %g); radius %g; }\n' % (k, x*d, -W, z, x*d, 2*W, z, 0.5*w*d)
+                text += ('obstacle%d { type searchableCylinder; point1 (%g %g %g); point2 (%g %g '
+                         '%g); radius %g; }\n' % (k, x*d, -W, z, x*d, 2*W, z, 0.5*w*d))
             else:
-                text += 'obstacle%d { type searchablePlate; origin (%g %g 0); span (0 %g %g); }\n' % (k, x*d, -W, 3*W, h*d)
+                text += ('obstacle%d { type searchablePlate; origin (%g %g 0); span (0 %g %g); }\n'
+                         % (k, x*d, -W, 3*W, h*d))
         if self.motion == 'paddle':
-            text += 'paddle { type searchableBox; min (%g %g 0); max (%g %g %g); }\n' % (6*d, -W, 9*d, 2*W, (self.nz - 4)*d)
+            text += ('paddle { type searchableBox; min (%g %g 0); max (%g %g %g); }\n'
+                     % (6*d, -W, 9*d, 2*W, (self.nz - 4)*d))
         if text:
             write(folder, 'constant', 'geometry', text)
 
@@ -219,13 +249,16 @@ class Scene:
         omega = self.r.uniform(0.5, 1.2)*math.sqrt(9.81*3.14/(self.nx*self.dp))
         if self.motion == 'paddle':
             self.moved = {'paddle': lambda time: (amplitude*math.sin(omega*time), 0)}
-            return ('walls { motion { paddle { patches (paddle); solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs '
-                    '{ amplitude (%g 0 0); omega %g; } } } }\n' % (amplitude, omega))
+            return ('walls { motion { paddle { patches (paddle); solidBodyMotionFunction '
+                    'oscillatingLinearMotion; oscillatingLinearMotionCoeffs { amplitude (%g 0 0); '
+                    'omega %g; } } } }\n' % (amplitude, omega))
         degrees = self.r.uniform(2, 12)
         self.moved = {'tank': lambda time: (0, math.radians(degrees)*math.sin(omega*time))}
         every = '"(floor|left|right|sides|top|obstacle.*)"'
-        return ('walls { motion { tank { patches (%s); solidBodyMotionFunction oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs '
-                '{ origin (%g 0 0); amplitude (0 %g 0); omega %g; } } } }\n' % (every, 0.5*self.nx*self.dp, degrees, omega))
+        return ('walls { motion { tank { patches (%s); solidBodyMotionFunction '
+                'oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { origin (%g 0 0); '
+                'amplitude (0 %g 0); omega %g; } } } }\n'
+                % (every, 0.5*self.nx*self.dp, degrees, omega))
 
     def solids(self, folder):
         d = self.dp
@@ -237,8 +270,10 @@ class Scene:
         area = d*(1 if self.dim == 2 else d)
         stiffness = heaviest*d*area*(fastest/(0.05*d))**2
         write(folder, 'constant', 'solidProperties',
-              'contact { normal linear; tangential history; rolling none; }\nmaterials { %s tank { rho 2500; } }\n' % materials +
-              'pairs { default { stiffness %g; restitution 0.3; friction 0.3; stiffnessRatio 0.5; } }\nwalls { material tank; }\ngroups { %s }\n'
+              'contact { normal linear; tangential history; rolling none; }\n'
+              'materials { %s tank { rho 2500; } }\n' % materials +
+              'pairs { default { stiffness %g; restitution 0.3; friction 0.3; stiffnessRatio 0.5; '
+              '} }\nwalls { material tank; }\ngroups { %s }\n'
               % (stiffness, ' '.join('body%d {}' % k for k in range(len(self.bodies)))))
 
 

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes a random case of picDem with bodies: picScenes.py SEED FOLDER [scale]
 
-A tank (closed, level or tilted by gravity's direction) with a pool or a column of water, a step, a cylinder or a slope in it, or a channel with openings; balls, disks, boxes,
-prisms and clumps of 0.05 to 10 times the water's density, hard and soft, that fall in, enter flat, rise and breach the surface, float, collide under water
-or slide down the slope into it; 2D and 3D, with and without `reflection`. scale: cells per length against the coarse scene (1).
+A tank (closed, level or tilted by gravity's direction) with a pool or a column of water, a step, a
+cylinder or a slope in it, or a channel with openings; balls, disks, boxes, prisms and clumps of
+0.05 to 10 times the water's density, hard and soft, that fall in, enter flat, rise and breach the
+surface, float, collide under water or slide down the slope into it; 2D and 3D, with and without
+`reflection`. scale: cells per length against the coarse scene (1).
 """
 import math
 import os
@@ -15,7 +17,8 @@ import numpy as np
 
 from makeScene import write
 
-# Scenes whose gap of 0 is beyond what the method holds (docs/stability.md, light bodies wedged among others): the gap, in cells, that the page asks for
+# Scenes whose gap of 0 is beyond what the method holds (docs/stability.md, light bodies wedged
+# among others): the gap, in cells, that the page asks for
 BEYOND = {30: 0.5}
 KINDS = ('drop', 'flat', 'breach', 'float', 'collide', 'slide')
 
@@ -27,7 +30,8 @@ def hull(points):
     def chain(of):
         out = []
         for p in of:
-            while len(out) > 1 and (out[-1][0] - out[-2][0])*(p[1] - out[-2][1]) <= (out[-1][1] - out[-2][1])*(p[0] - out[-2][0]):
+            while (len(out) > 1 and (out[-1][0] - out[-2][0])*(p[1] - out[-2][1])
+                   <= (out[-1][1] - out[-2][1])*(p[0] - out[-2][0])):
                 out.pop()
             out.append(p)
         return out[:-1]
@@ -40,7 +44,8 @@ def thicknessOf(outline):
     reach = max(max(abs(c) for c in p) for p in outline)
 
     def depth(x, z):
-        return min(((b[0] - a[0])*(z - a[1]) - (b[1] - a[1])*(x - a[0]))/math.hypot(b[0] - a[0], b[1] - a[1]) for a, b in sides)
+        return min(((b[0] - a[0])*(z - a[1]) - (b[1] - a[1])*(
+            x - a[0]))/math.hypot(b[0] - a[0], b[1] - a[1]) for a, b in sides)
     return 2*max(depth(0.1*i*reach, 0.1*j*reach) for i in range(-10, 11) for j in range(-10, 11))
 
 
@@ -83,12 +88,14 @@ class PicScene:
         return 1000*math.exp(self.r.uniform(math.log(low), math.log(high)))
 
     def body(self, x, z, size, rho, v=(0, 0, 0), shape=None, angle=0):
-        """About (x, z), as large as fits into a circle of this diameter; heights are those of its middle"""
+        """About (x, z), as large as fits into a circle of this diameter; heights are those of its
+        middle"""
         k, h, flat = len(self.materials), self.h, self.dim == 2
         y = 0.5*self.ny
         shape = shape or self.r.choice(['ball', 'box', 'prism', 'clump'])
         self.materials.append(rho)
-        common = 'set solids; material m%d; group body%d; velocity (%g %g %g);' % ((k, k) + tuple(v))
+        common = ('set solids; material m%d; group body%d; velocity (%g %g %g);'
+                  % ((k, k) + tuple(v)))
         self.heaviest = max(self.heaviest, rho*(size*h)**self.dim)
         self.fastest = max(self.fastest, math.sqrt(sum(u*u for u in v)))
         if shape in ('ball', 'clump'):
@@ -99,7 +106,8 @@ class PicScene:
             name = 'body%d.csv' % k
             rows = ''.join('%.9g,%.9g,%.9g,%.9g\n' % (b[0]*h, y*h, b[1]*h, b[2]*h) for b in balls)
             self.files_.append((name, 'x,y,z,radius\n' + rows))
-            self.regions.append('body%d { %s source csv; file "constant/%s"; %s }' % (k, common, name, 'rigid yes;' if shape == 'clump' else ''))
+            self.regions.append('body%d { %s source csv; file "constant/%s"; %s }'
+                                % (k, common, name, 'rigid yes;' if shape == 'clump' else ''))
             return
         thin = 2.2*self.scale       # half of what a body must have at least, and a little
         if shape == 'box':
@@ -120,29 +128,37 @@ class PicScene:
         centre = 'centres ((%.9g %.9g %.9g));' % (x*h, y*h, z*h)
         if flat:
             points = ' '.join('(%.9g 0 %.9g)' % (p[0]*h, p[1]*h) for p in outline)
-            self.regions.append('body%d { %s source clumpsFromOutline; outline (%s); %s %s %s }' % (k, common, points, spheres, centre, turn))
+            self.regions.append('body%d { %s source clumpsFromOutline; outline (%s); %s %s %s }'
+                                % (k, common, points, spheres, centre, turn))
         else:
             name = 'body%d.stl' % k
-            self.files_.append(('triSurface/' + name, self.prism(outline, min(0.4*size, 0.5*self.ny - 2.2))))
-            self.regions.append('body%d { %s source clumpsFromSurface; file "%s"; resolution 24; %s %s %s }' % (k, common, name, spheres, centre, turn))
+            self.files_.append(('triSurface/' + name,
+                                self.prism(outline, min(0.4*size, 0.5*self.ny - 2.2))))
+            self.regions.append('body%d { %s source clumpsFromSurface; file "%s"; resolution 24; '
+                                '%s %s %s }' % (k, common, name, spheres, centre, turn))
 
     def prism(self, outline, half):
         """STL of an outline in x and z between -half and half along y"""
         h, text, n = self.h, 'solid body\n', len(outline)
 
         def face(*corners):
-            return 'facet normal 0 0 0\nouter loop\n' + ''.join('vertex %.9g %.9g %.9g\n' % tuple(c*h for c in p) for p in corners) + 'endloop\nendfacet\n'
+            return ('facet normal 0 0 0\nouter loop\n'
+                    + ''.join('vertex %.9g %.9g %.9g\n' % tuple(c*h for c in p) for p in corners)
+                    + 'endloop\nendfacet\n')
 
         def at(i, y):
             return (outline[i % n][0], y, outline[i % n][1])
         for i in range(n):
-            text += face(at(i, -half), at(i, half), at(i + 1, half)) + face(at(i, -half), at(i + 1, half), at(i + 1, -half))
+            text += (face(at(i, -half), at(i, half), at(i + 1, half))
+                     + face(at(i, -half), at(i + 1, half), at(i + 1, -half)))
         for i in range(1, n - 1):
-            text += face(at(0, -half), at(i, -half), at(i + 1, -half)) + face(at(0, half), at(i + 1, half), at(i, half))
+            text += (face(at(0, -half), at(i, -half), at(i + 1, -half))
+                     + face(at(0, half), at(i + 1, half), at(i, half)))
         return text + 'endsolid body\n'
 
     def size(self):
-        return self.r.uniform(7.5, 10)*self.scale if self.dim == 2 else self.r.uniform(6.5, 7.5)*self.scale
+        return (self.r.uniform(7.5, 10)*self.scale if self.dim == 2
+                else self.r.uniform(6.5, 7.5)*self.scale)
 
     def speed(self):
         return self.r.choice([0, self.r.uniform(0.3, 1.5)])*math.sqrt(9.81*self.nz*self.h)
@@ -159,13 +175,16 @@ class PicScene:
             self.slope = math.radians(r.uniform(25, 40))
             self.foot = 0.75*self.nx
             size = self.size()
-            s = 0.5*size + (0.9*self.nx*0.75/math.cos(self.slope) if self.dim == 2 else 0.8*self.nx*0.75/math.cos(self.slope))
+            s = 0.5*size + (0.9*self.nx*0.75/math.cos(self.slope) if self.dim == 2
+                            else 0.8*self.nx*0.75/math.cos(self.slope))
             high = 0.22*size + room
-            s = min(s, (top - 0.5*size - high)/math.sin(self.slope), (self.foot - 0.6*size)/math.cos(self.slope) - high*math.tan(self.slope))
+            s = min(s, (top - 0.5*size - high)/math.sin(self.slope),
+                    (self.foot - 0.6*size)/math.cos(self.slope) - high*math.tan(self.slope))
             x = self.foot - s*math.cos(self.slope) + high*math.sin(self.slope)
             z = s*math.sin(self.slope) + high*math.cos(self.slope)
             self.depth = min(self.depth, z - 0.2*size)
-            self.body(max(x, 0.6*size), z, size, self.density(0.3), shape='flat', angle=math.degrees(self.slope))
+            self.body(max(x, 0.6*size), z, size, self.density(0.3), shape='flat',
+                      angle=math.degrees(self.slope))
             self.obstacles.append(('slope',))
             return
         bodies = r.randint(1, columns)
@@ -192,17 +211,20 @@ class PicScene:
         if self.kind == 'breach':
             self.body(x, min(low + r.uniform(0, 1), high), size, self.density(0.05, 0.6))
         elif self.kind == 'float':
-            self.body(x, max(low, min(self.depth + r.uniform(-0.4, 0.4)*size, high)), size, self.density(), angle=r.uniform(-40, 40))
+            self.body(x, max(low, min(self.depth + r.uniform(-0.4, 0.4)*size, high)), size,
+                      self.density(), angle=r.uniform(-40, 40))
         elif self.kind == 'collide' and k == 0:
             smaller = 0.75*size if self.dim == 2 else 0.9*size
             self.depth = max(self.depth, min(low + 2.2*size + 4*self.scale, self.nz - 4))
             self.body(x, low, smaller, self.density(0.05, 0.7))
-            self.body(x + r.uniform(-1, 1), min(low + smaller + 5*self.scale, high), smaller, self.density(1.5, 10))
+            self.body(x + r.uniform(-1, 1), min(low + smaller + 5*self.scale, high), smaller,
+                      self.density(1.5, 10))
         elif self.kind == 'flat':
             self.body(x, max(low, min(above, high)), size, self.density(), (0, 0, -v), shape='flat')
         else:
             angle = r.uniform(-0.5, 0.5)
-            self.body(x, max(low, min(above, high)), size, self.density(), (v*math.sin(angle), 0, -v*math.cos(angle)), angle=r.uniform(-40, 40))
+            self.body(x, max(low, min(above, high)), size, self.density(),
+                      (v*math.sin(angle), 0, -v*math.cos(angle)), angle=r.uniform(-40, 40))
 
     # * * * what must hold
 
@@ -212,7 +234,8 @@ class PicScene:
         return min(-gx*x*self.h - gz*z*self.h for x in (0, self.nx) for z in (0, self.nz))
 
     def distance(self, X, Z):
-        """Signed, of an obstacle at positions [cells], negative in it, where it is within two cells"""
+        """Signed, of an obstacle at positions [cells], negative in it, where it is within two
+        cells"""
         least = np.full(np.shape(X), 2.0)
         for o in self.obstacles:
             if o[0] == 'slope':
@@ -227,14 +250,16 @@ class PicScene:
 
     def sampledDistance(self, X, Z):
         """The same as the cut cells have it: exact at the nodes of the grid, linear between them.
-        At a right edge that is up to 0.29 cells less than the whole, at a cylinder of 2 cells 0.07"""
+        At a right edge that is up to 0.29 cells less than the whole, at a cylinder of 2 cells
+        0.07"""
         i, k = (np.clip(np.floor(c), 0, n - 1) for c, n in ((X, self.nx), (Z, self.nz)))
         f, g = X - i, Z - k
         return ((1 - f)*((1 - g)*self.distance(i, k) + g*self.distance(i, k + 1)) +
                 f*((1 - g)*self.distance(i + 1, k) + g*self.distance(i + 1, k + 1)))
 
     def sunk(self, x, distance):
-        """How deep each of these positions (n, 3) [m] is in a wall or, by this distance, in an obstacle [cells]; negative: in none"""
+        """How deep each of these positions (n, 3) [m] is in a wall or, by this distance, in an
+        obstacle [cells]; negative: in none"""
         X, Y, Z = (x/self.h).T
         out = [-X, X - self.nx, -Z, Z - self.nz, -distance(X, Z)]
         if self.dim == 3:
@@ -242,9 +267,11 @@ class PicScene:
         return np.max(out, axis=0)
 
     def behind(self, cloud, x):
-        """How many of the positions of this cloud are in a wall. Water is kept out of solids as the grid has them, whose round ones have flat sides (0.0075 cells).
-        Solids touch the exact shapes, and press into them"""
-        distance, most = {'fluid': (self.sampledDistance, 0.01), 'solids': (self.distance, 0.05)}[cloud]
+        """How many of the positions of this cloud are in a wall. Water is kept out of solids as the
+        grid has them, whose round ones have flat sides (0.0075 cells). Solids touch the exact
+        shapes, and press into them"""
+        distance, most = {'fluid': (self.sampledDistance, 0.01),
+                          'solids': (self.distance, 0.05)}[cloud]
         return int((self.sunk(x, distance) > most).sum())
 
     # * * * files
@@ -253,43 +280,65 @@ class PicScene:
         h = self.h
         L, W, H = self.nx*h, self.ny*h, self.nz*h
         left = 'patch' if self.opens else 'wall'
-        patches = 'floor { type wall; faces ((0 3 2 1)); } left { type %s; faces ((0 4 7 3)); } right { type %s; faces ((1 2 6 5)); }\n' % (left, left)
-        patches += ('sides { type wall; faces (%s); }\n' if self.dim == 3 else 'frontAndBack { type empty; faces (%s); }\n') % '(0 1 5 4) (3 7 6 2)'
+        patches = ('floor { type wall; faces ((0 3 2 1)); } left { type %s; faces ((0 4 7 3)); } '
+                   'right { type %s; faces ((1 2 6 5)); }\n' % (left, left))
+        patches += ('sides { type wall; faces (%s); }\n' if self.dim == 3
+                    else 'frontAndBack { type empty; faces (%s); }\n') % '(0 1 5 4) (3 7 6 2)'
         patches += 'top { type wall; faces ((4 5 6 7)); }\n'
-        write(folder, 'system', 'blockMeshDict', 'scale 1;\nvertices ((0 0 0) (%.9g 0 0) (%.9g %.9g 0) (0 %.9g 0) (0 0 %.9g) (%.9g 0 %.9g) (%.9g %.9g %.9g) (0 %.9g %.9g));\n'
+        write(folder, 'system', 'blockMeshDict',
+              'scale 1;\nvertices ((0 0 0) (%.9g 0 0) (%.9g %.9g 0) (0 %.9g 0) (0 0 %.9g) '
+              '(%.9g 0 %.9g) (%.9g %.9g %.9g) (0 %.9g %.9g));\n'
               % (L, L, W, W, H, L, H, L, W, H, W, H) +
-              'blocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (1 1 1));\nedges ();\nboundary\n(\n%s);\nmergePatchPairs ();\n'
+              'blocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (1 1 1));\nedges ();\n'
+              'boundary\n(\n%s);\nmergePatchPairs ();\n'
               % (self.nx, self.ny, self.nz, patches))
-        water = 'water { set fluid; source box; box (0 0 0) (%.9g %.9g %.9g); clip yes; pressure zero; }' % (self.wide*h, W, self.depth*h)
-        write(folder, 'system', 'setParticlesDict', 'spacing %.9g;\nregions\n(\n%s\n%s\n);\n' % (0.5*h, water, '\n'.join(self.regions)))
+        water = ('water { set fluid; source box; box (0 0 0) (%.9g %.9g %.9g); clip yes; '
+                 'pressure zero; }' % (self.wide*h, W, self.depth*h))
+        write(folder, 'system', 'setParticlesDict',
+              'spacing %.9g;\nregions\n(\n%s\n%s\n);\n' % (0.5*h, water, '\n'.join(self.regions)))
         for name, text in self.files_:
             path = os.path.join(folder, 'constant', name)
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, 'w') as f:
                 f.write(text)
         self.geometry(folder)
-        write(folder, 'constant', 'g', 'dimensions [0 1 -2 0 0 0 0];\nvalue (%.9g 0 %.9g);\n' % (9.81*math.sin(self.tilt), -9.81*math.cos(self.tilt)),
+        write(folder, 'constant', 'g', 'dimensions [0 1 -2 0 0 0 0];\nvalue (%.9g 0 %.9g);\n'
+              % (9.81*math.sin(self.tilt), -9.81*math.cos(self.tilt)),
               'uniformDimensionedVectorField')
         write(folder, 'constant', 'fluidProperties', 'rho 1000;\nmu 1e-3;\n')
         openings = ''
         if self.opens:
             flow = 0.15*self.depth*h*W*math.sqrt(9.81*self.depth*h)
-            openings = 'openings { left { type flowRate; flowRate %.6g; } right { type level; level %.9g; } }\n' % (flow, self.depth*h)
-        write(folder, 'constant', 'picProperties', 'device cpu;\nprecision %s;\nreflection %s;\n%s' % (self.precision, 'yes' if self.reflection else 'no', openings))
+            openings = ('openings { left { type flowRate; flowRate %.6g; } right { type level; '
+                        'level %.9g; } }\n' % (flow, self.depth*h))
+        write(folder, 'constant', 'picProperties', 'device cpu;\nprecision %s;\nreflection %s;\n%s'
+              % (self.precision, 'yes' if self.reflection else 'no', openings))
         fastest = max(self.fastest, math.sqrt(2*9.81*self.nz*h))
         stiffness = self.heaviest*(fastest/(self.soft*6*h))**2
         write(folder, 'constant', 'solidProperties',
-              'contact { normal linear; tangential history; rolling none; }\nmaterials { %s tank { rho 2500; } }\n'
+              'contact { normal linear; tangential history; rolling none; }\n'
+              'materials { %s tank { rho 2500; } }\n'
               % ' '.join('m%d { rho %.6g; }' % m for m in enumerate(self.materials)) +
-              'pairs { default { stiffness %.6g; restitution %g; friction %g; stiffnessRatio 0.5; gap %.9g; } }\nwalls { material tank; }\ngroups { %s }\n'
-              % (stiffness, self.r.choice([0.2, 0.8]), self.friction, self.gap*h, ' '.join('body%d {}' % k for k in range(len(self.materials)))))
-        write(folder, 'system', 'fvSolution', 'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }\n')
-        write(folder, 'system', 'fvSchemes', 'ddtSchemes {}\ngradSchemes {}\ndivSchemes {}\nlaplacianSchemes {}\ninterpolationSchemes {}\nsnGradSchemes {}\n')
-        functions = ('energy', 'energyBalance'), ('solids', 'solidEnergies'), ('momentum', 'momentumBalance')
-        write(folder, 'system', 'controlDict', 'application riprapFoam;\nsolver picDem;\nstartFrom latestTime;\nstartTime 0;\nstopAt endTime;\nendTime %.9g;\n'
-              % self.end + 'deltaT 1e-4;\nadjustTimeStep yes;\nmaxCo 0.5;\nsampleInterval 0;\nwriteControl adjustableRunTime;\nwriteInterval %.9g;\n'
-              % (self.end/2) + 'writeFormat binary;\nwritePrecision 10;\ntimeFormat general;\ntimePrecision 8;\nrunTimeModifiable no;\n'
-              'functions\n{\n%s}\n' % ''.join('%s { type %s; libs ("libriprapFoam.so"); }\n' % f for f in functions))
+              'pairs { default { stiffness %.6g; restitution %g; friction %g; stiffnessRatio 0.5; '
+              'gap %.9g; } }\nwalls { material tank; }\ngroups { %s }\n'
+              % (stiffness, self.r.choice([0.2, 0.8]), self.friction, self.gap*h,
+                 ' '.join('body%d {}' % k for k in range(len(self.materials)))))
+        write(folder, 'system', 'fvSolution',
+              'solvers { p { solver cudaPCG; tolerance 1e-8; relTol 0; } }\n')
+        write(folder, 'system', 'fvSchemes',
+              'ddtSchemes {}\ngradSchemes {}\ndivSchemes {}\nlaplacianSchemes {}\n'
+              'interpolationSchemes {}\nsnGradSchemes {}\n')
+        functions = (('energy', 'energyBalance'), ('solids', 'solidEnergies'),
+                     ('momentum', 'momentumBalance'))
+        write(folder, 'system', 'controlDict',
+              'application riprapFoam;\nsolver picDem;\nstartFrom latestTime;\nstartTime 0;\n'
+              'stopAt endTime;\nendTime %.9g;\n'
+              % self.end + 'deltaT 1e-4;\nadjustTimeStep yes;\nmaxCo 0.5;\nsampleInterval 0;\n'
+                           'writeControl adjustableRunTime;\nwriteInterval %.9g;\n'
+              % (self.end/2) + 'writeFormat binary;\nwritePrecision 10;\ntimeFormat general;\n'
+                               'timePrecision 8;\nrunTimeModifiable no;\n'
+              'functions\n{\n%s}\n' % ''.join('%s { type %s; libs ("libriprapFoam.so"); }\n' % f
+                                              for f in functions))
 
     def geometry(self, folder):
         h, text, W = self.h, '', self.ny*self.h
@@ -299,12 +348,16 @@ class PicScene:
                 # its surface goes through the foot; e1 down the slope, e2 out of it
                 length, deep = 3*self.nx*h, 2*self.nz*h
                 origin = (self.foot*h - 2*self.nx*h*c - deep*s, -W, 2*self.nx*h*s - deep*c)
-                text += ('slope { type searchableRotatedBox; origin (%.9g %.9g %.9g); span (%.9g %.9g %.9g); e1 (%.9g 0 %.9g); e3 (0 -1 0); }\n'
+                text += ('slope { type searchableRotatedBox; origin (%.9g %.9g %.9g); '
+                         'span (%.9g %.9g %.9g); e1 (%.9g 0 %.9g); e3 (0 -1 0); }\n'
                          % (origin[0], 2*W, origin[2], length, deep, 4*W, c, -s))
             elif o[0] == 'box':
-                text += 'step { type searchableBox; min (%.9g %.9g %.9g); max (%.9g %.9g %.9g); }\n' % ((o[1] - 0.5*o[2])*h, -W, -h, (o[1] + 0.5*o[2])*h, 2*W, o[3]*h)
+                text += ('step { type searchableBox; min (%.9g %.9g %.9g); max (%.9g %.9g %.9g); '
+                         '}\n' % ((o[1] - 0.5*o[2])*h, -W, -h, (o[1] + 0.5*o[2])*h, 2*W, o[3]*h))
             else:
-                text += 'post { type searchableCylinder; point1 (%.9g %.9g %.9g); point2 (%.9g %.9g %.9g); radius %.9g; }\n' % (o[1]*h, -W, o[3]*h, o[1]*h, 2*W, o[3]*h, 0.5*o[2]*h)
+                text += ('post { type searchableCylinder; '
+                         'point1 (%.9g %.9g %.9g); point2 (%.9g %.9g %.9g); radius %.9g; }\n'
+                         % (o[1]*h, -W, o[3]*h, o[1]*h, 2*W, o[3]*h, 0.5*o[2]*h))
         if text:
             write(folder, 'constant', 'geometry', text)
 

@@ -2,14 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs random scenes with an empty sphProperties and says of each whether it holds
 
-    runScenes.py [--seeds 1-50] [--dimensions 2] [--scale 1] [--set "entry value; ..;"] [--jobs 2] [--keep FOLDER] [--limit SECONDS]
+    runScenes.py [--seeds 1-50] [--dimensions 2] [--scale 1] [--set "entry value; ..;"] [--jobs 2]
+        [--keep FOLDER] [--limit SECONDS]
 
 A line a scene: PASS or FAIL, then what was measured. A scene holds if
 - it runs to its end;
-- nothing leaves but through an open top, no particle of water or of a body is in a wall at the end (plates have no inside), and none of water in a body;
+- nothing leaves but through an open top, no particle of water or of a body is in a wall at the end
+  (plates have no inside), and none of water in a body;
 - no pair can have been missed;
-- its energy never grows by more than 1 %: energy of bodies counted in, what moving walls do, and what the pressure of walls does (docs/theory, Energy). Of
-  walls that do not move riprap does not sum the latter: a scene whose energy grows without it is run once more with walls whose motion has no amplitude.
+- its energy never grows by more than 1 %: energy of bodies counted in, what moving walls do, and
+  what the pressure of walls does (docs/theory, Energy). Of walls that do not move riprap does not
+  sum the latter: a scene whose energy grows without it is run once more with walls whose motion has
+  no amplitude.
 """
 import glob
 import os
@@ -42,10 +46,11 @@ def table(folder, name):
 
 
 def growth(folder, scene, mass):
-    """Largest rise of the energy above what it was before, over the energy of the start, heights counted from the tank's lowest corner; and the most
-    that the pressure of walls has given in all.
-    What moving walls do is counted, and what the pressure of walls does beyond that. Medians of three samples: where nothing moves that is not
-    summed, and single samples of an impact dip by up to 3 % and come back"""
+    """Largest rise of the energy above what it was before, over the energy of the start, heights
+    counted from the tank's lowest corner; and the most that the pressure of walls has given in all.
+    What moving walls do is counted, and what the pressure of walls does beyond that. Medians of
+    three samples: where nothing moves that is not summed, and single samples of an impact dip by up
+    to 3 % and come back"""
     e = table(folder, 'energy')
     if not len(e.get('Time', [])):
         return float('nan'), 0
@@ -55,9 +60,11 @@ def growth(folder, scene, mass):
     s = table(folder, 'solids')
     if len(s.get('total', [])) == len(balance):
         balance = balance + s['total']
-    smooth = np.median([balance[:-2], balance[1:-1], balance[2:]], axis=0) if len(balance) > 2 else balance
+    smooth = (np.median([balance[:-2], balance[1:-1], balance[2:]], axis=0) if len(balance) > 2
+              else balance)
     whole = max(start, kinetic)
-    return float((smooth - np.minimum.accumulate(smooth)).max()/whole), float(e['wallPressureWork'].max()/whole)
+    return (float((smooth - np.minimum.accumulate(smooth)).max()/whole),
+            float(e['wallPressureWork'].max()/whole))
 
 
 def behind(folder, scene, cloud):
@@ -78,7 +85,9 @@ def inBody(folder, scene):
 
 
 # Walls that move by nothing: their pressure's work is summed
-STILL = ('walls { motion { still { patches (".*"); solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs { amplitude (0 0 0); omega 1; } } } }')
+STILL = (
+    'walls { motion { still { patches (".*"); solidBodyMotionFunction oscillatingLinearMotion; '
+    'oscillatingLinearMotionCoeffs { amplitude (0 0 0); omega 1; } } } }')
 
 
 def setEntries(folder, text):
@@ -87,7 +96,8 @@ def setEntries(folder, text):
 
 
 def withWallWork(seed, options, mass):
-    """Growth of the same scene with the work of fixed walls' pressure counted in, or not a number"""
+    """Growth of the same scene with the work of fixed walls' pressure counted in, or not a
+    number"""
     its = SceneRun(Scene(seed, options.scale), seed, options)
     its.folder += '.still'
     its.files()
@@ -128,9 +138,11 @@ def run(seed, options):
     counts = re.findall(r'Put back at faces of walls: (\d+)', text)
     particles = (re.findall(r'fluid (\d+), walls', text) or ['0'])[0]
     steps = (re.findall(r'Particle steps = \d+ \((\d+)\)', text) or ['0'])[-1]
-    print('%s random scene %d: %dD, %s particles, %s steps, %.0f s, energy %s, lent by walls %.1f %%, put back %s, taken out %s%s' % (
-        'FAIL' if faults else 'PASS', seed, scene.dim, particles, steps, time.time() - start, told, 100*lent, counts[-1] if counts else 0, wild,
-        '; ' + '; '.join(faults) if faults else ''), flush=True)
+    print('%s random scene %d: %dD, %s particles, %s steps, %.0f s, energy %s, '
+          'lent by walls %.1f %%, put back %s, taken out %s%s' % (
+              'FAIL' if faults else 'PASS', seed, scene.dim, particles, steps, time.time() - start,
+              told, 100*lent, counts[-1] if counts else 0, wild,
+              '; ' + '; '.join(faults) if faults else ''), flush=True)
     return not faults
 
 

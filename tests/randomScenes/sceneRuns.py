@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What runners of random scenes share: programs and why they stopped, the same bits again, seeds, options"""
+"""What runners of random scenes share: programs and why they stopped, the same bits again, seeds,
+options"""
 import argparse
 import os
 import re
@@ -18,7 +19,9 @@ def program(name, folder, threads, limit, end):
     path = os.path.join(folder, 'log.' + name)
     with open(path, 'w') as log:
         try:
-            status = subprocess.run([name], cwd=folder, stdout=log, stderr=subprocess.STDOUT, env=dict(os.environ, OMP_NUM_THREADS=str(threads)), timeout=limit).returncode
+            status = subprocess.run([name], cwd=folder, stdout=log, stderr=subprocess.STDOUT,
+                                    env=dict(os.environ, OMP_NUM_THREADS=str(threads)),
+                                    timeout=limit).returncode
         except subprocess.TimeoutExpired:
             status = 'time'
     with open(path) as f:
@@ -27,14 +30,16 @@ def program(name, folder, threads, limit, end):
         return text, ''
     why = re.findall(r'(Guard at[^\n]*|FATAL[^\n]*\n[^\n]*)', text)
     reached = re.findall(r'^Time = (\S+)', text, re.M)
-    return text, '%s %s at %s of %g: %s' % (name, status, reached[-1] if reached else '-', end, ' '.join(why)[:300].replace('\n', ' '))
+    return text, '%s %s at %s of %g: %s' % (name, status, reached[-1] if reached else '-', end,
+                                            ' '.join(why)[:300].replace('\n', ' '))
 
 
 class SceneRun:
     """A scene, its runs and what is wrong with them. state: file of the exact state below a time"""
 
     def __init__(self, scene, seed, options, state=None):
-        self.scene, self.seed, self.options, self.faults, self.exact = scene, seed, options, [], state
+        self.scene, self.seed, self.options, self.faults, self.exact = (scene, seed, options, [],
+                                                                        state)
         self.folder = os.path.join(options.keep, str(seed))
 
     def program(self, name, folder, threads=1):
@@ -49,7 +54,8 @@ class SceneRun:
         self.scene.files(self.folder)
 
     def run(self, threads=1):
-        """All programs, up to one that fails: the last log, and the mass of the particles [kg] or None"""
+        """All programs, up to one that fails: the last log, and the mass of the particles [kg] or
+        None"""
         log, mass = '', None
         for name in PROGRAMS:
             if not self.faults:
@@ -82,7 +88,8 @@ class SceneRun:
 
 def parser(text):
     """Options that all runners have"""
-    p = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+    p = argparse.ArgumentParser(description=text,
+                                formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument('--seeds', default='1-50')
     p.add_argument('--scale', type=int, default=1)
     p.add_argument('--jobs', type=int, default=os.cpu_count())
@@ -93,7 +100,8 @@ def parser(text):
 
 
 def runAll(options, dimensions, check):
-    """check(seed, options) of each seed, several at once. dimensions(seed): of its scene. Exit status"""
+    """check(seed, options) of each seed, several at once. dimensions(seed): of its scene. Exit
+    status"""
     with tempfile.TemporaryDirectory() as scratch:
         options.kept = bool(options.keep)
         options.keep = options.keep or scratch

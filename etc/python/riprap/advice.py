@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which solver, spacing and device reach an error, and what that costs, from the rows of other scenes (standard library alone)
+"""Which solver, spacing and device reach an error, and what that costs, from the rows of other
+scenes (standard library alone)
 
-etc/advice.csv holds, for each series of benchmarks/results that a yardstick holds for, a line a spacing and device. Scenes are compared by
-`across`: spacings over the length that matters (a wavelength, a channel's width, a diameter, a column's width).
+etc/advice.csv holds, for each series of benchmarks/results that a yardstick holds for, a line a
+spacing and device. Scenes are compared by `across`: spacings over the length that matters (a
+wavelength, a channel's width, a diameter, a column's width).
 
-What an error needs is told by a mean of scenes: of each the best settings, log error over log across, scenes of the same kind of flow
-ten times as heavy as others. Where the case's own error at one spacing is given (`measured`), it is scaled by the order that the solver's
-scenes show. Cost goes with particles times steps, across^(dimensions + 1); a GPU takes as long for few particles as for 50,000.
-How far each can be trusted, leaveOneOut() measures: every scene foretold from the others. riprapAdvise states it with its figures.
+What an error needs is told by a mean of scenes: of each the best settings, log error over log
+across, scenes of the same kind of flow ten times as heavy as others. Where the case's own error at
+one spacing is given (`measured`), it is scaled by the order that the solver's scenes show. Cost
+goes with particles times steps, across^(dimensions + 1); a GPU takes as long for few particles as
+for 50,000.
+How far each can be trusted, leaveOneOut() measures: every scene foretold from the others.
+riprapAdvise states it with its figures.
 """
 import csv
 import io
@@ -19,19 +24,25 @@ from typing import Optional
 from . import convergence, rows
 from .bounds import root
 
-columns = ['scene', 'flow', 'dimensions', 'solver', 'settings', 'precision', 'yardstick', 'place', 'processor', 'spacing', 'across', 'particles', 'error', 'cost', 'steps', 'total']
+columns = ['scene', 'flow', 'dimensions', 'solver', 'settings', 'precision', 'yardstick', 'place',
+           'processor', 'spacing', 'across', 'particles', 'error', 'cost', 'steps', 'total']
 others = 0.1                    # weight of scenes of another kind of flow
-farther = 2.0                   # as many times more across than the finest of any scene are still foretold
+# as many times more across than the finest of any scene are still foretold
+farther = 2.0
 fewOnGpu = 5e4                  # particles below which a step of a GPU takes as long
 shortest = 2.0                  # seconds: the cost of shorter runs is that of starting
-flows = {'dam break': 'water that falls, runs and hits', 'waves': 'waves, sloshing, tanks that move', 'vortices': 'flow without a surface or walls that matter',
-         'viscous channel': 'viscous flow between walls', 'open channel': 'flow through openings', 'rest': 'water at rest',
-         'bodies in water': 'rigid bodies in water', 'elastic': 'bonded, elastic bodies'}
+flows = {'dam break': 'water that falls, runs and hits',
+         'waves': 'waves, sloshing, tanks that move',
+         'vortices': 'flow without a surface or walls that matter',
+         'viscous channel': 'viscous flow between walls', 'open channel': 'flow through openings',
+         'rest': 'water at rest', 'bodies in water': 'rigid bodies in water',
+         'elastic': 'bonded, elastic bodies'}
 
 
 @dataclass
 class Spent:
-    """Of one spacing on one device: a simulated second's cost and steps, particles, and what the whole run took"""
+    """Of one spacing on one device: a simulated second's cost and steps, particles, and what the
+    whole run took"""
     across: float
     cost: float
     steps: float
@@ -63,7 +74,8 @@ class Known:
         return _between(self.errors, across, -min(self.order, 2.0))
 
     def costAt(self, across, place):
-        return _between([(s.across, s.cost) for s in self.places[place]], across, self.dimensions + 1)
+        return _between([(s.across, s.cost) for s in self.places[place]], across,
+                        self.dimensions + 1)
 
 
 def table(judged, loaded=None):
@@ -82,20 +94,26 @@ def table(judged, loaded=None):
             for p in s.points:
                 for place, (cost, r) in sorted(p.costs().items()):
                     if r.across:
-                        writer.writerow([scene, first.flow, first.dimensions, s.solver, names[id(s)], s.precision, first.yardstick, place, r.processor,
-                                         f'{p.spacing:.6g}', f'{r.across:.4g}', _count(r.particles), f'{p.kept:.4g}', f'{cost:.4g}', f'{r.steps:.5g}',
-                                         f'{cost*r.simulated:.4g}'])
+                        writer.writerow([scene, first.flow, first.dimensions, s.solver,
+                                         names[id(s)], s.precision, first.yardstick, place,
+                                         r.processor, f'{p.spacing:.6g}', f'{r.across:.4g}',
+                                         _count(r.particles), f'{p.kept:.4g}', f'{cost:.4g}',
+                                         f'{r.steps:.5g}', f'{cost*r.simulated:.4g}'])
     for line in _ownLimits(loaded or []):
         writer.writerow(line)
     return out.getvalue()
 
 
 def _ownLimits(loaded):
-    """Dam breaks: their experiment is no yardstick, so what a solver tends to by itself is, with its uncertainty added"""
+    """Dam breaks: their experiment is no yardstick, so what a solver tends to by itself is, with
+    its uncertainty added"""
     newest = {}
     for r in loaded:
-        if r.flow == 'dam break' and r.across and r.cost and r.error is not None and r.yardstick == 'experiment' and 'quick' not in r.run:
-            newest.setdefault((r.scene, r.solver, r.variant, r.settings, r.precision), {})[r.spacing, r.place] = r
+        if (
+                r.flow == 'dam break' and r.across and r.cost and r.error is not None
+                and r.yardstick == 'experiment' and 'quick' not in r.run):
+            newest.setdefault((r.scene, r.solver, r.variant, r.settings, r.precision),
+                              {})[r.spacing, r.place] = r
     for (scene, solver, variant, _, precision), found in sorted(newest.items()):
         values = {spacing: r.error for (spacing, _), r in found.items()}
         limit = convergence.richardson(list(values), list(values.values()))
@@ -103,7 +121,8 @@ def _ownLimits(loaded):
             continue
         for (spacing, place), r in sorted(found.items(), reverse=True):
             error = abs(r.error - limit.value) + limit.uncertainty
-            yield [scene, r.flow, r.dimensions, solver, variant, precision, 'its own limit', place, r.processor, f'{spacing:.6g}', f'{r.across:.4g}', _count(r.particles),
+            yield [scene, r.flow, r.dimensions, solver, variant, precision, 'its own limit',
+                   place, r.processor, f'{spacing:.6g}', f'{r.across:.4g}', _count(r.particles),
                    f'{error:.4g}', f'{r.cost:.4g}', f'{r.steps:.5g}', f'{r.cost*r.simulated:.4g}']
 
 
@@ -116,7 +135,8 @@ def read(path=None):
 def series(lines):
     found = {}
     for r in lines:
-        key = (r['scene'], r['flow'], int(r['dimensions']), r['solver'], r['settings'], r['precision'], r['yardstick'])
+        key = (r['scene'], r['flow'], int(r['dimensions']), r['solver'], r['settings'],
+               r['precision'], r['yardstick'])
         found.setdefault(key, []).append(r)
     result = []
     for key, mine in found.items():
@@ -124,9 +144,12 @@ def series(lines):
         for r in mine:
             n = float(r['across'])
             errors[n] = float(r['error'])
-            places.setdefault(r['place'], []).append(Spent(n, float(r['cost']), float(r['steps']), float(r['particles']) if r['particles'] else None, float(r['total'])))
+            places.setdefault(r['place'], []).append(
+                Spent(n, float(r['cost']), float(r['steps']),
+                      float(r['particles']) if r['particles'] else None, float(r['total'])))
         if len(errors) > 1:
-            result.append(Known(*key, sorted(errors.items()), {p: sorted(v, key=lambda s: s.across) for p, v in places.items()}))
+            result.append(Known(*key, sorted(errors.items()),
+                                {p: sorted(v, key=lambda s: s.across) for p, v in places.items()}))
     return result
 
 
@@ -136,12 +159,14 @@ def family(scene):
 
 
 def weighed(known, solver, flow, without=None):
-    """[(series, weight)]: of each scene that the solver has the best settings, at 40 across; but for that scene and its like in 3D"""
+    """[(series, weight)]: of each scene that the solver has the best settings, at 40 across; but
+    for that scene and its like in 3D"""
     best = {}
     for k in known:
         if k.errors[0][1] < rows.roundOff and k.flow != flow:
             continue                # exact there says nothing of other flows
-        if k.solver == solver and (without is None or family(k.scene) != family(without)) and (k.scene not in best or k.errorAt(40) < best[k.scene].errorAt(40)):
+        if k.solver == solver and (without is None or family(k.scene) != family(without)) and (
+                k.scene not in best or k.errorAt(40) < best[k.scene].errorAt(40)):
             best[k.scene] = k
     return [(k, 1 if k.flow == flow else others) for k in best.values()]
 
@@ -151,7 +176,8 @@ def foretoldError(pool, across):
 
 
 def acrossFor(pool, error):
-    """Spacings over the length that matters which an error needs by the mean of scenes: not fewer than a scene of the flow has; None beyond what is foretold"""
+    """Spacings over the length that matters which an error needs by the mean of scenes: not fewer
+    than a scene of the flow has; None beyond what is foretold"""
     alike = [k for k, w in pool if w == 1] or [k for k, _ in pool]
     low, high = min(k.errors[0][0] for k in alike), farther*max(k.errors[-1][0] for k, _ in pool)
     if foretoldError(pool, high) > error:
@@ -166,7 +192,8 @@ def acrossFor(pool, error):
 
 def orderOf(known, solver, without=None):
     """Median of the orders of the solver's scenes; None where there is no other"""
-    orders = sorted(k.order for k, _ in weighed(known, solver, None, without) if k.errors[0][1] > rows.roundOff)
+    orders = sorted(k.order for k, _ in weighed(known, solver, None, without)
+                    if k.errors[0][1] > rows.roundOff)
     return orders[len(orders)//2] if orders else None
 
 
@@ -180,7 +207,8 @@ def costRatio(dimensions, place, particles, finer):
 
 @dataclass
 class Held:
-    """A point of a scene foretold from the others, its cost from that scene's coarsest run as a dry run would tell it"""
+    """A point of a scene foretold from the others, its cost from that scene's coarsest run as a dry
+    run would tell it"""
     scene: str
     solver: str
     flow: str
@@ -191,12 +219,14 @@ class Held:
 
 
 def leaveOneOut(known, measured=''):
-    """[Held], one for each error but the coarsest of each series that is its scene's best. measured: 'error': with the coarsest error known;
-    'difference': of the second spacing the error is told by the difference of the coarsest two, as a user can"""
+    """[Held], one for each error but the coarsest of each series that is its scene's best.
+    measured: 'error': with the coarsest error known; 'difference': of the second spacing the error
+    is told by the difference of the coarsest two, as a user can"""
     result = []
     for k in known:
         pool = weighed(known, k.solver, k.flow, k.scene)
-        if k.errors[0][1] < rows.roundOff or all(k is not mine for mine, _ in weighed([o for o in known if o.scene == k.scene], k.solver, k.flow)):
+        if k.errors[0][1] < rows.roundOff or all(k is not mine for mine, _ in weighed(
+                [o for o in known if o.scene == k.scene], k.solver, k.flow)):
             continue
         order = orderOf(known, k.solver, k.scene)
         for n, asked in k.errors[2 if measured == 'difference' else 1:]:
@@ -211,7 +241,8 @@ def leaveOneOut(known, measured=''):
             if across is None:
                 result.append(Held(k.scene, k.solver, k.flow, k.settings, asked, None))
                 continue
-            result.append(Held(k.scene, k.solver, k.flow, k.settings, asked, k.errorAt(across), _costOff(k, across)))
+            result.append(Held(k.scene, k.solver, k.flow, k.settings, asked, k.errorAt(across),
+                               _costOff(k, across)))
     return result
 
 
@@ -221,12 +252,14 @@ def _costOff(k, across):
     if len(spent) < 2:
         return None
     true = _between([(s.across, s.cost) for s in spent], across, k.dimensions + 1)
-    return spent[0].cost*costRatio(k.dimensions, place, spent[0].particles, across/spent[0].across)/true
+    return spent[0].cost*costRatio(k.dimensions, place, spent[0].particles,
+                                   across/spent[0].across)/true
 
 
 @dataclass
 class Score:
-    """Of errors, or of costs: how many were foretold, how many within a factor of two, the factor that two thirds are within"""
+    """Of errors, or of costs: how many were foretold, how many within a factor of two, the factor
+    that two thirds are within"""
     told: int
     within: int
     factor: float
@@ -234,7 +267,8 @@ class Score:
 
 def score(ratios):
     off = sorted(abs(math.log(r)) for r in ratios)
-    return Score(len(off), sum(o <= math.log(2)*(1 + 1e-9) for o in off), math.exp(off[min(int(0.68*len(off)), len(off) - 1)]) if off else math.inf)
+    return Score(len(off), sum(o <= math.log(2)*(1 + 1e-9) for o in off),
+                 math.exp(off[min(int(0.68*len(off)), len(off) - 1)]) if off else math.inf)
 
 
 def scores(known, measured='', flow=None):
@@ -242,14 +276,18 @@ def scores(known, measured='', flow=None):
     held = [h for h in leaveOneOut(known, measured) if flow in (None, h.flow)]
     told = [h for h in held if h.reached]
     two = math.log(2)*(1 + 1e-9)
-    both = [h for h in told if h.cost and abs(math.log(h.reached/h.asked)) <= two and abs(math.log(h.cost)) <= two]
-    return score([h.reached/h.asked for h in told]), score([h.cost for h in told if h.cost]), len(both), len(held) - len(told)
+    both = [h for h in told
+            if h.cost and abs(math.log(h.reached/h.asked)) <= two and abs(math.log(h.cost)) <= two]
+    return (score([h.reached/h.asked for h in told]), score([h.cost for h in told if h.cost]),
+            len(both), len(held) - len(told))
 
 
 def stepTime(known, solver, dimensions, place):
-    """(a, b) with a + b N seconds a step of N particles, through rows of this place, weighed by their own times; None of fewer than three"""
+    """(a, b) with a + b N seconds a step of N particles, through rows of this place, weighed by
+    their own times; None of fewer than three"""
     points = [(s.particles, s.cost/s.steps) for k in known for s in k.places.get(place, [])
-              if (k.solver, k.dimensions) == (solver, dimensions) and s.particles and s.particles > 10 and s.total >= shortest]
+              if (k.solver, k.dimensions) == (solver, dimensions) and s.particles
+              and s.particles > 10 and s.total >= shortest]
     if len({n for n, _ in points}) < 3:
         return None
     if place != 'GPU':
@@ -266,11 +304,13 @@ def stepTime(known, solver, dimensions, place):
 
 
 def stepsRatio(known, solver, other, dimensions):
-    """Steps of `other` over those of `solver` at equal spacing: median of scenes that both have; None without one"""
+    """Steps of `other` over those of `solver` at equal spacing: median of scenes that both have;
+    None without one"""
     ratios = []
     for k in known:
         for o in known:
-            if (k.scene, k.solver, o.scene, o.solver, k.dimensions) == (o.scene, solver, k.scene, other, dimensions):
+            if (k.scene, k.solver, o.scene, o.solver, k.dimensions) == (
+                    o.scene, solver, k.scene, other, dimensions):
                 mine = sorted((s.across, s.steps) for p in k.places.values() for s in p)
                 for p in o.places.values():
                     for s in p:

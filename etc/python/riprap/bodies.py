@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Particles of rigid bodies, each with its exact share of the body's area or volume, for constant/solids.csv
+"""Particles of rigid bodies, each with its exact share of the body's area or volume, for
+constant/solids.csv
 
-Each function gives points about the body's reference point (middle of a circle, sphere or block; apex of a wedge), their areas or volumes, and
-their spacing.
+Each function gives points about the body's reference point (middle of a circle, sphere or block;
+apex of a wedge), their areas or volumes, and their spacing.
 """
 import numpy as np
 
@@ -19,8 +20,10 @@ def _ring(k, s, threeD):
     if threeD:
         m = max(int(round(4*np.pi*((k + 0.5)**2 + 1/12))), 4)
         i = np.arange(m) + 0.5
-        polar, around = np.arccos(1 - 2*i/m), np.pi*(1 + np.sqrt(5))*i         # spread by the golden angle
-        x = np.column_stack([np.cos(around)*np.sin(polar), np.cos(polar), np.sin(around)*np.sin(polar)])
+        # spread by the golden angle
+        polar, around = np.arccos(1 - 2*i/m), np.pi*(1 + np.sqrt(5))*i
+        x = np.column_stack([np.cos(around)*np.sin(polar), np.cos(polar),
+                             np.sin(around)*np.sin(polar)])
         volume = 4*np.pi/3*((k + 1)**3 - k**3)*s**3
     else:
         m = max(int(round(2*np.pi*(k + 0.5))), 3)
@@ -31,7 +34,8 @@ def _ring(k, s, threeD):
 
 
 def wedge(halfBreadth, deadrise, spacing):
-    """A symmetric wedge, its apex below at the origin, flat on top: rows along both faces. Cells of the last row are halves"""
+    """A symmetric wedge, its apex below at the origin, flat on top: rows along both faces. Cells of
+    the last row are halves"""
     height = halfBreadth*np.tan(deadrise)
     n = max(int(round(height/(spacing*np.sin(deadrise))*np.sqrt(np.sin(2*deadrise)))), 1)
     a = height/(n*np.sin(deadrise))
@@ -49,7 +53,8 @@ def block(sides, spacing):
     axes = [(np.arange(k) + 0.5)*side/k - 0.5*side for k, side in zip(n, sides)]
     grid = [g.ravel() for g in np.meshgrid(*axes, indexing='ij')]
     points = np.column_stack(grid + [np.zeros(len(grid[0]))]*(3 - len(sides)))
-    return points, np.full(len(points), np.prod(sides)/np.prod(n)), min(side/k for k, side in zip(n, sides))
+    return (points, np.full(len(points), np.prod(sides)/np.prod(n)),
+            min(side/k for k, side in zip(n, sides)))
 
 
 def write(path, points, volumes, spacing, density):

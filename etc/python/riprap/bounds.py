@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Quantities, the tolerance table and the printed verdict
 
-tests/regression/tolerances.csv has one line a bound: scene, level (full | quick | finding), run (a pattern),
-quantity, low, high, reason. A bound applies to the quantity's error if it has one, else to its
-computed value; an empty low or high is open. A quantity without a bound is printed as information.
-A finding is a bound of full that models shown beside the case's own need not meet: what misses it is printed
-as such and counted by itself. The first line that fits decides.
+tests/regression/tolerances.csv has one line a bound: scene, level (full | quick | finding), run (a
+pattern), quantity, low, high, reason. A bound applies to the quantity's error if it has one, else
+to its computed value; an empty low or high is open. A quantity without a bound is printed as
+information.
+A finding is a bound of full that models shown beside the case's own need not meet: what misses it
+is printed as such and counted by itself. The first line that fits decides.
 """
 import csv
 import fnmatch
@@ -32,7 +33,8 @@ class Quantity:
             return 'value'
         if self.computed is None or not self.reference:
             return 'error'
-        return 'relative' if abs(abs(self.error) - abs(self.computed/self.reference - 1)) < 1e-6 else 'error'
+        return ('relative' if abs(abs(self.error) - abs(self.computed/self.reference - 1)) < 1e-6
+                else 'error')
 
 
 class Bounds:
@@ -41,7 +43,8 @@ class Bounds:
         with open(path, newline='') as f:
             lines = [line for line in f if line.strip() and not line.startswith('#')]
         self.rows = [r for r in csv.DictReader(lines, skipinitialspace=True)
-                     if r['scene'] == scene and r['level'] in ((level, 'finding') if level == 'full' else (level,))]
+                     if r['scene'] == scene
+                     and r['level'] in ((level, 'finding') if level == 'full' else (level,))]
         self.used = set()
 
     def find(self, run, quantity):
@@ -49,7 +52,8 @@ class Bounds:
         for i, r in enumerate(self.rows):
             if r['quantity'] == quantity and fnmatch.fnmatch(run, r['run']):
                 self.used.add(i)
-                return (float(r['low']) if r['low'] else None, float(r['high']) if r['high'] else None), r['level'] == 'finding'
+                return (float(r['low']) if r['low'] else None,
+                        float(r['high']) if r['high'] else None), r['level'] == 'finding'
         return None, False
 
     def unused(self):
@@ -64,7 +68,8 @@ def root():
 
 
 def check(bounds, results):
-    """Table rows of {run: [Quantity]}, the number of quantities out of bounds and that of findings that miss theirs"""
+    """Table rows of {run: [Quantity]}, the number of quantities out of bounds and that of findings
+    that miss theirs"""
     rows, failures, findings = [], 0, 0
     for run, quantities in results.items():
         for q in quantities:

@@ -3,7 +3,8 @@
 
     Poiseuille, body force F:  u = F/(2 nu) y (L - y) - sum_n 4 F L^2/(nu pi^3 (2n+1)^3)
                                    sin(pi y (2n+1)/L) exp(-(2n+1)^2 pi^2 nu t/L^2)
-    Couette, wall y = L at U:  u = U y/L + sum_n 2 U/(n pi) (-1)^n sin(n pi y/L) exp(-n^2 pi^2 nu t/L^2)
+    Couette, wall y = L at U:  u = U y/L + sum_n 2 U/(n pi) (-1)^n sin(n pi y/L) exp(-n^2 pi^2 nu
+                               t/L^2)
 
 Morris, Fox & Zhu (1997), J. Comput. Phys. 136, 214-226.
 """
@@ -57,7 +58,8 @@ def checkSeries(profile, file, scale):
     with open(file) as f:
         taus = [float(c.split('=')[-1]) for c in f.readline().split(',')[1:]]
     data = np.loadtxt(file, delimiter=',', skiprows=1)
-    return max(abs(profile(data[:, 0], tau)/scale - data[:, i + 1]).max() for i, tau in enumerate(taus))
+    return max(abs(profile(data[:, 0], tau)/scale - data[:, i + 1]).max()
+               for i, tau in enumerate(taus))
 
 
 def plot(runs, path, profile, title):
@@ -70,11 +72,13 @@ def plot(runs, path, profile, title):
         left.plot(c['positions'][:, 1], c['U'][:, 0], '.', markersize=2, color=plotting.colours[i],
                   label=f'$\\nu t/L^2$ = {float(name)*finest.kinematicViscosity:.3g}')
         left.plot(y, profile(y, float(name), finest.kinematicViscosity), 'k-', linewidth=0.7)
-    left.set(xlabel='y/L', ylabel='u [m/s]', title=f'{title}, L/{1/finest.spacing:.0f}; lines: exact')
+    left.set(xlabel='y/L', ylabel='u [m/s]',
+             title=f'{title}, L/{1/finest.spacing:.0f}; lines: exact')
     for run in runs:
         tau, error = errors(run, profile)
         right.semilogy(tau, error, label=f'{run.name}: L/{1/run.spacing:.0f}')
-    right.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound of the stated resolution')
+    right.axhline(0.02, color='k', linewidth=0.8, linestyle='--',
+                  label='bound of the stated resolution')
     right.set(xlabel='$\\nu t/L^2$', ylabel='relative L2 error of the velocity')
     plotting.named(left)
     plotting.named(right)
@@ -83,7 +87,8 @@ def plot(runs, path, profile, title):
 
 def ofParticles():
     """Variants of sphDem, the quick one, and the three resolutions"""
-    return ([Variant('n25', ['-spacing', '0.04']), Variant('n50', ['-spacing', '0.02']), Variant('n100', ['-spacing', '0.01']),
+    return ([Variant('n25', ['-spacing', '0.04']), Variant('n50', ['-spacing', '0.02']),
+             Variant('n100', ['-spacing', '0.01']),
              Variant('n50-stationary', ['-spacing', '0.02', '-set', 'walls/model stationary'])],
             [Variant('n25-quick', ['-spacing', '0.04', '-endTime', '5'])], ['n25', 'n50', 'n100'])
 
@@ -91,22 +96,25 @@ def ofParticles():
 def onGrid():
     """The same of picDem, with n cells across"""
     def cells(n, more=''):
-        return ['-spacing', f'{0.5/n:.8g}', '-set', f'system/tank:n {n}; system/tank:nx {3*n//5}{more}']
+        return ['-spacing', f'{0.5/n:.8g}', '-set',
+                f'system/tank:n {n}; system/tank:nx {3*n//5}{more}']
     return ([Variant(f'n{n}', cells(n)) for n in (10, 20, 40)]
             + [Variant(f'n20-{word}', cells(20, f'; {entry}')) for word, entry in (
-                ('apic', 'transfer apic'), ('explicit', 'viscosity explicit'), ('implicit', 'viscosity implicit'))],
+                ('apic', 'transfer apic'), ('explicit', 'viscosity explicit'),
+                ('implicit', 'viscosity implicit'))],
             [Variant('n10-quick', cells(10) + ['-endTime', '5'])], ['n10', 'n20', 'n40'])
 
 
 def verify(scene, here, profile, scale, title, runs=None):
-    """The tutorial here: its runs (ofParticles() or onGrid()) and main program; scale: of the velocities in
-    sphDem's reference/profiles.csv, at nu = 0.1"""
+    """The tutorial here: its runs (ofParticles() or onGrid()) and main program; scale: of the
+    velocities in sphDem's reference/profiles.csv, at nu = 0.1"""
     variants, quick, resolutions = runs or ofParticles()
     steady = 'velocity L2, steady'
     developing = 'velocity L2, largest from nu t/L^2 = 0.05'
 
     def analysed(run):
-        table = os.path.join(root(), 'tutorials', 'sphDem', os.path.basename(here), 'reference', 'profiles.csv')
+        table = os.path.join(root(), 'tutorials', 'sphDem', os.path.basename(here), 'reference',
+                             'profiles.csv')
         series = checkSeries(lambda y, tau: profile(y, tau/0.1, 0.1), table, scale)
         return [*analyse(run, profile), Quantity('series against reference table', error=series)]
 

@@ -48,7 +48,8 @@ def readPositions(path):
     header, count, body = split(path)
     if header['format'] != 'binary':
         return numbers(body).reshape(count, -1 if count else 3)[:, :3]
-    record = np.dtype([('open', 'S1'), ('x', '<f8', 3), ('cell', '<i4'), ('close', 'S1'), ('end', 'S1')])
+    record = np.dtype([('open', 'S1'), ('x', '<f8', 3), ('cell', '<i4'), ('close', 'S1'),
+                       ('end', 'S1')])
     return np.frombuffer(_afterBracket(body).lstrip(b'\n'), record, count)['x'].copy()
 
 

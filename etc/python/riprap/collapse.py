@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A column of water that collapses: front and height against Koshizuka & Oka (1996) and Martin & Moyce (1952)"""
+"""A column of water that collapses: front and height against Koshizuka & Oka (1996) and Martin &
+Moyce (1952)"""
 import os
 
 import numpy as np
@@ -22,7 +23,8 @@ class Collapse:
 
     def __init__(self, run):
         tank = run.dictionary('system/tank')
-        self.a, height, self.width = (numberOf(tank[k]) for k in ('columnWidth', 'columnHeight', 'tankWidth'))
+        self.a, height, self.width = (numberOf(tank[k])
+                                      for k in ('columnWidth', 'columnHeight', 'tankWidth'))
         self.square = height < 1.5*self.a
         table = run.table('front', 'frontPosition.dat')
         self.t, self.front = table['Time'], table['frontFloor']
@@ -41,7 +43,8 @@ class Collapse:
 
 
 def reference(name):
-    return fronts.readReference(os.path.join(root(), 'tutorials', 'sphDem', 'damBreak', 'reference', name + '.csv'))
+    return fronts.readReference(os.path.join(root(), 'tutorials', 'sphDem', 'damBreak', 'reference',
+                                             name + '.csv'))
 
 
 def analyse(run):
@@ -56,7 +59,8 @@ def analyse(run):
         measured = heightData(c, file, factor, scale)
         if len(measured):
             computed = np.interp(measured[:, 0], c.t, c.height/c.a)
-            result.append(Quantity(f'height rms [a], {name}', error=measures.rms(computed - measured[:, 1])))
+            result.append(Quantity(f'height rms [a], {name}',
+                                   error=measures.rms(computed - measured[:, 1])))
     if not c.square:
         result.append(Quantity('far wall hit [s]', reference=0.26, computed=c.hit))
     result.append(Quantity('particles lost', computed=c.lost))
@@ -65,7 +69,8 @@ def analyse(run):
 
 
 def heightData(c, file, factor, scale):
-    """Measured t and h/a while the water is still falling at the left wall: up to the run's end, and
+    """Measured t and h/a while the water is still falling at the left wall: up to the run's end,
+    and
     in the tank until the wave from the far wall can be back (0.5 s)"""
     data = reference(file)
     t = data[:, 0]/(c.rate*factor)
@@ -98,7 +103,8 @@ def plot(runs, path):
         e = run.table('energy', 'energyBalance.dat')
         total = e['potential'][0] + e['kinetic'][0] + e['elastic'][0]
         for name, style in (('kinetic', '-'), ('potential', '--'), ('dissipated', ':')):
-            energy.plot(e['Time'], e[name]/total, style, color=colour, label=name if run is runs[0] else None)
+            energy.plot(e['Time'], e[name]/total, style, color=colour,
+                        label=name if run is runs[0] else None)
     front.set(xlabel='$T = t\\,\\sqrt{2g/a}$', ylabel='front $x/a$', ylim=(0.9, 4.1))
     height.set(xlabel='$T$', ylabel='height at the left wall $h/a$', ylim=(0, 2.1))
     energy.set(xlabel='t [s]', ylabel='energy / energy at the start')

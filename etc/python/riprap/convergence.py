@@ -2,9 +2,10 @@
 """Observed order, and the limit that results tend to, with its uncertainty (standard library alone)
 
 order        slope of log error over log spacing, for yardsticks that are the exact answer
-richardson   v(h) = limit + C h^p through the three finest spacings: the limit is a yardstick of its own, that of the solver with
-             ever finer spacing. Uncertainty as in the grid convergence index of Roache, J. Fluids Eng. 116 (1994) 405, with the
-             factors of Oberkampf & Roy, Verification and Validation in Scientific Computing (2010), table 8.1.
+richardson   v(h) = limit + C h^p through the three finest spacings: the limit is a yardstick of its
+             own, that of the solver with ever finer spacing. Uncertainty as in the grid convergence
+             index of Roache, J. Fluids Eng. 116 (1994) 405, with the factors of Oberkampf & Roy,
+             Verification and Validation in Scientific Computing (2010), table 8.1.
 """
 import math
 from dataclasses import dataclass
@@ -57,7 +58,8 @@ def richardson(spacings, values, formal=2.0):
     if p is None:
         return Limit(v1, 3*scatter, None, 'diverging')
     difference = fine/((h2/h1)**p - 1)
-    # With the order near the formal one the difference is trusted; else the lower of the two orders, and a factor of 3
+    # With the order near the formal one the difference is trusted; else the lower of the two
+    # orders, and a factor of 3
     if abs(p - formal) <= 0.1*formal:
         uncertainty = 1.25*abs(difference)
     else:

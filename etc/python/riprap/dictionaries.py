@@ -2,8 +2,8 @@
 """OpenFOAM dictionaries as nested Python dictionaries of strings.
 
 Reads what foamDictionary writes and what people write by hand: comments, sub-dictionaries, lists
-(kept as one string), #include and #includeIfPresent of a file beside it; $name is replaced by an entry or sub-dictionary
-seen before.
+(kept as one string), #include and #includeIfPresent of a file beside it; $name is replaced by an
+entry or sub-dictionary seen before.
 """
 import os
 import re
@@ -12,7 +12,8 @@ _token = re.compile(r'"[^"]*"|[{}();]|[^\s{}();"]+')
 
 
 def readDictionary(path, text=None):
-    """Nested dictionary of the file at path, or of this text; values are strings, lists keep their brackets"""
+    """Nested dictionary of the file at path, or of this text; values are strings, lists keep their
+    brackets"""
     return _parse(iter(_token.findall(_text(path, text))), {})
 
 

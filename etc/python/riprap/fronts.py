@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dam-break fronts against experiments
 
-An experiment's clock starts when the gate starts to move, a calculation's when the water is free. The
-two differ by ONE constant, found by least squares: the shift s for which Z(T - s) is nearest to the
-measured points. Before its release the column stands: Z = Z(0) for T - s < 0. Points beyond the end
-of the calculated curve (the far wall) are left out.
+An experiment's clock starts when the gate starts to move, a calculation's when the water is free.
+The two differ by ONE constant, found by least squares: the shift s for which Z(T - s) is nearest to
+the measured points. Before its release the column stands: Z = Z(0) for T - s < 0. Points beyond the
+end of the calculated curve (the far wall) are left out.
 """
 import numpy as np
 

@@ -31,9 +31,11 @@ def readLog(path):
     result = {}
     for name, pattern in _items.items():
         found = re.findall(pattern, text, re.M)
-        value = found[0 if name == 'device' else -1].strip() if found else None        # solids say theirs after the water's
+        # solids say theirs after the water's
+        value = found[0 if name == 'device' else -1].strip() if found else None
         result[name] = value if name in _words or value is None else float(value)
-    fluid = re.findall(rf'^\s*particles\s+(?:fluid {_number}|{_number}, spacing)', text, re.M)        # of a coupled scene both are told
+    # of a coupled scene both are told
+    fluid = re.findall(rf'^\s*particles\s+(?:fluid {_number}|{_number}, spacing)', text, re.M)
     if fluid:
         result['fluidParticles'] = float(max(fluid[-1]))
     for count in ('throughWalls', 'takenOut'):

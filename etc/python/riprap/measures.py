@@ -23,7 +23,8 @@ def observedOrder(spacings, errors):
 
 
 def crossing(x, y, level):
-    """First x at which y, linear between samples, reaches level from below; None if it never does"""
+    """First x at which y, linear between samples, reaches level from below; None if it never
+    does"""
     above = np.flatnonzero(np.asarray(y) >= level)
     if len(above) == 0:
         return None

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One style for all figures: colours that colour-blind readers tell apart, experiments as markers, names beside the curves
+"""One style for all figures: colours that colour-blind readers tell apart, experiments as markers,
+names beside the curves
 
-named(axis) instead of axis.legend(): save() writes each name beside its curve. callouts(axis, ...) names single points. Log axes get
-plain numbers, and numbers between the powers of ten where there are few powers.
+named(axis) instead of axis.legend(): save() writes each name beside its curve. callouts(axis, ...)
+names single points. Log axes get plain numbers, and numbers between the powers of ten where there
+are few powers.
 """
 import textwrap
 
@@ -20,7 +22,8 @@ colours = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#0
 markers = ['o', 's', '^', 'D', 'v', 'P']
 
 # Of fields in pictures: water by its speed, other numbers, numbers of both signs
-water = LinearSegmentedColormap.from_list('riprapWater', ['#0b3c68', '#14639e', '#2a8fca', '#63bbe3', '#9fd9ee', '#d3f0f3'])
+water = LinearSegmentedColormap.from_list('riprapWater', ['#0b3c68', '#14639e', '#2a8fca',
+                                                          '#63bbe3', '#9fd9ee', '#d3f0f3'])
 sequential = plt.get_cmap('viridis')
 diverging = plt.get_cmap('RdBu_r')
 
@@ -56,23 +59,28 @@ def besideMeasured(path, runs, curve, reference, label, xlabel, ylabel):
 
 
 def discs(axis, positions, radii, colour=None, **options):
-    """Bodies to scale in the plane of the first two components, all of one colour or by a value each"""
+    """Bodies to scale in the plane of the first two components, all of one colour or by a value
+    each"""
     size = 2*np.broadcast_to(radii, len(positions))
     flat = np.ndim(colour) > 0
-    drawn = EllipseCollection(size, size, np.zeros(len(size)), units='xy', offsets=np.asarray(positions)[:, :2],
-                              offset_transform=axis.transData, array=colour if flat else None,
-                              facecolor=None if flat else colour or '#56B4E9', edgecolor='#222222', linewidth=0.3, **options)
+    drawn = EllipseCollection(size, size, np.zeros(len(size)), units='xy',
+                              offsets=np.asarray(positions)[:, :2], offset_transform=axis.transData,
+                              array=colour if flat else None,
+                              facecolor=None if flat else colour or '#56B4E9', edgecolor='#222222',
+                              linewidth=0.3, **options)
     axis.add_collection(drawn)
     return drawn
 
 
 def named(axis, width=26):
-    """Writes the names of curves and points beside them when the figure is saved. Lines of a name: of so many letters"""
+    """Writes the names of curves and points beside them when the figure is saved. Lines of a name:
+    of so many letters"""
     axis.riprapNames = width
 
 
 def callouts(axis, points):
-    """Names of single points, (x, y, text, colour) each, placed where they hide least when the figure is saved"""
+    """Names of single points, (x, y, text, colour) each, placed where they hide least when the
+    figure is saved"""
     axis.riprapCallouts = list(points)
 
 
@@ -92,7 +100,8 @@ def drawPareto(axis, points, label='Pareto front'):
         return front
     far = max(cost for cost, _ in points)
     x, y = zip(*front, (max(far, front[-1][0]), front[-1][1]))
-    axis.step(x, y, where='post', color='#bbbbbb', linewidth=5, alpha=0.6, solid_capstyle='butt', zorder=0.5, label='_' + label)
+    axis.step(x, y, where='post', color='#bbbbbb', linewidth=5, alpha=0.6, solid_capstyle='butt',
+              zorder=0.5, label='_' + label)
     return front
 
 
@@ -108,7 +117,8 @@ def plain(value, _=None):
 
 
 def readableLogs(axis):
-    """Ticks of log axes: 1, 2, 5 where less than two powers of ten are shown, else powers, few enough to be read"""
+    """Ticks of log axes: 1, 2, 5 where less than two powers of ten are shown, else powers, few
+    enough to be read"""
     for which, limits in ((axis.xaxis, axis.get_xlim()), (axis.yaxis, axis.get_ylim())):
         if which.get_scale() != 'log' or min(limits) <= 0:
             continue
@@ -117,7 +127,8 @@ def readableLogs(axis):
         if powers < 0.25:
             which.set_major_locator(matplotlib.ticker.MaxNLocator(4))
         else:
-            which.set_major_locator(LogLocator(base=10, subs=subs, numticks=30 if powers < 8 else 8))
+            which.set_major_locator(LogLocator(base=10, subs=subs,
+                                               numticks=30 if powers < 8 else 8))
         which.set_major_formatter(FuncFormatter(plain))
         which.set_minor_formatter(NullFormatter())
 
@@ -141,10 +152,14 @@ _small = 7.5            # points
 
 
 def _endOf(axis, handle):
-    """Where a curve leaves the axes, as a part of their height, and the part of their width; None: it is not in them"""
-    x, y = (np.ma.filled(np.ma.asarray(v, dtype=float), np.nan) for v in handle.get_data(orig=False))
-    places = axis.transAxes.inverted().transform(handle.get_transform().transform(np.column_stack([x, y])))
-    inside = np.isfinite(places).all(axis=1) & (places >= -0.02).all(axis=1) & (places <= 1.02).all(axis=1)
+    """Where a curve leaves the axes, as a part of their height, and the part of their width; None:
+    it is not in them"""
+    x, y = (np.ma.filled(np.ma.asarray(v, dtype=float), np.nan)
+            for v in handle.get_data(orig=False))
+    places = axis.transAxes.inverted().transform(
+        handle.get_transform().transform(np.column_stack([x, y])))
+    inside = (np.isfinite(places).all(axis=1) & (places >= -0.02).all(axis=1)
+              & (places <= 1.02).all(axis=1))
     if not inside.any():
         return None
     ends = places[inside]
@@ -168,20 +183,25 @@ def _name(axis, width):
     if others or heights.sum() > 1.12 or len(axis.figure.axes) > 8:
         # bars, areas and what would not fit: a list under the axes
         wide = max(map(len, labels)) > 30
-        axis.legend(handles, [textwrap.fill(label, 60) for label in labels], fontsize=_small, loc='upper center', borderaxespad=0.2,
-                    bbox_to_anchor=(0.5, -3.6*axis.xaxis.label.get_size()*axis.figure.dpi/72/pixel), ncols=1 if wide or len(labels) < 4 else 2)
+        axis.legend(handles, [textwrap.fill(label, 60) for label in labels], fontsize=_small,
+                    loc='upper center', borderaxespad=0.2,
+                    bbox_to_anchor=(0.5, -3.6*axis.xaxis.label.get_size()*axis.figure.dpi/72/pixel),
+                    ncols=1 if wide or len(labels) < 4 else 2)
         return
     middles = spread(np.array([f[0][1] for f in found]), heights, -0.06, 1.06)
     for (end, handle, _), middle, text in zip(found, middles, texts):
-        colour = handle.get_markeredgecolor() if handle.get_linestyle() in ('None', 'none', '') else handle.get_color()
-        axis.annotate(text, xy=(end[0], end[1]), xycoords='axes fraction', xytext=(1.05, middle), textcoords='axes fraction', va='center', ha='left',
-                      fontsize=_small, color=colour, annotation_clip=False, linespacing=1.05,
-                      arrowprops={'arrowstyle': '-', 'color': colour, 'linewidth': 0.6, 'alpha': 0.55, 'shrinkA': 1, 'shrinkB': 2,
-                                  'linestyle': ':'})
+        colour = (handle.get_markeredgecolor() if handle.get_linestyle() in ('None', 'none', '')
+                  else handle.get_color())
+        axis.annotate(text, xy=(end[0], end[1]), xycoords='axes fraction', xytext=(1.05, middle),
+                      textcoords='axes fraction', va='center', ha='left', fontsize=_small,
+                      color=colour, annotation_clip=False, linespacing=1.05,
+                      arrowprops={'arrowstyle': '-', 'color': colour, 'linewidth': 0.6,
+                                  'alpha': 0.55, 'shrinkA': 1, 'shrinkB': 2, 'linestyle': ':'})
 
 
 def spread(wanted, heights, low, high):
-    """Middles of boxes in the order given, as near to where they are wanted as they can be without overlap"""
+    """Middles of boxes in the order given, as near to where they are wanted as they can be without
+    overlap"""
     at = np.array(wanted, dtype=float)
     for _ in range(200):
         moved = False
@@ -229,15 +249,21 @@ def _callOut(axis, points):
                 left = at[0] + d[0] - (w if d[0] < -1 else 0 if d[0] > 1 else 0.5*w)
                 bottom = at[1] + d[1] - 0.5*h
                 box = left, bottom, left + w, bottom + h
-                hit = ((dots[:, 0] > box[0] - 4) & (dots[:, 0] < box[2] + 4) & (dots[:, 1] > box[1] - 4) & (dots[:, 1] < box[3] + 4)).sum()
-                overlap = sum(max(0, min(box[2], t[2]) - max(box[0], t[0]))*max(0, min(box[3], t[3]) - max(box[1], t[1])) for t in taken)
-                out = max(0, frame.x0 - box[0]) + max(0, box[2] - frame.x1) + max(0, frame.y0 - box[1]) + max(0, box[3] - frame.y1)
+                hit = ((dots[:, 0] > box[0] - 4) & (dots[:, 0] < box[2] + 4)
+                       & (dots[:, 1] > box[1] - 4) & (dots[:, 1] < box[3] + 4)).sum()
+                overlap = sum(max(0, min(box[2], t[2]) - max(box[0], t[0]))*max(
+                    0, min(box[3], t[3]) - max(box[1], t[1])) for t in taken)
+                out = (max(0, frame.x0 - box[0]) + max(0, box[2] - frame.x1)
+                       + max(0, frame.y0 - box[1]) + max(0, box[3] - frame.y1))
                 worth = 12*hit + overlap + 6*out + 0.35*reach
                 if best is None or worth < best[0]:
                     best = worth, box, d
         _, box, d = best
         taken.append(box)
-        offset = np.array([box[0] + (w if d[0] < -1 else 0 if d[0] > 1 else 0.5*w), box[1] + 0.5*h]) - at
-        axis.annotate(text, xy=(x, y), xytext=offset/scale, textcoords='offset points', fontsize=_small, color=colour, va='center',
-                      ha='right' if d[0] < -1 else 'left' if d[0] > 1 else 'center', linespacing=1.05, zorder=5,
-                      arrowprops={'arrowstyle': '-', 'color': colour, 'linewidth': 0.6, 'alpha': 0.6, 'shrinkA': 0, 'shrinkB': 3})
+        offset = np.array([box[0] + (w if d[0] < -1 else 0 if d[0] > 1 else 0.5*w),
+                           box[1] + 0.5*h]) - at
+        axis.annotate(text, xy=(x, y), xytext=offset/scale, textcoords='offset points',
+                      fontsize=_small, color=colour, va='center', ha='right' if d[0] < -1
+                      else 'left' if d[0] > 1 else 'center', linespacing=1.05, zorder=5,
+                      arrowprops={'arrowstyle': '-', 'color': colour, 'linewidth': 0.6,
+                                  'alpha': 0.6, 'shrinkA': 0, 'shrinkB': 3})

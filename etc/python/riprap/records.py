@@ -11,21 +11,22 @@ import subprocess
 
 from .bounds import root
 
-columns = ['date', 'scene', 'run', 'model', 'settings', 'spacing', 'particles', 'precision', 'device',
-           'quantity', 'error', 'wallTime', 'deviceTime', 'steps', 'particleSteps', 'memory',
-           'energyDrift', 'version', 'machine', 'simulated', 'kind']
+columns = ['date', 'scene', 'run', 'model', 'settings', 'spacing', 'particles', 'precision',
+           'device', 'quantity', 'error', 'wallTime', 'deviceTime', 'steps', 'particleSteps',
+           'memory', 'energyDrift', 'version', 'machine', 'simulated', 'kind']
 
 
 def append(scene, run, quantity, error, kind=''):
-    """run: a study.Run. kind of the error: relative, error (in the quantity's unit), or value where there is no error"""
+    """run: a study.Run. kind of the error: relative, error (in the quantity's unit), or value where
+    there is no error"""
     log = run.log
     row = {
         'date': datetime.date.today().isoformat(), 'scene': scene, 'run': run.name,
         'model': run.control.get('solver', 'sphDem'), 'settings': run.settings(),
         'spacing': _show(run.spacing), 'particles': _count(log['fluidParticles']),
-        'precision': log['precision'] or (run.sph or run.pic or run.solid).get('precision', ''), 'device': log['device'],
-        'quantity': quantity, 'error': _show(error), 'wallTime': wallTime(log),
-        'deviceTime': log['deviceTime'], 'steps': _count(log['steps']),
+        'precision': log['precision'] or (run.sph or run.pic or run.solid).get('precision', ''),
+        'device': log['device'], 'quantity': quantity, 'error': _show(error),
+        'wallTime': wallTime(log), 'deviceTime': log['deviceTime'], 'steps': _count(log['steps']),
         'particleSteps': _show(log['particleSteps']), 'memory': _count(log['memory']),
         'energyDrift': _show(run.energyDrift()), 'version': log['version'] or version(),
         'machine': machine(), 'simulated': run.control.get('endTime', ''), 'kind': kind,
@@ -46,7 +47,8 @@ def append(scene, run, quantity, error, kind=''):
 
 
 def wallTime(log):
-    """Whole seconds by the clock; of one thread its processor time, which a shared machine does not lengthen"""
+    """Whole seconds by the clock; of one thread its processor time, which a shared machine does not
+    lengthen"""
     if '1 threads' in (log['device'] or ''):
         return log['executionTime'] or log['clockTime']
     return log['clockTime'] or log['executionTime']
@@ -66,7 +68,8 @@ def machine():
     name = platform.processor() or platform.machine()
     try:
         with open('/proc/cpuinfo') as f:
-            name = next(line.split(':', 1)[1].strip() for line in f if line.startswith('model name'))
+            name = next(line.split(':', 1)[1].strip() for line in f
+                        if line.startswith('model name'))
     except (OSError, StopIteration):
         pass
     return os.environ.get('RIPRAP_MACHINE') or f'{name} ({os.cpu_count()} threads)'

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All rows of benchmarks/results in one form, sorted into series, with the yardstick of each (standard library alone)
+"""All rows of benchmarks/results in one form, sorted into series, with the yardstick of each
+(standard library alone)
 
 load()    every row, the peers' too; what may not be compared says why in `left`
-series()  rows of equal settings and different spacings, newest alone: points with error, cost and band, observed order, limit
+series()  rows of equal settings and different spacings, newest alone: points with error, cost and
+          band, observed order, limit
 fronts()  of scenes whose yardstick holds: what an error costs at best, by solver and device
 
-Costs are seconds a simulated second: of the processor for one thread of a CPU, by the clock for several threads and for a GPU. Of repeats
-that took the same steps the shortest counts: other programs only lengthen. The error that a point counts with is `kept`: the largest
-of its own and of all finer spacings of its series, so that an error that happens to cross zero earns nothing; where a series does not
-fall, the largest of all.
+Costs are seconds a simulated second: of the processor for one thread of a CPU, by the clock for
+several threads and for a GPU. Of repeats that took the same steps the shortest counts: other
+programs only lengthen. The error that a point counts with is `kept`: the largest of its own and of
+all finer spacings of its series, so that an error that happens to cross zero earns nothing; where a
+series does not fall, the largest of all.
 """
 import csv
 import glob
@@ -25,13 +28,17 @@ roundOff = 1e-6                 # of the quantity: below it there is no error to
 falling = 1.4                   # coarse over fine: less is no fall
 
 # Parts of a run's name that tell its spacing, precision or device
-_resolution = re.compile(r'(n\d+(\.\d+)?|dp[\d.]+|a\d+|cells\d+|[\d.]+mm|coarse|medium|fine|half|million|quick|cpu|gpu|device|double|mixed)')
+_resolution = re.compile(
+    r'(n\d+(\.\d+)?|dp[\d.]+|a\d+|cells\d+|[\d.]+mm|coarse|medium|fine|half|million|quick|cpu|'
+    r'gpu|device|double|mixed)')
 _counted = re.compile(r'(square|hexagonal)\d+')
 # Settings that follow from the spacing, or came of the run
 _follow = ('subcycles', 'gap', 'cellsDiameter')
 # What rows without the column `kind` hold that is no error
-_values = {'broken bonds', 'first bond: 0 whole, 1 broken in tension, 2 in shear', 'front two spacings from the far wall [s]', 'arrival at the far wall [s]',
-           'half of the cylinders below the mouth [s]', 'iterations', 'largest acceleration in ten steps / g', 'creep of the base [radii]'}
+_values = {'broken bonds', 'first bond: 0 whole, 1 broken in tension, 2 in shear',
+           'front two spacings from the far wall [s]', 'arrival at the far wall [s]',
+           'half of the cylinders below the mouth [s]', 'iterations',
+           'largest acceleration in ten steps / g', 'creep of the base [radii]'}
 
 _short = {'smoothingLength/ratio': 'h/dp', 'stepFraction': 'step', 'timeIntegration': ''}
 
@@ -119,29 +126,36 @@ class Series:
 def yardsticks(path=None):
     path = path or os.path.join(root(), 'benchmarks', 'yardsticks.csv')
     with open(path, newline='') as f:
-        found = list(csv.DictReader(line for line in f if line.strip() and not line.startswith('#')))
+        found = list(csv.DictReader(line for line in f
+                                    if line.strip() and not line.startswith('#')))
     for y in found:
         if y['use'] not in ('yes', 'no') or (y['use'] == 'no') != bool(y['reason']):
-            raise ValueError(f"{path}: scene {y['scene']}, runs {y['runs']}: use is yes, or no with a reason")
+            raise ValueError(
+                f"{path}: scene {y['scene']}, runs {y['runs']}: use is yes, or no with a reason")
     return found
 
 
 def stickOf(sticks, file, run, quantity):
     """The first line of yardsticks.csv that fits, or None"""
-    return next((y for y in sticks if y['file'] == file and re.fullmatch(y['runs'], run) and (y['quantity'] == quantity or y['quantity'] == '.*')), None)
+    return next((y for y in sticks if y['file'] == file and re.fullmatch(y['runs'], run)
+                 and (y['quantity'] == quantity or y['quantity'] == '.*')), None)
 
 
 def rates(loaded):
     """{(solver, dimensions): particle-steps a second of one thread}, medians of rows"""
     found = {}
     for r in loaded:
-        if r.place == 'CPU, one thread' and not r.peer and r.particleSteps and r.cost and r.simulated and r.cost*r.simulated > 1 and (r.particles or 0) > 10:
-            found.setdefault((r.solver, r.dimensions), []).append(r.particleSteps/(r.cost*r.simulated))
+        if (
+                r.place == 'CPU, one thread' and not r.peer and r.particleSteps and r.cost
+                and r.simulated and r.cost*r.simulated > 1 and (r.particles or 0) > 10):
+            found.setdefault((r.solver, r.dimensions),
+                             []).append(r.particleSteps/(r.cost*r.simulated))
     return {key: _median(sorted(values)) for key, values in found.items()}
 
 
 def load(results=None, sticks=None):
-    """Rows of all CSV files whose columns are those of records.py; `left` is empty where a row may be compared"""
+    """Rows of all CSV files whose columns are those of records.py; `left` is empty where a row may
+    be compared"""
     results = results or os.path.join(root(), 'benchmarks', 'results')
     sticks = yardsticks() if sticks is None else sticks
     rows = []
@@ -163,14 +177,23 @@ def peers():
     for name in ('peers.csv', 'interFoam.csv'):
         with open(os.path.join(folder, name), newline='') as f:
             for r in csv.DictReader(f):
-                stick = next((y for y in sticks if y['file'] == r['scene'] and y['quantity'] == r['quantity']), None)
-                time, simulated = _number(r.get('cpuTime') or r.get('cost')), _number(r.get('simulated'))
-                if stick and _number(r['error']) and time and simulated and (name == 'interFoam.csv' or r['chart'] == 'cost'):
+                stick = next((y for y in sticks
+                              if y['file'] == r['scene'] and y['quantity'] == r['quantity']), None)
+                time, simulated = (_number(r.get('cpuTime') or r.get('cost')),
+                                   _number(r.get('simulated')))
+                if stick and _number(r['error']) and time and simulated and (
+                        name == 'interFoam.csv' or r['chart'] == 'cost'):
                     gpu = 'H200' in r['machine']
-                    rows.append(Row(stick['scene'], name, r.get('settings') or f"{r['cell']} m {r['walls']}", r.get('peer') or r['solver'] or 'interFoam', r.get('settings') or r['walls'],
-                                    r.get('walls', ''), _number(r.get('cell')), _number(r.get('elements')), int(stick['dimensions']), _number(stick['length']), stick['kind'], 'double',
-                                    'GPU' if gpu else 'CPU', r['machine'], None if gpu else 1, r['quantity'], stick['of'], stick['yardstick'], abs(_number(r['error'])),
-                                    time/simulated, None, None, simulated, None, '', '', left=stick['reason'] if stick['use'] == 'no' else '', peer=True))
+                    rows.append(Row(
+                        stick['scene'], name, r.get('settings') or f"{r['cell']} m {r['walls']}",
+                        r.get('peer') or r['solver'] or 'interFoam',
+                        r.get('settings') or r['walls'], r.get('walls', ''), _number(r.get('cell')),
+                        _number(r.get('elements')), int(stick['dimensions']),
+                        _number(stick['length']), stick['kind'], 'double', 'GPU' if gpu else 'CPU',
+                        r['machine'], None if gpu else 1, r['quantity'], stick['of'],
+                        stick['yardstick'], abs(_number(r['error'])), time/simulated, None,
+                        None, simulated, None, '', '',
+                        left=stick['reason'] if stick['use'] == 'no' else '', peer=True))
     return rows
 
 
@@ -179,13 +202,15 @@ def series(rows):
     found = {}
     for r in rows:
         if not r.left:
-            found.setdefault((r.scene, r.solver, r.variant, r.settings, r.precision), {}).setdefault(r.spacing, []).append(r)
+            found.setdefault((r.scene, r.solver, r.variant, r.settings, r.precision),
+                             {}).setdefault(r.spacing, []).append(r)
     result = []
     for key, spacings in found.items():
         s = Series(*key)
         for spacing in sorted(spacings, reverse=True):
             errors = sorted(r.error for r in spacings[spacing])
-            s.points.append(Point(spacing, spacings[spacing], _median(errors), errors[0], errors[-1]))
+            s.points.append(Point(spacing, spacings[spacing], _median(errors), errors[0],
+                                  errors[-1]))
         worst = 0.0
         for p in reversed(s.points):
             worst = p.kept = max(worst, p.error)
@@ -203,8 +228,8 @@ def scenes(found):
     for s in found:
         result.setdefault(s.scene, []).append(s)
     return {scene: (mine, '' if any(s.falls for s in mine) else
-                    'one spacing of each setting' if all(len(s.points) < 2 for s in mine) else 'no series falls with its spacing')
-            for scene, mine in result.items()}
+                    'one spacing of each setting' if all(len(s.points) < 2 for s in mine)
+                    else 'no series falls with its spacing') for scene, mine in result.items()}
 
 
 def labels(mine):
@@ -216,7 +241,8 @@ def labels(mine):
         own = dict(w.split('=', 1) for w in s.settings.split() if '=' in w)
         words = [s.variant] if s.variant else []
         if sum(o.variant == s.variant and o.precision == s.precision for o in others) > 1:
-            words += [f'{_short.get(k, k)} {v}'.strip() for k, v in own.items() if len({p.get(k) for p in pairs}) > 1][:2]
+            words += [f'{_short.get(k, k)} {v}'.strip() for k, v in own.items()
+                      if len({p.get(k) for p in pairs}) > 1][:2]
         if s.precision != 'mixed':
             words.append(s.precision)
         result[id(s)] = ', '.join(words)
@@ -224,8 +250,8 @@ def labels(mine):
 
 
 def fronts(mine):
-    """{(solver, place): [(cost, kept error, series, point, row)]} of a scene's series of two spacings or more, without points that another
-    beats in both"""
+    """{(solver, place): [(cost, kept error, series, point, row)]} of a scene's series of two
+    spacings or more, without points that another beats in both"""
     points = {}
     for s in mine:
         if s.verdict == 'one spacing':
@@ -259,7 +285,8 @@ def _judge(s):
         s.verdict = 'round-off'
     elif s.points[0].kept < falling*s.points[-1].kept:
         s.verdict = 'does not fall'
-    elif s.limit and s.limit.kind == 'monotone' and s.limit.value - s.limit.uncertainty > 0.1*s.points[-1].error:
+    elif (s.limit and s.limit.kind == 'monotone'
+          and s.limit.value - s.limit.uncertainty > 0.1*s.points[-1].error):
         s.verdict = 'falls to a floor'
     else:
         s.verdict = 'falls'
@@ -271,13 +298,18 @@ def _row(file, r, sticks, common):
     time, simulated = _number(r['wallTime']), _number(r['simulated'])
     spacing, steps = _number(r['spacing']), _number(r['steps'])
     gpu = 'NVIDIA' in r['device']
-    row = Row(stick['scene'] if stick else file, file, run, r['model'], _settings(r, spacing, common), variantOf(run, stick['chance'] if stick else ''),
-              spacing, _number(r['particles']), int(stick['dimensions']) if stick else 0, _number(stick['length']) if stick else None,
-              stick['kind'] if stick else '', r['precision'],
-              'GPU' if gpu else 'CPU', r['device'].split(',')[0] if gpu else r['machine'], None if gpu else _threads(r), r['quantity'],
-              stick['of'] if stick else '', stick['yardstick'] if stick else '', None if _number(r['error']) is None else abs(_number(r['error'])),
-              time/simulated if time and simulated else None, steps/simulated if steps and simulated else None,
-              _number(r['particleSteps']), simulated, _number(r['memory']), r['date'], r['version'], run)
+    row = Row(stick['scene'] if stick else file, file, run, r['model'],
+              _settings(r, spacing, common), variantOf(run, stick['chance'] if stick else ''),
+              spacing, _number(r['particles']), int(stick['dimensions']) if stick else 0,
+              _number(stick['length']) if stick else None, stick['kind'] if stick else '',
+              r['precision'],
+              'GPU' if gpu else 'CPU', r['device'].split(',')[0] if gpu else r['machine'],
+              None if gpu else _threads(r), r['quantity'], stick['of'] if stick else '',
+              stick['yardstick'] if stick else '', None if _number(r['error']) is None
+              else abs(_number(r['error'])), time/simulated if time and simulated else None,
+              steps/simulated if steps and simulated else None,
+              _number(r['particleSteps']), simulated, _number(r['memory']), r['date'], r['version'],
+              run)
     row.left = ('a quick run: shorter, with its own bounds' if 'quick' in run else
                 'it stopped' if row.error is None else
                 'no yardstick named' if not stick else
@@ -289,14 +321,17 @@ def _row(file, r, sticks, common):
 
 
 def _superseded(rows):
-    """Of the same run and settings on the same device the newest counts, with the shortest time of those that took its steps"""
+    """Of the same run and settings on the same device the newest counts, with the shortest time of
+    those that took its steps"""
     newest = {}
     for r in rows:
         if not r.left:
-            newest.setdefault((r.scene, r.solver, r.chance, r.settings, r.spacing, r.precision, r.place), []).append(r)
+            newest.setdefault((r.scene, r.solver, r.chance, r.settings, r.spacing, r.precision,
+                               r.place), []).append(r)
     for same in newest.values():
         last = same[-1]
-        alike = [r.cost for r in same if r.steps and last.steps and abs(r.steps/last.steps - 1) < 0.05]
+        alike = [r.cost for r in same
+                 if r.steps and last.steps and abs(r.steps/last.steps - 1) < 0.05]
         last.cost = min([last.cost, *alike])
         for r in same[:-1]:
             r.left = 'a newer row of the same settings'
@@ -309,7 +344,8 @@ def variantOf(run, chance=''):
         run = re.sub(chance + r'(?=-|$)', '', run)
     words = [w for w in run.split('-') if w]
     numbered = any(re.fullmatch(r'n\d+', w) for w in words)       # there `half` is a level
-    words = [_counted.sub(r'\1', w) for w in words if not _resolution.fullmatch(w) or (numbered and w == 'half')]
+    words = [_counted.sub(r'\1', w) for w in words
+             if not _resolution.fullmatch(w) or (numbered and w == 'half')]
     return '-'.join(w for w in words if w not in ('column', 'rows'))
 
 
@@ -317,7 +353,8 @@ def _common(found):
     """Settings that all rows of a file tell, by solver: later rows tell more"""
     counts, total = {}, Counter(r['model'] for r in found)
     for r in found:
-        counts.setdefault(r['model'], Counter()).update({w.split('=')[0] for w in r['settings'].split()})
+        counts.setdefault(r['model'],
+                          Counter()).update({w.split('=')[0] for w in r['settings'].split()})
     return {model: {k for k, n in c.items() if n == total[model]} for model, c in counts.items()}
 
 
@@ -325,7 +362,8 @@ def _settings(r, spacing, common):
     words = []
     for word in r['settings'].split():
         key, _, value = word.partition('=')
-        if key in _follow or key not in common[r['model']] or (key == 'stepFraction' and r['model'] == 'picDem'):
+        if key in _follow or key not in common[r['model']] or (key == 'stepFraction'
+                                                               and r['model'] == 'picDem'):
             continue
         if key == 'walls/spacing' and _number(value) and spacing:
             word = f'{key}={_number(value)/spacing:.2g}dp'

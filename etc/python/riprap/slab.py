@@ -11,7 +11,8 @@ def front(run):
     """t and x/a until the front is two spacings from the far wall"""
     tank = run.dictionary('system/tank')
     table = run.table('front', 'frontPosition.dat')
-    t, x = measures.upTo(table['Time'], table['frontFloor'], numberOf(tank['tankWidth']) - 2*run.spacing)
+    t, x = measures.upTo(table['Time'], table['frontFloor'],
+                         numberOf(tank['tankWidth']) - 2*run.spacing)
     return t, x/numberOf(tank['columnWidth'])
 
 

@@ -3,7 +3,8 @@
 
 A tutorial's analysis.py makes one Study and calls main(), which understands
     analysis.py plot RUN_DIRECTORY ...
-    analysis.py verify [-quick] [-reuse] [-only PATTERN] [-set ENTRIES -label LABEL] [-quantities FILE]
+    analysis.py verify [-quick] [-reuse] [-only PATTERN] [-set ENTRIES -label LABEL]
+        [-quantities FILE]
 verify runs the tutorial's Allrun for each variant, compares with reference/, prints the table,
 reports observed orders, draws the figure and appends a row a run to benchmarks/results.
 """
@@ -74,14 +75,18 @@ class Run:
     def settings(self):
         """The choices that tell one model from another, in one word each"""
         if self.pic:
-            return ' '.join(f'{key}={entry(self.pic, path, default)}' for key, path, default in (
-                ('transfer', 'transfer', 'flip'), ('spline', 'spline', 'quadratic'), ('affine', 'affine', 'yes'),
-                ('advection', 'advection', 'RungeKutta3'), ('reflection', 'reflection', 'yes'),
-                ('perDirection', 'seeds/perDirection', '2'), ('jitter', 'seeds/jitter', '0'))) + ''.join(f' {w}' for w in self.bodySettings())
+            return (' '.join(f'{key}={entry(self.pic, path, default)}' for key, path, default in (
+                ('transfer', 'transfer', 'flip'), ('spline', 'spline', 'quadratic'),
+                ('affine', 'affine', 'yes'), ('advection', 'advection', 'RungeKutta3'),
+                ('reflection', 'reflection', 'yes'),
+                ('perDirection', 'seeds/perDirection', '2'), ('jitter', 'seeds/jitter', '0')))
+                    + ''.join(f' {w}' for w in self.bodySettings()))
         if not self.sph:
             return ' '.join(f'{key}={entry(self.solid, path, default)}' for key, path, default in (
-                ('normal', 'contact/normal', 'hertz'), ('tangential', 'contact/tangential', 'history'),
-                ('rolling', 'contact/rolling', 'none'), ('timeIntegration', 'timeIntegration', 'leapfrog'),
+                ('normal', 'contact/normal', 'hertz'),
+                ('tangential', 'contact/tangential', 'history'),
+                ('rolling', 'contact/rolling', 'none'),
+                ('timeIntegration', 'timeIntegration', 'leapfrog'),
                 ('stepFraction', 'stepFraction', '0.2')))
 
         def of(key, default):
@@ -89,41 +94,51 @@ class Run:
         return ' '.join([of('kernel', 'wendlandC2'), of('smoothingLength/model', 'constant'),
                          of('smoothingLength/ratio', '1.25'), of('walls/model', 'extrapolated'),
                          of('walls/spacing', 'fluid'), of('viscosity', 'laminarAndArtificial'),
-                         of('antiClump', '0.01'), of('XSPH', 'none'), of('densityDiffusion', 'fourtakas'),
-                         of('shifting', 'none'), of('timeIntegration', 'symplectic')]
+                         of('antiClump', '0.01'), of('XSPH', 'none'),
+                         of('densityDiffusion', 'fourtakas'), of('shifting', 'none'),
+                         of('timeIntegration', 'symplectic')]
                         + self.artificialSettings() + (self.solidSettings() if self.solid else []))
 
     def artificialSettings(self):
-        """Of the artificial viscosity, where there is one; and walls that forces alone make tight"""
+        """Of the artificial viscosity, where there is one; and walls that forces alone make
+        tight"""
         words = []
         if 'rtificial' in self.sphEntry('viscosity', 'laminarAndArtificial'):
             atWalls = self.sphEntry('artificialViscosity/walls', 'no') in ('yes', 'on', 'true')
-            words.append(f"alpha={self.sphEntry('artificialViscosity/alpha', '0.02')}{'/walls' if atWalls else ''}")
+            words.append(f"alpha={self.sphEntry('artificialViscosity/alpha', '0.02')}"
+                         f"{'/walls' if atWalls else ''}")
         if self.sphEntry('walls/impermeable', 'yes') in ('no', 'off', 'false'):
             words.append('impermeable=no')
         return words
 
     def bodySettings(self):
-        """Of solids in the water of cells: what else tells runs apart, lengths in cells. subcycles is what came of it, steps of solids a step of the water"""
+        """Of solids in the water of cells: what else tells runs apart, lengths in cells. subcycles
+        is what came of it, steps of solids a step of the water"""
         if not self.solid:
             return []
         fixed = self.control.get('adjustTimeStep') == 'no'
-        words = [f"coupling={self.pic.get('coupling', 'implicit')}", f"contactVelocity={self.pic.get('contactVelocity', '1')}"]
-        words += [f"contactVelocityTime={self.pic[key]}" for key in ('contactVelocityTime',) if key in self.pic]
+        words = [f"coupling={self.pic.get('coupling', 'implicit')}",
+                 f"contactVelocity={self.pic.get('contactVelocity', '1')}"]
+        words += [f"contactVelocityTime={self.pic[key]}" for key in ('contactVelocityTime',)
+                  if key in self.pic]
         words.append(f"solver={entry(self.dictionary('system/fvSolution'), 'solvers/p/solver')}")
-        words.append(f"deltaT={self.control.get('deltaT')}" if fixed else f"maxCo={self.control.get('maxCo', '0.5')}")
+        words.append(f"deltaT={self.control.get('deltaT')}" if fixed
+                     else f"maxCo={self.control.get('maxCo', '0.5')}")
         words.append(f"stepFraction={self.solid.get('stepFraction', '0.2')}")
         cell = self.log['cellSize']
-        gaps = {numberOf(pair['gap']) for pair in self.solid.get('pairs', {}).values() if isinstance(pair, dict) and 'gap' in pair}
+        gaps = {numberOf(pair['gap']) for pair in self.solid.get('pairs', {}).values()
+                if isinstance(pair, dict) and 'gap' in pair}
         if cell:
             words.append(f"gap={'/'.join(f'{g/cell:.3g}' for g in sorted(gaps)) or 0}")
             diameter = self.smallestSolid()
             words += [f'cellsDiameter={diameter/cell:.3g}'] if diameter else []
         both = self.log['solidSteps'] and self.log['steps']
-        return words + ([f"subcycles={self.log['solidSteps']/self.log['steps']:.3g}"] if both else [])
+        return words + ([f"subcycles={self.log['solidSteps']/self.log['steps']:.3g}"] if both
+                        else [])
 
     def smallestSolid(self):
-        """Diameter of the smallest disk or sphere; None of clumps, whose spheres are parts of them"""
+        """Diameter of the smallest disk or sphere; None of clumps, whose spheres are parts of
+        them"""
         names = clouds.times(self.path)
         path = os.path.join(self.path, names[0], 'lagrangian', 'solids', 'radius') if names else ''
         if self.log['clumps'] or not (os.path.exists(path) or os.path.exists(path + '.gz')):
@@ -131,13 +146,19 @@ class Run:
         return 2*float(clouds.readField(path).min())
 
     def solidSettings(self):
-        """Of solids in the fluid; steps of theirs are told by their share of sqrt(m/k), since their number swings with the fluid's step"""
+        """Of solids in the fluid; steps of theirs are told by their share of sqrt(m/k), since their
+        number swings with the fluid's step"""
         words = [f"{key}={self.sphEntry(path, default)}" for key, path, default in
-                 (('coupling', 'coupling', 'extrapolated'), ('couplingCoeffs/fluidForce', 'couplingCoeffs/fluidForce', 'default'))]
+                 (('coupling', 'coupling', 'extrapolated'),
+                  ('couplingCoeffs/fluidForce', 'couplingCoeffs/fluidForce', 'default'))]
         words.append(f"stepFraction={entry(self.solid, 'stepFraction', '0.2')}")
-        bonds = [f"{numberOf(bond['E']):g}" for bond in self.solid.get('bonds', {}).values() if isinstance(bond, dict) and 'E' in bond]
-        words += [f'E={E}' for E in bonds] or [f"rho={next(iter(self.solid['materials'].values()))['rho']}"]      # of the first material
-        damping = {group['localDamping'] for group in self.solid.get('groups', {}).values() if isinstance(group, dict) and 'localDamping' in group}
+        bonds = [f"{numberOf(bond['E']):g}" for bond in self.solid.get('bonds', {}).values()
+                 if isinstance(bond, dict) and 'E' in bond]
+        # of the first material
+        words += ([f'E={E}' for E in bonds]
+                  or [f"rho={next(iter(self.solid['materials'].values()))['rho']}"])
+        damping = {group['localDamping'] for group in self.solid.get('groups', {}).values()
+                   if isinstance(group, dict) and 'localDamping' in group}
         return words + [f'localDamping={d}' for d in sorted(damping)]
 
     def energyDrift(self):
@@ -149,15 +170,17 @@ class Run:
             e = self.table('energy', 'solidEnergies.dat')['total']
             return float((e[-1] - e[0])/abs(e).max()) if abs(e).max() > 0 else 0.0
         e = self.table('energy', 'energyBalance.dat')
-        scale = max((e['kinetic'] + e['elastic']).max(), abs(e['potential'] - e['potential'][0]).max())
+        scale = max((e['kinetic'] + e['elastic']).max(),
+                    abs(e['potential'] - e['potential'][0]).max())
         return float(e['dissipated'][-1]/scale) if scale > 0 else 0.0
 
 
 @dataclass
 class Variant:
     """One run of verify: options of Allrun beside -name; case: another tutorial, as module/name;
-    label: added to the name of the run's folder; mayFail: a model that is shown at its limit and may stop; large: hours on a CPU, or of a GPU alone;
-    left out where there is none unless it is finished and reused, or named by -only"""
+    label: added to the name of the run's folder; mayFail: a model that is shown at its limit and
+    may stop; large: hours on a CPU, or of a GPU alone; left out where there is none unless it is
+    finished and reused, or named by -only"""
     name: str
     options: list = field(default_factory=list)
     case: str = ''
@@ -184,11 +207,15 @@ class Study:
         plot = commands.add_parser('plot')
         plot.add_argument('runs', nargs='+')
         verify = commands.add_parser('verify')
-        verify.add_argument('-quick', action='store_true', help='one coarse run with its own bounds')
-        verify.add_argument('-reuse', action='store_true', help='use finished runs of the same name')
+        verify.add_argument('-quick', action='store_true',
+                            help='one coarse run with its own bounds')
+        verify.add_argument('-reuse', action='store_true',
+                            help='use finished runs of the same name')
         verify.add_argument('-only', default='*', help='variants whose name matches this pattern')
-        verify.add_argument('-set', dest='sets', help="entries for all runs, as Allrun's; nothing is recorded or drawn")
-        verify.add_argument('-label', default='', help="added to the names of the runs' folders; needed with -set")
+        verify.add_argument('-set', dest='sets',
+                            help="entries for all runs, as Allrun's; nothing is recorded or drawn")
+        verify.add_argument('-label', default='',
+                            help="added to the names of the runs' folders; needed with -set")
         verify.add_argument('-quantities', help='CSV file: a row a quantity')
         options = parser.parse_args()
         if options.command == 'verify' and options.sets and not options.label:
@@ -206,14 +233,16 @@ class Study:
         bounds = Bounds(self.scene, level)
         chosen = [v for v in (self.quick if options.quick else self.variants)
                   if fnmatch.fnmatch(v.name, options.only)]
-        left = [v for v in chosen if v.large and options.only == '*' and not shutil.which('nvidia-smi')
-                and not (options.reuse and finished(here, v))]
+        left = [v for v in chosen if v.large and options.only == '*'
+                and not shutil.which('nvidia-smi') and not (options.reuse and finished(here, v))]
         chosen = [v for v in chosen if v not in left]
         for v in left:
-            print(f'{v.name}: left out without a GPU: large, or meant for one (-only {v.name} runs it)')
+            print(f'{v.name}: left out without a GPU: large, or meant for one (-only {v.name} '
+                  'runs it)')
         runs, results, failures = {}, {}, 0
         if options.sets:
-            chosen = [replace(v, options=[*v.options, '-set', options.sets], label=f'-{options.label}') for v in chosen]
+            chosen = [replace(v, options=[*v.options, '-set', options.sets],
+                              label=f'-{options.label}') for v in chosen]
         for v in chosen:
             try:
                 path = launch(here, v, options.reuse)
@@ -223,7 +252,8 @@ class Study:
             except Exception as problem:            # one bad run must not hide the others
                 results[v.name] = []
                 failures += not v.mayFail
-                print(f'{v.name}: {"stopped, which is allowed" if v.mayFail else "FAILED"}: {problem}')
+                print(f'{v.name}: {"stopped, which is allowed" if v.mayFail else "FAILED"}: '
+                      f'{problem}')
         if self.compare:
             results['between runs'] = self.compare(runs, results)
         rows, out, findings = check(bounds, results)
@@ -249,7 +279,8 @@ class Study:
             os.makedirs(images, exist_ok=True)
             self.plot(list(runs.values()), os.path.join(images, self.scene + '.png'))
         told = f'; findings that miss their bounds: {findings}' if findings else ''
-        print(f'{self.scene}: ' + (f'{failures} out of bounds' if failures else 'all within bounds') + told)
+        print(f'{self.scene}: ' + (f'{failures} out of bounds' if failures else 'all within bounds')
+              + told)
         return failures
 
     def printOrders(self, runs, results):
@@ -264,7 +295,8 @@ class Study:
     def missing(bounds, options, left):
         if options.only != '*':
             return 0
-        missed = [r for r in bounds.unused() if not any(fnmatch.fnmatch(v.name, r['run']) for v in left)]
+        missed = [r for r in bounds.unused()
+                  if not any(fnmatch.fnmatch(v.name, r['run']) for v in left)]
         for r in missed:
             print(f"bound without a quantity: {r['run']}: {r['quantity']}")
         return len(missed)
@@ -275,23 +307,28 @@ def valueOf(quantities, name):
 
 
 def writeQuantities(path, bounds, runs, results):
-    """A row a quantity: its error, or its value where it has none, and its bounds; a run that failed has a row without any"""
+    """A row a quantity: its error, or its value where it has none, and its bounds; a run that
+    failed has a row without any"""
     with open(path, 'w', newline='') as f:
         writer = csv.writer(f, lineterminator='\n')
-        writer.writerow(['run', 'quantity', 'value', 'low', 'high', 'seconds', 'particles', 'device'])
+        writer.writerow(['run', 'quantity', 'value', 'low', 'high', 'seconds', 'particles',
+                         'device'])
         for name, quantities in results.items():
             log = runs[name].log if name in runs else {'fluidParticles': None, 'device': None}
-            about = [records.wallTime(log) if name in runs else '', '' if log['fluidParticles'] is None else f"{log['fluidParticles']:.0f}", log['device'] or '']
+            about = [records.wallTime(log) if name in runs else '', '' if log['fluidParticles']
+                     is None else f"{log['fluidParticles']:.0f}", log['device'] or '']
             for q in quantities:
                 low, high = bounds.find(name, q.name)[0] or (None, None)
-                writer.writerow([name, q.name, *('' if v is None else f'{v:.6g}' for v in (q.checked, low, high)), *about])
+                writer.writerow([name, q.name, *('' if v is None else f'{v:.6g}'
+                                                 for v in (q.checked, low, high)), *about])
             if not quantities and name != 'between runs':
                 writer.writerow([name, 'stopped', '', '', '', *about])
 
 
 def headline(quantities, name):
     """The quantity that stands for a run: the named one, else the first error"""
-    found = [q for q in quantities if q.name == name] + [q for q in quantities if q.error is not None]
+    found = ([q for q in quantities if q.name == name]
+             + [q for q in quantities if q.error is not None])
     return found[0] if found else quantities[0]
 
 
@@ -312,6 +349,7 @@ def launch(here, variant, reuse):
     if reuse and finished(here, variant):
         print(f'Reusing {variant.name}')
         return path
-    command = [os.path.join(case, 'Allrun'), '-name', variant.name + variant.label, '-noPlot', *variant.options]
+    command = [os.path.join(case, 'Allrun'), '-name', variant.name + variant.label, '-noPlot',
+               *variant.options]
     subprocess.run(command, check=True)
     return path

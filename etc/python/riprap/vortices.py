@@ -11,11 +11,13 @@ from .bounds import Quantity, root
 def exact(x, y, t, nu):
     """Velocity at time t: decays by exp(-8 pi^2 nu t) in the unit square"""
     decay = np.exp(-8*np.pi**2*nu*t)
-    return decay*np.column_stack([-np.cos(2*np.pi*x)*np.sin(2*np.pi*y), np.sin(2*np.pi*x)*np.cos(2*np.pi*y)])
+    return decay*np.column_stack([-np.cos(2*np.pi*x)*np.sin(2*np.pi*y),
+                                  np.sin(2*np.pi*x)*np.cos(2*np.pi*y)])
 
 
 def histories(run):
-    """t, relative L2 error of the velocity, kinetic energy over the initial one, at written times"""
+    """t, relative L2 error of the velocity, kinetic energy over the initial one, at written
+    times"""
     rows, start = [], None
     for name in clouds.times(run.path):
         c = clouds.readCloud(run.path, name, ['U'])
@@ -53,7 +55,8 @@ def plot(runs, path):
         energy.plot(t, k, label=f'{run.name}: L/{1/run.spacing:.0f}')
     energy.plot(reference[:, 0], reference[:, 2], 'k:', label='exact')
     energy.set(xlabel='t U/L', ylabel='kinetic energy / initial', xlim=(0, 1))
-    error.axhline(0.02, color='k', linewidth=0.8, linestyle='--', label='bound of the stated resolution')
+    error.axhline(0.02, color='k', linewidth=0.8, linestyle='--',
+                  label='bound of the stated resolution')
     error.set(xlabel='t U/L', ylabel='relative L2 error of the velocity')
     for axis in (error, energy):
         plotting.named(axis)

@@ -16,7 +16,8 @@ arrivalLevel = 0.5      # [rho g H] the pressure has arrived when it passes this
 
 
 def reference(name):
-    return np.loadtxt(os.path.join(root(), 'tutorials', 'sphDem', 'dambreakPressure', 'reference', name + '.csv'), delimiter=',', skiprows=1)
+    return np.loadtxt(os.path.join(root(), 'tutorials', 'sphDem', 'dambreakPressure', 'reference',
+                                   name + '.csv'), delimiter=',', skiprows=1)
 
 
 def pressures(run):
@@ -43,33 +44,38 @@ def analyse(run):
         Quantity('arrival at sensor 2, t sqrt(g/H)', computed=arrival, reference=measured,
                  error=None if arrival is None else abs(arrival/measured - 1)),
         # 1.871: median of the experiment's peaks, at the full sampling rate
-        Quantity('peak at sensor 2 [rho g H]', computed=smooth[impact].max() if impact.any() else None, reference=1.871),
-        Quantity('peak at sensor 2, not averaged', computed=raw[impact].max() if impact.any() else None, reference=1.871)]
+        Quantity('peak at sensor 2 [rho g H]',
+                 computed=smooth[impact].max() if impact.any() else None, reference=1.871),
+        Quantity('peak at sensor 2, not averaged',
+                 computed=raw[impact].max() if impact.any() else None, reference=1.871)]
     if T[-1] > 5:
         computed = plateau(T, raw)
         inside = within(T, smooth, band)
-        result += [Quantity('plateau at sensor 2', computed=computed, reference=level, error=abs(computed/level - 1)),
+        result += [Quantity('plateau at sensor 2', computed=computed, reference=level,
+                            error=abs(computed/level - 1)),
                    Quantity('share of the time inside the band, 2.6 to 5', computed=inside)]
         for i, name in ((0, 'p1'), (2, 'p3'), (3, 'p4')):
             e = reference(f'lobovsky2014_{name}')
             level = plateau(e[:, 0], e[:, 1])
             value = plateau(T, p[:, i])
-            result.append(Quantity(f'plateau at {1000*heights[i]:.0f} mm', computed=value, reference=level,
-                                   error=abs(value/level - 1)))
+            result.append(Quantity(f'plateau at {1000*heights[i]:.0f} mm', computed=value,
+                                   reference=level, error=abs(value/level - 1)))
     return result
 
 
 def within(T, p, band):
     """Share of 2.6 < T < 5 in which p lies between the 2.5 and 97.5 percentiles"""
     t = np.linspace(2.6, 5, 500)
-    low, high, value = np.interp(t, band[:, 0], band[:, 1]), np.interp(t, band[:, 0], band[:, 3]), np.interp(t, T, p)
+    low, high, value = (np.interp(t, band[:, 0], band[:, 1]), np.interp(t, band[:, 0], band[:, 3]),
+                        np.interp(t, T, p))
     return float(np.mean((value >= low) & (value <= high)))
 
 
 def plot(runs, path):
     fig, axes = plotting.figure(3, 2, width=4.6, height=3.2)
     band = reference('lobovsky2014_sensor2_percentiles')
-    axes[1].fill_between(band[:, 0], band[:, 1], band[:, 3], color='#bbbbbb', label='Lobovsky, 2.5 to 97.5 %')
+    axes[1].fill_between(band[:, 0], band[:, 1], band[:, 3], color='#bbbbbb',
+                         label='Lobovsky, 2.5 to 97.5 %')
     axes[1].plot(band[:, 0], band[:, 2], color='#444444', linewidth=1, label='Lobovsky, median')
     single = [(0, 'lobovsky2014_p1', 'Lobovsky'), (2, 'lobovsky2014_p3', 'Lobovsky'),
               (3, 'lobovsky2014_p4', 'Lobovsky'), (4, 'buchner2002_p1', 'Buchner, P1')]
@@ -77,7 +83,8 @@ def plot(runs, path):
         e = reference(name)
         e = e[np.argsort(e[:, 0])]
         axes[i].plot(e[:, 0], e[:, 1], color='#444444', linewidth=1, label=label)
-    for file, label in (('decourcy2024_sph_p2', 'SPH, De Courcy 2024'), ('interFoam_noSlip_sensor2', 'interFoam 2.5 mm, noSlip'),
+    for file, label in (('decourcy2024_sph_p2', 'SPH, De Courcy 2024'),
+                        ('interFoam_noSlip_sensor2', 'interFoam 2.5 mm, noSlip'),
                         ('interFoam_slip_sensor2', 'interFoam 2.5 mm, slip')):
         peer = reference(file)
         axes[1].plot(peer[:, 0], peer[:, 1], ':', linewidth=1, label=label)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bonded cantilever: deflection of its tip against the closed form of n bonds and against the continuum, and torsion"""
+"""Bonded cantilever: deflection of its tip against the closed form of n bonds and against the
+continuum, and torsion"""
 import math
 import os
 
@@ -52,13 +53,17 @@ def analyse(run):
         cloud = clouds.readCloud(run.path, last, ['turned', 'origId'], 'solids')
         twist = cloud['turned'][np.argmax(cloud['origId']), 0]
         exact = moment*(beam.n - 1)/(beam.ks*beam.J)
-        return [Quantity('twist of the tip [rad]', reference=exact, computed=twist, error=abs(twist/exact - 1))]
+        return [Quantity('twist of the tip [rad]', reference=exact, computed=twist,
+                         error=abs(twist/exact - 1))]
     P = -vectorOf(tip['force'])[1]
     D = -table[f'{id_}Dy']
     exact, continuum = beam.tip(P), beam.continuum(P)
-    out.append(Quantity('tip deflection [m]', reference=exact, computed=D[-1], error=abs(D[-1]/exact - 1)))
-    out.append(Quantity('still moving: change in the last tenth', error=abs(D[-1]/D[int(0.9*len(D))] - 1)))
-    out.append(Quantity('against the continuum', reference=continuum, computed=D[-1], error=abs(D[-1]/continuum - 1)))
+    out.append(Quantity('tip deflection [m]', reference=exact, computed=D[-1],
+                        error=abs(D[-1]/exact - 1)))
+    out.append(Quantity('still moving: change in the last tenth',
+                        error=abs(D[-1]/D[int(0.9*len(D))] - 1)))
+    out.append(Quantity('against the continuum', reference=continuum, computed=D[-1],
+                        error=abs(D[-1]/continuum - 1)))
     return out
 
 
@@ -67,7 +72,8 @@ def compare(runs, results):
     errors = {}
     for name, run in runs.items():
         if name in ('n5', 'n11', 'n21'):
-            errors[Beam(run).n] = next(q.error for q in results[name] if q.name == 'against the continuum')
+            errors[Beam(run).n] = next(q.error for q in results[name]
+                                       if q.name == 'against the continuum')
     if len(errors) < 2:
         return []
     n = sorted(errors)
@@ -92,7 +98,8 @@ def plot(runs, path):
     if len(points):
         n = np.arange(3, 42)
         converge.plot(points[:, 0], points[:, 1], 'o', label='computed')
-        converge.plot(n, 1 - 1/(4*(n - 1.0)**2), '-', linewidth=0.8, label='$1 - 1/4(n - 1)^2$: bending of n - 1 bonds')
+        converge.plot(n, 1 - 1/(4*(n - 1.0)**2), '-', linewidth=0.8,
+                      label='$1 - 1/4(n - 1)^2$: bending of n - 1 bonds')
         converge.axhline(1, color='k', linewidth=0.8, linestyle='--', label='continuum')
     converge.set(xlabel='particles', ylabel='tip deflection / continuum')
     settle.set(xlabel='t [s]', ylabel='tip deflection / closed form')
@@ -120,7 +127,8 @@ variants = [
     Variant('n11-thick', beam(11, section=0.15)),
     Variant('n11-plate', beam(11, 'bonds/cement/section plate')),
     *(Variant(f'n{n}-3D', beam(n, 'system/beam:frontAndBack patch')) for n in (5, 11, 21)),
-    Variant('n11-torsion', beam(11, 'system/beam:frontAndBack patch', 'groups/tip/force (0 0 0)', 'groups/tip/moment (1 0 0)')),
+    Variant('n11-torsion', beam(11, 'system/beam:frontAndBack patch', 'groups/tip/force (0 0 0)',
+                                'groups/tip/moment (1 0 0)')),
     Variant('n11-verlet', beam(11, 'timeIntegration velocityVerlet')),
 ]
 

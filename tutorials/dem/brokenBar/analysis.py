@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A bonded bar that is struck and breaks: energy never grows, pieces are counted by the bonds that hold"""
+"""A bonded bar that is struck and breaks: energy never grows, pieces are counted by the bonds that
+hold"""
 import os
 import re
 
@@ -45,7 +46,8 @@ def analyse(run):
             Quantity('energy lost / start', computed=float(1 - total[-1]/total[0])),
             Quantity('broken bonds', computed=float(bonds['broken'][-1])),
             Quantity('pieces of more than five disks', computed=float(sum(s > 5 for s in sizes))),
-            Quantity('difference of the two largest pieces', computed=float(sizes[0] - sizes[1]) if len(sizes) > 1 else None)]
+            Quantity('difference of the two largest pieces',
+                     computed=float(sizes[0] - sizes[1]) if len(sizes) > 1 else None)]
 
 
 def plot(runs, path):
@@ -67,8 +69,10 @@ def variant(name, *sets):
 
 Study(
     scene='brokenBar',
-    variants=[variant('bar'), variant('bar-fine', 'stepFraction 0.05'), variant('bar-verlet', 'timeIntegration velocityVerlet'),
-              variant('bar-mixed', 'precision mixed'), variant('bar-slow', 'system/blow:speed 0.1')],
+    variants=[variant('bar'), variant('bar-fine', 'stepFraction 0.05'),
+              variant('bar-verlet', 'timeIntegration velocityVerlet'),
+              variant('bar-mixed', 'precision mixed'),
+              variant('bar-slow', 'system/blow:speed 0.1')],
     quick=[variant('bar-quick', 'stepFraction 0.2')],
     analyse=analyse,
     plot=plot,

@@ -29,8 +29,8 @@ def withShear(length):
 
 
 def elasticaTip(length, load, points=400):
-    """Deflection of an inextensible beam of any deflection under a load that keeps its direction: E I theta'' = -P cos(theta), theta(0) = 0,
-    theta'(L) = 0; by shooting"""
+    """Deflection of an inextensible beam of any deflection under a load that keeps its direction: E
+    I theta'' = -P cos(theta), theta(0) = 0, theta'(L) = 0; by shooting"""
     h = length/points
 
     def shot(curvature):
@@ -51,19 +51,22 @@ def beamFrequency(length):
 
 
 def lattice(kind, rows, columns):
-    """Entries of system/plate; the length is that from the first column to the last. Boxes are a little wider than
-    their particles, since dictionaries keep six digits"""
+    """Entries of system/plate; the length is that from the first column to the last. Boxes are a
+    little wider than their particles, since dictionaries keep six digits"""
     height = np.sqrt(3)/2 if kind == 'hexagonal' else 1
     s = e/(rows*height)
     half = s/2 if kind == 'hexagonal' else 0
     half += 0.05*s
-    numbers = {'radius': s/2, 'spacing': s, 'thickness': s*(1.05 + (rows - 1)*height), 'clampEnd': s + half, 'beamStart': s,
-               'beamEnd': (columns - 1)*s + half, 'tipStart': (columns - 1)*s, 'tipEnd': columns*s + half}
-    return f'system/plate:packing {kind}; ' + '; '.join(f'system/plate:{k} {v:.12g}' for k, v in numbers.items())
+    numbers = {'radius': s/2, 'spacing': s, 'thickness': s*(1.05 + (rows - 1)*height),
+               'clampEnd': s + half, 'beamStart': s, 'beamEnd': (columns - 1)*s + half,
+               'tipStart': (columns - 1)*s, 'tipEnd': columns*s + half}
+    return (f'system/plate:packing {kind}; '
+            + '; '.join(f'system/plate:{k} {v:.12g}' for k, v in numbers.items()))
 
 
 def cement(young, shear, radius='mean'):
-    return f'; bonds/cement/E {young:.10g}; bonds/cement/G {shear:.10g}; bonds/cement/radius {radius}'
+    return (
+        f'; bonds/cement/E {young:.10g}; bonds/cement/G {shear:.10g}; bonds/cement/radius {radius}')
 
 
 def square(rows, columns):
@@ -77,7 +80,8 @@ def hexagonal(rows, columns):
 
 
 def hexagonalCounted(rows, columns):
-    """The same with the rows counted: n rows of bonds, n - 1 strips of slanted ones between them, each bond's own bending"""
+    """The same with the rows counted: n rows of bonds, n - 1 strips of slanted ones between them,
+    each bond's own bending"""
     n, k, h, s = rows, shearRatio, e/rows, 2*e/(np.sqrt(3)*rows)
     strips = 2*k/(3 + k)*(n - 1)*((n - 1)**2 - 1)
     young = E*inertia/(s*(h**2*(n*(n**2 - 1) + strips) + s**2*(n + 0.5*(n - 1)))/12)
@@ -88,10 +92,12 @@ def paperLike(kind, rows, columns, radius):
     return lattice(kind, rows, columns) + cement(planeStrain, shearRatio*planeStrain, radius)
 
 
-free = '; groups/beam/viscousDamping 0; groups/tip/viscousDamping 0; groups/tip/sharedForce (0 -0.1 0)'
+free = ('; groups/beam/viscousDamping 0; groups/tip/viscousDamping 0; '
+        'groups/tip/sharedForce (0 -0.1 0)')
 
 
-largeLoad = 40                                  # [N/m] bends the plate by more than half of its length
+# [N/m] bends the plate by more than half of its length
+largeLoad = 40
 large = f'; groups/tip/sharedForce (0 {-largeLoad} 0)'
 
 
@@ -136,16 +142,21 @@ def analyse(run):
         stored = energy['translation'] + energy['rotation'] + energy['bond']
         return [Quantity('first natural frequency [Hz]', f, theory, abs(f/theory - 1)),
                 Quantity('first natural frequency, beam of the own length', f, own, abs(f/own - 1)),
-                Quantity('energy - work of the load, largest, over the largest work', float(abs(stored - work).max()/work.max()))]
+                Quantity('energy - work of the load, largest, over the largest work',
+                         float(abs(stored - work).max()/work.max()))]
     if 'large' in run.name:
         theory = elasticaTip(length, largeLoad)
-        return [Quantity('tip displacement [mm], large', 1e3*u[-1], 1e3*theory, abs(u[-1]/theory - 1))]
+        return [Quantity('tip displacement [mm], large', 1e3*u[-1], 1e3*theory,
+                         abs(u[-1]/theory - 1))]
     settled = abs(u[-1] - np.interp(0.9*t[-1], t, u))/u[-1]
     theory, own = beamTip(L), beamTip(length)
     return [Quantity('tip displacement [mm]', 1e3*u[-1], 1e3*theory, abs(u[-1]/theory - 1)),
-            Quantity('tip displacement [mm], beam of the own length', 1e3*u[-1], 1e3*own, abs(u[-1]/own - 1)),
-            Quantity('tip displacement [mm], the same with shear', 1e3*u[-1], 1e3*withShear(length), abs(u[-1]/withShear(length) - 1)),
-            Quantity("tip displacement [mm], the paper's program", 1e3*u[-1], 1e3*paper, abs(u[-1]/paper - 1)),
+            Quantity('tip displacement [mm], beam of the own length', 1e3*u[-1], 1e3*own,
+                     abs(u[-1]/own - 1)),
+            Quantity('tip displacement [mm], the same with shear', 1e3*u[-1], 1e3*withShear(length),
+                     abs(u[-1]/withShear(length) - 1)),
+            Quantity("tip displacement [mm], the paper's program", 1e3*u[-1], 1e3*paper,
+                     abs(u[-1]/paper - 1)),
             Quantity('change in the last tenth of the time', float(settled))]
 
 
@@ -171,10 +182,11 @@ def plot(runs, path):
         axis = axes[1] if isFree(run) else axes[0]
         axis.plot(t, 1e3*u, linewidth=1, label=run.name)
     axes[0].axhline(1e3*beamTip(L), color='#444444', linewidth=0.7, linestyle='--')
-    axes[0].set(xlabel='t [s]', ylabel='tip displacement [mm]', title='critically damped; dashed: beam')
+    axes[0].set(xlabel='t [s]', ylabel='tip displacement [mm]',
+                title='critically damped; dashed: beam')
     t = np.linspace(0, 0.4, 400)
-    axes[1].plot(t, 1e2*beamTip(L)*(1 - np.cos(2*np.pi*beamFrequency(L)*t)), color='#444444', linewidth=0.7, linestyle='--',
-                 label='first mode of the beam')
+    axes[1].plot(t, 1e2*beamTip(L)*(1 - np.cos(2*np.pi*beamFrequency(L)*t)), color='#444444',
+                 linewidth=0.7, linestyle='--', label='first mode of the beam')
     axes[1].set(xlabel='t [s]', ylabel='tip displacement [mm]', title='not damped, 0.1 N/m')
     for kind in ('square', 'hexagonal'):
         points = sorted((rowsOf(r), abs(tip(r)[1][-1]/withShear(lengthOf(r)) - 1)) for r in runs
@@ -186,7 +198,8 @@ def plot(runs, path):
     shown = next((r for r in runs if r.name.startswith('hexagonal4')), runs[0])
     cloud = clouds.readCloud(shown.path, clouds.times(shown.path)[-1], ('radius',), 'solids')
     plotting.discs(axes[3], 1e3*cloud['positions'], 1e3*cloud['radius'])
-    axes[3].set(xlim=(-2, 84), ylim=(-6, 8), aspect='equal', xlabel='x [mm]', title=f'{shown.name}, 1 N/m')
+    axes[3].set(xlim=(-2, 84), ylim=(-6, 8), aspect='equal', xlabel='x [mm]',
+                title=f'{shown.name}, 1 N/m')
     for axis in axes[:3]:
         if axis.get_legend_handles_labels()[0]:
             plotting.named(axis)
@@ -199,22 +212,27 @@ def variant(name, settings, duration=None):
 
 Study(
     scene='cantileverPlate',
-    variants=[variant('square2', square(2, 33)), variant('square4', square(4, 64)), variant('square8', square(8, 128)),
-              variant('square16', square(16, 255)), variant('square8-double', square(8, 128) + '; precision double'),
+    variants=[variant('square2', square(2, 33)), variant('square4', square(4, 64)),
+              variant('square8', square(8, 128)), variant('square16', square(16, 255)),
+              variant('square8-double', square(8, 128) + '; precision double'),
               variant('hexagonal4', hexagonal(4, 56)), variant('hexagonal8', hexagonal(8, 111)),
               variant('hexagonal12', hexagonal(12, 166)),
-              variant('hexagonal4-counted', hexagonalCounted(4, 56)), variant('hexagonal8-counted', hexagonalCounted(8, 111)),
+              variant('hexagonal4-counted', hexagonalCounted(4, 56)),
+              variant('hexagonal8-counted', hexagonalCounted(8, 111)),
               variant('paper-square', paperLike('square', 4, 64, 'mean')),
               variant('paper-square-equivalent', paperLike('square', 4, 64, 'harmonic')),
               variant('paper-hexagonal', paperLike('hexagonal', 4, 56, 'mean')),
               variant('paper-hexagonal-equivalent', paperLike('hexagonal', 4, 56, 'harmonic')),
-              variant('square4-free', square(4, 64) + free, 0.4), variant('square8-free', square(8, 128) + free, 0.4),
-              variant('square4-large', square(4, 64) + large), variant('square8-large', square(8, 128) + large),
+              variant('square4-free', square(4, 64) + free, 0.4),
+              variant('square8-free', square(8, 128) + free, 0.4),
+              variant('square4-large', square(4, 64) + large),
+              variant('square8-large', square(8, 128) + large),
               variant('hexagonal8-free', hexagonalCounted(8, 111) + free, 0.4)],
     quick=[variant('square4-quick', square(4, 64))],
     analyse=analyse,
     plot=plot,
     compare=compare,
     headline='tip displacement [mm]',
-    orders=[('tip displacement [mm], the same with shear', ['hexagonal4', 'hexagonal8', 'hexagonal12'])],
+    orders=[('tip displacement [mm], the same with shear',
+             ['hexagonal4', 'hexagonal8', 'hexagonal12'])],
 ).main(here)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""MFIX's verification DEM01-DEM05: linear springs with dashpots in closed form, and Kharaz's impacts"""
+"""MFIX's verification DEM01-DEM05: linear springs with dashpots in closed form, and Kharaz's
+impacts"""
 import math
 
 import numpy as np
@@ -18,8 +19,8 @@ def dashpot(e, m, k):
 
 
 class Drop:
-    """A sphere that falls from y0 on a spring-dashpot, in closed form: phases of flight and contact in turn, each
-    (start, y, v) with a function of the time since"""
+    """A sphere that falls from y0 on a spring-dashpot, in closed form: phases of flight and contact
+    in turn, each (start, y, v) with a function of the time since"""
 
     def __init__(self, radius, m, k, e, y0, bounces):
         self.radius = radius
@@ -57,7 +58,8 @@ class Drop:
         low, high = s[i - 1] if i else s[0]/2, s[i]
         for _ in range(60):
             middle = (low + high)/2
-            low, high = (low, middle) if self.contact(middle, v)[0] > self.radius else (middle, high)
+            low, high = ((low, middle) if self.contact(middle, v)[0] > self.radius
+                         else (middle, high))
         return high
 
     def at(self, t):
@@ -73,7 +75,8 @@ class Drop:
 
 
 def drop(run):
-    """DEM01: height and velocity until the second impact; DEM02: heights of the bounces above 1 mm"""
+    """DEM01: height and velocity until the second impact; DEM02: heights of the bounces above 1
+    mm"""
     e = numberOf(run.solid['pairs']['default']['restitution'])
     height = peak = table = 0.0
     hard = []
@@ -91,7 +94,8 @@ def drop(run):
         peak = max(peak, max(abs(a - b)/0.5 for a, b in zip(computed[:n], exact.peaks[:n])))
         rows = (bounces['e'] == e) & (bounces['k'] == k) & (bounces['bounce'] < n)
         if rows.any() and k == 5e6:
-            hard = [rms([computed[int(b)] - y for b, y in zip(bounces['bounce'][rows], bounces[of][rows])])/0.5 for of in ('y', 'y_MFIX')]
+            hard = [rms([computed[int(b)] - y for b, y in zip(
+                bounces['bounce'][rows], bounces[of][rows])])/0.5 for of in ('y', 'y_MFIX')]
     out = [Quantity('DEM01: height, largest difference / 0.5 m', error=height),
            Quantity('DEM02: heights of bounces, largest difference / 0.5 m', error=peak)]
     if table:
@@ -106,7 +110,8 @@ def peaks(s):
     """Heights of the flights between impacts, from energy (samples need not meet the peak)"""
     top = s.x[:, 2] + s.U[:, 2]**2/(2*g)
     free = s.x[:, 2] > s.radius
-    # a flight is a run of free samples in which the velocity falls; a new one begins where it has risen
+    # a flight is a run of free samples in which the velocity falls; a new one begins where it has
+    # risen
     new = np.diff(s.U[:, 2]) > 0
     out, start = [], 0
     for i in [*(np.flatnonzero(new) + 1), len(top)]:
@@ -118,7 +123,8 @@ def peaks(s):
 
 
 def stackMatrix(e, m, k):
-    """y' = A y + b for (y1, y2, v1, v2) of two spheres between floor and lid, radius 0.5 mm, gap 1.8 mm"""
+    """y' = A y + b for (y1, y2, v1, v2) of two spheres between floor and lid, radius 0.5 mm, gap
+    1.8 mm"""
     R, gap = 5e-4, 1.8e-3
     walls = [dashpot(e, mi, k) for mi in m]
     between = dashpot(e, m[0]*m[1]/(m[0] + m[1]), k)
@@ -150,7 +156,8 @@ def stack(run):
     for i in range(2):
         data = records(f'DEM03_height{i + 1}')
         mine = data['e'] == e
-        table = max(table, abs(stackExact(e, (lower.mass, upper.mass), 1e3, data['t'][mine])[i] - data['y'][mine]).max()/5e-4)
+        table = max(table, abs(stackExact(e, (lower.mass, upper.mass), 1e3, data['t'][mine])[i]
+                               - data['y'][mine]).max()/5e-4)
     return [Quantity('DEM03: heights, largest difference / R', error=error),
             Quantity("DEM03: closed form here against MFIX's table / R", error=table)]
 
@@ -164,13 +171,16 @@ def slide(run):
     early = s.t < 0.8*exact
     slope, at0 = np.polyfit(s.t[early], v[early], 1)
     time = (v[-1] - at0)/slope
-    return [Quantity('velocity when rolling / u0', reference=5/7, computed=v[-1]/0.1, error=abs(v[-1]/0.1*7/5 - 1)),
+    return [Quantity('velocity when rolling / u0', reference=5/7, computed=v[-1]/0.1,
+                     error=abs(v[-1]/0.1*7/5 - 1)),
             Quantity('spin when rolling, R w / u0', reference=5/7, computed=s.W[-1, 1]*s.radius/0.1,
                      error=abs(s.W[-1, 1]*s.radius/0.1*7/5 - 1)),
-            Quantity('end of sliding [s]', reference=exact, computed=time, error=abs(time/exact - 1))]
+            Quantity('end of sliding [s]', reference=exact, computed=time,
+                     error=abs(time/exact - 1))]
 
 
-measured = {'e_t': 'tangential restitution', 'omega_rad_s': 'spin', 'rebound_angle_deg': 'rebound angle'}
+measured = {'e_t': 'tangential restitution', 'omega_rad_s': 'spin',
+            'rebound_angle_deg': 'rebound angle'}
 
 
 def kharazCurves(run):
@@ -203,5 +213,6 @@ def kharaz(run, against='particle_wall'):
                             error=rms(np.interp(x, angle, value) - y)/abs(y).max()))
         far = [rms(np.interp(experiment['impact_angle_deg'], *curve) - experiment[name])
                for curve in ((angle, value), (x, y))]
-        out.append(Quantity(f"{measured[name]}: rms against Kharaz / MFIX's", computed=far[0]/far[1]))
+        out.append(Quantity(f"{measured[name]}: rms against Kharaz / MFIX's",
+                            computed=far[0]/far[1]))
     return out

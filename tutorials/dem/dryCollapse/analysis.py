@@ -11,14 +11,15 @@ from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
 shown = [0, 0.1, 0.3, 0.5]      # times of the experiment's photographs [s]
-noGap = ('system/tank:tank 0.26; system/tank:gap 0; system/tank:pitch 0.01; system/tank:stackWidth 0.06; '
-         'pairs/default/gap 0')
+noGap = ('system/tank:tank 0.26; system/tank:gap 0; system/tank:pitch 0.01; '
+         'system/tank:stackWidth 0.06; pairs/default/gap 0')
 fractions = [0.02, 0.03, 0.05, 0.06]
 
 
 def reference(axis):
     """Times and centre of mass over the tank's length"""
-    return np.loadtxt(os.path.join(here, 'reference', f'zhang2009_{axis}.csv'), delimiter=',', skiprows=1).T
+    return np.loadtxt(os.path.join(here, 'reference', f'zhang2009_{axis}.csv'), delimiter=',',
+                      skiprows=1).T
 
 
 def centre(run):
@@ -45,11 +46,13 @@ def analyse(run):
         when, measured = reference(axis)
         for k, moment in enumerate(shown):
             if moment <= t[-1]:
-                result.append(Quantity(f'{axis}/L at {moment:g} s', np.interp(when[k], t, values), measured[k], off[k]))
+                result.append(Quantity(f'{axis}/L at {moment:g} s', np.interp(when[k], t, values),
+                                       measured[k], off[k]))
         known = when <= t[-1]
         result.append(Quantity(f'{axis}/L, largest difference', error=float(off[known].max())))
     energy = run.table('energy', 'solidEnergies.dat')['total']
-    # nothing feeds the scene: what it gains against the least it had is the contact law's or the integrator's
+    # nothing feeds the scene: what it gains against the least it had is the contact law's or the
+    # integrator's
     gained = (energy - np.minimum.accumulate(energy)).max()
     result.append(Quantity('energy gained / energy at the start', float(gained/energy[0])))
     return result
@@ -64,7 +67,8 @@ def compare(runs, results):
     result = []
     for axis in (1, 2):
         values = np.array([np.interp(t, c[0], c[axis]) for c in family])
-        result.append(Quantity(f'{"xy"[axis - 1]}/L, range over time steps, largest', float(np.ptp(values, axis=0).max())))
+        result.append(Quantity(f'{"xy"[axis - 1]}/L, range over time steps, largest',
+                               float(np.ptp(values, axis=0).max())))
     return result
 
 
@@ -74,7 +78,8 @@ def stack(axis, run, moment):
     cloud = clouds.readCloud(run.path, name, ('radius',), 'solids')
     length = numberOf(readDictionary(os.path.join(run.path, 'system', 'tank'))['tank'])
     plotting.discs(axis, 100*cloud['positions'], 100*cloud['radius'])
-    axis.set(xlim=(0, 100*length), ylim=(0, 8), aspect='equal', title=f'{run.name}, {float(name):g} s', xlabel='x [cm]')
+    axis.set(xlim=(0, 100*length), ylim=(0, 8), aspect='equal',
+             title=f'{run.name}, {float(name):g} s', xlabel='x [cm]')
     axis.grid(False)
 
 
@@ -95,7 +100,8 @@ def plot(runs, path):
     plotting.named(axes[0])
     for run in wanted:
         energy = run.table('energy', 'solidEnergies.dat')
-        axes[2].plot(energy['Time'], energy['total']/energy['total'][0], linewidth=1, label=run.name)
+        axes[2].plot(energy['Time'], energy['total']/energy['total'][0], linewidth=1,
+                     label=run.name)
     axes[2].set(xlabel='t [s]', ylabel='energy / at the start')
     for row, run in enumerate(drawn):
         for axis, moment in zip(axes[3*(row + 1):], shown[1:]):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic impacts at any angle, slip or stick: energy may be lost by friction, and must never grow"""
+"""Elastic impacts at any angle, slip or stick: energy may be lost by friction, and must never
+grow"""
 import os
 
 import numpy as np
@@ -21,7 +22,8 @@ class Pair:
         self.force = None
         for id_ in (2*i, 2*i + 1):
             x, u, w, force = (np.column_stack([table[f'{id_}{name}{axis}'] for axis in axes])
-                              for name, axes in (('', 'XYZ'), ('U', 'xyz'), ('W', 'xyz'), ('F', 'xyz')))
+                              for name, axes in (('', 'XYZ'), ('U', 'xyz'), ('W', 'xyz'),
+                                                 ('F', 'xyz')))
             inertia = 0.4*mass*0.005**2
             self.energy += 0.5*mass*np.sum(u**2, axis=1) + 0.5*inertia*np.sum(w**2, axis=1)
             self.linear += mass*u
@@ -45,7 +47,8 @@ def analyse(run):
     still = run.solid['pairs']['default']['friction'] == '0'
     out = [Quantity('largest gain of energy', computed=max(q.gain for q in all_)),
            Quantity('gain at 60 degrees', computed=all_[6].gain),
-           Quantity('linear momentum, largest change / m v', error=max(abs(q.linear).max() for q in all_)/p),
+           Quantity('linear momentum, largest change / m v',
+                    error=max(abs(q.linear).max() for q in all_)/p),
            Quantity('angular momentum, largest change / m v R',
                     error=max(abs(q.angular - q.angular[0]).max() for q in all_)/(p*0.005)),
            Quantity('still touching', computed=sum(bool(q.touches[-1]) for q in all_))]

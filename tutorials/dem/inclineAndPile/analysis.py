@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds on a slope, and a pile: springs that remember do, the one-step spring creeps at m g sin(theta)/(kt dt)"""
+"""What holds on a slope, and a pile: springs that remember do, the one-step spring creeps at m g
+sin(theta)/(kt dt)"""
 import math
 import os
 
@@ -24,7 +25,8 @@ def slope(run):
         kt = 0.2857*2e4
         predicted = mass*gravity[0]/(kt*numberOf(run.control['deltaT']))
         # with its dashpot the force is (kt dt + ct) v: the creep without one is the law's own
-        return [Quantity('speed of creep [m/s]', reference=predicted, computed=speed, error=abs(speed/predicted - 1))]
+        return [Quantity('speed of creep [m/s]', reference=predicted, computed=speed,
+                         error=abs(speed/predicted - 1))]
     return [Quantity('speed at rest [m/s]', error=abs(speed)),
             Quantity('displacement [radii]', error=abs(x[-1])/0.005)]
 
@@ -35,7 +37,8 @@ def pile(run):
     moved = [math.hypot(table[f'{i}Dx'][-1], table[f'{i}Dy'][-1])/0.005 for i in base]
     energy = run.table('energy')
     kinetic = energy['translation'] + energy['rotation']
-    name = 'creep of the base [radii]' if run.solid['contact']['tangential'] == 'oneStep' else 'base moved by [radii]'
+    name = ('creep of the base [radii]' if run.solid['contact']['tangential'] == 'oneStep'
+            else 'base moved by [radii]')
     return [Quantity(name, computed=max(moved)),
             Quantity('kinetic energy at the end / m g R', computed=kinetic[-1]/(mass*9.81*0.005))]
 
@@ -65,7 +68,8 @@ def variant(name, *sets):
 
 
 oneStep = ('contact/tangential oneStep', 'pairs/default/tangentialDamping no')
-pyramid = ('system/scene:name pile', 'constant/g:value (0 0 -9.81)', 'system/controlDict:endTime 4', 'pairs/default/friction 0.8')
+pyramid = ('system/scene:name pile', 'constant/g:value (0 0 -9.81)', 'system/controlDict:endTime 4',
+           'pairs/default/friction 0.8')
 
 Study(
     scene='inclineAndPile',

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A free disk at rest in the middle of a round tank full of water, released: the force that water puts on it in one step
+"""A free disk at rest in the middle of a round tank full of water, released: the force that water
+puts on it in one step
 
-Potential flow between circles of radius a and R (Lamb, Hydrodynamics, chapter IV): the added mass is
-C = (R^2 + a^2)/(R^2 - a^2) of the displaced water's. With s the density ratio the disk starts with g (1 - s)/(s + C) upwards, and the
-water's force on it, over the weight of the displaced water, is s (1 + C)/(s + C).
+Potential flow between circles of radius a and R (Lamb, Hydrodynamics, chapter IV): the added mass
+is
+C = (R^2 + a^2)/(R^2 - a^2) of the displaced water's. With s the density ratio the disk starts with
+g (1 - s)/(s + C) upwards, and the water's force on it, over the weight of the displaced water, is s
+(1 + C)/(s + C).
 """
 import os
 
@@ -55,7 +58,8 @@ def plot(runs, path):
 
 def grid(n, s):
     """n cells a radius, density ratio s"""
-    return ['-set', f'system/tank:n {5*n}; system/tank:spacing {0.1/n:.12g}; constant/solidProperties:materials/disk/rho {1000*s:g}']
+    return ['-set', f'system/tank:n {5*n}; system/tank:spacing {0.1/n:.12g}; '
+                    f'constant/solidProperties:materials/disk/rho {1000*s:g}']
 
 
 Study(

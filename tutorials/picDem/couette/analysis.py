@@ -9,5 +9,5 @@ def profile(y, t, nu):
     return channels.couette(y, t, nu, U=1.0)
 
 
-channels.verify('picCouette', os.path.dirname(os.path.abspath(__file__)), profile, scale=1.0, title='plane Couette by PIC',
-                runs=channels.onGrid())
+channels.verify('picCouette', os.path.dirname(os.path.abspath(__file__)), profile, scale=1.0,
+                title='plane Couette by PIC', runs=channels.onGrid())

@@ -19,8 +19,10 @@ def cells(n, more=''):
 Study(
     scene='picDamBreak',
     variants=[Variant('n10', cells(10)), Variant('n20', cells(20)), Variant('n40', cells(40)),
-              Variant('n20-co1', cells(20, '; system/controlDict:maxCo 1')), Variant('n20-co2', cells(20, '; system/controlDict:maxCo 2')),
-              Variant('n20-apic', cells(20, '; constant/picProperties:transfer apic') + ['-endTime', '0.5'])],
+              Variant('n20-co1', cells(20, '; system/controlDict:maxCo 1')),
+              Variant('n20-co2', cells(20, '; system/controlDict:maxCo 2')),
+              Variant('n20-apic',
+                      cells(20, '; constant/picProperties:transfer apic') + ['-endTime', '0.5'])],
     quick=[Variant('n10-quick', cells(10) + ['-endTime', '0.4'])],
     analyse=analyse,
     plot=plot,

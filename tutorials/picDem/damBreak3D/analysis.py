@@ -15,13 +15,16 @@ def pair(part, n, end):
     ny = int(0.9/h)
     tank = f'system/tank:nx {4*n}; system/tank:ny {ny}; system/tank:tankHeight {ny*h:.8g}'
     options = ['-spacing', f'{0.5*h:.8g}', '-endTime', end]
-    return [Variant('slab3D' + part, [*options, '-set', f'{tank}; system/tank:nz 4; system/tank:span {4*h:.8g}']),
+    return [Variant('slab3D' + part,
+                    [*options, '-set', f'{tank}; system/tank:nz 4; system/tank:span {4*h:.8g}']),
             Variant('slab2D' + part, [*options, '-set', tank], 'picDem/damBreak')]
 
 
 def compare(runs, results):
-    return [Quantity(f'front, 3D against 2D, largest{part}', error=difference(runs['slab3D' + part], runs['slab2D' + part]))
-            for part in ('', '-fine', '-quick') if 'slab3D' + part in runs and 'slab2D' + part in runs]
+    return [Quantity(f'front, 3D against 2D, largest{part}',
+                     error=difference(runs['slab3D' + part], runs['slab2D' + part]))
+            for part in ('', '-fine', '-quick')
+            if 'slab3D' + part in runs and 'slab2D' + part in runs]
 
 
 Study(

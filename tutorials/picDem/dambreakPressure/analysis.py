@@ -9,9 +9,11 @@ here = os.path.dirname(os.path.abspath(__file__))
 
 
 def cells(n, more=''):
-    """n cells over the water's height of 0.3 m; 161 of 10 mm fit the tank's length, so n is a multiple of 30"""
+    """n cells over the water's height of 0.3 m; 161 of 10 mm fit the tank's length, so n is a
+    multiple of 30"""
     k = n//30
-    return ['-spacing', f'{0.15/n:.8g}', '-set', f'system/tank:nx {161*k}; system/tank:ny {100*k}{more}']
+    return ['-spacing', f'{0.15/n:.8g}', '-set',
+            f'system/tank:nx {161*k}; system/tank:ny {100*k}{more}']
 
 
 Study(

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A dam break carries crates and logs against a column: is anything lost, does a body pass a wall, does energy fall?"""
+"""A dam break carries crates and logs against a column: is anything lost, does a body pass a wall,
+does energy fall?"""
 import os
 
 import numpy as np
@@ -19,13 +20,15 @@ def tank(run, entry):
 def column(run):
     """Its lower and upper corner"""
     box = run.dictionary('constant/geometry')['column']
-    return [np.array([float(v) for v in str(box[end]).strip('()').split()]) for end in ('min', 'max')]
+    return [np.array([float(v) for v in str(box[end]).strip('()').split()])
+            for end in ('min', 'max')]
 
 
 def balls(run, name):
     """In the bodies: where they are, how large, of which body"""
     cloud = clouds.readCloud(run.path, name, ('radius',), 'solids')
-    return cloud['positions'], cloud['radius'], clouds.readField(os.path.join(run.path, name, 'lagrangian', 'solids', 'clump'))
+    return (cloud['positions'], cloud['radius'],
+            clouds.readField(os.path.join(run.path, name, 'lagrangian', 'solids', 'clump')))
 
 
 def nearest(run, name):
@@ -59,9 +62,11 @@ def analyse(run):
     return [Quantity('end [s]', computed=float(names[-1])),
             Quantity('water lost', computed=1 - water(run, names[-1])/water(run, names[0])),
             Quantity('bodies', computed=len(np.unique(body))),
-            Quantity('nearest wall or column to a body [m]', computed=float(min(nearest(run, n) for n in names))),
+            Quantity('nearest wall or column to a body [m]',
+                     computed=float(min(nearest(run, n) for n in names))),
             Quantity('growth of the energy / first', computed=float(np.diff(total).max()/total[0])),
-            Quantity('largest force on the column, 0.02 s mean [N]', computed=float(np.convolve(f, [0.5, 0.5], 'valid').max())),
+            Quantity('largest force on the column, 0.02 s mean [N]',
+                     computed=float(np.convolve(f, [0.5, 0.5], 'valid').max())),
             Quantity('bodies past the column', computed=int(behind))]
 
 
@@ -79,7 +84,8 @@ def plot(runs, path):
 
 def cells(size):
     """The tank in cells of this size"""
-    counts = '; '.join(f'system/tank:{n} {round(length/size)}' for n, length in (('nx', 4), ('ny', 1), ('nz', 2)))
+    counts = '; '.join(f'system/tank:{n} {round(length/size)}'
+                       for n, length in (('nx', 4), ('ny', 1), ('nz', 2)))
     return f'{counts}; system/tank:spacing {size/2:.10g}'
 
 

@@ -22,7 +22,8 @@ def centre(run):
 
 def analyse(run):
     t, x, y = centre(run)
-    return [Quantity('x/L at the end', computed=float(x[-1])), Quantity('y/L at the end', computed=float(y[-1]))]
+    return [Quantity('x/L at the end', computed=float(x[-1])),
+            Quantity('y/L at the end', computed=float(y[-1]))]
 
 
 def compare(runs, results):
@@ -48,7 +49,8 @@ def plot(runs, path):
 Study(
     scene='picDryCollapse',
     variants=[Variant('picDem'), Variant('dem', case=dem)],
-    quick=[Variant('picDem-quick', ['-endTime', '0.1']), Variant('dem-quick', ['-endTime', '0.1'], case=dem)],
+    quick=[Variant('picDem-quick', ['-endTime', '0.1']),
+           Variant('dem-quick', ['-endTime', '0.1'], case=dem)],
     analyse=analyse,
     plot=plot,
     compare=compare,

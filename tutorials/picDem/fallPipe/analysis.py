@@ -12,7 +12,8 @@ from riprap.study import Study, Variant
 here = os.path.dirname(os.path.abspath(__file__))
 radius, mouth, wall = 0.005, 0.04, 0.001
 names = ('tank', 'waterHeight', 'pipeLeft', 'pipeRight')
-pictures, close = [0.2, 0.4, 0.6, 0.8], [0.5]      # [s]: fall, reversed flow, what is left; as the paper's Figures 12 and 13
+# [s]: fall, reversed flow, what is left; as the paper's Figures 12 and 13
+pictures, close = [0.2, 0.4, 0.6, 0.8], [0.5]
 
 
 class Tank:
@@ -24,11 +25,13 @@ class Tank:
 def read(run, name):
     """Water, its velocity, centres of the cylinders"""
     water = clouds.readCloud(run.path, name, ('U',))
-    return water['positions'][:, :2], water['U'][:, :2], clouds.readCloud(run.path, name, ('radius',), 'solids')['positions'][:, :2]
+    return (water['positions'][:, :2], water['U'][:, :2],
+            clouds.readCloud(run.path, name, ('radius',), 'solids')['positions'][:, :2])
 
 
 def moment(x, u, q, tank, particle):
-    """Level in the pipe and beside it, velocity in its mouth, cylinders above the mouth, lowest cylinder"""
+    """Level in the pipe and beside it, velocity in its mouth, cylinders above the mouth, lowest
+    cylinder"""
     inside = (x[:, 0] > tank.left) & (x[:, 0] < tank.right) & (x[:, 1] > mouth)
     beside = ((x[:, 0] < tank.left - wall) | (x[:, 0] > tank.right + wall)) & (x[:, 1] > mouth)
     above = (q[:, 0] > tank.left) & (q[:, 0] < tank.right) & (q[:, 1] > mouth)
@@ -36,7 +39,8 @@ def moment(x, u, q, tank, particle):
     level = mouth + (inside.sum()*particle + wet.sum()*np.pi*radius**2)/(tank.right - tank.left)
     outside = mouth + beside.sum()*particle/(tank.length - (tank.right - tank.left) - 2*wall)
     gate = inside & (x[:, 1] < mouth + 2*radius)
-    return level, outside, u[gate, 1].mean() if gate.any() else 0.0, (q[:, 1] + radius > mouth).sum(), q[:, 1].min()
+    return (level, outside, u[gate, 1].mean() if gate.any() else 0.0,
+            (q[:, 1] + radius > mouth).sum(), q[:, 1].min())
 
 
 class Moments:
@@ -59,14 +63,18 @@ def firstTime(t, true):
 
 def quantities(m):
     return [Quantity('end [s]', computed=float(m.t[-1])),
-            Quantity('first cylinder below the mouth [s]', computed=firstTime(m.t, m.lowest + radius < mouth)),
-            Quantity('half of the cylinders below the mouth [s]', computed=firstTime(m.t, m.above <= 16)),
+            Quantity('first cylinder below the mouth [s]',
+                     computed=firstTime(m.t, m.lowest + radius < mouth)),
+            Quantity('half of the cylinders below the mouth [s]',
+                     computed=firstTime(m.t, m.above <= 16)),
             Quantity('all cylinders below the mouth [s]', computed=firstTime(m.t, m.above == 0)),
             Quantity('cylinders in pipe and funnel at the end', computed=float(m.above[-1])),
-            Quantity('largest difference of level, outside less inside [m]', computed=float((m.outside - m.level).max())),
+            Quantity('largest difference of level, outside less inside [m]',
+                     computed=float((m.outside - m.level).max())),
             Quantity('fastest flow down in the mouth [m/s]', computed=float(-m.flow.min())),
             Quantity('fastest flow up in the mouth [m/s]', computed=float(m.flow.max())),
-            Quantity('time with flow up [s]', computed=float((m.flow > 0.02).sum()*np.diff(m.t).mean()) if len(m.t) > 1 else 0.0),
+            Quantity('time with flow up [s]', computed=float((m.flow > 0.02).sum()*np.diff(
+                m.t).mean()) if len(m.t) > 1 else 0.0),
             Quantity('water lost', computed=float(1 - m.water[-1]/m.water[0]))]
 
 
@@ -78,7 +86,8 @@ def compare(runs, results):
     value = {v: {q.name: q.computed for q in found} for v, found in results.items()}
     if not {'continuous', 'perforated'} <= set(value):
         return []
-    return [Quantity(f'{name}, continuous less perforated', computed=value['continuous'][name] - value['perforated'][name])
+    return [Quantity(f'{name}, continuous less perforated',
+                     computed=value['continuous'][name] - value['perforated'][name])
             for name in ('half of the cylinders below the mouth [s]', 'time with flow up [s]')]
 
 
@@ -91,7 +100,8 @@ def walls(axis, tank):
 
 def picture(axis, x, u, q, tank, title, arrows=False):
     """All of it coloured by the vertical velocity; arrows: about the mouth"""
-    axis.scatter(100*x[:, 0], 100*x[:, 1], c=u[:, 1], s=0.2 if not arrows else 1.5, cmap='RdBu', vmin=-0.5, vmax=0.5, linewidths=0)
+    axis.scatter(100*x[:, 0], 100*x[:, 1], c=u[:, 1], s=0.2 if not arrows else 1.5, cmap='RdBu',
+                 vmin=-0.5, vmax=0.5, linewidths=0)
     plotting.discs(axis, 100*q, 100*radius + 0*q[:, 0])
     walls(axis, tank)
     axis.set(xlim=(0, 100*tank.length), ylim=(0, 22), aspect='equal', title=title)
@@ -119,7 +129,8 @@ def draw(rows, path):
     axes = np.atleast_1d(axes).ravel()
     for row, (name, tank, m, at) in enumerate(rows):
         own = axes[row*count:(row + 1)*count]
-        for k, (t, arrows) in enumerate([(t, False) for t in pictures] + [(t, True) for t in close]):
+        for k, (t, arrows) in enumerate([(t, False) for t in pictures]
+                                        + [(t, True) for t in close]):
             if t <= m.t[-1] + 1e-9:
                 picture(own[k], *at(t), tank, f'{name}, {t:g} s', arrows)
             else:
@@ -129,10 +140,12 @@ def draw(rows, path):
 
 
 def plot(runs, path):
-    draw([(r.name, Tank(r), Moments(r), lambda t, r=r: read(r, clouds.nearestTime(r.path, t))) for r in runs], path)
+    draw([(r.name, Tank(r), Moments(r), lambda t, r=r: read(r, clouds.nearestTime(r.path, t)))
+          for r in runs], path)
 
 
-holes = ['-set', '; '.join(f'constant/geometry:{side}{k}/span (0.001 0.019 3)' for side in ('left', 'right') for k in range(1, 6))]
+holes = ['-set', '; '.join(f'constant/geometry:{side}{k}/span (0.001 0.019 3)'
+                           for side in ('left', 'right') for k in range(1, 6))]
 Study(
     scene='fallPipe',
     variants=[Variant('continuous'), Variant('perforated', holes)],

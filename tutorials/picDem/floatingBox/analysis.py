@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A box that floats, 0.3 m wide with a draught of 0.1 m, let go from 0.02 m above where it floats, or turned by 5 degrees:
-periods, against linear potential theory (riprap.floatingBox)"""
+"""A box that floats, 0.3 m wide with a draught of 0.1 m, let go from 0.02 m above where it floats,
+or turned by 5 degrees: periods, against linear potential theory (riprap.floatingBox)"""
 import math
 import os
 
@@ -43,7 +43,8 @@ def theory(run, times):
     depth = -numberOf(tank(run)['bottom'])
     if kind(run) == 'roll':
         mass = rho*width*height
-        return FloatingBox(width, draught, depth, axis=floats).roll(times, mass*(width**2 + height**2)/12, floats)
+        return FloatingBox(width, draught, depth,
+                           axis=floats).roll(times, mass*(width**2 + height**2)/12, floats)
     return FloatingBox(width, draught, depth).heave(times)
 
 
@@ -89,7 +90,8 @@ def grid(motion, offset=0, n=250):
     h = 5/n
     bottom = -0.5 - offset*h
     top = bottom + 36*0.02
-    entries = f'system/tank:nx {n}; system/tank:ny {round(0.72/h)}; system/tank:bottom {bottom:.12g}; system/tank:top {top:.12g}; system/tank:spacing {h/4:.12g}'
+    entries = (f'system/tank:nx {n}; system/tank:ny {round(0.72/h)}; system/tank:bottom '
+               f'{bottom:.12g}; system/tank:top {top:.12g}; system/tank:spacing {h/4:.12g}')
     if motion != 'heave':
         entries += f'; system/tank:centre {floats:.12g}'
     if motion == 'roll':
@@ -102,9 +104,11 @@ def grid(motion, offset=0, n=250):
 offsets = (0, 0.25, 0.5, 0.75)
 Study(
     scene='picFloatingBox',
-    variants=[Variant(f'{motion}-{offset:g}', grid(motion, offset)) for motion in ('heave', 'roll', 'still') for offset in offsets]
+    variants=[Variant(f'{motion}-{offset:g}', grid(motion, offset))
+              for motion in ('heave', 'roll', 'still') for offset in offsets]
     + [Variant(f'{motion}-fine', grid(motion, 0.25, 500)) for motion in ('heave', 'roll')],
-    quick=[Variant('heave-0.25-quick', grid('heave', 0.25)), Variant('roll-0.5-quick', grid('roll', 0.5))],
+    quick=[Variant('heave-0.25-quick', grid('heave', 0.25)),
+           Variant('roll-0.5-quick', grid('roll', 0.5))],
     analyse=analyse,
     plot=plot,
     headline='period [s]',

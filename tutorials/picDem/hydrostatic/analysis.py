@@ -29,7 +29,8 @@ def analyse(run):
     e = run.table('energy', 'energyBalance.dat')
     below = y < depth(run) - 2*run.spacing      # a particle at the surface may lie above it
     return [Quantity('largest speed [m/s]', computed=e['maxSpeed'].max()),
-            Quantity('largest speed in the second half [m/s]', computed=e['maxSpeed'][len(e['maxSpeed'])//2:].max()),
+            Quantity('largest speed in the second half [m/s]',
+                     computed=e['maxSpeed'][len(e['maxSpeed'])//2:].max()),
             Quantity('pressure L2', error=measures.relativeL2(p[below], exact[below]))]
 
 
@@ -47,8 +48,8 @@ def plot(runs, path):
 def tank(cells, depth):
     """A tank 40 or so cells wide; the depth in cells need not be whole"""
     h = 0.5/cells
-    return (f'system/tank:nx {cells}; system/tank:ny {cells*3//4}; system/tank:height {h*(cells*3//4):.10g}; '
-            f'system/tank:depth {h*depth:.10g}')
+    return (f'system/tank:nx {cells}; system/tank:ny {cells*3//4}; '
+            f'system/tank:height {h*(cells*3//4):.10g}; system/tank:depth {h*depth:.10g}')
 
 
 Study(
@@ -59,8 +60,10 @@ Study(
               # the surface at the middle of cells, and at a quarter of one
               Variant('n40-half', ['-spacing', '0.00625', '-set', tank(40, 19.5)]),
               Variant('n40-quarter', ['-spacing', '0.003125', '-set', tank(40, 20.25)]),
-              Variant('n40-apic', ['-spacing', '0.00625', '-set', tank(40, 20) + '; transfer apic']),
-              Variant('n40-mixed', ['-spacing', '0.00625', '-set', tank(40, 20.5) + '; precision mixed'])],
+              Variant('n40-apic',
+                      ['-spacing', '0.00625', '-set', tank(40, 20) + '; transfer apic']),
+              Variant('n40-mixed',
+                      ['-spacing', '0.00625', '-set', tank(40, 20.5) + '; precision mixed'])],
     quick=[Variant('n20-quick', ['-spacing', '0.0125', '-endTime', '1', '-set', tank(20, 10.5)])],
     analyse=analyse,
     plot=plot,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A cylinder as heavy as the liquid in shear: how it moves to the middle, against Feng & Michaelides (2002)"""
+"""A cylinder as heavy as the liquid in shear: how it moves to the middle, against Feng &
+Michaelides (2002)"""
 import os
 
 import numpy as np
@@ -13,7 +14,8 @@ height = 0.01
 
 
 def reference():
-    return np.loadtxt(os.path.join(here, 'reference', 'feng2002_migration_y.csv'), delimiter=',', skiprows=1).T
+    return np.loadtxt(os.path.join(here, 'reference', 'feng2002_migration_y.csv'), delimiter=',',
+                      skiprows=1).T
 
 
 def motion(run):
@@ -32,7 +34,8 @@ def analyse(run):
 
 
 def plot(runs, path):
-    plotting.besideMeasured(path, runs, lambda run: (motion(run)[0], motion(run)[2]), reference(), 'Feng & Michaelides (2002)', 't [s]', 'y [m]')
+    plotting.besideMeasured(path, runs, lambda run: (motion(run)[0], motion(run)[2]), reference(),
+                            'Feng & Michaelides (2002)', 't [s]', 'y [m]')
 
 
 def cells(across):

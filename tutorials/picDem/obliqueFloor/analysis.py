@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Water at rest over an oblique floor and about a pier: how fast it moves although it should not, and its pressure"""
+"""Water at rest over an oblique floor and about a pier: how fast it moves although it should not,
+and its pressure"""
 import os
 
 import numpy as np
@@ -30,14 +31,16 @@ def analyse(run):
     wave = np.sqrt(g*depth)
     return [Quantity('largest speed / sqrt(gH)', computed=e['maxSpeed'].max()/wave),
             Quantity('pressure L2', error=measures.relativeL2(p[below], exact[below])),
-            Quantity('deepest particle in a solid / cell', computed=float(max(0, -min(away.min(), above.min()))/(2*run.spacing)))]
+            Quantity('deepest particle in a solid / cell',
+                     computed=float(max(0, -min(away.min(), above.min()))/(2*run.spacing)))]
 
 
 def plot(runs, path):
     fig, (speeds, water) = plotting.figure(2)
     for run in runs:
         e = run.table('energy', 'energyBalance.dat')
-        speeds.semilogy(e['Time'], np.maximum(e['maxSpeed'], 1e-18)/np.sqrt(g*depth), label=run.name)
+        speeds.semilogy(e['Time'], np.maximum(e['maxSpeed'], 1e-18)/np.sqrt(g*depth),
+                        label=run.name)
     speeds.axhline(1e-4, color='k', linewidth=0.8, linestyle='--', label='bound')
     speeds.set(xlabel='t [s]', ylabel='largest speed / sqrt(gH)')
     plotting.named(speeds)
@@ -51,7 +54,8 @@ def plot(runs, path):
 
 def tank(cells):
     h = 0.5/cells
-    return f'system/tank:nx {cells}; system/tank:ny {cells*3//4}; system/tank:height {h*(cells*3//4):.10g}'
+    return (f'system/tank:nx {cells}; system/tank:ny {cells*3//4}; '
+            f'system/tank:height {h*(cells*3//4):.10g}')
 
 
 Study(
@@ -59,7 +63,8 @@ Study(
     variants=[Variant('n20', ['-spacing', '0.0125', '-set', tank(20)]),
               Variant('n40', ['-spacing', '0.00625', '-set', tank(40)]),
               Variant('n80', ['-spacing', '0.003125', '-set', tank(80)]),
-              Variant('n40-mixed', ['-spacing', '0.00625', '-set', tank(40) + '; precision mixed'])],
+              Variant('n40-mixed',
+                      ['-spacing', '0.00625', '-set', tank(40) + '; precision mixed'])],
     quick=[Variant('n20-quick', ['-spacing', '0.0125', '-endTime', '1', '-set', tank(20)])],
     analyse=analyse,
     plot=plot,

@@ -9,5 +9,5 @@ def profile(y, t, nu):
     return channels.poiseuille(y, t, nu, F=0.8)
 
 
-channels.verify('picPoiseuille', os.path.dirname(os.path.abspath(__file__)), profile, scale=0.8/0.1, title='plane Poiseuille by PIC',
-                runs=channels.onGrid())
+channels.verify('picPoiseuille', os.path.dirname(os.path.abspath(__file__)), profile, scale=0.8/0.1,
+                title='plane Poiseuille by PIC', runs=channels.onGrid())

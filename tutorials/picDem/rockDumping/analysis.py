@@ -41,7 +41,8 @@ def closestBalls(run, name):
 def facets(path):
     """Triangles of an STL file, (n, 3, 3)"""
     with open(path) as f:
-        return np.array([[float(v) for v in line.split()[1:]] for line in f if line.split()[:1] == ['vertex']]).reshape(-1, 3, 3)
+        return np.array([[float(v) for v in line.split()[1:]] for line in f
+                         if line.split()[:1] == ['vertex']]).reshape(-1, 3, 3)
 
 
 def middleAndAxes(t):
@@ -57,7 +58,8 @@ def middleAndAxes(t):
 def turns(run, name):
     """Rotations from the axes of each clump to space"""
     folder = os.path.join(run.path, name, 'uniform', 'lagrangian', 'solids', 'clumps')
-    w, v = (clouds.readField(os.path.join(folder, part)) for part in ('orientationReal', 'orientationImaginary'))
+    w, v = (clouds.readField(os.path.join(folder, part))
+            for part in ('orientationReal', 'orientationImaginary'))
     cross = np.zeros((len(w), 3, 3))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         cross[:, k, j], cross[:, j, k] = v[:, i], -v[:, i]
@@ -73,13 +75,15 @@ def depth(points, t):
 
 
 def stones(run, name):
-    """Surfaces of the stones at a time, (n, triangles, 3, 3). Their clumps turn with the axes of inertia; which way these point tells the balls, which are inside"""
+    """Surfaces of the stones at a time, (n, triangles, 3, 3). Their clumps turn with the axes of
+    inertia; which way these point tells the balls, which are inside"""
     given = facets(os.path.join(run.path, 'constant', 'triSurface', 'stone.stl'))
     x, r, u, body = members(run, name)
     at, R = turns(run, name)
     shapes = run.dictionary(name + '/uniform/lagrangian/solids/cloudProperties')['shapes']
     scales = [numberOf(shape['scale']) for shape in shapes.values()]
-    kind = clouds.readField(os.path.join(run.path, name, 'uniform', 'lagrangian', 'solids', 'clumps', 'shape')).astype(int)
+    kind = clouds.readField(os.path.join(run.path, name, 'uniform', 'lagrangian', 'solids',
+                                         'clumps', 'shape')).astype(int)
     middle, axes = middleAndAxes(given)
     result = []
     for b in range(len(at)):
@@ -104,10 +108,13 @@ def dense(t, n=8):
 
 
 def closestStones(run, name):
-    """As closestBalls, by points on one surface and the planes of another, which are convex: right where they overlap, else no more than their distance"""
+    """As closestBalls, by points on one surface and the planes of another, which are convex: right
+    where they overlap, else no more than their distance"""
     all = stones(run, name)
-    middle, reach = all.mean(axis=(1, 2)), np.linalg.norm(all - all.mean(axis=(1, 2), keepdims=True), axis=3).max()
-    near = [-depth(dense(a), b).max() for i, a in enumerate(all) for j, b in enumerate(all) if i != j and np.linalg.norm(middle[i] - middle[j]) < 2.5*reach]
+    middle, reach = (all.mean(axis=(1, 2)),
+                     np.linalg.norm(all - all.mean(axis=(1, 2), keepdims=True), axis=3).max())
+    near = [-depth(dense(a), b).max() for i, a in enumerate(all) for j, b in enumerate(all)
+            if i != j and np.linalg.norm(middle[i] - middle[j]) < 2.5*reach]
     return min(near, default=np.inf), all[..., 1].min()
 
 
@@ -130,10 +137,12 @@ def analyse(run):
     lost = 1 - water(run, names[-1])/water(run, names[1])
     apart = [closest(run, n) for n in names]
     return [Quantity('end [s]', computed=float(names[-1])),
-            Quantity('smallest distance of two surfaces [m]', computed=float(min(a[0] for a in apart))),
+            Quantity('smallest distance of two surfaces [m]',
+                     computed=float(min(a[0] for a in apart))),
             Quantity('lowest rock above the floor [m]', computed=float(min(a[1] for a in apart))),
             Quantity('mean height of the rocks [m]', computed=float(x[:, 1].mean())),
-            Quantity('fastest rock [m/s]', computed=float(np.sqrt((members(run, names[-1])[2]**2).sum(axis=1)).max())),
+            Quantity('fastest rock [m/s]',
+                     computed=float(np.sqrt((members(run, names[-1])[2]**2).sum(axis=1)).max())),
             Quantity('rocks', computed=len(x)),
             Quantity('water lost', computed=lost)]
 
@@ -152,7 +161,8 @@ def plot(runs, path):
 coarse = 'system/tank:nx 48; system/tank:ny 72; system/tank:nz 24; system/tank:spacing 0.005'
 Study(
     scene='picRockDumping',
-    variants=[Variant('rocks')] + [Variant(kind, ['-endTime', '0.5', '-set', f'system/shape:shape {kind}']) for kind in ('clumps', 'stones')],
+    variants=[Variant('rocks')] + [Variant(kind, [
+        '-endTime', '0.5', '-set', f'system/shape:shape {kind}']) for kind in ('clumps', 'stones')],
     quick=[Variant('rocks-quick', ['-endTime', '0.12', '-set', coarse])],
     analyse=analyse,
     plot=plot,

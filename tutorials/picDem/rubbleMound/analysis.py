@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Waves pass over a mound of rocks at rest: what does it change that they sleep, and what does it save?"""
+"""Waves pass over a mound of rocks at rest: what does it change that they sleep, and what does it
+save?"""
 import os
 
 import numpy as np
@@ -11,7 +12,8 @@ from riprap.study import Study, Variant
 from riprap.tables import stacked
 
 here = os.path.dirname(os.path.abspath(__file__))
-before = np.array([0.6, 0.75, 0.9, 1.05, 1.2, 1.35, 1.5, 1.65, 1.8, 1.95])     # gauges [m], as in system/controlDict
+# gauges [m], as in system/controlDict
+before = np.array([0.6, 0.75, 0.9, 1.05, 1.2, 1.35, 1.5, 1.65, 1.8, 1.95])
 behind = np.arange(3.0, 3.75, 0.1)
 diameter, omega = 0.06, 6.6633
 
@@ -45,8 +47,10 @@ def analyse(run):
     result = [Quantity('farthest way of a rock after 1 s / diameter', computed=float(way/diameter)),
               Quantity('end [s]', computed=float(t[-1]))]
     if t[-1] >= 8:
-        result += [Quantity('amplitude before the mound [m]', computed=amplitude(run, slice(0, len(before)))),
-                   Quantity('amplitude behind it [m]', computed=amplitude(run, slice(len(before), None)))]
+        result += [Quantity('amplitude before the mound [m]',
+                            computed=amplitude(run, slice(0, len(before)))),
+                   Quantity('amplitude behind it [m]',
+                            computed=amplitude(run, slice(len(before), None)))]
     seconds, steps = run.log['executionTime'], run.log['steps']
     if seconds and steps:
         result.append(Quantity('processor time a step [s]', computed=seconds/steps))
@@ -55,7 +59,8 @@ def analyse(run):
 
 def compare(runs, results):
     """Sleepers against those awake: places of rocks, and levels over the waves' amplitude"""
-    asleep, awake = (next((r for name, r in runs.items() if name.startswith(kind)), None) for kind in ('asleep', 'awake'))
+    asleep, awake = (next((r for name, r in runs.items() if name.startswith(kind)), None)
+                     for kind in ('asleep', 'awake'))
     if not asleep or not awake:
         return []
     t, eta = levels(asleep)
@@ -63,7 +68,8 @@ def compare(runs, results):
     n = min(len(t), len(s))
     place = np.hypot(*(rocks(asleep)[1][-1] - rocks(awake)[1][-1]).T).max()
     return [Quantity('places of rocks, largest difference / diameter', error=float(place/diameter)),
-            Quantity('levels, rms of the difference / rms of the levels', error=float(np.sqrt(((eta[:n] - other[:n])**2).mean()/(other[:n]**2).mean())))]
+            Quantity('levels, rms of the difference / rms of the levels',
+                     error=float(np.sqrt(((eta[:n] - other[:n])**2).mean()/(other[:n]**2).mean())))]
 
 
 def plot(runs, path):
@@ -77,9 +83,11 @@ def plot(runs, path):
     name = clouds.times(run.path)[-1]
     water = clouds.readCloud(run.path, name, ('U',))
     solids = clouds.readCloud(run.path, name, ('radius',), 'solids')
-    scene.scatter(*water['positions'][:, :2].T, c=np.hypot(*water['U'][:, :2].T), s=0.4, cmap='Blues', vmin=-0.1, vmax=0.3)
+    scene.scatter(*water['positions'][:, :2].T, c=np.hypot(*water['U'][:, :2].T), s=0.4,
+                  cmap='Blues', vmin=-0.1, vmax=0.3)
     plotting.discs(scene, solids['positions'], solids['radius'])
-    scene.set(xlim=(1.9, 3.4), ylim=(0, 0.4), aspect='equal', xlabel='x [m]', title=f'{run.name}, {float(name):g} s')
+    scene.set(xlim=(1.9, 3.4), ylim=(0, 0.4), aspect='equal', xlabel='x [m]',
+              title=f'{run.name}, {float(name):g} s')
     scene.grid(False)
     plotting.save(fig, path)
 
@@ -88,7 +96,8 @@ awake = ['-set', 'constant/solidProperties:sleep/after 0']
 Study(
     scene='picRubbleMound',
     variants=[Variant('asleep'), Variant('awake', awake)],
-    quick=[Variant('asleep-quick', ['-endTime', '1']), Variant('awake-quick', ['-endTime', '1'] + awake)],
+    quick=[Variant('asleep-quick', ['-endTime', '1']),
+           Variant('awake-quick', ['-endTime', '1'] + awake)],
     analyse=analyse,
     plot=plot,
     compare=compare,

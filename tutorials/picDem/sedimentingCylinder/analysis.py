@@ -12,7 +12,8 @@ here = os.path.dirname(os.path.abspath(__file__))
 
 
 def reference():
-    return np.loadtxt(os.path.join(here, 'reference', 'glowinski2001_v.csv'), delimiter=',', skiprows=1).T
+    return np.loadtxt(os.path.join(here, 'reference', 'glowinski2001_v.csv'), delimiter=',',
+                      skiprows=1).T
 
 
 def motion(run):
@@ -26,22 +27,25 @@ def analyse(run):
     known = (when <= t[-1]) & (when >= 0.05)
     off = np.abs(np.interp(when[known], t, v) - measured[known])/np.abs(measured).max()
     result = [Quantity('velocity, largest difference / largest velocity', error=float(off.max())),
-              Quantity('way off the middle / diameter', computed=float(np.abs(x - 0.01).max()/0.0025))]
+              Quantity('way off the middle / diameter',
+                       computed=float(np.abs(x - 0.01).max()/0.0025))]
     late = t >= 0.4
     if late.any():
         computed, terminal = -v[late].mean(), -np.interp(t[late], when, measured).mean()
-        result.append(Quantity('terminal velocity [m/s]', computed, terminal, abs(computed/terminal - 1)))
+        result.append(Quantity('terminal velocity [m/s]', computed, terminal,
+                               abs(computed/terminal - 1)))
     return result
 
 
 def plot(runs, path):
-    plotting.besideMeasured(path, runs, lambda run: (motion(run)[0], motion(run)[3]), reference(), 'Glowinski et al. (2001)', 't [s]', 'velocity [m/s]')
+    plotting.besideMeasured(path, runs, lambda run: (motion(run)[0], motion(run)[3]), reference(),
+                            'Glowinski et al. (2001)', 't [s]', 'velocity [m/s]')
 
 
 def cells(across):
     h = 0.0025/across
-    return (f'system/tank:nx {8*across}; system/tank:ny {24*across}; system/tank:spacing {h/2:.8g}; '
-            f'constant/solidProperties:pairs/default/gap {2*h:.8g}')
+    return (f'system/tank:nx {8*across}; system/tank:ny {24*across}; '
+            f'system/tank:spacing {h/2:.8g}; constant/solidProperties:pairs/default/gap {2*h:.8g}')
 
 
 Study(

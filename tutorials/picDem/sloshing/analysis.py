@@ -31,7 +31,8 @@ def wave(run):
     """t and the height at the left wall less that at the right one, over twice the amplitude"""
     table = run.table('gauges', 'waterLevel.dat')
     level = stacked(table, 'level')
-    return table['Time'], (level[:, 0] - level[:, 1])/(2*numberOf(run.dictionary('system/tank')['amplitude']))
+    return (table['Time'],
+            (level[:, 0] - level[:, 1])/(2*numberOf(run.dictionary('system/tank')['amplitude'])))
 
 
 def mechanical(run):
@@ -69,12 +70,14 @@ def plot(runs, path):
 
 
 def grid(n, more=''):
-    return ['-spacing', f'{0.5/n:.10g}', '-set', f'system/tank:nx {n}; system/tank:ny {7*n//10}{more}']
+    return ['-spacing', f'{0.5/n:.10g}', '-set',
+            f'system/tank:nx {n}; system/tank:ny {7*n//10}{more}']
 
 
 Study(
     scene='picSloshing',
-    variants=[Variant('n20', grid(20)), Variant('n40', grid(40)), Variant('n80', grid(80)), Variant('n40-apic', grid(40, '; transfer apic'))],
+    variants=[Variant('n20', grid(20)), Variant('n40', grid(40)), Variant('n80', grid(80)),
+              Variant('n40-apic', grid(40, '; transfer apic'))],
     quick=[Variant('n20-quick', grid(20) + ['-endTime', '5'])],
     analyse=analyse,
     plot=plot,

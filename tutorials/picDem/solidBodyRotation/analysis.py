@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A square patch of water that turns freely: angular momentum and energy, which nothing takes from it"""
+"""A square patch of water that turns freely: angular momentum and energy, which nothing takes from
+it"""
 import os
 
 import numpy as np
@@ -44,12 +45,14 @@ def plot(runs, path):
 
 
 def grid(n, transfer='flip'):
-    return ['-spacing', f'{0.5/n:.10g}', '-set', f'system/tank:n {n}; system/tank:n4 {4*n}; transfer {transfer}']
+    return ['-spacing', f'{0.5/n:.10g}', '-set',
+            f'system/tank:n {n}; system/tank:n4 {4*n}; transfer {transfer}']
 
 
 Study(
     scene='picSolidBodyRotation',
-    variants=[Variant(f'n24-{t}', grid(24, t)) for t in transfers] + [Variant('n12-flip', grid(12)), Variant('n48-flip', grid(48))],
+    variants=[Variant(f'n24-{t}', grid(24, t))
+              for t in transfers] + [Variant('n12-flip', grid(12)), Variant('n48-flip', grid(48))],
     quick=[Variant('n12-quick', grid(12) + ['-endTime', '1'])],
     analyse=analyse,
     plot=plot,

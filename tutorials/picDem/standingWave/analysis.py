@@ -15,11 +15,14 @@ def analyse(run):
     wave = Wave(run)
     omega, decay, amplitude = wave.fit()
     period = 2*np.pi/omega
-    peaks = np.array([abs(wave.mode[(wave.t >= k*wave.period) & (wave.t < (k + 1)*wave.period)]).max()
-                      for k in range(int(wave.t[-1]/wave.period))])
-    return [Quantity('period [s]', computed=period, reference=wave.steepPeriod(), error=abs(period/wave.steepPeriod() - 1)),
+    peaks = (
+        np.array([abs(wave.mode[(wave.t >= k*wave.period) & (wave.t < (k + 1)*wave.period)]).max()
+                  for k in range(int(wave.t[-1]/wave.period))]))
+    return [Quantity('period [s]', computed=period, reference=wave.steepPeriod(),
+                     error=abs(period/wave.steepPeriod() - 1)),
             # of the fitted amplitude over a period, viscosity's share taken off; positive: it grows
-            Quantity('change of the amplitude a period', computed=np.exp(-(decay - wave.decay)*period) - 1),
+            Quantity('change of the amplitude a period',
+                     computed=np.exp(-(decay - wave.decay)*period) - 1),
             Quantity('amplitude, last period over first', computed=peaks[-1]/peaks[0]),
             Quantity('amplitude [m]', computed=amplitude, reference=wave.amplitude)]
 
@@ -29,13 +32,15 @@ def wave(n, more=''):
     k = 2*np.pi
     V = np.sqrt(9.81*k*np.tanh(0.5*k))/n
     return ['-spacing', f'{0.5/n:.10g}', '-set',
-            f'system/tank:nx {n}; system/tank:ny {7*n//10}; system/tank:velocityAmplitude {V:.8g}{more}']
+            f'system/tank:nx {n}; system/tank:ny {7*n//10}; '
+            f'system/tank:velocityAmplitude {V:.8g}{more}']
 
 
 Study(
     scene='picStandingWave',
     variants=[Variant(f'n{n}', wave(n)) for n in (50, 100, 200)]
-    + [Variant('n100-apic', wave(100, '; transfer apic')), Variant('n100-flipPic', wave(100, '; transfer flipPic'))],
+    + [Variant('n100-apic', wave(100, '; transfer apic')),
+       Variant('n100-flipPic', wave(100, '; transfer flipPic'))],
     quick=[Variant('n50-quick', wave(50) + ['-endTime', '3.2'])],
     analyse=analyse,
     plot=plot,

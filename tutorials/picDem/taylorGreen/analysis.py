@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Taylor-Green vortices by PIC: velocity of every particle and its decay against the exact solution"""
+"""Taylor-Green vortices by PIC: velocity of every particle and its decay against the exact
+solution"""
 import os
 
 from riprap.study import Study, Variant
@@ -24,5 +25,6 @@ Study(
     analyse=analyse,
     plot=plot,
     headline='velocity L2, t U/L = 1',
-    orders=[('velocity L2, t U/L = 1', [f'n{n}{s}' for n in (16, 32, 64)]) for s in ('', '-apic', '-plain')],
+    orders=[('velocity L2, t U/L = 1', [f'n{n}{s}' for n in (16, 32, 64)])
+            for s in ('', '-apic', '-plain')],
 ).main(here)

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flow over a round weir in a channel: head against flow, depth over a drowned crest, water in less water out
+"""Flow over a round weir in a channel: head against flow, depth over a drowned crest, water in less
+water out
 
-A weir whose crest has the radius R lets the flow q [m2/s] over under the head H [m], both of the water far upstream and above the crest:
+A weir whose crest has the radius R lets the flow q [m2/s] over under the head H [m], both of the
+water far upstream and above the crest:
     q = sqrt(g) (2 H/3)^(3/2) (1 + 22/81 H/R),
-critical flow, and the first correction for curved streamlines (Matthew 1963, Proc. Inst. Civ. Eng. 25, from Boussinesq's equation
+critical flow, and the first correction for curved streamlines (Matthew 1963, Proc. Inst. Civ. Eng.
+25, from Boussinesq's equation
     E - z = h + q^2/(2 g h^2) (1 + (2 h h'' - h'^2)/3 + h z'' + z'^2),
 which the same correction is taken from where the crest is drowned: h'' = -z''/(1 - q^2/(g h^3))).
 """
@@ -42,12 +45,14 @@ def headOf(q):
 
 
 def depth(q, E, fast, curvature=0.0):
-    """h + q^2/(2 g h^2) (1 + corrections of a crest) = E, the slow or the fast root; the critical one where there is none"""
+    """h + q^2/(2 g h^2) (1 + corrections of a crest) = E, the slow or the fast root; the critical
+    one where there is none"""
     def energy(h):
         more = curvature*h*(1 - 2/(3*(1 - q*q/(g*h**3)))) if curvature else 0
         return h + q*q/(2*g*h*h)*(1 + more)
     critical = (q*q/g)**(1/3)
-    low, high = (1e-3*critical, critical) if fast else (critical*(1 + 1e-9 if not curvature else 1.05), max(E, critical))
+    low, high = ((1e-3*critical, critical) if fast
+                 else (critical*(1 + 1e-9 if not curvature else 1.05), max(E, critical)))
     for _ in range(80):
         h = 0.5*(low + high)
         low, high = (h, high) if (energy(h) > E) == fast else (low, h)
@@ -69,9 +74,11 @@ class Channel:
         with open(os.path.join(run.path, 'log.riprapFoam'), errors='replace') as f:
             text = f.read()
         self.volume = np.array([float(v) for v in re.findall(r'^Volume = (\S+),', text, re.M)])
-        self.passed = [np.array([float(v) for v in re.findall(rf'^Opening {name}: .*volume in all = (\S+)', text, re.M)])
-                       for name in ('river', 'sea')]
-        self.escaped = max([int(n) for n in re.findall(r'^Escaped .*\((\d+) in all\)', text, re.M)], default=0)
+        self.passed = (
+            [np.array([float(v) for v in re.findall(rf'^Opening {name}: .*volume in all = (\S+)',
+                                                    text, re.M)]) for name in ('river', 'sea')])
+        self.escaped = max([int(n) for n in re.findall(r'^Escaped .*\((\d+) in all\)', text, re.M)],
+                           default=0)
 
     @property
     def drowned(self):
@@ -80,7 +87,8 @@ class Channel:
 
     @property
     def unbalanced(self):
-        """Water that the openings let in and that is not there, over what the river has brought, from the first sample to the last"""
+        """Water that the openings let in and that is not there, over what the river has brought,
+        from the first sample to the last"""
         came = self.passed[0] + self.passed[1]
         return abs((self.volume[-1] - self.volume[0]) - (came[-1] - came[0]))/self.passed[0][-1]
 
@@ -88,7 +96,8 @@ class Channel:
     def flowOut(self):
         """Over the second half of the run"""
         half = len(self.passed[1])//2
-        return -(self.passed[1][-1] - self.passed[1][half])/(len(self.passed[1]) - 1 - half)/(self.t[-1] - self.t[-2])
+        return -(self.passed[1][-1]
+                 - self.passed[1][half])/(len(self.passed[1]) - 1 - half)/(self.t[-1] - self.t[-2])
 
 
 def analyse(run):
@@ -98,7 +107,8 @@ def analyse(run):
         E = c.sea + (c.q/c.sea)**2/(2*g)
         h = depth(c.q, E - crest, fast=False, curvature=-1/R)
         result = [Quantity('head before the weir [m]', c.E, E, abs(c.E/E - 1)),
-                  Quantity('dip of the surface over the crest [m]', c.sea - crest - middle, c.sea - crest - h, abs((c.sea - crest - middle)/(c.sea - crest - h) - 1))]
+                  Quantity('dip of the surface over the crest [m]', c.sea - crest - middle, c.sea
+                           - crest - h, abs((c.sea - crest - middle)/(c.sea - crest - h) - 1))]
     else:
         H = headOf(c.q)
         result = [Quantity('head over the crest [m]', c.E - crest, H, abs((c.E - crest)/H - 1)),
@@ -121,7 +131,8 @@ def plot(runs, path):
             continue
         drawn.add((c.q, c.drowned))
         E = c.sea + (c.q/c.sea)**2/(2*g) if c.drowned else crest + 1.5*(c.q**2/g)**(1/3)
-        profile.plot(x, [z + depth(c.q, E - z, fast=not c.drowned and s > at) for s, z in zip(x, bed(x))], 'k:', linewidth=0.8,
+        profile.plot(x, [z + depth(c.q, E - z, fast=not c.drowned and s > at)
+                         for s, z in zip(x, bed(x))], 'k:', linewidth=0.8,
                      label='Bernoulli, hydrostatic' if len(drawn) == 1 else None)
     H = np.linspace(0.03, 0.16, 50)
     rating.plot(H, flowOver(H), 'k-', linewidth=0.8, label='theory')
@@ -129,7 +140,8 @@ def plot(runs, path):
     for i, run in enumerate(runs):
         c = Channel(run)
         if not c.drowned:
-            rating.plot(c.E - crest, c.q, linestyle='none', marker=plotting.markers[i % len(plotting.markers)], label=run.name)
+            rating.plot(c.E - crest, c.q, linestyle='none',
+                        marker=plotting.markers[i % len(plotting.markers)], label=run.name)
     profile.set(xlabel='x [m]', ylabel='level, mean of the second half [m]')
     rating.set(xlabel='head over the crest [m]', ylabel='flow [m$^2$/s]')
     for axis in (profile, rating):
@@ -139,7 +151,8 @@ def plot(runs, path):
 
 def grid(n, more=''):
     """n cells over the height of the weir"""
-    return ['-spacing', f'{0.05/n:.10g}', '-set', f'system/channel:nx {20*n}; system/channel:ny {3*n}{more}']
+    return ['-spacing', f'{0.05/n:.10g}', '-set',
+            f'system/channel:nx {20*n}; system/channel:ny {3*n}{more}']
 
 
 def flow(q, upstream):
@@ -149,9 +162,12 @@ def flow(q, upstream):
 Study(
     scene='picWeir',
     variants=[Variant('n8', grid(8)), Variant('n12', grid(12)), Variant('n18', grid(18)),
-              Variant('n12-low', grid(12, flow(0.03, 0.165))), Variant('n12-high', grid(12, flow(0.09, 0.23))),
-              Variant('n12-drowned', grid(12, '; openings/sea/level 0.215; system/channel:upstream 0.215; system/channel:downstream 0.215'
-                                              '; system/channel:start 0.279; system/channel:behind 0.279') + ['-endTime', '40'])],
+              Variant('n12-low', grid(12, flow(0.03, 0.165))),
+              Variant('n12-high', grid(12, flow(0.09, 0.23))),
+              Variant('n12-drowned',
+                      grid(12, '; openings/sea/level 0.215; system/channel:upstream 0.215; '
+                               'system/channel:downstream 0.215; system/channel:start 0.279; '
+                               'system/channel:behind 0.279') + ['-endTime', '40'])],
     quick=[Variant('n8-quick', grid(8) + ['-endTime', '4'])],
     analyse=analyse,
     plot=plot,

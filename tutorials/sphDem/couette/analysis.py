@@ -9,4 +9,5 @@ def profile(y, t, nu):
     return channels.couette(y, t, nu, U=1.0)
 
 
-channels.verify('couette', os.path.dirname(os.path.abspath(__file__)), profile, scale=1.0, title='plane Couette')
+channels.verify('couette', os.path.dirname(os.path.abspath(__file__)), profile, scale=1.0,
+                title='plane Couette')

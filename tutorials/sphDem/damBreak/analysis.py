@@ -17,15 +17,17 @@ def compare(runs, results):
         for shape, name in (('column', 'Koshizuka & Oka'), ('square', 'Martin & Moyce n2=1')):
             pair = [f'{shape}{kind}', f'{shape}{kind}-half']
             if all(p in results and results[p] for p in pair):
-                e = [next(q.error for q in results[p] if q.name == f'front rms [a], {name}') for p in pair]
+                e = [next(q.error for q in results[p] if q.name == f'front rms [a], {name}')
+                     for p in pair]
                 out.append(Quantity(f'rms at half the spacing - rms, {pair[0]}', error=e[1] - e[0]))
     return out
 
 
 # The square column of 57.15 mm has the same number of particles across as the paper's column
-square = ('system/tank:columnWidth 0.05715; system/tank:columnHeight 0.05715; system/tank:tankWidth 0.5715;'
-          'system/tank:tankHeight 0.12; system/tank:nx 200; system/tank:ny 42; system/controlDict:endTime 0.32;'
-          'system/controlDict:sampleInterval 0.001')
+square = (
+    'system/tank:columnWidth 0.05715; system/tank:columnHeight 0.05715; '
+    'system/tank:tankWidth 0.5715;system/tank:tankHeight 0.12; system/tank:nx 200; '
+    'system/tank:ny 42; system/controlDict:endTime 0.32;system/controlDict:sampleInterval 0.001')
 # Stationary walls push by the fluid's own density: diffusing it lets particles through
 stationary = 'walls/model stationary; densityDiffusion none'
 # The paper's terms alone: nothing damps the noise of pressure
@@ -35,7 +37,8 @@ constantH = 'smoothingLength/model constant'
 
 def variants():
     """The stated resolution with and without variable h and with each wall model, each of them at
-    half the spacing as well; for the default a coarser one, double precision and, beside a GPU, the CPU; the paper's terms alone"""
+    half the spacing as well; for the default a coarser one, double precision and, beside a GPU, the
+    CPU; the paper's terms alone"""
     spacings = {'coarse-column': '0.0073', 'column': '0.005', 'column-half': '0.0025'}
     result = [Variant('coarse-column', ['-spacing', '0.0073'])]
     for name, dp in spacings.items():
@@ -48,9 +51,11 @@ def variants():
             changes = [option for s in base + sets for option in ('-set', s)]
             for part, dp in (('', spacing), ('-half', spacing/2)):
                 end = [] if shape == 'square' or suffix == '' else ['-endTime', '0.5']
-                result.append(Variant(f'{shape}{suffix}{part}', ['-spacing', f'{dp:.8g}', *changes, *end]))
+                result.append(Variant(f'{shape}{suffix}{part}',
+                                      ['-spacing', f'{dp:.8g}', *changes, *end]))
     for name, dp in (('paper-column', '0.005'), ('paper-column-half', '0.0025')):
-        result.append(Variant(name, ['-spacing', dp, '-set', paper, '-endTime', '0.5'], mayFail=True))
+        result.append(Variant(name, ['-spacing', dp, '-set', paper, '-endTime', '0.5'],
+                              mayFail=True))
     return result
 
 

@@ -14,15 +14,18 @@ if shutil.which('nvidia-smi'):
 
 
 def compare(runs, results):
-    return [Quantity(f'front, 3D against 2D, largest{part}', error=difference(runs['slab3D' + part], runs['slab2D' + part]))
-            for part in [*spacings, '-quick'] if 'slab3D' + part in runs and 'slab2D' + part in runs]
+    return [Quantity(f'front, 3D against 2D, largest{part}',
+                     error=difference(runs['slab3D' + part], runs['slab2D' + part]))
+            for part in [*spacings, '-quick']
+            if 'slab3D' + part in runs and 'slab2D' + part in runs]
 
 
 def pair(part, spacing, end=()):
     """The slab and the same case in 2D, with the slab's walls (spacing of the fluid)"""
     options = ['-spacing', f'{spacing:g}', *end]
     return [Variant('slab3D' + part, options),
-            Variant('slab2D' + part, [*options, '-set', 'walls/spacing 0.005', *(end or ('-endTime', '0.4'))], 'sphDem/damBreak')]
+            Variant('slab2D' + part, [*options, '-set', 'walls/spacing 0.005',
+                                      *(end or ('-endTime', '0.4'))], 'sphDem/damBreak')]
 
 
 Study(

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The gate at rest under water: an inextensible beam of any deflection, clamped at its top, under hydrostatic pressure and its weight
+"""The gate at rest under water: an inextensible beam of any deflection, clamped at its top, under
+hydrostatic pressure and its weight
 
-    E I dtheta/ds = M(s),  E I theta(0) = 0,  M(s) the moment of pressure rho g (H - y) normal to the beam and of the weight below s
-theta from the vertical; acceleration of the water and the pressure that its flow under the gate takes away are left out.
+    E I dtheta/ds = M(s),  E I theta(0) = 0, M(s) the moment of pressure rho g (H - y) normal to the
+                           beam and of the weight below s
+theta from the vertical; acceleration of the water and the pressure that its flow under the gate
+takes away are left out.
 """
 import numpy as np
 
@@ -44,8 +47,9 @@ def impliedModulus(x, level):
 
 
 def levelFrom(t, x, y, foot, discharge, depth=0.14, tank=0.1, shape=0.345):
-    """Level [m] of a tank that empties through the opening under the gate: tank dH/dt = -discharge a sqrt(2 g (H - a)) - shape L dx/dt,
-    a = foot + y; shape L x is what the gate sweeps (the elastica's 0.33 to 0.36)"""
+    """Level [m] of a tank that empties through the opening under the gate: tank dH/dt = -discharge
+    a sqrt(2 g (H - a)) - shape L dx/dt, a = foot + y; shape L x is what the gate sweeps (the
+    elastica's 0.33 to 0.36)"""
     level = [depth]
     for k in range(1, len(t)):
         dt, a = t[k] - t[k - 1], foot + max(y[k], 0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A cylinder or a sphere let go in water: draught at rest against Archimedes, heave against linear potential flow in the same tank"""
+"""A cylinder or a sphere let go in water: draught at rest against Archimedes, heave against linear
+potential flow in the same tank"""
 import os
 import sys
 
@@ -58,9 +59,11 @@ class Release:
         return t, self.depth + self.body.centre + x
 
     def fall(self):
-        """Acceleration of a body let go in water: potential flow, and that of the run until it has gone a tenth of its radius"""
+        """Acceleration of a body let go in water: potential flow, and that of the run until it has
+        gone a tenth of its radius"""
         tank = Tank(self.body, self.W, self.depth, centre=self.start - self.depth, size=self.R/12)
-        exact = (self.body.volume - self.ratio*self.body.volume)*g/(self.ratio*self.body.volume + tank.added)
+        exact = (self.body.volume
+                 - self.ratio*self.body.volume)*g/(self.ratio*self.body.volume + tank.added)
         way = (self.t <= 0.1) & (np.abs(self.y - self.y[0]) < 0.1*self.R)
         t, y = self.t[way], self.y[way] - self.y[0]
         return 2*float(t**2 @ y/(t**2 @ t**2)), exact
@@ -85,7 +88,8 @@ def analyse(run):
         a, exact = r.fall()
         rest = r.y[r.t > 0.9*r.t[-1]]
         return [Quantity('acceleration [m/s2]', a, exact, abs(a/exact - 1)),
-                Quantity('height at rest on the bottom / R', rest.mean()/r.R, 1, abs(rest.mean()/r.R - 1)),
+                Quantity('height at rest on the bottom / R', rest.mean()/r.R, 1,
+                         abs(rest.mean()/r.R - 1)),
                 Quantity('still moving [R]', error=float(np.ptp(rest)/r.R))]
     draught, exact = r.meanDraught(), r.R - r.body.centre
     t, y = r.theory()
@@ -109,10 +113,12 @@ def plotDraughts(axis, runs):
     """Draught at rest over Archimedes', by coupling"""
     for k, c in enumerate(('extrapolated', *others)):
         for name, marker in (('cylinder', 'o'), ('sphere', '^')):
-            mine = [Release(r) for r in runs if couplingOf(r) == c and r.name.startswith(name) and not r.name.endswith(('coarse', 'fine'))]
+            mine = [Release(r) for r in runs if couplingOf(r) == c and r.name.startswith(name)
+                    and not r.name.endswith(('coarse', 'fine'))]
             points = [(r.ratio, r.meanDraught()/(r.R - r.body.centre)) for r in mine if r.floats]
             if points:
-                axis.plot(*zip(*sorted(points)), marker + '-', color=plotting.colours[k], markersize=4, linewidth=0.8, label=f'{name}, {c}')
+                axis.plot(*zip(*sorted(points)), marker + '-', color=plotting.colours[k],
+                          markersize=4, linewidth=0.8, label=f'{name}, {c}')
     axis.axhspan(0.97, 1.03, color='#dddddd')
     axis.set(xlabel='density over that of water', ylabel='draught / Archimedes')
     plotting.named(axis)
@@ -120,14 +126,16 @@ def plotDraughts(axis, runs):
 
 def plot(runs, path):
     fig, (heave, draughts, picture) = plotting.figure(3, width=4.2)
-    for k, run in enumerate([r for r in runs if couplingOf(r) == 'extrapolated' and Release(r).floats][:6]):
+    for k, run in enumerate([r for r in runs
+                             if couplingOf(r) == 'extrapolated' and Release(r).floats][:6]):
         r = Release(run)
         colour = plotting.colours[k]
         zero = r.depth + r.body.centre
         heave.plot(r.t, 1e3*(r.y - zero), color=colour, linewidth=0.9, label=run.name)
         t, y = r.theory()
         heave.plot(t, 1e3*(y - zero), color=colour, linewidth=0.9, linestyle=':')
-    heave.set(xlabel='t [s]', ylabel='centre over its place at rest [mm]', title='dotted: potential flow')
+    heave.set(xlabel='t [s]', ylabel='centre over its place at rest [mm]',
+              title='dotted: potential flow')
     plotting.named(heave)
     plotDraughts(draughts, runs)
     withClouds = [r for r in runs if clouds.times(r.path)]
@@ -140,10 +148,12 @@ def plot(runs, path):
 
 def plotLast(fig, picture, last):
     at = clouds.times(last.path)[-1]
-    f, b = clouds.readCloud(last.path, at, ('p',)), clouds.readCloud(last.path, at, ('radius',), 'solids')
+    f, b = (clouds.readCloud(last.path, at, ('p',)),
+            clouds.readCloud(last.path, at, ('radius',), 'solids'))
     # of a sphere's tank the slice through its middle
     tank = last.dictionary('system/tank')
-    inSlice = [np.abs(cloud['positions'][:, 2] - 0.5*numberOf(tank['thickness'])) < 0.75*last.spacing for cloud in (f, b)]
+    inSlice = [np.abs(cloud['positions'][:, 2] - 0.5*numberOf(tank['thickness']))
+               < 0.75*last.spacing for cloud in (f, b)]
     x, y = (cloud['positions'][kept] for cloud, kept in zip((f, b), inSlice))
     dots = picture.scatter(1e3*x[:, 0], 1e3*x[:, 1], c=f['p'][inSlice[0]], s=1)
     picture.scatter(1e3*y[:, 0], 1e3*y[:, 1], s=1, color='#444444')
@@ -152,10 +162,12 @@ def plotLast(fig, picture, last):
 
 
 def of(ratio, *more):
-    return ['-set', '; '.join([f'constant/solidProperties:materials/body/rho {1000*ratio:g}', *more])]
+    return ['-set',
+            '; '.join([f'constant/solidProperties:materials/body/rho {1000*ratio:g}', *more])]
 
 
-cube = 'system/frontAndBack:frontAndBack wall; system/tank:width 0.5; system/tank:thickness 0.5; system/tank:depth 0.3; system/tank:height 0.5; system/tank:start 0.18'
+cube = ('system/frontAndBack:frontAndBack wall; system/tank:width 0.5; system/tank:thickness 0.5; '
+        'system/tank:depth 0.3; system/tank:height 0.5; system/tank:start 0.18')
 ratios = (0.3, 0.5, 0.9, 1.2, 2.7)
 others = ('pressureGradient', 'stationary', 'pressureApproximation')
 
@@ -169,8 +181,10 @@ Study(
     variants=[Variant(f'cylinder-{d}', of(d)) for d in ratios]
     + [Variant(f'sphere-{d}', sphere(d, '0.0125')) for d in ratios]
     + [Variant(f'cylinder-{d}-{c}', of(d, f'coupling {c}')) for c in others for d in ratios]
-    + [Variant(f'sphere-{d}-pressureGradient', sphere(d, '0.0125', 'coupling pressureGradient')) for d in ratios]
-    + [Variant('cylinder-0.5-coarse', ['-spacing', '0.0142857143', *of(0.5)]), Variant('cylinder-0.5-fine', ['-spacing', '0.005', *of(0.5)]),
+    + [Variant(f'sphere-{d}-pressureGradient', sphere(d, '0.0125', 'coupling pressureGradient'))
+       for d in ratios]
+    + [Variant('cylinder-0.5-coarse', ['-spacing', '0.0142857143', *of(0.5)]),
+       Variant('cylinder-0.5-fine', ['-spacing', '0.005', *of(0.5)]),
        Variant('sphere-0.5-coarse', sphere(0.5, '0.0166666667'))]
     + [Variant(f'sphere-{d}-fine', sphere(d, '0.01'), large=True) for d in ratios],
     quick=[Variant('quick', ['-endTime', '2', *of(0.3)])],

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Linear potential flow about a circle or a sphere that heaves in a tank: a cylinder between plane walls, or a sphere in a round tank
+"""Linear potential flow about a circle or a sphere that heaves in a tank: a cylinder between plane
+walls, or a sphere in a round tank
 
     Laplace phi = 0;  walls and bottom: phi_n = 0;  body: phi_n = V n_y
     free surface: eta_t = phi_y, phi_t = -g eta
     body: M x'' = -C x - rho int phi_t n_y dS
 
-phi_t solves the same problem with -g eta on the surface and x'' n_y on the body, so that the force is f.eta - a x'', a the added mass of
-instants (infinite frequency). Sources stand a little outside the fluid (Cao, Schultz & Beck 1991, Int. J. Numer. Meth. Fluids 12, 785): pairs of
-lines mirrored at x = 0, or rings. What is solved is the tank at hand, with its bottom and its reflections, about the body's rest position.
+phi_t solves the same problem with -g eta on the surface and x'' n_y on the body, so that the force
+is f.eta - a x'', a the added mass of instants (infinite frequency). Sources stand a little outside
+the fluid (Cao, Schultz & Beck 1991, Int. J. Numer. Meth. Fluids 12, 785): pairs of lines mirrored
+at x = 0, or rings. What is solved is the tank at hand, with its bottom and its reflections, about
+the body's rest position.
 
     potentialFlow.py        compares with known added masses and periods
 """
@@ -48,7 +51,8 @@ def ring(x, y, u, v):
 
 
 class Body:
-    """A circle of radius R whose part below the level is the share `density` of it; centre at height `centre` above the level"""
+    """A circle of radius R whose part below the level is the share `density` of it; centre at
+    height `centre` above the level"""
 
     def __init__(self, R, density, dimensions):
         self.R, self.density, self.dimensions = R, density, dimensions
@@ -57,7 +61,8 @@ class Body:
         low, high = -R, R
         for _ in range(60):
             middle = 0.5*(low + high)
-            low, high = (middle, high) if self.immersed(middle) > density*self.volume else (low, middle)
+            low, high = ((middle, high) if self.immersed(middle) > density*self.volume
+                         else (low, middle))
         self.centre = 0.5*(low + high)
         half2 = max(R*R - self.centre**2, 0)
         self.waterplane = 2*np.sqrt(half2) if dimensions == 2 else np.pi*half2
@@ -70,7 +75,8 @@ class Body:
 
 
 def panels(corners, counts, outward):
-    """Middles, lengths and ends of straight panels along a polyline; normals to the left of it where outward is 1"""
+    """Middles, lengths and ends of straight panels along a polyline; normals to the left of it
+    where outward is 1"""
     points = [np.array(corners[0], float)]
     for a, b, n in zip(corners, corners[1:], counts):
         points += [np.asarray(a) + (np.asarray(b) - np.asarray(a))*k/n for k in range(1, n + 1)]
@@ -85,17 +91,20 @@ def fromPoints(points, outward):
 
 
 class Tank:
-    """Half-width (or radius) W, depth H of the water with the body at its place, centre at height `centre` above the level"""
+    """Half-width (or radius) W, depth H of the water with the body at its place, centre at height
+    `centre` above the level"""
 
     def __init__(self, body, W, H, centre=None, size=None):
         self.body = body
         c = body.centre if centre is None else centre
         R, size = body.R, size or body.R/16
         floating = abs(c) < R
-        end = np.arccos(c/R) if floating else np.pi             # angle from straight down to the level
+        # angle from straight down to the level
+        end = np.arccos(c/R) if floating else np.pi
         n = max(int(round(R*end/size)), 8)
         # shorter towards the waterline, where the flow has a corner
-        angle = end*(np.sin(np.linspace(0, np.pi/2, n + 1)) if floating else np.linspace(0, 1, n + 1))
+        angle = end*(np.sin(np.linspace(0, np.pi/2, n + 1)) if floating
+                     else np.linspace(0, 1, n + 1))
         hull = fromPoints(np.column_stack([R*np.sin(angle), c - R*np.cos(angle)]), 1)
         start = R*np.sin(end) if floating else 0
         m = int(round((W - start)/size))
@@ -115,7 +124,8 @@ class Tank:
         # away from the axis: a ring of no radius has no source
         source[:, 0] = np.maximum(source[:, 0], 0.25*self.length)
         kernel = linePair if self.body.dimensions == 2 else ring
-        phi, byX, byY = kernel(self.x[:, None], self.y[:, None], source[None, :, 0], source[None, :, 1])
+        phi, byX, byY = kernel(self.x[:, None], self.y[:, None], source[None, :, 0],
+                               source[None, :, 1])
         rows = self.normal[:, :1]*byX + self.normal[:, 1:]*byY
         rows[S] = phi[S]
         inverse = np.linalg.inv(rows)
@@ -133,7 +143,8 @@ class Tank:
 
         def rate(s):
             phi, eta, x, V = s[:n], s[n:2*n], s[-2], s[-1]
-            return np.concatenate([-g*eta, self.rise @ phi + self.lift*V, [V, (self.push @ eta - C*x)/(M + self.added)]])
+            return np.concatenate([-g*eta, self.rise @ phi + self.lift*V,
+                                   [V, (self.push @ eta - C*x)/(M + self.added)]])
         dt = end/steps
         s = np.zeros(2*n + 2)
         s[-2] = amplitude
@@ -149,17 +160,20 @@ class Tank:
 
 
 def firstSwing(t, x):
-    """Time from the release to the first turn on the same side: one period of heave. None where there is none"""
+    """Time from the release to the first turn on the same side: one period of heave. None where
+    there is none"""
     rising = np.diff(x) > 0
     turns = np.nonzero(rising[1:] != rising[:-1])[0] + 1
     return t[turns[1]] if len(turns) > 1 else None
 
 
 def main():
-    # half-immersed in a tank that is wide and deep: half of the added mass of the doubled body without a surface
+    # half-immersed in a tank that is wide and deep: half of the added mass of the doubled body
+    # without a surface
     for dimensions, exact, name in ((2, np.pi/2, 'cylinder'), (3, np.pi/3, 'sphere')):
         tank = Tank(Body(1, 0.5, dimensions), 30, 20, size=1/12)
-        print(f'{name}: added mass of instants {tank.added:.4f} rho R^{dimensions}, exact {exact:.4f}')
+        print(f'{name}: added mass of instants {tank.added:.4f} rho R^{dimensions}, '
+              f'exact {exact:.4f}')
         t, x = tank.heave(1, 20/np.sqrt(g))
         print(f'    first swing {firstSwing(t, x)*np.sqrt(g):.3f} sqrt(R/g)')
     deep = Tank(Body(1, 1.2, 2), 30, 40, centre=-20, size=1/8)

@@ -38,9 +38,11 @@ def analyse(run):
     return [Quantity('pressure L2', error=measures.relativeL2(p, exact)),
             Quantity('largest speed / sqrt(g H)', computed=v.max()),
             # In the first tenths of a second the particles at the surface settle onto the walls
-            Quantity('largest speed after 0.5 s / sqrt(g H)', computed=v[t > 0.5].max() if end > 0.5 else None),
+            Quantity('largest speed after 0.5 s / sqrt(g H)',
+                     computed=v[t > 0.5].max() if end > 0.5 else None),
             # Mean of the largest speed in the last quarter over that in the second: 1 is steady
-            Quantity('growth of the speed', computed=v[t > 0.75*end].mean()/v[(t > 0.25*end) & (t < 0.5*end)].mean()),
+            Quantity('growth of the speed',
+                     computed=v[t > 0.75*end].mean()/v[(t > 0.25*end) & (t < 0.5*end)].mean()),
             Quantity('water level', reference=depth(run), computed=front['height'][-1],
                      error=abs(front['height'][-1]/depth(run) - 1)),
             Quantity('particles lost', computed=front['escaped'][-1])]
@@ -51,7 +53,8 @@ def plot(runs, path):
     for run in runs:
         y, p, exact = particles(run)
         label = f'{run.name}: H/{depth(run)/run.spacing:.0f}'
-        pressure.plot((p - exact)/(run.density*g*depth(run)), y/depth(run), '.', markersize=2, label=label)
+        pressure.plot((p - exact)/(run.density*g*depth(run)), y/depth(run), '.', markersize=2,
+                      label=label)
         t, v = speed(run)
         speeds.semilogy(t, np.maximum(v, 1e-12), label=label)
     pressure.axvline(0, color='k', linewidth=0.8)
@@ -63,8 +66,9 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-# A tank with a square base of 0.1 m and walls on all four sides, ten particles across: h of 1.5 spacings, that corners do not
-# reach one another; a higher sound speed, since the lattice's settling at the start is slower with it
+# A tank with a square base of 0.1 m and walls on all four sides, ten particles across: h of 1.5
+# spacings, that corners do not reach one another; a higher sound speed, since the lattice's
+# settling at the start is slower with it
 tank3D = ('system/tank:width 0.1; system/tank:thickness 0.1; system/frontAndBack:frontAndBack wall;'
           'system/tank:nx 10; system/tank:nz 10; smoothingLength/ratio 1.5; soundSpeedRatio 40')
 
@@ -74,7 +78,9 @@ Study(
               Variant('tank2D-medium', ['-spacing', '0.00833333']),
               Variant('tank2D', ['-spacing', '0.00625']),
               Variant('symplectic2D', ['-spacing', '0.0125', '-set', 'timeIntegration symplectic']),
-              Variant('stationary2D', ['-spacing', '0.0125', '-set', 'walls/model stationary; densityDiffusion none'], mayFail=True),
+              Variant('stationary2D', ['-spacing', '0.0125', '-set',
+                                       'walls/model stationary; densityDiffusion none'],
+                      mayFail=True),
               Variant('tank3D-coarse', ['-spacing', '0.0166667', '-set', tank3D]),
               Variant('tank3D-medium', ['-spacing', '0.0125', '-set', tank3D]),
               Variant('tank3D', ['-spacing', '0.01', '-set', tank3D])],

@@ -28,7 +28,8 @@ def withShear(span=L):
 
 
 def withStretching():
-    """Clamps do not come nearer: w (1 + 0.75 (w/e)^2) = w of small displacements, for the shape 1 - cos(2 pi x/L)"""
+    """Clamps do not come nearer: w (1 + 0.75 (w/e)^2) = w of small displacements, for the shape 1 -
+    cos(2 pi x/L)"""
     w = withShear()
     for _ in range(50):
         w = withShear()/(1 + 0.75*(w/e)**2)
@@ -54,9 +55,11 @@ def drift(t, w):
 
 
 def lowestWater(run):
-    """Median height of the water's lowest particles over the plate below them, in spacings of the water: 1/2 where a wall holds it"""
+    """Median height of the water's lowest particles over the plate below them, in spacings of the
+    water: 1/2 where a wall holds it"""
     last = clouds.times(run.path)[-1]
-    water, solid = clouds.readCloud(run.path, last, ())['positions'], clouds.readCloud(run.path, last, ('radius',), 'solids')
+    water, solid = (clouds.readCloud(run.path, last, ())['positions'],
+                    clouds.readCloud(run.path, last, ('radius',), 'solids'))
     radius = solid['radius'][0]
     column = np.round(solid['positions'][:, 0]/(2*radius)).astype(int)
     surface = {k: solid['positions'][column == k, 1].max() + radius for k in np.unique(column)}
@@ -66,8 +69,10 @@ def lowestWater(run):
 
 
 def lost(run):
-    """Share of the water that is no longer there, or under the plate's upper surface by more than two rows"""
-    first, last = (clouds.readCloud(run.path, clouds.times(run.path)[k], ())['positions'] for k in (0, -1))
+    """Share of the water that is no longer there, or under the plate's upper surface by more than
+    two rows"""
+    first, last = (clouds.readCloud(run.path, clouds.times(run.path)[k], ())['positions']
+                   for k in (0, -1))
     return 1 - np.count_nonzero(last[:, 1] > 0.5*e)/len(first)
 
 
@@ -77,7 +82,8 @@ def analyse(run):
     noise = w[t > 0.75*t[-1]].std()/at
     theory = withStretching()
     return [Quantity('middle [mm], thin plate', 1e3*at, 1e3*thinPlate(), abs(at/thinPlate() - 1)),
-            Quantity('middle [mm], with shear and stretching', 1e3*at, 1e3*theory, abs(at/theory - 1)),
+            Quantity('middle [mm], with shear and stretching', 1e3*at, 1e3*theory,
+                     abs(at/theory - 1)),
             Quantity("middle [mm], the paper's program", 1e3*at, 1e3*paper, abs(at/paper - 1)),
             Quantity('drift, third quarter to last', error=float(drift(t, w))),
             Quantity('rms about the mean in the last quarter', computed=float(noise)),
@@ -95,14 +101,18 @@ def plotLeaks(runs, path):
     """Water in the plate, and how low the first layer stands, over the size ratio"""
     fig, (share, layer) = plotting.figure(2, width=4.0, height=3.2)
     for k, c in enumerate(couplings):
-        mine = sorted((sizeRatio(r), 100*lost(r), lowestWater(r)) for r in runs if r.name.startswith('ratio') and r.name.endswith('-' + c))
+        mine = sorted((sizeRatio(r), 100*lost(r), lowestWater(r)) for r in runs
+                      if r.name.startswith('ratio') and r.name.endswith('-' + c))
         if mine:
             ratio, leaked, height = zip(*mine)
-            share.plot(ratio, leaked, '-', marker=plotting.markers[k], markersize=4, color=plotting.colours[k], label=c)
-            layer.plot(ratio, height, '-', marker=plotting.markers[k], markersize=4, color=plotting.colours[k], label=c)
+            share.plot(ratio, leaked, '-', marker=plotting.markers[k], markersize=4,
+                       color=plotting.colours[k], label=c)
+            layer.plot(ratio, height, '-', marker=plotting.markers[k], markersize=4,
+                       color=plotting.colours[k], label=c)
     layer.axhline(0.5, color='k', linewidth=0.7, linestyle='--')
     share.set(xlabel='spacing of the water / of the plate', ylabel='water that leaked [%]')
-    layer.set(xlabel='spacing of the water / of the plate', ylabel='first layer over the plate [spacings]')
+    layer.set(xlabel='spacing of the water / of the plate',
+              ylabel='first layer over the plate [spacings]')
     plotting.named(share)
     plotting.save(fig, path)
 
@@ -115,7 +125,8 @@ def plot(runs, path):
     for run in runs:
         t, w = middle(run)
         time.plot(t, 1e3*w, linewidth=0.8, label=run.name)
-    for w, style, label in ((thinPlate(), '--', 'thin plate'), (withStretching(), ':', 'with shear and stretching')):
+    for w, style, label in ((thinPlate(), '--', 'thin plate'),
+                            (withStretching(), ':', 'with shear and stretching')):
         time.axhline(1e3*w, color='k', linewidth=0.8, linestyle=style, label=label)
     time.set(xlabel='t [s]', ylabel='middle sinks by [mm]', ylim=(0, 2.2))
     plotting.named(time)
@@ -132,15 +143,17 @@ def plot(runs, path):
 def sized(across, fluid):
     """Another number of particles through the plate, the fluid's spacing with it"""
     s = e/across
-    numbers = {'size': s, 'radius': s/2, 'gap': 1e-3*s, 'left': -3.5*s, 'leftEnd': 0.5*s, 'rightEnd': L - 0.5*s, 'right': L + 3.5*s,
-               'thickness': s, 'fluidSpacing': fluid}
+    numbers = {'size': s, 'radius': s/2, 'gap': 1e-3*s, 'left': -3.5*s, 'leftEnd': 0.5*s,
+               'rightEnd': L - 0.5*s, 'right': L + 3.5*s, 'thickness': s, 'fluidSpacing': fluid}
     return '; '.join(f'system/plate:{k} {v:.10g}' for k, v in numbers.items())
 
 
 def ratioOf(size, rows):
-    """Plates of other particles and about the same thickness under the same water: widths are whole numbers of them"""
-    numbers = {'size': size, 'radius': size/2, 'gap': 1e-3*size, 'left': -3.5*size, 'leftEnd': 0.5*size, 'rightEnd': L - 0.5*size,
-               'right': L + 3.5*size, 'thickness': size, 'top': rows*size, 'surface': rows*size + H}
+    """Plates of other particles and about the same thickness under the same water: widths are whole
+    numbers of them"""
+    numbers = {'size': size, 'radius': size/2, 'gap': 1e-3*size, 'left': -3.5*size,
+               'leftEnd': 0.5*size, 'rightEnd': L - 0.5*size, 'right': L + 3.5*size,
+               'thickness': size, 'top': rows*size, 'surface': rows*size + H}
     return '; '.join(f'system/plate:{k} {v:.10g}' for k, v in numbers.items())
 
 
@@ -153,8 +166,10 @@ Study(
               Variant('stationary', ['-set', 'coupling stationary']),
               Variant('pressureApproximation', ['-set', 'coupling pressureApproximation']),
               Variant('fine', ['-endTime', '1', '-set', sized(8, 8.75e-4)]),
-              *(Variant(f'ratio{1.75e-3/s:.3g}-{c}', ['-endTime', '0.6', '-set', f'{ratioOf(s, rows)}; coupling {c}'])
-                for s, rows in ((2.625e-3, 2), (1.75e-3, 3), (1.25e-3, 4), (8.75e-4, 6), (6.25e-4, 8)) for c in couplings)],
+              *(Variant(f'ratio{1.75e-3/s:.3g}-{c}',
+                        ['-endTime', '0.6', '-set', f'{ratioOf(s, rows)}; coupling {c}'])
+                for s, rows in ((2.625e-3, 2), (1.75e-3, 3), (1.25e-3, 4), (8.75e-4, 6),
+                                (6.25e-4, 8)) for c in couplings)],
     quick=[Variant('quick', ['-endTime', '0.5'])],
     analyse=analyse,
     plot=plot,

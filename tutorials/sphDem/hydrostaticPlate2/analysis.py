@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Aluminium plate under two metres of water at rest: the middle's displacement against plate theory"""
+"""Aluminium plate under two metres of water at rest: the middle's displacement against plate
+theory"""
 import os
 
 import numpy as np
@@ -32,7 +33,8 @@ def analyse(run):
     at = w[last].mean()
     third = w[(t > 0.5*t[-1]) & ~last].mean()
     return [Quantity('middle [um]', 1e6*at, 1e6*analytic, abs(at/analytic - 1)),
-            Quantity('middle [um], theory with shear', 1e6*at, 1e6*(analytic + shear()), abs(at/(analytic + shear()) - 1)),
+            Quantity('middle [um], theory with shear', 1e6*at, 1e6*(analytic + shear()),
+                     abs(at/(analytic + shear()) - 1)),
             Quantity('drift, third quarter to last', error=float(abs(at/third - 1))),
             Quantity('rms about the mean in the last quarter', computed=float(w[last].std()/at))]
 
@@ -42,11 +44,14 @@ def plot(runs, path):
     for run in runs:
         t, w = middle(run)
         axis.plot(t, 1e6*w, linewidth=0.8, label=run.name)
-    t, y = np.loadtxt(os.path.join(here, 'reference', 'ng2020_sph_vcpm.csv'), delimiter=',', skiprows=1, unpack=True)
+    t, y = np.loadtxt(os.path.join(here, 'reference', 'ng2020_sph_vcpm.csv'), delimiter=',',
+                      skiprows=1, unpack=True)
     axis.plot(t, -1e2*y, '.', color='#888888', markersize=2, label='SPH-VCPM, Ng et al. 2020')
     axis.axhline(1e6*analytic, color='k', linewidth=0.8, linestyle='--', label='thin plate')
-    axis.axhline(1e6*(analytic + shear()), color='k', linewidth=0.8, linestyle=':', label='with shear')
-    axis.set(xlabel='t [s]', ylabel='middle sinks by [um]', xlim=(0, max(middle(r)[0][-1] for r in runs)), ylim=(0, 140))
+    axis.axhline(1e6*(analytic + shear()), color='k', linewidth=0.8, linestyle=':',
+                 label='with shear')
+    axis.set(xlabel='t [s]', ylabel='middle sinks by [um]',
+             xlim=(0, max(middle(r)[0][-1] for r in runs)), ylim=(0, 140))
     plotting.named(axis)
     plotting.save(fig, path)
 

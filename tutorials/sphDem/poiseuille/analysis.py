@@ -9,4 +9,5 @@ def profile(y, t, nu):
     return channels.poiseuille(y, t, nu, F=0.8)
 
 
-channels.verify('poiseuille', os.path.dirname(os.path.abspath(__file__)), profile, scale=0.8/0.1, title='plane Poiseuille')
+channels.verify('poiseuille', os.path.dirname(os.path.abspath(__file__)), profile, scale=0.8/0.1,
+                title='plane Poiseuille')

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A rolling tank: times and peaks of the impacts on its side, time of the first one on its roof, against SPHERIC's test 10"""
+"""A rolling tank: times and peaks of the impacts on its side, time of the first one on its roof,
+against SPHERIC's test 10"""
 import os
 
 import numpy as np
@@ -44,24 +45,28 @@ def analyse(run):
         if time + search > s.t[-1]:
             continue
         came, value = s.impact(time)
-        result.append(Quantity(f'impact {k + 1}: time [s]', came, time, None if came is None else abs(came/time - 1)))
+        result.append(Quantity(f'impact {k + 1}: time [s]', came, time,
+                               None if came is None else abs(came/time - 1)))
         if came is None:
             result[-1].error = np.nan
         if not np.isnan(high):
             # 0 is the record, 1 the edge of the scatter
             away = np.nan if value is None else abs(value - peak)/(high - peak)
-            result.append(Quantity(f'impact {k + 1}: 5 ms peak [Pa], off / scatter', value, peak, away))
+            result.append(Quantity(f'impact {k + 1}: 5 ms peak [Pa], off / scatter', value, peak,
+                                   away))
         elif value is not None:
             result.append(Quantity(f'impact {k + 1}: 5 ms peak [Pa]', value, peak))
     names = clouds.times(run.path)
-    first, last = (len(clouds.readCloud(run.path, at, ())['positions']) for at in (names[0], names[-1]))
+    first, last = (len(clouds.readCloud(run.path, at, ())['positions'])
+                   for at in (names[0], names[-1]))
     return result + [Quantity('particles lost', error=first - last)]
 
 
 def plot(runs, path):
     fig, axes = plotting.figure(1, 2, width=9, height=3)
     for axis, case in zip(axes, ('lateral', 'roof')):
-        measured = np.loadtxt(os.path.join(here, 'reference', f'{case}_pressure.csv'), delimiter=',', skiprows=1)
+        measured = np.loadtxt(os.path.join(here, 'reference', f'{case}_pressure.csv'),
+                              delimiter=',', skiprows=1)
         axis.plot(*measured.T, color='#444444', linewidth=1, label='experiment')
     for run in runs:
         s = Sensor(run)
@@ -73,15 +78,21 @@ def plot(runs, path):
     plotting.save(fig, path)
 
 
-roof = ['-set', 'system/history:history roof; system/tank:depth 0.356; system/tank:sensorX -0.425; system/tank:sensorY 0.508; '
-        'system/controlDict:endTime 2.3; system/controlDict:sampleInterval 0.001']
+roof = ['-set', 'system/history:history roof; system/tank:depth 0.356; system/tank:sensorX -0.425; '
+                'system/tank:sensorY 0.508; system/controlDict:endTime 2.3; '
+                'system/controlDict:sampleInterval 0.001']
 
 Study(
     scene='rollingTank',
-    variants=[Variant('lateral-6mm', ['-spacing', '0.0062', '-set', 'system/tank:left -0.4495; system/tank:right 0.4495']), Variant('lateral', large=True),
-              Variant('lateral-1.5mm', ['-spacing', '0.0015'], large=True), Variant('roof', ['-spacing', '0.004', *roof], large=True),
+    variants=[Variant('lateral-6mm', ['-spacing', '0.0062', '-set',
+                                      'system/tank:left -0.4495; system/tank:right 0.4495']),
+              Variant('lateral', large=True),
+              Variant('lateral-1.5mm', ['-spacing', '0.0015'], large=True),
+              Variant('roof', ['-spacing', '0.004', *roof], large=True),
               Variant('roof-2mm', ['-spacing', '0.002', *roof], large=True)],
-    quick=[Variant('quick', ['-spacing', '0.0093', '-endTime', '2.7', '-set', 'system/tank:left -0.45105; system/tank:right 0.45105; system/controlDict:sampleInterval 0.005'])],
+    quick=[Variant('quick', ['-spacing', '0.0093', '-endTime', '2.7', '-set',
+                             'system/tank:left -0.45105; system/tank:right 0.45105; '
+                             'system/controlDict:sampleInterval 0.005'])],
     analyse=analyse,
     plot=plot,
     headline='impact 1: time [s]',

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A cube sinks and lands on the bottom, a light block rises and floats: acceleration, rest, draught"""
+"""A cube sinks and lands on the bottom, a light block rises and floats: acceleration, rest,
+draught"""
 import os
 
 import numpy as np
@@ -11,8 +12,9 @@ from riprap.study import Study, Variant
 
 here = os.path.dirname(os.path.abspath(__file__))
 g = 9.81
-# Added mass over the displaced mass in unbounded water: square, moved along a side, 1.51 pi (side/2)^2 (Newman, Marine Hydrodynamics, 1977,
-# table 4.3: 4.754 of a half side squared); cube 0.638: panels on its faces give 0.6513, 0.6456, 0.6430 with 10, 14, 18 an edge, 0.639 extrapolated
+# Added mass over the displaced mass in unbounded water: square, moved along a side, 1.51 pi
+# (side/2)^2 (Newman, Marine Hydrodynamics, 1977, table 4.3: 4.754 of a half side squared); cube
+# 0.638: panels on its faces give 0.6513, 0.6456, 0.6430 with 10, 14, 18 an edge, 0.639 extrapolated
 addedMass = {2: 1.189, 3: 0.638}
 
 
@@ -44,15 +46,19 @@ def analyse(run):
     b = Block(run)
     a, exact = b.acceleration()
     names = clouds.times(run.path)
-    first, last = (len(clouds.readCloud(run.path, at, ())['positions']) for at in (names[0], names[-1]))
-    result = [Quantity('acceleration [m/s2]', a, exact, abs(a/exact - 1)), Quantity('particles lost', error=first - last)]
+    first, last = (len(clouds.readCloud(run.path, at, ())['positions'])
+                   for at in (names[0], names[-1]))
+    result = [Quantity('acceleration [m/s2]', a, exact, abs(a/exact - 1)),
+              Quantity('particles lost', error=first - last)]
     if b.sinks:
         rest = b.low[b.t > 0.9*b.t[-1]]
         # free fall from the start less what the added mass takes: no drag
         fastest = np.sqrt(2*abs(exact)*b.start)
-        return result + [Quantity('largest speed / without drag', computed=float(-b.v.min()/fastest)),
-                         Quantity('height of the lower face at rest / side', error=float(abs(rest.mean())/b.side)),
-                         Quantity('still moving [side]', error=float(np.ptp(rest)/b.side))]
+        return (result
+                + [Quantity('largest speed / without drag', computed=float(-b.v.min()/fastest)),
+                   Quantity('height of the lower face at rest / side',
+                            error=float(abs(rest.mean())/b.side)),
+                   Quantity('still moving [side]', error=float(np.ptp(rest)/b.side))])
     draught, exact = b.draught(), b.ratio*b.side
     return result + [Quantity('draught [m]', draught, exact, abs(draught/exact - 1))]
 
@@ -67,7 +73,8 @@ def plot(runs, path):
         early = b.t < 0.25
         speed.plot(b.t[early], a*b.t[early], color=colour, linestyle=':', linewidth=0.9)
     height.set(xlabel='t [s]', ylabel='lower face over the bottom / side')
-    speed.set(xlabel='t [s]', ylabel='velocity [m/s]', title='dotted: added mass in unbounded water')
+    speed.set(xlabel='t [s]', ylabel='velocity [m/s]',
+              title='dotted: added mass in unbounded water')
     plotting.named(height)
     plotting.save(fig, path)
 
@@ -80,9 +87,11 @@ Study(
     variants=[Variant('cube'), Variant('cube-fine', ['-spacing', '0.00625'], large=True),
               Variant('cube-rises', ['-endTime', '3', '-set', light]),
               Variant('square', ['-spacing', '0.01', '-set', flat]),
-              Variant('square-rises', ['-spacing', '0.01', '-endTime', '4', '-set', f'{flat}; {light}'])],
+              Variant('square-rises',
+                      ['-spacing', '0.01', '-endTime', '4', '-set', f'{flat}; {light}'])],
     quick=[Variant('quick-square', ['-spacing', '0.02', '-endTime', '0.8', '-set', flat]),
-           Variant('quick-rises', ['-spacing', '0.02', '-endTime', '2.4', '-set', f'{flat}; {light}'])],
+           Variant('quick-rises',
+                   ['-spacing', '0.02', '-endTime', '2.4', '-set', f'{flat}; {light}'])],
     analyse=analyse,
     plot=plot,
     headline='acceleration [m/s2]',

@@ -15,17 +15,21 @@ def analyse(run):
     wave = Wave(run)
     omega, decay, amplitude = wave.fit()
     period = 2*np.pi/omega
-    return [Quantity('period [s]', computed=period, reference=exactPeriod(), error=abs(period/exactPeriod() - 1)),
+    return [Quantity('period [s]', computed=period, reference=exactPeriod(),
+                     error=abs(period/exactPeriod() - 1)),
             Quantity('decay rate [1/s]', computed=decay, reference=wave.decay),
             Quantity('amplitude [m]', computed=amplitude, reference=wave.amplitude),
-            Quantity('period, theory here against the table', error=abs(wave.period/exactPeriod() - 1))]
+            Quantity('period, theory here against the table',
+                     error=abs(wave.period/exactPeriod() - 1))]
 
 
 Study(
     scene='standingWave',
     variants=[Variant('n50', ['-spacing', '0.02']), Variant('n100', ['-spacing', '0.01']),
               Variant('n200', ['-spacing', '0.005']),
-              Variant('n100-stationary', ['-spacing', '0.01', '-set', 'walls/model stationary; densityDiffusion none'], mayFail=True)],
+              Variant('n100-stationary',
+                      ['-spacing', '0.01', '-set', 'walls/model stationary; densityDiffusion none'],
+                      mayFail=True)],
     quick=[Variant('n50-quick', ['-spacing', '0.02', '-endTime', '2.4'])],
     analyse=analyse,
     plot=plot,

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Linear potential flow in a tank, 0 < x < L, -h < z < 0, that sways by X(t)
 
-    Phi = X' x + sum a_n cos(k_n x) cosh(k_n (z + h))/cosh(k_n h),  eta = sum b_n cos(k_n x),  k_n = n pi/L
+    Phi = X' x + sum a_n cos(k_n x) cosh(k_n (z + h))/cosh(k_n h),
+    eta = sum b_n cos(k_n x), k_n = n pi/L
     x - L/2 = sum c_n cos(k_n x),  c_n = -4/(L k_n^2) for odd n, else 0
-    b_n' = a_n k_n tanh(k_n h),  a_n' = -g b_n - c_n X''            (surface: eta_t = Phi_z, Phi_t + g eta = 0)
+    b_n' = a_n k_n tanh(k_n h),  a_n' = -g b_n - c_n X'' (surface: eta_t = Phi_z, Phi_t + g eta = 0)
 
-Faltinsen, J. Ship Res. 18 (1974) 224 and 22 (1978) 193 have the same. Odd modes alone: the level is antisymmetric about the middle, and the
-waves' own second order, symmetric, is not in the half difference of two sides.
+Faltinsen, J. Ship Res. 18 (1974) 224 and 22 (1978) 193 have the same. Odd modes alone: the level is
+antisymmetric about the middle, and the waves' own second order, symmetric, is not in the half
+difference of two sides.
 """
 import numpy as np
 
@@ -38,7 +40,8 @@ class Sway:
 
     def solve(self, t):
         """b_n at the times t, a row a time"""
-        return integrate(self.natural, -self.c*self.k*np.tanh(self.k*self.h), lambda at: self.derivatives(at)[1], t)
+        return integrate(self.natural, -self.c*self.k*np.tanh(self.k*self.h),
+                         lambda at: self.derivatives(at)[1], t)
 
     def level(self, b, x):
         """eta at x (from the left wall), a value a time"""
@@ -51,7 +54,8 @@ class Sway:
 
 
 def integrate(natural, force, acceleration, t, step=1e-3):
-    """b'' + natural^2 b = force*acceleration(t) from rest: each mode exactly, the acceleration linear over a step"""
+    """b'' + natural^2 b = force*acceleration(t) from rest: each mode exactly, the acceleration
+    linear over a step"""
     b, v, out, now = np.zeros_like(natural), np.zeros_like(natural), [], 0.0
     for at in t:
         n = max(1, int(np.ceil((at - now)/step)))
@@ -69,7 +73,8 @@ def integrate(natural, force, acceleration, t, step=1e-3):
 
 
 def check():
-    """Largest error of integrate over a closed form: X'' = cos(w t), b = force (cos w t - cos natural t)/(natural^2 - w^2)"""
+    """Largest error of integrate over a closed form: X'' = cos(w t), b = force (cos w t - cos
+    natural t)/(natural^2 - w^2)"""
     natural, w, t = np.array([5.3, 11.0]), 4.3, np.linspace(0, 8, 81)
     b = integrate(natural, np.ones(2), lambda at: np.cos(w*at), t)
     exact = (np.cos(w*t)[:, None] - np.cos(np.multiply.outer(t, natural)))/(natural**2 - w**2)

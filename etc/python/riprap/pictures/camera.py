@@ -6,7 +6,8 @@ from . import PictureError
 from .motions import turned
 from .shapes import unit
 
-names = {'front': (0, 0), 'back': (180, 0), 'right': (90, 0), 'left': (-90, 0), 'top': (0, 89.9), 'oblique': (26, 20)}
+names = {'front': (0, 0), 'back': (180, 0), 'right': (90, 0), 'left': (-90, 0), 'top': (0, 89.9),
+         'oblique': (26, 20)}
 angle = 20.0            # of the view, degrees
 
 
@@ -33,7 +34,8 @@ class Camera:
         return flat/self.half, depth
 
     def fit(self, corners, shape=None, margin=0.04):
-        """Holds all corners. shape: width over height of the picture, or None: as the scene has it. Returns it"""
+        """Holds all corners. shape: width over height of the picture, or None: as the scene has it.
+        Returns it"""
         corners = np.asarray(corners, dtype=float)
         self.focus = 0.5*(corners.min(axis=0) + corners.max(axis=0))
         size = np.linalg.norm(np.ptp(corners, axis=0))
@@ -67,7 +69,8 @@ def straight(v):
 
 
 def choose(gravity, flat, size, view=None):
-    """Camera. size: of the scene along x, y, z. view: a name, or 'AZIMUTH,ELEVATION' in degrees; None: front in 2D, oblique in 3D"""
+    """Camera. size: of the scene along x, y, z. view: a name, or 'AZIMUTH,ELEVATION' in degrees;
+    None: front in 2D, oblique in 3D"""
     up = upOf(gravity, flat)
     if flat is not None:
         if view not in (None, 'front', 'back'):
@@ -98,18 +101,20 @@ def _angles(view):
     try:
         azimuth, elevation = (float(w) for w in view.split(','))
     except ValueError:
-        raise PictureError(f"-view {view}: one of {', '.join(names)}, or AZIMUTH,ELEVATION in degrees") from None
+        raise PictureError(f"-view {view}: one of {', '.join(names)}, "
+                           "or AZIMUTH,ELEVATION in degrees") from None
     if abs(elevation) >= 90:
         raise PictureError(f'-view {view}: the elevation is between -90 and 90 degrees')
     return azimuth, elevation
 
 
 def shown(tank, boxes, up, spare=0.08):
-    """(low, high) of what is looked at: the content, and the tank unless that is much larger; of a high sky only a little. tank: None where there
-    are no walls"""
+    """(low, high) of what is looked at: the content, and the tank unless that is much larger; of a
+    high sky only a little. tank: None where there are no walls"""
     if tank is None:
         tank = np.full(3, np.inf), np.full(3, -np.inf)
-    content = np.array([np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)]) if boxes else np.array(tank)
+    content = np.array([np.min([b[0] for b in boxes], axis=0),
+                        np.max([b[1] for b in boxes], axis=0)]) if boxes else np.array(tank)
     low, high = np.array(tank[0], dtype=float), np.array(tank[1], dtype=float)
     size = np.maximum(content[1] - content[0], 1e-12)
     whole = max(size.max(), 1e-12)
@@ -128,10 +133,12 @@ def shown(tank, boxes, up, spare=0.08):
 
 
 def common(window, bounds):
-    """(low, high) of what two boxes share; where they share nothing, a slice without width at the first one's rim"""
+    """(low, high) of what two boxes share; where they share nothing, a slice without width at the
+    first one's rim"""
     low, high = np.maximum(window[0], bounds[0]), np.minimum(window[1], bounds[1])
     return np.minimum(low, window[1]), np.maximum(high, np.minimum(low, window[1]))
 
 
 def corners(low, high):
-    return np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    return np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1)
+                     for j in (0, 1) for k in (0, 1)])

@@ -16,7 +16,8 @@ from . import PictureError
 
 def vectorOf(text):
     """Three numbers of '(0 0 -9.81)', with dimensions before them or without"""
-    numbers = [float(x) for x in re.findall(r'[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?', re.sub(r'\[[^\]]*\]', ' ', text))]
+    numbers = [float(x) for x in re.findall(r'[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?',
+                                            re.sub(r'\[[^\]]*\]', ' ', text))]
     if len(numbers) != 3:
         raise ValueError(f'three numbers expected in {text}')
     return np.array(numbers)
@@ -26,11 +27,14 @@ def dictionary(path):
     """A dictionary; by foamDictionary where it has directives that are calculated"""
     with open(path) as f:
         text = re.sub(r'/\*.*?\*/|//[^\n]*', ' ', f.read(), flags=re.S)
-    if re.search(r'#calc|#eval|#if\b|#codeStream|\$\{|\$[.:]', text) and shutil.which('foamDictionary'):
-        said = subprocess.run(['foamDictionary', '-expand', os.path.basename(path)], cwd=os.path.dirname(os.path.abspath(path)),
-                              capture_output=True, text=True)
+    if re.search(r'#calc|#eval|#if\b|#codeStream|\$\{|\$[.:]',
+                 text) and shutil.which('foamDictionary'):
+        said = subprocess.run(['foamDictionary', '-expand', os.path.basename(path)],
+                              cwd=os.path.dirname(os.path.abspath(path)), capture_output=True,
+                              text=True)
         if said.returncode:
-            raise PictureError(f'{path}: foamDictionary cannot expand it: {said.stderr.strip().splitlines()[-1:]}')
+            raise PictureError(
+                f'{path}: foamDictionary cannot expand it: {said.stderr.strip().splitlines()[-1:]}')
         return readDictionary(path, text=said.stdout)
     return readDictionary(path)
 
@@ -41,7 +45,8 @@ def gravity(case):
 
 
 class Patch:
-    """Part of the mesh's boundary: name, type and faces, lists of points (corners of all faces in a row, and where each begins)"""
+    """Part of the mesh's boundary: name, type and faces, lists of points (corners of all faces in a
+    row, and where each begins)"""
 
     def __init__(self, name, kind, faces):
         self.name, self.kind, self.faces = name, kind, faces
@@ -57,9 +62,11 @@ class Mesh:
         self.points = clouds.readField(os.path.join(self.folder, 'points'))
         self.low, self.high = self.points.min(axis=0), self.points.max(axis=0)
         entries = _boundary(os.path.join(self.folder, 'boundary'))
-        faces = boundaryFaces(os.path.join(self.folder, 'faces'), min((e[2] for e in entries), default=0))
+        faces = boundaryFaces(os.path.join(self.folder, 'faces'),
+                              min((e[2] for e in entries), default=0))
         first = min((e[2] for e in entries), default=0)
-        self.patches = [Patch(name, kind, faces[start - first:start - first + n]) for name, kind, start, n in entries]
+        self.patches = [Patch(name, kind, faces[start - first:start - first + n])
+                        for name, kind, start, n in entries]
 
     @property
     def emptyAxis(self):
@@ -71,12 +78,16 @@ class Mesh:
         return None
 
     def lattice(self):
-        """Of a mesh of equal cells: its counts along x, y, z and each cell's place in it; None of another mesh"""
-        owner, neighbour = (clouds.readField(os.path.join(self.folder, name)) for name in ('owner', 'neighbour'))
+        """Of a mesh of equal cells: its counts along x, y, z and each cell's place in it; None of
+        another mesh"""
+        owner, neighbour = (clouds.readField(os.path.join(self.folder, name))
+                            for name in ('owner', 'neighbour'))
         n = int(max(owner.max(initial=0), neighbour.max(initial=0))) + 1
-        edges = [np.unique(np.round((self.points[:, d] - self.low[d])/(self.high[d] - self.low[d]), 6)) for d in range(3)]
+        edges = [np.unique(np.round((self.points[:, d] - self.low[d])/(self.high[d] - self.low[d]),
+                                    6)) for d in range(3)]
         counts = np.array([len(e) - 1 for e in edges])
-        if counts.prod() != n or any(len(e) < 2 or np.ptp(np.diff(e)) > 1e-3*np.diff(e).mean() for e in edges):
+        if counts.prod() != n or any(len(e) < 2 or np.ptp(np.diff(e)) > 1e-3*np.diff(e).mean()
+                                     for e in edges):
             return None
         faces = boundaryFaces(os.path.join(self.folder, 'faces'), 0)
         corners = np.array([f[0] for f in faces]), np.array([f[2] for f in faces])
@@ -98,7 +109,8 @@ def _boundary(path):
     result = []
     for name, body in re.findall(r'([^\s(){};]+)\s*\{([^{}]*)\}', text):
         values = dict(re.findall(r'(\w+)\s+([^;]+);', body))
-        result.append((name, values['type'].strip(), int(values['startFace']), int(values['nFaces'])))
+        result.append((name, values['type'].strip(), int(values['startFace']),
+                       int(values['nFaces'])))
     return sorted(result, key=lambda e: e[2])
 
 
@@ -185,7 +197,8 @@ def _obj(data):
 
 
 def readLines(path):
-    """Points, lines as pairs of them, and the lines' values by name, of a polydata file (.vtp) as riprapFoam writes bonds"""
+    """Points, lines as pairs of them, and the lines' values by name, of a polydata file (.vtp) as
+    riprapFoam writes bonds"""
     with open(path) as f:
         text = f.read()
     kinds = {'Int32': '<i4', 'Int64': '<i8', 'Float32': '<f4', 'Float64': '<f8', 'UInt8': 'u1'}
@@ -193,7 +206,8 @@ def readLines(path):
     def arrays(section):
         body = re.search(rf'<{section}\b.*?>(.*?)</{section}>', text, re.S)
         found = {}
-        for head, data in re.findall(r'<DataArray\s+(.*?)>(.*?)</DataArray>', body.group(1) if body else '', re.S):
+        for head, data in re.findall(r'<DataArray\s+(.*?)>(.*?)</DataArray>',
+                                     body.group(1) if body else '', re.S):
             entries = dict(re.findall(r'(\w+)=[\'"](.*?)[\'"]', head))
             if entries.get('format') == 'ascii':
                 values = np.array(data.split(), dtype=kinds[entries['type']])

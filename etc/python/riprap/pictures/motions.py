@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""OpenFOAM's solidBodyMotionFunctions: where a moving wall is at a time, as a rotation and a shift"""
+"""OpenFOAM's solidBodyMotionFunctions: where a moving wall is at a time, as a rotation and a
+shift"""
 import os
 import re
 
@@ -21,7 +22,8 @@ def turned(axis, angle, origin):
 
 
 def byAngles(angles):
-    """OpenFOAM's tabulated6DoFMotion and oscillatingRotatingMotion: about x, then y, then z [rad]"""
+    """OpenFOAM's tabulated6DoFMotion and oscillatingRotatingMotion: about x, then y, then z
+    [rad]"""
     R = np.eye(3)
     for axis, angle in zip(np.eye(3), angles):
         R = R @ turned(axis, angle, np.zeros(3))[0]
@@ -41,7 +43,8 @@ def transformation(entries, time, case):
                     return None
                 R, s = R @ inner[0], R @ inner[1] + s
         return R, s
-    known = {'linearMotion': _linear, 'oscillatingLinearMotion': _oscillating, 'rotatingMotion': _rotating, 'axisRotationMotion': _axis,
+    known = {'linearMotion': _linear, 'oscillatingLinearMotion': _oscillating,
+             'rotatingMotion': _rotating, 'axisRotationMotion': _axis,
              'oscillatingRotatingMotion': _rocking, 'tabulated6DoFMotion': _tabulated}
     return known[kind](coeffs, time, case) if kind in known else None
 
@@ -51,7 +54,8 @@ def _linear(c, time, case):
 
 
 def _oscillating(c, time, case):
-    phase = numberOf(c['omega'])*(time + numberOf(c.get('phaseShift'), 0)) if 'phaseShift' in c else numberOf(c['omega'])*time
+    phase = (numberOf(c['omega'])*(time + numberOf(c.get('phaseShift'), 0)) if 'phaseShift' in c
+             else numberOf(c['omega'])*time)
     shift = vectorOf(c['amplitude'])*np.sin(phase)
     return np.eye(3), shift + (vectorOf(c['verticalShift']) if 'verticalShift' in c else 0)
 
@@ -78,7 +82,8 @@ def _tabulated(c, time, case):
     with open(path) as f:
         text = re.sub(r'/\*.*?\*/|//[^\n]*', ' ', f.read(), flags=re.S)
     numbers = np.array(re.findall(r'[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?', text), dtype=float)
-    rows = (numbers[1:] if len(numbers) % 7 == 1 else numbers).reshape(-1, 7)     # the list's length stands first
+    # the list's length stands first
+    rows = (numbers[1:] if len(numbers) % 7 == 1 else numbers).reshape(-1, 7)
     values = np.array([np.interp(time, rows[:, 0], rows[:, k]) for k in range(1, 7)])
     origin = vectorOf(c['CofG'])
     R = byAngles(np.radians(values[3:]))

@@ -14,22 +14,29 @@ usage = """Usage: riprapRender [options]
 Draws a case's water, bodies and walls, with up against g.
 
   -case DIR       the case; default: here
-  -times LIST     written times nearest to these: 0.2,0.4,0.8, a range 0.1:0.5, `all`, `first` or `last`
-                  default: the last one; -strip: some that are evenly spread; -film: all
-  -field NAME     colours by a field of the water (U, p, ...), of the bodies (solids/U, ...) or of bonds (bonds/tension),
-                  or `none`; default: U, of the bodies where there is no water
+  -times LIST     written times nearest to these: 0.2,0.4,0.8, a range 0.1:0.5, `all`, `first` or
+                  `last`; default: the last one; -strip: some that are evenly spread; -film:
+                  all
+  -field NAME     colours by a field of the water (U, p, ...), of the bodies (solids/U, ...) or of
+                  bonds (bonds/tension), or `none`; default: U, of the bodies where there is
+                  no water
   -range LOW,HIGH ends of the colour bar; default: of the field at the times drawn
-  -strip [N]      N times side by side in one picture; default: 4, or all of -times. Several -times make a strip, too
+  -strip [N]      N times side by side in one picture; default: 4, or all of -times. Several -times
+                  make a strip, too
   -film           a film of the times: .mp4 with ffmpeg, or .gif
   -fps N          pictures a second of a film; default: 12
   -size W[xH]     pixels; default: 1400 wide, as high as the scene needs
-  -hide NAMES     what is not drawn: patches, surfaces of constant/geometry, groups of bodies; names or patterns, atmosphere,"gate.*"
-  -view VIEW      3D: oblique, front, back, left, right, top, or AZIMUTH,ELEVATION in degrees; 2D: front, back
-  -o FILE         .png, .pdf, .svg, .jpg; films .mp4, .gif; default: <case>.png, <case>-strip.png, <case>.mp4 in the case
+  -hide NAMES     what is not drawn: patches, surfaces of constant/geometry, groups of bodies; names
+                  or patterns, atmosphere,"gate.*"
+  -view VIEW      3D: oblique, front, back, left, right, top, or AZIMUTH,ELEVATION in degrees; 2D:
+                  front, back
+  -o FILE         .png, .pdf, .svg, .jpg; films .mp4, .gif; default: <case>.png, <case>-strip.png,
+                  <case>.mp4 in the case
   -noParaView     3D by matplotlib, as where there is no ParaView
   -help
 
-3D scenes need ParaView (etc/bootstrap --paraview); without it matplotlib draws discs. 2D scenes are drawn by matplotlib.
+3D scenes need ParaView (etc/bootstrap --paraview); without it matplotlib draws discs. 2D scenes are
+drawn by matplotlib.
 """
 
 most = 24               # panels
@@ -38,8 +45,10 @@ pictures, films = ('.png', '.pdf', '.svg', '.jpg'), ('.mp4', '.gif')
 
 class Options:
     def __init__(self, words):
-        self.case, self.times, self.field, self.range, self.view, self.out, self.hide = '.', None, None, None, None, None, []
-        self.strip, self.count, self.film, self.rate, self.size, self.paraview = False, None, False, 12.0, (1400, None), True
+        self.case, self.times, self.field, self.range, self.view, self.out, self.hide = (
+            '.', None, None, None, None, None, [])
+        self.strip, self.count, self.film, self.rate, self.size, self.paraview = (
+            False, None, False, 12.0, (1400, None), True)
         words = list(words)
         while words:
             word = words.pop(0)
@@ -56,13 +65,15 @@ class Options:
                     self.count = int(words.pop(0))
                     if not 1 <= self.count <= most:
                         raise PictureError(f'-strip {self.count}: from 1 to {most}')
-            elif word in ('-case', '-times', '-field', '-range', '-fps', '-size', '-hide', '-view', '-o'):
+            elif word in ('-case', '-times', '-field', '-range', '-fps', '-size', '-hide', '-view',
+                          '-o'):
                 # a range may begin with a minus
                 if not words or (words[0].startswith('-') and not re.match(r'-[\d.]', words[0])):
                     raise PictureError(f'{word} needs a value (-help tells)')
                 getattr(self, '_' + word[1:])(words.pop(0))
             else:
-                raise PictureError(f"unknown option {word}: -case, -times, -field, -range, -strip, -film, -fps, -size, -hide, -view, -o, -noParaView, -help")
+                raise PictureError(f"unknown option {word}: -case, -times, -field, -range, -strip, "
+                                   "-film, -fps, -size, -hide, -view, -o, -noParaView, -help")
         if self.film and self.strip:
             raise PictureError('-film and -strip exclude each other')
         self._checkFile()
@@ -83,7 +94,8 @@ class Options:
                 if len(ends) > 2 or not all(math.isfinite(e) for e in ends):
                     raise ValueError
             except ValueError:
-                raise PictureError(f"-times {part}: a time, a range FROM:TO, all, first or last") from None
+                raise PictureError(f"-times {part}: a time, a range FROM:TO, all, "
+                                   "first or last") from None
             self.times.append(tuple(ends))
 
     def _field(self, value):
@@ -108,8 +120,10 @@ class Options:
 
     def _size(self, value):
         match = re.fullmatch(r'(\d+)(?:x(\d+))?', value)
-        if not match or not 200 <= int(match.group(1)) <= 8000 or (match.group(2) and not 150 <= int(match.group(2)) <= 8000):
-            raise PictureError(f'-size {value}: W or WxH in pixels, as 1400 or 1400x800, from 200x150 to 8000x8000')
+        if not match or not 200 <= int(match.group(1)) <= 8000 or (match.group(2) and not 150
+                                                                   <= int(match.group(2)) <= 8000):
+            raise PictureError(f'-size {value}: W or WxH in pixels, as 1400 or 1400x800, '
+                               'from 200x150 to 8000x8000')
         self.size = int(match.group(1)), int(match.group(2)) if match.group(2) else None
 
     def _hide(self, value):
@@ -133,7 +147,8 @@ class Options:
             return
         known = films if self.film else pictures
         if os.path.splitext(self.out)[1].lower() not in known:
-            raise PictureError(f"-o {self.out}: its name ends in one of {' '.join(known)}" + ('' if self.film else '; films need -film'))
+            raise PictureError(f"-o {self.out}: its name ends in one of {' '.join(known)}"
+                               + ('' if self.film else '; films need -film'))
         folder = os.path.dirname(self.out)
         if folder and not os.path.isdir(folder):
             raise PictureError(f'-o {self.out}: no folder {folder}')
@@ -156,7 +171,9 @@ class Options:
             elif len(part) == 2:
                 found = [t for t in there if part[0] - 1e-9 <= float(t) <= part[1] + 1e-9]
                 if not found:
-                    raise PictureError(f'-times {part[0]:g}:{part[1]:g}: nothing was written there; times: {there[0]} to {there[-1]}, {len(there)} of them')
+                    raise PictureError(
+                        f'-times {part[0]:g}:{part[1]:g}: nothing was written there; times: '
+                        f'{there[0]} to {there[-1]}, {len(there)} of them')
                 names += found
             else:
                 names.append(case.nearest(part[0]))
@@ -183,7 +200,8 @@ def _split(name):
 
 
 def spread(names, count):
-    """So many of them, evenly in time, the last among them and the first only if there are no others"""
+    """So many of them, evenly in time, the last among them and the first only if there are no
+    others"""
     times = [float(n) for n in names]
     if count >= len(names):
         return names
@@ -203,7 +221,8 @@ def main(words):
             try:
                 __import__(module)
             except ImportError:
-                raise PictureError(f'this python has no {module} (Debian: python3-{module}); RIPRAP_PYTHON names another') from None
+                raise PictureError(f'this python has no {module} (Debian: python3-{module}); '
+                                   'RIPRAP_PYTHON names another') from None
         render(options)
     except PictureError as wrong:
         print(f'riprapRender: {wrong}', file=sys.stderr)
@@ -212,7 +231,8 @@ def main(words):
         if os.environ.get('RIPRAP_DEBUG'):
             raise
         where = traceback.extract_tb(wrong.__traceback__)[-1]
-        print(f'riprapRender: the case cannot be read: {type(wrong).__name__}: {wrong} ({os.path.basename(where.filename)}, line {where.lineno}; '
+        print(f'riprapRender: the case cannot be read: {type(wrong).__name__}: {wrong} '
+              f'({os.path.basename(where.filename)}, line {where.lineno}; '
               'RIPRAP_DEBUG=1 tells more)', file=sys.stderr)
         return 1
     return 0
@@ -225,7 +245,8 @@ def render(options):
     names, field = options.chosenTimes(case), options.chosenField(case)
     several = options.strip or (len(names) > 1 and not options.film)
     if several and len(names) > most:
-        raise PictureError(f'{len(names)} times are too many for one picture: -strip N takes some, -film draws all')
+        raise PictureError(f'{len(names)} times are too many for one picture: -strip N takes some, '
+                           '-film draws all')
     out = options.out
     if out is None:
         suffix = sheet.suffixOfFilms() if options.film else '-strip.png' if several else '.png'

@@ -11,19 +11,25 @@ from ..dictionaries import numberOf
 from . import PictureError, foamFiles, motions, shapes, surface
 from .foamFiles import vectorOf
 
-labels = {'U': 'speed [m/s]', 'p': 'pressure [Pa]', 'rho': 'density [kg/m³]', 'h': 'smoothing length [m]', 'id': 'particle number', 'omega': 'spin [rad/s]',
-          'force': 'force [N]', 'moment': 'moment [N m]', 'radius': 'radius [m]', 'mass': 'mass [kg]', 'contacts': 'contacts', 'brokenBonds': 'broken bonds',
-          'turned': 'turned by [rad]', 'group': 'group', 'material': 'material', 'tension': 'tension in bonds [N]', 'stretch': 'stretch of bonds [m]',
+labels = {'U': 'speed [m/s]', 'p': 'pressure [Pa]', 'rho': 'density [kg/m³]',
+          'h': 'smoothing length [m]', 'id': 'particle number', 'omega': 'spin [rad/s]',
+          'force': 'force [N]', 'moment': 'moment [N m]', 'radius': 'radius [m]',
+          'mass': 'mass [kg]', 'contacts': 'contacts', 'brokenBonds': 'broken bonds',
+          'turned': 'turned by [rad]', 'group': 'group', 'material': 'material',
+          'tension': 'tension in bonds [N]', 'stretch': 'stretch of bonds [m]',
           'alpha.water': 'fraction of water'}
 
 
-manyParticles = 30      # from so many on a rigid body of particles of one size is drawn as a smooth one
+# from so many on a rigid body of particles of one size is drawn as a smooth one
+manyParticles = 30
 
 
 class Item:
-    """Something of one kind to be drawn: points and triangles in 3D, lines (arrays of points in the plane) in 2D"""
+    """Something of one kind to be drawn: points and triangles in 3D, lines (arrays of points in the
+    plane) in 2D"""
 
-    def __init__(self, kind, points=None, triangles=None, lines=None, group=0, value=None, hollow=False):
+    def __init__(self, kind, points=None, triangles=None, lines=None, group=0, value=None,
+                 hollow=False):
         self.kind, self.points, self.triangles, self.lines = kind, points, triangles, lines
         self.group, self.value, self.hollow = group, value, hollow
 
@@ -41,7 +47,8 @@ class Frame:
         self.blended = []           # their particles, as balls
         self.items = []             # bodies' shapes, obstacles, moving walls
         self.unseen = []            # walls that -hide names: the tank is as large without them
-        self.bounds = None          # (low, high) of the mesh with its walls where they are now: obstacles are cut there
+        # (low, high) of the mesh with its walls where they are now: obstacles are cut there
+        self.bounds = None
         self.bonds = None           # (segments, values)
         self.shown = []             # values of what is coloured
         self.boxes = []             # (low, high) of what the picture has to hold
@@ -61,12 +68,16 @@ class Case:
         self.mesh = foamFiles.Mesh(self.folder)
         self.flat = self.mesh.emptyAxis
         self.gravity = foamFiles.gravity(self.folder)
-        self.times = [t for t in clouds.times(self.folder) if clouds.hasCloud(self.folder, t, 'fluid') or clouds.hasCloud(self.folder, t, 'solids')]
+        self.times = [t for t in clouds.times(self.folder)
+                      if clouds.hasCloud(self.folder, t, 'fluid')
+                      or clouds.hasCloud(self.folder, t, 'solids')]
         if not self.times:
-            raise PictureError(f'{folder}: no time with particles (lagrangian/fluid or lagrangian/solids)')
+            raise PictureError(
+                f'{folder}: no time with particles (lagrangian/fluid or lagrangian/solids)')
         self.water = any(clouds.hasCloud(self.folder, t, 'fluid') for t in self.times)
         self.solids = any(clouds.hasCloud(self.folder, t, 'solids') for t in self.times)
-        self.properties = {name: self._read('constant', name + 'Properties') for name in ('sph', 'pic', 'solid')}
+        self.properties = {name: self._read('constant', name + 'Properties')
+                           for name in ('sph', 'pic', 'solid')}
         self.obstacles = self._obstacles()
         self.groups = self._motions()
         self.notes = []
@@ -78,7 +89,8 @@ class Case:
     @property
     def name(self):
         foam = sorted(glob.glob(os.path.join(self.folder, '*.foam')))
-        return os.path.splitext(os.path.basename(foam[0]))[0] if foam else os.path.basename(self.folder)
+        return (os.path.splitext(os.path.basename(foam[0]))[0] if foam
+                else os.path.basename(self.folder))
 
     @property
     def plane(self):
@@ -104,17 +116,20 @@ class Case:
         if found is None:
             found = numberOf(self._read('system', 'setParticlesDict').get('spacing'))
         if found is None:
-            raise PictureError(f'{self.folder}: neither {time}/uniform/lagrangian/fluid/cloudProperties nor system/setParticlesDict says the spacing')
+            raise PictureError(
+                f'{self.folder}: neither {time}/uniform/lagrangian/fluid/cloudProperties nor '
+                'system/setParticlesDict says the spacing')
         return found
 
-    # Fields ------------------------------------------------------------------------------------------------------------------------------------
+    # Fields ---------------------------------------------------------------------------------------
 
     def fields(self, cloud):
         """Names of the fields that can be drawn, of the last time"""
         for time in reversed(self.times):
             if clouds.hasCloud(self.folder, time, cloud):
                 names = os.listdir(os.path.join(self.folder, time, 'lagrangian', cloud))
-                return sorted({n[:-3] if n.endswith('.gz') else n for n in names} - {'positions', 'coordinates', 'origId', 'clump', 'inertia', 'origProcId'})
+                return sorted({n[:-3] if n.endswith('.gz') else n for n in names} - {
+                    'positions', 'coordinates', 'origId', 'clump', 'inertia', 'origProcId'})
         return []
 
     def choices(self):
@@ -128,17 +143,19 @@ class Case:
             found += ['bonds/' + f for f in ('tension', 'stretch')]
         return found
 
-    # What is left out --------------------------------------------------------------------------------------------------------------------------
+    # What is left out -----------------------------------------------------------------------------
 
     def names(self):
         """What -hide may name, by kind"""
-        found = {'patches': [p.name for p in self.mesh.patches if p.kind != 'empty' and len(p.faces)], 'surfaces': list(self.obstacles), 'groups': []}
+        found = {'patches': [p.name for p in self.mesh.patches if p.kind != 'empty'
+                             and len(p.faces)], 'surfaces': list(self.obstacles), 'groups': []}
         for time in self.times:
             found['groups'] += [n for n in self.groupNames(time) if n not in found['groups']]
         return found
 
     def groupNames(self, time):
-        """Of the bodies, in the order of their numbers; those of another time where this one does not say"""
+        """Of the bodies, in the order of their numbers; those of another time where this one does
+        not say"""
         for t in [time] + self.times:
             properties = self._read(t, 'uniform', 'lagrangian', 'solids', 'cloudProperties')
             if 'groups' in properties:
@@ -150,10 +167,12 @@ class Case:
         """Leaves out what is named so"""
         names = self.names() if patterns else {}
         for pattern in patterns:
-            found = {(kind, n) for kind, of in names.items() for n in of if n == pattern or re.fullmatch(pattern, n)}
+            found = {(kind, n) for kind, of in names.items() for n in of
+                     if n == pattern or re.fullmatch(pattern, n)}
             if not found:
                 there = '; '.join(f"{kind} {', '.join(of) or 'none'}" for kind, of in names.items())
-                raise PictureError(f'-hide {pattern}: no patch, surface or group of bodies has that name; there are {there}')
+                raise PictureError(f'-hide {pattern}: no patch, '
+                                   f'surface or group of bodies has that name; there are {there}')
             self.hidden |= found
 
     def seen(self, cloud, time):
@@ -162,7 +181,7 @@ class Case:
         keep = ~np.isin(cloud['group'], away)
         return {name: values[keep] for name, values in cloud.items()}
 
-    # Walls -------------------------------------------------------------------------------------------------------------------------------------
+    # Walls ----------------------------------------------------------------------------------------
 
     def _obstacles(self):
         """name -> (points, triangles, hollow)"""
@@ -172,7 +191,8 @@ class Case:
                 try:
                     found[name] = self._obstacle(entries)
                 except (KeyError, ValueError) as wrong:
-                    raise PictureError(f'{self.folder}/constant/geometry: {name}: {wrong}') from None
+                    raise PictureError(f'{self.folder}/constant/geometry: {name}: '
+                                       f'{wrong}') from None
         return found
 
     def _obstacle(self, e):
@@ -184,7 +204,8 @@ class Case:
         elif kind == 'searchableSphere':
             made = shapes.sphere(vectorOf(e.get('centre') or e['origin']), numberOf(e['radius']))
         elif kind == 'searchableCylinder':
-            made = shapes.cylinder(vectorOf(e['point1']), vectorOf(e['point2']), numberOf(e['radius']))
+            made = shapes.cylinder(vectorOf(e['point1']), vectorOf(e['point2']),
+                                   numberOf(e['radius']))
         elif kind == 'searchablePlate':
             made = shapes.plate(vectorOf(e['origin']), vectorOf(e['span']))
         elif kind == 'searchableDisk':
@@ -208,7 +229,8 @@ class Case:
         found, seen = [], set()
         for name in ('sph', 'pic', 'solid'):
             walls = self.properties[name].get('walls')
-            for group, entries in (walls.get('motion', {}) if isinstance(walls, dict) else {}).items():
+            for group, entries in (walls.get('motion', {}) if isinstance(walls, dict)
+                                   else {}).items():
                 if isinstance(entries, dict) and group not in seen:
                     seen.add(group)
                     found.append((re.findall(r'[^\s()]+', entries.get('patches', '')), entries))
@@ -223,16 +245,19 @@ class Case:
                 except (KeyError, ValueError, OSError, AttributeError):
                     found = None
                 if found is None:
-                    self.note(f"{name} is drawn where it stood at first: the motion {entries.get('solidBodyMotionFunction')} cannot be followed")
+                    self.note(f"{name} is drawn where it stood at first: the motion "
+                              f"{entries.get('solidBodyMotionFunction')} cannot be followed")
                     return motions.still
                 return found
         return motions.still
 
     def moves(self, name):
-        return any(re.fullmatch(p.strip('"'), name) for patterns, _ in self.groups for p in patterns)
+        return any(re.fullmatch(p.strip('"'), name) for patterns, _ in self.groups
+                   for p in patterns)
 
     def walls(self, frame):
-        """Items of patches (3D: kind 'wall', and 'open' for what is no wall) and of obstacles, into a frame"""
+        """Items of patches (3D: kind 'wall', and 'open' for what is no wall) and of obstacles, into
+        a frame"""
         time, reach = frame.time, []
         for patch in self.mesh.patches:
             if patch.kind == 'empty' or not len(patch.faces):
@@ -253,7 +278,8 @@ class Case:
                     at += len(face)
                     triangles += [(own[0], own[i], own[i + 1]) for i in range(1, len(own) - 1)]
                 items.append(Item(kind, placed, np.array(triangles)))
-        low, high = (np.array(e, dtype=float) for e in zip(*reach)) if reach else (self.mesh.low[None], self.mesh.high[None])
+        low, high = ((np.array(e, dtype=float) for e in zip(*reach)) if reach
+                     else (self.mesh.low[None], self.mesh.high[None]))
         frame.bounds = low.min(axis=0), high.max(axis=0)
         if self.flat is not None:
             for end, mesh in zip(frame.bounds, (self.mesh.low, self.mesh.high)):
@@ -267,20 +293,23 @@ class Case:
     def _edge(self, face):
         """Ends of what a face of a 2D mesh is in its plane"""
         points = self.mesh.points[face]
-        near = points[np.abs(points[:, self.flat] - self.mesh.low[self.flat]) < 1e-3*(self.mesh.high - self.mesh.low)[self.flat]]
+        near = points[np.abs(points[:, self.flat] - self.mesh.low[self.flat]) < 1e-3*(
+            self.mesh.high - self.mesh.low)[self.flat]]
         return near if len(near) == 2 else points[:2]
 
     def shape(self, kind, points, triangles, **more):
         """Of a surface what is drawn: itself, or its section in 2D"""
         if self.flat is None:
             return Item(kind, points, triangles, **more)
-        segments = shapes.section(points, triangles, self.flat, self.middle[self.flat])[:, :, self.plane]
+        segments = shapes.section(points, triangles, self.flat,
+                                  self.middle[self.flat])[:, :, self.plane]
         return Item(kind, lines=shapes.chains(segments, 1e-7*np.ptp(self.mesh.points)), **more)
 
-    # Bodies ------------------------------------------------------------------------------------------------------------------------------------
+    # Bodies ---------------------------------------------------------------------------------------
 
     def ownShapes(self):
-        """('surface', body, points, triangles) where it stood at first, ('shape', number, middle, axes, points, triangles or None)"""
+        """('surface', body, points, triangles) where it stood at first, ('shape', number, middle,
+        axes, points, triangles or None)"""
         if self._shapes is None:
             self._shapes = []
             for time in self.times:
@@ -293,7 +322,8 @@ class Case:
                 made = self._bodySurface(entries)
                 if made is not None:
                     self._shapes.append(('surface', int(numberOf(entries['body'])), *made))
-            for number, entries in enumerate(v for v in properties.get('shapes', {}).values() if isinstance(v, dict)):
+            for number, entries in enumerate(v for v in properties.get('shapes', {}).values()
+                                             if isinstance(v, dict)):
                 if 'outline' in entries:
                     points, triangles = pointsOf(entries['outline']), None
                     if self.flat is None:
@@ -301,7 +331,8 @@ class Case:
                     points[:, self.flat] = 0
                     middle, axes = shapes.outlineMiddle(points, self.plane), np.eye(3)
                 else:
-                    points, triangles = self._bodySurface(entries) if 'source' in entries else self.surfaceFile(entries)
+                    points, triangles = (self._bodySurface(entries) if 'source' in entries
+                                         else self.surfaceFile(entries))
                     _, middle, J = shapes.massProperties(points, triangles)
                     axes = shapes.principalAxes(J)
                 # a body's own frame, if it is not that of its uniform shape
@@ -324,23 +355,31 @@ class Case:
         if source == 'cylinder':
             p1, p2 = vectorOf(e['p1']), vectorOf(e['p2'])
             if self.flat is not None and abs(shapes.unit(p2 - p1)[self.flat]) > 0.5:
-                p1[self.flat], p2[self.flat] = self.mesh.low[self.flat] - 1, self.mesh.high[self.flat] + 1
+                p1[self.flat], p2[self.flat] = (self.mesh.low[self.flat] - 1,
+                                                self.mesh.high[self.flat] + 1)
             return shapes.cylinder(p1, p2, numberOf(e['radius']))
         if source == 'sphere':
             return shapes.sphere(vectorOf(e['centre']), numberOf(e['radius']))
         return self.surfaceFile(e) if 'file' in e else None
 
     def _rigid(self, time):
-        """Poses of rigid bodies at a time whose state is there: position, orientation, and the same at first; None of a picture"""
+        """Poses of rigid bodies at a time whose state is there: position, orientation, and the same
+        at first; None of a picture"""
         folder = os.path.join(self.folder, time, 'uniform', 'lagrangian', 'solids', 'clumps')
-        if not (os.path.exists(os.path.join(folder, 'position')) or os.path.exists(os.path.join(folder, 'position.gz'))):
+        if not (os.path.exists(os.path.join(folder, 'position'))
+                or os.path.exists(os.path.join(folder, 'position.gz'))):
             return None
 
         def read(name):
             path = os.path.join(folder, name)
-            return clouds.readField(path) if os.path.exists(path) or os.path.exists(path + '.gz') else None
-        real, axis, first, firstAxis = (read(n) for n in ('orientationReal', 'orientationImaginary', 'startOrientationReal', 'startOrientationImaginary'))
-        result = {'position': read('position'), 'R': [shapes.rotation((w, *v)) for w, v in zip(real, axis)], 'group': read('group'), 'shape': read('shape')}
+            return (clouds.readField(path) if os.path.exists(path) or os.path.exists(path + '.gz')
+                    else None)
+        real, axis, first, firstAxis = (read(n) for n in ('orientationReal', 'orientationImaginary',
+                                                          'startOrientationReal',
+                                                          'startOrientationImaginary'))
+        result = {'position': read('position'),
+                  'R': [shapes.rotation((w, *v)) for w, v in zip(real, axis)],
+                  'group': read('group'), 'shape': read('shape')}
         result['startPosition'] = read('startPosition')
         if first is None:
             result['startPosition'], first, firstAxis = result['position'], real, axis
@@ -348,13 +387,16 @@ class Case:
         return result
 
     def poses(self, time, cloud):
-        """The same; of a picture by the places of each body's particles, beside those of a time whose state is there"""
+        """The same; of a picture by the places of each body's particles, beside those of a time
+        whose state is there"""
         now = self._rigid(time)
         if now is not None:
             return now
         if 'poses' not in self._first:
-            known = next(((t, r) for t in self.times for r in [self._rigid(t)] if r is not None), None)
-            self._first['poses'] = known and (known[1], clouds.readCloud(self.folder, known[0], ('clump', 'origId'), 'solids'))
+            known = next(((t, r) for t in self.times for r in [self._rigid(t)] if r is not None),
+                         None)
+            self._first['poses'] = known and (
+                known[1], clouds.readCloud(self.folder, known[0], ('clump', 'origId'), 'solids'))
         if not self._first['poses']:
             return None
         base, then = self._first['poses']
@@ -373,11 +415,13 @@ class Case:
         return result
 
     def _addConstants(self, cloud, n):
-        """Fields of the solids that never change, of a time that has them, where a picture (pictureFields) lacks them"""
+        """Fields of the solids that never change, of a time that has them, where a picture
+        (pictureFields) lacks them"""
         for name in ('origId', 'radius', 'group', 'clump'):
             if name in cloud:
                 continue
-            known = next((t for t in self.times if {name, 'origId'} <= set(self.fieldsAt(t, 'solids'))), None)
+            known = next((t for t in self.times
+                          if {name, 'origId'} <= set(self.fieldsAt(t, 'solids'))), None)
             if known is not None:
                 other = clouds.readCloud(self.folder, known, ('origId', name), 'solids')
                 if name == 'origId' and len(other['origId']) == n:
@@ -386,7 +430,8 @@ class Case:
                     at = dict(zip(other['origId'], other[name]))
                     cloud[name] = np.array([at.get(i, 0) for i in cloud['origId']])
             if name not in cloud and name == 'radius':
-                raise PictureError(f'{self.folder}: no time has radius and origId of lagrangian/solids')
+                raise PictureError(
+                    f'{self.folder}: no time has radius and origId of lagrangian/solids')
             if name not in cloud and name == 'group':
                 cloud[name] = np.zeros(n, dtype=int)
 
@@ -395,8 +440,10 @@ class Case:
         there = self.fieldsAt(frame.name, 'solids')
         wanted = [n for n in ('origId', 'radius', 'group', 'clump') if n in there]
         if field is not None and field not in there:
-            raise PictureError(f'{self.folder}/{frame.name}/lagrangian/solids: no field {field}; there are {" ".join(there)}')
-        cloud = clouds.readCloud(self.folder, frame.name, wanted + ([field] if field and field not in wanted else []), 'solids')
+            raise PictureError(f'{self.folder}/{frame.name}/lagrangian/solids: no field {field}; '
+                               f'there are {" ".join(there)}')
+        cloud = clouds.readCloud(self.folder, frame.name, wanted
+                                 + ([field] if field and field not in wanted else []), 'solids')
         n = len(cloud['positions'])
         if not n:
             return
@@ -413,22 +460,26 @@ class Case:
         radius = cloud['radius']
         if value is None and bonded.any() and np.ptp(radius[bonded]) < 0.02*radius[bonded].max():
             apart = self.bondedSpacing(cloud, bonded)
-            grid = surface.blend(self.inPlane(cloud['positions'][bonded]), apart, refine=4 if self.flat is not None else 2, smooth=0.5)
+            grid = surface.blend(self.inPlane(cloud['positions'][bonded]), apart,
+                                 refine=4 if self.flat is not None else 2, smooth=0.5)
             frame.blends.append((grid, int(np.bincount(cloud['group'][bonded]).argmax()), None))
-            frame.blended.append((cloud['positions'][bonded], radius[bonded], frame.blends[-1][1], None))
+            frame.blended.append((cloud['positions'][bonded], radius[bonded], frame.blends[-1][1],
+                                  None))
             left &= ~bonded
         if 'clump' in cloud:
             left &= ~self._lists(frame, cloud, value, left)
         for group in np.unique(cloud['group'][left]):
             mine = left & (cloud['group'] == group)
-            frame.balls.append((cloud['positions'][mine], radius[mine], int(group), None if value is None else value[mine]))
+            frame.balls.append((cloud['positions'][mine], radius[mine], int(group),
+                                None if value is None else value[mine]))
         if value is not None:
             frame.shown.append(value)
         reach = radius.max()
         frame.hold(cloud['positions'], reach)
 
     def _lists(self, frame, cloud, value, left):
-        """Rigid bodies whose surface is not known, of many particles of one size: each smooth. Which particles are theirs"""
+        """Rigid bodies whose surface is not known, of many particles of one size: each smooth.
+        Which particles are theirs"""
         mine = np.zeros(len(left), dtype=bool)
         names, counts = np.unique(cloud['clump'][left], return_counts=True)
         for k in names[(names >= 0) & (counts >= manyParticles)]:
@@ -439,11 +490,14 @@ class Case:
             x = self.inPlane(cloud['positions'][members])
             # as many as fill it: lists differ in how far apart they are
             apart = np.linalg.norm(x[:, None] - x[None], axis=2) if len(x) <= 2000 else None
-            near = 2*radius.max() if apart is None else float(np.median(np.where(apart > 1e-12, apart, np.inf).min(axis=1)))
+            near = (2*radius.max() if apart is None
+                    else float(np.median(np.where(apart > 1e-12, apart, np.inf).min(axis=1))))
             colour = None if value is None else float(value[members].mean())
             group = int(cloud['group'][members][0])
-            frame.blends.append((surface.blend(x, near, refine=4 if self.flat is not None else 2, smooth=0.7), group, colour))
-            frame.blended.append((cloud['positions'][members], radius, group, None if value is None else value[members]))
+            frame.blends.append((surface.blend(x, near, refine=4 if self.flat is not None else 2,
+                                               smooth=0.7), group, colour))
+            frame.blended.append((cloud['positions'][members], radius, group,
+                                  None if value is None else value[members]))
             mine |= members
         return mine
 
@@ -454,7 +508,8 @@ class Case:
             some = x[np.linspace(0, len(x) - 1, min(200, len(x))).astype(int)]
             apart = np.linalg.norm(some[:, None] - x[None], axis=2)
             apart[apart < 1e-12] = np.inf
-            self._first['bondedSpacing'] = float(np.median(apart.min(axis=1))) if len(x) > 1 else 2*cloud['radius'][bonded][0]
+            self._first['bondedSpacing'] = (float(np.median(apart.min(axis=1))) if len(x) > 1
+                                            else 2*cloud['radius'][bonded][0])
         return self._first['bondedSpacing']
 
     def _bonded(self, time, cloud):
@@ -463,13 +518,15 @@ class Case:
             ids = set()
             for t in self.times:
                 folder = os.path.join(self.folder, t, 'uniform', 'lagrangian', 'solids', 'bonds')
-                if os.path.exists(os.path.join(folder, 'a')) or os.path.exists(os.path.join(folder, 'a.gz')):
+                if os.path.exists(os.path.join(folder, 'a')) or os.path.exists(
+                        os.path.join(folder, 'a.gz')):
                     for end in 'ab':
                         ids.update(clouds.readField(os.path.join(folder, end)))
                     break
             self._first['bonded'] = ids
         ids = self._first['bonded']
-        return np.array([i in ids for i in cloud['origId']]) if ids and 'origId' in cloud else np.zeros(len(cloud['positions']), dtype=bool)
+        return (np.array([i in ids for i in cloud['origId']]) if ids and 'origId' in cloud
+                else np.zeros(len(cloud['positions']), dtype=bool))
 
     def _shaped(self, frame, cloud, value):
         """Items of bodies whose surface is known; which particles are theirs"""
@@ -502,10 +559,13 @@ class Case:
                 colour = None if value is None else float(value[members].mean())
                 group = int(cloud['group'][members][0])
                 if triangles is None:
-                    item = Item('body', lines=[placed[:, self.plane][list(range(len(placed))) + [0]]], group=group, value=colour)
+                    item = Item('body',
+                                lines=[placed[:, self.plane][list(range(len(placed))) + [0]]],
+                                group=group, value=colour)
                 else:
                     if self.flat is not None and kind == 'shape':
-                        placed[:, self.flat] += self.middle[self.flat] - poses['position'][k][self.flat]
+                        placed[:, self.flat] += (self.middle[self.flat]
+                                                 - poses['position'][k][self.flat])
                     item = self.shape('body', placed, triangles, group=group, value=colour)
                 frame.items.append(item)
         return mine
@@ -520,7 +580,8 @@ class Case:
         nearest = min(files, key=lambda t: abs(t - frame.time))
         points, ends, arrays = foamFiles.readLines(files[nearest])
         if field not in arrays:
-            raise PictureError(f'{files[nearest]}: no {field}; there are {" ".join(sorted(arrays))}')
+            raise PictureError(
+                f'{files[nearest]}: no {field}; there are {" ".join(sorted(arrays))}')
         whole = arrays['broken'] < 0.5
         if any(kind == 'groups' for kind, _ in self.hidden):
             whole &= self._seenBonds(frame, ends, len(points))
@@ -529,15 +590,17 @@ class Case:
 
     def _seenBonds(self, frame, ends, n):
         """Which of the bonds between n particles have an end in a group that is drawn"""
-        cloud = clouds.readCloud(self.folder, frame.name, ('group',) if 'group' in self.fieldsAt(frame.name, 'solids') else (), 'solids')
+        cloud = clouds.readCloud(self.folder, frame.name, ('group',) if 'group'
+                                 in self.fieldsAt(frame.name, 'solids') else (), 'solids')
         if len(cloud['positions']) != n:
-            self.note(f'bonds of hidden groups are drawn at {frame.name}: their file is of a time with other particles')
+            self.note(f'bonds of hidden groups are drawn at {frame.name}: '
+                      'their file is of a time with other particles')
             return np.ones(len(ends), dtype=bool)
         cloud['place'] = np.arange(n)
         self._addConstants(cloud, n)
         return np.isin(ends, self.seen(cloud, frame.name)['place']).any(axis=1)
 
-    # Water -------------------------------------------------------------------------------------------------------------------------------------
+    # Water ----------------------------------------------------------------------------------------
 
     def inPlane(self, points):
         return points if self.flat is None else points[:, self.plane]
@@ -551,13 +614,15 @@ class Case:
     def fieldsAt(self, time, cloud):
         folder = os.path.join(self.folder, time, 'lagrangian', cloud)
         names = os.listdir(folder) if os.path.isdir(folder) else []
-        return sorted({n[:-3] if n.endswith('.gz') else n for n in names} - {'positions', 'coordinates'})
+        return sorted({n[:-3] if n.endswith('.gz') else n for n in names}
+                      - {'positions', 'coordinates'})
 
     def waterOf(self, frame, field):
         """Grid and drops into a frame. field: that colours it, or None"""
         there = self.fieldsAt(frame.name, 'fluid')
         if field is not None and field not in there:
-            raise PictureError(f'{self.folder}/{frame.name}/lagrangian/fluid: no field {field}; there are {" ".join(there)}')
+            raise PictureError(f'{self.folder}/{frame.name}/lagrangian/fluid: no field {field}; '
+                               f'there are {" ".join(there)}')
         cloud = clouds.readCloud(self.folder, frame.name, (field,) if field else ())
         positions = cloud['positions']
         if not len(positions):
@@ -567,10 +632,12 @@ class Case:
         flat = self.flat is not None
         x = self.inPlane(positions)
         box = self.box()
-        pic = bool(self.properties['pic']) and not self.properties['sph'] or self._solver() == 'picDem'
+        pic = (bool(self.properties['pic']) and not self.properties['sph']
+               or self._solver() == 'picDem')
         # particles of a grid lie as chance has it: two spacings are a cell
         smooth = 1.0 if pic else surface.width
-        grid = surface.blend(x, spacing, value, box, refine=4 if flat else 2, smooth=smooth, largest=4e6 if flat else 12e6)
+        grid = surface.blend(x, spacing, value, box, refine=4 if flat else 2, smooth=smooth,
+                             largest=4e6 if flat else 12e6)
         # particles alone, or nearly; cells beside bodies have little water and are no drops
         thin = grid.at(x) < (0.6 if pic else 1.0)*surface.level
         if pic:
@@ -595,7 +662,8 @@ class Case:
         return self._read('system', 'controlDict').get('solver')
 
     def _waterOfMesh(self, frame):
-        """picDem's fraction of water in the cells, at nodes; None where it was not written or the mesh is not of equal cells"""
+        """picDem's fraction of water in the cells, at nodes; None where it was not written or the
+        mesh is not of equal cells"""
         path = os.path.join(self.folder, frame.name, 'alpha.water')
         if not (os.path.exists(path) or os.path.exists(path + '.gz')):
             return None
@@ -605,16 +673,19 @@ class Case:
             return None
         counts, place = self._lattice
         alpha = foamFiles.volumeField(path, len(place))
-        return surface.ofCells(counts, place, self.mesh.low, self.mesh.high, np.clip(alpha, 0, 1), axes=self.plane or (0, 1, 2))
+        return surface.ofCells(counts, place, self.mesh.low, self.mesh.high, np.clip(alpha, 0, 1),
+                               axes=self.plane or (0, 1, 2))
 
     def _merge(self, grid, mesh):
-        """The particles' grid with f of the mesh where that has any water: level 1/2 of the mesh is the surface"""
-        index = np.stack(np.meshgrid(*[grid.low[d] + grid.cell[d]*np.arange(grid.f.shape[d]) for d in range(grid.f.ndim)], indexing='ij'), axis=-1)
+        """The particles' grid with f of the mesh where that has any water: level 1/2 of the mesh is
+        the surface"""
+        index = np.stack(np.meshgrid(*[grid.low[d] + grid.cell[d]*np.arange(grid.f.shape[d])
+                                       for d in range(grid.f.ndim)], indexing='ij'), axis=-1)
         of = mesh.at(index.reshape(-1, grid.f.ndim)).reshape(grid.f.shape)
         grid.f = np.maximum(of, 0) + (surface.level - 0.5)
         return grid
 
-    # Frames ------------------------------------------------------------------------------------------------------------------------------------
+    # Frames ---------------------------------------------------------------------------------------
 
     def nearest(self, t):
         return min(self.times, key=lambda name: abs(float(name) - t))

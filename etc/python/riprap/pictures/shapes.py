@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces as points (n, 3) and triangles (m, 3), counter-clockwise from outside; their sections and poses"""
+"""Surfaces as points (n, 3) and triangles (m, 3), counter-clockwise from outside; their sections
+and poses"""
 import numpy as np
 
 
@@ -10,13 +11,15 @@ def box(low, high):
 
 def parallelepiped(corner, a, b, c):
     """From a corner by three edges of a right-handed frame"""
-    corners = np.array([corner + i*a + j*b + k*c for k in (0, 1) for j in (0, 1) for i in (0, 1)], dtype=float)
+    corners = np.array([corner + i*a + j*b + k*c for k in (0, 1) for j in (0, 1) for i in (0, 1)],
+                       dtype=float)
     quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     return corners, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
 
 
 def rotatedBox(origin, span, e1, e3):
-    """OpenFOAM's searchableRotatedBox: its axes are e1, e3 x e1 and e3, made orthogonal as coordinateRotation does"""
+    """OpenFOAM's searchableRotatedBox: its axes are e1, e3 x e1 and e3, made orthogonal as
+    coordinateRotation does"""
     e3 = unit(e3)
     e1 = unit(e1 - np.dot(e1, e3)*e3)
     e2 = np.cross(e3, e1)
@@ -45,7 +48,8 @@ def cylinder(p1, p2, radius, around=96):
     j = (i + 1) % around
     low, high = np.full(around, 2*around), np.full(around, 2*around + 1)
     triangles = np.concatenate([np.column_stack(t) for t in
-                                ((i, j, around + j), (i, around + j, around + i), (low, j, i), (high, around + i, around + j))])
+                                ((i, j, around + j), (i, around + j, around + i), (low, j, i),
+                                 (high, around + i, around + j))])
     return points, triangles
 
 
@@ -54,21 +58,24 @@ def disk(origin, normal, radius, around=96):
     angle = 2*np.pi*np.arange(around)/around
     rim = origin + radius*(np.outer(np.cos(angle), a) + np.outer(np.sin(angle), b))
     i = np.arange(around)
-    return np.concatenate([rim, [origin]]), np.column_stack([i, (i + 1) % around, np.full(around, around)])
+    return (np.concatenate([rim, [origin]]),
+            np.column_stack([i, (i + 1) % around, np.full(around, around)]))
 
 
 def plate(origin, span):
     """A rectangle; one of the spans is 0"""
     a, b = [s for s in np.diag(np.asarray(span, dtype=float)) if np.any(s)]
     origin = np.asarray(origin, dtype=float)
-    return np.array([origin, origin + a, origin + a + b, origin + b]), np.array([(0, 1, 2), (0, 2, 3)])
+    return (np.array([origin, origin + a, origin + a + b, origin + b]),
+            np.array([(0, 1, 2), (0, 2, 3)]))
 
 
 def sphere(centre, radius, around=48):
     rows = around//2
     polar = np.pi*np.arange(1, rows)/rows
     angle = 2*np.pi*np.arange(around)/around
-    ring = np.array([[np.sin(p)*np.cos(a), np.sin(p)*np.sin(a), np.cos(p)] for p in polar for a in angle])
+    ring = np.array([[np.sin(p)*np.cos(a), np.sin(p)*np.sin(a), np.cos(p)] for p in polar
+                     for a in angle])
     points = np.concatenate([[[0, 0, 1]], ring, [[0, 0, -1]]])
     last = len(points) - 1
     triangles = []
@@ -90,7 +97,8 @@ def rotation(q):
 
 
 def massProperties(points, triangles):
-    """Volume, centre and inertia about the centre of a closed surface of density 1, by tetrahedra from the origin of its box"""
+    """Volume, centre and inertia about the centre of a closed surface of density 1, by tetrahedra
+    from the origin of its box"""
     origin = 0.5*(points.min(axis=0) + points.max(axis=0))
     a, b, c = (points[triangles[:, k]] - origin for k in range(3))
     six = np.einsum('ij,ij->i', a, np.cross(b, c))
@@ -103,7 +111,8 @@ def massProperties(points, triangles):
 
 
 def principalAxes(J):
-    """Columns: the axes, by the turns that src/riprapFoam/shapes/principalAxes.H makes, so that they are the same ones"""
+    """Columns: the axes, by the turns that src/riprapFoam/shapes/principalAxes.H makes, so that
+    they are the same ones"""
     axes = np.eye(3)
     J = np.array(J, dtype=float)
     for _ in range(50):
@@ -140,7 +149,8 @@ def rigidFit(before, after):
 
 
 def section(points, triangles, axis, height):
-    """Segments (n, 2, 3) where triangles cut the plane; points in it count as above, so that each line is cut once"""
+    """Segments (n, 2, 3) where triangles cut the plane; points in it count as above, so that each
+    line is cut once"""
     off = points[:, axis] - height
     above = off[triangles] >= 0
     cut = [[], []]

@@ -37,8 +37,10 @@ class Picture:
             self.colours = ScalarMappable(Normalize(low, high), style.maps(of, what, low, high))
             everything = np.concatenate(shown) if shown else np.zeros(1)
             slack = 1e-6*(high - low)
-            beyond = everything.max(initial=low) > high + slack, everything.min(initial=high) < low - slack
-            self.extend = {(True, True): 'both', (True, False): 'max', (False, True): 'min'}.get(beyond, 'neither')
+            beyond = (everything.max(initial=low) > high + slack,
+                      everything.min(initial=high) < low - slack)
+            self.extend = {(True, True): 'both', (True, False): 'max',
+                           (False, True): 'min'}.get(beyond, 'neither')
 
     def _tank(self):
         """Corners of what the walls reach in all frames; None without walls"""
@@ -55,7 +57,8 @@ class Picture:
         return low, high
 
     def byParaView(self, frames, pixels):
-        """Pictures of 3D frames; None where ParaView is there and does not work, as without a display"""
+        """Pictures of 3D frames; None where ParaView is there and does not work, as without a
+        display"""
         try:
             return panels.draw(self.case, frames, self.camera, pixels, self.colours, self.window)
         except PictureError as wrong:
@@ -112,18 +115,21 @@ class Layout:
         used = left + right + gap*(self.columns - 1) + self.columns*self.wide
         self.size = width, int(round(total))
         spare = 0.5*(width - used)
-        top = self.edge + 0.5*max(0, self.size[1] - foot - self.edge - self.rows*(self.high + self.title))
+        top = (self.edge
+               + 0.5*max(0, self.size[1] - foot - self.edge - self.rows*(self.high + self.title)))
         self.places = []
         for k in range(count):
             row, column = divmod(k, self.columns)
             x = spare + left + column*(self.wide + gap)
             y = top + row*(self.high + self.title) + self.title
-            self.places.append((x/width, 1 - (y + self.high)/self.size[1], self.wide/width, self.high/self.size[1]))
+            self.places.append((x/width, 1 - (y + self.high)/self.size[1], self.wide/width,
+                                self.high/self.size[1]))
         bottom = top + self.rows*(self.high + self.title)
         length = min(bottom - top - self.title, max(160, min(0.7*(bottom - top), 480)))
         middle = 0.5*(top + self.title + bottom)
         x = spare + left + self.columns*self.wide + gap*(self.columns - 1) + 14
-        self.barPlace = (x/width, 1 - (middle + 0.5*length)/self.size[1], 13/width, length/self.size[1])
+        self.barPlace = (x/width, 1 - (middle + 0.5*length)/self.size[1], 13/width,
+                         length/self.size[1])
 
     def outer(self, k, count):
         """Is it the first of its row; the last of its column"""
@@ -161,7 +167,8 @@ def compose(picture, frames, layout, images):
             axis.set_axis_off()
         else:
             points.draw(axis, case, frame, picture.camera, picture.window, picture.colours)
-        axis.set_title(f't = {frame.time:.{digits}f} s', loc='left', fontsize=12, color=style.ink, pad=5)
+        axis.set_title(f't = {frame.time:.{digits}f} s', loc='left', fontsize=12, color=style.ink,
+                       pad=5)
     if picture.colours is not None:
         axis = fig.add_axes(layout.barPlace)
         bar = fig.colorbar(picture.colours, cax=axis, extend=picture.extend)
@@ -176,15 +183,18 @@ def timeDigits(times):
     """Decimals that tell these times apart: two where they do"""
     for digits in range(1, 9):
         shown = [round(t, digits) for t in times]
-        if all(abs(a - b) < 0.02*max(abs(a), 10.0**-digits) for a, b in zip(times, shown)) and len(set(shown)) == len(set(times)):
+        if all(abs(a - b) < 0.02*max(abs(a), 10.0**-digits)
+               for a, b in zip(times, shown)) and len(set(shown)) == len(set(times)):
             return digits
     return 9
 
 
 def measures(axis, picture, first, last):
     """Scales in metres on the outer panels"""
-    axis.tick_params(labelsize=9, length=3, color=style.wall, labelcolor=style.ink, labelleft=first, labelbottom=last)
-    axis.locator_params(nbins=6 if np.ptp(axis.get_xlim()) > np.ptp(axis.get_ylim()) else 5, axis='x')
+    axis.tick_params(labelsize=9, length=3, color=style.wall, labelcolor=style.ink, labelleft=first,
+                     labelbottom=last)
+    axis.locator_params(nbins=6 if np.ptp(axis.get_xlim()) > np.ptp(axis.get_ylim()) else 5,
+                        axis='x')
     axis.locator_params(nbins=4, axis='y')
     for spine in axis.spines.values():
         spine.set_visible(False)
@@ -194,9 +204,11 @@ def measures(axis, picture, first, last):
         names.append(('xyz'[k] if k is not None else fallback, k is not None and direction[k] < 0))
     for which, (name, reverse), shown in (('x', names[0], last), ('y', names[1], first)):
         if shown:
-            (axis.set_xlabel if which == 'x' else axis.set_ylabel)(f'{name} [m]', fontsize=10, color=style.ink)
+            (axis.set_xlabel if which == 'x'
+             else axis.set_ylabel)(f'{name} [m]', fontsize=10, color=style.ink)
         if reverse:
-            (axis.xaxis if which == 'x' else axis.yaxis).set_major_formatter(lambda v, _: f'{-v:g}' if v else '0')
+            (axis.xaxis if which == 'x'
+             else axis.yaxis).set_major_formatter(lambda v, _: f'{-v:g}' if v else '0')
 
 
 def write(fig, path):
@@ -229,7 +241,8 @@ def film(picture, size, path, rate):
         images = picture.byParaView(frames, pixel) or images
     elif not planar:
         picture.camera.fit(cameras.corners(*picture.window), layout.wide/layout.high)
-    sheets = (pixels(compose(picture, [f], layout, None if images[k] is None else [images[k]])) for k, f in enumerate(frames))
+    sheets = (pixels(compose(picture, [f], layout, None if images[k] is None else [images[k]]))
+              for k, f in enumerate(frames))
     (_gif if path.lower().endswith('.gif') else _mp4)(sheets, path, rate)
     return len(frames)
 
@@ -243,7 +256,8 @@ def _gif(sheets, path, rate):
     # one palette for all, of the last picture, where the colours are most spread
     palette = images[-1].quantize(128, method=Image.Quantize.MEDIANCUT)
     images = [i.quantize(palette=palette, dither=Image.Dither.NONE) for i in images]
-    images[0].save(path, save_all=True, append_images=images[1:], duration=int(round(1000/rate)), loop=0, optimize=True, disposal=1)
+    images[0].save(path, save_all=True, append_images=images[1:], duration=int(round(1000/rate)),
+                   loop=0, optimize=True, disposal=1)
 
 
 def _mp4(sheets, path, rate):
@@ -251,10 +265,13 @@ def _mp4(sheets, path, rate):
         from PIL import Image
         for k, s in enumerate(sheets):
             Image.fromarray(s).save(os.path.join(folder, f'{k:05d}.png'), compress_level=1)
-        said = subprocess.run(['ffmpeg', '-y', '-loglevel', 'error', '-framerate', str(rate), '-i', os.path.join(folder, '%05d.png'),
-                               '-c:v', 'libx264', '-pix_fmt', 'yuv420p', '-crf', '20', '-movflags', '+faststart', path], capture_output=True, text=True)
+        said = subprocess.run(['ffmpeg', '-y', '-loglevel', 'error', '-framerate', str(rate), '-i',
+                               os.path.join(folder, '%05d.png'), '-c:v', 'libx264', '-pix_fmt',
+                               'yuv420p', '-crf', '20', '-movflags', '+faststart', path],
+                              capture_output=True, text=True)
         if said.returncode:
-            raise PictureError(f'ffmpeg failed: {(said.stderr.strip().splitlines() or ["no word why"])[-1]}')
+            raise PictureError(
+                f'ffmpeg failed: {(said.stderr.strip().splitlines() or ["no word why"])[-1]}')
 
 
 def suffixOfFilms():

@@ -27,7 +27,8 @@ def maps(of, field, low, high):
 
 
 def limits(values, field):
-    """Low and high that leave out the few that are far beyond; of what has both signs as far to both sides"""
+    """Low and high that leave out the few that are far beyond; of what has both signs as far to
+    both sides"""
     values = np.concatenate(values) if values else np.zeros(1)
     values = values[np.isfinite(values)]
     if not len(values):
@@ -36,7 +37,8 @@ def limits(values, field):
     if low < 0 and -low > 0.05*high:
         high = max(-low, high)
         low = -high
-    elif field in ('U', 'p', 'omega', 'force', 'moment', 'tension', 'turned', 'contacts', 'brokenBonds'):
+    elif field in ('U', 'p', 'omega', 'force', 'moment', 'tension', 'turned', 'contacts',
+                   'brokenBonds'):
         low = 0.0
     if high - low < 1e-9*max(abs(high), abs(low), 1e-30):
         low, high = low - 0.5*abs(low or 1), high + 0.5*abs(high or 1)

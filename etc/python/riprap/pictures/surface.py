@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Particles as a smooth field on a grid; the water's surface is where it passes `level`
 
-    f(x) = sum_i W(x - x_i) / int_domain W,     W a Gaussian of deviation `width` spacings, times the particle's volume
+    f(x) = sum_i W(x - x_i) / int_domain W,     W a Gaussian of deviation `width` spacings, times
+                                                the particle's volume
 
-Particles go to the nodes by linear weights, and the nodes are smoothed along one axis after the other. The division by the part of W that lies in
-the domain keeps f = 1 up to flat walls, so that water ends at them and not half a spacing before. Values are means by the same weights.
+Particles go to the nodes by linear weights, and the nodes are smoothed along one axis after the
+other. The division by the part of W that lies in the domain keeps f = 1 up to flat walls, so that
+water ends at them and not half a spacing before. Values are means by the same weights.
 """
 import numpy as np
 
@@ -30,8 +32,10 @@ class Grid:
         return total
 
 
-def blend(positions, spacing, value=None, box=None, refine=2, smooth=width, largest=12e6, reach=None):
-    """Grid of particles (n, D) of spacing^D each. box: (low, high) of the domain, whose flat sides hold water; reach: (low, high) outside of which nobody looks"""
+def blend(positions, spacing, value=None, box=None, refine=2, smooth=width, largest=12e6,
+          reach=None):
+    """Grid of particles (n, D) of spacing^D each. box: (low, high) of the domain, whose flat sides
+    hold water; reach: (low, high) outside of which nobody looks"""
     D = positions.shape[1]
     margin = 3*smooth*spacing + spacing
     low, high = positions.min(axis=0) - margin, positions.max(axis=0) + margin
@@ -44,7 +48,8 @@ def blend(positions, spacing, value=None, box=None, refine=2, smooth=width, larg
     shape = np.maximum(np.ceil((high - low)/cell - 1e-6).astype(int), 1) + 1
     cells = (high - low)/(shape - 1)                # ends of the grid are ends of the domain
     f = _deposit(positions, None, low, cells, shape)*(spacing**D/np.prod(cells))
-    held = None if value is None else _deposit(positions, value, low, cells, shape)*(spacing**D/np.prod(cells))
+    held = (None if value is None
+            else _deposit(positions, value, low, cells, shape)*(spacing**D/np.prod(cells)))
     for d in range(D):
         taps = gaussian(smooth*spacing/cells[d])
         f = filtered(f, taps, d)
@@ -52,12 +57,14 @@ def blend(positions, spacing, value=None, box=None, refine=2, smooth=width, larg
     mean = None if held is None else held/np.maximum(f, 1e-30)
     if box is not None:
         for d in range(D):
-            f = f/_inside(low[d] + cells[d]*np.arange(shape[d]), box[0][d], box[1][d], smooth*spacing).reshape([-1 if k == d else 1 for k in range(D)])
+            f = f/_inside(low[d] + cells[d]*np.arange(shape[d]), box[0][d], box[1][d],
+                          smooth*spacing).reshape([-1 if k == d else 1 for k in range(D)])
     return Grid(low, cells, f, mean)
 
 
 def ofCells(counts, place, low, high, alpha, value=None, axes=(0, 1, 2), smooth=0.6):
-    """Grid of a field in equal cells, with nodes at centres, faces and walls. axes: those that are kept"""
+    """Grid of a field in equal cells, with nodes at centres, faces and walls. axes: those that are
+    kept"""
     n = [counts[d] for d in axes]
     at = tuple(place[:, d] for d in axes)
     f = np.zeros(n)
@@ -96,7 +103,8 @@ def filtered(a, taps, axis, edge=False):
     wide = np.pad(a, pad, mode='edge' if edge else 'constant')
     length, result = a.shape[axis], np.zeros_like(a)
     for k, w in enumerate(taps):
-        result += w*wide[tuple(slice(k, k + length) if d == axis else slice(None) for d in range(a.ndim))]
+        result += w*wide[tuple(slice(k, k + length) if d == axis else slice(None)
+                               for d in range(a.ndim))]
     return result
 
 
@@ -113,7 +121,8 @@ def _twice(a):
 
 
 def _corners(points, low, cells, shape):
-    """(weight, flat index of a node) of the 2^D nodes about each point; those outside are moved to the rim with weight 0"""
+    """(weight, flat index of a node) of the 2^D nodes about each point; those outside are moved to
+    the rim with weight 0"""
     D = points.shape[1]
     x = (points - low)/cells
     inside = np.all((x >= -1e-9) & (x <= np.array(shape) - 1 + 1e-9), axis=1)
@@ -139,11 +148,13 @@ def _deposit(points, value, low, cells, shape):
 
 def _inside(x, low, high, deviation):
     """Part of a Gaussian about x that lies between low and high"""
-    return np.maximum(0.5*(_erf((high - x)/deviation/2**0.5) - _erf((low - x)/deviation/2**0.5)), 0.05)
+    return np.maximum(0.5*(_erf((high - x)/deviation/2**0.5) - _erf((low - x)/deviation/2**0.5)),
+                      0.05)
 
 
 def _erf(x):
     """Abramowitz & Stegun 7.1.26: to 1.5e-7"""
     t = 1/(1 + 0.3275911*np.abs(x))
-    y = 1 - t*np.exp(-x*x)*(0.254829592 + t*(-0.284496736 + t*(1.421413741 + t*(-1.453152027 + t*1.061405429))))
+    y = 1 - t*np.exp(-x*x)*(0.254829592
+                            + t*(-0.284496736 + t*(1.421413741 + t*(-1.453152027 + t*1.061405429))))
     return np.sign(x)*y

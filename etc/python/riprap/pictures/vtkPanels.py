@@ -3,7 +3,8 @@
 
 usage: vtkPanels.py FOLDER
 
-FOLDER/job.json: sizes, camera and colours; FOLDER/frame<n>.npz: what is seen. Writes FOLDER/frame<n>.png, without text.
+FOLDER/job.json: sizes, camera and colours; FOLDER/frame<n>.npz: what is seen. Writes
+FOLDER/frame<n>.png, without text.
 """
 import json
 import os
@@ -13,13 +14,16 @@ import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the factories of rendering)
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPlane, vtkPlaneCollection, vtkPolyData
-from vtkmodules.vtkFiltersCore import (vtkClipPolyData, vtkFeatureEdges, vtkFlyingEdges3D, vtkGlyph3D, vtkPolyDataNormals, vtkTubeFilter,
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkPlane, vtkPlaneCollection,
+                                           vtkPolyData)
+from vtkmodules.vtkFiltersCore import (vtkClipPolyData, vtkFeatureEdges, vtkFlyingEdges3D,
+                                       vtkGlyph3D, vtkPolyDataNormals, vtkTubeFilter,
                                        vtkWindowedSincPolyDataFilter)
 from vtkmodules.vtkFiltersGeneral import vtkClipClosedSurface
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer,
+                                         vtkRenderWindow, vtkWindowToImageFilter)
 
 
 def main(folder):
@@ -104,7 +108,8 @@ def polydata(points, triangles):
     where.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=np.float64), deep=1))
     made.SetPoints(where)
     cells = vtkCellArray()
-    flat = np.column_stack([np.full(len(triangles), triangles.shape[1]), triangles]).astype(np.int64).ravel()
+    flat = np.column_stack([np.full(len(triangles), triangles.shape[1]),
+                            triangles]).astype(np.int64).ravel()
     cells.ImportLegacyFormat(numpy_to_vtkIdTypeArray(flat, deep=1))
     (made.SetPolys if triangles.shape[1] > 2 else made.SetLines)(cells)
     return made
@@ -241,7 +246,8 @@ def contour(f, place, level, value=None):
 
 
 def water(renderer, job, data):
-    surface = contour(data['water'], data['waterPlace'], job['level'], data['waterValue'] if 'waterValue' in data else None)
+    surface = contour(data['water'], data['waterPlace'], job['level'],
+                      data['waterValue'] if 'waterValue' in data else None)
     shown = actor(surface, job['plainWater'], specular=0.45, power=40, opacity=job['opacity'])
     if 'waterValue' in data:
         table = vtkLookupTable()
@@ -270,7 +276,8 @@ def balls(renderer, job, positions, radii, colours, specular):
     colour.SetName('colour')
     source.GetPointData().AddArray(colour)
     source.GetPointData().SetScalars(size)
-    around = 32 if len(positions) < 2000 else 16 if len(positions) < 20000 else 10 if len(positions) < 100000 else 6
+    around = (32 if len(positions) < 2000 else 16 if len(positions) < 20000 else 10
+              if len(positions) < 100000 else 6)
     sphere = vtkSphereSource()
     sphere.SetRadius(1.0)
     sphere.SetThetaResolution(around)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A row of n touching spheres of 0.1 m along x: the first one held, the last one moved. constant/particles.csv"""
+"""A row of n touching spheres of 0.1 m along x: the first one held, the last one moved.
+constant/particles.csv"""
 from riprap.dictionaries import numberOf, readDictionary
 
 bar = readDictionary('system/bar')

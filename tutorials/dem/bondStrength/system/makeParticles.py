@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""constant/particles.csv, loads and cement of the bar. Each free particle carries the load w, one of them P more: the last one, in
-shear the first, since a bent bar that lets go springs back and breaks in shear all along. The first bond carries most. Stresses are those
-of statics; loads are so small that the bar turns by less than 1e-6."""
+"""constant/particles.csv, loads and cement of the bar. Each free particle carries the load w, one
+of them P more: the last one, in shear the first, since a bent bar that lets go springs back and
+breaks in shear all along. The first bond carries most. Stresses are those of statics; loads are so
+small that the bar turns by less than 1e-6."""
 from math import pi
 
 from riprap.dictionaries import numberOf, readDictionary
@@ -31,7 +32,8 @@ tensile, shear = N/A + M*R/I, V/A + T*R/J
 damping = '3e5' if test in ('tension', 'torsion') else '1e5'      # [1/s] nothing overshoots
 weak = shear if test in ('shear', 'torsion') else tensile
 strength = {'tensileStrength': 'none', 'shearStrength': 'none'}
-strength['shearStrength' if test in ('shear', 'torsion') else 'tensileStrength'] = f'{weak*(1 + margin):.17g}'
+strength['shearStrength' if test in ('shear', 'torsion') else 'tensileStrength'] = (
+    f'{weak*(1 + margin):.17g}')
 
 with open('constant/particles.csv', 'w') as f:
     f.write('x,y,z,radius,group\n')
@@ -39,10 +41,11 @@ with open('constant/particles.csv', 'w') as f:
         f.write(f"{s*i:.17g},0,0,{R},{'clamp' if i == 0 else 'loaded' if i == loaded else 'bar'}\n")
 with open('constant/loads', 'w') as f:
     for group, load, moment in (('bar', w, torque/20), ('loaded', P + w, torque*21/20)):
-        f.write(f'{group} {{ force ({load*force[0]:.17g} {load*force[1]:.17g} 0); moment ({moment:.17g} 0 0); '
-                f'viscousDamping {damping}; viscousSpinDamping {damping}; }}\n')
+        f.write(f'{group} {{ force ({load*force[0]:.17g} {load*force[1]:.17g} '
+                f'0); moment ({moment:.17g} 0 0); viscousDamping {damping}; '
+                f'viscousSpinDamping {damping}; }}\n')
 with open('constant/cement', 'w') as f:
     f.write(f"calibration moduli; E {E:g}; G {G:g}; section {'plate' if disks else 'round'};\n")
     f.write(''.join(f'{k} {v};\n' for k, v in strength.items()))
-    f.write(f'// The first bond: N {N:.10g} N, V {V:.10g} N, M {M:.10g} N m, T {T:.10g} N m; tensile stress {tensile:.10g} Pa, '
-            f'shear stress {shear:.10g} Pa\n')
+    f.write(f'// The first bond: N {N:.10g} N, V {V:.10g} N, M {M:.10g} N m, T {T:.10g} N m; '
+            f'tensile stress {tensile:.10g} Pa, shear stress {shear:.10g} Pa\n')

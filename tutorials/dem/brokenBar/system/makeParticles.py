@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two fixed disks under the bar, just out of touch, and one that flies at its middle: constant/particles.csv"""
+"""Two fixed disks under the bar, just out of touch, and one that flies at its middle:
+constant/particles.csv"""
 from riprap.dictionaries import numberOf, readDictionary
 
 speed = numberOf(readDictionary('system/blow')['speed'])

@@ -46,19 +46,22 @@ def restitution():
 def oblique():
     """Test 4: Kharaz's impacts, one speed"""
     return [flying(0.01*i, 0.0025, material, 3.9, math.radians(degrees))
-            for i, (material, degrees) in enumerate((m, d) for m in ('alumina', 'alloy') for d in range(5, 90, 5))]
+            for i, (material, degrees) in enumerate((m, d) for m in ('alumina', 'alloy')
+                                                    for d in range(5, 90, 5))]
 
 
 def tangential():
     """Test 5: one normal velocity; tangential velocities are 0.25 to 20 mu v_n"""
     ratios = [0.25*i for i in range(1, 33)] + [10, 12, 15, 20]
     return [thrown(3e-5*(i - 36), 1e-5, material, 5, r*0.3*5)
-            for i, (material, r) in enumerate((m, r) for m in ('steel', 'polyethylene') for r in ratios)]
+            for i, (material, r) in enumerate((m, r) for m in ('steel', 'polyethylene')
+                                              for r in ratios)]
 
 
 def angular():
     """Test 6: one normal velocity, no tangential one, spins of 0.1 to 6 v_n/R"""
-    ratios = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 3.5, 4, 5, 6]
+    ratios = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 3.5, 4,
+              5, 6]
     return [thrown(0.3*(i - 20), 0.1, material, 0.2, spin=r*2)
             for i, (material, r) in enumerate((m, r) for m in ('alloy', 'copper') for r in ratios)]
 
@@ -75,10 +78,12 @@ def twoSpheres():
 
 
 def unequal():
-    """Test 8: a spinning sphere against one of five times the radius and a thousand times the density, at rest"""
+    """Test 8: a spinning sphere against one of five times the radius and a thousand times the
+    density, at rest"""
     rows = []
     for i, (material, w) in enumerate((m, w) for m in ('alloy', 'nylon') for w in spins):
-        rows += meeting(1.2*(i - 12), (0.1, material, 0.2), (0.5, 'heavy' + material.capitalize(), 0), (w, 0))
+        rows += meeting(1.2*(i - 12), (0.1, material, 0.2),
+                        (0.5, 'heavy' + material.capitalize(), 0), (w, 0))
     return rows
 
 
@@ -92,7 +97,8 @@ def drop():
 
 def stack():
     """MFIX's DEM03: two spheres in a gap that is too small for them"""
-    return [[0, 0, z, 0, 0, 0, 0, 0, 0, 0.0005, material] for z, material in ((0.00045, 'stackLower'), (0.00135, 'stackUpper'))]
+    return [[0, 0, z, 0, 0, 0, 0, 0, 0, 0.0005, material]
+            for z, material in ((0.00045, 'stackLower'), (0.00135, 'stackUpper'))]
 
 
 def slide():
@@ -107,14 +113,17 @@ angles = [0, 0.5, 1, 1.5, 2] + [2.5*i for i in range(1, 27)]
 
 def kharaz():
     """MFIX's DEM05: its angles"""
-    return [flying(0.01*i, 0.0025, 'dem05', 3.9, math.radians(degrees)) for i, degrees in enumerate(angles)]
+    return [flying(0.01*i, 0.0025, 'dem05', 3.9, math.radians(degrees))
+            for i, degrees in enumerate(angles)]
 
 
 def kharazPair():
     """The same on spheres of fifty times the radius and the wall's material, too heavy to move"""
     size = 50*0.0025
-    targets = [[0.3*(i - 15), 0, -size, 0, 0, 0, 0, 0, 0, size, 'heavyAnvil'] for i in range(len(angles))]
-    return [flying(0.3*(i - 15), 0.0025, 'dem05', 3.9, math.radians(degrees)) for i, degrees in enumerate(angles)] + targets
+    targets = [[0.3*(i - 15), 0, -size, 0, 0, 0, 0, 0, 0, size, 'heavyAnvil']
+               for i in range(len(angles))]
+    return [flying(0.3*(i - 15), 0.0025, 'dem05', 3.9, math.radians(degrees))
+            for i, degrees in enumerate(angles)] + targets
 
 
 rows = globals()[readDictionary('system/test')['name']]()

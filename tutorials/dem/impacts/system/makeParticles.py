@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pairs of equal spheres that fly at each other at 10 to 80 degrees from their line of centres, each pair on its own plane"""
+"""Pairs of equal spheres that fly at each other at 10 to 80 degrees from their line of centres,
+each pair on its own plane"""
 import math
 
 from riprap.dictionaries import numberOf, readDictionary

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sphere on the plane z = 0, or a pyramid of 4 x 4 + 3 x 3 + 2 x 2 + 1 spheres: constant/particles.csv"""
+"""A sphere on the plane z = 0, or a pyramid of 4 x 4 + 3 x 3 + 2 x 2 + 1 spheres:
+constant/particles.csv"""
 import math
 
 from riprap.dictionaries import readDictionary
@@ -14,7 +15,8 @@ else:
         for i in range(n):
             for j in range(n):
                 offset = radius*(1 - n)
-                rows.append((offset + 2*radius*i, offset + 2*radius*j, radius*(1 + layer*math.sqrt(2)), 'noSpin'))
+                rows.append((offset + 2*radius*i, offset + 2*radius*j,
+                             radius*(1 + layer*math.sqrt(2)), 'noSpin'))
 with open('constant/particles.csv', 'w') as f:
     f.write('x,y,z,radius,group\n')
     for x, y, z, group in rows:

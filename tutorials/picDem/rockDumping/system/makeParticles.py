@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""30 rocks above the water, a gap and more apart, of different sizes, by system/shape: balls (constant/solids.csv), clumps of four balls
-(constant/solids<n>.csv), or stones of the surface constant/triSurface/stone.stl; system/rocks: their regions of setParticlesDict"""
+"""30 rocks above the water, a gap and more apart, of different sizes, by system/shape: balls
+(constant/solids.csv), clumps of four balls (constant/solids<n>.csv), or stones of the surface
+constant/triSurface/stone.stl; system/rocks: their regions of setParticlesDict"""
 import math
 import random
 
@@ -13,7 +14,8 @@ random.seed(1)
 
 def places(x, y, z, pitch):
     """Two layers of 5 x 3, the innermost loop along z"""
-    return [(x + pitch*i + 0.001*random.random(), y + pitch*layer, z + pitch*k + 0.001*random.random()) for layer in range(2) for i in range(5) for k in range(3)]
+    return [(x + pitch*i + 0.001*random.random(), y + pitch*layer, z + pitch*k
+             + 0.001*random.random()) for layer in range(2) for i in range(5) for k in range(3)]
 
 
 def balls():
@@ -23,7 +25,8 @@ def balls():
         for layer in range(2):
             for i in range(5):
                 for k in range(3):
-                    at = (0.11 + pitch*i + 0.001*random.random(), 0.155 + pitch*layer, 0.055 + pitch*k + 0.001*random.random())
+                    at = (0.11 + pitch*i + 0.001*random.random(), 0.155 + pitch*layer,
+                          0.055 + pitch*k + 0.001*random.random())
                     out.write('%.6g,%.6g,%.6g,%.6g\n' % (*at, 0.022 + 0.006*random.random()))
     return ['rocks { set solids; source csv; file "constant/solids.csv"; material rock; }']
 
@@ -41,9 +44,11 @@ def volumeOf(centres, radius, n=60):
 
 
 def clumps():
-    """Each a rigid region: balls of 16 mm a radius on the corners of a tetrahedron, turned as chance has it. A ball weighs a quarter of what the four together displace"""
+    """Each a rigid region: balls of 16 mm a radius on the corners of a tetrahedron, turned as
+    chance has it. A ball weighs a quarter of what the four together displace"""
     radius, out = 0.016, 0.011
-    corners = [[s*out/3**0.5 for s in signs] for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
+    corners = [[s*out/3**0.5 for s in signs]
+               for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
     mass = density*volumeOf(corners, radius)/4
     regions = []
     for number, at in enumerate(places(0.09, 0.16, 0.045, 0.072)):
@@ -55,16 +60,20 @@ def clumps():
                 x, y = x*math.cos(a) - y*math.sin(a), x*math.sin(a) + y*math.cos(a)
                 y, z = y*math.cos(b) - z*math.sin(b), y*math.sin(b) + z*math.cos(b)
                 x, y = x*math.cos(c) - y*math.sin(c), x*math.sin(c) + y*math.cos(c)
-                out.write('%.6g,%.6g,%.6g,%.6g,%.6g\n' % (at[0] + x, at[1] + y, at[2] + z, radius, mass))
-        regions.append('rock%d { set solids; source csv; file "%s"; material rock; rigid yes; }' % (number, name))
+                out.write('%.6g,%.6g,%.6g,%.6g,%.6g\n'
+                          % (at[0] + x, at[1] + y, at[2] + z, radius, mass))
+        regions.append('rock%d { set solids; source csv; file "%s"; material rock; rigid yes; }'
+                       % (number, name))
     return regions
 
 
 def stones():
     """Of two sizes, each turned by chance. Contacts see 60 balls in it, water its surface"""
     centres = places(0.09, 0.16, 0.045, 0.075)
-    return ['rocks%d { set solids; source clumpsFromSurface; file "stone.stl"; scale %g; spheres 60; orientation random; seed %d; material rock;\n    centres (%s); }'
-            % (size, scale, size, ' '.join('(%.6g %.6g %.6g)' % at for at in centres[size::2])) for size, scale in enumerate((1.12, 1.04))]
+    return ['rocks%d { set solids; source clumpsFromSurface; file "stone.stl"; scale %g; '
+            'spheres 60; orientation random; seed %d; material rock;\n    centres (%s); }'
+            % (size, scale, size, ' '.join('(%.6g %.6g %.6g)' % at for at in centres[size::2]))
+            for size, scale in enumerate((1.12, 1.04))]
 
 
 with open('system/rocks', 'w') as out:

@@ -10,4 +10,5 @@ with open('constant/solids.csv', 'w') as out:
     out.write('x,y,z,radius\n')
     for row, count in enumerate((7, 6, 5)):
         for i in range(count):
-            out.write('%.10g,%.10g,0.005,%g\n' % (foot + radius + pitch*(i + 0.5*row), gap + radius + row*pitch*0.75**0.5, radius))
+            out.write('%.10g,%.10g,0.005,%g\n' % (foot + radius + pitch*(i + 0.5*row),
+                                                  gap + radius + row*pitch*0.75**0.5, radius))

@@ -13,5 +13,6 @@ for i in range(nx):
     top = H + A*np.cos(np.pi*x/L)
     ny = round(top/spacing)
     rows += [(x, (j + 0.5)*top/ny, 0.005, 0, 0, 0, 0) for j in range(ny)]
-np.savetxt('constant/particles.csv', np.array(rows), delimiter=',', header='x,y,z,u,v,w,p', comments='', fmt='%.12g')
+np.savetxt('constant/particles.csv', np.array(rows), delimiter=',', header='x,y,z,u,v,w,p',
+           comments='', fmt='%.12g')
 print(f'{len(rows)} particles')

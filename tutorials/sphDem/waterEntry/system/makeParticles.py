@@ -12,7 +12,8 @@ size, spacing = numberOf(body['size']), dp*numberOf(body['bodySpacing'])
 lowest = numberOf(tank['depth']) + dp*numberOf(body['gap'])
 shape = kind['shape']
 if shape not in ('wedge', 'cylinder', 'sphere') or (shape == 'sphere') != threeD:
-    raise SystemExit(f'shape {shape} of system/shape: wedge and cylinder are 2D (frontAndBack empty), sphere is 3D (frontAndBack wall)')
+    raise SystemExit(f'shape {shape} of system/shape: wedge and cylinder are 2D (frontAndBack '
+                     'empty), sphere is 3D (frontAndBack wall)')
 if shape == 'wedge':
     x, volume, s = bodies.wedge(size, np.radians(numberOf(body['deadrise'])), spacing)
 else:

@@ -9,12 +9,13 @@ import os
 from spack_repo.builtin.build_systems.cuda import CudaPackage
 from spack_repo.builtin.build_systems.generic import Package
 
-from spack.package import Executable, conflicts, depends_on, license, on_package_attributes, run_after, version, working_dir
+from spack.package import (Executable, conflicts, depends_on, license, on_package_attributes,
+                           run_after, version, working_dir)
 
 
 class Riprap(Package, CudaPackage):
-    """Particle methods for free-surface flow with solids in it, inside OpenFOAM: smoothed particle hydrodynamics,
-    particles in cells and discrete elements, on CPUs and NVIDIA GPUs."""
+    """Particle methods for free-surface flow with solids in it, inside OpenFOAM: smoothed particle
+    hydrodynamics, particles in cells and discrete elements, on CPUs and NVIDIA GPUs."""
 
     license("GPL-3.0-or-later", checked_by="riprap developers")
 
@@ -35,7 +36,8 @@ class Riprap(Package, CudaPackage):
     depends_on("py-matplotlib", type="run")
 
     conflicts("%gcc@:8", msg="riprap is C++17")
-    conflicts("cuda_arch=none", when="+cuda", msg="cuda_arch: 80, 90 or another that the CUDA of the spec knows")
+    conflicts("cuda_arch=none", when="+cuda",
+              msg="cuda_arch: 80, 90 or another that the CUDA of the spec knows")
     conflicts("^cuda@:10", when="+cuda", msg="nvcc knows C++17 from 11 on")
 
     def setup_build_environment(self, env):
