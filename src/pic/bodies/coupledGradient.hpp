@@ -36,12 +36,46 @@ double sumRows(int rows, const F& f)
     return sum;
 }
 
+//- OpenFOAM's: sum(|A x - A xRef| + |b - A xRef|), xRef the mean of x; q: A x
+inline double normFactor(
+    const ReducedSystem& s, const BodyDeflation& bodies, const std::vector<double>& q)
+{
+    constexpr double small = 1e-20;
+    const int n = s.rows();
+    const double reference = sumRows(n, [&](int i) { return s.x[i]; })/n;
+    return small + sumRows(n, [&](int i)
+    {
+        const double of = bodies.rowSum(i)*reference;
+        return std::fabs(q[i] - of) + std::fabs(s.rhs[i] - of);
+    });
+}
+
+//- z in the span of Z is what takes the residual r - A z off it
+inline void deflate(const BodyDeflation& bodies, const std::vector<double>& r,
+    std::vector<double>& z, std::vector<double>& w)
+{
+    bodies.product(z.data(), w.data());
+    sumRows(int(r.size()), [&](int i) { w[i] = r[i] - w[i]; return 0.0; });
+    bodies.correct(w.data(), z.data());
+}
+
+//- x += alpha p, r -= alpha q. \return sum |r|
+inline double advance(double* x, std::vector<double>& r, const std::vector<double>& p,
+    const std::vector<double>& q, double alpha)
+{
+    return sumRows(int(r.size()), [&](int i)
+    {
+        x[i] += alpha*p[i];
+        r[i] -= alpha*q[i];
+        return std::fabs(r[i]);
+    });
+}
+
 //- precondition(const double* r, double* z): z = B r
 template<class Precondition>
 PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies,
     const MultigridControls& controls, const Precondition& precondition)
 {
-    constexpr double small = 1e-20;
     const int n = s.rows();
     PressureReport report;
     if (!n) return report;
@@ -49,26 +83,20 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies,
     double* x = s.x.data();
 
     bodies.product(x, q.data());
-    const double reference = sumRows(n, [&](int i) { return x[i]; })/n;
-    const double norm = small + sumRows(n, [&](int i)
+    const double norm = normFactor(s, bodies, q);
+    const auto takeResidual = [&](int i)
     {
-        const double of = bodies.rowSum(i)*reference;
-        return std::fabs(q[i] - of) + std::fabs(s.rhs[i] - of);
-    });
-    double residual = sumRows(n,
-                          [&](int i)
-                          {
-                              r[i] = s.rhs[i] - q[i];
-                              return std::fabs(r[i]);
-                          })
-        /norm;
-    report.initialResidual = residual;
-    const auto done = [&]
-    {
-        return report.iterations >= controls.minIter
-            && (residual < controls.tolerance
-                || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual));
+        r[i] = s.rhs[i] - q[i];
+        return std::fabs(r[i]);
     };
+    double residual = sumRows(n, takeResidual)/norm;
+    report.initialResidual = residual;
+    const auto converged = [&]
+    {
+        return residual < controls.tolerance
+            || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual);
+    };
+    const auto done = [&] { return report.iterations >= controls.minIter && converged(); };
     const bool deflates = bodies.columns() > 0;
     if (deflates && !done())        // the residual has then nothing in the span of Z
     {
@@ -76,19 +104,14 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies,
         free.takeFrom(r.data());
         bodies.correct(r.data(), x);
         bodies.product(x, q.data());
-        residual = sumRows(n, [&](int i) { r[i] = s.rhs[i] - q[i]; return std::fabs(r[i]); })/norm;
+        residual = sumRows(n, takeResidual)/norm;
         free.takeFrom(r.data());
     }
     double rz = 0, alpha = 0;
     while (!done() && report.iterations < controls.maxIter && residual < 1e300)
     {
         precondition(r.data(), z.data());
-        if (deflates)
-        {
-            bodies.product(z.data(), w.data());
-            sumRows(n, [&](int i) { w[i] = r[i] - w[i]; return 0.0; });
-            bodies.correct(w.data(), z.data());
-        }
+        if (deflates) deflate(bodies, r, z, w);
         const double before = rz,
                      change = before != 0 ? -alpha*sumRows(n, [&](int i) { return z[i]*q[i]; })
                                           : 0;
@@ -99,17 +122,11 @@ PressureReport coupledGradient(ReducedSystem& s, const BodyDeflation& bodies,
         const double pq = sumRows(n, [&](int i) { return p[i]*q[i]; });
         if (!(pq > 0)) break;
         alpha = rz/pq;
-        residual = sumRows(n, [&](int i)
-        {
-            x[i] += alpha*p[i];
-            r[i] -= alpha*q[i];
-            return std::fabs(r[i]);
-        })/norm;
+        residual = advance(x, r, p, q, alpha)/norm;
         ++report.iterations;
     }
     report.finalResidual = residual;
-    report.converged = residual < controls.tolerance
-        || (controls.relTol > 0 && residual < controls.relTol*report.initialResidual);
+    report.converged = converged();
     return report;
 }
 

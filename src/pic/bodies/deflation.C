@@ -196,21 +196,11 @@ double BodyDeflation::rowTimes(int row) const
     return sum;
 }
 
-//- Conjugate gradients with the diagonal on the rows in each body's box, for each column u of U.
-//  u^T A^-1 u is by how much the body moves the eigenvalue 1 of its mode
-void BodyDeflation::solveLocally(
-    const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z)
+//- r = u, and nothing else yet, of each mode of bodies[b] on the rows of z[b]
+std::vector<BodyDeflation::LocalColumn> BodyDeflation::startLocally(
+    const std::vector<const BodyRows*>& bodies, DeflationPiece* z)
 {
-    constexpr double slow = 0.1;
-    const ReducedSystem& s = system_;
-    struct Column
-    {
-        std::vector<double> r, p, q, x;
-        double before = 0, moved = 0;
-        bool ends = false;
-    };
-    std::vector<Column> columns;
-    std::vector<const DeflationPiece*> at;
+    std::vector<LocalColumn> columns;
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
         const BodyRows& body = *bodies[b];
@@ -220,63 +210,79 @@ void BodyDeflation::solveLocally(
         const std::size_t n = z[b].row.size();
         for (int m = 0; m < body.modes; ++m)
         {
-            Column c;
+            LocalColumn c;
+            c.at = &z[b];
             for (std::vector<double>* v : {&c.r, &c.p, &c.q, &c.x}) v->assign(n, 0.0);
             for (std::size_t i = 0; i < body.row.size(); ++i)
                 whole_[body.row[i]] = body.u[i*body.modes + m];
             for (std::size_t i = 0; i < n; ++i) c.r[i] = whole_[z[b].row[i]];
             for (const int row : body.row) whole_[row] = 0;
             columns.push_back(std::move(c));
-            at.push_back(&z[b]);
         }
     }
-    std::vector<double> rz(columns.size()), pq(columns.size());
+    return columns;
+}
+
+//- q = A p, and p.q of each
+std::vector<double> BodyDeflation::multiplyLocally(std::vector<LocalColumn>& columns)
+{
+    const int rows = system_.rows();
+    std::vector<const DeflationPiece*> at;
+    for (const LocalColumn& v : columns) at.push_back(v.at);
+    const std::vector<std::vector<double>> there =
+        beyond(at, [&](std::size_t c, std::size_t i) { return columns[c].p[i]; });
+    std::vector<double> pq(columns.size(), 0.0);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+    {
+        LocalColumn& v = columns[c];
+        if (v.ends) continue;
+        double part = 0;
+        const std::vector<int>& row = v.at->row;
+        const std::vector<int>& in = v.at->in;
+        for (std::size_t i = 0; i < row.size(); ++i) whole_[row[i]] = v.p[i];
+        for (std::size_t f = 0; f < in.size(); ++f) whole_[rows + in[f]] = there[c][f];
+        for (std::size_t i = 0; i < row.size(); ++i)
+        {
+            v.q[i] = rowTimes(row[i]);
+            part += v.p[i]*v.q[i];
+        }
+        pq[c] = part;
+        for (const int k : row) whole_[k] = 0;
+        for (const int f : in) whole_[rows + f] = 0;
+    }
+    sum(pq);
+    return pq;
+}
+
+void BodyDeflation::iterateLocally(std::vector<LocalColumn>& columns, int iterations)
+{
+    const std::vector<double>& diagonal = system_.diagonal;
+    std::vector<double> rz(columns.size());
     for (int k = 0; k < iterations; ++k)
     {
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
             const std::vector<double>& r = columns[c].r;
-            const std::vector<int>& row = at[c]->row;
+            const std::vector<int>& row = columns[c].at->row;
             double part = 0;
-            for (std::size_t i = 0; i < r.size(); ++i) part += r[i]*r[i]/s.diagonal[row[i]];
+            for (std::size_t i = 0; i < r.size(); ++i) part += r[i]*r[i]/diagonal[row[i]];
             rz[c] = part;
         }
         sum(rz);
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
-            Column& v = columns[c];
+            LocalColumn& v = columns[c];
             v.ends = v.ends || !(rz[c] > 0);
             if (v.ends) continue;
-            const std::vector<int>& row = at[c]->row;
+            const std::vector<int>& row = v.at->row;
             const double beta = k ? rz[c]/v.before : 0;
             for (std::size_t i = 0; i < row.size(); ++i)
-                v.p[i] = v.r[i]/s.diagonal[row[i]] + beta*v.p[i];
+                v.p[i] = v.r[i]/diagonal[row[i]] + beta*v.p[i];
         }
-        const std::vector<std::vector<double>> there = beyond(
-            at, [&](std::size_t c, std::size_t i) { return columns[c].p[i]; });
+        const std::vector<double> pq = multiplyLocally(columns);
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
-            Column& v = columns[c];
-            pq[c] = 0;
-            if (v.ends) continue;
-            double part = 0;
-            const std::vector<int>& row = at[c]->row;
-            const std::vector<int>& in = at[c]->in;
-            for (std::size_t i = 0; i < row.size(); ++i) whole_[row[i]] = v.p[i];
-            for (std::size_t f = 0; f < in.size(); ++f) whole_[s.rows() + in[f]] = there[c][f];
-            for (std::size_t i = 0; i < row.size(); ++i)
-            {
-                v.q[i] = rowTimes(row[i]);
-                part += v.p[i]*v.q[i];
-            }
-            pq[c] = part;
-            for (const int r : row) whole_[r] = 0;
-            for (const int f : in) whole_[s.rows() + f] = 0;
-        }
-        sum(pq);
-        for (std::size_t c = 0; c < columns.size(); ++c)
-        {
-            Column& v = columns[c];
+            LocalColumn& v = columns[c];
             v.ends = v.ends || !(pq[c] > 0);
             if (v.ends) continue;
             v.moved += rz[c]*rz[c]/pq[c];       // what each step adds to u^T x
@@ -289,6 +295,16 @@ void BodyDeflation::solveLocally(
             v.before = rz[c];
         }
     }
+}
+
+//- Conjugate gradients with the diagonal on the rows in each body's box, for each column u of U.
+//  u^T A^-1 u is by how much the body moves the eigenvalue 1 of its mode
+void BodyDeflation::solveLocally(
+    const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z)
+{
+    constexpr double slow = 0.1;
+    std::vector<LocalColumn> columns = startLocally(bodies, z);
+    iterateLocally(columns, iterations);
     std::size_t first = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {

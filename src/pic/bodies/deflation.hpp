@@ -75,6 +75,19 @@ private:
     void findBoxes();
     void placeBodies(const DeflationControls& controls);
     void findFaces(DeflationPiece& z) const;
+
+    //- Conjugate gradients on the rows of a piece
+    struct LocalColumn
+    {
+        const DeflationPiece* at = nullptr;
+        std::vector<double> r, p, q, x;
+        double before = 0, moved = 0;
+        bool ends = false;
+    };
+    std::vector<LocalColumn> startLocally(
+        const std::vector<const BodyRows*>& bodies, DeflationPiece* z);
+    std::vector<double> multiplyLocally(std::vector<LocalColumn>&);
+    void iterateLocally(std::vector<LocalColumn>&, int iterations);
     void solveLocally(
         const std::vector<const BodyRows*>& bodies, int iterations, DeflationPiece* z);
     void dropEmpty();
@@ -82,6 +95,8 @@ private:
     void makeCoarse();
     void findMeetings();
     void uniteTouches();
+    std::vector<std::vector<double>> columnsBeyond();
+    void findReach(int b, std::vector<int>& seen, std::vector<int>& reach) const;
     void multiplyPieces();
     void coupleThroughBodies();
     void leaveOutConstants();

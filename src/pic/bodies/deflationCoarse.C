@@ -143,6 +143,38 @@ void BodyDeflation::add(int a, int b, const std::vector<double>& block)
                 coarse_.at(firstColumn_[a] + i, firstColumn_[b] + j) += block[i*nb + j];
 }
 
+//- Of each column its values beyond this rank's rows
+std::vector<std::vector<double>> BodyDeflation::columnsBeyond()
+{
+    std::vector<const DeflationPiece*> columns;
+    std::vector<int> mode;
+    for (const DeflationPiece& z : pieces_)
+        for (int m = 0; m < z.modes; ++m)
+        {
+            columns.push_back(&z);
+            mode.push_back(m);
+        }
+    return beyond(columns,
+        [&](std::size_t c, std::size_t i)
+        { return columns[c]->value[i*columns[c]->modes + mode[c]]; });
+}
+
+//- Rows where A times piece b may be something, in order; seen: of each row the last piece that met
+//  it
+void BodyDeflation::findReach(int b, std::vector<int>& seen, std::vector<int>& reach) const
+{
+    const int rows = system_.rows();
+    reach.clear();
+    const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; reach.push_back(r); } };
+    for (const int r : pieces_[b].row)
+    {
+        meet(r);
+        for (int k = start_[r]; k < start_[r + 1]; ++k) if (other_[k] < rows) meet(other_[k]);
+    }
+    for (const int f : pieces_[b].in) meet(beside_[f]);
+    std::sort(reach.begin(), reach.end());
+}
+
 //- Z^T A Z: A times a piece is nothing but in its box and beside it
 void BodyDeflation::multiplyPieces()
 {
@@ -153,31 +185,13 @@ void BodyDeflation::multiplyPieces()
     std::vector<int> block(count, -1);
     std::vector<std::vector<double>> blocks;
     std::vector<double> product;
-    std::vector<const DeflationPiece*> columns;
-    std::vector<int> mode;
-    for (const DeflationPiece& z : pieces_)
-        for (int m = 0; m < z.modes; ++m)
-        {
-            columns.push_back(&z);
-            mode.push_back(m);
-        }
-    const std::vector<std::vector<double>> there = beyond(columns,
-        [&](std::size_t c, std::size_t i)
-        { return columns[c]->value[i*columns[c]->modes + mode[c]]; });
+    const std::vector<std::vector<double>> there = columnsBeyond();
     std::size_t column = 0;
     for (int b = 0; b < count; ++b)
     {
         const int modes = pieces_[b].modes;
-        reach.clear();
-        const auto meet = [&](int r) { if (seen[r] != b) { seen[r] = b; reach.push_back(r); } };
-        for (const int r : pieces_[b].row)
-        {
-            meet(r);
-            for (int k = start_[r]; k < start_[r + 1]; ++k) if (other_[k] < rows) meet(other_[k]);
-        }
+        findReach(b, seen, reach);
         const std::vector<int>& in = pieces_[b].in;
-        for (const int f : in) meet(beside_[f]);
-        std::sort(reach.begin(), reach.end());
         product.assign(reach.size()*modes, 0.0);
         for (int m = 0; m < modes; ++m, ++column)
         {

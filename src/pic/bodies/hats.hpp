@@ -102,54 +102,54 @@ struct RowsOfCells
     }
 };
 
-//- low, high: the cells beside each body; spacing: H [cells], about. Some may have no rows
-inline std::vector<DeflationPiece> hatsBetween(const ReducedSystem& s, const RowsOfCells& rows,
-    const std::vector<CellCorner>& low, const std::vector<CellCorner>& high, double spacing,
-    bool closed)
+//- The lattice of the hats' middles, which spans the grid; spacing: H [cells], about
+struct HatLattice
 {
-    constexpr int least = 2;            // bodies
-    constexpr double mostABody = 4, mostOfFew = 500;
-    int intervals[3] = {0, 0, 0};       // of the lattice, which spans the grid
-    double width[3] = {1, 1, 1}, cells = 1;
-    for (int d = 0; d < s.dimensions; ++d) cells *= s.n[d];
-    if (closed)
-        spacing = std::max(spacing,
-            std::pow(cells/std::max(mostOfFew, mostABody*low.size()), 1.0/s.dimensions));
-    for (int d = 0; d < s.dimensions; ++d)
+    int dimensions;
+    int intervals[3] = {0, 0, 0};
+    double width[3] = {1, 1, 1};        // cells
+
+    HatLattice(const ReducedSystem& s, double spacing) : dimensions(s.dimensions)
     {
-        intervals[d] = std::max(1, int(std::lround(s.n[d]/spacing)));
-        width[d] = double(s.n[d])/intervals[d];
-    }
-    std::map<CellCorner, int> reached;  // bodies that each hat reaches, ordered
-    for (std::size_t b = 0; b < low.size(); ++b)
-    {
-        CellCorner first{{0, 0, 0}}, last{{0, 0, 0}};
-        for (int d = 0; d < s.dimensions; ++d)
+        for (int d = 0; d < dimensions; ++d)
         {
-            first[d] = std::max(0, int(std::floor(low[b][d]/width[d])));
-            last[d] = std::min(intervals[d], int(std::ceil((high[b][d] + 1)/width[d])));
+            intervals[d] = std::max(1, int(std::lround(s.n[d]/spacing)));
+            width[d] = double(s.n[d])/intervals[d];
         }
+    }
+
+    template<class F>
+    static void each(const CellCorner& first, const CellCorner& last, const F& f)
+    {
         CellCorner at;
         for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
             for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
-                for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) ++reached[at];
+                for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) f(at);
     }
-    if (closed)
+
+    template<class F> void each(const F& f) const
     {
-        CellCorner at;
-        for (at[2] = 0; at[2] <= intervals[2]; ++at[2])
-            for (at[1] = 0; at[1] <= intervals[1]; ++at[1])
-                for (at[0] = 0; at[0] <= intervals[0]; ++at[0]) reached[at] = least;
+        each({{0, 0, 0}}, {{intervals[0], intervals[1], intervals[2]}}, f);
     }
-    std::vector<DeflationPiece> hats;
-    for (const auto& node : reached)
+
+    //- Those whose hats reach cells from low to high
+    template<class F> void eachAt(const CellCorner& low, const CellCorner& high, const F& f) const
     {
-        const auto& at = node.first;
-        if (node.second < least) continue;
+        CellCorner first{{0, 0, 0}}, last{{0, 0, 0}};
+        for (int d = 0; d < dimensions; ++d)
+        {
+            first[d] = std::max(0, int(std::floor(low[d]/width[d])));
+            last[d] = std::min(intervals[d], int(std::ceil((high[d] + 1)/width[d])));
+        }
+        each(first, last, f);
+    }
+
+    DeflationPiece hat(const ReducedSystem& s, const RowsOfCells& rows, const CellCorner& at) const
+    {
         DeflationPiece hat;
         hat.modes = 1;
         hat.hat = true;
-        for (int d = 0; d < s.dimensions; ++d)
+        for (int d = 0; d < dimensions; ++d)
         {
             hat.low[d] = std::max(0, int(std::ceil((at[d] - 1)*width[d] - 0.5)));
             hat.high[d] = std::min(s.n[d] - 1, int(std::floor((at[d] + 1)*width[d] - 0.5)));
@@ -157,14 +157,36 @@ inline std::vector<DeflationPiece> hatsBetween(const ReducedSystem& s, const Row
         rows.each(hat.low, hat.high, [&](int row, const CellCorner& x)
         {
             double value = 1;
-            for (int d = 0; d < s.dimensions; ++d)
+            for (int d = 0; d < dimensions; ++d)
                 value *= std::max(0.0, 1 - std::fabs((x[d] + 0.5)/width[d] - at[d]));
             if (!(value > 0)) return;
             hat.row.push_back(row);
             hat.value.push_back(value);
         });
-        hats.push_back(std::move(hat));
+        return hat;
     }
+};
+
+//- low, high: the cells beside each body; spacing: H [cells], about. Some may have no rows
+inline std::vector<DeflationPiece> hatsBetween(const ReducedSystem& s, const RowsOfCells& rows,
+    const std::vector<CellCorner>& low, const std::vector<CellCorner>& high, double spacing,
+    bool closed)
+{
+    constexpr int least = 2;            // bodies
+    constexpr double mostABody = 4, mostOfFew = 500;
+    double cells = 1;
+    for (int d = 0; d < s.dimensions; ++d) cells *= s.n[d];
+    if (closed)
+        spacing = std::max(spacing,
+            std::pow(cells/std::max(mostOfFew, mostABody*low.size()), 1.0/s.dimensions));
+    const HatLattice lattice(s, spacing);
+    std::map<CellCorner, int> reached;  // bodies that each hat reaches, ordered
+    for (std::size_t b = 0; b < low.size(); ++b)
+        lattice.eachAt(low[b], high[b], [&](const CellCorner& at) { ++reached[at]; });
+    if (closed) lattice.each([&](const CellCorner& at) { reached[at] = least; });
+    std::vector<DeflationPiece> hats;
+    for (const auto& node : reached)
+        if (node.second >= least) hats.push_back(lattice.hat(s, rows, node.first));
     return hats;
 }
 

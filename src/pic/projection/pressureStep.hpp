@@ -69,21 +69,8 @@ public:
         const ActiveRows<Backend, D>* rows = nullptr,
         const BodiesOnGrid<Backend, D>* onGrid = nullptr, double tolerance = 0)
     {
+        assemble(context, f, sameWater);
         const FineData<D>& fine = multigrid_.fine();
-        if (sameWater)
-            eachOfTiles<Backend, D>(context, !fine.shape.ringRows(),
-                AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
-        else
-        {
-            if constexpr (Backend::gpu)
-            {
-                markWet(context, f);
-                forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
-                multigrid_.setUp(context);
-            }
-            else assembleTiles(context, f);
-            pocketCells_ = pockets_.find(context, fine, multigrid_.fineCells());
-        }
         const TiledCells<D> cells = multigrid_.fineCells();
         if (pocketCells_) pockets_.balance(context, fine, cells);
 
@@ -179,6 +166,26 @@ private:
         forEachRow(context, int(touched.size()) << tileRowsLog,
             InTiles<D, Assemble<D, R>>{fine.shape, touched.data(), {f, wet_.data(), fine}});
         multigrid_.setUp(context, known ? &touched : nullptr);
+    }
+
+    //- The matrix, if the water is another, and the source
+    void assemble(Context<Backend>& context, const PressureFields<D, R>& f, bool sameWater)
+    {
+        const FineData<D>& fine = multigrid_.fine();
+        if (sameWater)
+            eachOfTiles<Backend, D>(context, !fine.shape.ringRows(),
+                AssembleSource<D, R>{f, wet_.data(), fine, multigrid_.fineCells()});
+        else
+        {
+            if constexpr (Backend::gpu)
+            {
+                markWet(context, f);
+                forEach(context, fine.shape.cells, Assemble<D, R>{f, wet_.data(), fine});
+                multigrid_.setUp(context);
+            }
+            else assembleTiles(context, f);
+            pocketCells_ = pockets_.find(context, fine, multigrid_.fineCells());
+        }
     }
 
     //- U = J L in the units of the equation

@@ -118,6 +118,14 @@ public:
     }
 };
 
+//- The cell of a point that no walk has found: the mesh builds its tree for it
+static label searchCell(const polyMesh& mesh, const point& p, label guess, bool nearest)
+{
+    if (mesh.pointInCell(p, guess)) return guess;
+    const label found = mesh.cellTree().findInside(p);
+    return found < 0 && nearest ? mesh.cellTree().findNearest(p, sqr(GREAT)).index() : found;
+}
+
 } // namespace Foam
 
 
@@ -157,27 +165,13 @@ Foam::labelList Foam::locateParticles
         }
     }
 
-    // The rest, one by one: the mesh builds its tree for them, but not for those that are clear of
-    // it
+    // The rest, one by one, but not those that are clear of the mesh
     label last = 0;
     forAll(points, i)
     {
         if (cell[i] < 0 && (nearest || around.contains(points[i])))
         {
-            const point& p = points[i];
-            const label guess = hinted(i) ? hint[i] : last;
-            if (mesh.pointInCell(p, guess))
-            {
-                cell[i] = guess;
-            }
-            else
-            {
-                cell[i] = mesh.cellTree().findInside(p);
-                if (cell[i] < 0 && nearest)
-                {
-                    cell[i] = mesh.cellTree().findNearest(p, sqr(GREAT)).index();
-                }
-            }
+            cell[i] = searchCell(mesh, points[i], hinted(i) ? hint[i] : last, nearest);
         }
         if (cell[i] >= 0) last = cell[i];
     }

@@ -16,6 +16,28 @@ Description
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::coupledSolids::stepsIn(scalar fluidStep) const
+{
+    const riprap::DemPlan plan(solids_->plan());
+
+    const scalar most = 1e6;
+    const scalar steps = riprap::isStill(input_)
+        ? 1
+        : std::ceil(fluidStep/plan.timeStep*(1 - 1e-9));
+    if (steps > most)
+    {
+        FatalIOErrorInFunction(dict())
+            << "Solids would take " << steps << " steps of " << plan.timeStep << " s ("
+            << plan.cause.c_str() << ") in a step of the fluid, which is " << fluidStep
+            << " s; at most " << most
+            << " are taken. Is an entry stiffness or E of pairs, materials or bonds in the right "
+               "unit?"
+            << exit(FatalIOError);
+    }
+    return steps;
+}
+
+
 void Foam::coupledSolids::logSolids
 (
     scalar fluidStep,
@@ -49,21 +71,7 @@ void Foam::coupledSolids::logSolids
             << ", dampingRatio " << b.dampingRatio << nl;
     }
 
-    // A run of them would not come to its second step
-    const scalar most = 1e6;
-    const scalar steps = riprap::isStill(input_)
-        ? 1
-        : std::ceil(fluidStep/plan.timeStep*(1 - 1e-9));
-    if (steps > most)
-    {
-        FatalIOErrorInFunction(dict())
-            << "Solids would take " << steps << " steps of " << plan.timeStep << " s ("
-            << plan.cause.c_str() << ") in a step of the fluid, which is " << fluidStep
-            << " s; at most " << most
-            << " are taken. Is an entry stiffness or E of pairs, materials or bonds in the right "
-               "unit?"
-            << exit(FatalIOError);
-    }
+    const scalar steps = stepsIn(fluidStep);
     logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
         << ", step " << plan.timeStep << " s (" << plan.cause.c_str() << "): "
         << label(steps)

@@ -57,6 +57,7 @@ class inputFile
 
     //- To the } that ends it, or the end of the file
     enum ends { file, brace, condition };
+    void skipList(textToken);
     void readBlock(ends, int line);
 
 public:
@@ -363,6 +364,18 @@ void Foam::inputFile::readListEntry(
 }
 
 
+//- A list of dictionaries, as the boundary of a mesh: not looked into
+void Foam::inputFile::skipList(textToken t)
+{
+    for (int depth = t.is('(');
+         t.kind != textToken::end && (depth > 0 || t.kind == textToken::number); )
+    {
+        t = text_.next();
+        depth += t.is('(') - t.is(')');
+    }
+}
+
+
 void Foam::inputFile::readBlock(ends until, int line)
 {
     names known;
@@ -409,13 +422,7 @@ void Foam::inputFile::readBlock(ends until, int line)
         }
         else if (t.is('(') || t.kind == textToken::number)
         {
-            // A list of dictionaries, as the boundary of a mesh: not looked into
-            for (int depth = t.is('(');
-                 t.kind != textToken::end && (depth > 0 || t.kind == textToken::number); )
-            {
-                t = text_.next();
-                depth += t.is('(') - t.is(')');
-            }
+            skipList(t);
         }
         else
         {

@@ -150,8 +150,8 @@ void FluidRanks<Backend, D, P>::begin(ClockData& c, double& stiffening)
     exchange_.begin(s_.n);
     left_ = SphReport();
     if (first()) return;
-    c.faceContacts = c.faceEnergy = c.bodyContacts = 0;
-    for (std::int64_t& impulse : c.faceImpulse) impulse = 0;
+    c.faces.contacts = c.faces.energy = c.faces.atBodies = 0;
+    for (std::int64_t& impulse : c.faces.impulse) impulse = 0;
     stiffening = 0;
 }
 
@@ -390,15 +390,15 @@ void FluidRanks<Backend, D, P>::agreeOnOffender(SphReport& report, double here) 
 template<class Backend, int D, class P>
 void FluidRanks<Backend, D, P>::sum(ClockData& c, double& stiffening) const
 {
-    std::vector<std::int64_t> sums{c.faceContacts, c.faceEnergy, c.bodyContacts};
-    sums.insert(sums.end(), c.faceImpulse, c.faceImpulse + 3);
+    std::vector<std::int64_t> sums{c.faces.contacts, c.faces.energy, c.faces.atBodies};
+    sums.insert(sums.end(), c.faces.impulse, c.faces.impulse + 3);
     std::vector<double> energy(1, stiffening);
     ranks().sum(sums);
     addByRank(ranks(), energy);
-    c.faceContacts = sums[0];
-    c.faceEnergy = sums[1];
-    c.bodyContacts = sums[2];
-    std::copy_n(sums.begin() + 3, 3, c.faceImpulse);
+    c.faces.contacts = sums[0];
+    c.faces.energy = sums[1];
+    c.faces.atBodies = sums[2];
+    std::copy_n(sums.begin() + 3, 3, c.faces.impulse);
     stiffening = energy[0];
 }
 

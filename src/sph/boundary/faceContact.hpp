@@ -79,11 +79,12 @@ private:
             v.c[d] = real(u.c[d]);
             energy += 0.5*(u.c[d] - before.c[d])*(u.c[d] + before.c[d] + 2*double(kick.c[d]))
                 - double(gravity.c[d])*(at.c[d] - from.c[d]);
-            addShared(&clock->faceImpulse[d], std::int64_t(rint((u.c[d] - before.c[d])/faceUnit)));
+            addShared(
+                &clock->faces.impulse[d], std::int64_t(rint((u.c[d] - before.c[d])/faceUnit)));
         }
-        addShared(&clock->faceEnergy, std::int64_t(rint(energy/faceUnit)));
-        addShared(&clock->faceContacts, std::int64_t(1));
-        if (body) addShared(&clock->bodyContacts, std::int64_t(1));
+        addShared(&clock->faces.energy, std::int64_t(rint(energy/faceUnit)));
+        addShared(&clock->faces.contacts, std::int64_t(1));
+        if (body) addShared(&clock->faces.atBodies, std::int64_t(1));
     }
 };
 

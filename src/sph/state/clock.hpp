@@ -25,6 +25,14 @@ namespace riprap
 enum class Limit : int {none, acoustic, force, viscous, fixed, target, maximum, growth};
 enum class Halt : int {none, notANumber, density, speed, solids};
 
+//- What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums do
+//  not depend on an order
+struct FaceTally
+{
+    std::int64_t contacts = 0, energy = 0, impulse[3] = {0, 0, 0};
+    std::int64_t atBodies = 0;          // of contacts
+};
+
 //- Without padding, so that saved states of equal runs are equal words
 struct ClockData
 {
@@ -50,10 +58,7 @@ struct ClockData
     int missed[2] = {0, 0};     // pairs may have been, likewise
     double searched = 0;        // when neighbours were sought
 
-    // What faces of walls did since the start (sph/boundary/faceContact.hpp), in whole units: sums
-    // do not depend on an order
-    std::int64_t faceContacts = 0, faceEnergy = 0, faceImpulse[3] = {0, 0, 0};
-    std::int64_t bodyContacts = 0;      // of faceContacts
+    FaceTally faces;
 
     //- Lists reach as far as this growth of the largest h; beyond half of it they are made anew
     static constexpr float growthOfH = 0.02f;

@@ -30,6 +30,9 @@ public:
 
 private:
 
+    void force(Array<Backend, real>* from, bool gravity, double dt);
+    void reflect(double dt, double drift);
+
     PicParts<Backend, D, P>& p_;
     PicTransfer<Backend, D, P>& transfer_;
     OpenBoundaries<Backend, D, P>& openings_;
@@ -37,6 +40,56 @@ private:
     ViscousStep<Backend, D, P>& viscosity_;
     MomentumBudget<Backend, D, P>& budget_;
 };
+
+//- What acts beside the pressure, and gravity and zones that absorb if wanted
+template<class Backend, int D, class P>
+void Projection<Backend, D, P>::force(Array<Backend, real>* from, bool gravity, double dt)
+{
+    Context<Backend>& context = p_.set.context;
+    FaceVelocities<Backend, D, P>& faces = p_.faces;
+    GridWalls<Backend, D, P>& walls = p_.walls;
+    p_.rows.eachFace(context,
+        [&](int d)
+        {
+            return ApplyForces<D, real>{walls.aperture[d].data(),
+                walls.move ? walls.velocity[d].data() : nullptr, from[d].data(),
+                faces.u[d].data(), gravity ? real(p_.set.gravity[d]*dt) : real(0),
+                gravity && faces.absorb[d].size() ? faces.absorb[d].data() : nullptr, real(dt)};
+        });
+}
+
+//- The first of two projections
+template<class Backend, int D, class P>
+void Projection<Backend, D, P>::reflect(double dt, double drift)
+{
+    Context<Backend>& context = p_.set.context;
+    FaceVelocities<Backend, D, P>& faces = p_.faces;
+    PressureOfWater<Backend, D, P>& pressure = p_.pressure;
+    // after a step that was much shorter (it ended at a target) the little that its drift did
+    // says nothing of a long one
+    constexpr double longest = 2;
+    const real part = p_.set.clock.steps
+        ? real(0.5*std::min(drift/p_.set.clock.lastStep, longest))
+        : real(0);
+    p_.rows.eachFace(context,
+        [&](int d)
+        {
+            return KeepLast<real>{faces.u[d].data(), faces.before[d].data(),
+                faces.after[d].data(), faces.carrier[d].data()};
+        });
+    if (p_.solids.bodies) coupling_.useVelocities(false);
+    force(faces.after, false, dt);
+    const MultigridControls* own = pressure.solver.onDevice();
+    coupling_.solve(p_.pressureFields(dt, true), false, own ? own->reflectionTolerance : 0);
+    p_.rows.eachCellOfBoth(context,
+        HalfImpulse{pressure.reflected.data(), pressure.ahead.data(), dt*double(part)});
+    p_.rows.eachFace(context,
+        [&](int d)
+        {
+            return HalfDrift<real>{
+                faces.u[d].data(), faces.after[d].data(), faces.carrier[d].data(), part};
+        });
+}
 
 //- Forces, then the pressure; the velocity, its change and what carries particles, extended past
 //  the surface.
@@ -64,48 +117,10 @@ void Projection<Backend, D, P>::project(double dt, double drift)
     FaceVelocities<Backend, D, P>& faces = p_.faces;
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     PressureOfWater<Backend, D, P>& pressure = p_.pressure;
-    GridWalls<Backend, D, P>& walls = p_.walls;
     const bool reflects = config.reflection > 0;
-    const auto force = [&](Array<Backend, real>* from, bool gravity)
-    {
-        p_.rows.eachFace(context,
-            [&](int d)
-            {
-                return ApplyForces<D, real>{walls.aperture[d].data(),
-                    walls.move ? walls.velocity[d].data() : nullptr, from[d].data(),
-                    faces.u[d].data(), gravity ? real(p_.set.gravity[d]*dt) : real(0),
-                    gravity && faces.absorb[d].size() ? faces.absorb[d].data() : nullptr, real(dt)};
-            });
-    };
-    if (reflects)
-    {
-        // after a step that was much shorter (it ended at a target) the little that its drift did
-        // says nothing of a long one
-        constexpr double longest = 2;
-        const real part = p_.set.clock.steps
-            ? real(0.5*std::min(drift/p_.set.clock.lastStep, longest))
-            : real(0);
-        p_.rows.eachFace(context,
-            [&](int d)
-            {
-                return KeepLast<real>{faces.u[d].data(), faces.before[d].data(),
-                    faces.after[d].data(), faces.carrier[d].data()};
-            });
-        if (solids.bodies) coupling_.useVelocities(false);
-        force(faces.after, false);
-        const MultigridControls* own = pressure.solver.onDevice();
-        coupling_.solve(p_.pressureFields(dt, true), false, own ? own->reflectionTolerance : 0);
-        p_.rows.eachCellOfBoth(context,
-            HalfImpulse{pressure.reflected.data(), pressure.ahead.data(), dt*double(part)});
-        p_.rows.eachFace(context,
-            [&](int d)
-            {
-                return HalfDrift<real>{
-                    faces.u[d].data(), faces.after[d].data(), faces.carrier[d].data(), part};
-            });
-    }
+    if (reflects) reflect(dt, drift);
     if (config.viscosity > 0) viscosity_.diffuse(dt);
-    force(config.viscosity > 0 ? faces.u : faces.before, true);
+    force(config.viscosity > 0 ? faces.u : faces.before, true, dt);
     if (p_.opens()) openings_.push(dt);
     budget_.keepForced();
     if (solids.bodies) coupling_.project(dt, reflects);

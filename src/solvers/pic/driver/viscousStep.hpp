@@ -35,6 +35,7 @@ private:
     bool implicit(double dt) const;
     ViscousFaces<D, real> view(int d, bool homogeneous = false);
     void diffuseImplicitly(double dt, double number);
+    void setForce(double dt);
     void solve(real k);
 
     PicParts<Backend, D, P>& p_;
@@ -91,24 +92,13 @@ void ViscousStep<Backend, D, P>::diffuse(double dt)
         });
 }
 
+//- What acts beside viscosity, as far as it is known: in a first step nothing
 template<class Backend, int D, class P>
-void ViscousStep<Backend, D, P>::diffuseImplicitly(double dt, double number)
+void ViscousStep<Backend, D, P>::setForce(double dt)
 {
     const UniformGrid<D>& grid = p_.set.grid;
     Context<Backend>& context = p_.set.context;
     PicClock& clock = p_.set.clock;
-    FaceVelocities<Backend, D, P>& faces = p_.faces;
-    const real c = real(1 - std::sqrt(0.5)), k = real(c*number);
-    for (int d = 0; d < D; ++d)
-        for (auto* a : {&force_[d], &source_[d], &residual_[d], &direction_[d], &product_[d]})
-            if (a->size() == 0) a->allocate(context, grid.faces(d));
-
-    // beyond the surface there is no stress: gravity, which nothing balances there, must not drag
-    // the water along
-    for (int d = 0; d < D; ++d)
-        forEach(context, grid.faces(d), p_.markFaces(d));
-
-    // what acts beside viscosity, as far as it is known: in a first step nothing
     PressureFields<D, real> f = p_.pressureFields(dt);
     f.p = p_.pressure.whole().data();
     if (clock.steps) p_.pressure.step.markWet(context, f);
@@ -129,6 +119,25 @@ void ViscousStep<Backend, D, P>::diffuseImplicitly(double dt, double number)
         if (clock.steps)
             forEach(context, grid.faces(d), CorrectVelocity<D, real>{f, p_.pressure.step.wet(), d});
     }
+}
+
+template<class Backend, int D, class P>
+void ViscousStep<Backend, D, P>::diffuseImplicitly(double dt, double number)
+{
+    const UniformGrid<D>& grid = p_.set.grid;
+    Context<Backend>& context = p_.set.context;
+    FaceVelocities<Backend, D, P>& faces = p_.faces;
+    const real c = real(1 - std::sqrt(0.5)), k = real(c*number);
+    for (int d = 0; d < D; ++d)
+        for (auto* a : {&force_[d], &source_[d], &residual_[d], &direction_[d], &product_[d]})
+            if (a->size() == 0) a->allocate(context, grid.faces(d));
+
+    // beyond the surface there is no stress: gravity, which nothing balances there, must not drag
+    // the water along
+    for (int d = 0; d < D; ++d)
+        forEach(context, grid.faces(d), p_.markFaces(d));
+
+    setForce(dt);
     for (int stage = 1; stage <= 2; ++stage)
     {
         for (int d = 0; d < D; ++d)

@@ -128,7 +128,7 @@ SphEnergy SphReadings<Backend, D, P>::energy()
     e.potential = sums[1];
     e.elastic = sums[2];
     p_.clock.read();
-    e.faceWork = double(p_.set.model.mass)*faceUnit*double(p_.clock.now.faceEnergy);
+    e.faceWork = double(p_.set.model.mass)*faceUnit*double(p_.clock.now.faces.energy);
     e.stiffening = p_.stiffening;
     if (!p_.walls.bodies) return e;
     for (const double w :
@@ -172,11 +172,11 @@ FaceContacts SphReadings<Backend, D, P>::faceContacts()
 {
     p_.clock.read();
     FaceContacts r;
-    r.count = p_.clock.now.faceContacts;
-    r.atBodies = p_.clock.now.bodyContacts;
+    r.count = p_.clock.now.faces.contacts;
+    r.atBodies = p_.clock.now.faces.atBodies;
     for (int d = 0; d < D; ++d)
         r.impulse[p_.set.config.axes[d]] = double(p_.set.model.mass)*faceUnit
-            *double(p_.clock.now.faceImpulse[d]);
+            *double(p_.clock.now.faces.impulse[d]);
     return r;
 }
 
