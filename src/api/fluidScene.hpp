@@ -22,6 +22,15 @@ struct FluidConfig
     Vector3 gravity{{0, 0, 0}};             // [m/s2]
 };
 
+//- Steps of the fluid's particles, as either method has them
+struct TimeControl
+{
+    double startTime = 0;                   // [s] the scene's clock when it is made
+    bool adjustTimeStep = true;
+    double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
+    double maxTimeStep = 1e30;              // [s]
+};
+
 //- Particles as the reader of a case or setParticles gives them
 struct FluidInput
 {

@@ -59,7 +59,21 @@ struct PicOpening
     PicPassage before;
 };
 
-struct PicConfig : FluidConfig
+//- Steps, and what stops a run
+struct PicLimits : TimeControl
+{
+    double maxCourant = 0.5;
+    // of particles that no water carries; at least maxCourant
+    double maxFlyingCourant = 4;
+    // a particle that went this many cells in a step stops the run
+    double maxCourantEver = 5;
+    // [m/s], a faster particle stops the run; 0: fallSpeeds times that of a fall through the
+    // domain, or of the first step; without gravity and motion none
+    double maxSpeed = 0;
+    static constexpr double fallSpeeds = 50;
+};
+
+struct PicConfig : FluidConfig, PicLimits
 {
     // How
     DeviceKind device = DeviceKind::automatic;
@@ -96,23 +110,6 @@ struct PicConfig : FluidConfig
 
     std::vector<PicAbsorber> absorbers;
     std::vector<PicOpening> openings;
-
-    // Time
-    double startTime = 0;                   // [s]
-    bool adjustTimeStep = true;
-    double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
-    double maxTimeStep = 1e30;              // [s]
-    double maxCourant = 0.5;
-    // of particles that no water carries; at least maxCourant
-    double maxFlyingCourant = 4;
-
-    // Guards
-    // a particle that went this many cells in a step stops the run
-    double maxCourantEver = 5;
-    // [m/s], a faster particle stops the run; 0: fallSpeeds times that of a fall through the
-    // domain, or of the first step; without gravity and motion none
-    double maxSpeed = 0;
-    static constexpr double fallSpeeds = 50;
 };
 
 //- Sides of the domain, and what the faces of the grid are where they are not open water: cells'
@@ -178,8 +175,18 @@ struct PicInside
     bool empty() const { return obstacles.empty() && !scene; }
 };
 
+//- Why a call of advance ended before its time, if it did
+struct PicStop
+{
+    StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
+    std::int32_t stopId = -1;
+    Vector3 stopPosition{{0, 0, 0}};
+    double stopValue = 0;
+    std::string stopMessage;                // of solids: which limit
+};
+
 //- What one call of advance did
-struct PicReport
+struct PicReport : PicStop
 {
     double time = 0;                        // [s] reached
     double lastTimeStep = 0, minTimeStep = 0, maxTimeStep = 0;
@@ -200,11 +207,6 @@ struct PicReport
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
     bool pressureConverged = true, viscosityConverged = true;
-    StopReason stop = StopReason::none;     // then: which particle, where, its Courant number
-    std::int32_t stopId = -1;
-    Vector3 stopPosition{{0, 0, 0}};
-    double stopValue = 0;
-    std::string stopMessage;                // of solids: which limit
 };
 
 //- The grid's fields, cells x fastest over the three directions of the domain

@@ -26,7 +26,19 @@ enum class IntegratorKind {leapfrog, symplectic};
 //- Everything that the equations need, checked by the reader of dictionaries (ranges) and once more
 //  by createSphScene (consistency, std::invalid_argument). Kernel and terms by the words of their
 //  cards (solvers/sph/sphModels.hpp).
-struct SphConfig : FluidConfig, TermProperties, RankConfig
+//- Courant numbers of the step, and what stops a run
+struct SphLimits : TimeControl
+{
+    double acousticCourant = 0.3;           // dt <= C h/(c0 + |v|max)
+    double forceCourant = 0.25;             // dt <= C sqrt(h/|a|max)
+    double viscousCourant = 0.125;          // dt <= C h^2 rho/mu
+    double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
+    double maxSpeedRatio = 5;               // |v|/vmax that stops the run
+    // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
+    bool removeWild = false;
+};
+
+struct SphConfig : FluidConfig, TermProperties, RankConfig, SphLimits
 {
     // How
     DeviceKind device = DeviceKind::automatic;
@@ -62,25 +74,11 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig
     bool noSlip = true;                     // wall enters viscous terms
 
     // Time
-    // [s] the scene's clock at creation (loadState brings its own)
-    double startTime = 0;
     IntegratorKind integrator = IntegratorKind::leapfrog;
-    bool adjustTimeStep = true;
-    double fixedTimeStep = 0;               // [s], used if !adjustTimeStep
-    double maxTimeStep = 1e30;              // [s]
-    double acousticCourant = 0.3;           // dt <= C h/(c0 + |v|max)
-    double forceCourant = 0.25;             // dt <= C sqrt(h/|a|max)
-    double viscousCourant = 0.125;          // dt <= C h^2 rho/mu
 
     // Neighbours: what the search radius adds to the support, as a fraction of it; < 0: chosen by
     // the scene
     double skin = -1;
-
-    // Guards
-    double maxDensityDeviation = 0.2;       // |rho/rho0 - 1| that stops the run
-    double maxSpeedRatio = 5;               // |v|/vmax that stops the run
-    // particles beyond them, or whose acceleration exceeds 100 c0^2/h0, are taken out instead
-    bool removeWild = false;
 };
 
 //- The walls' true faces, which hold particles back (sph/boundary/wallFaces.hpp): segments (2D, the
