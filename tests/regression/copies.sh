@@ -1,5 +1,6 @@
 #!/bin/bash
-# Tutorials that were copied: their scripts find riprap by the environment, and say so where there is none.
+# Tutorials that were copied: their scripts find riprap by the environment, and say so where there
+# is none.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -39,7 +40,8 @@ run()       # MODULE/CASE NAME OPTIONS...
     local of=$1 name=$2 copy=${1//\//-}; shift 2
     rm -rf "$copy"; cp -r "$root/tutorials/$of" "$copy"; rm -rf "$copy/runs"
     (cd / && "$folder/$copy/Allrun" -noPlot -name "$name" "$@") >log 2>&1
-    [[ $(tail -3 "$copy/runs/$name/log.riprapFoam" 2>/dev/null) == *End* ]] && pass "run.$of" || fail "run.$of" "$(tail -3 log | tr '\n' ' ')"
+    [[ $(tail -3 "$copy/runs/$name/log.riprapFoam" 2>/dev/null) == *End* ]] && pass "run.$of" \
+        || fail "run.$of" "$(tail -3 log | tr '\n' ' ')"
 }
 run dem/dryCollapse short -endTime 0.002
 run picDem/dryCollapse short -endTime 0.002
@@ -47,4 +49,5 @@ run picDem/dryCollapse short -endTime 0.002
 before=$(cd "$root" && git status --short benchmarks/results docs/images 2>/dev/null)
 dem-dryCollapse/Allverify -quick >log 2>&1
 grep -q 'all within bounds' log && pass verify || fail verify "$(tail -3 log | tr '\n' ' ')"
-[[ $(cd "$root" && git status --short benchmarks/results docs/images 2>/dev/null) == "$before" ]] && pass unrecorded || fail unrecorded "a copy's results are in the checkout"
+[[ $(cd "$root" && git status --short benchmarks/results docs/images 2>/dev/null) == "$before" ]] \
+    && pass unrecorded || fail unrecorded "a copy's results are in the checkout"

@@ -1,5 +1,6 @@
 #!/bin/bash
-# 300 mutations of the tutorials' dictionaries (tests/mutate): each ends with one clear message, or runs
+# 300 mutations of the tutorials' dictionaries (tests/mutate): each ends with one clear message, or
+# runs
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

@@ -1,6 +1,7 @@
 #!/bin/bash
-# riprapFoam -parallel with solvers dem and sphDem: clouds of 2 and 3 processes are those of one, to the bit, written, put together, divided and
-# continued; what several processes cannot do, and processes that fail
+# riprapFoam -parallel with solvers dem and sphDem: clouds of 2 and 3 processes are those of one, to
+# the bit, written, put together, divided and continued; what several processes cannot do, and
+# processes that fail
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -31,23 +32,29 @@ divide()    # N [OPTIONS]
     local n=$1
     shift
     rm -rf processor*
-    dictionary system/decomposeParDict <<<"numberOfSubdomains $n; method simple; simpleCoeffs { n ($n 1 1); delta 0.001; }"
+    dictionary system/decomposeParDict \
+        <<<"numberOfSubdomains $n; method simple; simpleCoeffs { n ($n 1 1); delta 0.001; }"
     FOAM_SIGFPE=false decomposePar "$@" >log.divide 2>&1 || tail -5 log.divide
 }
 control()   # ENDTIME INTERVAL [ENTRIES]
 {
-    dictionary system/controlDict <<<"application riprapFoam; solver $solver; startFrom latestTime; startTime 0; stopAt endTime; endTime $1;
-deltaT 1e-4; adjustTimeStep yes; sampleInterval $2; writeControl adjustableRunTime; writeInterval $2; writeFormat binary; writePrecision 10;
+    dictionary system/controlDict <<<"application riprapFoam; solver $solver; \
+startFrom latestTime; startTime 0; stopAt endTime; endTime $1;
+deltaT 1e-4; adjustTimeStep yes; sampleInterval $2; writeControl adjustableRunTime; \
+writeInterval $2; writeFormat binary; writePrecision 10;
 timePrecision 9; functions { $functions } ${3:-}"
 }
 solver=dem
-functions='energy { type solidEnergies; libs ("libriprapFoam.so"); } walls { type solidWallForce; libs ("libriprapFoam.so"); }
-grains { type groupMotion; libs ("libriprapFoam.so"); } chains { type contactChains; libs ("libriprapFoam.so"); writeControl writeTime; }'
+functions='energy { type solidEnergies; libs ("libriprapFoam.so"); } walls { type solidWallForce; '\
+'libs ("libriprapFoam.so"); }
+grains { type groupMotion; libs ("libriprapFoam.so"); } chains { type contactChains; '\
+'libs ("libriprapFoam.so"); writeControl writeTime; }'
 same()      # NAME CASE TIME OTHER OTHERTIME [OPTIONS]
 {
     local name=$1 said
     shift
-    said=$("$python" "$root/tests/python/sameClouds.py" "$@" 2>&1) && pass "$name" || fail "$name" "$(tail -1 <<<"$said")"
+    said=$("$python" "$root/tests/python/sameClouds.py" "$@" 2>&1) && pass "$name" \
+        || fail "$name" "$(tail -1 <<<"$said")"
 }
 # Numbers of all tables to round-off
 sameTables()    # NAME CASE OTHER
@@ -61,18 +68,24 @@ wrong = []
 def rows(case, table):
     """By time: a run that goes on begins another folder"""
     of = {}
-    for path in sorted(glob.glob(os.path.join(case, 'postProcessing', table[0], '*', table[1])), key=lambda p: float(p.split('/')[-2])):
-        for row in ([float(x.strip('()')) for x in line.split()] for line in open(path) if line[0] != '#'):
+    for path in sorted(glob.glob(os.path.join(case, 'postProcessing', table[0], '*', table[1])),
+                       key=lambda p: float(p.split('/')[-2])):
+        for row in ([float(x.strip('()')) for x in line.split()]
+                    for line in open(path) if line[0] != '#'):
             of[row[0]] = row
     return of
 
 
-names = {(p.split('/')[-3], p.split('/')[-1]) for p in glob.glob(os.path.join(sys.argv[2], 'postProcessing/*/*/*.dat')) if 'wallTimes' not in p}
+names = {(p.split('/')[-3], p.split('/')[-1])
+         for p in glob.glob(os.path.join(sys.argv[2], 'postProcessing/*/*/*.dat'))
+         if 'wallTimes' not in p}
 tables = len(names)
 for table in sorted(names):
     a, b = (rows(case, table) for case in sys.argv[1:3])
     bound = 1e-9*max(abs(x) for row in b.values() for x in row)
-    if set(a) != set(b) or not all(len(a[t]) == len(b[t]) and all(abs(x - y) <= bound for x, y in zip(a[t], b[t])) for t in b):
+    if set(a) != set(b) or not all(len(a[t]) == len(b[t])
+                                   and all(abs(x - y) <= bound for x, y in zip(a[t], b[t]))
+                                   for t in b):
         wrong.append(table[1])
 print(' '.join(wrong), tables, 'tables')
 sys.exit(bool(wrong) or tables < 4)
@@ -86,7 +99,8 @@ sameFields()    # NAME CASE OTHER TIME
     local field wrong=''
     for field in p U alpha.water
     do
-        [[ -s $2/$4/$field ]] && cmp -s <(sed '1,/^internalField/d' "$2/$4/$field") <(sed '1,/^internalField/d' "$3/$4/$field") || wrong+=" $field"
+        [[ -s $2/$4/$field ]] && cmp -s <(sed '1,/^internalField/d' "$2/$4/$field") \
+            <(sed '1,/^internalField/d' "$3/$4/$field") || wrong+=" $field"
     done
     [[ -z $wrong ]] && pass "$1" || fail "$1" "differ:$wrong"
 }
@@ -95,7 +109,8 @@ sameFields()    # NAME CASE OTHER TIME
 mkdir disks && cd disks || exit 1
 cp -r "$root"/tutorials/dem/columnCollapse/{constant,system} .
 control 0.01 0.005
-printf '(\n(-1 ((0 0 0) (0 0 0)))\n(0 ((0 0 0) (0 0 0)))\n(0.001 ((0.01 0 0) (0 0 0)))\n(0.01 ((0.1 0 0) (0 0 0)))\n(0.05 ((0.5 0 0) (0 0 0)))\n(100 ((0.5 0 0) (0 0 0)))\n)\n' >constant/gate
+printf '(\n(-1 ((0 0 0) (0 0 0)))\n(0 ((0 0 0) (0 0 0)))\n(0.001 ((0.01 0 0) (0 0 0)))\n(0.01 '\
+'((0.1 0 0) (0 0 0)))\n(0.05 ((0.5 0 0) (0 0 0)))\n(100 ((0.5 0 0) (0 0 0)))\n)\n' >constant/gate
 { blockMesh && setParticles; } >log 2>&1 || fail disks.made "$(tail -1 log)"
 divide 2 -cellDist
 mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
@@ -108,11 +123,16 @@ same disks.reconstructed . 0.01 ../one 0.01 --whole --close
 cd ..; rm -rf one
 
 # Spheres that roll over a cylinder among walls: 3 processes, which go on; then one, then two
-grains='grains { set solids; material glass; source box; box (0.005 0.005 0.004) (0.04 0.055 0.036); packing random; radius 0.002; largestRadius 0.003; solidFraction 0.4; seed 1; velocity (0.8 0 0); }'
-glass='contact { normal linear; tangential history; rolling spring; } materials { glass { rho 2500; } } pairs { default { stiffness 2e4; restitution 0.5; friction 0.4; stiffnessRatio 0.3; rollingFriction 0.05; } } walls { material glass; }'
+grains='grains { set solids; material glass; source box; '\
+'box (0.005 0.005 0.004) (0.04 0.055 0.036); packing random; radius 0.002; largestRadius 0.003; '\
+'solidFraction 0.4; seed 1; velocity (0.8 0 0); }'
+glass='contact { normal linear; tangential history; rolling spring; } '\
+'materials { glass { rho 2500; } } pairs { default { stiffness 2e4; restitution 0.5; '\
+'friction 0.4; stiffnessRatio 0.3; rollingFriction 0.05; } } walls { material glass; }'
 mkdir spheres && cd spheres || exit 1
 tank3
-geometry 'pier { type searchableCylinder; point1 (0.06 0 -0.01); point2 (0.06 0 0.05); radius 0.012; }'
+geometry 'pier { type searchableCylinder; point1 (0.06 0 -0.01); point2 (0.06 0 0.05); '\
+'radius 0.012; }'
 dictionary constant/solidProperties <<<"$glass"
 dictionary system/setParticlesDict <<<"regions ( $grains );"
 setParticles >log 2>&1 || fail spheres.made "$(oneLine | tail -c 300)"
@@ -151,8 +171,10 @@ refusedOn()     # N NAME MESSAGE [OPTIONS]
     said=$(oneLine | sed 's/\[[0-9]*\] //g')
     if ((status == 0)); then fail "$name" "was accepted"
     elif ((SECONDS - start > 20)); then fail "$name" "took $((SECONDS - start)) s"
-    elif [[ $(grep -c 'FOAM FATAL' log) != 1 ]]; then fail "$name" "not one message: ${said:${#said}<400?0:-400}"
-    elif ! grep -qE -- "$message" <<<"$said"; then fail "$name" "the message is not '$message': ${said:${#said}<400?0:-400}"
+    elif [[ $(grep -c 'FOAM FATAL' log) != 1 ]]
+    then fail "$name" "not one message: ${said:${#said}<400?0:-400}"
+    elif ! grep -qE -- "$message" <<<"$said"
+    then fail "$name" "the message is not '$message': ${said:${#said}<400?0:-400}"
     else pass "$name"
     fi
 }
@@ -160,13 +182,17 @@ for word in sleep gpu
 do
     cp constant/solidProperties kept
     case $word in
-        sleep) echo 'sleep { speed 1e-3; after 0.01; }' >>constant/solidProperties; refusedOn 2 sleep 'Entry speed is 0.001: solids sleep on one process alone.*constant/solidProperties.sleep';;
-        gpu) echo 'device gpu;' >>constant/solidProperties; refusedOn 2 gpu 'Entry device is gpu: several processes run on CPUs alone.*constant/solidProperties';;
+        sleep) echo 'sleep { speed 1e-3; after 0.01; }' >>constant/solidProperties
+        refusedOn 2 sleep 'Entry speed is 0.001: '\
+'solids sleep on one process alone.*constant/solidProperties.sleep';;
+        gpu) echo 'device gpu;' >>constant/solidProperties; refusedOn 2 gpu \
+            'Entry device is gpu: several processes run on CPUs alone.*constant/solidProperties';;
     esac
     mv kept constant/solidProperties
 done
 refusedOn 2 solver 'Entry solver is picDem, which runs on one process' -solver picDem
-refusedOn 3 count 'umber of processor directories = 2 is not equal to the number of (processors|ranks) = 3'
+refusedOn 3 count \
+    'umber of processor directories = 2 is not equal to the number of (processors|ranks) = 3'
 refusedOn 2 dryRun 'Options -parallel and -dry-run exclude each other' -dry-run
 
 # A file of one process that is cut short: that time is passed over by all
@@ -193,8 +219,18 @@ run=$!
 for _ in $(seq 200); do [[ -e processor1/0.03/uniform/riprap/manifest ]] && break; sleep 0.1; done
 start=$SECONDS
 kill -9 "$(pgrep -P "$run" riprapFoam | tail -1)"
-if wait "$run"; then fail killed.status 'mpirun says that all went well'; else pass killed.status; fi
-if ((SECONDS - start < 15)); then pass killed.soon; else fail killed.soon "$((SECONDS - start)) s"; fi
+if wait "$run"
+then
+    fail killed.status 'mpirun says that all went well'
+else
+    pass killed.status
+fi
+if ((SECONDS - start < 15))
+then
+    pass killed.soon
+else
+    fail killed.soon "$((SECONDS - start)) s"
+fi
 rm -rf processor*/0.0[3-9]* processor*/0.[1-9]*
 control 0.03 0.01
 onRanks 2 >log 2>&1
@@ -205,10 +241,14 @@ same killed.same . 0.03 ../one 0.03
 cd "$case" || exit 1
 rm -rf one again disks spheres
 solver=sphDem
-functions='front { type frontPosition; libs ("libriprapFoam.so"); origin (0 0 0); direction (1 0 0); up (0 1 0); }
-level { type waterLevel; libs ("libriprapFoam.so"); points ((0.01 0 0) (0.2 0 0)); } energy { type energyBalance; libs ("libriprapFoam.so"); }
-force { type wallForce; libs ("libriprapFoam.so"); } parts { type particleForces; libs ("libriprapFoam.so"); patches (leftWall floor); }
-sensors { type particleProbes; libs ("libriprapFoam.so"); probeLocations ((0 0.05 0) (0.07 0.0 0) (0.146 0.02 0)); fields (p U rho volumeFraction); }
+functions='front { type frontPosition; libs ("libriprapFoam.so"); origin (0 0 0); '\
+'direction (1 0 0); up (0 1 0); }
+level { type waterLevel; libs ("libriprapFoam.so"); '\
+'points ((0.01 0 0) (0.2 0 0)); } energy { type energyBalance; libs ("libriprapFoam.so"); }
+force { type wallForce; libs ("libriprapFoam.so"); } parts { type particleForces; '\
+'libs ("libriprapFoam.so"); patches (leftWall floor); }
+sensors { type particleProbes; libs ("libriprapFoam.so"); '\
+'probeLocations ((0 0.05 0) (0.07 0.0 0) (0.146 0.02 0)); fields (p U rho volumeFraction); }
 mesh { type particlesToMesh; libs ("libriprapFoam.so"); writeControl writeTime; }'
 mkdir water && cd water || exit 1
 cp -r "$root"/tutorials/sphDem/damBreak/{constant,system} .
@@ -244,14 +284,18 @@ for word in gpu motion solids
 do
     cp constant/sphProperties kept
     case $word in
-        gpu) echo 'device gpu;' >>constant/sphProperties; refusedOn 3 waterGpu 'Entry device is gpu: several processes run on CPUs alone.*constant/sphProperties';;
+        gpu) echo 'device gpu;' >>constant/sphProperties; refusedOn 3 waterGpu \
+            'Entry device is gpu: several processes run on CPUs alone.*constant/sphProperties';;
         motion)
-            dictionary constant/sphProperties <<<'walls { motion { piston { patches (leftWall); solidBodyMotionFunction oscillatingLinearMotion;
+            dictionary constant/sphProperties <<<'walls { motion { piston { patches (leftWall); '\
+'solidBodyMotionFunction oscillatingLinearMotion;
 oscillatingLinearMotionCoeffs { amplitude (0.002 0 0); omega 500; } } } }'
-            refusedOn 3 waterMotion 'Entry motion moves piston: walls that move in a fluid run on one process alone.*constant/sphProperties.walls';;
+            refusedOn 3 waterMotion 'Entry motion moves piston: '\
+'walls that move in a fluid run on one process alone.*constant/sphProperties.walls';;
         solids)
             dictionary constant/solidProperties <<<"$glass"
-            refusedOn 3 waterSolids 'solids in its fluid, which run on one process alone.*constant/solidProperties';;
+            refusedOn 3 waterSolids \
+                'solids in its fluid, which run on one process alone.*constant/solidProperties';;
     esac
     mv kept constant/sphProperties
 done
@@ -260,13 +304,19 @@ done
 cd "$case" || exit 1
 rm -rf one again water
 mkdir pier && cd pier || exit 1
-functions='energy { type energyBalance; libs ("libriprapFoam.so"); } parts { type particleForces; libs ("libriprapFoam.so"); surfaces (pier); }
-force { type wallForce; libs ("libriprapFoam.so"); } level { type waterLevel; libs ("libriprapFoam.so"); points ((0.01 0 0.02)); }'
-block 0.1 0.06 0.04 '10 6 4' "left { type cyclic; neighbourPatch right; faces ((0 4 7 3)); } right { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }
+functions='energy { type energyBalance; libs ("libriprapFoam.so"); } parts { type particleForces; '\
+'libs ("libriprapFoam.so"); surfaces (pier); }
+force { type wallForce; libs ("libriprapFoam.so"); } level { type waterLevel; '\
+'libs ("libriprapFoam.so"); points ((0.01 0 0.02)); }'
+block 0.1 0.06 0.04 '10 6 4' "left { type cyclic; neighbourPatch right; \
+faces ((0 4 7 3)); } right { type cyclic; neighbourPatch left; faces ((1 2 6 5)); }
 $lower $open back { type wall; faces ((0 3 2 1)); } front { type wall; faces ((4 5 6 7)); }"
-geometry 'pier { type searchableCylinder; point1 (0.06 -0.01 0.02); point2 (0.06 0.07 0.02); radius 0.01; }'
-dictionary constant/sphProperties <<<'precision double; timeIntegration leapfrog; densityDiffusion fourtakas; XSPH 0.05;'
-regions 'column { set fluid; source box; box (0 0 0) (0.04 0.04 0.04); velocity (0.8 0 0); pressure hydrostatic; }'
+geometry 'pier { type searchableCylinder; point1 (0.06 -0.01 0.02); point2 (0.06 0.07 0.02); '\
+'radius 0.01; }'
+dictionary constant/sphProperties \
+    <<<'precision double; timeIntegration leapfrog; densityDiffusion fourtakas; XSPH 0.05;'
+regions 'column { set fluid; source box; box (0 0 0) (0.04 0.04 0.04); velocity (0.8 0 0); '\
+'pressure hydrostatic; }'
 control 0.02 0.02
 setParticles >log 2>&1 || fail pier.made "$(oneLine | tail -c 300)"
 mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)

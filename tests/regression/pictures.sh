@@ -1,11 +1,13 @@
 #!/bin/bash
-# riprapRender and the charts' style: unit tests of their parts, and what is on pictures of made cases. No solver runs
+# riprapRender and the charts' style: unit tests of their parts, and what is on pictures of made
+# cases. No solver runs
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 python=${RIPRAP_PYTHON:-/usr/bin/python3}
-"$python" -c 'import matplotlib' 2>/dev/null || { echo "SKIP pictures this python has no matplotlib"; exit 0; }
+"$python" -c 'import matplotlib' 2>/dev/null \
+    || { echo "SKIP pictures this python has no matplotlib"; exit 0; }
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

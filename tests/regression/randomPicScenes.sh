@@ -1,5 +1,6 @@
 #!/bin/bash
-# Random scenes of picDem with bodies (tests/randomScenes): none stops, nothing is lost or passes a wall, energy does not grow, momentum balances, runs repeat and continue to the bit
+# Random scenes of picDem with bodies (tests/randomScenes): none stops, nothing is lost or passes a
+# wall, energy does not grow, momentum balances, runs repeat and continue to the bit
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Random scenes with an empty sphProperties (tests/randomScenes): none stops, nothing passes a wall or lies in a body, energy does not grow
+# Random scenes with an empty sphProperties (tests/randomScenes): none stops, nothing passes a wall
+# or lies in a body, energy does not grow
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

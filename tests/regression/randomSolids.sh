@@ -1,5 +1,6 @@
 #!/bin/bash
-# Fifty random scenes of dem (tests/randomScenes): none stops, nothing is lost or passes a wall, energy does not grow, forces balance, restart to the bit
+# Fifty random scenes of dem (tests/randomScenes): none stops, nothing is lost or passes a wall,
+# energy does not grow, forces balance, restart to the bit
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail

@@ -1,5 +1,6 @@
 #!/bin/bash
-# What one to four processes do together (tests/ranks): the pressure with free bodies, particles that change their process, scenes of spheres.
+# What one to four processes do together (tests/ranks): the pressure with free bodies, particles
+# that change their process, scenes of spheres.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -15,7 +16,8 @@ export OMP_NUM_THREADS=1
 for n in 1 2 3 4
 do
     launch=(rankTests)
-    ((n == 1)) || launch=(mpirun -np $n --oversubscribe --mca mpi_yield_when_idle 1 rankTests -parallel)
+    ((n == 1)) \
+        || launch=(mpirun -np $n --oversubscribe --mca mpi_yield_when_idle 1 rankTests -parallel)
     "${launch[@]}" >log 2>&1
     status=$?
     cat log

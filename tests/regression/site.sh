@@ -1,5 +1,6 @@
 #!/bin/bash
-# The site of the documents (etc/makeDocs): it is built without a broken link, and broken links are errors. Skipped where mkdocs or KaTeX is not installed
+# The site of the documents (etc/makeDocs): it is built without a broken link, and broken links are
+# errors. Skipped where mkdocs or KaTeX is not installed
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -12,8 +13,11 @@ case $? in
     *) echo "FAIL site ${said//$'\n'/; }"; exit;;
 esac
 
-if grep -q 'class="arithmatex"' platforms/docs/docs/theory.html && [[ -s platforms/docs/katex/katex.min.js ]]; then echo "PASS siteFormulas"
-else echo "FAIL siteFormulas docs/theory.md has no formula on its page, or KaTeX is not beside it"; fi
+if grep -q 'class="arithmatex"' platforms/docs/docs/theory.html \
+    && [[ -s platforms/docs/katex/katex.min.js ]]; then echo "PASS siteFormulas"
+else
+    echo "FAIL siteFormulas docs/theory.md has no formula on its page, or KaTeX is not beside it"
+fi
 
 # A copy with a page of its own, whose link is broken
 d=docs
@@ -28,6 +32,8 @@ broken()    # LINK
     said=$("$copy/etc/makeDocs" 2>&1)
 }
 if ! broken ""; then echo "FAIL siteLinks a sound copy is refused: ${said//$'\n'/; }"
-elif broken "[b]($d/b.md)" || [[ $said != *"$d/b.md"* ]]; then echo "FAIL siteLinks a link to a file that is not there passes"
-elif broken "[b]($d/a.md#b)" || [[ $said != *a.html#b* ]]; then echo "FAIL siteLinks a link to a heading that is not there passes"
+elif broken "[b]($d/b.md)" || [[ $said != *"$d/b.md"* ]]
+then echo "FAIL siteLinks a link to a file that is not there passes"
+elif broken "[b]($d/a.md#b)" || [[ $said != *a.html#b* ]]
+then echo "FAIL siteLinks a link to a heading that is not there passes"
 else echo "PASS siteLinks"; fi

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Quick verification of every tutorial: one coarse run each against its own bounds (tests/regression/tolerances.csv, level quick)
+# Quick verification of every tutorial: one coarse run each against its own bounds
+# (tests/regression/tolerances.csv, level quick)
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -16,7 +17,8 @@ do
     then
         echo "PASS $name"
     else
-        echo "FAIL $name $(grep -E 'OUT OF BOUNDS|FAILED|bound without|no bounds|rror:' "$results/log" | head -1 | tr -s ' ')"
+        echo "FAIL $name $(grep -E 'OUT OF BOUNDS|FAILED|bound without|no bounds|rror:' \
+            "$results/log" | head -1 | tr -s ' ')"
         status=1
     fi
     sed 's/^/    /' "$results/log"
