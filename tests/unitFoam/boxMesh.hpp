@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*  Meshes made in memory: blocks of hexahedra between nodes along x, y and z, with cells left out.
+
+        BoxMesh box;
+        box.divide(0, 0, 1, 10);                            // x from 0 to 1 in 10 cells
+        box.type[5] = "patch";                              // the side zMax is open
+        box.there = [](int i, int, int k) { return i < 5 || k > 2; };
+        const auto mesh = box.make(time);
+
+    Patches: xMin xMax yMin yMax zMin zMax (walls at first), then inner: faces of cells that are left
+    out.
+*/
+#pragma once
+
+#include "Time.H"
+#include "polyMesh.H"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+struct BoxMesh
+{
+    std::vector<double> nodes[3] = {{0, 1}, {0, 1}, {0, 1}};
+    std::array<std::string, 7> name{
+        {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax", "inner"}};
+    std::array<std::string, 7> type{{"wall", "wall", "wall", "wall", "wall", "wall", "wall"}};
+    std::function<bool(int, int, int)> there = [](int, int, int) { return true; };
+
+    void divide(int axis, double low, double high, int n)
+    {
+        nodes[axis].resize(n + 1);
+        for (int i = 0; i <= n; ++i) nodes[axis][i] = low + (high - low)*i/n;
+    }
+
+    //- Both sides of an axis: empty, cyclic ..
+    void sides(int axis, const std::string& kind) { type[2*axis] = type[2*axis + 1] = kind; }
+
+    int cells(int axis) const { return int(nodes[axis].size()) - 1; }
+
+    //- Number of each cell of the block, -1: left out
+    std::vector<int> numbers() const
+    {
+        std::vector<int> number;
+        int n = 0;
+        for (int k = 0; k < cells(2); ++k)
+            for (int j = 0; j < cells(1); ++j)
+                for (int i = 0; i < cells(0); ++i) number.push_back(there(i, j, k) ? n++ : -1);
+        return number;
+    }
+
+    Foam::autoPtr<Foam::polyMesh> make(const Foam::Time& time, const char* region = "box") const
+    {
+        Faces faces;
+        collect(faces);
+        Foam::labelList owner(Foam::label(faces.size())), neighbour(faces.internal);
+        Foam::faceList shapes(owner.size());
+        for (int i = 0; i < owner.size(); ++i)
+        {
+            shapes[i] = faces.shape[i];
+            owner[i] = faces.owner[i];
+            if (i < faces.internal) neighbour[i] = faces.neighbour[i];
+        }
+        auto mesh = Foam::autoPtr<Foam::polyMesh>::New
+        (
+            Foam::IOobject(region, time.constant(), time, Foam::IOobject::NO_READ,
+                Foam::IOobject::NO_WRITE),
+            points(), std::move(shapes), std::move(owner), std::move(neighbour), false
+        );
+        addPatches(mesh(), faces);
+        return mesh;
+    }
+
+private:
+
+    struct Faces
+    {
+        std::vector<Foam::face> shape;
+        std::vector<int> owner, neighbour;
+        int internal = 0;
+        int start[8] = {};
+
+        std::size_t size() const { return shape.size(); }
+    };
+
+    int node(int i, int j, int k) const
+    {
+        return i + int(nodes[0].size())*(j + int(nodes[1].size())*k);
+    }
+
+    Foam::pointField points() const
+    {
+        Foam::DynamicList<Foam::point> p;
+        for (const double z : nodes[2])
+            for (const double y : nodes[1])
+                for (const double x : nodes[0]) p.append(Foam::point(x, y, z));
+        return Foam::pointField(std::move(p));
+    }
+
+    //- Of cell c its side towards axis, up or down, its normal outwards
+    Foam::face side(const int (&c)[3], int axis, bool up) const
+    {
+        const int b = (axis + 1) % 3, e = (axis + 2) % 3;
+        Foam::face f(4);
+        for (int v = 0; v < 4; ++v)
+        {
+            int at[3] = {c[0], c[1], c[2]};
+            at[axis] += up;
+            at[b] += v == 1 || v == 2;
+            at[e] += v == 2 || v == 3;
+            f[up ? v : 3 - v] = node(at[0], at[1], at[2]);
+        }
+        return f;
+    }
+
+    void collect(Faces& faces) const
+    {
+        const std::vector<int> number(numbers());
+        const int n[3] = {cells(0), cells(1), cells(2)}, step[3] = {1, n[0], n[0]*n[1]};
+        // Pass -1: between cells; then a patch each
+        for (int pass = -1; pass < 7; ++pass)
+        {
+            if (pass >= 0) faces.start[pass] = int(faces.size());
+            for (int c = 0; c < int(number.size()); ++c)
+            {
+                if (number[c] < 0) continue;
+                const int at[3] = {c % n[0], c/n[0] % n[1], c/(n[0]*n[1])};
+                for (int axis = 0; axis < 3; ++axis)
+                    for (int up = 0; up < 2; ++up)
+                    {
+                        const bool last = at[axis] == (up ? n[axis] - 1 : 0);
+                        const int other = last ? -1 : number[c + (up ? 1 : -1)*step[axis]];
+                        const int of = last ? 2*axis + up : other < 0 ? 6 : -1;
+                        if (of != pass || (of < 0 && !up)) continue;
+                        faces.shape.push_back(side(at, axis, up));
+                        faces.owner.push_back(number[c]);
+                        if (of < 0) faces.neighbour.push_back(other);
+                    }
+            }
+            if (pass < 0) faces.internal = int(faces.size());
+        }
+        faces.start[7] = int(faces.size());
+    }
+
+    void addPatches(Foam::polyMesh& mesh, const Faces& faces) const
+    {
+        Foam::DynamicList<Foam::polyPatch*> patches;
+        for (int p = 0; p < 7; ++p)
+        {
+            const int n = faces.start[p + 1] - faces.start[p];
+            if (p == 6 && !n) break;
+            Foam::dictionary dict;
+            dict.add("type", Foam::word(type[p]));
+            dict.add("nFaces", n);
+            dict.add("startFace", faces.start[p]);
+            if (type[p] == "cyclic") dict.add("neighbourPatch", Foam::word(name[p ^ 1]));
+            patches.append(
+                Foam::polyPatch::New(Foam::word(name[p]), dict, p, mesh.boundaryMesh()).ptr());
+        }
+        mesh.addPatches(Foam::List<Foam::polyPatch*>(patches));
+    }
+};
