@@ -26,6 +26,8 @@ struct BoxMesh
         {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax", "inner"}};
     std::array<std::string, 7> type{{"wall", "wall", "wall", "wall", "wall", "wall", "wall"}};
     std::function<bool(int, int, int)> there = [](int, int, int) { return true; };
+    //- Where a node goes: turns, shears, bends the block
+    std::function<Foam::point(const Foam::point&)> map = [](const Foam::point& p) { return p; };
 
     void divide(int axis, double low, double high, int n)
     {
@@ -93,7 +95,7 @@ private:
         Foam::DynamicList<Foam::point> p;
         for (const double z : nodes[2])
             for (const double y : nodes[1])
-                for (const double x : nodes[0]) p.append(Foam::point(x, y, z));
+                for (const double x : nodes[0]) p.append(map(Foam::point(x, y, z)));
         return Foam::pointField(std::move(p));
     }
 
