@@ -7,8 +7,8 @@
         box.there = [](int i, int, int k) { return i < 5 || k > 2; };
         const auto mesh = box.make(time);
 
-    Patches: xMin xMax yMin yMax zMin zMax (walls at first), then inner: faces of cells that are left
-    out.
+    Patches: xMin xMax yMin yMax zMin zMax (walls at first), then inner: faces of cells that are
+    left out.
 */
 #pragma once
 

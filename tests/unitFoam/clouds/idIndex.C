@@ -55,9 +55,12 @@ TEST(ToStdVector, numbersInTheirOrder)
 {
     EXPECT_EQ(toStdVector("fluid", "U", vectorField({{1, 2, 3}, {4, 5, 6}})),
         (std::vector<double>{1, 2, 3, 4, 5, 6}));
-    EXPECT_EQ(toStdVector("fluid", "p", scalarField({-1, 2})), (std::vector<double>{-1, 2}));
-    EXPECT_EQ(packedPositive("fluid", "rho", scalarField({1, 2})), (std::vector<double>{1, 2}));
-    EXPECT_EQ(uniqueIds("fluid", "id", labelField({7, 0, 3})), (std::vector<std::int32_t>{7, 0, 3}));
+    EXPECT_EQ(
+        toStdVector("fluid", "p", scalarField(scalarList({-1, 2}))), (std::vector<double>{-1, 2}));
+    EXPECT_EQ(toStdVectorPositive("fluid", "rho", scalarField(scalarList({1, 2}))),
+        (std::vector<double>{1, 2}));
+    EXPECT_EQ(
+        uniqueIds("fluid", "id", labelField({7, 0, 3})), (std::vector<std::int32_t>{7, 0, 3}));
 }
 
 //- The first bad number is named, whatever the number of threads
@@ -65,7 +68,7 @@ TEST(ToStdVector, badNumbers)
 {
     scalarField many(50000, 1.0);
     many[49990] = many[20001] = -2;
-    EXPECT_EQ(messageOf([&]() { packedPositive("fluid", "rho", many); }),
+    EXPECT_EQ(messageOf([&]() { toStdVectorPositive("fluid", "rho", many); }),
         "lagrangian/fluid/rho has the value -2 at entry 20001: it must be positive");
     many[31] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(messageOf([&]() { toStdVector("fluid", "p", many); }),
@@ -74,7 +77,10 @@ TEST(ToStdVector, badNumbers)
     U[2].y() = std::nan("");
     EXPECT_EQ(messageOf([&]() { toStdVector("solids", "U", U); }),
         "lagrangian/solids/U has the value nan at entry 2");
-    EXPECT_EQ(messageOf([&]() { packedPositive("fluid", "h", scalarField({1, 0})); }),
+    EXPECT_EQ(messageOf(
+                  [&]() {
+                      toStdVectorPositive("fluid", "h", scalarField(scalarList({1, 0})));
+                  }),
         "lagrangian/fluid/h has the value 0 at entry 1: it must be positive");
 }
 
@@ -86,7 +92,7 @@ TEST(ToStdVector, idsMustBeUnique)
     EXPECT_EQ(messageOf([]() { uniqueIds("fluid", "id", labelField({5, 2000000000, 5})); }),
         "lagrangian/fluid/id: 1 ids occur more than once, the smallest is 5: ids must be unique "
         "and not negative");
-    EXPECT_EQ(messageOf([]() { uniqueIds("fluid", "id", labelField({3, -1})); }),
+    EXPECT_EQ(messageOf([]() { uniqueIds("fluid", "id", labelField(labelList({3, -1}))); }),
         "lagrangian/fluid/id: 0 ids occur more than once, the smallest is -1: ids must be unique "
         "and not negative");
 }

@@ -41,7 +41,8 @@ TEST(SceneNeeds, namesFileAndEntry)
 {
     sceneNeeds needs;
     EXPECT_EQ(logOf(needs), "Entries and models without effect on this scene: none found\n\n");
-    const dictionary tip(named("drag 1; mass 2;", "/home/a/case/constant/solidProperties.groups.tip"));
+    const dictionary tip(
+        named("drag 1; mass 2;", "/home/a/case/constant/solidProperties.groups.tip"));
     needs.idle(tip, "drag", "no fluid");
     needs.idle(tip, "none", "is not there");
     const dictionary control(named("a 1; b 2;", "/home/a/case/system/controlDict"));
@@ -81,7 +82,8 @@ TEST(SceneNeeds, whatModelsCost)
     other.costly(sph, "b", "much");
     EXPECT_EQ(logOf(other),
         "On, and without effect on this scene\n"
-        "    constant/sphProperties, entry a: why; `a none` does the same; saves less than 2 % of a "
+        "    constant/sphProperties, entry a: why; `a none` does the same; saves less than 2 % of "
+        "a "
         "step (measured)\n"
         "On, with an effect below what this scene resolves\n"
         "    constant/sphProperties, entry b: much\n\n");
@@ -144,7 +146,8 @@ TEST(ProgressClock, atTheEndAndNotBefore)
     EXPECT_FALSE(holds(end, "expected end"));
     // a hundred particle steps a step
     double steps = 0, particles = 0;
-    ASSERT_EQ(std::sscanf(end.c_str(), "Progress = 100 %%, %lf steps/s, %lf", &steps, &particles), 2);
+    ASSERT_EQ(
+        std::sscanf(end.c_str(), "Progress = 100 %%, %lf steps/s, %lf", &steps, &particles), 2);
     EXPECT_NEAR(particles/steps, 100, 0.01);
     EXPECT_EQ(captured([&]() { clock.log(1, 0, 1); }), "");     // counts anew
 }

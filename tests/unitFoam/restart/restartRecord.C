@@ -78,7 +78,8 @@ TEST(RestartRecord, wrongEntries)
     EXPECT_EQ(said("domain", "\"1 2 x3 4 5 6\""), "Entry domain holds x3, no number");
 }
 
-//- Fixed-point numbers of a domain: a continued run goes on in the earlier one if that holds its own
+//- Fixed-point numbers of a domain: a continued run goes on in the earlier one if that holds its
+//  own
 TEST(RestartRecord, domainOfTheRunBefore)
 {
     Config before{2, {0, 2, 1}, {-1, 0, -2}, {1, 0, 2}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Walls along three perpendicular axes: every cell of the lattice behind them once, and no other. */
+/*  Walls along three perpendicular axes: each cell of the lattice behind them, once. */
 
 #include "laidWalls.hpp"
 #include "scratchCase.hpp"
@@ -71,8 +71,8 @@ TEST(WallLattice, completesTheKernelsSum)
         const double open = kernelSum(middles({0, 0, 0}, {1, D == 2 ? 0.1 : 1, 1},
             {{10, D == 2 ? 1 : 10, 10}}), {0.45, D == 2 ? 0.05 : 0.45, 0.45}, 0.1, h, D);
         EXPECT_NEAR(open, 1, 0.02);
-        for (const point& p :
-            {point(-0.45, y, 2.05), point(0.45, y, 2.35), point(0.05, y, 2.75), point(0.05, y, 2.35)})
+        for (const point& p : {point(-0.45, y, 2.05), point(0.45, y, 2.35), point(0.05, y, 2.75),
+                 point(0.05, y, 2.35)})
             EXPECT_NEAR(kernelSum(all, p, 0.1, h, D), open, 1e-10) << p.x() << ' ' << p.z();
     }
 }

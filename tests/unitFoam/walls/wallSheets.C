@@ -81,7 +81,7 @@ TEST(WallSheets, edgesAreFilledToTheMitre)
         for (label i = 0; i < laid.edges.size(); ++i)
         {
             const point& p = laid.edges.position[i];
-            // as deep behind the farther plane as its layer, and behind both where the angle is blunt
+            // as deep behind the farther plane as its layer; behind both if the angle is blunt
             const double low = -p.z();
             const double back = -(p & vector(normalised(vector(1, 0, -lean))));
             if (lean < 0) { EXPECT_GT(min(low, back), 0); }
