@@ -69,9 +69,13 @@ static void requireSimple(const List<flatPoint>& line, const dictionary& dict)
     if (n < 3) bad("needs at least three points");
     forAll(line, i)
     {
+        const flatPoint side(minus(line[(i + 1) % n], line[i]));
+        if (!(dotted(side, side) > 0)) bad("has the same point twice in a row");
+    }
+    forAll(line, i)
+    {
         const flatPoint& a = line[i];
         const flatPoint& b = line[(i + 1) % n];
-        if (!(dotted(minus(b, a), minus(b, a)) > 0)) bad("has the same point twice in a row");
         for (label j = i + 2; j < n; ++j)
         {
             if (i == 0 && j == n - 1) continue;         // neighbours, too
