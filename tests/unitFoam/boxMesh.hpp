@@ -17,6 +17,7 @@
 
 #include <array>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 struct BoxMesh
@@ -51,7 +52,9 @@ struct BoxMesh
         return number;
     }
 
-    Foam::autoPtr<Foam::polyMesh> make(const Foam::Time& time, const char* region = "box") const
+    //- polyMesh or fvMesh
+    template<class Mesh = Foam::polyMesh>
+    Foam::autoPtr<Mesh> make(const Foam::Time& time, const char* region = "region0") const
     {
         Faces faces;
         collect(faces);
@@ -63,13 +66,15 @@ struct BoxMesh
             owner[i] = faces.owner[i];
             if (i < faces.internal) neighbour[i] = faces.neighbour[i];
         }
-        auto mesh = Foam::autoPtr<Foam::polyMesh>::New
+        auto mesh = Foam::autoPtr<Mesh>::New
         (
             Foam::IOobject(region, time.constant(), time, Foam::IOobject::NO_READ,
                 Foam::IOobject::NO_WRITE),
             points(), std::move(shapes), std::move(owner), std::move(neighbour), false
         );
-        addPatches(mesh(), faces);
+        const auto list = patches(mesh(), faces);
+        if constexpr (std::is_same_v<Mesh, Foam::polyMesh>) mesh->addPatches(list);
+        else mesh->addFvPatches(list);
         return mesh;
     }
 
@@ -144,9 +149,9 @@ private:
         faces.start[7] = int(faces.size());
     }
 
-    void addPatches(Foam::polyMesh& mesh, const Faces& faces) const
+    Foam::List<Foam::polyPatch*> patches(const Foam::polyMesh& mesh, const Faces& faces) const
     {
-        Foam::DynamicList<Foam::polyPatch*> patches;
+        Foam::DynamicList<Foam::polyPatch*> all;
         for (int p = 0; p < 7; ++p)
         {
             const int n = faces.start[p + 1] - faces.start[p];
@@ -156,9 +161,9 @@ private:
             dict.add("nFaces", n);
             dict.add("startFace", faces.start[p]);
             if (type[p] == "cyclic") dict.add("neighbourPatch", Foam::word(name[p ^ 1]));
-            patches.append(
+            all.append(
                 Foam::polyPatch::New(Foam::word(name[p]), dict, p, mesh.boundaryMesh()).ptr());
         }
-        mesh.addPatches(Foam::List<Foam::polyPatch*>(patches));
+        return Foam::List<Foam::polyPatch*>(all);
     }
 };

@@ -9,6 +9,20 @@
 #include <fstream>
 #include <functional>
 
+//- An error that no test expects fails that test, and does not end the program
+inline const bool errorsAreThrown =
+    (Foam::FatalError.throwExceptions(), Foam::FatalIOError.throwExceptions(), true);
+
+//- A Time sets the digits of all streams by its writePrecision: back to OpenFOAM's own
+inline void defaultDigits()
+{
+    const int digits = 6;
+    Foam::IOstream::defaultPrecision(digits);
+    Foam::Sout.precision(digits);
+    Foam::FatalError().precision(digits);
+    Foam::FatalIOError.error::operator()().precision(digits);
+}
+
 //- The message of the error that f ends with; empty: it ends with none
 inline std::string messageOf(const std::function<void()>& f)
 {
@@ -61,6 +75,7 @@ public:
     {
         time_.clear();
         Foam::rmDir(root_);
+        defaultDigits();
     }
 
     ScratchCase(const ScratchCase&) = delete;

@@ -29,7 +29,7 @@ namespace
         std::vector<int> escapedId{7};
     };
 
-    struct Run { int64_t escaped = 0, outflow = 0, initialParticles = 100, steps = 12; };
+    struct Counts { int64_t escaped = 0, outflow = 0, initialParticles = 100, steps = 12; };
 }
 
 TEST(NearestPatch, whereAParticleLeft)
@@ -83,7 +83,7 @@ TEST(EscapeCount, stopsAboveTheShare)
     const escapeCount count(patches);
     const auto said = [&](int64_t escaped, int64_t outflow, scalar allowed)
     {
-        Run run;
+        Counts run;
         run.escaped = escaped;
         run.outflow = outflow;
         testing::internal::CaptureStdout();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  What mesh and constant/g say about the space of particles. */
 
+#include "api/sphScene.hpp"
 #include "boxMesh.hpp"
 #include "particleDomain.H"
 #include "scratchCase.hpp"

@@ -68,7 +68,9 @@ TEST(RestartRecord, wrongEntries)
         record().write(dict);
         dict.remove(entry);
         if (!value.empty()) dict.merge(entries(entry + ' ' + value + ';'));
-        return messageOf([&]() { restartRecord().read(dict); });
+        OStringStream os;
+        dict.write(os, false);
+        return messageOf([&]() { restartRecord().read(entries(os.str())); });
     };
     EXPECT_EQ(said("none", ""), "");
     EXPECT_EQ(said("outflow", ""), "");                 // of an earlier version

@@ -86,8 +86,9 @@ TEST(ClosedSurface, outwardsWhicheverWayItWas)
 TEST(ClosedSurface, whatIsRefused)
 {
     FileCase c;
-    EXPECT_TRUE(holds(c.said("file \"bxo.off\";"), "constant/triSurface/bxo.off; "
-        "constant/triSurface holds (back.off box.off open.off text.off); did you mean box.off?"));
+    const std::string missing = c.said("file \"bxo.off\";");
+    EXPECT_TRUE(holds(missing, "constant/triSurface holds (")) << missing;
+    EXPECT_TRUE(holds(missing, "did you mean box.off?")) << missing;
     EXPECT_TRUE(holds(c.said("file \"open.off\";"), "is not closed (an edge has 1 triangles): it "
                                                     "holds no volume"));
     EXPECT_TRUE(holds(c.said("file \"text.off\";"), "cannot be read as a surface: "));
@@ -139,12 +140,12 @@ TEST(CsvFile, messagesNameTheLine)
         c.write("list.csv", text);
         return messageOf([&]() { c.table(dict).number(0, 0); });
     };
-    const std::string list(" of " + c.path() + "/list.csv: ");
+    const std::string list(" of \"" + c.path() + "/list.csv\": ");
     EXPECT_EQ(said("x,y\n1,2\n\n3\n"), "Entry file: line 4" + list + "1 values, not 2");
     EXPECT_EQ(said("x,y\n\n1e,2\n"), "Entry file: line 3" + list + "'1e' is no number");
     for (const char* text : {"nan", "inf", "1e999", "", "1 2"})
         EXPECT_EQ(said(std::string("x,y\n") + text + ",2\n"),
             "Entry file: line 2" + list + '\'' + text + "' is no number");
     EXPECT_EQ(messageOf([&]() { c.table(entries("file \"none.csv\";")); }),
-        "Entry file: there is no " + c.path() + "/none.csv");
+        "Entry file: there is no \"" + c.path() + "/none.csv\"");
 }

@@ -50,19 +50,22 @@ TEST(WallCurves, layersOfARing)
     const double dp = 0.05, angle = 0.5*pi;
     const auto mesh = sector(angle, "patch").make(testTime());
     const wallPoints w(laid(mesh(), wallControls(dp, layers)));
-    // Sides of the polygon: their middles are nearer by 1 - cos of half their angle
-    const double sag = 2*(1 - std::cos(0.5*angle/60)) + 1e-9;
-    for (int layer = 0; layer < layers; ++layer)
+    // A polygon of 60 sides, whose middles are nearer by 1 - cos of half their angle; moved by d
+    // its sides are longer or shorter, but not where they end
+    const double half = 0.5*angle/60, sag = 2*(1 - std::cos(half)) + 1e-9;
+    const auto expected = [&](double R, double d)
     {
-        const double d = (layer + 0.5)*dp;
-        EXPECT_EQ(within(w.position, 2 + d - sag, 2 + d + sag), std::lround((2 + d)*angle/dp));
-        EXPECT_EQ(within(w.position, 1 - d - sag, 1 - d + sag), std::lround((1 - d)*angle/dp));
-    }
+        const double length
+            = 2*59*(R*std::cos(half) + d)*std::tan(half) + 2*R*std::sin(half);
+        return std::lround(length/dp);
+    };
     label all = 0;
     for (int layer = 0; layer < layers; ++layer)
     {
         const double d = (layer + 0.5)*dp;
-        all += label(std::lround((2 + d)*angle/dp) + std::lround((1 - d)*angle/dp));
+        EXPECT_EQ(within(w.position, 2 + d - sag, 2 + d + sag), expected(2, d));
+        EXPECT_EQ(within(w.position, 1 - d - sag, 1 - d + sag), expected(1, -d));
+        all += label(expected(2, d) + expected(1, -d));
     }
     EXPECT_EQ(w.size(), all);
     for (label i = 0; i < w.size(); ++i)

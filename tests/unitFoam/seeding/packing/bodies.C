@@ -93,7 +93,7 @@ TEST(RandomPacking, nothingOverlaps)
 {
     for (const int D : {2, 3})
     {
-        const randomPacking p{0.05, 0.08, D == 2 ? 0.6 : 0.4, 3};
+        const randomPacking p{0.05, 0.08, D == 2 ? 0.55 : 0.3, 3};
         const boundBox box(point(0, 0, 0), point(1, 1, 1));
         const scalarField radii(p.radii(1, D == 2));
         const auto fits = [&](const point& x, scalar r)
