@@ -72,7 +72,7 @@ struct BoxMesh
                 Foam::IOobject::NO_WRITE),
             points(), std::move(shapes), std::move(owner), std::move(neighbour), false
         );
-        const auto list = patches(mesh(), faces);
+        Foam::PtrList<Foam::polyPatch> list(patches(mesh(), faces));
         if constexpr (std::is_same_v<Mesh, Foam::polyMesh>) mesh->addPatches(list);
         else mesh->addFvPatches(list);
         return mesh;
@@ -149,21 +149,18 @@ private:
         faces.start[7] = int(faces.size());
     }
 
-    Foam::List<Foam::polyPatch*> patches(const Foam::polyMesh& mesh, const Faces& faces) const
+    Foam::PtrList<Foam::polyPatch> patches(const Foam::polyMesh& mesh, const Faces& faces) const
     {
-        Foam::DynamicList<Foam::polyPatch*> all;
-        for (int p = 0; p < 7; ++p)
+        Foam::PtrList<Foam::polyPatch> all(faces.start[7] > faces.start[6] ? 7 : 6);
+        for (int p = 0; p < all.size(); ++p)
         {
-            const int n = faces.start[p + 1] - faces.start[p];
-            if (p == 6 && !n) break;
             Foam::dictionary dict;
             dict.add("type", Foam::word(type[p]));
-            dict.add("nFaces", n);
+            dict.add("nFaces", faces.start[p + 1] - faces.start[p]);
             dict.add("startFace", faces.start[p]);
             if (type[p] == "cyclic") dict.add("neighbourPatch", Foam::word(name[p ^ 1]));
-            all.append(
-                Foam::polyPatch::New(Foam::word(name[p]), dict, p, mesh.boundaryMesh()).ptr());
+            all.set(p, Foam::polyPatch::New(Foam::word(name[p]), dict, p, mesh.boundaryMesh()));
         }
-        return Foam::List<Foam::polyPatch*>(all);
+        return all;
     }
 };

@@ -107,8 +107,8 @@ TEST(CheckedDictionary, choicesAndWhatIsLeft)
 
 TEST(SingleValues, oneValueAnEntry)
 {
-    for (const char* one : {"1", "word", "(1 2 3)", "3(1 2 3)", "((1 2) (3 4))", "a [0 1 0 0 0 0 0] 3",
-             "[0 1 0 0 0 0 0] (1 2 3)", "\"text\"", "table ((0 1) (1 2))"})
+    for (const char* one : {"1", "word", "(1 2 3)", "3(1 2 3)", "((1 2) (3 4))",
+             "a [0 1 0 0 0 0 0] 3", "[0 1 0 0 0 0 0] (1 2 3)", "\"text\"", "table ((0 1) (1 2))"})
     {
         const dictionary dict(entries(std::string("x ") + one + ';'));
         EXPECT_TRUE(isSingleValue(dict.lookup("x"))) << one;

@@ -8,6 +8,7 @@
 #include "scratchCase.hpp"
 #include "StringStream.H"
 
+#include <cstdio>
 #include <gtest/gtest.h>
 
 using namespace Foam;

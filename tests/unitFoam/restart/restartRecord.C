@@ -77,7 +77,7 @@ TEST(RestartRecord, wrongEntries)
     EXPECT_TRUE(holds(said("steps", ""), "steps"));
     EXPECT_TRUE(holds(said("particles", "-1"), "not what riprapFoam wrote: particles -1"));
     EXPECT_TRUE(holds(said("domain", "\"1 2 3\""), "not what riprapFoam wrote"));
-    EXPECT_EQ(said("domain", "\"1 2 x3 4 5 6\""), "Entry domain holds x3, no number");
+    EXPECT_EQ(said("domain", "\"1 2 x3 4 5 6\""), "Entry domain holds \"x3\", no number");
 }
 
 //- Fixed-point numbers of a domain: a continued run goes on in the earlier one if that holds its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/*  Means of a function object over a trailing time: what a restart is given, and too few samples. */
+/*  Means over a trailing time: what a restart is given, and too few samples. */
 
 #include "scratchCase.hpp"
 #include "trailingMean.H"
