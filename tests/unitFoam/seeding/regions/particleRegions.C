@@ -28,7 +28,7 @@ namespace
             mesh = box.make(c.time());
             if (!withWalls) return;
             wallPointsControls controls;
-            controls.spacing = 0.1;
+            controls.spacing = 0.05;
             controls.layers = 1;
             walls = generateWallPoints(mesh(), wallPatches(mesh()), nullptr, controls);
         }
@@ -114,8 +114,8 @@ TEST(ParticleRegions, overlap)
     EXPECT_EQ(tank.said("a { " + block + " } b { set fluid; source box; "
                         "box (0.5 0 0) (1 1 0.4); }"), "");
     EXPECT_TRUE(holds(tank.said("a { " + block + " } b { set fluid; source box; "
-                                "box (0.45 0 0) (1 1 0.4); }"),
-        "Regions a and b overlap at (0.5 0.05 0.05): particles there are nearer than half a "
+                                "box (0.43 0 0) (1 1 0.4); }"),
+        "Regions a and b overlap at (0.48 0.05 0.05): particles there are nearer than half a "
         "spacing"));
 }
 
@@ -126,8 +126,9 @@ TEST(ParticleRegions, placesWhereNoneMayBe)
         "Region a: 200 of 1200 particles are outside the mesh, the first at "));
     const auto r = tank.regions("a { set fluid; source box; box (0 0 0) (1 1 1.2); clip yes; }");
     EXPECT_EQ(r[0].size(), 1000);
-    EXPECT_TRUE(holds(tank.said("a { set fluid; source box; box (-0.04 0 0) (1 1 0.2); }"),
-        "particles are too near to wall xMin (or others), the first at (0.01 0.05 0.05); `clip "
+    EXPECT_TRUE(holds(
+        tank.said("a { set fluid; source box; box (-0.04 0.025 0.025) (1 0.9 0.2); }"),
+        "particles are too near to wall xMin (or others), the first at (0.01 0.075 0.075); `clip "
         "yes;` drops such particles"));
     EXPECT_TRUE(holds(tank.said("a { set fluid; source box; box (5 0 0) (6 1 1); clip yes; }"),
         "Region a holds no particle after clipping. The mesh is (0 0 0) to (2 1 1)"));
