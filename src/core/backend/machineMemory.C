@@ -3,9 +3,12 @@
 #include "core/backend/machineMemory.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace riprap
 {
@@ -47,6 +50,20 @@ double freeMemory()
 double machineMemory()
 {
     return std::min(ofSystem("MemTotal:"), numberIn("/sys/fs/cgroup/memory.max"));
+}
+
+void touchMemory(void* memory, std::size_t bytes)
+{
+    constexpr std::size_t few = std::size_t(1) << 22;
+    if (bytes < few) return;
+    const std::size_t page = std::size_t(sysconf(_SC_PAGESIZE));
+    char* const first = static_cast<char*>(memory);
+    char* const aligned = first + (page - reinterpret_cast<std::uintptr_t>(first) % page) % page;
+    const std::ptrdiff_t pages = (first + bytes - aligned)/std::ptrdiff_t(page);
+    // a wish: without it pages are as small as ever
+    (void)madvise(aligned, pages*page, MADV_HUGEPAGE);
+    #pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t k = 0; k < pages; ++k) aligned[k*page] = 0;
 }
 
 } // namespace riprap

@@ -5,6 +5,8 @@
 */
 #pragma once
 
+#include <cstddef>
+
 namespace riprap
 {
 
@@ -15,5 +17,9 @@ double freeMemory();
 //- Bytes of memory that there are, within a container's limit; infinity where the system does not
 //  say
 double machineMemory();
+
+//- Has the system provide memory that is not in use yet, by all threads at once and in large pages
+//  where there are any: one thread would fault it in page by page. What it holds is lost
+void touchMemory(void* memory, std::size_t bytes);
 
 } // namespace riprap

@@ -192,6 +192,7 @@ public:
     {
         std::vector<char> yes(entries_, 0);
         const std::vector<int> base = base_.download(), count = count_.download();
+        #pragma omp parallel for schedule(static) if (n > 10000)
         for (int i = 0; i < n; ++i)
             for (int k = 0; k < count[i]; ++k)
                 yes[std::size_t(base[i/width]) + std::size_t(k)*width + i % width] = 1;

@@ -154,9 +154,9 @@ void Foam::solidCloud::setConstants
         mass[i] = given.mass[j];
         if (inertias) inertia[i] = given.inertia[j];
     }
-    particles.scalars.set("radius", radius);
-    particles.scalars.set("mass", mass);
-    if (inertias) particles.scalars.set("inertia", inertia);
+    particles.scalars.set("radius", std::move(radius));
+    particles.scalars.set("mass", std::move(mass));
+    if (inertias) particles.scalars.set("inertia", std::move(inertia));
 }
 
 
@@ -216,7 +216,7 @@ void Foam::solidCloud::fill(particleCloud& particles) const
             broken[i] += brokenBefore_.lookup(now.id[i], 0);
         }
     }
-    particles.labels.set("brokenBonds", broken);
+    particles.labels.set("brokenBonds", std::move(broken));
     particles.labels.set("origId", toField<label>(now.id));
     if (input_.clumps.size())
     {

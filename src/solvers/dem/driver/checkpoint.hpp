@@ -7,13 +7,14 @@
     while the state is saved or loaded: the words are those of one process, so any number of ranks
     goes on with them. Layout (32-bit words): magic, version, dimensions, bytes of real, backend,
     histories, particles, fields, bonds, clumps, walls, entries of contact lists, of walls; the
-    clock; the search; ids; then arrays; a checksum (FNV-1a over all words before it).
+    clock; the search; ids; then arrays; a checksum of all words before it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include <map>
+#include "solvers/checkpointWords.hpp"
 #include "solvers/dem/driver/neighbours.hpp"
 
 namespace riprap
@@ -23,13 +24,6 @@ namespace detail
 {
 
 static constexpr std::int32_t demMagic = 0x72697064, demVersion = 4;
-
-inline std::int32_t demChecksum(const std::vector<std::int32_t>& words, std::size_t n)
-{
-    std::uint32_t h = 2166136261u;
-    for (std::size_t i = 0; i < n; ++i) h = (h ^ std::uint32_t(words[i]))*16777619u;
-    return std::int32_t(h);
-}
 
 //- Appends device memory to the words, or fills it from them
 template<class Context>
@@ -154,13 +148,17 @@ void Checkpoint<Backend, D, P>::clearUnused(
     if (Backend::gpu)
     {
         const std::vector<char> used = p_.order.list.used(n);
+        #pragma omp parallel for schedule(static) if (entries > 10000)
         for (std::size_t e = 0; e < entries; ++e) if (!used[e]) words[entry + e] = 0;
     }
     at += entries;
     const std::size_t together = historyTogether(), rows = historyRows();
     for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
+    {
+        #pragma omp parallel for schedule(static) if (entries > 10000)
         for (std::size_t e = 0; e < entries; ++e)
             if (free(e)) clear(at + e*together*each, together);
+    }
     if (!p_.walls.count) return;
     at += p_.walls.count*sizeof(WallData)/4;
     const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches, on = at;
@@ -225,7 +223,7 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
     if (p_.clumps.count())
         expected += (p_.clumps.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
-    words.reserve(expected);
+    detail::reserveWords(words, expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
         const std::size_t at = words.size();
@@ -260,7 +258,7 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
     const std::size_t memory = words.size();
     forEachMemory(write);
     clearUnused(words, memory, n);
-    words.push_back(detail::demChecksum(words, words.size()));
+    words.push_back(detail::checksum(words, words.size()));
     return words;
 }
 
@@ -352,7 +350,7 @@ void Checkpoint<Backend, D, P>::checkHeader(const std::vector<std::int32_t>& wor
     if (words[0] != detail::demMagic) fail("not a state of riprap's solids");
     if (words[1] != detail::demVersion)
         fail("version " + std::to_string(words[1]) + " is not supported");
-    if (detail::demChecksum(words, words.size() - 1) != words.back())
+    if (!detail::checksumFits(words))
         fail("checksum does not match: the data are damaged");
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");

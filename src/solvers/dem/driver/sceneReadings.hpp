@@ -48,6 +48,7 @@ private:
     void dropGhosts(DemState&);
     template<class Put> void eachWallContact(int n, const Put&);
     std::vector<int> wallContacts();
+    std::vector<int> atWalls(const std::vector<int>& first);
     std::vector<std::int32_t> contactCounts(int n);
 
     DemParts<Backend, D, P>& p_;
@@ -68,6 +69,7 @@ std::vector<double> SceneReadings<Backend, D, P>::orientations(int n)
     for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
     {
         const auto q = p_.particles.template field<real>(p_.particles.at.turn + k);
+        #pragma omp parallel for schedule(static) if (n > 10000)
         for (int i = 0; i < n; ++i)
         {
             if (D == 3) { turns[4*std::size_t(i) + k] = double(q[i]); continue; }
@@ -424,19 +426,29 @@ double SceneReadings<Backend, D, P>::deepestOverlap()
     return most;
 }
 
+//- Slots that have entries of walls, which begin at first, and are no ghosts
+template<class Backend, int D, class P>
+std::vector<int> SceneReadings<Backend, D, P>::atWalls(const std::vector<int>& first)
+{
+    std::vector<int> near;
+    for (int i = 0; i < p_.order.active(); ++i)
+        if (first[i] < first[i + 1] && !ranks_.ghost(i)) near.push_back(i);
+    return near;
+}
+
 template<class Backend, int D, class P>
 std::vector<DemWallForce> SceneReadings<Backend, D, P>::wallForces()
 {
     std::vector<DemWallForce> out(p_.walls.count);
     if (!p_.walls.count || !p_.walls.memory.entries) return out;
-    const int n = p_.order.active();
     const auto first = p_.walls.memory.entryFirst.download();
     const auto entry = p_.walls.memory.entry.download();
     const auto force = p_.walls.memory.force.download();
     const auto on = p_.walls.memory.on.download();
     const auto normal = p_.walls.memory.normal.download();
     const std::vector<WallData> walls = p_.walls.walls.download();
-    const std::vector<double> x = p_.particles.positions(n);
+    const std::vector<int> near = atWalls(first);
+    const std::vector<double> x = p_.particles.positionsOf(near);
     // the part of a force along the normals of an entry's touches
     const auto alongNormals = [&](int e, const Vec<3, double>& force)
     {
@@ -459,8 +471,8 @@ std::vector<DemWallForce> SceneReadings<Backend, D, P>::wallForces()
         }
         return sum;
     };
-    for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
+    for (std::size_t k = 0; k < near.size(); ++k)
+        for (int e = first[near[k]]; e < first[near[k] + 1]; ++e)
         {
             Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
             for (int d = 0; d < D; ++d)
@@ -468,7 +480,7 @@ std::vector<DemWallForce> SceneReadings<Backend, D, P>::wallForces()
             for (int c = 0; c < S; ++c)
                 m.c[D == 2 ? p_.set.config.axes[2] : c] = -(D == 2 ? p_.set.spinSign() : 1)
                     *double(force[e*wallWords<D> + D + c]);
-            const Vec<3, double> centre{{x[3*i], x[3*i + 1], x[3*i + 2]}},
+            const Vec<3, double> centre{{x[3*k], x[3*k + 1], x[3*k + 2]}},
                 pressed = alongNormals(e, f), turned = cross(centre, pressed);
             m = m + cross(centre, f);
             DemWallForce& w = out[entry[e].wall];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/containers/fieldSet.hpp"
+#include "dem/passes/gatherPlaces.hpp"
 #include "dem/state/solidFields.hpp"
 #include "solvers/dem/parts/demSetting.hpp"
 
@@ -46,13 +47,15 @@ public:
     SolidFields<D, P> view();
     const real* externalForces() const { return external.size() ? external.data() : nullptr; }
 
-    //- For the host: one field; vectors and positions of the first `count` in three components
+    //- For the host: one field; vectors and positions of the first `count`, and positions of some,
+    //  in three components
     template<class T> std::vector<T> field(int f)
     {
         return values.template download<T>(set_.context, f);
     }
     template<class T> std::vector<double> vector(int count, int first, int components, bool spin);
     std::vector<double> positions(int count);
+    std::vector<double> positionsOf(const std::vector<int>& who);
 
 private:
 
@@ -224,6 +227,32 @@ std::vector<double> ParticleFields<Backend, D, P>::positions(int count)
         for (int i = 0; i < count; ++i)
             out[3*std::size_t(i) + set_.config.axes[d]] = set_.box.toMetres(d, x[i]);
     }
+    return out;
+}
+
+//- Positions of some, in metres
+template<class Backend, int D, class P>
+std::vector<double> ParticleFields<Backend, D, P>::positionsOf(const std::vector<int>& who)
+{
+    std::vector<double> out(3*who.size(), 0.0);
+    if (D == 2)
+    {
+        const auto key = field<std::int32_t>(at.id);
+        for (std::size_t k = 0; k < who.size(); ++k)
+            out[3*k + set_.config.axes[2]] = emptyCoordinate[key[who[k]]];
+    }
+    Array<Backend, int> some;
+    Array<Backend, std::int64_t> there;
+    some.upload(set_.context, who);
+    there.allocate(set_.context, D*who.size());
+    GatherPlaces<D> gather{some.data(), {}, there.data()};
+    for (int d = 0; d < D; ++d)
+        gather.x[d] = reinterpret_cast<const std::int64_t*>(values.bytes(at.x + d));
+    forEach(set_.context, int(who.size()), gather);
+    const std::vector<std::int64_t> x = there.download();
+    for (std::size_t k = 0; k < who.size(); ++k)
+        for (int d = 0; d < D; ++d)
+            out[3*k + set_.config.axes[d]] = set_.box.toMetres(d, x[D*k + d]);
     return out;
 }
 

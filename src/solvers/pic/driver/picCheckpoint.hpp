@@ -7,7 +7,7 @@
     (and whose memory of a transfer is among them), cells, bytes of the clock; the clock; each field
     of the particles in the device's order; phi, p, and the velocities of the faces, their last
     changes and what particles took; what openings remember; of solids, each after its length, what
-    bodies remember and the state of their own scene; a checksum (FNV-1a over all words before it).
+    bodies remember and the state of their own scene; a checksum of all words before it.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -93,7 +93,7 @@ std::vector<std::int32_t> PicCheckpoint<Backend, D, P>::save()
     detail::appendBytes(words, &p_.set.clock, sizeof(PicClock));
     std::size_t expected = words.size() + 1;
     forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
-    words.reserve(expected);
+    detail::reserveWords(words, expected);
     forEachSaved([&](unsigned char* data, std::size_t size)
     {
         const std::size_t at = words.size();
@@ -127,7 +127,7 @@ void PicCheckpoint<Backend, D, P>::check(const std::vector<std::int32_t>& words)
     if (words[0] != detail::picMagic) fail("not a state of PIC");
     if (words[1] != detail::picVersion)
         fail("version " + std::to_string(words[1]) + " is not supported");
-    if (detail::checksum(words, words.size() - 1) != words.back())
+    if (!detail::checksumFits(words))
         fail("checksum does not match: the data are damaged");
     if (words[2] != D) fail("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(sizeof(real))) fail("it was written with another precision");

@@ -125,16 +125,17 @@ FluidState PicReadings<Backend, D, P>::fluid()
     if (D == 2)
         for (int i = 0; i < particles.n; ++i)
             state.position[3*i + empty] = p_.set.emptyCoordinate;
-    std::vector<double> x[D];
     for (int d = 0; d < D; ++d)
     {
-        x[d] = particles.values.template download<double>(p_.set.context, particles.at.x + d);
+        const std::vector<double> x = particles.values.template download<double>(
+            p_.set.context, particles.at.x + d);
         const std::vector<real> v = velocities(d);
         const int axis = config.axes[d];
+        #pragma omp parallel for schedule(static) if (particles.n > 10000)
         for (int i = 0; i < particles.n; ++i)
         {
-            state.position[3*i + axis] = p_.set.grid.origin[d] + x[d][i];
-            state.velocity[3*i + axis] = v[i];
+            state.position[3*std::size_t(i) + axis] = p_.set.grid.origin[d] + x[i];
+            state.velocity[3*std::size_t(i) + axis] = v[i];
         }
     }
     state.id = particles.values.template download<std::int32_t>(p_.set.context, particles.at.id);
@@ -160,13 +161,14 @@ PicGridState PicReadings<Backend, D, P>::grid()
     state.velocity.assign(3*std::size_t(cells), 0.0);
     std::vector<real> u[D];
     for (int d = 0; d < D; ++d) u[d] = p_.faces.u[d].download();
+    #pragma omp parallel for schedule(static) if (cells > 10000)
     for (int i = 0; i < cells; ++i)
     {
         state.water[i] = waterFraction(grid, phi.data(), i, 0)*(p_.cuts() ? double(open[i]) : 1.0);
         if (!near[i]) continue;
         const typename UniformGrid<D>::Index c = grid.cellIndex(i);
         for (int d = 0; d < D; ++d)
-            state.velocity[3*i + p_.set.config.axes[d]] = 0.5
+            state.velocity[3*std::size_t(i) + p_.set.config.axes[d]] = 0.5
                 *(double(u[d][grid.faceOf(d, c, 0)]) + u[d][grid.faceOf(d, c, 1)]);
     }
     return state;
@@ -207,6 +209,7 @@ SampleResult PicReadings<Backend, D, P>::sample(const std::vector<double>& point
         sample.result = found.data();
         forEach(context, int(end - first), sample);
         const std::vector<double> values = found.download();
+        #pragma omp parallel for schedule(static) if (end - first > 10000)
         for (std::size_t i = first; i < end; ++i)
         {
             const double* v = &values[sample.values*(i - first)];

@@ -5,7 +5,7 @@
     clock; the energy of changes of the speed of sound; each field in the device's order; those of
     moving walls; of the solids that have not left ids, velocity, acceleration and force
     (interpolated: that of the step before, too), and the state of their own scene, its length
-    before it; a checksum (FNV-1a over all words before it).
+    before it; a checksum of all words before it.
 
     Of several ranks the first is sent all fields while the state is saved: the words are those of
     one process, and any number of ranks goes on with them.
@@ -40,7 +40,7 @@ inline void requireState(const std::vector<std::int32_t>& words, std::size_t lea
     if (words[0] != stateMagic) refuseState("not a riprap state");
     if (words[1] != stateVersion)
         refuseState("version " + std::to_string(words[1]) + " is not supported");
-    if (checksum(words, words.size() - 1) != words.back())
+    if (!checksumFits(words))
         refuseState("checksum does not match: the data are damaged");
     if (words[2] != dimensions) refuseState("it is of " + std::to_string(words[2]) + " dimensions");
     if (words[3] != int(real)) refuseState("it was written with another precision");
@@ -100,7 +100,7 @@ std::vector<std::int32_t> SphCheckpoint<Backend, D, P>::save()
     for (int f = 0; f < p_.fluid.values.fields(); ++f)
         expected += (std::size_t(n)*p_.fluid.values.elementBytes(f) + 3)/4;
     const bool here = !p_.ranks || p_.ranks->first();
-    if (here) words.reserve(expected);
+    if (here) detail::reserveWords(words, expected);
     const auto append = [&](FieldSet<Backend>& set, int count)
     {
         for (int f = 0; f < set.fields(); ++f)
