@@ -131,7 +131,7 @@ void SoundSpeed<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundS
     p_.clock.write();
     if (p_.ranks) { p_.ranks->agree(*p_.clock.data(), p_.interrupted); p_.clock.read(); }
     fluid_.refreshRecords();
-    if constexpr (Backend::gpu) p_.memory.graphs.recorded = false;
+    if constexpr (Backend::gpu) p_.memory.graphs.forget();
 }
 
 } // namespace riprap

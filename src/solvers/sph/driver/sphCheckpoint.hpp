@@ -209,7 +209,7 @@ void SphCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& given)
     if (p_.solids.side) p_.solids.allocateAction(p_.fluid.n);
     if constexpr (Backend::gpu)
     {
-        p_.memory.graphs.recorded = false;
+        p_.memory.graphs.forget();
         neighbours_.allocateLists();
     }
     if (p_.ranks) p_.ranks->begin(p_.clock.now, p_.stiffening);

@@ -227,7 +227,7 @@ void SphNeighbours<Backend, D, P>::growLists()
         if (now.overflow[4])
             p_.memory.solidFluid.allocate(p_.set.context, p_.solids.count, p_.memory.solidShift,
                 true, grown(now.overflow[4]));
-        p_.memory.graphs.recorded = false;
+        p_.memory.graphs.forget();
         for (int& o : now.overflow) o = 0;
         p_.clock.write();
     }

@@ -148,7 +148,7 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     {
         p_.poses.set(now.time, std::max(t, now.time));
         // poses are part of the recorded launches
-        if constexpr (Backend::gpu) p_.memory.graphs.recorded = false;
+        if constexpr (Backend::gpu) p_.memory.graphs.forget();
     }
     if (p_.ranks) p_.ranks->agreeToStop(p_.interrupted);
     if (p_.stopAsked()) maxSteps = 1;

@@ -29,6 +29,8 @@ public:
 private:
 
     void step();
+    void passes();
+    void passesAfterSolids();
     int stepsAhead() const;
     void runCycles(int steps, bool graphs);
     void fitCycle(int taken);
@@ -52,7 +54,16 @@ void SphStepper<Backend, D, P>::step()
         p_.clock.read();
         if (p_.clock.now.active) solids_.advance();
         if (!p_.clock.now.active) return;
+        passesAfterSolids();
+        if (p_.solids.coupling.force == FluidForceKind::impulse) solids_.push();
     }
+    else passes();
+}
+
+//- Passes of a step over fluid, walls and what solids and fluid do to each other
+template<class Backend, int D, class P>
+void SphStepper<Backend, D, P>::passes()
+{
     walls_.moveFaces();
     if (p_.set.config.integrator == IntegratorKind::leapfrog)
     {
@@ -89,7 +100,35 @@ void SphStepper<Backend, D, P>::step()
     }
     solids_.forcePass();
     if (p_.ranks) p_.ranks->agree(*p_.clock.data(), p_.interrupted);
-    if (p_.solids.side && p_.solids.coupling.force == FluidForceKind::impulse) solids_.push();
+}
+
+//- On the GPU recorded, for each memory that fields of fluid, walls and solids alternate between:
+//  the host, which has waited for the solids' steps, launches once
+template<class Backend, int D, class P>
+void SphStepper<Backend, D, P>::passesAfterSolids()
+{
+#ifdef __CUDACC__
+    if constexpr (std::is_same<Backend, Gpu>::value)
+        if (!p_.set.context.profile.timing && p_.fluid.values.alternates()
+            && (!p_.walls.bodies || p_.walls.values.alternates()))
+        {
+            std::string key;
+            const auto add = [&](const auto& value)
+            { key.append(reinterpret_cast<const char*>(&value), sizeof(value)); };
+            add(p_.solids.side->view());
+            add(p_.solids.meetFluid);
+            add(p_.fluid.values.bytes(0));
+            if (p_.walls.bodies) add(p_.walls.values.bytes(0));
+            auto& graphs = p_.memory.graphs.afterSolids;
+            constexpr std::size_t most = 16;
+            if (graphs.size() >= most && !graphs.count(key)) graphs.clear();
+            Graph& graph = graphs[key];
+            if (!graph.recorded()) graph.record(p_.set.context, [&] { passes(); });
+            graph.replay(p_.set.context);
+            return;
+        }
+#endif
+    passes();
 }
 
 template<class Backend, int D, class P>

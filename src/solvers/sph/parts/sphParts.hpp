@@ -6,6 +6,8 @@
 #pragma once
 
 #include <atomic>
+#include <map>
+#include <string>
 #include "core/neighbours/pairLoop.hpp"
 #include "core/neighbours/searchReach.hpp"
 #ifdef __CUDACC__
@@ -40,6 +42,11 @@ struct StepGraphs
     static constexpr int together = 4;
     Graph rebuild[2], step[2], steps[2];
     bool recorded = false;      // and as things are now
+    // of a step with solids what follows their own: by the memory that it reads, as bytes
+    std::map<std::string, Graph> afterSolids;
+
+    //- Things are no longer as they were
+    void forget() { recorded = false; afterSolids.clear(); }
 };
 
 template<int D, class P>
