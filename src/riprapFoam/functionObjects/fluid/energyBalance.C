@@ -45,14 +45,6 @@ void Foam::functionObjects::energyBalance::begin()
 {
     const riprap::FluidEnergy energy(fluid().fluidScene().energy());
 
-    if (onGrid() && fluid().bodies().size())
-    {
-        WarningInFunction
-            << "Column wallWork of function object " << name()
-            << " is 0 with solver picDem: the work of walls that move stands"
-            << " in dissipated and drift, with the other sign" << endl;
-    }
-
     if (!foundProperty("totalAtStart"))
     {
         totalAtStart_ = total(energy);

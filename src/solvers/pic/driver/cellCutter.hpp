@@ -31,6 +31,7 @@ private:
 
     void measureOpenParts(bool all);
     void keepBase();
+    void keepPushed();
     void cutByBodies();
 
     PicParts<Backend, D, P>& p_;
@@ -96,6 +97,7 @@ void CellCutter<Backend, D, P>::cut(double t, double dt)
         setWalls(p_.cut.base.walls);
         p_.cut.nodeDistance.upload(context, p_.cut.base.nodeDistance);
         if (solids.bodies) keepBase();
+        if (p_.cut.base.moves) keepPushed();
     }
     else if (solids.bodies)
     {
@@ -146,6 +148,21 @@ void CellCutter<Backend, D, P>::keepBase()
                 cut.base.walls.aperture[d].begin(), cut.base.walls.aperture[d].end()));
         const std::vector<double>& w = cut.base.walls.wallVelocity[d];
         if (!w.empty()) cut.baseVelocity[d].upload(context, std::vector<real>(w.begin(), w.end()));
+    }
+}
+
+//- Fluxes of the obstacles that move, for their work
+template<class Backend, int D, class P>
+void CellCutter<Backend, D, P>::keepPushed()
+{
+    const PicWalls& walls = p_.cut.base.walls;
+    for (int d = 0; d < D; ++d)
+    {
+        std::vector<real> flux(walls.wallVelocity[d].size());
+        #pragma omp parallel for schedule(static) if (flux.size() > 10000)
+        for (std::size_t i = 0; i < flux.size(); ++i)
+            flux[i] = real((1 - double(walls.aperture[d][i]))*double(walls.wallVelocity[d][i]));
+        p_.cut.pushed[d].upload(p_.set.context, flux);
     }
 }
 

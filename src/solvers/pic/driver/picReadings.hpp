@@ -232,6 +232,7 @@ FluidEnergy PicReadings<Backend, D, P>::energy()
     FluidEnergy e;
     e.kinetic = mass*sums[0];
     e.potential = mass*sums[1];
+    e.wallWork = p_.wallWork;
     return e;
 }
 

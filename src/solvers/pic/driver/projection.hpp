@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "pic/projection/wallWork.hpp"
 #include "pic/terms/forces.hpp"
 #include "solvers/pic/driver/momentumBudget.hpp"
 #include "solvers/pic/driver/picTransfer.hpp"
@@ -32,6 +33,7 @@ private:
 
     void force(Array<Backend, real>* from, bool gravity, double dt);
     void reflect(double dt, double drift);
+    void addWallWork(double dt);
 
     PicParts<Backend, D, P>& p_;
     PicTransfer<Backend, D, P>& transfer_;
@@ -91,6 +93,20 @@ void Projection<Backend, D, P>::reflect(double dt, double drift)
         });
 }
 
+//- Of obstacles that move, in a kick
+template<class Backend, int D, class P>
+void Projection<Backend, D, P>::addWallWork(double dt)
+{
+    WallWork<D, real> work{
+        p_.set.grid, p_.pressure.step.wet(), p_.pressure.whole().data(), {}};
+    for (int d = 0; d < D; ++d)
+    {
+        if (!p_.cut.pushed[d].size()) return;
+        work.flux[d] = p_.cut.pushed[d].data();
+    }
+    p_.wallWork += dt*p_.set.grid.area()*sumOver<1>(p_.set.context, p_.set.grid.cells(), work)[0];
+}
+
 //- Forces, then the pressure; the velocity, its change and what carries particles, extended past
 //  the surface.
 //
@@ -131,6 +147,7 @@ void Projection<Backend, D, P>::project(double dt, double drift)
         p_.rows.eachCellOfBoth(context,
             WholePressure{pressure.step.wet(), pressure.p.data(), pressure.ahead.data(),
                 pressure.total.data(), dt});
+    if (p_.cut.base.moves) addWallWork(dt);
     if (solids.bodies)
         solids.bodies->forces.act(solids.cut.gather(context, pressure.whole().data()));
     p_.rows.eachFace(context,

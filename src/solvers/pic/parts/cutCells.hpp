@@ -28,6 +28,7 @@ public:
     Array<Backend, real> open, openWeight;      // parts of cells
     Array<Backend, real> faceDistance[D], solidVelocity[D];     // where water sticks to solids
     Array<Backend, unsigned char> cellLayer, sealed[D];
+    Array<Backend, real> pushed[D];             // of obstacles that move, what closes faces times w
 
     explicit CutCells(PicSetting<Backend, D, P>& set) : set_(set) {}
 

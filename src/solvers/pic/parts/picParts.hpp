@@ -55,6 +55,7 @@ struct PicParts
     SolidsInWater<Backend, D, P> solids;
     CutCells<Backend, D, P> cut{set};
     PressureOfWater<Backend, D, P> pressure;
+    double wallWork = 0;                        // of obstacles that move, since the scene began
     std::atomic<bool> interrupted{false};
 
     PicParts(const PicConfig& config, LinearSolver* solver, PicInside&& in)

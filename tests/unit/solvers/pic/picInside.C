@@ -154,5 +154,76 @@ TEST_P(PicInsideScene, AMovingBodyPushesWaterAside)
     EXPECT_EQ(in, 0);
 }
 
+//- Solid between two heights, or to the left of a line
+PicObstacle block(int dimensions, double x0, double y0, double x1, double y1)
+{
+    PicObstacle o = prism(dimensions, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, true);
+    o.body = 0;
+    return o;
+}
+
+double energy(PicScene& s)
+{
+    const FluidEnergy e = s.energy();
+    return e.kinetic + e.potential;
+}
+
+//- A floor that rises lifts the water on it: its work is the weight times the way
+TEST_P(PicInsideScene, AFloorThatRisesDoesTheWorkOfTheLift)
+{
+    for (const double reflection : {0.0, 1.0})
+    {
+        PicConfig c = config(D() == 2 ? 32 : 12);
+        c.reflection = reflection;
+        const double floor = 0.17, depth = 0.4, lift = 0.1, time = 1, g = 9.81, pi = std::acos(-1);
+        PicInside inside;
+        inside.obstacles.push_back(block(D(), -1, -1, 2, floor));
+        inside.motion = [&](int, double t)
+        {
+            WallPose p;
+            p.translation[1] = 0.5*lift*(1 - std::cos(pi*std::min(t, time)/time));
+            return p;
+        };
+        const auto s = scene(c,
+            box(c, {{0, floor, 0}}, {{1, floor + depth, 1}}, [](double, double) { return true; }),
+            std::move(inside));
+        EXPECT_EQ(s->energy().wallWork, 0);
+        const double before = energy(*s);
+        ASSERT_EQ(s->advance(time).stop, StopReason::none);
+        const double work = s->energy().wallWork, expected = c.density*depth*g*lift;
+        EXPECT_NEAR(work, expected, 0.01*expected) << reflection;
+        EXPECT_NEAR(energy(*s) - before, work, 0.01*expected) << reflection;
+    }
+}
+
+//- A piston pushes water up in front of it: the water has got what the piston gave, less what the
+//  steps dissipate
+TEST_P(PicInsideScene, APistonsWorkIsWhatTheWaterGets)
+{
+    if (D() == 3 && !mixed()) GTEST_SKIP() << "seconds saved";
+    for (const double reflection : {0.0, 1.0})
+    {
+        PicConfig c = config(D() == 2 ? 48 : 16);
+        c.reflection = reflection;
+        const double stroke = 0.15, time = 0.5, x0 = 0.11, pi = std::acos(-1);
+        PicInside inside;
+        inside.obstacles.push_back(block(D(), -1, -1, x0, 2));
+        inside.motion = [&](int, double t)
+        {
+            WallPose p;
+            p.translation[0] = 0.5*stroke*(1 - std::cos(pi*std::min(t, time)/time));
+            return p;
+        };
+        const auto s = scene(c,
+            box(c, {{x0, 0, 0}}, {{1, 0.4, 1}}, [](double, double) { return true; }),
+            std::move(inside));
+        const double before = energy(*s);
+        ASSERT_EQ(s->advance(time).stop, StopReason::none);
+        const double work = s->energy().wallWork, gained = energy(*s) - before;
+        EXPECT_GT(work, gained) << reflection;
+        EXPECT_LT(work - gained, (D() == 2 ? 0.03 : 0.1)*work) << reflection;
+    }
+}
+
 } // namespace
 } // namespace riprap
