@@ -341,7 +341,8 @@ DemEnergy SceneReadings<Backend, D, P>::energy()
     if (!ranks_.others)
         for (int k = 0; k < p_.walls.memory.entries; ++k)
             e.contact += double(wall[k*wallWords<D> + D + S]);
-    for (int i = 0; ranks_.others && p_.walls.memory.entries && i < p_.order.active(); ++i)
+    const int held = ranks_.others && p_.walls.memory.entries ? p_.order.active() : 0;
+    for (int i = 0; i < held; ++i)
         for (int k = p_.walls.memory.entryFirst.data()[i];
              !ranks_.ghost(i) && k < p_.walls.memory.entryFirst.data()[i + 1]; ++k)
             e.contact += double(wall[k*wallWords<D> + D + S]);
@@ -430,8 +431,9 @@ double SceneReadings<Backend, D, P>::deepestOverlap()
 template<class Backend, int D, class P>
 std::vector<int> SceneReadings<Backend, D, P>::atWalls(const std::vector<int>& first)
 {
+    const int n = p_.order.active();            // of a GPU the host asks
     std::vector<int> near;
-    for (int i = 0; i < p_.order.active(); ++i)
+    for (int i = 0; i < n; ++i)
         if (first[i] < first[i + 1] && !ranks_.ghost(i)) near.push_back(i);
     return near;
 }

@@ -104,7 +104,7 @@ void Sleepers<Backend, D, P>::wakeChanged(
     const auto mass = p_.particles.template field<real>(p_.particles.at.mass),
                radius = p_.particles.template field<real>(p_.particles.at.radius);
     std::vector<std::int32_t> changed(p_.particles.n, 0);
-    for (int i = 0; i < p_.order.active(); ++i)
+    for (int i = 0, last = p_.order.active(); i < last; ++i)
     {
         double change = 0;
         for (int c = 0; c < numbers; ++c)
