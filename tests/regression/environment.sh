@@ -191,6 +191,7 @@ check includes etc/checkLayering
 check includesChecked etc/checkLayering --self-test
 check sizes etc/checkSizes
 check sizesCounted etc/checkSizes --self-test
+check unitSources etc/unitSources -check
 check python etc/checkPython
 check whitespace etc/checkWhitespace
 

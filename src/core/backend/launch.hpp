@@ -95,6 +95,15 @@ void profiled(Context<Cpu>& context, const char* name, Launch launch)
     if (context.profile.timing) context.profile.addTime(name, omp_get_wtime() - start);
 }
 
+//- By one thread. Compiled once for all that call it: kernels are most of what there is to compile
+template<class F>
+[[gnu::noinline]] void eachOf(const F& f, int from, int end)
+{
+    // of this thread: nothing that f writes can be thought to alias it
+    const F own(f);
+    for (int i = from; i < end; ++i) own(i);
+}
+
 //- few: so many are done by one thread: a team, even of one, costs more
 template<class F>
 void forEach(Context<Cpu>& context, int n, const F& f, int few = 256)
@@ -102,18 +111,14 @@ void forEach(Context<Cpu>& context, int n, const F& f, int few = 256)
     if (n <= 0) return;
     profiled(context, F::name, [&]
     {
-        if (n <= few)
-        {
-            const F own(f);
-            for (int i = 0; i < n; ++i) own(i);
-            return;
-        }
+        if (n <= few) return eachOf(f, 0, n);
         #pragma omp parallel
         {
-            // of this thread: nothing that f writes can be thought to alias it
-            const F own(f);
-            #pragma omp for schedule(static)
-            for (int i = 0; i < n; ++i) own(i);
+            // as schedule(static) would
+            const int threads = omp_get_num_threads(), t = omp_get_thread_num(),
+                      each = n/threads, more = n % threads,
+                      from = t*each + std::min(t, more);
+            eachOf(f, from, from + each + (t < more));
         }
     });
 }
@@ -130,13 +135,9 @@ void forEachTask(Context<Cpu>& context, int tasks, const F& f)
     if (tasks <= 0) return;
     profiled(context, F::name, [&]
     {
-        if (tasks == 1) { const F own(f); own(0); return; }
-        #pragma omp parallel
-        {
-            const F own(f);
-            #pragma omp for schedule(dynamic, 1)
-            for (int t = 0; t < tasks; ++t) own(t);
-        }
+        if (tasks == 1) return eachOf(f, 0, 1);
+        #pragma omp parallel for schedule(dynamic, 1)
+        for (int t = 0; t < tasks; ++t) eachOf(f, t, t + 1);
     });
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by etc/unitSources: the sources of this folder, compiled together
+#include "advance.C"
+#include "dryRun.C"
+#include "expectedSpeed.C"
+#include "gridFields.C"
+#include "guards.C"
+#include "initialise.C"
+#include "logModels.C"
+#include "logStep.C"
+#include "needs.C"
+#include "obstacles.C"
+#include "picDem.C"
+#include "picSolids.C"
+#include "readFluid.C"
+#include "restart.C"

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by etc/unitSources: the sources of this folder, compiled together
+#include "advance.C"
+#include "cloudComparison.C"
+#include "dryRun.C"
+#include "fluidWalls.C"
+#include "followSpeed.C"
+#include "guards.C"
+#include "initialise.C"
+#include "logModels.C"
+#include "logStep.C"
+#include "needs.C"
+#include "readFluid.C"
+#include "restart.C"
+#include "sphDem.C"
+#include "sphSolids.C"
+#include "sphSolidsLog.C"

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by etc/unitSources: the sources of this folder, compiled together
+#include "baffles.C"
+#include "bodyElements.C"
+#include "bodyShapes.C"
+#include "geometryWalls.C"
+#include "patchElements.C"
+#include "wallCurves.C"
+#include "wallEdges.C"
+#include "wallGenerator.C"
+#include "wallLattice.C"
+#include "wallLatticeMarks.C"
+#include "wallPoints.C"
+#include "wallPointsReport.C"
+#include "wallSheets.C"
+#include "wallSurface.C"
