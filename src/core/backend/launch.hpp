@@ -25,7 +25,7 @@ static constexpr int maximaCount = 4;
 #ifdef __CUDACC__
 
 template<class F>
-__global__ void __launch_bounds__(256) forEachKernel(int n, F f)
+__global__ void __launch_bounds__(256) forEachKernel(int n, const OF_THE_GRID F f)
 {
     const int i = blockIdx.x*256 + threadIdx.x;
     if (i < n) f(i);
@@ -36,7 +36,8 @@ __global__ void __launch_bounds__(256) forEachKernel(int n, F f)
 static constexpr int residentThreads = 128;
 
 template<int blocks, class F>
-__global__ void __launch_bounds__(residentThreads, blocks) forEachResident(int n, F f)
+__global__ void __launch_bounds__(residentThreads, blocks) forEachResident(
+    int n, const OF_THE_GRID F f)
 {
     const int i = blockIdx.x*residentThreads + threadIdx.x;
     if (i < n) f(i);

@@ -9,6 +9,13 @@
     //- What is rarely called and large: it stands apart, and its registers do not burden who calls
     //  it
     #define HD_APART __host__ __device__ __noinline__
+    //- Of a kernel's parameter: its functions that stand apart are given its place, and no thread
+    //  makes a copy of it in its own memory
+    #if __CUDACC_VER_MAJOR__ >= 12 && (!defined(__CUDA_ARCH__) || __CUDA_ARCH__ >= 700)
+        #define OF_THE_GRID __grid_constant__
+    #else
+        #define OF_THE_GRID
+    #endif
     //- Before a short loop over arrays that are to stay in registers. (nvcc hands the host's copy
     //  of the code to a compiler that warns of it.)
     #ifdef __CUDA_ARCH__

@@ -28,13 +28,33 @@ struct FaceContact
         Vec<D, std::int64_t>& x, Vec<D, real>& v, ClockData* clock) const
     {
         if (!faces.groups) return;
+        // Functions that stand apart are given copies: what they are given stands in memory, and
+        // most particles shall stay in registers
+        constexpr int most = BodyContact<D, P>::most;
+        int near[most], count = 0;
+        if (bodies.start)
+        {
+            const Vec<D, std::int64_t> place = x;
+            int found[most];
+            count = bodies.near(box, place, found);
+            UNROLL
+            for (int k = 0; k < most; ++k) near[k] = k < count ? found[k] : 0;
+        }
         Vec<D, double> at;
         for (int d = 0; d < D; ++d) at.c[d] = box.toMetres(d, x.c[d]);
-        int near[BodyContact<D, P>::most];
-        const int count = bodies.start ? bodies.near(box, x, near) : 0;
         bool behind = faces.near(at);
-        for (int k = 0; k < count; ++k) behind = behind || faces.near(near[k], at);
-        if (behind) putBack(box, gravity, kick, at, near, count, x, v, clock);
+        UNROLL
+        for (int k = 0; k < most; ++k)
+            if (k < count) behind = behind || faces.near(near[k], at);
+        if (!behind) return;
+        int given[most];
+        for (int k = 0; k < most; ++k) given[k] = k < count ? near[k] : 0;
+        const Vec<D, real> rest = kick;
+        Vec<D, std::int64_t> place = x;
+        Vec<D, real> velocity = v;
+        putBack(box, gravity, rest, at, given, count, place, velocity, clock);
+        x = place;
+        v = velocity;
     }
 
 private:
