@@ -2,6 +2,7 @@
 
 #include "polylines.H"
 #include "Map.H"
+#include "bitSet.H"
 
 Foam::List<Foam::polyline> Foam::linkEdges
 (
@@ -24,14 +25,14 @@ Foam::List<Foam::polyline> Foam::linkEdges
     };
 
     DynamicList<polyline> lines;
-    boolList used(edges.size(), false);
+    bitSet used(edges.size());
     auto walk = [&](label p, label e)
     {
         polyline line;
         line.points.append(p);
-        while (e >= 0 && !used[e])
+        while (e >= 0 && !used.test(e))
         {
-            used[e] = true;
+            used.set(e);
             p = edges[e].otherVertex(p);
             line.edges.append(e);
             line.points.append(p);
@@ -45,12 +46,12 @@ Foam::List<Foam::polyline> Foam::linkEdges
     {
         for (const label p : {edges[e].start(), edges[e].end()})
         {
-            if (!used[e] && next(p, e) < 0) walk(p, e);
+            if (!used.test(e) && next(p, e) < 0) walk(p, e);
         }
     }
     forAll(edges, e)
     {
-        if (!used[e]) walk(edges[e].start(), e);
+        if (!used.test(e)) walk(edges[e].start(), e);
     }
     return List<polyline>(std::move(lines));
 }
