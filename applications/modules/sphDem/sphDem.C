@@ -39,13 +39,6 @@ static sphSettings settingsOfRanks(sphSettings settings)
             << "Entry device is gpu: several processes run on CPUs alone;"
             << " valid with -parallel are auto and cpu" << exit(FatalIOError);
     }
-    if (settings.walls.motion.size())
-    {
-        FatalIOErrorInFunction(settings.walls.dict)
-            << "Entry motion moves " << settings.walls.motion[0].name
-            << ": walls that move in a fluid run on one process alone. With"
-            << " -parallel leave motion out" << exit(FatalIOError);
-    }
     config.device = riprap::DeviceKind::cpu;
     return settings;
 }

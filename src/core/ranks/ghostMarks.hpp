@@ -5,6 +5,7 @@
 */
 #pragma once
 
+#include <vector>
 #include "core/backend/launch.hpp"
 
 namespace riprap
@@ -26,6 +27,14 @@ struct GhostMarks<Cpu>
 };
 
 #endif
+
+//- The marks of a vector that outlives them; none in an empty one
+template<class Backend>
+GhostMarks<Backend> ghostMarks([[maybe_unused]] const std::vector<char>& of)
+{
+    if constexpr (Backend::gpu) return {};
+    else return {of.empty() ? nullptr : of.data()};
+}
 
 //- A sum or maximum over particles (F::add, F::value) without ghosts
 template<class Backend, class F>

@@ -121,11 +121,10 @@ void checkWalls(const SphConfig& c, const WallInput& w, const WallMotion& motion
 bool onSeveral(const SphConfig& c) { return c.ranks && c.ranks->size() > 1; }
 
 //- What scenes on several processes cannot have yet
-void checkRanks(const SphConfig& c, const WallInput& w, const SolidPart& solids)
+void checkRanks(const SphConfig& c, const SolidPart& solids)
 {
     if (!onSeveral(c)) return;
     require(c.device != DeviceKind::gpu, "several processes run on CPUs alone");
-    require(w.nBodies == 0, "walls that move in a fluid run on one process");
     require(!solids.scene, "solids in a fluid run on one process");
     require(c.imbalance > 0, "the imbalance that bricks may have must be positive");
 }
@@ -173,7 +172,7 @@ std::unique_ptr<SphScene> createSphScene(const SphConfig& config, const FluidInp
     checkNumbers(config);
     checkFluid(config, fluid);
     checkWalls(config, walls, motion);
-    checkRanks(config, walls, solids);
+    checkRanks(config, solids);
     // unused lanes of packs may divide by zero, and a state that blows up is the guards' business
     fedisableexcept(FE_ALL_EXCEPT);
     const DeviceChoice choice = chooseDevice(

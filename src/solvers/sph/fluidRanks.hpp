@@ -6,8 +6,7 @@
     cells within reach is there: packs of neighbours hold the same particles in the same lanes, sums
     are added up in the same order, and results are the same bits.
 
-    Points of walls stand still, and are all on each rank. What the fluid about a point gives it is
-    worked out by the rank that has its cell, and sent to those whose fluid may see it.
+    Points of walls: solvers/sph/parts/wallRanks.hpp.
 
     In a step ranks send the pair records of ghosts, of each pass, and agree on the clock's maxima
     and flags: the time step is that of one process. At a rebuild particles change their ranks with
@@ -35,7 +34,7 @@ class FluidRanks
 
 public:
 
-    //- Of the solver: what is divided, and the points of its walls
+    //- Of the solver: what is divided
     struct Scene
     {
         const SphConfig& config;
@@ -44,9 +43,7 @@ public:
         FieldSet<Backend>& fluid;
         Records<Backend, D, P>& records;
         CellSort<Backend>& sort;
-        Records<Backend, D, P>& walls;
         const int& n;               // slots
-        const int& nWalls;
         const double& nowhere;      // [m] coordinate along the empty axis
     };
 
@@ -59,6 +56,7 @@ public:
 
     bool first() const { return ranks().rank() == 0; }
     const ParticleExchange& particles() const { return exchange_; }
+    ParticleExchange& particles() { return exchange_; }
     //- Slots for what is here, and some more
     int room() const { return exchange_.residents() + exchange_.residents()/4 + 256; }
 
@@ -70,9 +68,8 @@ public:
     void settle(int active);
 
     bool ghost(int i) const { return exchange_.kind(i) == ParticleExchange::ghost; }
-    GhostMarks<Backend> marks() const { return marksOf(ghosts_); }
-    GhostMarks<Backend> wallMarks() const { return marksOf(wallGhosts_); }
-    bool wallGhost(int i) const { return wallGhosts_[i]; }
+    GhostMarks<Backend> marks() const { return ghostMarks<Backend>(ghosts_); }
+    std::uint32_t cellOf(const Vec<D, position>& x) const;
     //- Is a point in a cell of this rank?
     bool has(const Vec<D, position>& x) const
     {
@@ -81,8 +78,6 @@ public:
 
     //- What pairs see of fluid that is a ghost elsewhere
     void shareRecords();
-    //- The same of walls, which stand still; their h is that of the start
-    void shareWalls();
 
     //- What the last pass, its step or a rebuild has raised on any rank
     void agree(ClockData&, bool interrupted);
@@ -109,17 +104,11 @@ public:
 private:
 
     Transport& ranks() const { return *s_.config.ranks; }
-    GhostMarks<Backend> marksOf(const std::vector<char>&) const;
-    std::uint32_t cellOf(const Vec<D, position>& x) const;
-    void divideWalls();
     void noticeLeft(int slot, const FluidFields<D, P>&);
 
     Scene s_;
     ParticleExchange exchange_;
-    SlotShares wallShares_;
-    std::vector<char> ghosts_, wallGhosts_;
-    // ParticleExchange::divisions() when they were; sent so far
-    std::int64_t wallsDivided_ = -1, wallBytes_ = 0;
+    std::vector<char> ghosts_;
     bool stop_ = false;
     // escaped and wild particles since the last report
     SphReport left_;
@@ -226,9 +215,6 @@ void FluidRanks<Backend, D, P>::settle(int active)
         exchange_.settle(s_.sort.order(), active);
         ghosts_.assign(s_.n, 0);
         for (int i = 0; i < exchange_.residents(); ++i) ghosts_[i] = ghost(i);
-        if (exchange_.divisions() == wallsDivided_) return;
-        divideWalls();
-        wallsDivided_ = exchange_.divisions();
     }
 }
 
@@ -238,44 +224,6 @@ std::uint32_t FluidRanks<Backend, D, P>::cellOf(const Vec<D, position>& x) const
     Vec<D, real> r;
     for (int d = 0; d < D; ++d) r.c[d] = s_.box.pairRelative(d, x.c[d]);
     return std::uint32_t(s_.grid.cellOf(r));
-}
-
-//- Which rank works out each point of the walls, and who is told
-template<class Backend, int D, class P>
-void FluidRanks<Backend, D, P>::divideWalls()
-{
-    if constexpr (!Backend::gpu)
-    {
-        const int me = ranks().rank(), size = ranks().size();
-        const RecordsView<Backend, D, P> walls = s_.walls.view();
-        std::vector<std::vector<int>> to(size), from(size);
-        wallGhosts_.assign(s_.nWalls, 0);
-        for (int i = 0; i < s_.nWalls; ++i)
-        {
-            const std::uint32_t cell = cellOf(walls.loadPosition(i));
-            const int owner = exchange_.ownerOf(cell);
-            wallGhosts_[i] = owner != me;
-            for (const int rank : exchange_.ghostsOf(cell))
-            {
-                if (owner == me) to[rank].push_back(i);
-                else if (rank == me) from[owner].push_back(i);
-            }
-        }
-        wallShares_.clear();
-        for (int rank = 0; rank < size; ++rank)
-        {
-            wallShares_.send(rank, std::move(to[rank]));
-            wallShares_.receive(rank, std::move(from[rank]));
-        }
-    }
-}
-
-template<class Backend, int D, class P>
-GhostMarks<Backend> FluidRanks<Backend, D, P>::marksOf(
-    [[maybe_unused]] const std::vector<char>& of) const
-{
-    if constexpr (Backend::gpu) return {};
-    else return {of.empty() ? nullptr : of.data()};
 }
 
 template<class Backend, int D, class P>
@@ -300,30 +248,6 @@ void FluidRanks<Backend, D, P>::shareRecords()
             take(r.pressureTerm);
             take(r.density);
             if (r.h) take(r.h);
-        });
-    }
-}
-
-template<class Backend, int D, class P>
-void FluidRanks<Backend, D, P>::shareWalls()
-{
-    if constexpr (!Backend::gpu)
-    {
-        const RecordsView<Backend, D, P> r = s_.walls.view();
-        constexpr std::size_t word = sizeof(real);
-        wallBytes_ += wallShares_.share(ranks(), word*(D + 2), [&](int i, unsigned char* to)
-        {
-            const auto put = [&](const auto* from) { std::memcpy(to, from + i, word); to += word; };
-            for (int d = 0; d < D; ++d) put(r.velocity[d]);
-            put(r.pressureTerm);
-            put(r.density);
-        },
-        [&](int i, const unsigned char* from)
-        {
-            const auto take = [&](auto* to) { std::memcpy(to + i, from, word); from += word; };
-            for (int d = 0; d < D; ++d) take(r.velocity[d]);
-            take(r.pressureTerm);
-            take(r.density);
         });
     }
 }
@@ -364,7 +288,7 @@ void FluidRanks<Backend, D, P>::report(SphReport& report)
     left_ = SphReport();
     const ParticleExchange::Counts& c = exchange_.counts();
     report.rank = RankReport{std::size_t(exchange_.ownedHere()),
-        std::size_t(exchange_.ghostsHere()), c.arrivals, c.divisions, c.bytesShared + wallBytes_,
+        std::size_t(exchange_.ghostsHere()), c.arrivals, c.divisions, c.bytesShared,
         c.bytesMigrating};
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/neighbours/pairLoop.hpp"
+#include "core/ranks/ghostMarks.hpp"
 #include "sph/passes/fluidPass.hpp"
 #include "sph/state/clock.hpp"
 
@@ -44,7 +45,9 @@ struct WallForcePass
     const real* wallVelocity[Dim];  // null where all walls are fixed
     double* work;               // [J]
     double* pressureWork;       // [J]
+    GhostMarks<Backend> ghosts;
 
+    HD bool skips(int i) const { return ghosts(i); }
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }

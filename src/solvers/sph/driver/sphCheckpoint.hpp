@@ -101,18 +101,19 @@ std::vector<std::int32_t> SphCheckpoint<Backend, D, P>::save()
         expected += (std::size_t(n)*p_.fluid.values.elementBytes(f) + 3)/4;
     const bool here = !p_.ranks || p_.ranks->first();
     if (here) detail::reserveWords(words, expected);
-    const auto append = [&](FieldSet<Backend>& set, int count)
+    const auto append = [&](FieldSet<Backend>& set, int count, bool divided)
     {
         for (int f = 0; f < set.fields(); ++f)
         {
             const std::size_t at = words.size(), bytes = std::size_t(count)*set.elementBytes(f);
             if (here) words.resize(at + (bytes + 3)/4, 0);
-            if (p_.ranks) p_.ranks->gather(set, f, words.data() + at);
-            else if (count) p_.set.context.toHost(&words[at], set.bytes(f), bytes);
+            if (divided) p_.ranks->gather(set, f, words.data() + at);
+            else if (here && count) p_.set.context.toHost(&words[at], set.bytes(f), bytes);
         }
     };
-    append(p_.fluid.values, n);
-    if (p_.walls.bodies) append(p_.walls.values, p_.walls.count);
+    append(p_.fluid.values, n, bool(p_.ranks));
+    if (p_.walls.bodies && p_.wallRanks) p_.wallRanks->gather();
+    if (p_.walls.bodies) append(p_.walls.values, p_.walls.count, false);
     if (p_.solids.side) saveSolids(words, ids, there);
     if (p_.ranks) p_.clock.read();
     if (!here) return {};

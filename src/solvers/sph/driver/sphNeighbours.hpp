@@ -83,6 +83,7 @@ void SphNeighbours<Backend, D, P>::rebuild()
     if constexpr (Backend::gpu) p_.memory.frames.clear(p_.set.context);
     forEach(p_.set.context, p_.fluid.n, fluid_.template mover<PlaceFluid<Backend, D, P>>());
     if (p_.walls.bodies) walls_.place();
+    if (p_.wallRanks) p_.wallRanks->settle();
     if (p_.solids.side) solids_.sort();
     settleFrames();
     if (p_.solids.side) solids_.findFluid();

@@ -99,9 +99,7 @@ WallState SphReadings<Backend, D, P>::walls()
         ReadWalls<Backend, D, P>{p_.walls.records.view(), p_.walls.fields().id, pressure.data()});
     const auto p = pressure.download();
     for (int i = 0; i < p_.walls.count; ++i) s.pressure[i] = p[i];
-    if (p_.ranks)
-        for (int i = 0; i < p_.walls.count; ++i)
-            if (p_.ranks->wallGhost(i)) s.pressure[id[i]] = 0;
+    for (int i = 0; i < p_.walls.count; ++i) if (p_.wallGhosts()(i)) s.pressure[id[i]] = 0;
     if (!p_.walls.bodies) return s;
     for (int d = 0; d < D; ++d)
     {
@@ -131,12 +129,15 @@ SphEnergy SphReadings<Backend, D, P>::energy()
     e.faceWork = double(p_.set.model.mass)*faceUnit*double(p_.clock.now.faces.energy);
     e.stiffening = p_.stiffening;
     if (!p_.walls.bodies) return e;
-    for (const double w :
-        p_.walls.values.template download<double>(p_.set.context, p_.walls.at.work))
-        e.wallWork += w;
-    for (const double w :
-        p_.walls.values.template download<double>(p_.set.context, p_.walls.at.pressureWork))
-        e.wallPressureWork += w;
+    const auto sumOf = [&](int field)
+    {
+        const auto work = p_.walls.values.template download<double>(p_.set.context, field);
+        double sum = 0;
+        for (int i = 0; i < p_.walls.count; ++i) if (!p_.wallGhosts()(i)) sum += work[i];
+        return sum;
+    };
+    e.wallWork = sumOf(p_.walls.at.work);
+    e.wallPressureWork = sumOf(p_.walls.at.pressureWork);
     return e;
 }
 
@@ -292,10 +293,10 @@ NeighbourCounts SphReadings<Backend, D, P>::countNeighbours()
     const int n = p_.fluid.active();
     r.fluid = count(p_.fluidSource(false), p_.fluid.records.view(), n, p_.ghosts(), false);
     r.walls = count(p_.wallSource(), p_.fluid.records.view(), n, p_.ghosts(), false);
-    const GhostMarks<Backend> wallGhosts = p_.ranks ? p_.ranks->wallMarks() : GhostMarks<Backend>();
     if (p_.walls.count && (p_.walls.bodies || p_.set.config.wallModel == WallKind::extrapolated))
         r.aboutWalls = count(
-            p_.fluidSource(true), p_.walls.records.view(), p_.walls.count, wallGhosts, false);
+            p_.fluidSource(true), p_.walls.records.view(), p_.walls.count, p_.wallGhosts(),
+            false);
     if (!p_.solids.meetFluid) return r;
     int solids = 0;
     p_.set.context.toHost(&solids, p_.solids.sort.active(), sizeof(int));

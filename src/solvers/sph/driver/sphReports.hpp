@@ -69,7 +69,12 @@ void SphReports<Backend, D, P>::finish(SphReport& report, std::int64_t before)
 template<class Backend, int D, class P>
 void SphReports<Backend, D, P>::collectEscaped(SphReport& report)
 {
-    if (p_.ranks) return p_.ranks->report(report);
+    if (p_.ranks)
+    {
+        p_.ranks->report(report);
+        report.rank.bytesInSteps += p_.wallRanks->bytesShared();
+        return;
+    }
     const int active = p_.fluid.active();
     report.fluid = active;
     if (active >= p_.fluid.reported) return;

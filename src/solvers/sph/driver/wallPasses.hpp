@@ -131,10 +131,10 @@ void WallPasses<Backend, D, P>::extrapolate(bool inStep)
         pass.model = p_.set.model;
         pass.count = p_.walls.count;
         pass.clock = inStep ? p_.clock.data() : nullptr;
-        if (p_.ranks) pass.ghosts = p_.ranks->wallMarks();
+        pass.ghosts = p_.wallGhosts();
         p_.run(pass, p_.walls.count);
     });
-    if (p_.ranks) p_.ranks->shareWalls();
+    if (p_.wallRanks) p_.wallRanks->share();
 }
 
 template<class Backend, int D, class P>
@@ -150,7 +150,7 @@ void WallPasses<Backend, D, P>::force(real* force, bool viscous)
             WallForcePass<Backend, D, P, Kernel, decltype(variable)::value, WallTerms> pass{
                 p_.set.box, p_.set.grid, {p_.fluidSource(true)}, p_.walls.records.view(), terms,
                 p_.set.template kernelConstants<Kernel>(), p_.set.model, p_.walls.count, force,
-                nullptr, {}, nullptr, nullptr};
+                nullptr, {}, nullptr, nullptr, p_.wallGhosts()};
             for (int d = 0; d < D; ++d) pass.wallVelocity[d] = p_.walls.velocity(d);
             if (force) return directPairLoop(p_.set.context, pass, p_.walls.count);
             pass.clock = p_.clock.data();

@@ -20,6 +20,7 @@
 #include "solvers/sph/parts/sphParticles.hpp"
 #include "solvers/sph/parts/wallPoints.hpp"
 #include "solvers/sph/parts/wallPoses.hpp"
+#include "solvers/sph/parts/wallRanks.hpp"
 
 namespace riprap
 {
@@ -80,12 +81,18 @@ struct SphParts
     CycleLength cycle;
     double stiffening = 0;      // [J] that changes of the speed of sound have added
     std::atomic<bool> interrupted{false};                   // until a call of advance has heeded it
-    std::unique_ptr<FluidRanks<Backend, D, P>> ranks;       // null: there is one
+    // null: there is one
+    std::unique_ptr<FluidRanks<Backend, D, P>> ranks;
+    std::unique_ptr<WallRanks<Backend, D, P>> wallRanks;
 
     SphParts(const SphConfig&, int particles, WallMotion);
     SphParts(const SphParts&) = delete;
 
     GhostMarks<Backend> ghosts() const { return ranks ? ranks->marks() : GhostMarks<Backend>(); }
+    GhostMarks<Backend> wallGhosts() const
+    {
+        return wallRanks ? wallRanks->marks() : GhostMarks<Backend>();
+    }
     bool stopAsked() const { return ranks ? ranks->stopAgreed() : bool(interrupted); }
     Tick tick() { return Tick{clock.data(), set.limits}; }
 
@@ -104,12 +111,12 @@ SphParts<Backend, D, P>::SphParts(const SphConfig& config, int particles, WallMo
 :
     set(config, particles), fluid(set, particles), poses(set.context, std::move(motion))
 {
-    if (config.ranks && config.ranks->size() > 1)
-        ranks = std::make_unique<FluidRanks<Backend, D, P>>(
-            typename FluidRanks<Backend, D, P>::Scene{set.config, set.box, set.grid, fluid.values,
-                fluid.records, fluid.sort, walls.records, fluid.n, walls.count,
-                set.emptyCoordinate},
-            double(set.allowedWay));
+    if (!config.ranks || config.ranks->size() == 1) return;
+    ranks = std::make_unique<FluidRanks<Backend, D, P>>(
+        typename FluidRanks<Backend, D, P>::Scene{set.config, set.box, set.grid, fluid.values,
+            fluid.records, fluid.sort, fluid.n, set.emptyCoordinate},
+        double(set.allowedWay));
+    wallRanks = std::make_unique<WallRanks<Backend, D, P>>(*ranks, walls);
 }
 
 template<class Backend, int D, class P>
