@@ -280,18 +280,12 @@ onRanks 3 >log 2>&1
 says water.othersGoOn 'Continuing exactly from time 0.02'
 same water.three . 0.03 ../one 0.03 --fluid
 sameTables water.tables . ../one
-for word in gpu motion solids
+for word in gpu solids
 do
     cp constant/sphProperties kept
     case $word in
         gpu) echo 'device gpu;' >>constant/sphProperties; refusedOn 3 waterGpu \
             'Entry device is gpu: several processes run on CPUs alone.*constant/sphProperties';;
-        motion)
-            dictionary constant/sphProperties <<<'walls { motion { piston { patches (leftWall); '\
-'solidBodyMotionFunction oscillatingLinearMotion;
-oscillatingLinearMotionCoeffs { amplitude (0.002 0 0); omega 500; } } } }'
-            refusedOn 3 waterMotion 'Entry motion moves piston: '\
-'walls that move in a fluid run on one process alone.*constant/sphProperties.walls';;
         solids)
             dictionary constant/solidProperties <<<"$glass"
             refusedOn 3 waterSolids \
@@ -300,9 +294,50 @@ oscillatingLinearMotionCoeffs { amplitude (0.002 0 0); omega 500; } } } }'
     mv kept constant/sphProperties
 done
 
-# Water about a cylinder among walls, through periodic sides that are cut, too; 3 processes
+# A wave maker and a paddle in the dam break: 2 processes, then 3, then one
 cd "$case" || exit 1
 rm -rf one again water
+mkdir waves && cd waves || exit 1
+functions='level { type waterLevel; libs ("libriprapFoam.so"); points ((0.03 0 0) (0.13 0 0)); }
+energy { type energyBalance; libs ("libriprapFoam.so"); }
+force { type wallForce; libs ("libriprapFoam.so"); } parts { type particleForces; '\
+'libs ("libriprapFoam.so"); patches (leftWall floor); surfaces (paddle); }
+mesh { type particlesToMesh; libs ("libriprapFoam.so"); writeControl writeTime; }'
+cp -r "$root"/tutorials/sphDem/damBreak/{constant,system} .
+sed -i 's/pressure .*hydrostatic;/& clip yes;/' system/setParticlesDict
+geometry 'paddle { type searchableBox; min (0.06 0.05 -1); max (0.08 0.15 1); }'
+dictionary constant/sphProperties <<<'precision double; XSPH 0.05;
+smoothingLength { model variable; maxGrowth 1.1; }
+walls { spacing 0.0025; motion { piston { patches (leftWall);
+solidBodyMotionFunction oscillatingLinearMotion;
+oscillatingLinearMotionCoeffs { amplitude (0.01 0 0); omega 60; } }
+paddle { patches (paddle); solidBodyMotionFunction rotatingMotion;
+rotatingMotionCoeffs { origin (0.07 0.1 0); axis (0 0 1); omega 10; } } } }'
+control 0.03 0.01
+{ blockMesh && setParticles; } >log 2>&1 || fail waves.made "$(oneLine | tail -c 300)"
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 2
+# The domain is that of all motion until endTime
+control 0.03 0.01 'stopAt nextWrite;'
+onRanks 2 >log 2>&1
+says waves.log 'Processes = 2, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+same waves.0.01 . 0.01 ../one 0.01 --fluid
+reconstructPar >log 2>&1
+sameFields waves.fields . ../one 0.01
+divide 3
+onRanks 3 >log 2>&1
+says waves.othersGoOn 'Continuing exactly from time 0.01'
+same waves.three . 0.02 ../one 0.02 --fluid
+reconstructPar -latestTime >log 2>&1
+control 0.03 0.01
+riprapFoam >log 2>&1
+says waves.oneGoesOn 'Continuing exactly from time 0.02'
+same waves.one . 0.03 ../one 0.03 --whole --fluid
+sameTables waves.tables . ../one
+
+# Water about a cylinder among walls, through periodic sides that are cut, too; 3 processes
+cd "$case" || exit 1
+rm -rf one waves
 mkdir pier && cd pier || exit 1
 functions='energy { type energyBalance; libs ("libriprapFoam.so"); } parts { type particleForces; '\
 'libs ("libriprapFoam.so"); surfaces (pier); }

@@ -138,7 +138,7 @@ TEST_P(MovingWallRanks, gateThatLeaves)
     const SphConfig c = basin();
     WallInput w = walls(c);
     FluidInput f = pool(c);
-    addBlock(c, {{0.45, 0.35, 0}}, {{0.55, 1.25, depth()}}, w, f);
+    addBlock(c, {{0.45, 0.35, 0}}, {{0.55, 1.5, depth()}}, w, f);
     const WallMotion rise = along([](double t) { return Vector3{{0, way(5, t), 0}}; });
     const Outcome one = alone(c, f, w, course(), rise);
     const std::size_t top = w.size() - 1,
