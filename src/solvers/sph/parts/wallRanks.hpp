@@ -110,7 +110,8 @@ void WallRanks<Backend, D, P>::settle()
 }
 
 template<class Backend, int D, class P>
-void WallRanks<Backend, D, P>::sendAddedUp(Slots to, Slots from)
+void WallRanks<Backend, D, P>::sendAddedUp(
+    [[maybe_unused]] Slots to, [[maybe_unused]] Slots from)
 {
     if constexpr (!Backend::gpu)
     {
