@@ -313,6 +313,7 @@ struct DemContacts
 
 struct DemBondState
 {
+    std::vector<std::int32_t> number;       // its place among those that were given
     std::vector<std::int32_t> a, b, type;   // ids
     // 0, 1: in tension, 2: in shear, 3: a particle left the scene
     std::vector<std::int32_t> broken;
@@ -381,6 +382,7 @@ public:
     //- The same without contacts and brokenBonds, which take most of the time
     virtual DemState motion() = 0;
     virtual DemContacts contacts() = 0;
+    // of several processes: each bond on one of them; a call of all
     virtual DemBondState bonds() = 0;
     virtual DemClumpState clumps() = 0;
     virtual DemEnergy energy() = 0;

@@ -61,7 +61,24 @@ public:
         return c;
     }
 
-    DemBondState bonds() override { return part_.bonds(); }
+    DemBondState bonds() override
+    {
+        DemBondState s = part_.bonds();
+        join(ranks_, s.number);
+        const auto order = orderBy(s.number.size(),
+            [&](std::size_t k, std::size_t l) { return s.number[k] < s.number[l]; });
+        arrange(s.number, 1, order);
+        const auto whole = [&](auto& values, std::size_t each)
+        {
+            join(ranks_, values);
+            arrange(values, each, order);
+        };
+        for (auto* v : {&s.a, &s.b, &s.type, &s.broken}) whole(*v, 1);
+        for (auto* v : {&s.force, &s.moment}) whole(*v, 3);
+        for (auto* v : {&s.gap, &s.restGap}) whole(*v, 1);
+        return s;
+    }
+
     DemClumpState clumps() override { return part_.clumps(); }
     std::vector<DemSpringState> springs() override { return part_.springs(); }
 

@@ -63,7 +63,6 @@ void checkRanks(const DemConfig& c, const DemInput& in)
     if (!c.ranks || c.ranks->size() < 2) return;
     require(c.device != DeviceKind::gpu, "several processes run on CPUs alone");
     require(in.clumps.empty(), "rigid bodies of several particles run on one process");
-    require(in.bonds.size() == 0, "bonds run on one process");
     require(c.sleepSpeed <= 0, "particles sleep on one process alone");
     require(c.imbalance > 0, "the imbalance that bricks may have must be positive");
 }

@@ -2,8 +2,11 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <map>
 #include <numeric>
+#include <random>
 #include <gtest/gtest.h>
+#include "core/ranks/idSlots.hpp"
 #include "randomWalks.hpp"
 #include "threadRanks.hpp"
 
@@ -174,6 +177,20 @@ TEST(ranks, aPlane)
     const Tank tank(2, 1, 0.01, closed, {0.02});
     const WalkSum o = walkOnRanks(tank, 4, 1500, 40, Walk{tank, 0.2, 0.001}, 0.1, 5);
     EXPECT_GT(o.arrivals, 1000);
+}
+
+//- Ids that are far apart, and such as fall on one place
+TEST(ranks, slotsOfIds)
+{
+    std::mt19937 engine(5);
+    std::map<std::int32_t, int> slotOf;
+    for (int i = 0; i < 500; ++i) slotOf.emplace(1 << (i % 31) | i << (i % 20), i);
+    for (int i = 0; i < 500; ++i) slotOf.emplace(std::int32_t(engine() >> 1), i);
+    IdSlots table(slotOf.size());
+    for (const auto& s : slotOf) table.put(s.first, s.second);
+    for (const auto& s : slotOf) EXPECT_EQ(table(s.first), s.second) << s.first;
+    for (std::int32_t id = 0; id < 20000; ++id) EXPECT_EQ(table(id) >= 0, slotOf.count(id) > 0);
+    EXPECT_EQ(IdSlots(0)(7), -1);
 }
 
 //- Bricks that never change: the load may do what it likes

@@ -334,6 +334,7 @@ void Checkpoint<Backend, D, P>::collectAll()
         p_.particles.ids.push_back(one.first);
         if (D == 2) p_.particles.emptyCoordinate.push_back(one.second);
     }
+    ranks_.bonds.collect();
     // nobody is a ghost
     p_.particles.values.upload(
         p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));

@@ -30,7 +30,8 @@ public:
     DemState particles() override { return readings_.particles(); }
     DemState motion() override { return readings_.motion(); }
     DemContacts contacts() override { return readings_.contacts(); }
-    DemBondState bonds() override { return p_.bonds.state(p_.order.slotOf); }
+    DemBondState bonds() override
+    { return ranks_.others ? ranks_.bonds.state() : p_.bonds.state(p_.order.slotOf); }
     DemClumpState clumps() override { return readings_.clumps(); }
     std::vector<DemSpringState> springs() override { return p_.clumps.springs(); }
     DemEnergy energy() override { return readings_.energy(); }
@@ -82,6 +83,7 @@ DemSolver<Backend, D, P>::DemSolver(
     sleepers_.allocate();
     p_.motion.holdGroups(p_.groups.motions());
     p_.bonds.set(input.bonds, input.particles);
+    if (ranks_.others) ranks_.bonds.begin();
     p_.clumps.set(input.particles);
     p_.motion.holdWalls(p_.walls.set(p_.reach.wallCell(), p_.particles.n));
     neighbours_.setFrames();
@@ -112,6 +114,7 @@ void DemSolver<Backend, D, P>::prime()
                 p_.clock.data(), 1e300, 1e300});
     neighbours_.rebuild(true);
     forces_.evaluate();
+    if (ranks_.others) ranks_.bonds.agree();
     forces_.collectForces();
     p_.clock.read();
     p_.clock.now.active = 0;

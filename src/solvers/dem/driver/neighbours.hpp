@@ -89,7 +89,8 @@ void Neighbours<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlac
     forEach(
         p_.set.context, p_.particles.n, PlaceSolids<D, P>{forces_.mover(), p_.order.slotOf.data()});
     settleFrames();
-    if (p_.bonds.count())
+    if (ranks_.others) ranks_.bonds.settle(*ranks_.others);
+    else if (p_.bonds.count())
         forEach(p_.set.context, p_.bonds.count(),
             LoseBonds<D, P>{p_.bonds.view(p_.order.slotOf.data())});
     if constexpr (Backend::gpu) buildFullLists(fresh);
@@ -166,7 +167,7 @@ void Neighbours<Backend, D, P>::buildContacts([[maybe_unused]] bool fresh)
         int entries = 0;
         p_.set.context.toHost(&entries, p_.order.list.base() + blocks, sizeof(int));
         p_.order.list.reserve(p_.set.context, requireListed(entries, "solid particles"),
-            p_.pairs.histories(), p_.bonds.count() > 0);
+            p_.pairs.histories(), p_.bonds.any());
         forEach(p_.set.context, p_.particles.n,
             WriteContacts<Backend, D, P>{search(), p_.order.sort.active(), p_.order.list.view(),
                 ContactListView<Backend, real>::historyWords(p_.pairs.histories())});
@@ -210,7 +211,7 @@ void Neighbours<Backend, D, P>::buildFullLists([[maybe_unused]] bool fresh)
         }
         p_.order.list.swapShape(p_.order.oldList);
         p_.order.list.reserve(p_.set.context, requireListed(total[1], "solid particles"),
-            p_.pairs.histories(), p_.bonds.count() > 0);
+            p_.pairs.histories(), p_.bonds.any());
         forEach(p_.set.context, p_.particles.n,
             WriteFullLists<Backend, D, P>{search(g.place.data()), p_.order.sort.active(),
                 p_.order.list.view(), p_.pairs.histories(), g.nearCount.data(),

@@ -7,15 +7,15 @@
     across a border remembers is kept by both ranks, each of which works it out.
 
     In a step ranks send positions and velocities of ghosts, and agree on the clock's flags. At a
-    rebuild particles change their ranks with all their fields, histories of contacts and of walls.
+    rebuild particles change their ranks with all their fields, histories of contacts and of walls,
+    and their bonds (rankedBonds.hpp).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include <limits>
-#include "core/ranks/particleExchange.hpp"
-#include "solvers/dem/parts/demParts.hpp"
+#include "solvers/dem/driver/rankedBonds.hpp"
 
 namespace riprap
 {
@@ -30,13 +30,14 @@ public:
     static constexpr int S = spins<D>;
 
     std::unique_ptr<ParticleExchange> others;       // null: there is one rank
+    RankedBonds<Backend, D, P> bonds;
     std::vector<Vector3> escaped;                   // since the last report,
     std::vector<std::int32_t> escapedId;
     // walls, of particles whose keys have changed since; one of them
     std::int64_t passedBefore = 0;
     std::int32_t passedIdBefore = -1;
 
-    explicit RankedSolids(DemParts<Backend, D, P>& parts) : p_(parts) {}
+    explicit RankedSolids(DemParts<Backend, D, P>& parts) : bonds(parts), p_(parts) {}
 
     //- Before there are fields; cells are known
     void begin();
@@ -67,6 +68,7 @@ public:
 
 private:
 
+    void noteLeavers(bool any);
     void takeKey(int slot, std::int32_t id);
     void packParticle(int slot, bool whole, RankBytes& to);
     void packContacts(int slot, RankBytes& to);
@@ -113,7 +115,7 @@ void RankedSolids<Backend, D, P>::setPieces()
         g.radius = double(p_.reach.classes.largest[k]);
         grids.push_back(g);
     }
-    others->setPieces(grids, p_.reach.reach);
+    others->setPieces(grids, std::max(p_.reach.reach, bonds.reach()));
 }
 
 //- Memory for so many particles from now on; residents stay in their slots, and a rebuild does the
@@ -171,8 +173,7 @@ void RankedSolids<Backend, D, P>::setCapacity(int n)
     p_.order.reference.allocate(p_.set.context, std::size_t(n)*D);
     p_.order.inverse = Array<Backend, int>();
     p_.order.inverse.allocate(p_.set.context, n);
-    p_.order.slotOf = Array<Backend, int>();
-    p_.order.slotOf.allocate(p_.set.context, n);
+    bonds.rekey(residents, n);
     p_.order.sort = CellSort<Backend>();
     p_.order.setCells(n, p_.reach.classes.cells(), active);
     p_.particles.n = n;
@@ -201,6 +202,7 @@ void RankedSolids<Backend, D, P>::packParticle(int slot, bool whole, RankBytes& 
     if (!whole) return;
     packContacts(slot, to);
     packWalls(slot, to);
+    bonds.pack(slot, to);
 }
 
 //- Touching pairs of a particle with what they remember
@@ -299,6 +301,7 @@ void RankedSolids<Backend, D, P>::unpackParticle(int slot, bool whole, const uns
         takeValues(
             from, arrivedWallNumbers_.data() + arrivedWallNumbers_.size() - numbers, numbers);
     }
+    bonds.unpack(from);
 }
 
 //- After keys of all particles were found, before they are sorted: who is here from now on
@@ -319,6 +322,8 @@ void RankedSolids<Backend, D, P>::regroup()
         arrivedContacts_.clear();
         arrivedWalls_.clear();
         touchingOf_.clear();
+        if (bonds.adaptReach()) setPieces();
+        const std::int64_t before = others->total();
         others->migrate(
             p_.order.sort.keys(),
             [&](int slot, bool whole, RankBytes& to) { packParticle(slot, whole, to); },
@@ -329,16 +334,8 @@ void RankedSolids<Backend, D, P>::regroup()
             c.a = others->slotOf(c.a);
             c.b = others->slotOf(c.b);
         }
+        noteLeavers(others->total() != before);
         const SolidFields<D, P> f = p_.particles.view();
-        for (const int slot : others->left())
-        {
-            Vector3 x{{0, 0, 0}};
-            if (D == 2) x[p_.set.config.axes[2]] = p_.particles.emptyCoordinate[f.id[slot]];
-            for (int d = 0; d < D; ++d)
-                x[p_.set.config.axes[d]] = p_.set.box.toMetres(d, f.x[d][slot]);
-            escaped.push_back(x);
-            escapedId.push_back(p_.particles.ids[f.id[slot]]);
-        }
         std::vector<char> here(p_.particles.n, 0);
         int k = 0;
         for (const int slot : others->sequence())
@@ -355,6 +352,25 @@ void RankedSolids<Backend, D, P>::regroup()
             p_.order.sort.indices()[k++] = std::uint32_t(slot);
         }
     }
+}
+
+//- Of this rank. any: from any rank
+template<class Backend, int D, class P>
+void RankedSolids<Backend, D, P>::noteLeavers(bool any)
+{
+    const SolidFields<D, P> f = p_.particles.view();
+    std::vector<std::int32_t> ids;
+    for (const int slot : others->left())
+    {
+        Vector3 x{{0, 0, 0}};
+        if (D == 2) x[p_.set.config.axes[2]] = p_.particles.emptyCoordinate[f.id[slot]];
+        for (int d = 0; d < D; ++d)
+            x[p_.set.config.axes[d]] = p_.set.box.toMetres(d, f.x[d][slot]);
+        escaped.push_back(x);
+        ids.push_back(p_.particles.ids[f.id[slot]]);
+    }
+    escapedId.insert(escapedId.end(), ids.begin(), ids.end());
+    bonds.noteLeavers(ids, any);
 }
 
 template<class Backend, int D, class P>

@@ -63,7 +63,7 @@ void SceneReports<Backend, D, P>::finish(DemReport& report, std::int64_t before)
     report.steps = p_.clock.now.step - before;
     report.totalSteps = p_.clock.now.step;
     report.maxSpeed = neighbours_.largestSpeed();
-    report.brokenBonds = p_.bonds.broken();
+    report.brokenBonds = ranks_.others ? ranks_.bonds.broken() : p_.bonds.broken();
     report.asleep = p_.sleeps() ? sleepers_.asleep() : 0;
     collectEscaped(report);
     collectPassed(report);

@@ -72,6 +72,7 @@ template<class Backend, int D, class P>
 void SolidStepper<Backend, D, P>::finishStep()
 {
     forces_.evaluate();
+    if (ranks_.others) ranks_.bonds.agree();
     if (p_.set.config.integrator != DemIntegratorKind::velocityVerlet) return;
     FinishVerlet<D, P> finish{};
     forces_.setMotion(finish);

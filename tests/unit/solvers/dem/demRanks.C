@@ -671,11 +671,6 @@ TEST_P(DemRanks, refusesWhatIsNotThereYet)
         std::string::npos);
     EXPECT_NE(
         why([](DemConfig& c, DemInput&) { c.sleepSpeed = 1e-3; }).find("sleep"), std::string::npos);
-    EXPECT_NE(why([](DemConfig&, DemInput& in)
-    {
-        in.bonds = DemBonds{{0}, {1}, {}, {}};
-        in.bondTypes.push_back(DemBondType{1e8, 1e8});
-    }).find("bonds"), std::string::npos);
     const auto later = [&](auto use)
     {
         std::string text;
