@@ -237,9 +237,78 @@ onRanks 2 >log 2>&1
 says killed.goesOn 'Continuing exactly from time 0.02'
 same killed.same . 0.03 ../one 0.03
 
-# Water: the dam break of the tutorial on 2 processes, which go on; then one, then three
+# Bonded bars that break, while grains leave over an open top: 3 processes, which go on; then one,
+# then two, also from the cloud alone
 cd "$case" || exit 1
 rm -rf one again disks spheres
+functions+='
+broken { type brokenBonds; libs ("libriprapFoam.so"); }'
+# Files of bonds, which the first process writes, number for number
+sameBonds()     # NAME PATH OTHERPATH, of times
+{
+    local file wrong=''
+    for file in a b type broken gap
+    do
+        [[ -s $2/uniform/lagrangian/solids/bonds/$file ]] \
+            && cmp -s <(sed '1,/^}/d' "$2/uniform/lagrangian/solids/bonds/$file") \
+                <(sed '1,/^}/d' "$3/uniform/lagrangian/solids/bonds/$file") || wrong+=" $file"
+    done
+    [[ -z $wrong ]] && pass "$1" || fail "$1" "differ:$wrong"
+}
+mkdir bonded && cd bonded || exit 1
+tank2
+dictionary constant/solidProperties <<<'materials { glass { rho 2500; E 1e7; nu 0.25; } }
+pairs { default { restitution 0.5; friction 0.3; } } walls { material glass; }
+bonds { weak { calibration moduli; E 1e6; G 4e5; tensileStrength 2e3; shearStrength 2e3; } }'
+dictionary system/setParticlesDict <<<'regions ( bar { set solids; material glass; source box;
+box (0.02 0.07 -1) (0.2 0.1 1); radius 0.005; velocity (0.4 0.5 0); } grains { set solids;
+material glass; source box; box (0.02 0 -1) (0.2 0.04 1); radius 0.005; packing layers;
+velocity (0.4 0 0); } ); bonds ( all { type weak; groups (free); gapTolerance 1e-6; } );'
+setParticles >log 2>&1 || fail bonded.made "$(oneLine | tail -c 300)"
+control 0.03 0.01
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 3
+control 0.01 0.01
+onRanks 3 >log 2>&1
+says bonded.log 'broken bonds = [1-9]'
+same bonded.0.01 . 0.01 ../one 0.01
+sameBonds bonded.files.0.01 processor0/0.01 ../one/0.01
+cp -r . ../again
+control 0.02 0.01
+onRanks 3 >log 2>&1
+says bonded.continues 'Continuing exactly from time 0.01'
+same bonded.0.02 . 0.02 ../one 0.02
+sameBonds bonded.files.0.02 processor0/0.02 ../one/0.02
+# points are in another order
+cmp -s <(sed '1,/<CellData/d' VTK/bonds/bonds_0.02.vtp) \
+    <(sed '1,/<CellData/d' ../one/VTK/bonds/bonds_0.02.vtp) && pass bonded.lines \
+    || fail bonded.lines "VTK/bonds differs"
+reconstructPar >log 2>&1
+rm -rf 0.01
+control 0.03 0.01
+riprapFoam >log 2>&1
+says bonded.oneGoesOn 'Continuing exactly from time 0.02'
+same bonded.one . 0.03 ../one 0.03 --whole --close
+sameBonds bonded.files.one 0.03 ../one/0.03
+cd ../again || exit 1
+reconstructPar >log 2>&1
+divide 2
+control 0.02 0.01
+onRanks 2 >log 2>&1
+says bonded.othersGoOn 'Continuing exactly from time 0.01'
+same bonded.two . 0.02 ../one 0.02 --close
+rm -rf processor?/0.02/uniform/riprap ../one/0.02/uniform/riprap ../one/0.03
+control 0.03 0.01
+onRanks 2 >log 2>&1
+quiet bonded.fromCloud.says 'Continuing exactly'
+(cd ../one && riprapFoam >log 2>&1)
+same bonded.fromCloud . 0.03 ../one 0.03 --close
+sameBonds bonded.fromCloud.files processor0/0.03 ../one/0.03
+sameTables bonded.tables . ../one
+
+# Water: the dam break of the tutorial on 2 processes, which go on; then one, then three
+cd "$case" || exit 1
+rm -rf one again bonded
 solver=sphDem
 functions='front { type frontPosition; libs ("libriprapFoam.so"); origin (0 0 0); '\
 'direction (1 0 0); up (0 1 0); }

@@ -16,17 +16,13 @@ void Foam::solverModules::dem::requireDivisible(const solidSet& solids) const
 {
     if (!ranks_.valid()) return;
 
-    const auto refuse = [&](std::size_t n, const char* what)
-    {
-        if (!n) return;
-        FatalErrorInFunction
-            << "lagrangian/solids of time " << runTime_.timeName() << " has "
-            << label(n) << ' ' << what << ", which run on one process alone:"
-            << " -parallel takes particles that are not joined, and walls"
-            << exit(FatalError);
-    };
-    refuse(solids.clumps.size(), "rigid bodies of several particles");
-    refuse(solids.bonds.size(), "bonds");
+    if (solids.clumps.empty()) return;
+
+    FatalErrorInFunction
+        << "lagrangian/solids of time " << runTime_.timeName() << " has "
+        << label(solids.clumps.size()) << " rigid bodies of several particles,"
+        << " which run on one process alone: -parallel takes particles, bonded"
+        << " or not, and walls" << exit(FatalError);
 }
 
 

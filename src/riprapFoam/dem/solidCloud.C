@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidCloud.H"
+#include "core/ranks/joinRanks.hpp"
 #include "idIndex.H"
+#include "pstreamTransport.H"
 #include "quaternion.H"
 #include "sceneState.H"
 #include "solidFiles.H"
@@ -72,14 +74,28 @@ Foam::solidCloud::solidCloud
 
 void Foam::solidCloud::readBrokenBonds()
 {
-    const particleCloud read(readParticleCloud(mesh(), "solids"));
-    if (!read.labels.found("brokenBonds") || !read.labels.found("origId"))
+    // A process without particles may have no files
+    std::vector<label> broken, id;
+    if (!Pstream::parRun() || hasParticleCloud(mesh(), "solids"))
     {
-        return;
+        const particleCloud read(readParticleCloud(mesh(), "solids"));
+        if (read.labels.found("brokenBonds") && read.labels.found("origId"))
+        {
+            const labelField& b = read.labels["brokenBonds"];
+            const labelField& i = read.labels["origId"];
+            broken.assign(b.begin(), b.end());
+            id.assign(i.begin(), i.end());
+        }
     }
-    const labelField& broken = read.labels["brokenBonds"];
-    const labelField& id = read.labels["origId"];
-    forAll(broken, i)
+    if (Pstream::parRun())
+    {
+        pstreamTransport ranks;
+        riprap::join(ranks, broken);
+        riprap::join(ranks, id);
+    }
+    if (id.empty()) return;
+
+    for (std::size_t i = 0; i < id.size(); ++i)
     {
         brokenBefore_.insert(id[i], broken[i]);
     }
@@ -258,7 +274,8 @@ void Foam::solidCloud::writeState(bool picture) const
         const riprap::DemState particles(scene_.motion());
         int64_t lost = 0;
         const riprap::DemBondState now(bonds(particles, lost));
-        if (!picture) writeBondFiles(time(), now);
+        // Each process has them all
+        if (!picture && Pstream::master()) writeBondFiles(time(), now);
         writeBondLines(time(), particles, now);
         run.brokenBefore += lost;
     }

@@ -8,6 +8,57 @@ Description
 
 #include "solidFiles.H"
 #include "solidFileFields.H"
+#include "core/ranks/joinRanks.hpp"
+#include "pstreamTransport.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Bonds as they stand in the files, of which the first process has those of all
+struct bondFields
+{
+    labelField a, b, type, broken;
+    scalarField gap;
+
+    bondFields(const Time& time, const word& folder)
+    {
+        if (Pstream::master() && hasSolidField(time, folder, "a"))
+        {
+            read(time, folder);
+        }
+        if (!Pstream::parRun()) return;
+
+        for (labelField* values : {&a, &b, &type, &broken}) takeFromMaster(*values);
+        takeFromMaster(gap);
+    }
+
+private:
+
+    void read(const Time& time, const word& folder)
+    {
+        a = readSolidField<label>(time, folder, "a", -1);
+        b = readSolidField<label>(time, folder, "b", a.size());
+        type = readSolidField<label>(time, folder, "type", a.size());
+        broken = readSolidField<label>(time, folder, "broken", a.size());
+        gap = readSolidField<scalar>(time, folder, "gap", a.size());
+    }
+
+    //- Others have none
+    template<class T>
+    static void takeFromMaster(Field<T>& values)
+    {
+        pstreamTransport ranks;
+        std::vector<T> all(values.begin(), values.end());
+        riprap::join(ranks, all);
+        values.setSize(label(all.size()));
+        std::copy(all.begin(), all.end(), values.begin());
+    }
+};
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -52,13 +103,9 @@ void Foam::readBondFiles
 )
 {
     const word folder("bonds");
-    if (!hasSolidField(time, folder, "a")) return;
-
-    const labelField a(readSolidField<label>(time, folder, "a", -1));
-    const labelField b(readSolidField<label>(time, folder, "b", a.size()));
-    const labelField type(readSolidField<label>(time, folder, "type", a.size()));
-    const labelField broken(readSolidField<label>(time, folder, "broken", a.size()));
-    const scalarField gap(readSolidField<scalar>(time, folder, "gap", a.size()));
+    const bondFields file(time, folder);
+    const labelField& a = file.a;
+    const labelField& b = file.b;
 
     labelHashSet ids;
     for (const std::int32_t id : solids.particles.id)
@@ -68,7 +115,7 @@ void Foam::readBondFiles
     forAll(a, i)
     {
         // One whose particle has left
-        if (broken[i] && (!ids.found(a[i]) || !ids.found(b[i])))
+        if (file.broken[i] && (!ids.found(a[i]) || !ids.found(b[i])))
         {
             ++solids.lostBonds;
             continue;
@@ -83,9 +130,9 @@ void Foam::readBondFiles
         }
         solids.bonds.a.push_back(a[i]);
         solids.bonds.b.push_back(b[i]);
-        solids.bonds.type.push_back(typeOfFile[type[i]]);
-        solids.bonds.gap.push_back(gap[i]);
-        solids.brokenBond.push_back(broken[i]);
+        solids.bonds.type.push_back(typeOfFile[file.type[i]]);
+        solids.bonds.gap.push_back(file.gap[i]);
+        solids.brokenBond.push_back(file.broken[i]);
     }
 }
 
