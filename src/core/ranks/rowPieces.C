@@ -18,8 +18,8 @@ void RowPieces::set(const std::vector<PieceGrid>& grids, double reach, int least
     for (const PieceGrid& g : grids) rows += double(g.n[1])*g.n[2];
     for (const PieceGrid& g : grids)
     {
-        const int pieces = int(
-            std::max(1.0, std::min(double(g.n[0]/least), std::floor(most/rows))));
+        const int longest = g.n[0]/least;
+        const int pieces = int(std::max(1.0, std::min(double(longest), std::floor(most/rows))));
         pieces_.push_back(pieces);
         first_.push_back(first_.back() + pieces*g.n[1]*g.n[2]);
         firstCell_.push_back(firstCell_.back() + g.n[0]*g.n[1]*g.n[2]);

@@ -158,7 +158,7 @@ static void unpack
 //- The same fields on all processes
 static cloudFields agree(particleCloud& c)
 {
-    const cloudFields fields(fieldsOfRanks(c));
+    cloudFields fields(fieldsOfRanks(c));
     addMissing(c.labels, fields.labels, c);
     addMissing(c.scalars, fields.scalars, c);
     addMissing(c.vectors, fields.vectors, c);

@@ -271,7 +271,7 @@ void Clumps<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
     for (int g = 0; g < int(set_.input.groups.size()); ++g)
         for (int e = 0; e < int(set_.input.groups[g].springs.size()); ++e)
             for (int k = 0; k < count_; ++k)
-                if (clumps[k].group == g) springOfGroups_.push_back({k, first[k] + e});
+                if (clumps[k].group == g) springOfGroups_.emplace_back(k, first[k] + e);
     springs_.upload(set_.context, allSprings_);
     springFirst_.upload(set_.context, first);
 }
