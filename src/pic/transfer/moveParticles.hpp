@@ -175,7 +175,7 @@ HD Vec<D, double> carriedNear(const UniformGrid<D>& g, double inverse, const R* 
         LocalVelocity<Order, D, R> local;
         Vec<D, double> to;
         if (Nodes::inside(g, at.c))
-        {
+        {                   // NOLINT(bugprone-branch-clone): the other one differs for Order 2
             local.template find<false>(g, u, at);
             if (carriedBy(local, cells, x, dt, order, to)) return to;
         }

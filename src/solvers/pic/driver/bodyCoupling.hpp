@@ -222,6 +222,7 @@ void BodyCoupling<Backend, D, P>::slowBetween(double dt)
     if (areas.empty()) return;
     const ContactBoxes<D> boxes(grid);
     std::vector<std::pair<int, int>> order;
+    order.reserve(areas.size());
     for (int k = 0; k < int(areas.size()); ++k) order.push_back({boxes.number(areas[k].point), k});
     std::sort(order.begin(), order.end());
     std::vector<int> box;

@@ -252,7 +252,7 @@ protected:
     }
 
     void compare(const SphConfig& c, const FluidInput& f, const WallInput& w, const Course& run,
-        std::vector<int> ranks, bool moves = true) const
+        const std::vector<int>& ranks, bool moves = true) const
     {
         const Outcome one = alone(c, f, w, run);
         for (const int n : ranks)
@@ -345,7 +345,7 @@ TEST_P(SphRanks, facesOfWalls)
     WallInput w;
     WallFaceInput& faces = w.faces;
     faces.point = {-0.2, 0, -0.2, 1.2, 0, -0.2, 1.2, 0, 0.8, -0.2, 0, 0.8};
-    const auto add = [&](std::vector<int> vertices)
+    const auto add = [&](const std::vector<int>& vertices)
     {
         faces.vertex.insert(faces.vertex.end(), vertices.begin(), vertices.end());
         faces.normal.insert(faces.normal.end(), {0, 1, 0});
