@@ -146,7 +146,7 @@ int main(int argc, char* argv[])
         if (more && !std::strcmp(argv[i], "-steps")) steps = std::max(1, std::atoi(argv[++i]));
         else if (more && !std::strcmp(argv[i], "-blocks"))
             blocks = std::max(0, std::atoi(argv[++i]));
-        else asked.push_back(argv[i]);
+        else asked.emplace_back(argv[i]);
     }
     if (asked.empty()) asked = {"sphDem", "picDem", "dem"};
     omp_set_num_threads(1);

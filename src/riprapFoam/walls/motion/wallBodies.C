@@ -107,7 +107,7 @@ static word motionWord(const word& name, checkedDictionary& dict)
             << " missing; valid are " << listed(valid).c_str()
             << exit(FatalIOError);
     }
-    const word typed(dict.dict().get<word>("solidBodyMotionFunction"));
+    word typed(dict.dict().get<word>("solidBodyMotionFunction"));
     if (!valid.found(typed))
     {
         dict.unknownWord("solidBodyMotionFunction", typed, valid);
