@@ -56,11 +56,7 @@ bool read(int argc, char** argv, SpeedCase& c)
             c.mixed = value == "mixed";
         else if (option == "-tolerance") c.tolerance = std::atof(value.c_str());
         else if (option == "-repeats") c.repeats = std::atoi(value.c_str());
-        else
-        {
-            const std::string given = option + " " + value;
-            usage("unknown option or value: " + given);
-        }
+        else usage(std::string("unknown option or value: ").append(option + " ").append(value));
     }
     if (c.box < 1 || c.repeats < 1) usage("-box and -repeats must be 1 or more");
     return gpu;

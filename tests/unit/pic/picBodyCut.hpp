@@ -418,7 +418,7 @@ BODY_TEST(SlowsWhereContactsReach)
         ContactArea<D> a;
         for (int d = 0; d < D; ++d) { a.point[d] = in(random); a.normal[d] = d == k % D; }
         if (k == 0) a.point[0] = -0.05;         // a wall's
-        areas.push_back({boxes.number(a.point), a});
+        areas.emplace_back(boxes.number(a.point), a);
     }
     std::sort(
         areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
