@@ -92,10 +92,10 @@ void columnScene(const std::string& bed, const ColumnOptions& o, DemConfig& c, D
     #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
     {
-        const std::size_t from = i % each;
+        const std::size_t from = i % each, copy = i/each;
         const double r = radius[from];
         for (int d = 0; d < 3; ++d)
-            p.position[3*i + d] = x[3*from + d] + (d == 1 ? period*double(i/each) : 0);
+            p.position[3*i + d] = x[3*from + d] + (d == 1 ? period*double(copy) : 0);
         p.radius[i] = r;
         p.mass[i] = density*4.0/3*M_PI*r*r*r;
     }

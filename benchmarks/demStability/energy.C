@@ -27,7 +27,7 @@ namespace
 constexpr double speed = 0.01;          // linear: overlap = v sqrt(m*/k)
 
 //- A gas at mean square speed `speed`, and what sqrt(m/k) is
-double gas(DemConfig& c, DemInput& in, std::string normal)
+double gas(DemConfig& c, DemInput& in, const std::string& normal)
 {
     singleScene(c, in);
     c.normal = normal;
@@ -62,7 +62,7 @@ double gas(DemConfig& c, DemInput& in, std::string normal)
     return 1;
 }
 
-void drift(DemResults& results, std::string normal, const char* name)
+void drift(DemResults& results, const std::string& normal, const char* name)
 {
     for (const DemIntegratorKind integrator : integrators)
         for (const double step : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0})

@@ -154,6 +154,7 @@ double measure(const GateOptions& o, GateKind kind, double alone)
     std::int64_t rebuilds = 0;
     timed(*scene, o.develop, rebuilds);
     std::vector<double> seconds;
+    seconds.reserve(o.repeat);
     rebuilds = 0;
     for (int k = 0; k < o.repeat; ++k) seconds.push_back(timed(*scene, o.steps, rebuilds));
     std::sort(seconds.begin(), seconds.end());

@@ -119,7 +119,7 @@ PicOutcome vortices(PicConfig c, double turns)
     return o;
 }
 
-PicOutcome sloshing(PicConfig c, double periods)
+PicOutcome sloshing(const PicConfig& c, double periods)
 {
     const double depth = 0.5, amplitude = 0.05, k = M_PI;
     const auto scene = createPicScene(c,

@@ -36,7 +36,7 @@ PicOutcome vortices(PicConfig, double turns);
 
 //- Water half as deep as wide in a closed square tank under half a cosine of 5 % of its width, for
 //  `periods`
-PicOutcome sloshing(PicConfig, double periods);
+PicOutcome sloshing(const PicConfig&, double periods);
 
 //- A pool of depth `level` cells on the floor of a square tank, or on a solid whose top lies at
 //  `floor` cells (0: none), for half a second

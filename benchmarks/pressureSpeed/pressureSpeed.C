@@ -56,7 +56,7 @@ bool read(int argc, char** argv, SpeedCase& c)
             c.mixed = value == "mixed";
         else if (option == "-tolerance") c.tolerance = std::atof(value.c_str());
         else if (option == "-repeats") c.repeats = std::atoi(value.c_str());
-        else usage("unknown option or value: " + option + " " + value);
+        else usage(std::string("unknown option or value: ").append(option + " ").append(value));
     }
     if (c.box < 1 || c.repeats < 1) usage("-box and -repeats must be 1 or more");
     return gpu;

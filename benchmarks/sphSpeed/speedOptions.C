@@ -87,7 +87,7 @@ SpeedOptions readSpeedOptions(int argc, char** argv)
         {
             const std::size_t equals = g.find('=');
             if (equals == std::string::npos) throw std::invalid_argument("a goal is COLUMN=VALUE");
-            o.goals.push_back({g.substr(0, equals), number(g.substr(equals + 1))});
+            o.goals.emplace_back(g.substr(0, equals), number(g.substr(equals + 1)));
         }
     };
     const std::map<std::string, Switch> switches{

@@ -119,7 +119,7 @@ void appendCsv(const SpeedOptions& o, const SpeedRow& r)
 {
     if (o.csv.empty()) return;
     auto columns = r.columns(o);
-    columns.push_back({"goals", goalsReached(o, columns)});
+    columns.emplace_back("goals", goalsReached(o, columns));
     const bool isNew = !std::ifstream(o.csv).good();
     std::ofstream out(o.csv, std::ios::app);
     if (!out) throw std::runtime_error("cannot write " + o.csv);

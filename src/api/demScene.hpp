@@ -382,7 +382,7 @@ public:
     //- The same without contacts and brokenBonds, which take most of the time
     virtual DemState motion() = 0;
     virtual DemContacts contacts() = 0;
-    // of several processes: each bond on one of them; a call of all
+    // of several processes: each bond on one of them, all bodies on each; all make these calls
     virtual DemBondState bonds() = 0;
     virtual DemClumpState clumps() = 0;
     virtual DemEnergy energy() = 0;
@@ -415,7 +415,7 @@ public:
     virtual double contactsPerParticle() = 0;
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;
-    virtual std::vector<DemSpringState> springs() = 0;      // springs and lines of rigid bodies
+    virtual std::vector<DemSpringState> springs() = 0;      // of rigid bodies; a call of all
 };
 
 //- @throws std::invalid_argument (inconsistent input), std::runtime_error (device failure)

@@ -11,9 +11,11 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include "api/linearSolver.hpp"
 #include "api/transferProperties.hpp"
 #include "api/demScene.hpp"
+#include "api/rankConfig.hpp"
 #include "api/fluidScene.hpp"
 
 namespace riprap
@@ -73,7 +75,7 @@ struct PicLimits : TimeControl
     static constexpr double fallSpeeds = 50;
 };
 
-struct PicConfig : FluidConfig, PicLimits
+struct PicConfig : FluidConfig, PicLimits, RankConfig
 {
     // How
     DeviceKind device = DeviceKind::automatic;
@@ -100,6 +102,10 @@ struct PicConfig : FluidConfig, PicLimits
 
     double pressureTolerance = 1e-10;       // without a solver of the caller's
     double reflectionTolerance = 0;         // of the first of a step's two solutions; 0: the same
+
+    // of several ranks: each solves for p of the whole grid if that has no more cells than this,
+    // where messages cost more than they save
+    int gatheredCells = 1 << 15;
 
     ViscousKind viscousScheme = ViscousKind::automatic;
 
@@ -207,6 +213,8 @@ struct PicReport : PicStop
     std::int64_t pressureIterations = 0;
     double largestResidual = 0;             // of the pressure equation at the end of a solution
     bool pressureConverged = true, viscosityConverged = true;
+    // of several processes: what this one has; all else is of all
+    RankReport rank;
 };
 
 //- The grid's fields, cells x fastest over the three directions of the domain
@@ -248,6 +256,9 @@ public:
 
     virtual PicGridState grid() = 0;
 
+    //- forcesOnWalls() of all processes, on each, in the order of one process
+    virtual std::vector<FluidForce> forcesOnWallsOfAll() { return forcesOnWalls(); }
+
     //- The solids, null: there are none; to be read, not to be advanced
     virtual DemScene* solids() { return nullptr; }
 
@@ -273,6 +284,22 @@ public:
     virtual std::string deviceName() const = 0;
     virtual DeviceKind device() const = 0;
 };
+
+//- Parts of a case's input
+enum class PicInput {device, guards, obstacles, solids, solver};
+
+//- Which of them several processes cannot take, and why
+struct PicRefusal : std::invalid_argument
+{
+    PicInput input;
+
+    PicRefusal(PicInput what, const std::string& why) : std::invalid_argument(why), input(what) {}
+};
+
+//- What createPicScene refuses with PicConfig::ranks, for those who want to know before they make
+//  its input: obstacles need no surfaces here, and solids no particles
+//  @throws PicRefusal
+void checkPicRanks(const PicConfig&, const LinearSolver* solver, const PicInside&);
 
 //- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our
 //  multigrid, to pressureTolerance

@@ -16,6 +16,8 @@ struct RankConfig
     Transport* ranks = nullptr;
     // the largest part may be so much above the mean before space is divided anew
     double imbalance = 0.1;
+    // parts are even in the time that their particles cost; else in their numbers
+    bool measured = false;
 };
 
 } // namespace riprap

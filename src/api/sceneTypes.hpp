@@ -39,6 +39,9 @@ struct RankReport
     std::int64_t arrivals = 0;              // that came from others
     std::int64_t divisions = 0;             // of space over ranks
     std::int64_t bytesInSteps = 0, bytesAtRebuilds = 0;
+    // the last division: most of a rank over the mean, before (0: there was none) and after
+    double unevenBefore = 0, unevenAfter = 0;
+    double atWork = 0;                      // [s] in steps, without waiting for others
 };
 
 struct KernelInfo { std::string name; std::int64_t launches = 0; double seconds = 0; };

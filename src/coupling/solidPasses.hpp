@@ -54,7 +54,9 @@ struct SolidToFluidPass
     const real* own[Dim];
     const int* count;
     const ClockData* clock;
+    GhostMarks<Backend> ghosts;             // fluid of other ranks
 
+    HD bool skips(int i) const { return ghosts(i); }
     HD bool enabled() const { return clock->active; }
     HD int targets() const { return *count; }
     HD float* maxima() const { return nullptr; }
@@ -121,7 +123,9 @@ struct FluidToSolidPass
     FluidModel<Dim, P> model;
     SolidPoints<Dim, P> points;
     const ClockData* clock;     // in a step; null: now
+    GhostMarks<Backend> ghosts; // points that other ranks work out
 
+    HD bool skips(int i) const { return ghosts(i); }
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return *points.active; }
     HD float* maxima() const { return nullptr; }
@@ -181,7 +185,9 @@ struct SolidPressurePass
     SolidPoints<Dim, P> points;
     bool fromAround;            // Adami's; else Eq. 41
     const ClockData* clock;     // in a step; null: now
+    GhostMarks<Backend> ghosts; // points that other ranks work out
 
+    HD bool skips(int i) const { return ghosts(i); }
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return *points.active; }
     HD float* maxima() const { return nullptr; }

@@ -126,6 +126,7 @@ struct MeetFluid
     const int* active;
     const int* fluidStart;      // of each cell
     int* meets;                 // set to 1: whoever writes it writes the same
+    bool each;                  // of each slot, not of all together
     // what may come within the support, both moving, until the next sort [m]
     typename P::real reach;
 
@@ -138,7 +139,7 @@ struct MeetFluid
         bool found = false;
         grid.forEachRangeWithin(
             r, reach, fluidStart, [&](int begin, int end) { found = found || end > begin; });
-        if (found) *meets = 1;
+        if (found) meets[each ? i : 0] = 1;
     }
 };
 
@@ -150,6 +151,23 @@ struct ClearForces
     R* force;
 
     HD void operator()(int i) const { force[i] = 0; }
+};
+
+//- As FluidToSolidPass leaves a point without neighbours
+template<int D, class P>
+struct ClearPointForces
+{
+    static constexpr const char* name = "clearPointForces";
+
+    SolidPoints<D, P> points;
+    typename P::real fluidMass;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *points.active) return;
+        for (int d = 0; d < D; ++d)
+            points.force[std::size_t(points.key[i])*D + d] = -fluidMass*typename P::real(0);
+    }
 };
 
 //- Velocities of the start, which no step has yet shown

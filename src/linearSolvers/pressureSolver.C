@@ -35,6 +35,7 @@ bool Foam::pressureSolver::read(const dictionary& controls)
     if (now == given_ && !controls.empty()) return false;
     given_ = now;
     controls_ = controls;
+    gatheredCells_ = -1;
     onDevice_ = controls_.get<word>("solver") == deviceSolver;
     if (onDevice_) readDevice(); else checkHost();
     return true;
@@ -62,7 +63,7 @@ void Foam::pressureSolver::readDevice()
     {
         const word& key = e.keyword();
         const wordList known({"solver", "tolerance", "relTol", "maxIter", "minIter", "nSweeps",
-            "reflectionTolerance"});
+            "reflectionTolerance", "gatheredCells"});
         if (!known.found(key))
         {
             FatalIOErrorInFunction(controls_)
@@ -77,6 +78,7 @@ void Foam::pressureSolver::readDevice()
     multigrid_.minIter = controls_.lookupOrDefault<label>("minIter", multigrid_.minIter);
     multigrid_.reflectionTolerance = controls_.lookupOrDefault<scalar>("reflectionTolerance", 0);
     multigrid_.sweeps = controls_.lookupOrDefault<label>("nSweeps", multigrid_.sweeps);
+    gatheredCells_ = controls_.lookupOrDefault<label>("gatheredCells", -1);
     const auto require = [&](bool good, const char* key, const char* range)
     {
         if (good) return;
@@ -93,6 +95,7 @@ void Foam::pressureSolver::readDevice()
     require(multigrid_.minIter >= 0 && multigrid_.minIter <= multigrid_.maxIter, "minIter",
         "in 0 .. maxIter");
     require(multigrid_.sweeps > 0 && multigrid_.sweeps <= 10, "nSweeps", "in 1 .. 10");
+    require(gatheredCells_ >= 0 || !controls_.found("gatheredCells"), "gatheredCells", "0 or more");
 }
 
 

@@ -175,6 +175,8 @@ public:
 
     std::string deviceName() const override { return part_.deviceName(); }
     DeviceKind device() const override { return part_.device(); }
+    // each process has all of them
+    DemScene* solids() override { return part_.solids(); }
     CouplingState coupling() override { return part_.coupling(); }
 
 private:

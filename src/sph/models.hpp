@@ -44,6 +44,7 @@ struct FrequentTerms<Part::momentum, D, R>
 {
     using type = Models
     <
+        Terms<Pressure>,
         Terms<Pressure, LaminarViscosity<R>>,
         Terms<Pressure, LaminarViscosity<R>, AntiClump<R>>,
         Terms<Pressure, ArtificialViscosity<R>>

@@ -63,8 +63,7 @@ DemInput spheres(int n, bool walled, double speed)
     const double spacing = walled ? 0.0404 : 1.0/across;
     for (int i = 0; i < n; ++i)
     {
-        const double k[3] = {
-            double(i % across), double(i/across % across), double(i/across/across)};
+        const int k[3] = {i % across, i/across % across, i/across/across};
         Vector3 x, v;
         for (int d = 0; d < 3; ++d)
         {

@@ -1,7 +1,7 @@
 #!/bin/bash
-# riprapFoam -parallel with solvers dem and sphDem: clouds of 2 and 3 processes are those of one, to
-# the bit, written, put together, divided and continued; what several processes cannot do, and
-# processes that fail
+# riprapFoam -parallel with solvers dem, sphDem and picDem, solids in the water of sphDem too:
+# clouds of 2 and 3 processes are those of one, to the bit, written, put together, divided and
+# continued; what several processes cannot do, and processes that fail
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -43,6 +43,40 @@ startFrom latestTime; startTime 0; stopAt endTime; endTime $1;
 deltaT 1e-4; adjustTimeStep yes; sampleInterval $2; writeControl adjustableRunTime; \
 writeInterval $2; writeFormat binary; writePrecision 10;
 timePrecision 9; functions { $functions } ${3:-}"
+}
+
+# Water of a case whose run by one process to 0.03 is beside it, in ../one: two processes
+waterOnTwo()    # NAME
+{
+    divide 2
+    control 0.01 0.01
+    onRanks 2 >log 2>&1
+    says "$1.log" 'Processes = 2, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+}
+# They have what one has, and go on; then one process does, and in ../again, where this ends, three
+waterGoesOn()   # NAME
+{
+    same "$1.0.01" . 0.01 ../one 0.01 --fluid
+    control 0.02 0.01
+    onRanks 2 >log 2>&1
+    says "$1.continues" 'Continuing exactly from time 0.01'
+    same "$1.0.02" . 0.02 ../one 0.02 --fluid
+    reconstructPar >log 2>&1
+    same "$1.reconstructed" . 0.02 ../one 0.02 --whole --close --fluid
+    sameFields "$1.fields" . ../one 0.02
+    cp -r . ../again
+    rm -rf 0.01
+    control 0.03 0.01
+    riprapFoam >log 2>&1
+    says "$1.oneGoesOn" 'Continuing exactly from time 0.02'
+    same "$1.one" . 0.03 ../one 0.03 --whole --fluid
+    cd ../again || exit 1
+    divide 3
+    control 0.03 0.01
+    onRanks 3 >log 2>&1
+    says "$1.othersGoOn" 'Continuing exactly from time 0.02'
+    same "$1.three" . 0.03 ../one 0.03 --fluid
+    sameTables "$1.tables" . ../one
 }
 solver=dem
 functions='energy { type solidEnergies; libs ("libriprapFoam.so"); } walls { type solidWallForce; '\
@@ -116,6 +150,7 @@ divide 2 -cellDist
 mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
 onRanks 2 >log 2>&1
 says disks.log 'Processes = 2, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+says disks.busy 'Busiest process = [12]([.][0-9]+)? of the mean time in steps without waiting'
 for t in 0.005 0.01; do same "disks.$t" . $t ../one $t; done
 sameTables disks.tables . ../one
 reconstructPar >log 2>&1
@@ -186,11 +221,11 @@ do
         refusedOn 2 sleep 'Entry speed is 0.001: '\
 'solids sleep on one process alone.*constant/solidProperties.sleep';;
         gpu) echo 'device gpu;' >>constant/solidProperties; refusedOn 2 gpu \
-            'Entry device is gpu: several processes run on CPUs alone.*constant/solidProperties';;
+            'Entry device is gpu: several processes of solver dem run on CPUs '\
+'alone.*constant/solidProperties';;
     esac
     mv kept constant/solidProperties
 done
-refusedOn 2 solver 'Entry solver is picDem, which runs on one process' -solver picDem
 refusedOn 3 count \
     'umber of processor directories = 2 is not equal to the number of (processors|ranks) = 3'
 refusedOn 2 dryRun 'Options -parallel and -dry-run exclude each other' -dry-run
@@ -237,23 +272,65 @@ onRanks 2 >log 2>&1
 says killed.goesOn 'Continuing exactly from time 0.02'
 same killed.same . 0.03 ../one 0.03
 
-# Bonded bars that break, while grains leave over an open top: 3 processes, which go on; then one,
-# then two, also from the cloud alone
+# Bonded bars that break, while grains leave over an open top
 cd "$case" || exit 1
 rm -rf one again disks spheres
 functions+='
 broken { type brokenBonds; libs ("libriprapFoam.so"); }'
-# Files of bonds, which the first process writes, number for number
-sameBonds()     # NAME PATH OTHERPATH, of times
+# Files in uniform/lagrangian/solids that the first process writes, number for number
+sameFiles()     # NAME FOLDER/FILES PATH OTHERPATH, of times. FILES as "a b"
 {
-    local file wrong=''
-    for file in a b type broken gap
+    local file wrong='' folder=uniform/lagrangian/solids/${2%%/*}
+    for file in ${2#*/}
     do
-        [[ -s $2/uniform/lagrangian/solids/bonds/$file ]] \
-            && cmp -s <(sed '1,/^}/d' "$2/uniform/lagrangian/solids/bonds/$file") \
-                <(sed '1,/^}/d' "$3/uniform/lagrangian/solids/bonds/$file") || wrong+=" $file"
+        [[ -s $3/$folder/$file ]] && cmp -s <(sed '1,/^}/d' "$3/$folder/$file") \
+            <(sed '1,/^}/d' "$4/$folder/$file") || wrong+=" $file"
     done
     [[ -z $wrong ]] && pass "$1" || fail "$1" "differ:$wrong"
+}
+# The case here: 3 processes, which go on; then one, then two, also from the cloud alone
+goesOn()        # NAME FOLDER/FILES PATTERN (of the log on 3 processes) one|fromCloud (whose tables)
+{
+    local name=$1 files=$2 here=$PWD
+    control 0.03 0.01
+    mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+    divide 3
+    control 0.01 0.01
+    onRanks 3 >log 2>&1
+    says "$name.log" "$3"
+    same "$name.0.01" . 0.01 ../one 0.01
+    sameFiles "$name.files.0.01" "$files" processor0/0.01 ../one/0.01
+    cp -r . ../again
+    control 0.02 0.01
+    onRanks 3 >log 2>&1
+    says "$name.continues" 'Continuing exactly from time 0.01'
+    same "$name.0.02" . 0.02 ../one 0.02
+    sameFiles "$name.files.0.02" "$files" processor0/0.02 ../one/0.02
+    reconstructPar >log 2>&1
+    rm -rf 0.01
+    control 0.03 0.01
+    riprapFoam >log 2>&1
+    says "$name.oneGoesOn" 'Continuing exactly from time 0.02'
+    same "$name.one" . 0.03 ../one 0.03 --whole --close
+    sameFiles "$name.files.one" "$files" 0.03 ../one/0.03
+    [[ $4 != one ]] || sameTables "$name.tables" . ../one
+    cd ../again || exit 1
+    reconstructPar >log 2>&1
+    divide 2
+    control 0.02 0.01
+    onRanks 2 >log 2>&1
+    says "$name.othersGoOn" 'Continuing exactly from time 0.01'
+    same "$name.two" . 0.02 ../one 0.02 --close
+    sameFiles "$name.files.two" "$files" processor0/0.02 ../one/0.02
+    rm -rf processor?/0.02/uniform/riprap ../one/0.02/uniform/riprap ../one/0.03
+    control 0.03 0.01
+    onRanks 2 >log 2>&1
+    quiet "$name.fromCloud.says" 'Continuing exactly'
+    (cd ../one && riprapFoam >log 2>&1)
+    same "$name.fromCloud" . 0.03 ../one 0.03 --close
+    sameFiles "$name.fromCloud.files" "$files" processor0/0.03 ../one/0.03
+    [[ $4 != fromCloud ]] || sameTables "$name.tables" . ../one
+    cd "$here" || exit 1
 }
 mkdir bonded && cd bonded || exit 1
 tank2
@@ -265,50 +342,43 @@ box (0.02 0.07 -1) (0.2 0.1 1); radius 0.005; velocity (0.4 0.5 0); } grains { s
 material glass; source box; box (0.02 0 -1) (0.2 0.04 1); radius 0.005; packing layers;
 velocity (0.4 0 0); } ); bonds ( all { type weak; groups (free); gapTolerance 1e-6; } );'
 setParticles >log 2>&1 || fail bonded.made "$(oneLine | tail -c 300)"
-control 0.03 0.01
-mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
-divide 3
-control 0.01 0.01
-onRanks 3 >log 2>&1
-says bonded.log 'broken bonds = [1-9]'
-same bonded.0.01 . 0.01 ../one 0.01
-sameBonds bonded.files.0.01 processor0/0.01 ../one/0.01
-cp -r . ../again
-control 0.02 0.01
-onRanks 3 >log 2>&1
-says bonded.continues 'Continuing exactly from time 0.01'
-same bonded.0.02 . 0.02 ../one 0.02
-sameBonds bonded.files.0.02 processor0/0.02 ../one/0.02
+goesOn bonded 'bonds/a b type broken gap' 'broken bonds = [1-9]' fromCloud
 # points are in another order
 cmp -s <(sed '1,/<CellData/d' VTK/bonds/bonds_0.02.vtp) \
     <(sed '1,/<CellData/d' ../one/VTK/bonds/bonds_0.02.vtp) && pass bonded.lines \
     || fail bonded.lines "VTK/bonds differs"
-reconstructPar >log 2>&1
-rm -rf 0.01
-control 0.03 0.01
-riprapFoam >log 2>&1
-says bonded.oneGoesOn 'Continuing exactly from time 0.02'
-same bonded.one . 0.03 ../one 0.03 --whole --close
-sameBonds bonded.files.one 0.03 ../one/0.03
-cd ../again || exit 1
-reconstructPar >log 2>&1
-divide 2
-control 0.02 0.01
-onRanks 2 >log 2>&1
-says bonded.othersGoOn 'Continuing exactly from time 0.01'
-same bonded.two . 0.02 ../one 0.02 --close
-rm -rf processor?/0.02/uniform/riprap ../one/0.02/uniform/riprap ../one/0.03
-control 0.03 0.01
-onRanks 2 >log 2>&1
-quiet bonded.fromCloud.says 'Continuing exactly'
-(cd ../one && riprapFoam >log 2>&1)
-same bonded.fromCloud . 0.03 ../one 0.03 --close
-sameBonds bonded.fromCloud.files processor0/0.03 ../one/0.03
-sameTables bonded.tables . ../one
+
+# Rocks of several disks that roll, one that leaves over the open top, and a beam on a spring
+# through all processes
+cd "$case" || exit 1
+rm -rf one again bonded
+functions="${functions%broken *}"'springs { type springForces; libs ("libriprapFoam.so"); } '\
+'inside { type regionMass; libs ("libriprapFoam.so"); regions ( left { source box; '\
+'box (0 0 -1) (0.1 0.1 1); } ); }'
+mkdir rocks && cd rocks || exit 1
+tank2
+dictionary constant/solidProperties <<<'materials { glass { rho 2500; E 1e7; nu 0.25; } }
+pairs { default { restitution 0.5; friction 0.4; rollingFriction 0.1; } }
+contact { rolling spring; } walls { material glass; } groups { beam { springs { coil {
+anchor (0.06 0.1 0); point (0.06 0.08 0); stiffness 500; damping 1; restLength 0.015; } } } }'
+rock='set solids; source clumpsFromOutline; material glass; spheres 6; orientation random; seed 1;
+outline ((0 0 0) (0.014 0 0) (0.018 0.008 0) (0.009 0.013 0) (0 0.009 0));'
+dictionary system/setParticlesDict <<<"regions ( rocks { $rock velocity (0.6 0.2 0); centres (
+(0.015 0.015 0) (0.04 0.015 0) (0.065 0.015 0) (0.09 0.015 0) (0.115 0.015 0) (0.14 0.015 0)
+(0.02 0.04 0) (0.045 0.04 0) (0.07 0.04 0) (0.095 0.04 0) (0.12 0.04 0) (0.145 0.04 0)); }
+flyer { $rock velocity (0 1.5 0); centres ((0.02 0.085 0)); }
+beam { set solids; rigid yes; source box; box (0.04 0.076 -1) (0.18 0.084 1); spacing 0.004;
+material glass; group beam; velocity (0.3 -0.5 0); } grains { set solids; material glass;
+source box; box (0.16 0.005 -1) (0.19 0.06 1); radius 0.003; velocity (-0.8 0 0); } );"
+setParticles >log 2>&1 || fail rocks.made "$(oneLine | tail -c 300)"
+says rocks.bodies ' 14 clumps'
+goesOn rocks \
+    'clumps/position U omega orientationReal orientationImaginary mass inertia group' \
+    'Processes = 3, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*' one
 
 # Water: the dam break of the tutorial on 2 processes, which go on; then one, then three
 cd "$case" || exit 1
-rm -rf one again bonded
+rm -rf one again rocks
 solver=sphDem
 functions='front { type frontPosition; libs ("libriprapFoam.so"); origin (0 0 0); '\
 'direction (1 0 0); up (0 1 0); }
@@ -324,41 +394,22 @@ cp -r "$root"/tutorials/sphDem/damBreak/{constant,system} .
 control 0.03 0.01
 { blockMesh && setParticles; } >log 2>&1 || fail water.made "$(oneLine | tail -c 300)"
 mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
-divide 2
-control 0.01 0.01
-onRanks 2 >log 2>&1
-says water.log 'Processes = 2, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
-same water.0.01 . 0.01 ../one 0.01 --fluid
-control 0.02 0.01
-onRanks 2 >log 2>&1
-says water.continues 'Continuing exactly from time 0.01'
-same water.0.02 . 0.02 ../one 0.02 --fluid
-reconstructPar >log 2>&1
-same water.reconstructed . 0.02 ../one 0.02 --whole --close --fluid
-sameFields water.fields . ../one 0.02
-cp -r . ../again
-rm -rf 0.01
-control 0.03 0.01
-riprapFoam >log 2>&1
-says water.oneGoesOn 'Continuing exactly from time 0.02'
-same water.one . 0.03 ../one 0.03 --whole --fluid
-cd ../again || exit 1
-divide 3
-control 0.03 0.01
-onRanks 3 >log 2>&1
-says water.othersGoOn 'Continuing exactly from time 0.02'
-same water.three . 0.03 ../one 0.03 --fluid
-sameTables water.tables . ../one
-for word in gpu solids
+waterOnTwo water
+waterGoesOn water
+for word in gpu noSuchGpu
 do
     cp constant/sphProperties kept
     case $word in
-        gpu) echo 'device gpu;' >>constant/sphProperties; refusedOn 3 waterGpu \
-            'Entry device is gpu: several processes run on CPUs alone.*constant/sphProperties';;
-        solids)
-            dictionary constant/solidProperties <<<"$glass"
-            refusedOn 3 waterSolids \
-                'solids in its fluid, which run on one process alone.*constant/solidProperties';;
+        gpu)
+            # where there is one the run is compared with one process on it
+            [[ -e /dev/nvidiactl ]] && { mv kept constant/sphProperties; continue; }
+            echo 'device gpu;' >>constant/sphProperties
+            refusedOn 3 waterGpu \
+                'Entry device is gpu, but .*: process 0 on .*constant/sphProperties';;
+        noSuchGpu)
+            printf 'device gpu;\ngpu 99;\n' >>constant/sphProperties
+            refusedOn 3 waterNoSuchGpu \
+                'Entry gpu is 99, and .*: process 0 on .*constant/sphProperties';;
     esac
     mv kept constant/sphProperties
 done
@@ -404,9 +455,120 @@ says waves.oneGoesOn 'Continuing exactly from time 0.02'
 same waves.one . 0.03 ../one 0.03 --whole --fluid
 sameTables waves.tables . ../one
 
-# Water about a cylinder among walls, through periodic sides that are cut, too; 3 processes
+# Solids in the water: a bonded gate that is held at its foot, a body with faces, grains and a bar
+# that is moved; 3 processes, which go on; then one, then two
 cd "$case" || exit 1
 rm -rf one waves
+mkdir gate && cd gate || exit 1
+library='libs ("libriprapFoam.so");'
+functions="energy { type energyBalance; $library } solids { type solidEnergies; $library }
+motion { type groupMotion; $library } walls { type solidWallForce; $library }
+broken { type brokenBonds; $library }
+inside { type regionMass; $library regions ( left { source box; box (0 0 -1) (0.1 0.1 1); } ); }
+tip { type particleDisplacement; $library origIds (20 21); }
+mesh { type particlesToMesh; $library writeControl writeTime; }
+level { type waterLevel; $library points ((0.03 0 0)); }"
+tank2
+dictionary constant/sphProperties <<<'viscosity laminarAndArtificial; XSPH 0.05; antiClump 0.01;
+smoothingLength { model variable; maxGrowth 1.1; } walls { impermeable yes; }
+coupling extrapolated; couplingCoeffs { XSPH yes; antiClump yes; fluidForce impulse; }'
+dictionary constant/solidProperties <<<'materials { rubber { rho 1100; } light { rho 600; } }
+contact { normal linear; tangential history; } pairs { default { stiffness 1e5; restitution 0.5;
+friction 0.3; stiffnessRatio 0.5; } } walls { material rubber; }
+bonds { rubber { calibration moduli; E 1e6; G 4e5; tensileStrength 5e3; shearStrength 5e3; } }
+groups { gate {} body {} foot { fixed all; } bar { motion { solidBodyMotionFunction linearMotion;
+linearMotionCoeffs { velocity (-0.3 0 0); } } } }'
+dictionary system/setParticlesDict <<<'spacing 0.005; packing square; regions (
+water { set fluid; source box; box (0 0 -1) (0.09 0.055 1); velocity (0.6 0 0);
+pressure hydrostatic; }
+gate { set solids; source box; box (0.1 0.005 -1) (0.11 0.06 1); radius 0.0025; material rubber;
+group gate; mass cell; }
+foot { set solids; source box; box (0.1 0 -1) (0.11 0.005 1); radius 0.0025; material rubber;
+group foot; mass cell; }
+body { set solids; source box; box (0.01 0.06 -1) (0.07 0.075 1); spacing 0.005; rigid yes;
+material light; group body; velocity (0.2 -1 0); }
+bar { set solids; source box; box (0.13 0.02 -1) (0.14 0.03 1); radius 0.0025; material rubber;
+group bar; mass cell; }
+grains { set solids; source box; box (0.15 0 -1) (0.19 0.02 1); radius 0.0025; packing layers;
+material rubber; velocity (-1 0 0); } );
+bonds ( gate { type rubber; groups (gate foot); gapTolerance 1e-6; } );'
+setParticles >log 2>&1 || fail gate.made "$(oneLine | tail -c 300)"
+control 0.03 0.01
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+# The domain is that of all motion until endTime
+divide 3
+control 0.03 0.01 'stopAt nextWrite;'
+onRanks 3 >log 2>&1
+says gate.log 'Processes = 3, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+says gate.faces 'impermeable +1 of 1 rigid bodies'
+both()          # NAME TIME [OPTIONS]: both clouds, and files of solids
+{
+    local name=$1 t=$2
+    shift 2
+    same "$name.solids" . "$t" ../one "$t" "$@"
+    same "$name.fluid" . "$t" ../one "$t" --fluid "$@"
+}
+both gate.0.01 0.01
+sameFiles gate.bonds 'bonds/a b type broken gap' processor0/0.01 ../one/0.01
+sameFiles gate.bodies 'clumps/position U omega orientationReal' processor0/0.01 ../one/0.01
+onRanks 3 >log 2>&1
+says gate.continues 'Continuing exactly from time 0.01'
+both gate.0.02 0.02
+reconstructPar >log 2>&1
+both gate.reconstructed 0.02 --whole --close
+sameFields gate.fields . ../one 0.02
+cp -r . ../again
+rm -rf 0.01
+control 0.03 0.01
+riprapFoam >log 2>&1
+says gate.oneGoesOn 'Continuing exactly from time 0.02'
+both gate.one 0.03 --whole --close
+cd ../again || exit 1
+divide 2
+control 0.03 0.01
+onRanks 2 >log 2>&1
+says gate.othersGoOn 'Continuing exactly from time 0.02'
+both gate.two 0.03 --close
+sameFiles gate.bodies.two 'clumps/position U omega orientationReal' processor0/0.03 ../one/0.03
+sameTables gate.tables . ../one
+echo 'sleep { speed 1e-3; after 0.01; }' >>constant/solidProperties
+refusedOn 2 gateSleep 'solids in a fluid do not sleep.*constant/solidProperties'
+
+# Boxes with faces that float among stones of several spheres, in 3D; 3 processes
+cd "$case" || exit 1
+rm -rf one again gate
+mkdir boxes && cd boxes || exit 1
+functions="energy { type energyBalance; $library } motion { type groupMotion; $library }
+forces { type particleForces; $library groups (boxes stones); } walls { type solidWallForce; \
+$library } floor { type particleForces; $library patches (lower); }"
+tank3
+dictionary constant/sphProperties <<<'precision double; timeIntegration leapfrog; XSPH 0.05;
+walls { impermeable yes; } coupling pressureApproximation;
+couplingCoeffs { fluidForce interpolated; }'
+dictionary constant/solidProperties <<<'materials { wood { rho 700; } rock { rho 2500; } }
+contact { normal linear; } pairs { default { stiffness 1e4; restitution 0.5; friction 0.4; } }
+walls { material rock; } groups { boxes {} stones {} }'
+box='set solids; source box; spacing 0.005; rigid yes; material wood; group boxes;'
+dictionary system/setParticlesDict <<<"spacing 0.005; packing square; regions (
+water { set fluid; source box; box (0 0 0) (0.1 0.03 0.04); velocity (0.3 0 0);
+pressure hydrostatic; }
+left { $box box (0.01 0.032 0.01) (0.05 0.042 0.03); velocity (0.2 -0.8 0); }
+right { $box box (0.06 0.032 0.01) (0.08 0.042 0.03); velocity (-0.5 -0.8 0.2); }
+stones { set solids; source box; rigid yes; spacing 0.005; material rock; group stones;
+box (0.085 0.035 0.01) (0.095 0.045 0.02); velocity (0 -1 0); } );"
+setParticles >log 2>&1 || fail boxes.made "$(oneLine | tail -c 300)"
+control 0.01 0.01
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 3
+onRanks 3 >log 2>&1
+says boxes.faces 'impermeable +3 of 3 rigid bodies'
+both boxes.0.01 0.01
+sameFiles boxes.bodies 'clumps/position U omega orientationReal' processor0/0.01 ../one/0.01
+sameTables boxes.tables . ../one
+
+# Water about a cylinder among walls, through periodic sides that are cut, too; 3 processes
+cd "$case" || exit 1
+rm -rf one boxes
 mkdir pier && cd pier || exit 1
 functions='energy { type energyBalance; libs ("libriprapFoam.so"); } parts { type particleForces; '\
 'libs ("libriprapFoam.so"); surfaces (pier); }
@@ -428,3 +590,83 @@ divide 3
 onRanks 3 >log 2>&1
 same pier.0.02 . 0.02 ../one 0.02 --fluid
 sameTables pier.tables . ../one
+
+# Water on a grid: the dam break of the tutorial on 2 processes, which go on; then one, then three.
+# Each process solves for the pressure of all cells, so bits are those of one process
+cd "$case" || exit 1
+rm -rf one pier
+solver=picDem
+functions="front { type frontPosition; $library } level { type waterLevel; $library
+points ((0.01 0 0) (0.2 0 0)); } energy { type energyBalance; $library }
+parts { type particleForces; $library
+patches (leftWall floor); } sensors { type particleProbes; $library fields (p U volumeFraction);
+probeLocations ((0 0.05 0) (0.07 0 0) (0.146 0.02 0)); }
+points { type probes; libs (\"libsampling.so\"); fields (p U); writeControl timeStep;
+probeLocations ((0.004 0.05 0.005) (0.14 0.02 0.005)); }
+floor { type surfaceFieldValue; libs (\"libfieldFunctionObjects.so\"); fields (p);
+operation areaIntegrate; regionType patch; name floor; writeFields no; writeControl timeStep; }"
+mkdir grid && cd grid || exit 1
+cp -r "$root"/tutorials/sphDem/damBreak/{constant,system} .
+dictionary constant/picProperties <<<'precision mixed; walls { slip noSlip; }'
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-10; relTol 0; } }'
+control 0.03 0.01
+{ blockMesh && setParticles; } >log 2>&1 || fail grid.made "$(oneLine | tail -c 300)"
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+waterOnTwo grid
+says grid.sent 'Sent in all: steps [0-9.]+ [kM]B, particles to other processes [0-9]+'
+says grid.pressure 'pressure +gathered: each process solves for all 10950 cells'
+waterGoesOn grid
+for field in p U
+do
+    cmp -s <(tail -n 1 postProcessing/points/0.02/$field) \
+        <(tail -n 1 ../one/postProcessing/points/0/$field) \
+        && [[ -s postProcessing/points/0.02/$field ]] && pass grid.probes.$field \
+        || fail grid.probes.$field "other values of OpenFOAM's probes"
+done
+
+# The pressure divided, too: results to round-off
+cp system/fvSolution kept
+sed -i 's/cudaPCG;/& gatheredCells 0;/' system/fvSolution
+sed -i 's/mixed;/double;/' constant/picProperties
+rm -rf 0.01 0.02 processor*/0.0* ../one/{0.0*,postProcessing}
+cp constant/picProperties ../one/constant
+(cd ../one && control 0.01 0.01 && riprapFoam >log 2>&1)
+control 0.01 0.01
+divide 3
+onRanks 3 >log 2>&1
+says grid.divided 'pressure +divided over the processes.*gatheredCells 0'
+same grid.nearly . 0.01 ../one 0.01 --fluid --nearly
+mv kept system/fvSolution
+
+# What several processes of it cannot have: said by the core, with file and entry
+refusedEntry()  # NAME FILE TEXT MESSAGE
+{
+    local made=true
+    [[ ! -e $2 ]] || { cp "$2" kept; made=false; }
+    if $made; then dictionary "$2" <<<"$3"; else echo "$3" >>"$2"; fi
+    refusedOn 3 "grid.$1" "$4"
+    if $made; then rm "$2"; else mv kept "$2"; fi
+}
+pic=constant/picProperties
+refusedEntry gpu $pic 'device gpu;' 'Entry device, with -parallel: .*CPUs alone.*picProperties'
+refusedEntry Courant $pic 'guards { Courant 8; }' \
+    'Entry Courant, with -parallel: .* 6 cells a step.*picProperties.guards'
+refusedEntry solids constant/solidProperties 'materials { wood { rho 600; } }' \
+    'constant/solidProperties, with -parallel: solids in the water run on one.*solidProperties'
+refusedEntry linearSolver system/fvSolution 'solvers { p { solver PCG; preconditioner DIC; } }' \
+    'Entry solver of p, with -parallel: several processes need p solved by cudaPCG.*fvSolution'
+functions='momentum { type momentumBalance; libs ("libriprapFoam.so"); }'
+control 0.02 0.01
+refusedOn 3 grid.momentum \
+    'Function object momentum .*: momentum is balanced on one process.*controlDict.functions'
+mkdir ../small && cd ../small || exit 1
+functions=''
+tank2
+control 0.01 0.01
+dictionary constant/picProperties </dev/null
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; } }'
+regions 'pool { set fluid; source box; box (0 0 -1) (0.1 0.05 1); }'
+setParticles >log 2>&1
+divide 3
+refusedOn 3 grid.tooMany \
+    'Entry numberOfSubdomains: 3 processes are too many for this mesh.*decomposeParDict'

@@ -33,7 +33,7 @@ inline void PrintTo(const Setup& s, std::ostream* out)
         << (s.mixed() ? "Mixed" : "Double");
 }
 
-inline std::vector<Setup> setups(std::vector<int> dimensions)
+inline std::vector<Setup> setups(const std::vector<int>& dimensions)
 {
     std::vector<Setup> r;
     for (const DeviceKind device : {DeviceKind::cpu, DeviceKind::gpu})

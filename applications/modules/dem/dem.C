@@ -35,8 +35,9 @@ static demSettings forRanks(demSettings settings)
     if (config.device == riprap::DeviceKind::gpu)
     {
         FatalIOErrorInFunction(settings.dict)
-            << "Entry device is gpu: several processes run on CPUs alone;"
-            << " valid with -parallel are auto and cpu" << exit(FatalIOError);
+            << "Entry device is gpu: several processes of solver dem run on"
+            << " CPUs alone; valid with -parallel are auto and cpu"
+            << exit(FatalIOError);
     }
     if (config.sleepSpeed > 0)
     {

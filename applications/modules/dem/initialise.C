@@ -119,8 +119,6 @@ void Foam::solverModules::dem::initialise()
     part_.reset();
 
     const solidSet solids(readSolids(mesh_, asRead_));
-    requireDivisible(solids);
-
     const bool continued = canContinue(solids);
     buildScene(solids, continued);
 

@@ -8,6 +8,7 @@ Description
 
 #include "dem.H"
 #include "modelTrial.H"
+#include "restingWalls.H"
 #include "solidNeeds.H"
 #include "core/backend/gpus.hpp"
 
@@ -36,6 +37,14 @@ void Foam::solverModules::dem::needs(sceneNeeds& needs)
         );
     };
     solidNeeds(needs, settings_, input_, typeOfBondType_, trial);
+
+    restingWalls
+    (
+        needs,
+        subDictOf(subDictOf(settings_.dict, "walls"), "motion"),
+        movingWalls_,
+        runTime_
+    );
 
     const bool adjusts =
         runTime_.controlDict().getOrDefault<Switch>("adjustTimeStep", false);

@@ -26,7 +26,7 @@ class gridField
 
 protected:
 
-    virtual bool writeAs(const IOstreamOption& how, bool) const override
+    bool writeAs(const IOstreamOption& how, bool) const override
     {
         const_cast<gridField&>(*this).instance() = this->time().timeName();
         const Field<Type>& values = this->primitiveField();

@@ -9,6 +9,8 @@ Description
 #include "picDem.H"
 #include "sphNames.H"
 #include "wallPoints.H"
+#include "wholeBoundary.H"
+#include "pic/ranks/gridBricks.hpp"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -50,11 +52,21 @@ void Foam::solverModules::picDem::makeScene
             inside(continued)
         );
     }
+    catch (const riprap::PicRefusal& e)
+    {
+        ranks_.refuse(settings_, e);
+    }
+    catch (const riprap::TooManyRanks& e)
+    {
+        FatalIOErrorInFunction(runTime_.globalPath()/runTime_.system()/"decomposeParDict")
+            << "Entry numberOfSubdomains: " << e.what() << exit(FatalIOError);
+    }
     catch (const std::invalid_argument& e)
     {
         FatalIOErrorInFunction(solids_ ? solids_->dict() : settings_.dict)
             << "The case cannot be run: " << e.what() << exit(FatalIOError);
     }
+    ranks_.join(scene_);
 }
 
 
@@ -74,6 +86,8 @@ void Foam::solverModules::picDem::buildScene
     grid_.set(config);
     config.startTime = runTime_.value();
     config.spacing = givenSpacing();
+    config.ranks = ranks_.transport();
+    config.gatheredCells = pressure_.gatheredCells(config.gatheredCells);
 
     // What a run has written are its particles, not what cells are seeded by
     const bool written = hasPicRun(runTime_);
@@ -83,6 +97,8 @@ void Foam::solverModules::picDem::buildScene
     }
     continueOpenings(run_, config);
 
+    scene_.reset();
+    ranks_.clear();
     makeScene(cloud, continued);
 
     const label particles = label(scene_->farEnd({{1, 0, 0}}, 0).particles);
@@ -115,11 +131,12 @@ void Foam::solverModules::picDem::registerScene()
     report_.time = scene_->time();
     report_.fluid = run_.particles;
 
-    cloud_.reset(new picCloud(mesh_, *scene_, run_));
+    cloud_.reset(new picCloud(mesh_, ranks_.part(*scene_), *scene_, run_));
     wordList walls;
-    for (const label patchi : wallPatches(mesh_))
+    const polyMesh& boundary = wholeBoundary(mesh_);
+    for (const label patchi : wallPatches(boundary))
     {
-        walls.append(mesh_.boundaryMesh()[patchi].name());
+        walls.append(boundary.boundaryMesh()[patchi].name());
     }
     labelList bodyOfWall(walls.size(), -1);
     if (obstacles_.valid())
@@ -138,6 +155,10 @@ void Foam::solverModules::picDem::registerScene()
     {
         fields_.reset(new gridFields(mesh_));
     }
+    if (solids_)
+    {
+        solids_->registerCloud();
+    }
 }
 
 
@@ -152,6 +173,7 @@ void Foam::solverModules::picDem::initialise()
         solids_->clear();
     }
     scene_.reset();
+    ranks_.clear();
 
     const particleCloud cloud(readFluid());
 

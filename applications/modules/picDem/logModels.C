@@ -139,6 +139,7 @@ void Foam::solverModules::picDem::logModels() const
     {
         logItem("viscosity") << picNames::viscosity[int(c.viscousScheme)] << nl;
     }
+    ranks_.logPressure(c);
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
     logZones(c);
     if (obstacles_.valid())

@@ -65,6 +65,7 @@ void Foam::solverModules::picDem::report()
     {
         solids_->logStep();
     }
+    ranks_.log(report_.rank);
     logEscaped(report_.escaped.size(), run_);
     logProgress();
 }

@@ -8,6 +8,7 @@ Description
 
 #include "picDem.H"
 #include "modelTrial.H"
+#include "restingWalls.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -167,6 +168,13 @@ void Foam::solverModules::picDem::needs(sceneNeeds& needs)
         );
     }
 
+    restingWalls
+    (
+        needs,
+        subDictOf(subDictOf(dict, "walls"), "motion"),
+        bodies_,
+        runTime_
+    );
     controlNeeds(needs, c.adjustTimeStep, true);
     viscosityNeeds(needs);
     if (solids_)

@@ -8,6 +8,7 @@ Description
 
 #include "picDem.H"
 #include "picObstacles.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -38,7 +39,7 @@ riprap::PicInside Foam::solverModules::picDem::inside(bool continued)
     if (obstacles_.valid())
     {
         inside.obstacles =
-            picObstacles(mesh_, *obstacles_, bodyOf, grid_.cellSize());
+            picObstacles(wholeBoundary(mesh_), *obstacles_, bodyOf, grid_.cellSize());
     }
     if (solids_)
     {

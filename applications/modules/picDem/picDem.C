@@ -7,6 +7,7 @@
 #include "deviceChoice.H"
 #include "geometryWalls.H"
 #include "wallPoints.H"
+#include "wholeBoundary.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,8 +16,31 @@ namespace solverModules
 {
     defineTypeNameAndDebug(picDem, 0);
     addToRunTimeSelectionTable(solverModule, picDem, fvMesh);
+
+    // Several processes can share it
+    static const bool divided = solverModule::divided().insert(picDem::typeName);
 }
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Several processes do not look for a GPU
+static picSettings settingsOfRanks(picSettings settings)
+{
+    if (!Pstream::parRun()) return settings;
+
+    if (settings.config.device == riprap::DeviceKind::automatic)
+    {
+        settings.config.device = riprap::DeviceKind::cpu;
+    }
+    return settings;
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
@@ -40,13 +64,19 @@ const Foam::dictionary& Foam::solverModules::picDem::solverOfPressure() const
 Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
 :
     particleModule(runTime, mesh, "fluid"),
-    asRead_(readPicSettings(mesh)),
+    asRead_(settingsOfRanks(readPicSettings(wholeBoundary(mesh)))),
     settings_(asRead_),
     grid_(mesh, asRead_.config),
     obstacles_(wallGeometry(runTime)),
     bodies_(runTime, asRead_.motion),
-    pressure_(runTime, "p", solverOfPressure())
+    pressure_(runTime, "p", solverOfPressure()),
+    ranks_(runTime)
 {
+    if (Pstream::parRun())
+    {
+        ranks_.check(asRead_, pressure_, obstacles_.get(), bodyOfObstacle());
+    }
+
     if (picSolids::there(runTime))
     {
         solids_.reset(new picSolids(runTime, mesh, asRead_, boundary_));

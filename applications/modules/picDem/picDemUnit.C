@@ -11,6 +11,7 @@
 #include "needs.C"
 #include "obstacles.C"
 #include "picDem.C"
+#include "picRanks.C"
 #include "picSolids.C"
 #include "readFluid.C"
 #include "restart.C"

@@ -8,15 +8,15 @@ Description
 
 #include "picDem.H"
 #include "checkedDictionary.H"
+#include "dividedCloud.H"
 #include "IOdictionary.H"
-#include "OSspecific.H"
 #include "toStdVector.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 Foam::particleCloud Foam::solverModules::picDem::readFluid() const
 {
-    if (solids_ && !isDir(runTime_.timePath()/"lagrangian"/"fluid"))
+    if (solids_ && !hasCloudFolder(runTime_, "fluid"))
     {
         // Solids alone
         particleCloud none;
@@ -25,8 +25,7 @@ Foam::particleCloud Foam::solverModules::picDem::readFluid() const
         return none;
     }
 
-    requireCloud(mesh_, "fluid");
-    particleCloud cloud(readParticleCloud(mesh_, "fluid"));
+    particleCloud cloud(readWholeCloud(mesh_, "fluid"));
 
     if (cloud.size() == 0 && !solids_)
     {
@@ -42,6 +41,9 @@ Foam::particleCloud Foam::solverModules::picDem::readFluid() const
         cloud.labels.set("id", labelField(identity(cloud.size())));
     }
 
+    // Processors have each some: the order of one process is that of ids
+    if (Pstream::parRun()) sortByLabel(cloud, "id");
+
     return cloud;
 }
 
@@ -49,7 +51,7 @@ Foam::particleCloud Foam::solverModules::picDem::readFluid() const
 //- Of the cloud that is read [m]
 Foam::scalar Foam::solverModules::picDem::givenSpacing() const
 {
-    if (!isDir(runTime_.timePath()/"lagrangian"/"fluid"))
+    if (!hasCloudFolder(runTime_, "fluid"))
     {
         return 0.5*grid_.cellSize();
     }

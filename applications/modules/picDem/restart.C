@@ -9,8 +9,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "dividedCloud.H"
 #include "Map.H"
-#include "OSspecific.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -34,7 +34,7 @@ bool Foam::solverModules::picDem::canContinue(const particleCloud& cloud)
     {
         return notUsed(why);
     }
-    if (run_.particles > 0 && !isDir(runTime_.timePath()/"lagrangian"/"fluid"))
+    if (run_.particles > 0 && !hasCloudFolder(runTime_, "fluid"))
     {
         FatalIOErrorInFunction(runTime_.timePath()/"uniform"/"riprap"/"picRun")
             << "The water is missing: " << label(run_.particles)
@@ -91,7 +91,10 @@ bool Foam::solverModules::picDem::loadState(const particleCloud& cloud)
 {
     try
     {
-        scene_->loadState(readPicState(runTime_));
+        // Of several processes the first tells the others
+        std::vector<std::int32_t> words;
+        if (Pstream::master()) words = readPicState(runTime_);
+        scene_->loadState(words);
     }
     catch (const std::invalid_argument& e)
     {

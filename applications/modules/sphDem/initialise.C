@@ -33,6 +33,21 @@ static void setRun
     run.precision = sphNames::precision[config.precision];
 }
 
+
+//- Of several processes the scene is their parts together
+static void joinParts
+(
+    autoPtr<pstreamTransport>& ranks,
+    std::unique_ptr<riprap::SphScene>& scene,
+    std::unique_ptr<riprap::SphScene>& part
+)
+{
+    if (!ranks.valid()) return;
+
+    part = std::move(scene);
+    scene = riprap::wholeSphScene(*part, *ranks);
+}
+
 } // End namespace Foam
 
 
@@ -44,8 +59,6 @@ void Foam::solverModules::sphDem::makeScene
     const riprap::WallInput& walls
 )
 {
-    scene_.reset();
-    part_.reset();
     try
     {
         scene_ = riprap::createSphScene
@@ -62,11 +75,6 @@ void Foam::solverModules::sphDem::makeScene
             << "constant/sphProperties with the particles of "
             << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
             << exit(FatalError);
-    }
-    if (ranks_.valid())
-    {
-        part_ = std::move(scene_);
-        scene_ = riprap::wholeSphScene(*part_, *ranks_);
     }
 }
 
@@ -163,6 +171,8 @@ void Foam::solverModules::sphDem::buildScene
         warnOfOtherProperties();
     }
 
+    scene_.reset();
+    part_.reset();
     if (solids_)
     {
         makeCoupledScene(fluid, walls, continued);
@@ -171,6 +181,7 @@ void Foam::solverModules::sphDem::buildScene
     {
         makeScene(fluid, walls);
     }
+    joinParts(ranks_, scene_, part_);
 
     if (!continued)
     {
@@ -206,6 +217,10 @@ void Foam::solverModules::sphDem::registerScene()
             walls_.points()
         )
     );
+    if (solids_)
+    {
+        solids_->registerCloud();
+    }
 }
 
 

@@ -11,32 +11,6 @@ Description
 #include "toStdVector.H"
 #include "sceneState.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static void arrangeByIds(particleCloud& cloud)
-{
-    const labelList order(orderOf(*idsOf(cloud)));
-    const auto arrange = [&](auto& fields)
-    {
-        forAllIters(fields, iter)
-        {
-            auto& values = iter.val();
-            values = std::decay_t<decltype(values)>(values, order);
-        }
-    };
-    cloud.position = pointField(cloud.position, order);
-    cloud.cell.clear();
-    arrange(cloud.labels);
-    arrange(cloud.scalars);
-    arrange(cloud.vectors);
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 Foam::particleCloud Foam::solverModules::sphDem::readFluid() const
@@ -58,7 +32,7 @@ Foam::particleCloud Foam::solverModules::sphDem::readFluid() const
     }
 
     // Processors have each some: the order of one process is that of ids
-    if (Pstream::parRun()) arrangeByIds(cloud);
+    if (Pstream::parRun()) sortByLabel(cloud, "id");
 
     return cloud;
 }

@@ -95,7 +95,7 @@ bool Foam::solverModules::sphDem::loadState
         );
     }
 
-    if (!asWritten_ && solids_ && !solids_->sameAsCloud())
+    if (!asWritten_ && solids_ && !solids_->sameAsCloud(rewritten_))
     {
         return notUsed
         (

@@ -27,19 +27,15 @@ namespace solverModules
 namespace Foam
 {
 
-//- Several processes: their device, and what a fluid cannot have with them
+//- Several processes take a GPU if they are told to
 static sphSettings settingsOfRanks(sphSettings settings)
 {
     if (!Pstream::parRun()) return settings;
 
-    riprap::SphConfig& config = settings.config;
-    if (config.device == riprap::DeviceKind::gpu)
+    if (settings.config.device == riprap::DeviceKind::automatic)
     {
-        FatalIOErrorInFunction(settings.dict)
-            << "Entry device is gpu: several processes run on CPUs alone;"
-            << " valid with -parallel are auto and cpu" << exit(FatalIOError);
+        settings.config.device = riprap::DeviceKind::cpu;
     }
-    config.device = riprap::DeviceKind::cpu;
     return settings;
 }
 
@@ -59,13 +55,6 @@ Foam::solverModules::sphDem::sphDem(Time& runTime, fvMesh& mesh)
 
     if (sphSolids::there(runTime))
     {
-        if (ranks_.valid())
-        {
-            FatalIOErrorInFunction(readConstant("solidProperties", runTime))
-                << "The case has solids in its fluid, which run on one process"
-                << " alone: -parallel takes solver sphDem without"
-                << " constant/solidProperties" << exit(FatalIOError);
-        }
         solids_.reset(new sphSolids(runTime, mesh, asRead_, boundary_));
     }
     else if (asRead_.couples)

@@ -165,7 +165,7 @@ static List<fluidObstacle> obstacles(const placedSolids& placed)
     {
         const solidRegion& region = placed.regions[i];
         all[i] = fluidObstacle{region.name, region.exact, region.position, region.radius,
-            region.mass/sum(region.mass)};
+            scalarField(region.mass/sum(region.mass))};
     }
     return all;
 }
@@ -233,6 +233,7 @@ std::unique_ptr<const Foam::picSettings> Foam::gridSettings(
     if (!ofGrid(mesh.time(), options.solver, hasSet(dict, "fluid") || !hasSet(dict, "solids")))
         return nullptr;
     auto settings = std::make_unique<const picSettings>(readPicSettings(mesh));
+    // the grid is made for its checks alone: NOLINTNEXTLINE(bugprone-unused-raii)
     picGrid(mesh, settings->config);
     return settings;
 }

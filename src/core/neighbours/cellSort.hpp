@@ -77,6 +77,12 @@ public:
 
     const std::uint32_t* order() const { return scratch_.values[1].data(); }
     const int* start() const { return start_.data(); }
+    std::vector<int> starts(Context<Backend>& context) const
+    {
+        std::vector<int> all(std::size_t(cells_) + 1);
+        context.toHost(all.data(), start_.data(), all.size()*sizeof(int));
+        return all;
+    }
     const int* active() const { return start_.data() + cells_; }    // particles that are in a cell
     std::size_t bytes() const
     {

@@ -115,6 +115,15 @@ __device__ __forceinline__ auto wantsAll(const Pass& pass, int) -> decltype(pass
 }
 template<class Pass> __device__ __forceinline__ bool wantsAll(const Pass&, long) { return false; }
 
+//- Pass::skips(i), where there is one: a target that is left alone
+template<class Pass>
+__device__ __forceinline__ auto skips(const Pass& pass, int i, int) -> decltype(pass.skips(i))
+{
+    return pass.skips(i);
+}
+template<class Pass>
+__device__ __forceinline__ bool skips(const Pass&, int, long) { return false; }
+
 template<class Pass>
 __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 8 : 4)
     pairKernel(Pass pass, int shift)
@@ -123,7 +132,7 @@ __global__ void __launch_bounds__(pairBlock, sizeof(typename Pass::real) == 4 ? 
     if (!pass.enabled()) return;
     const int thread = blockIdx.x*pairBlock + threadIdx.x;
     const int i = thread >> shift;
-    const bool valid = i < pass.targets();
+    const bool valid = i < pass.targets() && !skips(pass, i, 0);
     if constexpr (Sparse<Pass>::value)
         if (!wantsAll(pass, 0)
             && !__any_sync(0xffffffffu, valid && pass.source[0].list.count[thread] > 0))
@@ -153,7 +162,7 @@ __global__ void __launch_bounds__(pairBlock) directPairKernel(Pass pass)
     constexpr int D = Pass::dimensions;
     using real = typename Pass::real;
     const int i = blockIdx.x*pairBlock + threadIdx.x;
-    if (i >= pass.targets()) return;
+    if (i >= pass.targets() || skips(pass, i, 0)) return;
     real sums[Pass::channels];
     for (int k = 0; k < Pass::channels; ++k) sums[k] = 0;
     const auto self = pass.template self<real>(i);

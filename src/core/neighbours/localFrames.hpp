@@ -266,6 +266,13 @@ public:
         forEach(context, blocks_, s);
     }
 
+    //- As LocalFrames has them, for who joins those of several ranks
+    std::vector<int> bounds() const { return bounds_.download(); }
+    void setBounds(Context<Backend>& context, const std::vector<int>& bounds)
+    {
+        bounds_.upload(context, bounds);
+    }
+
     std::size_t bytes() const { return bounds_.bytes() + immobile_.bytes() + frame_.bytes(); }
 
 private:

@@ -11,6 +11,7 @@
 
 #include "core/neighbours/gpuPairLoop.hpp"
 #include "core/neighbours/searchReach.hpp"
+#include "core/containers/ghostMarks.hpp"
 
 namespace riprap
 {
@@ -43,6 +44,7 @@ struct ListBuild
     int* count;
     unsigned* poolUsed;
     int* overflow;
+    GhostMarks<Gpu> ghosts;     // targets without a list
 
     template<class F>
     __device__ __forceinline__ void forEachNeighbour(int i, int lane, const F& f) const
@@ -76,7 +78,7 @@ __global__ void __launch_bounds__(pairBlock) listKernel(ListBuild<D, P> b)
 {
     const int thread = blockIdx.x*pairBlock + threadIdx.x;
     const int i = thread >> b.shift, lane = thread & ((1 << b.shift) - 1);
-    const bool valid = i < *b.targets;
+    const bool valid = i < *b.targets && !b.ghosts(i);
     const int warp = thread >> 5;
     unsigned base = unsigned(warp)*b.capacity;
     int room = b.capacity*4;
@@ -157,11 +159,12 @@ public:
     void build(Context<Gpu>& context, const Box<D, P>& box, const CellGrid<D, P>& grid,
         typename P::real radius, const RecordsView<Gpu, D, P>& target,
         const RecordsView<Gpu, D, P>& source, const int* start, const int* targets, bool sameSet,
-        int* overflow, const char* name, const SearchReach<typename P::real>& reach = {})
+        int* overflow, const char* name, const SearchReach<typename P::real>& reach = {},
+        const GhostMarks<Gpu>& ghosts = {})
     {
         const ListBuild<D, P> b{box, grid, target, source, radius, reach, start, targets, sameSet,
             shift_, capacity_, pooled_, entries_.data(), base_.data(), count_.data(),
-            poolUsed_.data(), overflow};
+            poolUsed_.data(), overflow, ghosts};
         if (n_ == 0) return;
         if (pooled_) context.zero(poolUsed_.data(), sizeof(unsigned));
         const std::size_t threads = std::size_t(n_) << shift_;

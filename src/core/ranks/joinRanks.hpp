@@ -6,12 +6,19 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include "core/ranks/transport.hpp"
 
 namespace riprap
 {
+
+//- To the bit: what two ranks have of one thing
+inline bool sameBytes(const void* a, const void* b, std::size_t bytes)
+{
+    return std::memcmp(a, b, bytes) == 0;
+}
 
 //- The same message to each rank; from each, in their order
 inline std::vector<RankBytes> toAll(Transport& ranks, const RankBytes& bytes)
@@ -50,6 +57,34 @@ inline void addByRank(Transport& ranks, std::vector<double>& v)
             double x;
             std::memcpy(&x, bytes.data() + k*sizeof(x), sizeof(x));
             v[k] += x;
+        }
+}
+
+//- The least of all ranks, row by row of `each` integers, most of which say `unset`: those that do
+//  not are sent
+inline void leastOfRanks(Transport& ranks, std::vector<int>& values, int each, int unset)
+{
+    const int rows = int(values.size())/each;
+    RankBytes own;
+    for (int row = 0; row < rows; ++row)
+    {
+        const int* from = values.data() + std::size_t(row)*each;
+        if (std::all_of(from, from + each, [&](int v) { return v == unset; })) continue;
+        putValues(own, &row);
+        putValues(own, from, each);
+    }
+    for (const RankBytes& bytes : toAll(ranks, own))
+        for (const unsigned char* from = bytes.data(); from < bytes.data() + bytes.size();)
+        {
+            int row = 0;
+            takeValues(from, &row);
+            for (int k = 0; k < each; ++k)
+            {
+                int v = 0;
+                takeValues(from, &v);
+                int& least = values[std::size_t(row)*each + k];
+                least = std::min(least, v);
+            }
         }
 }
 

@@ -6,41 +6,6 @@
 namespace riprap
 {
 
-//- Particles of the rank that has most. owner, particles: of pieces
-static std::int64_t mostOf(
-    const std::vector<int>& owner, const std::vector<std::int64_t>& particles)
-{
-    std::vector<std::int64_t> load(
-        1 + std::size_t(*std::max_element(owner.begin(), owner.end())), 0);
-    for (std::size_t p = 0; p < owner.size(); ++p) load[owner[p]] += particles[p];
-    return *std::max_element(load.begin(), load.end());
-}
-
-void ParticleExchange::setPieces(const std::vector<PieceGrid>& grids, double reach)
-{
-    // Ghosts come in whole pieces: as short ones as there are, as far as a sum of all numbers at
-    // each rebuild is cheap
-    constexpr int least = 1;
-    constexpr double most = 1 << 20;
-    pieces_.set(grids, reach, least, most);
-    setOwners();
-    needs_.assign(pieces_.count(), {});
-}
-
-void ParticleExchange::setOwners()
-{
-    if (sole_ >= 0) owner_.assign(pieces_.count(), sole_);
-    else if (bricks_.ranks()) owner_ = owners(bricks_);
-    known_.assign(pieces_.count(), 0);
-    ++divisions_;
-}
-
-void ParticleExchange::gatherOn(int rank)
-{
-    sole_ = rank;
-    setOwners();
-}
-
 void ParticleExchange::begin(int n)
 {
     number_.resize(n);
@@ -53,61 +18,13 @@ void ParticleExchange::begin(int n)
 //- Particles in each piece, of all ranks
 void ParticleExchange::countAll(const std::uint32_t* cell)
 {
-    inPiece_.assign(pieces_.count(), 0);
+    const RowPieces& pieces = owners_.pieces();
+    std::vector<std::int64_t> here(pieces.count(), 0);
     for (int slot = 0; slot < residents(); ++slot)
-        if (kind_[slot] == owned && cell[slot] < std::uint32_t(pieces_.cells()))
-            ++inPiece_[pieces_.of(int(cell[slot]))];
-    if (!everywhere_) transport_.sum(inPiece_);
-    total_ = 0;
-    for (const std::int64_t n : inPiece_) total_ += n;
-}
-
-std::vector<int> ParticleExchange::owners(const Bricks& bricks) const
-{
-    std::vector<int> r(pieces_.count());
-    for (int p = 0; p < pieces_.count(); ++p) r[p] = bricks.rankOf(pieces_.centre(p));
-    return r;
-}
-
-//- Bricks at first, and new ones where they are much better. Where none are they are not looked for
-//  again until the load has become more uneven, or for some time: particles may lie so that they
-//  can be shared out better
-void ParticleExchange::divide()
-{
-    if (sole_ >= 0) return;
-    constexpr int often = 16;               // migrations
-    const double mean = std::max(1.0, double(total_))/transport_.size();
-    const double uneven = bricks_.ranks() ? double(mostOf(owner_, inPiece_))/mean : 0;
-    if (bricks_.ranks()
-        && (uneven <= 1 + imbalance_ || (uneven <= 1.05*unevenBefore_ && ++since_ < often)))
-        return;
-    since_ = 0;
-    unevenBefore_ = uneven;
-    std::vector<Bricks::Point> centres(pieces_.count());
-    for (int p = 0; p < pieces_.count(); ++p) centres[p] = pieces_.centre(p);
-    const Bricks bricks(transport_.size(), centres, inPiece_);
-    const std::vector<int> owner = owners(bricks);
-    const double best = double(mostOf(owner, inPiece_))/mean;
-    if (bricks_.ranks() && best > 0.95*uneven) return;
-    unevenBefore_ = best;
-    bricks_ = bricks;
-    owner_ = owner;
-    known_.assign(pieces_.count(), 0);
-    ++counts_.divisions;
-    ++divisions_;
-}
-
-const std::vector<int>& ParticleExchange::needs(int piece)
-{
-    std::vector<int>& r = needs_[piece];
-    if (known_[piece]) return r;
-    r.clear();
-    for (const int other : pieces_.near(piece))
-        if (owner_[other] != owner_[piece]) r.push_back(owner_[other]);
-    std::sort(r.begin(), r.end());
-    r.erase(std::unique(r.begin(), r.end()), r.end());
-    known_[piece] = 1;
-    return r;
+        if (kind_[slot] == owned && cell[slot] < std::uint32_t(pieces.cells()))
+            ++here[pieces.of(int(cell[slot]))];
+    owners_.count(std::move(here), everywhere_);
+    counts_.divisions = owners_.cuts();
 }
 
 //- By number, which ascends in the order before
@@ -159,8 +76,9 @@ void ParticleExchange::settle(const std::uint32_t* order, int active)
     const auto fail = [&](const std::string& why)
     { throw std::logic_error("rank " + std::to_string(transport_.rank()) + ": " + why); };
     if (active != int(sequence_.size())) fail("particles were lost as they were sorted");
-    std::vector<std::int64_t> first(pieces_.count() + 1, 0), number(active);
-    for (int p = 0; p < pieces_.count(); ++p) first[p + 1] = first[p] + inPiece_[p];
+    const RowPieces& pieces = owners_.pieces();
+    std::vector<std::int64_t> first(pieces.count() + 1, 0), number(active);
+    for (int p = 0; p < pieces.count(); ++p) first[p + 1] = first[p] + owners_.in(p);
     std::vector<char> kind(active);
     std::vector<std::uint32_t> cell(active);
     ownedHere_ = 0;
@@ -172,7 +90,7 @@ void ParticleExchange::settle(const std::uint32_t* order, int active)
         kind[i] = kind_[from];
         cell[i] = cell_[from];
         ownedHere_ += kind[i] == owned;
-        const int piece = pieces_.of(int(cell[i]));
+        const int piece = pieces.of(int(cell[i]));
         if (piece != in)
         {
             if (piece < in) fail("particles are not in the order of their cells");
@@ -186,9 +104,9 @@ void ParticleExchange::settle(const std::uint32_t* order, int active)
     if (in >= 0 && next != first[in + 1]) fail("a piece is not whole");
     std::vector<std::int64_t> all(1, ownedHere_);
     transport_.sum(all);
-    if (all[0] != total_)
+    if (all[0] != owners_.total())
         fail(std::to_string(all[0]) + " particles have owners, and there are "
-            + std::to_string(total_));
+            + std::to_string(owners_.total()));
     number_.swap(number);
     kind_.swap(kind);
     cell_.swap(cell);
@@ -204,9 +122,9 @@ void ParticleExchange::makeLists()
     std::vector<std::vector<int>> to(transport_.size()), from(transport_.size());
     for (int i = 0; i < residents(); ++i)
     {
-        const int piece = pieces_.of(int(cell_[i]));
-        if (kind_[i] == ghost) from[owner_[piece]].push_back(i);
-        else for (const int rank : needs(piece)) to[rank].push_back(i);
+        const int piece = owners_.pieces().of(int(cell_[i]));
+        if (kind_[i] == ghost) from[owners_.owner(piece)].push_back(i);
+        else for (const int rank : owners_.needs(piece)) to[rank].push_back(i);
     }
     shares_.clear();
     for (int rank = 0; rank < transport_.size(); ++rank)

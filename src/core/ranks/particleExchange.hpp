@@ -17,8 +17,7 @@
 
 #include <stdexcept>
 #include <string>
-#include "core/ranks/bricks.hpp"
-#include "core/ranks/rowPieces.hpp"
+#include "core/ranks/pieceOwners.hpp"
 #include "core/ranks/slotShares.hpp"
 
 namespace riprap
@@ -30,16 +29,17 @@ public:
 
     enum Kind : char {absent, owned, ghost};
 
-    //- imbalance: the largest rank may have so much more than the mean before bricks are cut anew
-    explicit ParticleExchange(Transport& transport, double imbalance = 0.1)
-        : transport_(transport), imbalance_(imbalance)
+    //- imbalance: the largest rank may have so much more than the mean before bricks are cut anew.
+    //  measured: of the time that particles cost; else of their numbers
+    explicit ParticleExchange(Transport& transport, double imbalance = 0.1, bool measured = false)
+        : transport_(transport), owners_(transport, imbalance, measured)
     {}
 
     Transport& transport() { return transport_; }
 
     //- Cells that particles are sorted into. Numbers of particles hold; owners and ghosts change
     //  with the next migration
-    void setPieces(const std::vector<PieceGrid>&, double reach);
+    void setPieces(const std::vector<PieceGrid>& grids, double reach) { owners_.set(grids, reach); }
 
     //- All particles are on all ranks, in slots 0 .. n-1, and of nobody
     void begin(int n);
@@ -62,7 +62,7 @@ public:
 
     //- From the next migration on this rank has all particles; -1: each has those of its brick
     //  again
-    void gatherOn(int rank);
+    void gatherOn(int rank) { owners_.gatherOn(rank); }
 
     //- order[i]: where the i-th was, of `active`
     void settle(const std::uint32_t* order, int active);
@@ -74,11 +74,20 @@ public:
 
     //- Of a cell, from the last migration on: its rank, and those besides that have its particles
     //  as ghosts. divisions() tells when these change
-    int ownerOf(std::uint32_t cell) const { return owner_[pieces_.of(int(cell))]; }
-    const std::vector<int>& ghostsOf(std::uint32_t cell) { return needs(pieces_.of(int(cell))); }
-    std::int64_t divisions() const { return divisions_; }
+    int ownerOf(std::uint32_t cell) const
+    {
+        return owners_.owner(owners_.pieces().of(int(cell)));
+    }
+    const std::vector<int>& ghostsOf(std::uint32_t cell)
+    {
+        return owners_.needs(owners_.pieces().of(int(cell)));
+    }
+    std::int64_t divisions() const { return owners_.divisions(); }
+    //- Steps begin, or have ended
+    void work(bool on) { owners_.work(on); }
+    const PieceOwners& owners() const { return owners_; }
 
-    std::int64_t total() const { return total_; }           // of all ranks
+    std::int64_t total() const { return owners_.total(); }  // of all ranks
     int ownedHere() const { return ownedHere_; }
     int ghostsHere() const { return residents() - ownedHere_; }
 
@@ -93,30 +102,13 @@ public:
 private:
 
     struct Header { std::int64_t number; std::uint32_t cell; std::int32_t whole; };
-
     void countAll(const std::uint32_t* cell);
-    void divide();
-    std::vector<int> owners(const Bricks&) const;
-    void setOwners();
-    const std::vector<int>& needs(int piece);
     int arrive(const Header&);
     void makeSequence(int before);
     void makeLists();
 
     Transport& transport_;
-    double imbalance_;
-    RowPieces pieces_;
-    Bricks bricks_;
-    std::vector<int> owner_;                // of each piece
-    // ranks besides the owner that need its particles, where that is known
-    std::vector<std::vector<int>> needs_;
-    std::vector<char> known_;
-    std::vector<std::int64_t> inPiece_;     // particles of all ranks
-    std::int64_t total_ = 0;
-    // most of a rank over the mean when bricks were looked for
-    double unevenBefore_ = 0;
-    int since_ = 0;                         // migrations since then
-    int sole_ = -1;                         // the rank that has all
+    PieceOwners owners_;
 
     std::vector<std::int64_t> number_;      // of slots
     std::vector<char> kind_;
@@ -127,15 +119,14 @@ private:
 
     SlotShares shares_;
     Counts counts_;
-    std::int64_t divisions_ = 0;            // of any kind, gathering included
 };
 
 template<class Pack, class Unpack>
 void ParticleExchange::migrate(const std::uint32_t* cell, const Pack& pack, const Unpack& unpack)
 {
     const int me = transport_.rank(), before = residents();
+    const RowPieces& pieces = owners_.pieces();
     countAll(cell);
-    divide();
     left_.clear();
     std::vector<RankBytes> out(transport_.size()), in;
     const auto send = [&](int rank, int slot, bool whole)
@@ -150,12 +141,12 @@ void ParticleExchange::migrate(const std::uint32_t* cell, const Pack& pack, cons
         const bool mine = kind_[slot] == owned;
         kind_[slot] = absent;
         if (!mine) continue;
-        if (cell[slot] >= std::uint32_t(pieces_.cells())) { left_.push_back(slot); continue; }
+        if (cell[slot] >= std::uint32_t(pieces.cells())) { left_.push_back(slot); continue; }
         cell_[slot] = cell[slot];
-        const int piece = pieces_.of(int(cell[slot])), owner = owner_[piece];
+        const int piece = pieces.of(int(cell[slot])), owner = owners_.owner(piece);
         if (owner == me) kind_[slot] = owned;
         else send(owner, slot, true);
-        for (const int rank : needs(piece))
+        for (const int rank : owners_.needs(piece))
         {
             if (rank == me) kind_[slot] = ghost;
             else send(rank, slot, false);

@@ -18,8 +18,8 @@ void RowPieces::set(const std::vector<PieceGrid>& grids, double reach, int least
     for (const PieceGrid& g : grids) rows += double(g.n[1])*g.n[2];
     for (const PieceGrid& g : grids)
     {
-        const int pieces = int(
-            std::max(1.0, std::min(double(g.n[0]/least), std::floor(most/rows))));
+        const int longest = g.n[0]/least;
+        const int pieces = int(std::max(1.0, std::min(double(longest), std::floor(most/rows))));
         pieces_.push_back(pieces);
         first_.push_back(first_.back() + pieces*g.n[1]*g.n[2]);
         firstCell_.push_back(firstCell_.back() + g.n[0]*g.n[1]*g.n[2]);
@@ -77,6 +77,35 @@ RowPieces::Point RowPieces::centre(int piece) const
     c[0] = g.lower[0] + 0.5*(begin(p.grid, p.at[0]) + begin(p.grid, p.at[0] + 1))*g.size[0];
     for (int d = 1; d < 3; ++d) c[d] = g.lower[d] + (p.at[d] + 0.5)*g.size[d];
     return c;
+}
+
+bool RowPieces::boxAround(int piece, Point& low, Point& high) const
+{
+    const Place p = place(piece);
+    const PieceGrid& a = grids_[p.grid];
+    for (int d = 0; d < 3; ++d)
+    {
+        const int from = d ? p.at[d] : begin(p.grid, p.at[0]),
+                  to = d ? p.at[d] + 1 : begin(p.grid, p.at[0] + 1);
+        low[d] = a.lower[d] + from*a.size[d];
+        high[d] = a.lower[d] + to*a.size[d];
+        double beyond = 0;
+        bool periodic = false;
+        for (int k = 0; k < int(grids_.size()); ++k)
+        {
+            // as near() goes, and to the centre of the piece that this ends in
+            const PieceGrid& b = grids_[k];
+            const int cells = d ? 1 : b.n[0]/pieces_[k] + 2;
+            beyond = std::max(beyond, a.radius + b.radius + reach_ + 0.01*a.size[d]
+                + (1.01 + cells)*b.size[d]);
+            periodic = periodic || b.periodic[d];
+        }
+        low[d] -= beyond;
+        high[d] += beyond;
+        if (periodic && (low[d] < a.lower[d] || high[d] > a.lower[d] + a.n[d]*a.size[d]))
+            return false;
+    }
+    return true;
 }
 
 std::vector<int> RowPieces::near(int piece) const

@@ -45,6 +45,9 @@ public:
     //- Those whose particles may touch some of this piece, itself included, ascending
     std::vector<int> near(int piece) const;
 
+    //- A box that has the centres of all of these. \return false: it goes on at the other side
+    bool boxAround(int piece, Point& low, Point& high) const;
+
 private:
 
     struct Place { int grid; std::array<int, 3> at; };      // piece along x, row along y and z

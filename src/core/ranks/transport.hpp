@@ -8,6 +8,7 @@
 */
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -17,8 +18,8 @@ namespace riprap
 
 using RankBytes = std::vector<unsigned char>;
 
-//- To or from a rank
-struct RankMessage { int rank = 0; RankBytes bytes; };
+//- To or from a rank: memory of the caller, on the host
+struct RankMessage { int rank = 0; unsigned char* bytes = nullptr; std::size_t size = 0; };
 
 class Transport
 {
@@ -32,12 +33,35 @@ public:
     //  of length size()
     virtual void exchange(const std::vector<RankBytes>& out, std::vector<RankBytes>& in) = 0;
 
-    //- The same between ranks that know what comes: in[k].bytes has its length already
+    //- The same between ranks that know what comes: in[k].bytes has room for in[k].size
     virtual void swap(const std::vector<RankMessage>& out, std::vector<RankMessage>& in) = 0;
 
     //- Entry by entry over all ranks
     virtual void sum(std::vector<std::int64_t>& values) = 0;
     virtual void largest(std::vector<double>& values) = 0;      // numbers, infinity included
+
+    //- This rank has been in these calls for so long [s], waiting for others most of it
+    double seconds() const { return seconds_; }
+
+protected:
+
+    //- Of what carries the messages: a call, while this lives
+    class Call
+    {
+    public:
+        explicit Call(Transport& in) : in_(in), begin_(Clock::now()) {}
+        Call(const Call&) = delete;
+        Call& operator=(const Call&) = delete;
+        ~Call() { in_.seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+    private:
+        using Clock = std::chrono::steady_clock;
+        Transport& in_;
+        const Clock::time_point begin_;
+    };
+
+private:
+    double seconds_ = 0;
 };
 
 //- Appends plain values to bytes

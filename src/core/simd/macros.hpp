@@ -9,6 +9,8 @@
     //- What is rarely called and large: it stands apart, and its registers do not burden who calls
     //  it
     #define HD_APART __host__ __device__ __noinline__
+    //- What is large and the same for many: on the CPU there is one of it
+    #define HD_SHARED HD
     //- Of a kernel's parameter: its functions that stand apart are given its place, and no thread
     //  makes a copy of it in its own memory
     #if __CUDACC_VER_MAJOR__ >= 12 && (!defined(__CUDA_ARCH__) || __CUDA_ARCH__ >= 700)
@@ -28,6 +30,7 @@
 #else
     #define HD inline __attribute__((always_inline))
     #define HD_APART inline __attribute__((noinline))
+    #define HD_SHARED inline __attribute__((noinline))
     #define UNROLL
     #define EITHER_SIDE
 #endif

@@ -30,6 +30,8 @@ struct Contact
     using TangentialLaw = Tangential;
     using RollingLaw = Rolling;
 
+    static constexpr bool turns = !(Tangential::off && Rolling::off);   // are there moments?
+
     template<int D> static constexpr int tangentialAt = Normal::history;
     template<int D>
     static constexpr int rollingAt = Normal::history + Tangential::template history<D>;

@@ -8,6 +8,7 @@
 #include "dem/lists/contactList.hpp"
 #include "dem/lists/sizeClasses.hpp"
 #include "dem/lists/solidRecords.hpp"
+#include "dem/state/solidFields.hpp"
 
 namespace riprap
 {
@@ -46,6 +47,7 @@ struct ContactSearch
     // where the particles are that cells have side by side; null: just so
     const int* place;
     const std::int32_t* clump;  // null: none
+    const std::int32_t* calm;   // ghosts have their mark (CPU); null: there are none
     const std::int32_t* id;
     BondTable bonds;
     real reach;                 // skin and gap: listed when the surfaces are no further apart
@@ -84,9 +86,11 @@ struct ContactSearch
 
 private:
 
-    //- Members of one rigid body, and bonded pairs
+    //- Members of one rigid body, bonded pairs, and ghosts: what they do to each other is others'
+    //  business
     HD bool apart(int i, int j) const
     {
+        if (!Backend::gpu && calm && calm[i] == ghostMark && calm[j] == ghostMark) return true;
         if (clump && clump[i] >= 0 && clump[i] == clump[j]) return true;
         return bonds.first && bonds.keepsApart(id[i], id[j]);
     }

@@ -76,8 +76,9 @@ struct CollectForces
     }
 };
 
-//- Kick and drift by them (no members of clumps)
-template<int D, class P>
+//- Kick and drift by them (no members of clumps). Plain: nobody whom it moves sleeps or is another
+//  process's, no fluid, damping or prescribed motion acts, so that nothing asks a particle for them
+template<int D, class P, bool Plain>
 struct MoveCollected
 {
     using real = typename P::real;
@@ -86,13 +87,22 @@ struct MoveCollected
     CollectedForce<D, P> collected;
     MoveSolids<D, P> mover;
 
-    void operator()(int i) const
+    HD void operator()(int i) const
     {
+        if (Plain && !isPlain(i)) __builtin_unreachable();
         if (!mover.clock->active || i >= *mover.active || mover.fields.asleep(i)) return;
         Vec<D, real> f;
         Spin<D, real> m;
         collected(i, f, m);
         mover.move(i, f, m);
+    }
+
+    //- What the compiler may take for granted
+    HD bool isPlain(int i) const
+    {
+        const GroupData<D, real>& group = mover.groups[mover.fields.group[i]];
+        return !mover.fields.calm && !mover.external && !mover.clumps && !mover.verlet
+            && !mover.sharesMass && !mover.frames.frame && group.motion < 0 && !group.damped;
     }
 };
 

@@ -13,23 +13,20 @@
 namespace riprap
 {
 
-template<class Backend, int D, class P, class Law>
-struct PairModel
+//- Without the law's numbers
+template<class Backend, int D, class P>
+struct PairSetting
 {
     using real = typename P::real;
-    using Parameters = typename Law::template Parameters<real>;
-    static constexpr int histories = Law::template history<D>;
 
     Box<D, P> box;
     SolidRecords<D, P> solids;
     ContactListView<Backend, real> list;
-    const Parameters* parameters;       // of materials a, b: [a*materials + b]
-    const real* gap;                    // likewise
+    const real* gap;                    // of materials a, b: [a*materials + b]
     int materials;
     // the pair of the one material that all particles are of, whatever walls are of; -1: there are
     // several
     int alone;
-    Parameters singlePair;                    // its numbers: a kernel's own arguments cost no loads
     real singlePairGap;
     ForceClock clock;
     const int* active;
@@ -43,6 +40,16 @@ struct PairModel
         for (int d = 0; d < D; ++d) dx.c[d] = -box.template separation<real>(d, xi.c[d], j.x[d]);
         return dx;
     }
+};
+
+template<class Backend, int D, class P, class Law>
+struct PairModel : PairSetting<Backend, D, P>
+{
+    using Parameters = typename Law::template Parameters<typename P::real>;
+    static constexpr int histories = Law::template history<D>;
+
+    const Parameters* parameters;       // as gaps
+    Parameters singlePair;              // of `alone`: a kernel's own arguments cost no loads
 };
 
 } // namespace riprap

@@ -10,9 +10,11 @@
 
 #ifndef __CUDACC__
 
+#include <algorithm>
 #include <vector>
 #include "core/simd/pack.hpp"
 #include "core/containers/records.hpp"
+#include "dem/lists/awakeLists.hpp"
 #include "dem/passes/pairModel.hpp"
 
 namespace riprap
@@ -41,6 +43,8 @@ struct DeferredForces
 
     std::vector<int> cuts;              // of blocks given from outside; empty: they are of one size
 
+    AwakeLists awake;                   // empty where nobody may sleep
+
     int begin(int block) const
     {
         return cuts.empty() ? int((long long)n*block/blocks) : cuts[block];
@@ -53,6 +57,7 @@ struct DeferredForces
     {
         range.clear();
         firstRange.assign(1, 0);
+        awake.clear(anyAsleep);
         for (int b = 0; b < blocks && !anyAsleep; ++b)
         {
             range.push_back(Range{list.base[begin(b)], list.base[begin(b + 1)], firstSlot[b]});
@@ -63,10 +68,12 @@ struct DeferredForces
         {
             int slot = firstSlot[b];
             bool open = false;
+            awake.open();
             for (int i = begin(b), last = begin(b + 1); i < last; ++i)
             {
                 const int first = list.base[i], end = first + list.count[i];
-                bool idle = asleep(i);
+                const bool sleeps = asleep(i);
+                bool idle = sleeps;
                 int crossing = 0;
                 for (int e = first; e < end && (idle || blocks > 1); ++e)
                 {
@@ -77,10 +84,13 @@ struct DeferredForces
                 if (!idle && open) range.back().end = end;
                 else if (!idle) range.push_back(Range{first, end, slot});
                 open = !idle;
+                if (!sleeps) awake.add(i);
+                if (!idle) awake.looking.push_back(i);
                 slot += blocks > 1 ? crossing : 0;
             }
             firstRange.push_back(int(range.size()));
         }
+        awake.close(n, list);
     }
 
     static int blocksOf(std::int64_t particles)
@@ -121,68 +131,30 @@ struct DeferredForces
     }
 };
 
-template<int D, class P, class Law>
-struct ScatterPass : PairModel<Cpu, D, P, Law>
+//- Some registers full of entries of half lists that touch, and where the search for them stands:
+//  the same for all contact laws
+template<int D, class P>
+struct TouchingEntries
 {
     using real = typename P::real;
     using T = Pack<real>;
-    using Model = PairModel<Cpu, D, P, Law>;
     using List = ContactListView<Cpu, real>;
-    static constexpr const char* name = "contacts";
-    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width,
-                         words = DeferredForces<D, real>::width;
-    static constexpr int rows = (H + 3)/4, words4 = words/4;
-    using RowOf = typename Row<real>::vec;
-    using LooseRow = typename Row<real>::loose;
+    using Pairs = PairSetting<Cpu, D, P>;
+    static constexpr int lanes = T::width, room = 64;
 
-    DeferredForces<D, real>* deferred;
-    real* sums;                 // words a particle
-    real largestGap;
-
-    //- Entries that touch, some registers full, and where the search for them stands
-    struct Batch
-    {
-        static constexpr int room = 64;
-
-        int count = 0;
-        int entry[room + lanes], slot[room + lanes], i[room + lanes], j[room + lanes];
-        int next = 0, nextSlot = 0;
-    };
-
-    void operator()(int block) const
-    {
-        if (!this->clock.active()) return;
-        const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1),
-                  end = std::min(blockEnd, *this->active);
-        if (end <= begin) return;
-        for (std::size_t k = std::size_t(begin)*words; k < std::size_t(end)*words; ++k) sums[k] = 0;
-        for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k)
-            deferred->acts[k] = 0;
-        Batch batch;
-        for (int r = deferred->firstRange[block]; r < deferred->firstRange[block + 1]; ++r)
-        {
-            const auto& range = deferred->range[r];
-            batch.next = range.begin;
-            batch.nextSlot = range.slot;
-            while (batch.next < range.end)
-            {
-                collect(batch, range.end, blockEnd);
-                for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
-            }
-        }
-    }
-
-private:
+    int count = 0;
+    int entry[room + lanes], slot[room + lanes], i[room + lanes], j[room + lanes];
+    int next = 0, nextSlot = 0;
 
     //- Positions and radii, and in 2D masses, of the particles index(l), one a lane
     struct Places { Vec<D, typename PositionPack<P>::type> x; T radius, mass; };
 
     template<class Index>
-    HD Places places(const Index& index) const
+    HD static Places places(const SolidRecords<D, P>& solids, const Index& index)
     {
         T v[4];
         loadRows(
-            [&](int l) { return reinterpret_cast<const real*>(this->solids.a + index(l)); }, v);
+            [&](int l) { return reinterpret_cast<const real*>(solids.a + index(l)); }, v);
         Places p;
         for (int d = 0; d < D; ++d)
         {
@@ -195,70 +167,137 @@ private:
     }
 
     //- From a to b, nearest image
-    HD Vec<D, T> line(const Places& a, const Places& b) const
+    HD static Vec<D, T> line(const Box<D, P>& box, const Places& a, const Places& b)
     {
         Vec<D, T> dx;
         for (int d = 0; d < D; ++d)
-            dx.c[d] = this->box.template separation<T>(d, b.x.c[d], a.x.c[d]);
+            dx.c[d] = box.template separation<T>(d, b.x.c[d], a.x.c[d]);
         return dx;
     }
 
     //- The next entries that touch, a register of candidates at a time. Those that touched and no
-    //  longer do forget: what does not touch has a history of zeros
-    HD void collect(Batch& b, int last, int blockEnd) const
+    //  longer do forget: what does not touch has a history of zeros. words: of a history
+    HD_SHARED void collect(
+        const Pairs& pairs, const real& largestGap, int words, int last, int blockEnd)
     {
-        b.count = 0;
-        const bool simple = this->alone >= 0 && !this->list.rest;
+        count = 0;
+        const auto& list = pairs.list;
+        const bool simple = pairs.alone >= 0 && !list.rest;
         const T gap(largestGap);
-        for (; b.next < last && b.count <= Batch::room - lanes; b.next += lanes)
+        for (; next < last && count <= room - lanes; next += lanes)
         {
-            const int used = std::min(lanes, last - b.next);
-            const auto at = [&](int l) { return b.next + (l < used ? l : 0); };
-            const Places pi = places([&](int l) { return this->list.owner[at(l)]; });
-            const Places pj = places([&](int l) { return List::other(this->list.entry[at(l)]); });
-            const T reach = pi.radius + pj.radius + gap, r2 = squaredNorm(line(pi, pj));
+            const int used = std::min(lanes, last - next);
+            const auto at = [&](int l) { return next + (l < used ? l : 0); };
+            const Places pi = places(pairs.solids, [&](int l) { return list.owner[at(l)]; });
+            const Places pj = places(
+                pairs.solids, [&](int l) { return List::other(list.entry[at(l)]); });
+            const T reach = pi.radius + pj.radius + gap, r2 = squaredNorm(line(pairs.box, pi, pj));
             const unsigned there = (1u << used) - 1;
-            const auto entries = IntegerPack<lanes>::load(this->list.entry + b.next);
+            const auto entries = IntegerPack<lanes>::load(list.entry + next);
             const auto others = entries & std::int32_t(~List::touching);
             unsigned hits = greaterBits(reach*reach, r2) & there;
             const unsigned crossing = signBits(others > blockEnd - 1) & there;
             if (!simple)
                 for (unsigned left = hits; left; left &= left - 1)
                 {
-                    const int l = __builtin_ctz(left), e = b.next + l;
-                    if (!touches(this->list.owner[e], List::other(this->list.entry[e]), e, r2.v[l]))
-                        hits &= ~(1u << l);
+                    const int l = __builtin_ctz(left);
+                    if (!touches(pairs, next + l, r2.v[l])) hits &= ~(1u << l);
                 }
             for (unsigned left = signBits(entries) & there & ~hits; left; left &= left - 1)
-                forget(b.next + __builtin_ctz(left));
+                forget(list, words, next + __builtin_ctz(left));
             for (unsigned left = hits; left; left &= left - 1)
             {
-                const int l = __builtin_ctz(left), e = b.next + l, k = b.count++;
+                const int l = __builtin_ctz(left), e = next + l, k = count++;
                 const unsigned bit = 1u << l;
-                b.entry[k] = e;
-                b.i[k] = this->list.owner[e];
-                b.j[k] = List::other(this->list.entry[e]);
-                b.slot[k] = crossing & bit ? b.nextSlot + __builtin_popcount(crossing & (bit - 1))
-                                           : -1;
+                entry[k] = e;
+                i[k] = list.owner[e];
+                j[k] = List::other(list.entry[e]);
+                slot[k] = crossing & bit ? nextSlot + __builtin_popcount(crossing & (bit - 1)) : -1;
             }
-            b.nextSlot += __builtin_popcount(crossing);
+            nextSlot += __builtin_popcount(crossing);
         }
     }
 
-    void forget(std::size_t e) const
+private:
+
+    static void forget(const List& list, int words, std::size_t e)
     {
-        this->list.entry[e] &= ~List::touching;
-        for (int c = 0; c < 4*rows; ++c) this->list.history[e*4*rows + c] = 0;
+        list.entry[e] &= ~List::touching;
+        for (int c = 0; c < words; ++c) list.history[e*words + c] = 0;
     }
 
     //- Where gaps and rests vary, nearness is not touching
-    bool touches(int i, int j, std::size_t e, real r2) const
+    static bool touches(const Pairs& pairs, std::size_t e, real r2)
     {
         int mi, mj;
-        const real radii = this->solids.body(i, mi).radius + this->solids.body(j, mj).radius;
-        real reach = radii + this->gap[this->pairOf(mi, mj)];
-        if (this->list.rest) reach -= this->list.rest[e];
+        const real radii = pairs.solids.body(pairs.list.owner[e], mi).radius
+            + pairs.solids.body(List::other(pairs.list.entry[e]), mj).radius;
+        real reach = radii + pairs.gap[pairs.pairOf(mi, mj)];
+        if (pairs.list.rest) reach -= pairs.list.rest[e];
         return reach > 0 && r2 < reach*reach;
+    }
+};
+
+template<int D, class P, class Law>
+struct ScatterPass : PairModel<Cpu, D, P, Law>
+{
+    using real = typename P::real;
+    using T = Pack<real>;
+    using Model = PairModel<Cpu, D, P, Law>;
+    using List = ContactListView<Cpu, real>;
+    using Batch = TouchingEntries<D, P>;
+    using Places = typename Batch::Places;
+    static constexpr const char* name = "contacts";
+    static constexpr int H = Model::histories, S = spins<D>, lanes = T::width,
+                         words = DeferredForces<D, real>::width;
+    static constexpr int rows = (H + 3)/4, words4 = words/4;
+    // of a law that turns nobody moments stay the zeros that they are
+    static constexpr int written = D == 3 && !Law::turns ? 1 : words4;
+    using RowOf = typename Row<real>::vec;
+    using LooseRow = typename Row<real>::loose;
+
+    DeferredForces<D, real>* deferred;
+    real* sums;                 // words a particle
+    real largestGap;
+
+    void operator()(int block) const
+    {
+        if (!this->clock.active()) return;
+        const int begin = deferred->begin(block), blockEnd = deferred->begin(block + 1),
+                  end = std::min(blockEnd, *this->active);
+        if (end <= begin) return;
+        clearSums(block, begin, end);
+        for (int k = deferred->firstSlot[block]; k < deferred->firstSlot[block + 1]; ++k)
+            deferred->acts[k] = 0;
+        Batch batch;
+        for (int r = deferred->firstRange[block]; r < deferred->firstRange[block + 1]; ++r)
+        {
+            const auto& range = deferred->range[r];
+            batch.next = range.begin;
+            batch.nextSlot = range.slot;
+            while (batch.next < range.end)
+            {
+                batch.collect(*this, largestGap, 4*rows, range.end, blockEnd);
+                for (int first = 0; first < batch.count; first += lanes) evaluate(batch, first);
+            }
+        }
+    }
+
+private:
+
+    //- Of those that take part
+    void clearSums(int block, int begin, int end) const
+    {
+        const AwakeLists& awake = deferred->awake;
+        if (awake.some)
+            for (int k = awake.first[block]; k < awake.first[block + 1]; ++k)
+                clearSums(awake.runs[k].begin, awake.runs[k].end);
+        else clearSums(begin, end);
+    }
+
+    void clearSums(int begin, int end) const
+    {
+        std::fill(sums + std::size_t(begin)*words, sums + std::size_t(end)*words, real(0));
     }
 
     //- The bodies index(l), one a lane
@@ -286,7 +325,7 @@ private:
 
     //- Parameters and gaps of pairs of several materials
     template<class Entry>
-    HD void setPairs(
+    HD_APART void setPairs(
         const Entry& entry, typename Law::template Parameters<T>& parameters, T& gap) const
     {
         constexpr int numbers = sizeof(typename Model::Parameters)/sizeof(real);
@@ -317,7 +356,8 @@ private:
         const auto entry = [&](int l) { return b.entry[lane(l)]; };
         const auto owner = [&](int l) { return b.i[lane(l)]; };
         const auto other = [&](int l) { return b.j[lane(l)]; };
-        const Places placeA = places(owner), placeB = places(other);
+        const Places placeA = Batch::places(this->solids, owner),
+                     placeB = Batch::places(this->solids, other);
         const ContactBody<D, T> bodyA = bodies(owner, placeA), bodyB = bodies(other, placeB);
         typename Law::template Parameters<T> parameters;
         T gap;
@@ -335,7 +375,7 @@ private:
             loadRows([&](int l)
                 { return this->list.history + (std::size_t(entry(l))*rows + r)*4; },
                 h + 4*r);
-        const Vec<D, T> dx = line(placeA, placeB);
+        const Vec<D, T> dx = Batch::line(this->box, placeA, placeB);
         const T distance = squareRoot(maximum(squaredNorm(dx), T(real(1e-30)))),
                 inverse = T(real(1))/distance;
         const Vec<D, T> n = inverse*dx;
@@ -360,9 +400,12 @@ private:
             const T momentA[4] = {f.momentA.c[0], f.momentA.c[1], f.momentA.c[2], none};
             const T momentB[4] = {f.momentB.c[0], f.momentB.c[1], f.momentB.c[2], none};
             storeRows(force, onA[0]);
-            storeRows(momentA, onA[1]);
             storeRows(back, onB[0]);
-            storeRows(momentB, onB[1]);
+            if constexpr (Law::turns)
+            {
+                storeRows(momentA, onA[1]);
+                storeRows(momentB, onB[1]);
+            }
         }
         else
         {
@@ -380,12 +423,12 @@ private:
                     this->list.history + (e*rows + r)*4) = memory[r][l];
             const int i = b.i[at], j = b.j[at];
             this->list.entry[e] = std::uint32_t(j) | List::touching;
-            for (int w = 0; w < words4; ++w)
+            for (int w = 0; w < written; ++w)
             {
                 LooseRow& sum = *reinterpret_cast<LooseRow*>(sums + std::size_t(i)*words + 4*w);
                 sum = sum + onA[w][l];
             }
-            for (int w = 0; w < words4; ++w)
+            for (int w = 0; w < written; ++w)
             {
                 if (slot >= 0)
                     *reinterpret_cast<LooseRow*>(

@@ -33,8 +33,21 @@ struct SleepState
     std::int32_t* wakes;            // a neighbour moves
     std::int32_t* waits;            // a neighbour is not calm yet
     std::int32_t needed;            // checks in a row
+    std::int32_t* stirs;            // set where someone may fall asleep or wake; may be null
+    std::int32_t* changed;          // set where someone does; may be null
 
     HD bool asleep(int i) const { return fields.asleep(i); }
+
+    //- Threads may write the same flag: it is the same number
+    HD static void set(std::int32_t* flag)
+    {
+#ifdef __CUDA_ARCH__
+        *flag = 1;
+#else
+        __atomic_store_n(flag, 1, __ATOMIC_RELAXED);
+#endif
+    }
+    HD static void setAny(std::int32_t* flag) { if (flag) set(flag); }
 };
 
 template<int D, class P>
@@ -61,9 +74,9 @@ struct CountCalm
         const bool asleep = sleep.asleep(i);
         sleep.wakes[i] = asleep && !still;
         sleep.waits[i] = 0;
-        if (asleep) return;
-        if (!still) calm = 0;
+        if (!asleep && !still) calm = 0;
         else if (calm < sleep.needed) ++calm;
+        if (calm >= sleep.needed) sleep.setAny(sleep.stirs);
     }
 
 private:
@@ -118,17 +131,8 @@ private:
     HD void mark(int i, int j) const
     {
         const std::int32_t calm = sleep.fields.calm[j];
-        if (calm == 0) set(sleep.wakes + i);
-        if (calm < sleep.needed) set(sleep.waits + i);
-    }
-
-    HD static void set(std::int32_t* flag)
-    {
-#ifdef __CUDA_ARCH__
-        *flag = 1;
-#else
-        __atomic_store_n(flag, 1, __ATOMIC_RELAXED);
-#endif
+        if (calm == 0) sleep.set(sleep.wakes + i);
+        if (calm < sleep.needed) sleep.set(sleep.waits + i);
     }
 };
 
@@ -188,6 +192,7 @@ struct FallAsleep
         const bool moved = groups[sleep.fields.group[i]].motion >= 0;
         if (calm < sleep.needed || sleep.waits[i] || moved) return;
         calm = asleepFrom;
+        sleep.setAny(sleep.changed);
         int material;
         ContactBody<D, real> q = sleep.solids.body(i, material);
         q.velocity = filled<D>(real(0));
@@ -212,6 +217,7 @@ private:
     HD void turnOut(int i, std::int32_t& calm) const
     {
         calm = 0;
+        sleep.setAny(sleep.changed);
         if (sleep.state.own) sleep.state.own[i].flags &= ~OwnWords<real>::asleep;
     }
 };

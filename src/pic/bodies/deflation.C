@@ -228,6 +228,7 @@ std::vector<double> BodyDeflation::multiplyLocally(std::vector<LocalColumn>& col
 {
     const int rows = system_.rows();
     std::vector<const DeflationPiece*> at;
+    at.reserve(columns.size());
     for (const LocalColumn& v : columns) at.push_back(v.at);
     const std::vector<std::vector<double>> there =
         beyond(at, [&](std::size_t c, std::size_t i) { return columns[c].p[i]; });

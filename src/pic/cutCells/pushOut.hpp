@@ -33,7 +33,7 @@ struct PushOut
         for (int d = 0; d < D; ++d)
         {
             x.c[d] = particles.x[d][i];
-            c.c[d] = floorInt(x.c[d]/grid.h);
+            c.c[d] = floorInt(x.c[d]/grid.h) - (grid.part ? grid.first[d] : 0);
             inside = inside && c.c[d] >= 0 && c.c[d] < grid.n[d];
         }
         if (!inside || solids.distance[NodeGrid<D>{grid}.node(c)] > clearOfCell*grid.h + margin
@@ -50,7 +50,12 @@ struct PushOut
             if (!(slope > 0.1)) break;
             x = x + ((margin - distance)/maximum(slope, 0.5)/slope)*normal;
             for (int d = 0; d < D; ++d)
-                x.c[d] = maximum(margin, minimum(x.c[d], grid.n[d]*grid.h - margin));
+            {
+                double start = margin;
+                const int end = grid.n[d] + (grid.part ? grid.first[d] : 0);
+                if (grid.part) start += grid.low(d);
+                x.c[d] = maximum(start, minimum(x.c[d], end*grid.h - margin));
+            }
         }
         stopAtFaces(
             grid, c, x, margin, [&](int d, int face) { return solids.sealed[d][face] != 0; });

@@ -41,7 +41,7 @@ struct SolidField
         return far;
     }
 
-    //- At x above the block's corner; normal: its gradient, out of the solid
+    //- At x above the corner of the whole block; normal: its gradient, out of the solid
     HD double at(const Vec<D, double>& x, Vec<D, double>& normal) const
     {
         const NodeGrid<D> nodes{grid};
@@ -50,9 +50,9 @@ struct SolidField
         for (int d = 0; d < D; ++d)
         {
             const double s = x.c[d]/grid.h;
-            const int i = floorInt(s);
+            const int before = grid.part ? grid.first[d] : 0, i = floorInt(s) - before;
             low.c[d] = i < 0 ? 0 : (i >= grid.n[d] ? grid.n[d] - 1 : i);
-            f[d] = s - low.c[d];
+            f[d] = s - (before + low.c[d]);
             normal.c[d] = 0;
         }
         const int first = nodes.node(low);

@@ -102,6 +102,7 @@ template<int D>
 std::vector<Vec<D, double>> elementPoints(const Obstacle<D>& o, int e)
 {
     std::vector<Vec<D, double>> points;
+    points.reserve(D);
     for (int k = 0; k < D; ++k) points.push_back(o.vertices[o.elements[e][k]]);
     return points;
 }

@@ -381,6 +381,10 @@ public:
         grid_ = grid;
     }
 
+    //- Their first cells
+    const Vec<3, int>* list() const { return list_.data(); }
+    int count() const { return count_; }
+
     //- f(indices) for each cell of theirs
     template<class F>
     void each(Context<Backend>& context, const F& f) const { over(context, count_, f); }

@@ -20,9 +20,17 @@ struct InCell
     R t[D];                     // 0 .. 1
 
     HD InCell() {}
-    HD InCell(const UniformGrid<D>& g, const Vec<D, double>& x) : InCell(1/g.h, x) {}
+    HD InCell(const UniformGrid<D>& g, const Vec<D, double>& x) : InCell(g, 1/g.h, x) {}
 
     //- inverse: 1/h
+    HD InCell(const UniformGrid<D>& g, double inverse, const Vec<D, double>& x) : InCell(inverse, x)
+    {
+        if (!g.part) return;
+        UNROLL
+        for (int a = 0; a < D; ++a) c[a] -= g.first[a];
+    }
+
+    //- As numbered in the whole block
     HD InCell(double inverse, const Vec<D, double>& x)
     {
         UNROLL
@@ -59,7 +67,7 @@ struct InCell
     HD int cell(const UniformGrid<D>& g) const { return g.cell(index()); }
 };
 
-//- Of a particle; of its cell the index along the first axis
+//- Of a particle; of its cell the index along the first axis of the whole block
 template<class R>
 struct alignas(16) PlaceInCell
 {

@@ -44,7 +44,7 @@ struct PicParticles
 template<int D, class R>
 HD std::uint32_t cellKey(const UniformGrid<D>& grid, double inverse, const Vec<D, double>& x)
 {
-    const InCell<D, R> at(inverse, x);
+    const InCell<D, R> at(grid, inverse, x);
     bool inside = true;
     for (int d = 0; d < D; ++d) inside = inside && at.c[d] >= 0 && at.c[d] < grid.n[d];
     return inside ? at.cell(grid) : grid.cells();

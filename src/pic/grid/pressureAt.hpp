@@ -75,11 +75,11 @@ HD double pressureAt(
     for (int d = 0; d < D; ++d)
     {
         const double s = x.c[d]/g.h - 0.5;
-        int i = floorInt(s);
+        int i = floorInt(s) - g.first[d];
         // beside a wall: the two cells inside, with weights beyond 0 .. 1
         if (!g.periodic[d] && g.n[d] > 1) i = i < 0 ? 0 : (i > g.n[d] - 2 ? g.n[d] - 2 : i);
         low.c[d] = i;
-        fraction[d] = s - i;
+        fraction[d] = s - (i + g.first[d]);
     }
     double sum = 0;
     for (int corner = 0; corner < (1 << D); ++corner)

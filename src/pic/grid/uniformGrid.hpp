@@ -6,6 +6,9 @@
     of the cell of the same indices. Along a periodic direction the last layer is a copy of the
     first. A side of the block may be a wall that water sticks to, and that slides in its own plane.
 
+    A block may be a part of a larger one, that of a process: places are above the corner of the
+    whole one everywhere, so that they are the same bits in each part.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
@@ -25,6 +28,10 @@ struct UniformGrid
     bool periodic[3] = {false, false, false};
     bool sticks[3][2] = {};     // along each direction: the lower and the upper side
     double slide[3][2][3] = {}; // their velocities [m/s]
+    int first[3] = {0, 0, 0};   // number of its first cell in the whole block
+    // is it no whole block? Asked before numbers are shifted: what is then done for whole ones is
+    // compiled as if there were no parts, and rounds the same
+    bool part = false;
 
     using Index = Vec<3, int>;
 
@@ -69,6 +76,10 @@ struct UniformGrid
     {
         return cellOf(d, offset > 0 ? shifted(c, d) : c, offset > 0);
     }
+
+    //- Where it begins and ends along d, above the corner of the whole block
+    HD double low(int d) const { return first[d]*h; }
+    HD double high(int d) const { return (first[d] + n[d])*h; }
 
     HD double volume() const { return D == 2 ? h*h : h*h*h; }
     HD double area() const { return D == 2 ? h : h*h; }

@@ -156,6 +156,12 @@ struct PocketSize
     }
 };
 
+//- Of numbers that are summed as integers, whose sizes add up to `total`
+HD double pocketScale(double total)
+{
+    return total > 0 ? 4e18/total : 0;                      // 2^63 is 9.2e18
+}
+
 struct KeepScale
 {
     static constexpr const char* name = "pressureScalars";
@@ -163,15 +169,15 @@ struct KeepScale
 
     HD void operator()(const double* total) const
     {
-        scale[0] = total[0] > 0 ? 4e18/total[0] : 0;        // 2^63 is 9.2e18
+        scale[0] = pocketScale(total[0]);
         scale[1] = total[1];
     }
 };
 
 //- A cell's share of what is spread: its diagonal, in 1/1024 of an open face
-template<int D> HD std::int64_t pocketWeight(const FineData<D>& f, int c)
+HD std::int64_t pocketWeight(float inverse)
 {
-    return std::int64_t(1024.0/double(f.inverse[c])) + 1;
+    return std::int64_t(1024.0/double(inverse)) + 1;
 }
 
 template<int D>
@@ -193,7 +199,7 @@ struct SumPockets
         std::int64_t* s = sums + 3*parent[c.c];
         if (s[0]) return;
         addSharedTogether(s + 1, std::int64_t(value[c.c]*scale[0]));
-        addSharedTogether(s + 2, byDiagonal ? pocketWeight(f, c.c) : 1);
+        addSharedTogether(s + 2, byDiagonal ? pocketWeight(f.inverse[c.c]) : 1);
     }
 };
 
@@ -216,7 +222,7 @@ struct SpreadSum
         if (!cells.at(i, c) || !(f.inverse[c.c] > 0)) return;
         const std::int64_t* s = sums + 3*parent[c.c];
         if (s[0] || !(scale[0] > 0)) return;
-        const double share = (byDiagonal ? double(pocketWeight(f, c.c)) : 1.0)/double(s[2]);
+        const double share = (byDiagonal ? double(pocketWeight(f.inverse[c.c])) : 1.0)/double(s[2]);
         value[c.c] -= double(s[1])/scale[0]*share;
     }
 };
@@ -287,6 +293,11 @@ public:
             if (parent[c] == c && sums[3*std::size_t(c)] == 0) r.push_back(c);
         return r;
     }
+
+    //- After find(): of cells their roots; of roots three integers, of which the first is 0 in a
+    //  pocket
+    const int* parents() const { return parent_.data(); }
+    const std::int64_t* sums() const { return sums_.data(); }
 
 private:
     void measure(Context<Backend>& context, const FineData<D>& f, const TiledCells<D>& cells,

@@ -104,6 +104,20 @@ std::vector<int> tilesOver(
     return list;
 }
 
+//- Of a solution that has ended
+inline PressureReport reportOf(const CgState& s)
+{
+    PressureReport report;
+    report.solver = ownSolver;
+    report.initialResidual = s.initial;
+    report.finalResidual = s.residual;
+    report.iterations = s.iterations;
+    report.wetCells = s.cells;
+    report.converged = s.residual < s.tolerance
+        || (s.relTol > 0 && s.residual < s.relTol*s.initial);
+    return report;
+}
+
 template<class Backend, int D>
 class MultigridSolver
 {
@@ -113,6 +127,11 @@ public:
 
     const FineData<D>& fine() const { return fine_; }
     const TiledCells<D>& fineCells() const { return cells_[0]; }
+    const std::vector<LevelData<D>>& levels() const { return levels_; }
+    //- Of the finest levels; others are small
+    const std::vector<TiledCells<D>>& tiledCells() const { return cells_; }
+    //- Are passes over the finest level done row by row?
+    bool byRows() const { return !Backend::gpu && !fine_.shape.ringRows(); }
     int fineTiles() const { return active_.empty() ? 0 : active_[0]; }
 
     //- After coefficients have changed. touched: tiles of the finest level; in others all
@@ -156,7 +175,6 @@ private:
     void iterate(
         Context<Backend>& context, const CoupledView<D>* bodies, const LoopCondition& condition);
     void forgetLoops() { loop_.forget(); coupledLoop_.forget(); }
-    bool byRows() const { return !Backend::gpu && !fine_.shape.ringRows(); }
 
     bool periodic_[D] = {};
     int sweeps_ = 2;
@@ -382,16 +400,7 @@ PressureReport MultigridSolver<Backend, D>::solve(
             .run(context, &state_.data()->again,
                 [&](const LoopCondition& c) { iterate(context, bodies, c); });
     context.toHost(&s, state_.data(), sizeof(s));
-
-    PressureReport report;
-    report.solver = ownSolver;
-    report.initialResidual = s.initial;
-    report.finalResidual = s.residual;
-    report.iterations = s.iterations;
-    report.wetCells = s.cells;
-    report.converged = s.residual < s.tolerance
-        || (s.relTol > 0 && s.residual < s.relTol*s.initial);
-    return report;
+    return reportOf(s);
 }
 
 } // namespace riprap

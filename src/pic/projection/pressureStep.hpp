@@ -16,7 +16,7 @@
 #include "pic/bodies/bodyTerm.hpp"
 #include "pic/bodies/coupledGradient.hpp"
 #include "pic/projection/hostSystem.hpp"
-#include "pic/projection/multigridSolver.hpp"
+#include "pic/projection/dividedSolver.hpp"
 #include "pic/pressure/pockets.hpp"
 #include "pic/projection/project.hpp"
 
@@ -57,6 +57,28 @@ public:
         assembled_.clear();
     }
 
+    //- For correct() alone: the equation is solved elsewhere
+    void allocateWet(Context<Backend>& context, const UniformGrid<D>& grid)
+    {
+        wet_.allocate(context, grid.cells());
+    }
+
+    //- The grid is a rank's part, and the equation that of all ranks; after allocate()
+    void divide(Context<Backend>& context, const GridBricks<D>& bricks)
+    {
+        divided_ = std::make_unique<DividedSolver<Backend, D>>(context, bricks, multigrid_);
+    }
+
+    //- Of a rank's part, whose own solver the controls are for
+    PressureReport solveDivided(Context<Backend>& context, const PressureFields<D, R>& f,
+        bool sameWater, const MultigridControls& controls)
+    {
+        assemble(context, f, sameWater);
+        const PressureReport report = divided_->solve(context, controls);
+        store(context, f);
+        return report;
+    }
+
     //- bodies: those that the water moves, whose V* is in f's wall velocities; solved for with the
     //  pressure, on the host (those without modes are walls, which a solver may want to know of).
     //  Their V becomes that at the end of the step. onGrid: bodies that our solver takes as they
@@ -68,6 +90,18 @@ public:
         LinearSolver& solver, std::vector<BodyTerm>* bodies = nullptr, bool sameWater = false,
         const ActiveRows<Backend, D>* rows = nullptr,
         const BodiesOnGrid<Backend, D>* onGrid = nullptr, double tolerance = 0)
+    {
+        const PressureReport report = solve(
+            context, f, solver, bodies, sameWater, onGrid, tolerance);
+        correct(context, f, rows);
+        if (bodies && !bodies->empty()) moveBodies(context, f, *bodies);
+        return report;
+    }
+
+    //- The pressure alone
+    PressureReport solve(Context<Backend>& context, const PressureFields<D, R>& f,
+        LinearSolver& solver, std::vector<BodyTerm>* bodies, bool sameWater,
+        const BodiesOnGrid<Backend, D>* onGrid, double tolerance)
     {
         assemble(context, f, sameWater);
         const FineData<D>& fine = multigrid_.fine();
@@ -97,11 +131,14 @@ public:
         solver.report(report);
 
         if (pocketCells_) pockets_.level(context, fine, cells);
-        if constexpr (Backend::gpu)
-            forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
-        else
-            forEachRow(context, fine.shape.tileCount << tileRowsLog,
-                StorePressureRows<D, R>{f.grid, wet_.data(), wetTiles_.data(), fine, f.p});
+        store(context, f);
+        return report;
+    }
+
+    //- What f's pressure does to velocities; wet cells are known
+    void correct(Context<Backend>& context, const PressureFields<D, R>& f,
+        const ActiveRows<Backend, D>* rows)
+    {
         if (rows)
             rows->eachFace(context,
                 [&](int d) {
@@ -110,8 +147,6 @@ public:
         else
             for (int d = 0; d < D; ++d)
                 forEach(context, f.grid.faces(d), CorrectVelocity<D, R>{f, wet_.data(), d});
-        if (free) moveBodies(context, f, *bodies);
-        return report;
     }
 
     //- Which cells are wet, for wet() before a projection
@@ -168,6 +203,17 @@ private:
         multigrid_.setUp(context, known ? &touched : nullptr);
     }
 
+    //- p in the order of the grid
+    void store(Context<Backend>& context, const PressureFields<D, R>& f)
+    {
+        const FineData<D>& fine = multigrid_.fine();
+        if constexpr (Backend::gpu)
+            forEach(context, f.grid.cells(), StorePressure<D, R>{f.grid, wet_.data(), fine, f.p});
+        else
+            forEachRow(context, fine.shape.tileCount << tileRowsLog,
+                StorePressureRows<D, R>{f.grid, wet_.data(), wetTiles_.data(), fine, f.p});
+    }
+
     //- The matrix, if the water is another, and the source
     void assemble(Context<Backend>& context, const PressureFields<D, R>& f, bool sameWater)
     {
@@ -184,7 +230,8 @@ private:
                 multigrid_.setUp(context);
             }
             else assembleTiles(context, f);
-            pocketCells_ = pockets_.find(context, fine, multigrid_.fineCells());
+            if (divided_) divided_->setUp(context, pockets_);
+            else pocketCells_ = pockets_.find(context, fine, multigrid_.fineCells());
         }
     }
 
@@ -206,6 +253,7 @@ private:
     Array<Backend, int> wetTiles_;          // on the CPU: has a tile a wet cell?
     std::vector<char> assembled_;           // had it at the last assembly? Empty: there was none
     int pocketCells_ = 0;
+    std::unique_ptr<DividedSolver<Backend, D>> divided_;    // null: the grid is no part
 };
 
 template<class Backend, int D, class R>

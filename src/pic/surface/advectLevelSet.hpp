@@ -38,6 +38,7 @@ HD R cubicAt(const UniformGrid<D>& g, const R* a, const Vec<D, double>& x)
         first.c[d] = floorInt(s) - 1;
         cubicWeights(R(s - first.c[d] - 1), w[d]);
     }
+    if (g.part) for (int d = 0; d < D; ++d) first.c[d] -= g.first[d];
     bool in = true;
     for (int d = 0; d < D; ++d) in = in && first.c[d] >= 0 && first.c[d] + 3 < g.n[d];
     R sum = 0, low = R(1e30), high = R(-1e30);
@@ -82,6 +83,8 @@ struct AdvectLevelSet
         if (absolute(from[i]) >= band) { to[i] = from[i]; return; }
         Vec<D, double> x;
         for (int d = 0; d < D; ++d) x.c[d] = (c.c[d] + 0.5)*grid.h;
+        if (grid.part)
+            for (int d = 0; d < D; ++d) x.c[d] = (grid.first[d] + c.c[d] + 0.5)*grid.h;
         to[i] = cubicAt(
             grid, from, intoBlock(grid, carried<Order, Around>(grid, u, x, -timeStep, 3)));
     }

@@ -44,7 +44,8 @@ HD Vec<D, double> faceMiddle(const UniformGrid<D>& grid, int d, int face)
 {
     const typename UniformGrid<D>::Index f = grid.faceIndex(d, face);
     Vec<D, double> x;
-    for (int e = 0; e < D; ++e) x.c[e] = grid.origin[e] + (f.c[e] + (e == d ? 0.0 : 0.5))*grid.h;
+    for (int e = 0; e < D; ++e)
+        x.c[e] = grid.origin[e] + (grid.first[e] + f.c[e] + (e == d ? 0.0 : 0.5))*grid.h;
     return x;
 }
 

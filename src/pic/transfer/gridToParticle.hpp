@@ -46,7 +46,7 @@ struct GridToParticle
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
-        const InCell<D, R> at(inverse, x);
+        const InCell<D, R> at(grid, inverse, x);
         const unsigned char water = nearWater[at.cell(grid)];
         if (!water)
         {

@@ -36,7 +36,10 @@ HD Vec<D, R> sampleVelocity(const UniformGrid<D>& g, const R* const* u, Vec<D, d
 {
     // a point on an upper side is the last cell's: what that beyond sees lies out of the field
     constexpr double inside = 1e-6;         // cells: more than single precision rounds off
-    if (!Around) for (int d = 0; d < D; ++d) x.c[d] = minimum(x.c[d], (g.n[d] - inside)*g.h);
+    if (!Around && !g.part)
+        for (int d = 0; d < D; ++d) x.c[d] = minimum(x.c[d], (g.n[d] - inside)*g.h);
+    else if (!Around)
+        for (int d = 0; d < D; ++d) x.c[d] = minimum(x.c[d], (g.first[d] + g.n[d] - inside)*g.h);
     const InCell<D, R> at(g, x);
     Vec<D, R> v;
     UNROLL
@@ -55,10 +58,11 @@ HD Vec<D, double> intoBlock(const UniformGrid<D>& g, Vec<D, double> x)
 {
     for (int d = 0; d < D; ++d)
     {
-        const double length = g.n[d]*g.h;
+        double start = 0, length = g.n[d]*g.h;
+        if (g.part) { start = g.low(d); length = g.high(d); }
         if (g.periodic[d])
             x.c[d] = x.c[d] < 0 ? x.c[d] + length : (x.c[d] >= length ? x.c[d] - length : x.c[d]);
-        else x.c[d] = maximum(0.0, minimum(x.c[d], length));
+        else x.c[d] = maximum(start, minimum(x.c[d], length));
     }
     return x;
 }
@@ -175,7 +179,7 @@ HD Vec<D, double> carriedNear(const UniformGrid<D>& g, double inverse, const R* 
         LocalVelocity<Order, D, R> local;
         Vec<D, double> to;
         if (Nodes::inside(g, at.c))
-        {
+        {                   // NOLINT(bugprone-branch-clone): the other one differs for Order 2
             local.template find<false>(g, u, at);
             if (carriedBy(local, cells, x, dt, order, to)) return to;
         }
@@ -218,7 +222,7 @@ struct MoveParticles
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
-        const InCell<D, R> at(inverse, x);
+        const InCell<D, R> at(grid, inverse, x);
         const typename UniformGrid<D>::Index c = at.index();
         if (nearWater[grid.cell(c)])
             arriveInWater(
@@ -238,7 +242,7 @@ struct MoveParticles
         for (int k = 1; k < pieces; ++k)
         {
             const Vec<D, double> to = stopped(i, c, x + piece*convert<double>(velocity(i)));
-            const InCell<D, R> at(inverse, to);
+            const InCell<D, R> at(grid, inverse, to);
             bool in = true;
             for (int d = 0; d < D; ++d) in = in && at.c[d] >= 0 && at.c[d] < grid.n[d];
             if (!in)
@@ -310,18 +314,19 @@ private:
     //- The coordinate after walls and periodic ends have had their say
     HD double confined(double x, int d, typename UniformGrid<D>::Index c, int i) const
     {
-        const double length = grid.n[d]*grid.h;
+        double start = margin, length = grid.n[d]*grid.h;
+        if (grid.part) { start += grid.low(d); length = grid.high(d); }
         if (grid.periodic[d])
         {
             x = x < 0 ? x + length : (x >= length ? x - length : x);
             return x < length ? x : 0.0;
         }
-        const bool low = x < margin, high = x > length - margin;
+        const bool low = x < start, high = x > length - margin;
         if (!low && !high) return x;
         c.c[d] = low ? 0 : grid.n[d];
         const int face = grid.face(d, c);
         if (aperture[d][face] > R(0) || (gate[d] && gate[d][face])) return x;
-        const double wall = low ? margin : length - margin;
+        const double wall = low ? start : length - margin;
         takeBack(particles, shift, i, d, wall - x);
         R& v = particles.v[d][i];
         if (low ? v < 0 : v > 0) v = 0;

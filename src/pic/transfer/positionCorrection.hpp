@@ -54,7 +54,7 @@ struct CorrectPositions
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
-        const InCell<D, R> at(inverse, x);
+        const InCell<D, R> at(grid, inverse, x);
         R push[D], speed2 = 0;
         for (int d = 0; d < D; ++d)
         {

@@ -31,6 +31,7 @@ struct Stencil
             fraction[a] = R(s - first.c[a]);
             Spline::weights(fraction[a], w[a]);
         }
+        if (g.part) for (int a = 0; a < D; ++a) first.c[a] -= g.first[a];
     }
 
     //- f(weight, index of the node, its number along each axis within the stencil) over the nodes

@@ -20,7 +20,8 @@ HD int stopAtFaces(const UniformGrid<D>& grid, typename UniformGrid<D>::Index c,
     int stopped = 0;
     for (int d = 0; d < D; ++d)
     {
-        int target = floorInt(to.c[d]/grid.h);
+        const int before = grid.part ? grid.first[d] : 0;
+        int target = floorInt(to.c[d]/grid.h) - before;
         target = target < 0 ? 0 : (target >= grid.n[d] ? grid.n[d] - 1 : target);
         while (c.c[d] != target)
         {
@@ -29,7 +30,8 @@ HD int stopAtFaces(const UniformGrid<D>& grid, typename UniformGrid<D>::Index c,
             if (up) f.c[d] += 1;
             if (closed(d, grid.face(d, f)))
             {
-                to.c[d] = f.c[d]*grid.h + (up ? -margin : margin);
+                const int number = before + f.c[d];
+                to.c[d] = number*grid.h + (up ? -margin : margin);
                 stopped |= (up ? 2 : 1) << 2*d;
                 break;
             }

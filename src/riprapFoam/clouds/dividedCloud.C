@@ -8,6 +8,7 @@
 #include "boundBox.H"
 #include "cloud.H"
 #include "indexedOctree.H"
+#include "OSspecific.H"
 #include "toStdVector.H"
 #include "pstreamTransport.H"
 #include "treeDataCell.H"
@@ -158,7 +159,7 @@ static void unpack
 //- The same fields on all processes
 static cloudFields agree(particleCloud& c)
 {
-    const cloudFields fields(fieldsOfRanks(c));
+    cloudFields fields(fieldsOfRanks(c));
     addMissing(c.labels, fields.labels, c);
     addMissing(c.scalars, fields.scalars, c);
     addMissing(c.vectors, fields.vectors, c);
@@ -366,6 +367,12 @@ Foam::particleCloud Foam::readWholeCloud
     gather(cloud);
     if (rounded) takeExactPositions(mesh, cloud);
     return cloud;
+}
+
+
+bool Foam::hasCloudFolder(const Time& time, const word& cloudName)
+{
+    return onAnyRank(isDir(time.timePath()/"lagrangian"/cloudName));
 }
 
 

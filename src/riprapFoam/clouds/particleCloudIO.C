@@ -52,7 +52,7 @@ static void writePositions
             [&](char* to, label i)
             {
                 *to++ = '(';
-                std::memcpy(to, &position[i], sizeof(point));
+                std::memcpy(to, position[i].cdata(), sizeof(point));
                 std::memcpy(to + sizeof(point), &cell[i], sizeof(label));
                 to += sizeof(point) + sizeof(label);
                 *to++ = ')';
@@ -270,7 +270,7 @@ Foam::dictionary Foam::readCloudProperties(const Time& time, const word& cloudNa
             << "The file is empty or cut short: it has no header of OpenFOAM's"
             << exit(FatalIOError);
     }
-    const dictionary properties(stateDictionary(io));
+    dictionary properties(stateDictionary(io));
     const bool written = properties.found("geometry");
     if (!written)
     {

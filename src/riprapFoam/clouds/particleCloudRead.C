@@ -21,7 +21,7 @@ public:
 
     explicit positionsReader(const IOobject& io) : regIOobject(io) {}
 
-    virtual bool writeData(Ostream&) const override { return false; }
+    bool writeData(Ostream&) const override { return false; }
 
     // Stream behind the header
     Istream& stream() { return readStream(word::null); }

@@ -8,9 +8,11 @@
 #include "demMotion.H"
 #include "moduleLog.H"
 #include "OSspecific.H"
+#include "restingWalls.H"
 #include "solidNeeds.H"
 #include "sphNames.H"
 #include "timeManifest.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -46,7 +48,7 @@ Foam::coupledSolids::coupledSolids
 :
     runTime_(runTime),
     mesh_(mesh),
-    asRead_(readDemSettings(mesh)),
+    asRead_(readDemSettings(wholeBoundary(mesh))),
     settings_(asRead_),
     movingWalls_(runTime, asRead_.walls.motion),
     movingGroups_(runTime, asRead_.groupMotion),
@@ -105,12 +107,13 @@ void Foam::coupledSolids::readInput(bool continued)
         config.timeStep = run_.timeStep;
     }
     // No motion is asked for what is outside the run
+    const polyMesh& boundary = wholeBoundary(mesh_);
     during_ = Pair<scalar>(runTime_.value(), runTime_.endTime().value());
     input_ = demInputWithMotion
     (
-        mesh_, settings_, solids, movingWalls_, movingGroups_, during_, typeOfBondType_
+        boundary, settings_, solids, movingWalls_, movingGroups_, during_, typeOfBondType_
     );
-    coverSolids(mesh_, movingWalls_, movingGroups_, input_, config);
+    coverSolids(boundary, movingWalls_, movingGroups_, input_, config);
     if (continued)
     {
         // Else the state says whether its own fits
@@ -180,31 +183,36 @@ void Foam::coupledSolids::registerSolids(riprap::DemScene& solids)
     report_ = riprap::DemReport();
     report_.time = solids.time();
     report_.particles = run_.particles;
+}
 
+
+void Foam::coupledSolids::registerCloud()
+{
     // The state is written with the fluid's
     cloud_.reset
     (
         new solidCloud
         (
-            mesh_, solids, solids, settings_, input_, typeOfBondType_, run_,
-            false
+            mesh_, *solids_, *solids_, settings_, input_, typeOfBondType_,
+            run_, false
         )
     );
     sceneObject_.reset
     (
-        new demSceneObject(mesh_, solids, settings_, input_, report_)
+        new demSceneObject(mesh_, *solids_, settings_, input_, report_)
     );
 }
 
 
-bool Foam::coupledSolids::sameAsCloud() const
+bool Foam::coupledSolids::sameAsCloud(bool rewritten) const
 {
     return matchesCloud
     (
         readSolids(mesh_, asRead_).particles,
         *solids_,
         settings_.config,
-        mesh_.bounds().mag()
+        mesh_.bounds().mag(),
+        rewritten ? run_.digits : 0
     );
 }
 
@@ -220,6 +228,14 @@ void Foam::coupledSolids::needs(sceneNeeds& needs)
         return cost;
     };
     solidNeeds(needs, settings_, input_, typeOfBondType_, planned);
+    needs.idle(settings_.dict, "parallel", "each process computes all solids of a fluid");
+    restingWalls
+    (
+        needs,
+        subDictOf(subDictOf(settings_.dict, "walls"), "motion"),
+        movingWalls_,
+        runTime_
+    );
 }
 
 

@@ -171,13 +171,13 @@ std::vector<riprap::DemWall> Foam::demWallInput
     const wallElements ofPatches(patchElements(space, patches));
     forAll(patches, i)
     {
-        walls.push_back(riprap::DemWall());
+        walls.emplace_back();
         walls.back().name = mesh.boundaryMesh()[patches[i]].name();
         addElements(ofPatches, i, space.planar, walls.back());
     }
     for (label i = 0; geometry && i < geometry->size(); ++i)
     {
-        walls.push_back(riprap::DemWall());
+        walls.emplace_back();
         walls.back().name = geometry->names()[i];
         addElements(bodyElements(space, *geometry, i, 0), 0, space.planar, walls.back());
     }

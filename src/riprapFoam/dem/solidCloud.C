@@ -198,7 +198,34 @@ void Foam::solidCloud::writeClumps() const
             clumps[i].orientation[d] = now.orientation[4*i + d];
         }
     }
-    writeClumpFiles(time(), clumps);
+    // Each process has them all
+    if (Pstream::master()) writeClumpFiles(time(), clumps);
+}
+
+
+//- Where each process has all solids, as those in water are, it gives its share
+//  of them to those whose cells they are in
+riprap::DemState Foam::solidCloud::ownParticles() const
+{
+    riprap::DemState all(part_.particles());
+    if (!Pstream::parRun() || &part_ != &scene_) return all;
+
+    const std::size_t n = all.id.size();
+    const std::size_t me = Pstream::myProcNo(), processes = Pstream::nProcs();
+    const std::size_t first = n*me/processes, last = n*(me + 1)/processes;
+    const auto keep = [=](auto& values)
+    {
+        const std::size_t each = values.size()/max(n, std::size_t(1));
+        values = std::decay_t<decltype(values)>
+        (
+            values.begin() + first*each, values.begin() + last*each
+        );
+    };
+    for (auto* v : {&all.position, &all.velocity, &all.spin, &all.force, &all.moment}) keep(*v);
+    for (auto* v : {&all.orientation, &all.radius, &all.mass}) keep(*v);
+    for (auto* v : {&all.material, &all.group, &all.clump}) keep(*v);
+    for (auto* v : {&all.contacts, &all.brokenBonds, &all.id}) keep(*v);
+    return all;
 }
 
 
@@ -213,7 +240,7 @@ const Foam::word& Foam::solidCloud::idField() const
 
 void Foam::solidCloud::fill(particleCloud& particles) const
 {
-    const riprap::DemState now(part_.particles());
+    const riprap::DemState now(ownParticles());
 
     particles.position = toVectors(now.position);
     particles.vectors.set("U", toVectors(now.velocity));

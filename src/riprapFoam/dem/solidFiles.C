@@ -16,6 +16,20 @@ Description
 namespace Foam
 {
 
+//- Values that the first process has read: others have none
+template<class T>
+static void takeFromMaster(Field<T>& values)
+{
+    if (!Pstream::parRun()) return;
+
+    pstreamTransport ranks;
+    std::vector<T> all(values.begin(), values.end());
+    riprap::join(ranks, all);
+    values.setSize(label(all.size()));
+    std::copy(all.begin(), all.end(), values.begin());
+}
+
+
 //- Bonds as they stand in the files, of which the first process has those of all
 struct bondFields
 {
@@ -28,8 +42,6 @@ struct bondFields
         {
             read(time, folder);
         }
-        if (!Pstream::parRun()) return;
-
         for (labelField* values : {&a, &b, &type, &broken}) takeFromMaster(*values);
         takeFromMaster(gap);
     }
@@ -44,16 +56,65 @@ private:
         broken = readSolidField<label>(time, folder, "broken", a.size());
         gap = readSolidField<scalar>(time, folder, "gap", a.size());
     }
+};
 
-    //- Others have none
-    template<class T>
-    static void takeFromMaster(Field<T>& values)
+
+//- Rigid bodies likewise
+struct clumpFields
+{
+    vectorField position, U, omega, axis, inertia, startPosition, startAxis;
+    scalarField real, mass, volume, startReal;
+    labelField group, shape;
+
+    clumpFields(const Time& time, const word& folder)
     {
-        pstreamTransport ranks;
-        std::vector<T> all(values.begin(), values.end());
-        riprap::join(ranks, all);
-        values.setSize(label(all.size()));
-        std::copy(all.begin(), all.end(), values.begin());
+        if (Pstream::master() && hasSolidField(time, folder, "position"))
+        {
+            read(time, folder);
+        }
+        for
+        (
+            vectorField* values :
+            {&position, &U, &omega, &axis, &inertia, &startPosition, &startAxis}
+        )
+        {
+            takeFromMaster(*values);
+        }
+        for (scalarField* values : {&real, &mass, &volume, &startReal}) takeFromMaster(*values);
+        for (labelField* values : {&group, &shape}) takeFromMaster(*values);
+    }
+
+private:
+
+    void read(const Time& time, const word& folder)
+    {
+        position = readSolidField<vector>(time, folder, "position", -1);
+        const label n = position.size();
+        U = readSolidField<vector>(time, folder, "U", n);
+        omega = readSolidField<vector>(time, folder, "omega", n);
+        real = readSolidField<scalar>(time, folder, "orientationReal", n);
+        axis = readSolidField<vector>(time, folder, "orientationImaginary", n);
+        mass = readSolidField<scalar>(time, folder, "mass", n);
+        inertia = readSolidField<vector>(time, folder, "inertia", n);
+        group = readSolidField<label>(time, folder, "group", n);
+        shape = labelField(n, -1);
+        if (hasSolidField(time, folder, "shape"))
+        {
+            shape = readSolidField<label>(time, folder, "shape", n);
+        }
+
+        // Of files that know neither volumes nor where bodies stood at first
+        volume = scalarField(n, Zero);
+        startPosition = position;
+        startReal = real;
+        startAxis = axis;
+        if (hasSolidField(time, folder, "startPosition"))
+        {
+            volume = readSolidField<scalar>(time, folder, "volume", n);
+            startPosition = readSolidField<vector>(time, folder, "startPosition", n);
+            startReal = readSolidField<scalar>(time, folder, "startOrientationReal", n);
+            startAxis = readSolidField<vector>(time, folder, "startOrientationImaginary", n);
+        }
     }
 };
 
@@ -201,57 +262,29 @@ void Foam::readClumpFiles
     solidSet& solids
 )
 {
-    const word folder("clumps");
-    if (!hasSolidField(time, folder, "position")) return;
-
-    const vectorField position(readSolidField<vector>(time, folder, "position", -1));
-    const label n = position.size();
-    const vectorField U(readSolidField<vector>(time, folder, "U", n));
-    const vectorField omega(readSolidField<vector>(time, folder, "omega", n));
-    const scalarField real(readSolidField<scalar>(time, folder, "orientationReal", n));
-    const vectorField axis(readSolidField<vector>(time, folder, "orientationImaginary", n));
-    const scalarField mass(readSolidField<scalar>(time, folder, "mass", n));
-    const vectorField inertia(readSolidField<vector>(time, folder, "inertia", n));
-    const labelField group(readSolidField<label>(time, folder, "group", n));
-    labelField shape(n, -1);
-    if (hasSolidField(time, folder, "shape"))
-    {
-        shape = readSolidField<label>(time, folder, "shape", n);
-    }
-
-    // Of files that know neither volumes nor where bodies stood at first
-    const bool known = hasSolidField(time, folder, "startPosition");
-    scalarField volume(n, Zero), startReal(real);
-    vectorField startPosition(position), startAxis(axis);
-    if (known)
-    {
-        volume = readSolidField<scalar>(time, folder, "volume", n);
-        startPosition = readSolidField<vector>(time, folder, "startPosition", n);
-        startReal = readSolidField<scalar>(time, folder, "startOrientationReal", n);
-        startAxis = readSolidField<vector>(time, folder, "startOrientationImaginary", n);
-    }
-
+    const clumpFields file(time, "clumps");
+    const label n = file.position.size();
     solids.clumps.resize(n);
-    forAll(position, i)
+    forAll(file.position, i)
     {
         riprap::DemClump& c = solids.clumps[i];
         for (direction d = 0; d < vector::nComponents; ++d)
         {
-            c.position[d] = position[i][d];
-            c.velocity[d] = U[i][d];
-            c.spin[d] = omega[i][d];
-            c.inertia[d] = inertia[i][d];
-            c.orientation[d + 1] = axis[i][d];
-            c.start.position[d] = startPosition[i][d];
-            c.start.orientation[d + 1] = startAxis[i][d];
+            c.position[d] = file.position[i][d];
+            c.velocity[d] = file.U[i][d];
+            c.spin[d] = file.omega[i][d];
+            c.inertia[d] = file.inertia[i][d];
+            c.orientation[d + 1] = file.axis[i][d];
+            c.start.position[d] = file.startPosition[i][d];
+            c.start.orientation[d + 1] = file.startAxis[i][d];
         }
-        c.orientation[0] = real[i];
-        c.start.orientation[0] = startReal[i];
+        c.orientation[0] = file.real[i];
+        c.start.orientation[0] = file.startReal[i];
         c.moved = true;
-        c.volume = volume[i];
-        c.mass = mass[i];
-        c.group = groupOfFile[group[i]];
-        c.shape = shape[i];
+        c.volume = file.volume[i];
+        c.mass = file.mass[i];
+        c.group = groupOfFile[file.group[i]];
+        c.shape = file.shape[i];
     }
 }
 

@@ -285,6 +285,18 @@ static void pairNeeds
 }
 
 
+//- Are positions and spin all held?
+static bool isFixed(const demGroup& group, const riprap::DemConfig& config)
+{
+    bool fixed = group.group.heldSpin && !group.moves;
+    for (label d = 0; d < config.dimensions; ++d)
+    {
+        fixed = fixed && group.group.held[config.axes[d]];
+    }
+    return fixed;
+}
+
+
 static void groupNeeds
 (
     sceneNeeds& needs,
@@ -314,6 +326,17 @@ static void groupNeeds
             if (weightless)
             {
                 needs.idle(subDictOf(all, name.c_str()), "gravity", "constant/g is zero");
+            }
+            // Gravity is in their energy, outer forces are written, and localDamping
+            // may choose fluidForce
+            if (isFixed(group, settings.config))
+            {
+                needs.idle
+                (
+                    subDictOf(all, name.c_str()),
+                    wordList({"viscousDamping", "viscousSpinDamping"}),
+                    "its solids are fixed"
+                );
             }
         }
         // A motion decides how large the domain is, whoever moves with it

@@ -16,7 +16,7 @@ namespace Foam
 //- constant/solidProperties, entry groups/tip
 static std::string place(const dictionary& dict, const word& entry)
 {
-    const std::string name(dict.name());
+    const std::string& name = dict.name();
     std::size_t from = std::string::npos;
     for (const char* folder : {"/constant/", "/system/"})
     {

@@ -17,11 +17,13 @@ namespace Foam
 Foam::picCloud::picCloud
 (
     const polyMesh& mesh,
+    riprap::PicScene& part,
     riprap::PicScene& scene,
     const picRestart& run
 )
 :
     sceneCloud(mesh, "fluid"),
+    part_(part),
     scene_(scene),
     run_(run)
 {}
@@ -31,7 +33,7 @@ Foam::picCloud::picCloud
 
 void Foam::picCloud::fill(particleCloud& particles) const
 {
-    const riprap::FluidState fluid(scene_.fluid());
+    const riprap::FluidState fluid(part_.fluid());
 
     particles.position = toVectors(fluid.position);
     particles.vectors.set("U", toVectors(fluid.velocity));
@@ -50,7 +52,11 @@ void Foam::picCloud::writeState(bool picture) const
 {
     if (picture) return;
 
-    writePicState(time(), scene_.saveState());
+    // Of several processes the first has all of it
+    std::vector<std::int32_t> words(scene_.saveState());
+    if (!Pstream::master()) return;
+
+    writePicState(time(), std::move(words));
     writePicRun(time(), run_);
 }
 

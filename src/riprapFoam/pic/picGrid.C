@@ -4,9 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "picGrid.H"
+#include "allRanks.H"
 #include "emptyPolyPatch.H"
+#include "sceneState.H"
+#include "StringStream.H"
 #include "SubField.H"
 #include "wallPoints.H"
+#include "wholeBoundary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -55,33 +59,63 @@ Foam::label Foam::picGrid::place(const point& middle) const
 }
 
 
-void Foam::picGrid::setSize(const polyMesh& mesh)
+riprap::UniformGrid<3>::Index Foam::picGrid::faceAt
+(
+    int d,
+    const point& middle
+) const
 {
-    // Of the first cell, which owns all its faces; all others must be like it
-    DynamicList<label> corners(24);
-    for (label f = 0; f < mesh.nFaces(); ++f)
+    riprap::UniformGrid<3>::Index f{{0, 0, 0}};
+    for (int e = 0; e < dimensions_; ++e)
     {
-        if (mesh.faceOwner()[f] == 0)
-        {
-            corners.append(mesh.faces()[f]);
-        }
+        const int axis = axes_[e];
+        const scalar x = (middle[axis] - corner_[axis])/size_;
+        const int at = int(e == d ? round(x) : floor(x));
+        f.c[e] = min(max(at, 0), cells_[e] - (e == d ? 0 : 1));
     }
-    const boundBox first(mesh.points(), corners, false);
+    return f;
+}
 
-    size_ = first.span()[axes_[0]];
+
+std::string Foam::picGrid::differences(const polyMesh& mesh, const vector& edge) const
+{
     for (int d = 0; d < dimensions_; ++d)
     {
-        const scalar edge = first.span()[axes_[d]];
-        if (mag(edge - size_) > tolerance*size_)
+        if (mag(edge[axes_[d]] - edge[axes_[0]]) > tolerance*edge[axes_[0]])
         {
-            FatalErrorInFunction
-                << "Cell 0 at " << mesh.cellCentres()[0] << " is " << size_
+            OStringStream text;
+            text<< "Cell 0 at " << mesh.cellCentres()[0] << " is " << edge[axes_[0]]
                 << " m long along " << vector::componentNames[axes_[0]]
-                << " and " << edge << " m along "
-                << vector::componentNames[axes_[d]] << ": " << rule
-                << exit(FatalError);
+                << " and " << edge[axes_[d]] << " m along "
+                << vector::componentNames[axes_[d]] << ": " << rule;
+            return text.str();
         }
     }
+    return std::string();
+}
+
+
+void Foam::picGrid::setSize(const polyMesh& mesh)
+{
+    // Of the first cell, which owns all its faces; all others must be like it.
+    // Processes may have none
+    std::string wrong, first;
+    if (mesh.nCells())
+    {
+        DynamicList<label> corners(24);
+        for (label f = 0; f < mesh.nFaces(); ++f)
+        {
+            if (mesh.faceOwner()[f] == 0)
+            {
+                corners.append(mesh.faces()[f]);
+            }
+        }
+        const vector edge(boundBox(mesh.points(), corners, false).span());
+        wrong = differences(mesh, edge);
+        first = exact(edge[axes_[0]]);
+    }
+    stopIfAny(wrong);
+    size_ = std::stod(firstTextOfRanks(first));
 
     // The mean over the mesh has fewer rounding errors than one cell
     const scalar span = mesh.bounds().span()[axes_[0]];
@@ -125,25 +159,29 @@ void Foam::picGrid::numberCells(const polyMesh& mesh)
         gridCell_[celli] = fits ? place(middles[celli]) : -1;
     }
 
+    std::string wrong;
     forAll(gridCell_, celli)
     {
         const label i = gridCell_[celli];
         if (i < 0 || meshCell[i] >= 0)
         {
-            FatalErrorInFunction
-                << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+            OStringStream text;
+            text<< "Cell " << celli << " at " << mesh.cellCentres()[celli]
                 << ", volume " << mesh.cellVolumes()[celli] << " m3, is not one"
                 << " of " << cells_[0] << " x " << cells_[1] << " x "
-                << cells_[2] << " equal ones of " << volume << " m3: " << rule
-                << exit(FatalError);
+                << cells_[2] << " equal ones of " << volume << " m3: " << rule;
+            wrong = text.str();
+            break;
         }
         meshCell[i] = celli;
     }
+    stopIfAny(wrong);
 
-    if (mesh.nCells() != meshCell.size())
+    const int64_t all = sumOfRanks(mesh.nCells());
+    if (all != meshCell.size())
     {
         FatalErrorInFunction
-            << "The mesh has " << mesh.nCells() << " cells, and the box around"
+            << "The mesh has " << all << " cells, and the box around"
             << " it " << meshCell.size() << ": " << rule << exit(FatalError);
     }
 }
@@ -230,10 +268,7 @@ void Foam::picGrid::setPatch
             {
                 continue;
             }
-            riprap::UniformGrid<3>::Index f =
-                grid.cellIndex(gridCell_[patch.faceCells()[facei]]);
-            f.c[d] += along > 0;
-            const int face = grid.face(d, f);
+            const int face = grid.face(d, faceAt(d, patch.faceCentres()[facei]));
             if (wall >= 0)
             {
                 walls_.part[d][face] = wall;
@@ -263,7 +298,7 @@ Foam::picGrid::picGrid(const polyMesh& mesh, const riprap::PicConfig& config)
 
     setSize(mesh);
     numberCells(mesh);
-    openSides(mesh, config);
+    openSides(wholeBoundary(mesh), config);
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "picRestart.H"
+#include "allRanks.H"
 #include "sceneState.H"
 
 namespace Foam
@@ -13,11 +14,12 @@ namespace Foam
 
 bool hasPicRun(const Time& time)
 {
-    return hasState(time, "picRun", "picState");
+    // The state of all processes is with the first
+    return onAnyRank(Pstream::master() && hasState(time, "picRun", "picState"));
 }
 
 
-static void read(const IOdictionary& dict, picRestart& run)
+static void read(const dictionary& dict, picRestart& run)
 {
     run.spacing = dict.get<scalar>("spacing");
     run.given = dict.get<scalar>("given");
@@ -48,7 +50,7 @@ picRestart readPicRun(const Time& time)
     const IOobject io(stateObject(time, "picRun", IOobject::MUST_READ));
 
     picRestart run;
-    orDamaged(io, [&]() { read(IOdictionary(io), run); });
+    orDamaged(io, [&]() { read(stateDictionary(io), run); });
     return run;
 }
 

@@ -51,12 +51,12 @@ static riprap::PicShape sampled
     pointField at(points);
     forAll(at, i)
     {
-        const label j = i/s.n[0];
+        const label j = i/s.n[0], k = j/s.n[1];
         const vector y
         (
             s.lower[0] + s.step*(i % s.n[0]),
             s.lower[1] + s.step*(j % s.n[1]),
-            s.lower[2] + s.step*(j/s.n[1])
+            s.lower[2] + s.step*k
         );
         at[i] = shape.middle + (shape.axes & y);
     }

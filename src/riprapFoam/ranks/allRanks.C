@@ -47,6 +47,7 @@ std::vector<std::string> Foam::textsOfRanks(const std::string& own)
     std::vector<riprap::RankBytes> in;
     ranks.exchange(std::vector<riprap::RankBytes>(ranks.size(), text), in);
     std::vector<std::string> texts;
+    texts.reserve(in.size());
     for (const riprap::RankBytes& bytes : in)
     {
         texts.emplace_back(bytes.begin(), bytes.end());

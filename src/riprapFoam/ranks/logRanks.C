@@ -5,6 +5,7 @@
 
 #include "logRanks.H"
 #include "moduleLog.H"
+#include "core/ranks/joinRanks.hpp"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -16,17 +17,27 @@ void Foam::logRanks(pstreamTransport& ranks, const riprap::RankReport& here)
         here.bytesInSteps, here.bytesAtRebuilds
     };
     ranks.sum(sums);
-    std::vector<double> most(1, here.owned);
+    std::vector<double> most{scalar(here.owned), here.atWork};
     ranks.largest(most);
+    std::vector<double> work(1, here.atWork);
+    riprap::addByRank(ranks, work);
 
     const int n = ranks.size();
     Info<< "Processes = " << n << ", largest part = "
         << most[0]*n/max(scalar(sums[0]), scalar(1))
         << " of the mean, ghosts = " << sums[1] << ", bricks cut = "
-        << here.divisions << nl
-        << "Sent in all: steps " << bytesText(sums[3]).c_str()
-        << ", rebuilds " << bytesText(sums[4]).c_str() << ", particles to"
-        << " other processes " << sums[2] << endl;
+        << here.divisions;
+    if (here.unevenBefore > 0)
+    {
+        Info<< " (the last time from " << here.unevenBefore << " of the mean to "
+            << here.unevenAfter << ')';
+    }
+    Info<< nl << "Busiest process = " << most[1]*n/max(work[0], VSMALL)
+        << " of the mean time in steps without waiting" << nl
+        << "Sent in all: steps " << bytesText(sums[3]).c_str();
+    // A grid has none
+    if (sums[4]) Info<< ", rebuilds " << bytesText(sums[4]).c_str();
+    Info<< ", particles to other processes " << sums[2] << endl;
 }
 
 

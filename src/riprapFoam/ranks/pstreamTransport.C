@@ -28,13 +28,13 @@ void Foam::pstreamTransport::post(
     const auto nonBlocking = UPstream::commsTypes::nonBlocking;
     const int tag = UPstream::msgType();
     for (riprap::RankMessage& m : in)
-        if (!m.bytes.empty())
-            UIPstream::read(nonBlocking, m.rank, reinterpret_cast<char*>(m.bytes.data()),
-                m.bytes.size(), tag, comm_);
+        if (m.size)
+            UIPstream::read(
+                nonBlocking, m.rank, reinterpret_cast<char*>(m.bytes), m.size, tag, comm_);
     for (const riprap::RankMessage& m : out)
-        if (!m.bytes.empty())
-            UOPstream::write(nonBlocking, m.rank, reinterpret_cast<const char*>(m.bytes.data()),
-                m.bytes.size(), tag, comm_);
+        if (m.size)
+            UOPstream::write(
+                nonBlocking, m.rank, reinterpret_cast<const char*>(m.bytes), m.size, tag, comm_);
     UPstream::waitRequests(begin);
 }
 
@@ -42,6 +42,7 @@ void Foam::pstreamTransport::post(
 void Foam::pstreamTransport::exchange(
     const std::vector<riprap::RankBytes>& out, std::vector<riprap::RankBytes>& in)
 {
+    const Call call(*this);
     const int me = rank(), n = size();
     labelList send(n, 0), receive(n, 0);
     std::vector<riprap::RankMessage> to, from;
@@ -55,26 +56,33 @@ void Foam::pstreamTransport::exchange(
                                 << " in a message: use more processes" << exit(FatalError);
         }
         send[r] = static_cast<label>(out[r].size());
-        if (r != me && send[r]) to.push_back(riprap::RankMessage{r, out[r]});
+        // what is sent is only read
+        if (r != me && send[r])
+            to.push_back(riprap::RankMessage{
+                r, const_cast<unsigned char*>(out[r].data()), out[r].size()});
     }
     UPstream::allToAll(send, receive, comm_);
-    for (int r = 0; r < n; ++r)
-        if (r != me && receive[r])
-            from.push_back(riprap::RankMessage{r, riprap::RankBytes(receive[r])});
-    post(to, from);
     in.assign(n, riprap::RankBytes());
     in[me] = out[me];
-    for (riprap::RankMessage& m : from) in[m.rank].swap(m.bytes);
+    for (int r = 0; r < n; ++r)
+    {
+        if (r == me || !receive[r]) continue;
+        in[r].resize(receive[r]);
+        from.push_back(riprap::RankMessage{r, in[r].data(), in[r].size()});
+    }
+    post(to, from);
 }
 
 
 void Foam::pstreamTransport::sum(std::vector<std::int64_t>& values)
 {
+    const Call call(*this);
     combine(values, plusEqOp<std::int64_t>(), comm_);
 }
 
 
 void Foam::pstreamTransport::largest(std::vector<double>& values)
 {
+    const Call call(*this);
     combine(values, maxEqOp<double>(), comm_);
 }

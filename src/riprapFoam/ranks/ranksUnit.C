@@ -3,4 +3,5 @@
 #include "allRanks.C"
 #include "logRanks.C"
 #include "pstreamTransport.C"
+#include "rankBalance.C"
 #include "wholeBoundary.C"

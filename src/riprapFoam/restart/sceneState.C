@@ -39,7 +39,7 @@ public:
 
     explicit wordsReader(const IOobject& io) : regIOobject(io) {}
 
-    virtual bool writeData(Ostream&) const override { return false; }
+    bool writeData(Ostream&) const override { return false; }
 
     //- The words, and in front of them number and hash. \return whether
     //  these are right

@@ -97,7 +97,7 @@ Foam::autoPtr<Foam::solverModule> Foam::solverModule::New
                     << " process, and there are " << Pstream::nProcs()
                     << ": without -parallel it uses all cores"
                     << " (OMP_NUM_THREADS) or one GPU; on several processes"
-                    << " run solvers dem and sphDem" << exit(FatalIOError);
+                    << " run solvers dem, sphDem and picDem" << exit(FatalIOError);
             }
             return constructor()(runTime, mesh);
         }

@@ -79,7 +79,7 @@ Foam::autoPtr<Foam::triSurface> Foam::readClosedSurface(checkedDictionary& dict,
     dict.found("file");
     const fileName name(dict.dict().get<fileName>("file"));
     const scalar scale = dict.positive("scale", 1);
-    const fileName folder(time.path()/time.constant()/"triSurface");
+    const fileName folder(time.globalPath()/time.constant()/"triSurface");
     const fileName file(folder/name);
     if (!isFile(file))
     {

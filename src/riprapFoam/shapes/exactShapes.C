@@ -26,7 +26,7 @@ static tensor axesAbout(const vector& n)
 Foam::scalar Foam::boxDistance(const vector& y, const vector& half, label dimensions)
 {
     scalar outside = 0, inside = -GREAT;
-    for (direction d = 0; d < dimensions; ++d)
+    for (label d = 0; d < dimensions; ++d)
     {
         const scalar beyond = mag(y[d]) - half[d];
         outside += sqr(max(beyond, scalar(0)));

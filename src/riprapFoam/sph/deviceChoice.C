@@ -4,12 +4,17 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deviceChoice.H"
+#include "allRanks.H"
 #include "moduleLog.H"
+#include "OSspecific.H"
+#include "Pstream.H"
 #include "sphNames.H"
 #include "core/backend/gpus.hpp"
 #include "core/backend/machineMemory.hpp"
 #include "api/sphScene.hpp"
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <omp.h>
 
 namespace Foam
@@ -41,6 +46,75 @@ static void useNamedGpu(riprap::DeviceKind asked, const dictionary& dict)
 }
 
 
+//- Several processes: those of a machine take its GPUs in turn, or all of them
+//  the one that is named. A process without one ends them all
+static void useGpusInTurn(const dictionary& dict)
+{
+    const label me = Pstream::myProcNo();
+    const std::vector<std::string> hosts(textsOfRanks(hostName()));
+    const label before = std::count(hosts.begin(), hosts.begin() + me, hosts[me]);
+
+    std::string why, fault;
+    const std::vector<riprap::GpuInfo> there(riprap::gpus(why));
+    label number = 0;
+    if (dict.found("gpu"))
+    {
+        number = dict.get<label>("gpu");
+        fault = riprap::gpuFault(number, there, why);
+        if (!fault.empty()) fault = "Entry gpu " + fault;
+    }
+    else if (there.empty())
+    {
+        fault = "Entry device is gpu, but " + why;
+    }
+    else
+    {
+        number = there[before % there.size()].number;
+    }
+    if (!fault.empty())
+    {
+        fault += ": process " + std::to_string(me) + " on " + hosts[me];
+    }
+    const std::string first(firstTextOfRanks(fault));
+    if (!first.empty())
+    {
+        FatalIOErrorInFunction(dict) << first.c_str() << exit(FatalIOError);
+    }
+    riprap::useGpu(number);
+}
+
+
+//- Which processes have which GPU
+static void logGpusOfRanks()
+{
+    if (!Pstream::parRun()) return;
+
+    const riprap::GpuInfo gpu(riprap::gpuInUse());
+    std::map<std::string, std::string> sharers;
+    label process = 0;
+    for
+    (
+        const std::string& text
+      : textsOfRanks
+        (
+            hostName() + ", GPU " + std::to_string(gpu.number) + " (" + gpu.name + ")"
+        )
+    )
+    {
+        sharers[text] += ' ' + std::to_string(process++);
+    }
+    logItem("GPUs");
+    const char* separator = "";
+    for (const auto& gpuOf : sharers)
+    {
+        Info<< separator << gpuOf.first.c_str() << ": processes"
+            << gpuOf.second.c_str();
+        separator = "; ";
+    }
+    Info<< nl;
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 riprap::DeviceKind readDevice
@@ -62,6 +136,10 @@ void useDevice
     const dictionary& dict
 )
 {
+    if (Pstream::parRun() && asked == riprap::DeviceKind::gpu)
+    {
+        return useGpusInTurn(dict);
+    }
     try
     {
         riprap::chooseDevice(asked, 1, dimensions);
@@ -93,6 +171,7 @@ void logDevice
         Info<< "GPU " << gpu.number << ": ";
     }
     Info<< name.c_str() << " (" << reason.c_str() << ')' << nl;
+    if (taken == riprap::DeviceKind::gpu) logGpusOfRanks();
 
     logItem("threads") << omp_get_max_threads() << " of the CPU ("
         << (

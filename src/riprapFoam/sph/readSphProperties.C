@@ -11,6 +11,7 @@ Description
 #include "checkedDictionary.H"
 #include "deviceChoice.H"
 #include "modelReader.H"
+#include "rankBalance.H"
 #include "solvers/sph/sphModels.hpp"
 
 namespace Foam
@@ -299,6 +300,7 @@ void readSphProperties(checkedDictionary sph, sphSettings& settings)
     config.precision =
         sph.choice("precision", sphNames::precision, config.precision);
     config.device = readDevice(sph, config.device);
+    readRankBalance(sph, config);
 
     readKernel(sph, config);
     readEquationOfState(sph, settings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallEdges.H"
+#include "labelVector.H"
 #include "polylines.H"
 
 namespace Foam
@@ -136,12 +137,12 @@ static void cornerLattice
     const label n = 2*wall.layers;
     for (label l = 0; l < 8*n*n*n; ++l)
     {
+        const labelVector i(l % (2*n), l/(2*n) % (2*n), l/(4*n*n));
         const point x
         (
             corner + space.spacing*
             (
-                (l % (2*n) - n + 0.5)*e1 + ((l/(2*n)) % (2*n) - n + 0.5)*e2
-              + (l/(4*n*n) - n + 0.5)*e3
+                (i.x() - n + 0.5)*e1 + (i.y() - n + 0.5)*e2 + (i.z() - n + 0.5)*e3
             )
         );
         scalar deepest = 0;

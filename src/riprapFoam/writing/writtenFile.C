@@ -38,7 +38,7 @@ Foam::writtenFile::writtenFile
 
 void Foam::writtenFile::add(std::string text)
 {
-    bodies_.push_back
+    bodies_.emplace_back
     (
         [text = std::move(text)](fileSink& sink, const listFormat&)
         {

@@ -58,11 +58,10 @@ void checkConfig(const DemConfig& c)
 }
 
 //- What scenes on several processes cannot have yet
-void checkRanks(const DemConfig& c, const DemInput& in)
+void checkRanks(const DemConfig& c)
 {
     if (!c.ranks || c.ranks->size() < 2) return;
     require(c.device != DeviceKind::gpu, "several processes run on CPUs alone");
-    require(in.clumps.empty(), "rigid bodies of several particles run on one process");
     require(c.sleepSpeed <= 0, "particles sleep on one process alone");
     require(c.imbalance > 0, "the imbalance that bricks may have must be positive");
 }
@@ -386,7 +385,7 @@ std::unique_ptr<DemScene> createDemScene(const DemConfig& config, const DemInput
     checkClumps(config, input);
     checkBodies(config, input);
     checkWalls(config, input);
-    checkRanks(config, input);
+    checkRanks(config);
     const DemPlan plan = planDemScene(config, input);
     require(plan.timeStep < 1e20, "nothing limits the time step: it must be given");
     if (plan.timeStep > plan.hardStop*(1 + 1e-9) && !config.allowLargeStep)

@@ -39,7 +39,8 @@ std::vector<Vec<3, double>> faceNormals(const DemConfig& c, const DemClump& body
     for (int frame = 0; frame < 2; ++frame)
         for (int code = 14; code < 27; ++code)          // one of each pair of opposite ones
         {
-            Vec<3, double> n{{double(code % 3 - 1), double(code/3 % 3 - 1), double(code/9 - 1)}};
+            const int k[3] = {code % 3 - 1, code/3 % 3 - 1, code/9 - 1};
+            Vec<3, double> n{{double(k[0]), double(k[1]), double(k[2])}};
             if (c.dimensions == 2 && n.c[c.axes[2]] != 0) continue;
             if (frame == 1 && body.moved) n = rotated(start.orientation.data(), n, true);
             if (frame == 0 || body.moved) n = rotated(body.orientation.data(), n);

@@ -4,6 +4,7 @@
 */
 #include "solvers/pic/picInstances.hpp"
 #include "solvers/pic/transfer/picTransfers.hpp"
+#include "core/ranks/transport.hpp"
 #include "api/particleLimit.hpp"
 #include "api/sphScene.hpp"
 
@@ -156,13 +157,34 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
 
 } // namespace
 
+void checkPicRanks(const PicConfig& c, const LinearSolver* solver, const PicInside& inside)
+{
+    if (!c.ranks || c.ranks->size() < 2) return;
+    const auto need = [](bool condition, PicInput input, const std::string& what)
+    { if (!condition) throw PicRefusal(input, what); };
+    need(c.device != DeviceKind::gpu, PicInput::device, "several processes run on CPUs alone");
+    need(!inside.solids, PicInput::solids, "solids in the water run on one process");
+    for (const PicObstacle& o : inside.obstacles)
+        need(o.body < 0, PicInput::obstacles,
+            "surface " + o.name + " inside the mesh moves, which runs on one process");
+    need(!solver || solver->onDevice(), PicInput::solver,
+        std::string("several processes need p solved by ") + ownSolver);
+    // a particle must stay where the halo is right
+    constexpr double farthest = 6;
+    need(c.maxCourantEver <= farthest, PicInput::guards,
+        "on several processes a particle may travel 6 cells a step at most, guards/Courant allows "
+            + std::to_string(c.maxCourantEver));
+}
+
 std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInput& fluid,
     const PicWalls& walls, LinearSolver* solver, PicInside inside)
 {
     checkNumbers(config);
     checkFluid(config, fluid, bool(inside.solids));
+    checkPicRanks(config, solver, inside);
     fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
-    const DeviceChoice choice = chooseDevice(config.device,
+    const bool several = config.ranks && config.ranks->size() > 1;
+    const DeviceChoice choice = chooseDevice(several ? DeviceKind::cpu : config.device,
         fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0),
         config.dimensions);
     require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly

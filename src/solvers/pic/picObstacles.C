@@ -89,6 +89,7 @@ PicCut cutIn(const PicConfig& c, const PicWalls& sides, const std::vector<PicObs
         cut.wallVelocity[d] = sides.wallVelocity[d];
     }
     std::vector<Obstacle<D>> in;
+    in.reserve(obstacles.size());
     for (const PicObstacle& o : obstacles) in.push_back(obstacleOf<D>(c, o, motion, t, dt));
     cutObstacles(grid, in, dt, cut);
     PicCut out;

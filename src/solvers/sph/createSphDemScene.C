@@ -39,6 +39,8 @@ DemConfig onDeviceOf(const SphConfig& fluid, DeviceKind device, DemConfig solids
     for (int d = 0; d < 3; ++d) solids.axes[d] = fluid.axes[d];
     solids.gravity = fluid.gravity;
     solids.startTime = fluid.startTime;
+    // each process has all of them, and moves them by the same steps
+    solids.ranks = nullptr;
     return solids;
 }
 
@@ -82,7 +84,7 @@ std::unique_ptr<SphScene> createSphDemScene(const SphConfig& config, const Fluid
         "solids in a fluid do not sleep: the fluid's force moves them at any time; leave out the "
         "entry sleep");
     SphConfig here(config);
-    here.device = chooseDevice(config.device, fluid.size(), config.dimensions).device;
+    here.device = deviceOf(config, fluid.size());
     SolidPart part;
     part.scene = createDemScene(onDeviceOf(here, here.device, solids.config), solids.input);
     part.coupling = solids.coupling;

@@ -120,12 +120,9 @@ void checkWalls(const SphConfig& c, const WallInput& w, const WallMotion& motion
 
 bool onSeveral(const SphConfig& c) { return c.ranks && c.ranks->size() > 1; }
 
-//- What scenes on several processes cannot have yet
-void checkRanks(const SphConfig& c, const SolidPart& solids)
+void checkRanks(const SphConfig& c)
 {
     if (!onSeveral(c)) return;
-    require(c.device != DeviceKind::gpu, "several processes run on CPUs alone");
-    require(!solids.scene, "solids in a fluid run on one process");
     require(c.imbalance > 0, "the imbalance that bricks may have must be positive");
 }
 
@@ -160,6 +157,14 @@ DeviceChoice chooseDevice(DeviceKind asked, std::size_t particles, int)
     return choice;
 }
 
+//- Several processes share a GPU where they are told to
+DeviceKind deviceOf(const SphConfig& config, std::size_t particles)
+{
+    const bool asked = config.device == DeviceKind::gpu || !onSeveral(config);
+    return chooseDevice(asked ? config.device : DeviceKind::cpu, particles, config.dimensions)
+        .device;
+}
+
 std::unique_ptr<SphScene> createSphScene
 (const SphConfig& config, const FluidInput& fluid, const WallInput& walls, WallMotion motion)
 {
@@ -172,14 +177,12 @@ std::unique_ptr<SphScene> createSphScene(const SphConfig& config, const FluidInp
     checkNumbers(config);
     checkFluid(config, fluid);
     checkWalls(config, walls, motion);
-    checkRanks(config, solids);
+    checkRanks(config);
     // unused lanes of packs may divide by zero, and a state that blows up is the guards' business
     fedisableexcept(FE_ALL_EXCEPT);
-    const DeviceChoice choice = chooseDevice(
-        onSeveral(config) ? DeviceKind::cpu : config.device, fluid.size(), config.dimensions);
     const bool two = config.dimensions == 2, mixed = config.precision == PrecisionKind::mixed;
 #ifdef RIPRAP_CUDA
-    if (choice.device == DeviceKind::gpu)
+    if (deviceOf(config, fluid.size()) == DeviceKind::gpu)
     {
         const SphMaker make = two ? (mixed ? sphGpu2Mixed : sphGpu2Double)
                                   : (mixed ? sphGpu3Mixed : sphGpu3Double);

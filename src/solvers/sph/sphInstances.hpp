@@ -44,6 +44,9 @@ std::unique_ptr<SphScene> sphGpu2Double(
 std::unique_ptr<SphScene> sphGpu3Double(
     const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);
 
+//- The device that a scene of so many particles is made on
+DeviceKind deviceOf(const SphConfig&, std::size_t particles);
+
 //- With solids that are on the device that the configuration chooses
 std::unique_ptr<SphScene> createSphScene(
     const SphConfig&, const FluidInput&, const WallInput&, WallMotion, SolidPart);

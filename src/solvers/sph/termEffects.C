@@ -49,6 +49,7 @@ std::vector<Sum> added(SphConfig c, double viscosity)
     c.viscosity = viscosity;
     const Term term = Term::make(c, termFluid(c));
     std::vector<Sum> all;
+    all.reserve(6);
     for (int k = 0; k < 6; ++k) all.push_back(added(term, c, k));
     return all;
 }

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/neighbours/pairLoop.hpp"
-#include "core/ranks/ghostMarks.hpp"
+#include "core/containers/ghostMarks.hpp"
 #include "sph/boundary/extrapolation.hpp"
 #include "sph/boundary/wallFields.hpp"
 

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "core/neighbours/pairLoop.hpp"
-#include "core/ranks/ghostMarks.hpp"
+#include "core/containers/ghostMarks.hpp"
 #include "sph/passes/fluidPass.hpp"
 #include "sph/state/clock.hpp"
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/neighbours/pairLoop.hpp"
-#include "core/ranks/ghostMarks.hpp"
+#include "core/containers/ghostMarks.hpp"
 #include "sph/state/fluidFields.hpp"
 #include "sph/terms/term.hpp"
 #include "sph/state/clock.hpp"

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "core/neighbours/localFrames.hpp"
-#include "core/ranks/ghostMarks.hpp"
+#include "core/containers/ghostMarks.hpp"
 #include "sph/boundary/faceContact.hpp"
 #include "sph/state/fluidFields.hpp"
 #include "sph/state/clock.hpp"
@@ -35,6 +35,13 @@ struct Mover
     ClockData* clock;
     FaceContact<D, P> contact;
     GhostMarks<Backend> ghosts;             // moved where they are own ones
+
+    //- Of a scene without other ranks, faces, drift, variable h and removal of wild particles
+    HD bool isPlain() const
+    {
+        return !ghosts.mark && !contact.faces.groups && !model.drifts && !model.variableH
+            && !model.removesWild;
+    }
 
     //- Move by u dt; returns the new position
     HD Vec<D, std::int64_t> moved(
@@ -147,6 +154,21 @@ private:
         way.wholeNext += pushed;
         clock->notice(way, allowedWay);
         if (!model.inside(box, x)) clock->needRebuild = 1;
+    }
+};
+
+//- For the CPU: moves particles of a plain scene, and asks none of them whether it is one
+template<class M>
+struct PlainMover
+{
+    static constexpr const char* name = M::name;
+
+    M mover;
+
+    HD void operator()(int i) const
+    {
+        if (!mover.isPlain()) __builtin_unreachable();
+        mover(i);
     }
 };
 

@@ -24,8 +24,8 @@ struct Tank
     std::vector<PieceGrid> grids;
     std::vector<int> firstCell{0};
 
-    Tank(double lx, double ly, double lz, std::array<bool, 3> wraps, std::vector<double> radii,
-        bool zFirst = false)
+    Tank(double lx, double ly, double lz, std::array<bool, 3> wraps,
+        const std::vector<double>& radii, bool zFirst = false)
     {
         const double l[3] = {lx, ly, lz};
         for (int d = 0; d < 3; ++d)

@@ -7,6 +7,7 @@
 #include <random>
 #include <gtest/gtest.h>
 #include "core/ranks/idSlots.hpp"
+#include "core/ranks/joinRanks.hpp"
 #include "randomWalks.hpp"
 #include "threadRanks.hpp"
 
@@ -94,6 +95,32 @@ TEST(ranks, nearPiecesHaveAllThatTouches)
         }
         EXPECT_GT(pairs, 3*all.size());
         EXPECT_EQ(fewer, all.size());
+    }
+}
+
+TEST(ranks, boxAroundHasTheCentresOfNearPieces)
+{
+    for (const auto& periodic : {closed, wraps, wrapsX})
+    {
+        const Tank tank(1.3, 0.9, 0.6, periodic, {0.03, 0.05, 0.08});
+        for (const int least : {1, 4})
+        {
+            RowPieces pieces;
+            pieces.set(tank.grids, walkReach, least);
+            int wrapped = 0;
+            for (int p = 0; p < pieces.count(); ++p)
+            {
+                RowPieces::Point low, high;
+                if (!pieces.boxAround(p, low, high)) { ++wrapped; continue; }
+                for (const int near : pieces.near(p))
+                {
+                    const RowPieces::Point c = pieces.centre(near);
+                    for (int d = 0; d < 3; ++d)
+                        ASSERT_TRUE(c[d] > low[d] && c[d] < high[d]) << p << " " << near;
+                }
+            }
+            EXPECT_EQ(wrapped > 0, periodic != closed);
+        }
     }
 }
 
@@ -198,6 +225,86 @@ TEST(ranks, bricksStayUnlessTheLoadIsUneven)
 {
     const Tank tank(1.5, 1.2, 0.9, wrapsX, {0.03});
     EXPECT_EQ(walkOnRanks(tank, 4, 3000, 30, Walk{tank, 0.3, 0}, 1e9, 0).divisions, 1);
+}
+
+//- What is done between steps, and waiting for others, are no cost
+TEST(ranks, costOfAParticle)
+{
+    onRanks(4, [](Transport& transport)
+    {
+        const int me = transport.rank();
+        const double seconds[] = {1, 4, 3, 0}, expected[] = {0.75, 1.5, 0.75, 1};
+        const std::int64_t particles[] = {100, 200, 300, 0};
+        double now = 7;
+        RankCosts costs(transport, [&] { return now; });
+        for (int k = 0; k < 3; ++k)
+        {
+            now += 5;
+            costs.work(true);
+            now += seconds[me];
+            costs.work(false);
+            now += 20*(me + 1);
+            ASSERT_TRUE(costs.measure(particles[me]));
+            for (int r = 0; r < 4; ++r) EXPECT_NEAR(costs.perParticle()[r], expected[r], 1e-12);
+            EXPECT_NEAR(costs.atWork(), (k + 1)*seconds[me], 1e-12);
+        }
+        // too little to say anything
+        costs.work(true);
+        now += 0.01*seconds[me];
+        EXPECT_FALSE(costs.measure(particles[me]));
+        now += seconds[me];
+        std::vector<double> wait(1, 0.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(me == 0 ? 50 : 0));
+        transport.largest(wait);
+        EXPECT_TRUE(costs.measure(particles[me]));
+        if (me) { EXPECT_LE(costs.atWork(), 4.01*seconds[me] - (seconds[me] > 0 ? 0.02 : 0)); }
+    });
+}
+
+//- Particles at one end cost five times as much as others: bricks that follow their time are even,
+//  those that follow their number are not
+TEST(ranks, bricksFollowWhatParticlesCost)
+{
+    const Tank tank(2, 1, 1, closed, {0.03});
+    for (const bool measured : {true, false})
+    {
+        onRanks(4, [&](Transport& transport)
+        {
+            double now = 0, seconds = 0;
+            PieceOwners owners(transport, 0.1, measured, [&] { return now; });
+            owners.set(tank.grids, walkReach);
+            const RowPieces& pieces = owners.pieces();
+            const auto cost = [&](int p)
+            { return pieces.centre(p)[0] < tank.lower[0] + 0.25*tank.length[0] ? 5.0 : 1.0; };
+            const std::vector<std::int64_t> all(pieces.count(), 10);
+            for (int k = 0; k < 40; ++k)
+            {
+                std::vector<std::int64_t> here(all);
+                for (int p = 0; k && p < pieces.count(); ++p)
+                    if (owners.owner(p) != transport.rank()) here[p] = 0;
+                owners.count(here, k == 0);
+                ASSERT_EQ(owners.total(), 10*pieces.count());
+                seconds = 0;
+                for (int p = 0; p < pieces.count(); ++p)
+                    if (owners.owner(p) == transport.rank()) seconds += 1e-3*cost(p);
+                owners.work(true);
+                now += seconds;
+                owners.work(false);
+            }
+            std::vector<double> most(1, seconds), sum(1, seconds);
+            transport.largest(most);
+            addByRank(transport, sum);
+            const double uneven = 4*most[0]/sum[0];
+            if (measured)
+            {
+                EXPECT_LT(uneven, 1.15);
+                EXPECT_GT(owners.unevenBefore(), 1.1);
+                EXPECT_LT(owners.unevenAfter(), owners.unevenBefore());
+                EXPECT_LT(owners.cuts(), 15);
+            }
+            else EXPECT_GT(uneven, 1.8);
+        });
+    }
 }
 
 //- Messages that break the agreement end the run: a lost particle, and one that is there twice

@@ -64,6 +64,7 @@ public:
 
     void exchange(const std::vector<RankBytes>& out, std::vector<RankBytes>& in) override
     {
+        const Call call(*this);
         for (int r = 0; r < size_; ++r) board_.bytes[rank_][r] = out[r];
         board_.meet();
         in.assign(size_, RankBytes());
@@ -73,17 +74,19 @@ public:
 
     void swap(const std::vector<RankMessage>& out, std::vector<RankMessage>& in) override
     {
+        const Call call(*this);
         for (RankBytes& b : board_.bytes[rank_]) b.clear();
-        for (const RankMessage& m : out) board_.bytes[rank_][m.rank] = m.bytes;
+        for (const RankMessage& m : out)
+            board_.bytes[rank_][m.rank].assign(m.bytes, m.bytes + m.size);
         board_.meet();
         std::size_t foreseen = 0, came = 0;
         bool fits = true;
         for (RankMessage& m : in)
         {
             const RankBytes& b = board_.bytes[m.rank][rank_];
-            fits = fits && b.size() == m.bytes.size();
+            fits = fits && b.size() == m.size;
             foreseen += b.size();
-            m.bytes = b;
+            std::copy_n(b.begin(), std::min(b.size(), m.size), m.bytes);
         }
         for (int r = 0; r < size_; ++r) came += board_.bytes[r][rank_].size();
         board_.meet();
@@ -102,6 +105,7 @@ private:
     template<class T, class Op>
     void reduce(std::vector<T>& values, std::vector<std::vector<T>>& all, Op op)
     {
+        const Call call(*this);
         all[rank_] = values;
         board_.meet();
         for (int r = 0; r < size_; ++r)

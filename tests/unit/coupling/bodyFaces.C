@@ -4,6 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include <cmath>
+#include "boxFaces.hpp"
 #include "couplingTest.hpp"
 #include "dem/motion/clumpState.hpp"
 
@@ -41,44 +42,8 @@ protected:
         for (double& j : b.inertia) j *= share;
         if (D() == 2) b.inertia[0] = b.inertia[1] = 0;
         s.input.pairs[0].properties.normalStiffness = 1e6;
-        s.faces = boxFaces(0.5*side);
+        addBoxFaces(s.faces, D(), 0, {{0.5*side, 0.5*side, 0.5*side}});
         return s;
-    }
-
-    //- Of a cube or square about the origin
-    WallFaceInput boxFaces(double half) const
-    {
-        WallFaceInput f;
-        const auto add = [&](const std::vector<Vector3>& points, const Vector3& n)
-        {
-            for (const Vector3& p : points)
-            {
-                f.vertex.push_back(std::int32_t(f.point.size()/3));
-                f.point.insert(f.point.end(), p.begin(), p.end());
-            }
-            if (D() == 2) f.vertex.push_back(-1);
-            f.normal.insert(f.normal.end(), n.begin(), n.end());
-            f.body.push_back(0);
-            f.part.push_back(0);
-            f.halfThickness.push_back(0);
-        };
-        for (int d = 0; d < D(); ++d)
-            for (const double side : {-1.0, 1.0})
-            {
-                Vector3 n{{0, 0, 0}}, corner[4];
-                n[d] = side;
-                for (int k = 0; k < 4; ++k)
-                {
-                    corner[k] = Vector3{{0, 0, 0}};
-                    corner[k][d] = side*half;
-                    corner[k][(d + 1)%D()] = (k & 1 ? half : -half);
-                    if (D() == 3) corner[k][(d + 2)%3] = (k & 2 ? half : -half);
-                }
-                if (D() == 2) { add({corner[0], corner[1]}, n); continue; }
-                add({corner[0], corner[1], corner[3]}, n);
-                add({corner[0], corner[3], corner[2]}, n);
-            }
-        return f;
     }
 
     FluidInput particle(const Vector3& x, const Vector3& v) const { return oneParticle(D(), x, v); }

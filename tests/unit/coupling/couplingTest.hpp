@@ -53,7 +53,7 @@ protected:
                     in.particles.mass.push_back(800*std::pow(size, D()));
                     s.volume.push_back(std::pow(size, D()));
                 }
-        in.bondTypes.push_back(DemBondType());
+        in.bondTypes.emplace_back();
         in.bondTypes[0].normalStiffness = 2e6/size;
         in.bondTypes[0].shearStiffness = 1e6/size;
         DemConfig known(s.config);

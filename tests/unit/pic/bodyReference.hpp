@@ -126,7 +126,7 @@ void cutBodies(const UniformGrid<D>& grid, const std::vector<FreeBody<D, Shape>>
         for (int side = 0; side < 2; ++side)
         {
             const int cell = grid.cellOf(s.d, x, side);
-            if (cell >= 0) rows[s.body].push_back({cell, side ? j : -1.0*j});
+            if (cell >= 0) rows[s.body].emplace_back(cell, side ? j : -1.0*j);
         }
         if (s.d == up) out.terms[s.body].volume += s.share*grid.area()*grid.h;
     }

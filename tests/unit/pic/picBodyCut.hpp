@@ -70,9 +70,9 @@ struct CutBox
         bodies.clear();
         add({{{{0.8 + shift, 1.1, 0.9}}, 0.25}});
         add({{{{1.33 + shift, 1.2, 0.95}}, 0.26}});          // less than a cell from the first
-        add({{{{2.0, 0.7 + shift, 1.4}}, 0.2}, {{{2.2, 0.9 + shift, 1.5}}, 0.2},
-            {{{2.1, 1.2 + shift, 1.3}}, 0.22}});
-        add({{{{0.6, 0.1, 1.7}}, 0.3}});                     // the floor clips it
+        add({{{{2.03, 0.72 + shift, 1.41}}, 0.2}, {{{2.23, 0.92 + shift, 1.51}}, 0.2},
+            {{{2.1, 1.21 + shift, 1.31}}, 0.22}});
+        add({{{{0.63, 0.11, 1.72}}, 0.3}});                  // the floor clips it
         add({{{{1.5, 2.2 - shift, 1.2}}, 0.1}});
         giveShape(bodies.back());
     }
@@ -143,10 +143,10 @@ struct CutBox
         cutBodies(grid, bodies, 1, reference);
     }
 
-    //- All that the host finds, to the precision of the fields
-    void expectReference()
+    //- All that the host finds, to the precision of the fields; least: where that is not reached
+    void expectReference(double least = 1e-13)
     {
-        const double eps = std::is_same<R, float>::value ? 1e-6 : 1e-13;
+        const double eps = std::is_same<R, float>::value ? 1e-6 : least;
         for (int d = 0; d < D; ++d)
         {
             const std::vector<R> a = aperture[d].download(), w = wallVelocity[d].download();
@@ -166,7 +166,7 @@ struct CutBox
         ASSERT_EQ(terms.size(), bodies.size());
         for (std::size_t b = 0; b < terms.size(); ++b)
         {
-            EXPECT_NEAR(terms[b].volume, reference.terms[b].volume, 1e-12);
+            EXPECT_NEAR(terms[b].volume, reference.terms[b].volume, 10*least);
             std::vector<double> j(std::size_t(grid.cells())*modes, 0.0), expected(j);
             for (std::size_t i = 0; i < terms[b].cell.size(); ++i)
                 for (int m = 0; m < modes; ++m)
@@ -176,16 +176,16 @@ struct CutBox
                     expected[reference.terms[b].cell[i]*modes + m] +=
                         reference.terms[b].j[i*modes + m];
             for (std::size_t i = 0; i < j.size(); ++i)
-                ASSERT_NEAR(j[i], expected[i], 1e-13) << b << " " << i;
+                ASSERT_NEAR(j[i], expected[i], least) << b << " " << i;
         }
         const NodeGrid<D> nodes{grid};
         const std::vector<double> nodeDistance = distance.download();
         for (int n = 0; n < nodes.count(); ++n)
         {
-            double least = baseDistance[n];
+            double nearest = baseDistance[n];
             for (const auto& b : bodies)
-                least = std::min(least, b.shape.distance(nodes.position(n)));
-            ASSERT_NEAR(nodeDistance[n], least, 1e-14);
+                nearest = std::min(nearest, b.shape.distance(nodes.position(n)));
+            ASSERT_NEAR(nodeDistance[n], nearest, 1e-14);
         }
     }
 };
@@ -195,6 +195,17 @@ BODY_TEST(IsThatOfTheHost)
     CutBox<TypeParam> box;
     box.cutNow();
     box.expectReference();
+}
+
+//- A ball whose surface touches lines of the grid: half a chord is the root of r^2 - x^2, and that
+//  difference is rounding alone, on either side another
+BODY_TEST(TouchesLinesToTheRootOfRounding)
+{
+    CutBox<TypeParam> box;
+    box.bodies.clear();
+    box.add({{{{0.6, 0.1, 1.7}}, 0.3}});
+    box.cutNow();
+    box.expectReference(1e-8);
 }
 
 //- Bodies that have moved leave nothing behind, and without any the grid is what it was
@@ -418,7 +429,7 @@ BODY_TEST(SlowsWhereContactsReach)
         ContactArea<D> a;
         for (int d = 0; d < D; ++d) { a.point[d] = in(random); a.normal[d] = d == k % D; }
         if (k == 0) a.point[0] = -0.05;         // a wall's
-        areas.push_back({boxes.number(a.point), a});
+        areas.emplace_back(boxes.number(a.point), a);
     }
     std::sort(
         areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -248,6 +248,7 @@ PIC_TEST(LocalFieldHasTheDerivatives)
             ASSERT_TRUE((findAnywhere(local, g, field, at)));
             const bool inside = InnerNodes<Order, D, R>::inside(g, at.c),
                        has = InnerNodes<Order, D, R>::has(g, at.c);
+            // NOLINTNEXTLINE(bugprone-branch-clone): branches differ where Order is 2
             if (inside) other.template find<false>(g, field, at);
             else if (has) other.template find<(Order == 2)>(g, field, at);
             ++(inside ? inner : beside);

@@ -32,7 +32,8 @@ struct Pool
             const auto c = grid.cellIndex(i);
             for (int k = 0; k < n*n; ++k)
             {
-                const double x = (k % n + 0.5)/n, y = (k/n + 0.5)/n;
+                const int row = k/n;
+                const double x = (k % n + 0.5)/n, y = (row + 0.5)/n;
                 if ((c.c[1] + y)*grid.h < level) place.push_back(PlaceInCell<double>{{x, y, 0}, 0});
             }
         }

@@ -152,9 +152,20 @@ TEST(PressureSolver, WrongEntriesAreRefused)
     says("solver cudaPCG; tolerance 0;", "tolerance");
     says("solver cudaPCG; nSweeps 0;", "nSweeps");
     says("solver cudaPCG; reflectionTolerance 1;", "reflectionTolerance");
+    says("solver cudaPCG; gatheredCells -1;", "gatheredCells of solver cudaPCG for p must be 0 or");
     says("solver GAMG; agglomerator faceAreaPair; smoother GaussSeidel;", "algebraicPair");
     says("solver PCG; preconditioner GAMG;", "dictionary");
     EXPECT_EQ(refusal(ownSolver), "");
+}
+
+TEST(PressureSolver, CellsThatAreGathered)
+{
+    pressureSolver solver(testTime(), "p", entries(ownSolver));
+    EXPECT_EQ(solver.gatheredCells(77), 77);
+    EXPECT_TRUE(solver.read(entries("solver cudaPCG; gatheredCells 0;")));
+    EXPECT_EQ(solver.gatheredCells(77), 0);
+    EXPECT_TRUE(solver.read(entries("solver PCG; preconditioner DIC; tolerance 1e-8;")));
+    EXPECT_EQ(solver.gatheredCells(77), 77);
 }
 
 } // namespace

@@ -10,6 +10,7 @@ Description
 #include "readSolidProperties.H"
 #include "deviceChoice.H"
 #include "modelReader.H"
+#include "rankBalance.H"
 #include "solvers/dem/demLaws.hpp"
 #include "sphNames.H"
 
@@ -165,6 +166,7 @@ void Foam::readSolidProperties(const dictionary& all, demSettings& settings)
     config.precision =
         solids.choice("precision", sphNames::precision, config.precision);
     config.device = readDevice(solids, config.device);
+    readRankBalance(solids, config);
 
     readContact(solids, config);
     readSolidMaterials(solids, settings);

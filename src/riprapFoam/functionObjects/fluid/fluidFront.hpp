@@ -122,7 +122,7 @@ double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
 {
     for (double reach = 4*rule.support;; reach *= 2)
     {
-        const FluidEnd end(farEnd(reach));
+        const FluidEnd& end = farEnd(reach);
         const std::vector<double>& position = end.position;
         const std::vector<FrontCandidate> window(frontWindow(position, rule));
         if (window.empty()) break;

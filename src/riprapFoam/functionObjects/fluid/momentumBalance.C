@@ -36,7 +36,16 @@ Foam::functionObjects::momentumBalance::momentumBalance
     fluidFunctionObject(name, runTime, dict)
 {
     read(dict);
-    pic().watchMomentum(true);
+    try
+    {
+        pic().watchMomentum(true);
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Function object " << name << " of type " << typeName << ": "
+            << e.what() << exit(FatalIOError);
+    }
     writeAtStart();
 }
 

@@ -56,7 +56,7 @@ static pointField mirrored(
 {
     const labelList near(nearer(f, points, reach, least));
     const pointField some(points, near);
-    return some + 2*scalarField(least, near)*waysOut(f, some);
+    return pointField(some + 2*scalarField(least, near)*waysOut(f, some));
 }
 
 } // namespace Foam

@@ -32,19 +32,19 @@ public:
         }
     }
 
-    virtual boundBox bounds() const override { return box_; }
+    boundBox bounds() const override { return box_; }
 
-    virtual boolList inside(const pointField& points) const override
+    boolList inside(const pointField& points) const override
     {
         return boolList(points.size(), true);
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const override
+    clumpShape shape(const particlePacking& frame) const override
     {
         return boxShape(box_, frame);
     }
 
-    virtual dictionary surfaceEntries(const particlePacking& frame) const override
+    dictionary surfaceEntries(const particlePacking& frame) const override
     {
         if (!frame.planar()) return shapeEntries(where_, {"source", "box"});
         const direction x = frame.axis(0), y = frame.axis(1);
@@ -56,7 +56,7 @@ public:
         return entries;
     }
 
-    virtual bool straight() const override { return true; }
+    bool straight() const override { return true; }
 };
 
 defineTypeNameAndDebug(boxSource, 0);

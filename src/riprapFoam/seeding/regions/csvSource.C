@@ -47,7 +47,7 @@ public:
         }
     }
 
-    virtual void place
+    void place
     (
         const particlePacking& packing,
         const boundBox&,
@@ -60,14 +60,14 @@ public:
         for (point& p : position) p = packing.inPlane(p);
     }
 
-    virtual scalarField pressure() const override { return scalarField(pressure_); }
+    scalarField pressure() const override { return scalarField(pressure_); }
 
-    virtual scalar estimate(const particlePacking&, const boundBox&) const override
+    scalar estimate(const particlePacking&, const boundBox&) const override
     {
         return position_.size();
     }
 
-    virtual bool regular() const override { return false; }
+    bool regular() const override { return false; }
 };
 
 defineTypeNameAndDebug(csvSource, 0);

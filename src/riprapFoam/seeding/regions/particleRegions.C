@@ -30,7 +30,7 @@ static scalarField hydrostatic
     scalar level = height.size() ? max(height) + 0.5*packing.spacing() : 0;
     if (dict.found("freeSurface")) level = dict.number("freeSurface");
 
-    return max(space.density*mag(space.gravity)*(level - height), scalar(0));
+    return scalarField(max(space.density*mag(space.gravity)*(level - height), scalar(0)));
 }
 
 
@@ -160,7 +160,7 @@ Foam::List<Foam::namedDictionary> Foam::namedDictionaries(const dictionary& all,
     DynamicList<namedDictionary> dicts;
     for (const Foam::entry& e : entries)
     {
-        const word name(e.keyword());
+        const word& name = e.keyword();
         if (!e.isDict())
         {
             FatalIOErrorInFunction(all)
@@ -189,7 +189,7 @@ Foam::word Foam::setOf(const namedDictionary& region)
 {
     checkedDictionary dict(region.dict);
     dict.found("set");
-    const word set(region.dict.get<word>("set"));
+    word set(region.dict.get<word>("set"));
     if (set != "fluid" && set != "solids")
         dict.unknownWord("set", set, wordList({"fluid", "solids"}));
     return set;

@@ -60,7 +60,7 @@ public:
     }
 
     // Discs of radius r about a unit axis n reach r sqrt(1 - n_d^2) along d
-    virtual boundBox bounds() const override
+    boundBox bounds() const override
     {
         const vector n(normalised(p2_ - p1_));
         vector reach;
@@ -71,7 +71,7 @@ public:
         return boundBox(min(p1_, p2_) - reach, max(p1_, p2_) + reach);
     }
 
-    virtual boolList inside(const pointField& points) const override
+    boolList inside(const pointField& points) const override
     {
         const vector axis(p2_ - p1_);
         boolList in(points.size());
@@ -84,13 +84,13 @@ public:
         return in;
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const override
+    clumpShape shape(const particlePacking& frame) const override
     {
         return cylinderShape(p1_, p2_, radius_, frame, where_);
     }
 
     // In 2D a circle, or a rectangle
-    virtual dictionary surfaceEntries(const particlePacking& frame) const override
+    dictionary surfaceEntries(const particlePacking& frame) const override
     {
         if (!frame.planar()) return shapeEntries(where_, {"source", "p1", "p2", "radius"});
         const vector n(normalised(p2_ - p1_));
@@ -135,24 +135,24 @@ public:
         where_ = dict.dict();
     }
 
-    virtual boundBox bounds() const override
+    boundBox bounds() const override
     {
         return boundBox(centre_ - radius_*vector::one, centre_ + radius_*vector::one);
     }
 
-    virtual boolList inside(const pointField& points) const override
+    boolList inside(const pointField& points) const override
     {
         boolList in(points.size());
         forAll(in, i) in[i] = magSqr(points[i] - centre_) <= sqr(radius_);
         return in;
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const override
+    clumpShape shape(const particlePacking& frame) const override
     {
         return sphereShape(centre_, radius_, frame);
     }
 
-    virtual dictionary surfaceEntries(const particlePacking& frame) const override
+    dictionary surfaceEntries(const particlePacking& frame) const override
     {
         if (!frame.planar()) return shapeEntries(where_, {"source", "centre", "radius"});
         const scalar off = mag(frame.inPlane(centre_) - centre_);

@@ -162,7 +162,7 @@ void Foam::recordSetParticles(const Time& time, const dictionary& dict)
         )
     ).writeHeader(os);
 
-    const fileName file(dict.name());
+    const fileName& file = dict.name();
     os.writeEntry(fileEntry, fileName(file.relative(time.path())));
     readBySetParticles(dict).write(os, false);
     IOobject::writeEndDivider(os);

@@ -28,19 +28,19 @@ public:
         entries_ = shapeEntries(dict.dict());
     }
 
-    virtual boundBox bounds() const override { return boundBox(surface_->points(), false); }
+    boundBox bounds() const override { return boundBox(surface_->points(), false); }
 
-    virtual boolList inside(const pointField& points) const override
+    boolList inside(const pointField& points) const override
     {
         return search_->calcInside(points);
     }
 
-    virtual clumpShape shape(const particlePacking& frame) const override
+    clumpShape shape(const particlePacking& frame) const override
     {
         return closedShape(surface_, frame);
     }
 
-    virtual dictionary surfaceEntries(const particlePacking& frame) const override
+    dictionary surfaceEntries(const particlePacking& frame) const override
     {
         return frame.planar() ? dictionary() : entries_;
     }

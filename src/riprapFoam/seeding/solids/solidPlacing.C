@@ -304,6 +304,6 @@ Foam::scalarField Foam::placeInVolume(
 
     const scalarField own(frame.planar() ? scalarField(pi*sqr(region.radius))
                                          : scalarField(4*pi/3*pow3(region.radius)));
-    if (rigid) return region.exact->volume/max(sum(own), VSMALL)*own;
+    if (rigid) return scalarField(region.exact->volume/max(sum(own), VSMALL)*own);
     return cells ? scalarField(region.size(), region.cells/max(region.size(), 1)) : own;
 }

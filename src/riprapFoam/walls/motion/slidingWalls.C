@@ -106,7 +106,7 @@ void Foam::readSlidingWalls
 
     for (const entry& e : velocities)
     {
-        const word name(e.keyword());
+        const word& name = e.keyword();
         const boxSide side =
             sideOf(velocities, wallNamed(velocities, name, mesh), mesh);
 

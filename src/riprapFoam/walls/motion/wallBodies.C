@@ -19,6 +19,14 @@ namespace Foam
 static const label nMoments = 256;
 
 
+//- Moments that no period divides: multiples of the golden ratio, modulo 1
+static scalar share(label i)
+{
+    const scalar golden = 0.5*(sqrt(5.0) - 1);
+    return i*golden - floor(i*golden);
+}
+
+
 //- The functions know no time but their Time's: set its value, and nothing
 //  else of it, while this lives
 class momentOf
@@ -107,7 +115,7 @@ static word motionWord(const word& name, checkedDictionary& dict)
             << " missing; valid are " << listed(valid).c_str()
             << exit(FatalIOError);
     }
-    const word typed(dict.dict().get<word>("solidBodyMotionFunction"));
+    word typed(dict.dict().get<word>("solidBodyMotionFunction"));
     if (!valid.found(typed))
     {
         dict.unknownWord("solidBodyMotionFunction", typed, valid);
@@ -325,6 +333,24 @@ void Foam::wallBodies::requirePlanar
 }
 
 
+Foam::wordList Foam::wallBodies::resting(scalar begin, scalar end) const
+{
+    DynamicList<word> names;
+    forAll(groups_, body)
+    {
+        const riprap::WallPose first(pose(body, begin));
+        bool rests = true;
+        for (label i = 1; i <= nMoments && rests; ++i)
+        {
+            const riprap::WallPose now(pose(body, begin + share(i)*(end - begin)));
+            rests = now.rotation == first.rotation && now.translation == first.translation;
+        }
+        if (rests) names.append(name(body));
+    }
+    return wordList(std::move(names));
+}
+
+
 Foam::scalar Foam::wallBodies::largestSpeed
 (
     label body,
@@ -333,17 +359,14 @@ Foam::scalar Foam::wallBodies::largestSpeed
     scalar end
 ) const
 {
-    // Moments that no period divides: multiples of the golden ratio, modulo 1
     const label n = 4*nMoments;
-    const scalar golden = 0.5*(sqrt(5.0) - 1);
     const scalar instant = min(scalar(1e-4), (end - begin)/n);
     const pointField corners(reference.points());
 
     scalar fastest = 0;
     for (label i = 0; i <= n && instant > 0; ++i)
     {
-        const scalar share = i < n ? i*golden - floor(i*golden) : 1;
-        const scalar t = begin + share*(end - begin - instant);
+        const scalar t = begin + (i < n ? share(i) : 1)*(end - begin - instant);
         const riprap::WallPose now(pose(body, t));
         const riprap::WallPose later(pose(body, t + instant));
         for (const point& corner : corners)

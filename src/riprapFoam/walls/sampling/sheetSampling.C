@@ -223,7 +223,8 @@ Foam::sheetPoints Foam::latticeOnRectangle
     sheetPoints points{pointField(n*m), labelList(n*m, -1)};
     for (label i = 0; i < n*m; ++i)
     {
-        points.position[i] = corner + ((i % n) + 0.5)/n*side1 + ((i/n) + 0.5)/m*side2;
+        const label row = i/n;
+        points.position[i] = corner + ((i % n) + 0.5)/n*side1 + (row + 0.5)/m*side2;
     }
     return points;
 }

@@ -214,15 +214,15 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
     const std::vector<int> kept = p_.bonds.kept(p_.order.slotOf);
     std::vector<std::int32_t> words{detail::demMagic, detail::demVersion, D, int(sizeof(real)),
         int(Backend::gpu), p_.pairs.histories(), n, savedFields(), int(kept.size()),
-        p_.clumps.count(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries};
+        p_.clumps.total(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries};
     // Room for most of it, without which it would be copied again and again
     std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4
         + 1024;
     for (int f = 0; f < p_.particles.values.fields(); ++f)
         if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
     forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
-    if (p_.clumps.count())
-        expected += (p_.clumps.count()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    if (p_.clumps.any())
+        expected += (p_.clumps.total()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
     detail::reserveWords(words, expected);
     const auto append = [&](const void* data, std::size_t bytes)
     {
@@ -249,9 +249,10 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
         const auto all = array.download();
         for (const int k : kept) append(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
     });
-    if (p_.clumps.count())
+    if (p_.clumps.any())
     {
-        write(p_.clumps.data(), p_.clumps.count()*sizeof(ClumpData));
+        const std::vector<ClumpData> bodies = p_.clumps.known();
+        append(bodies.data(), bodies.size()*sizeof(ClumpData));
         const auto offset = p_.clumps.offset().download();
         for (int i = 0; i < n; ++i) append(&offset[3*std::size_t(key[i])], 3*sizeof(double));
     }
@@ -311,30 +312,36 @@ void Checkpoint<Backend, D, P>::collectAll()
     {
         if (ranks_.ghost(i)) continue;
         const double empty = D == 2 ? p_.particles.emptyCoordinate[key[i]] : 0;
+        const std::int32_t row = ranks_.bodies.row(i);
         putValues(own, &p_.particles.ids[key[i]]);
         putValues(own, &empty);
+        putValues(own, &row);
     }
     out.assign(ranks.size(), own);
     ranks.exchange(out, in);
-    std::map<std::int32_t, double> all;
+    std::map<std::int32_t, std::pair<double, std::int32_t>> all;
     for (const RankBytes& bytes : in)
         for (const unsigned char* from = bytes.data(); from < bytes.data() + bytes.size();)
         {
-            std::int32_t id;
+            std::int32_t id, row;
             double empty;
             takeValues(from, &id);
             takeValues(from, &empty);
-            all[id] = empty;
+            takeValues(from, &row);
+            all[id] = {empty, row};
         }
     ranks_.setCapacity(int(all.size()));
     p_.particles.ids.clear();
     p_.particles.emptyCoordinate.clear();
+    std::vector<std::int32_t> rows;
     for (const auto& one : all)
     {
         p_.particles.ids.push_back(one.first);
-        if (D == 2) p_.particles.emptyCoordinate.push_back(one.second);
+        if (D == 2) p_.particles.emptyCoordinate.push_back(one.second.first);
+        rows.push_back(one.second.second);
     }
     ranks_.bonds.collect();
+    ranks_.bodies.collect(rows);
     // nobody is a ghost
     p_.particles.values.upload(
         p_.set.context, p_.particles.at.calm, std::vector<std::int32_t>(p_.particles.n, -1));
@@ -361,7 +368,7 @@ void Checkpoint<Backend, D, P>::checkHeader(const std::vector<std::int32_t>& wor
     if (words[6] != p_.particles.n)
         fail("it is of " + std::to_string(words[6]) + " particles, the case of "
             + std::to_string(p_.particles.n));
-    if (words[8] != p_.bonds.count() || words[9] != p_.clumps.count()
+    if (words[8] != p_.bonds.count() || words[9] != p_.clumps.total()
         || words[10] != p_.walls.count)
         fail("it has other bonds, clumps or walls");
 }
@@ -400,9 +407,9 @@ void Checkpoint<Backend, D, P>::takeState(const std::vector<std::int32_t>& words
             take(&values[std::size_t(k)*numbers], numbers*sizeof(values[0]));
         array.upload(p_.set.context, values);
     });
-    if (p_.clumps.count())
+    if (p_.clumps.any())
     {
-        read(p_.clumps.data(), p_.clumps.count()*sizeof(ClumpData));
+        read(p_.clumps.data(), p_.clumps.total()*sizeof(ClumpData));
         const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
         auto offset = p_.clumps.offset().download();
         for (int i = 0; i < n; ++i) take(&offset[3*std::size_t(key[i])], 3*sizeof(double));

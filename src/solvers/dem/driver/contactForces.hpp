@@ -43,9 +43,15 @@ public:
 
 private:
 
+    // what does not depend on the law: once for all of them
+    [[gnu::noinline]] void setPairs(PairSetting<Backend, D, P>&);
+    [[gnu::noinline]] void setWalls(WallTouching<D, P>&, ForceTurn);
     bool movesAtOnce() const;
+    bool movesPlainly() const;
 #ifndef __CUDACC__
     CollectedForce<D, P> collected();
+    //- Over those who are awake
+    template<class Kernel> void ofAwake(const Kernel&);
 #endif
 
     DemParts<Backend, D, P>& p_;
@@ -56,6 +62,8 @@ template<class M>
 void ContactForces<Backend, D, P>::setMotion(M& m)
 {
     m.fields = p_.particles.view();
+    // bodies are counted among those that are here
+    if (p_.clumps.share.some) m.fields.clump = p_.clumps.share.place.data();
     m.groups = p_.groups.data();
     for (int d = 0; d < D; ++d) m.gravity[d] = real(p_.set.config.gravity[p_.set.config.axes[d]]);
     m.external = p_.particles.externalForces();
@@ -81,18 +89,22 @@ MoveSolids<D, P> ContactForces<Backend, D, P>::mover()
     m.halfSkin = p_.reach.halfSkin;
     m.suddenDisplacement = p_.reach.suddenDisplacement;
     m.motions = p_.motion.groupTable();
-    m.clumps = p_.clumps.count() ? p_.clumps.data() : nullptr;
+    m.clumps = p_.clumps.any() ? p_.clumps.data() : nullptr;
     m.offset = p_.clumps.offset().data();
-    // paper 2's spring goes with the mass of its particles
-    NormalLaws::at(p_.set.laws.normal,
-        [&](auto law)
-        { m.sharesMass = p_.clumps.count() && !decltype(law)::type::stiffnessByMass; });
+    m.sharesMass = p_.sharesMass();
     return m;
 }
 
 template<class Backend, int D, class P>
 template<class Law>
 void ContactForces<Backend, D, P>::setModel(PairModel<Backend, D, P, Law>& m)
+{
+    setPairs(m);
+    p_.pairs.giveNumbers(m);
+}
+
+template<class Backend, int D, class P>
+void ContactForces<Backend, D, P>::setPairs(PairSetting<Backend, D, P>& m)
 {
     m.box = p_.set.box;
     m.solids = p_.order.records.view();
@@ -166,10 +178,8 @@ void ContactForces<Backend, D, P>::contactPass(ForceTurn turn)
 }
 
 template<class Backend, int D, class P>
-template<class Law>
-WallPass<D, P, Law> ContactForces<Backend, D, P>::wallKernel(ForceTurn turn)
+void ContactForces<Backend, D, P>::setWalls(WallTouching<D, P>& pass, ForceTurn turn)
 {
-    WallPass<D, P, Law> pass{};
     pass.box = p_.set.box;
     pass.fields = p_.particles.view();
     pass.walls = p_.walls.walls.data();
@@ -179,7 +189,6 @@ WallPass<D, P, Law> ContactForces<Backend, D, P>::wallKernel(ForceTurn turn)
     pass.active = p_.order.sort.active();
     pass.solids = p_.order.records.view();
     pass.memory = p_.walls.view();
-    pass.parameters = p_.pairs.template parameters<Law>();
     pass.gap = p_.pairs.gaps();
     pass.materials = p_.pairs.materials();
     pass.clock = forceClock(turn);
@@ -198,6 +207,22 @@ WallPass<D, P, Law> ContactForces<Backend, D, P>::wallKernel(ForceTurn turn)
         pass.listed = p_.memory.wallList.data();
         pass.listedCount = p_.memory.wallListFirst.data() + p_.particles.n;
     }
+#ifndef __CUDACC__
+    else
+    {
+        pass.listed = p_.memory.deferred.awake.walls.data();
+        pass.listedCount = &p_.memory.deferred.awake.wallCount;
+    }
+#endif
+}
+
+template<class Backend, int D, class P>
+template<class Law>
+WallPass<D, P, Law> ContactForces<Backend, D, P>::wallKernel(ForceTurn turn)
+{
+    WallPass<D, P, Law> pass{};
+    setWalls(pass, turn);
+    pass.parameters = p_.pairs.template parameters<Law>();
     return pass;
 }
 
@@ -205,8 +230,11 @@ template<class Backend, int D, class P>
 template<class Law>
 void ContactForces<Backend, D, P>::wallPass(ForceTurn turn)
 {
-    int near = p_.particles.n;
+    int near = 0;
     if constexpr (Backend::gpu) near = int(p_.memory.wallList.size());
+#ifndef __CUDACC__
+    else near = p_.memory.deferred.awake.wallCount;
+#endif
     forEach(p_.set.context, near, wallKernel<Law>(turn));
 }
 
@@ -258,8 +286,17 @@ void ContactForces<Backend, D, P>::evaluate(ForceTurn turn)
 template<class Backend, int D, class P>
 bool ContactForces<Backend, D, P>::movesAtOnce() const
 {
-    return !Backend::gpu && !p_.clumps.count()
+    return !Backend::gpu && !p_.clumps.any()
         && p_.set.config.integrator == DemIntegratorKind::leapfrog;
+}
+
+//- As MoveCollected::isPlain has it
+template<class Backend, int D, class P>
+bool ContactForces<Backend, D, P>::movesPlainly() const
+{
+    return movesAtOnce() && (!p_.particles.view().calm || p_.sleeps())
+        && !p_.particles.externalForces()
+        && !p_.groups.damped() && !p_.groups.motions();
 }
 
 //- On the CPU: forces into the fields, where they are not yet
@@ -270,8 +307,7 @@ void ContactForces<Backend, D, P>::collectForces()
     if constexpr (!Backend::gpu)
     {
         if (p_.memory.uncollected)
-            forEach(p_.set.context, p_.particles.n,
-                CollectForces<D, P>{collected(), p_.particles.view(), p_.order.sort.active()});
+            ofAwake(CollectForces<D, P>{collected(), p_.particles.view(), p_.order.sort.active()});
         p_.memory.uncollected = false;
     }
 #endif
@@ -284,7 +320,13 @@ void ContactForces<Backend, D, P>::moveParticles()
     if constexpr (!Backend::gpu)
         if (p_.memory.uncollected)
         {
-            forEach(p_.set.context, p_.particles.n, MoveCollected<D, P>{collected(), mover()});
+            if (movesPlainly())
+            {
+                MoveCollected<D, P, true> plain{collected(), mover()};
+                plain.mover.fields.calm = nullptr;
+                ofAwake(plain);
+            }
+            else ofAwake(MoveCollected<D, P, false>{collected(), mover()});
             p_.memory.uncollected = false;
             return;
         }
@@ -300,6 +342,18 @@ MoveWalls ContactForces<Backend, D, P>::wallMover(DemClockData* clock)
 }
 
 #ifndef __CUDACC__
+template<class Backend, int D, class P>
+template<class Kernel>
+void ContactForces<Backend, D, P>::ofAwake(const Kernel& kernel)
+{
+    const AwakeLists& awake = p_.memory.deferred.awake;
+    using Runs = OverRuns<Kernel>;
+    if (awake.some)
+        forEach(p_.set.context, int(awake.runs.size()), Runs{kernel, awake.runs.data()},
+            Runs::few);
+    else forEach(p_.set.context, p_.particles.n, kernel);
+}
+
 template<class Backend, int D, class P>
 CollectedForce<D, P> ContactForces<Backend, D, P>::collected()
 {

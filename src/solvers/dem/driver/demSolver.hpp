@@ -33,7 +33,7 @@ public:
     DemBondState bonds() override
     { return ranks_.others ? ranks_.bonds.state() : p_.bonds.state(p_.order.slotOf); }
     DemClumpState clumps() override { return readings_.clumps(); }
-    std::vector<DemSpringState> springs() override { return p_.clumps.springs(); }
+    std::vector<DemSpringState> springs() override { return readings_.springs(); }
     DemEnergy energy() override { return readings_.energy(); }
     DemGroupSums groupSums(int group) override { return readings_.groupSums(group); }
     DemMomentum momentum() override { return readings_.momentum(); }
@@ -85,6 +85,7 @@ DemSolver<Backend, D, P>::DemSolver(
     p_.bonds.set(input.bonds, input.particles);
     if (ranks_.others) ranks_.bonds.begin();
     p_.clumps.set(input.particles);
+    if (ranks_.others) ranks_.bodies.begin();
     p_.motion.holdWalls(p_.walls.set(p_.reach.wallCell(), p_.particles.n));
     neighbours_.setFrames();
     prime();

@@ -138,7 +138,7 @@ void DrivenSolids<Backend, D, P>::push(double dt)
 {
     forEach(p_.set.context, p_.particles.n,
         PushSolids<D, P>{p_.particles.view(), p_.groups.data(), p_.particles.external.data(),
-            p_.clumps.count() > 0, p_.order.sort.active(), dt});
+            p_.clumps.any(), p_.order.sort.active(), dt});
     p_.clumps.push(dt, p_.order.slotOf.data());
 }
 

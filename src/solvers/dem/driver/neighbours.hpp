@@ -66,9 +66,10 @@ template<class Backend, int D, class P>
 void Neighbours<Backend, D, P>::rebuild(bool fresh, [[maybe_unused]] bool inPlace)
 {
     forces_.collectForces();
-    if (p_.clumps.count())
+    if (p_.clumps.any())
         forEach(
             p_.set.context, p_.particles.n, MarkLeavers<D, P>{forces_.mover(), p_.clumps.data()});
+    if (ranks_.others) ranks_.bodies.agreeOnLeavers();
     SolidKeys<D, P> keys{
         forces_.mover(), p_.reach.classes, p_.order.sort.keys(), p_.order.sort.indices()};
     forEach(p_.set.context, p_.particles.n, keys);
@@ -143,9 +144,8 @@ ContactSearch<Backend, D, P> Neighbours<Backend, D, P>::search(const int* place)
     const SolidFields<D, P> f = p_.particles.view();
     return ContactSearch<Backend, D, P>
     {
-        // ghosts are as one body: what they do to each other is others' business
         p_.set.box, p_.reach.classes, p_.order.records.view(), p_.order.sort.start(), place,
-        ranks_.others ? f.calm : f.clump, f.id, p_.bonds.table(), real(p_.reach.reach),
+        f.clump, ranks_.others ? f.calm : nullptr, f.id, p_.bonds.table(), real(p_.reach.reach),
         // what a quarter of the skin is between will mostly have touched before the next rebuild
         real(p_.pairs.largestGap() + 0.5*double(p_.reach.halfSkin))
     };
@@ -315,6 +315,9 @@ void Neighbours<Backend, D, P>::setRanges()
         const SolidFields<D, P> f = p_.particles.view();
         p_.memory.deferred.setRanges(
             p_.order.list.view(), p_.sleeps(), [&](int i) { return f.asleep(i); });
+        const bool walls = p_.walls.count && p_.walls.memory.entries;
+        p_.memory.deferred.awake.setWalls(
+            p_.order.active(), walls ? p_.walls.memory.entryFirst.data() : nullptr);
     }
 #endif
 }

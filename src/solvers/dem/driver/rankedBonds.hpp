@@ -176,8 +176,8 @@ void RankedBonds<Backend, D, P>::takeArrivals()
     {
         if (a.number != b.number) return false;
         if (a.broken != b.broken || a.gone != b.gone
-            || std::memcmp(a.history, b.history, sizeof(a.history))
-            || std::memcmp(&a.force, &b.force, sizeof(a.force)))
+            || !sameBytes(a.history, b.history, sizeof(a.history))
+            || !sameBytes(&a.force, &b.force, sizeof(a.force)))
             throw std::logic_error(
                 "bond " + std::to_string(a.number) + " is not the same on two ranks");
         return true;

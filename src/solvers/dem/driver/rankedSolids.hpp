@@ -8,13 +8,14 @@
 
     In a step ranks send positions and velocities of ghosts, and agree on the clock's flags. At a
     rebuild particles change their ranks with all their fields, histories of contacts and of walls,
-    and their bonds (rankedBonds.hpp).
+    their bonds (rankedBonds.hpp) and rigid bodies (rankedBodies.hpp).
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include <limits>
+#include "solvers/dem/driver/rankedBodies.hpp"
 #include "solvers/dem/driver/rankedBonds.hpp"
 
 namespace riprap
@@ -31,13 +32,15 @@ public:
 
     std::unique_ptr<ParticleExchange> others;       // null: there is one rank
     RankedBonds<Backend, D, P> bonds;
+    RankedBodies<Backend, D, P> bodies;
     std::vector<Vector3> escaped;                   // since the last report,
     std::vector<std::int32_t> escapedId;
     // walls, of particles whose keys have changed since; one of them
     std::int64_t passedBefore = 0;
     std::int32_t passedIdBefore = -1;
 
-    explicit RankedSolids(DemParts<Backend, D, P>& parts) : bonds(parts), p_(parts) {}
+    explicit RankedSolids(DemParts<Backend, D, P>& parts) : bonds(parts), bodies(parts), p_(parts)
+    {}
 
     //- Before there are fields; cells are known
     void begin();
@@ -57,7 +60,11 @@ public:
     std::vector<int> blockCuts();
 
     void shareStep();
-    void start() { p_.interrupted = stopAgreed_ = false; }
+    void start()
+    {
+        p_.interrupted = stopAgreed_ = false;
+        if (others) others->work(true);
+    }
     bool finished() const { return p_.over() || stopped(); }
     bool stopped() const { return others ? stopAgreed_ : bool(p_.interrupted); }
 
@@ -69,6 +76,7 @@ public:
 private:
 
     void noteLeavers(bool any);
+    void recordGhost(int slot, int touching);
     void takeKey(int slot, std::int32_t id);
     void packParticle(int slot, bool whole, RankBytes& to);
     void packContacts(int slot, RankBytes& to);
@@ -92,7 +100,8 @@ template<class Backend, int D, class P>
 void RankedSolids<Backend, D, P>::begin()
 {
     if (Backend::gpu) throw std::invalid_argument("several processes run on CPUs alone");
-    others = std::make_unique<ParticleExchange>(*p_.set.config.ranks, p_.set.config.imbalance);
+    others = std::make_unique<ParticleExchange>(
+        *p_.set.config.ranks, p_.set.config.imbalance, p_.set.config.measured);
     setPieces();
     others->begin(p_.particles.n);
 }
@@ -125,6 +134,7 @@ void RankedSolids<Backend, D, P>::setCapacity(int n)
 {
     const int residents = std::min(others->residents(), p_.particles.n), active = p_.order.active();
     const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
+    bodies.rekey(residents, n);
     std::vector<std::int32_t> ids(n, -1), keys(n);
     std::vector<double> empty(D == 2 ? n : 0, 0.0);
     for (int i = 0; i < n; ++i)
@@ -199,6 +209,7 @@ void RankedSolids<Backend, D, P>::packParticle(int slot, bool whole, RankBytes& 
         const std::size_t each = p_.particles.values.elementBytes(f);
         putValues(to, p_.particles.values.bytes(f) + slot*each, each);
     }
+    bodies.pack(slot, whole, to);
     if (!whole) return;
     packContacts(slot, to);
     packWalls(slot, to);
@@ -275,6 +286,7 @@ void RankedSolids<Backend, D, P>::unpackParticle(int slot, bool whole, const uns
         const std::size_t each = p_.particles.values.elementBytes(f);
         takeValues(from, p_.particles.values.bytes(f) + slot*each, each);
     }
+    bodies.unpack(slot, whole, from);
     if (!whole) return;
     std::int32_t contacts, walls;
     takeValues(from, &contacts);
@@ -375,7 +387,10 @@ void RankedSolids<Backend, D, P>::noteLeavers(bool any)
 
 template<class Backend, int D, class P>
 void RankedSolids<Backend, D, P>::settle(const std::uint32_t* newOrder)
-{ others->settle(newOrder, p_.order.active()); }
+{
+    others->settle(newOrder, p_.order.active());
+    bodies.settle(*others);
+}
 
 //- What contacts of arrivals remember, after the lists were written
 template<class Backend, int D, class P>
@@ -460,9 +475,9 @@ void RankedSolids<Backend, D, P>::shareStep()
     if constexpr (!Backend::gpu)
     {
         const SolidFields<D, P> f = p_.particles.view();
-        const SolidRecords<D, P> solids = p_.order.records.view();
+        const bool any = p_.clumps.any();
         others->share(
-            D*(sizeof(std::int64_t) + sizeof(double)) + S*sizeof(real),
+            D*(sizeof(std::int64_t) + sizeof(double)) + S*sizeof(real) + any*sizeof(int),
             [&](int i, unsigned char* to)
             {
                 for (int d = 0; d < D; ++d)
@@ -472,6 +487,9 @@ void RankedSolids<Backend, D, P>::shareStep()
                 }
                 for (int c = 0; c < S; ++c)
                     std::memcpy(to + 16*D + c*sizeof(real), f.w[c] + i, sizeof(real));
+                if (!any) return;
+                const int touching = bodies.touching(i);
+                std::memcpy(to + 16*D + S*sizeof(real), &touching, sizeof(touching));
             },
             [&](int i, const unsigned char* from)
             {
@@ -482,12 +500,10 @@ void RankedSolids<Backend, D, P>::shareStep()
                 }
                 for (int c = 0; c < S; ++c)
                     std::memcpy(f.w[c] + i, from + 16*D + c*sizeof(real), sizeof(real));
-                Vec<D, position> p;
-                for (int d = 0; d < D; ++d) p.c[d] = p_.set.box.pairPosition(d, f.x[d][i]);
-                solids.store(i, p,
-                    ContactBody<D, real>{
-                        convert<real>(f.velocity(i)), f.spin(i), f.radius[i], f.mass[i]},
-                    f.material[i]);
+                int touching = 0;
+                if (any)
+                    std::memcpy(&touching, from + 16*D + S*sizeof(real), sizeof(touching));
+                recordGhost(i, touching);
             });
         DemClockData& c = *p_.clock.data();
         std::vector<double> flags{double(c.needRebuild), double(c.aged[0]), double(c.aged[1]),
@@ -499,6 +515,25 @@ void RankedSolids<Backend, D, P>::shareStep()
         c.halt = DemHalt(int(flags[k++]));
         stopAgreed_ = flags[k] > 0;
     }
+}
+
+//- What pairs read of a ghost, at its new place. touching: members of its body on which a contact
+//  acts
+template<class Backend, int D, class P>
+void RankedSolids<Backend, D, P>::recordGhost(int i, int touching)
+{
+    const SolidFields<D, P> f = p_.particles.view();
+    real mass = f.mass[i];
+    if (p_.clumps.any())
+    {
+        bodies.setTouching(i, touching);
+        mass = bodies.massInContacts(i, mass);
+    }
+    Vec<D, position> p;
+    for (int d = 0; d < D; ++d) p.c[d] = p_.set.box.pairPosition(d, f.x[d][i]);
+    p_.order.records.view().store(i, p,
+        ContactBody<D, real>{convert<real>(f.velocity(i)), f.spin(i), f.radius[i], mass},
+        f.material[i]);
 }
 
 //- What is no number counts as infinite

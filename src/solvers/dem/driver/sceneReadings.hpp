@@ -30,6 +30,7 @@ public:
     DemState motion();
     DemContacts contacts();
     DemClumpState clumps();
+    std::vector<DemSpringState> springs() { return p_.clumps.springs(bodies()); }
     DemEnergy energy();
     DemGroupSums groupSums(int group);
     DemMomentum momentum();
@@ -43,6 +44,7 @@ public:
 private:
 
     double halfStep() const;
+    std::vector<ClumpData> bodies();
     std::vector<double> orientations(int n);
     DemState fields(int n);
     void dropGhosts(DemState&);
@@ -50,6 +52,8 @@ private:
     std::vector<int> wallContacts();
     std::vector<int> atWalls(const std::vector<int>& first);
     std::vector<std::int32_t> contactCounts(int n);
+    Array<Backend, ProbedContact<real>> probe(ProbedForce<D, real>* forces = nullptr);
+    ContactSums<Backend, real> contactSums(const Array<Backend, ProbedContact<real>>& probed);
 
     DemParts<Backend, D, P>& p_;
     ContactForces<Backend, D, P>& forces_;
@@ -197,27 +201,44 @@ std::vector<int> SceneReadings<Backend, D, P>::wallContacts()
     return on;
 }
 
+//- Of each entry of the lists of contacts
+template<class Backend, int D, class P>
+auto SceneReadings<Backend, D, P>::probe(ProbedForce<D, real>* forces)
+    -> Array<Backend, ProbedContact<real>>
+{
+    Array<Backend, ProbedContact<real>> probed;
+    probed.allocate(p_.set.context, p_.order.list.entries() + 1);
+    withLaw(p_.set.laws, [&](auto law)
+    {
+        ProbeContacts<Backend, D, P, decltype(law)> pass;
+        forces_.setModel(pass);
+        pass.out = probed.data();
+        pass.forces = forces;
+        forEach(p_.set.context, p_.particles.n, pass);
+    });
+    return probed;
+}
+
+template<class Backend, int D, class P>
+auto SceneReadings<Backend, D, P>::contactSums(
+    const Array<Backend, ProbedContact<real>>& probed) -> ContactSums<Backend, real>
+{
+    return {p_.order.list.view(), probed.data(), p_.order.sort.active(),
+        ranks_.others ? p_.particles.view().calm : nullptr};
+}
+
 //- Of the first n with others and with walls: as contacts() lists them, without what they are
 template<class Backend, int D, class P>
 std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
 {
     std::vector<std::int32_t> contacts(n, 0);
-    Array<Backend, int> others;
-    others.allocate(p_.set.context, p_.order.list.entries() + 1);
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        ContactProbe<Backend, D, P, decltype(law)> probe;
-        forces_.setModel(probe);
-        forEach(p_.set.context, p_.particles.n,
-            ProbeOthers<Backend, D, P, decltype(law)>{probe, others.data()});
-    });
-    const auto all = others.download();
+    const auto all = probe().download();
     const auto [base, count] = p_.order.shape();
     constexpr int width = ContactList<Backend, real>::width;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < count[i]; ++k)
         {
-            const int j = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
+            const int j = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width].other;
             if (j < 0 || (Backend::gpu && j < i)) continue;
             ++contacts[i];
             ++contacts[j];
@@ -269,16 +290,10 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
     const int n = p_.order.active();
     const std::vector<double> x = p_.particles.positions(n);
     const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
-    Array<Backend, ProbedContact<D, real>> probed;
+    Array<Backend, ProbedForce<D, real>> probed;
     probed.allocate(p_.set.context, p_.order.list.entries() + 1);
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        ContactProbe<Backend, D, P, decltype(law)> probe;
-        forces_.setModel(probe);
-        forEach(p_.set.context, p_.particles.n,
-            ProbeAll<Backend, D, P, decltype(law)>{probe, probed.data()});
-    });
-    const auto all = probed.download();
+    const auto all = probe(probed.data()).download();
+    const auto forces = probed.download();
     const auto [base, count] = p_.order.shape();
     const auto put =
         [&](int i, std::int32_t b, const auto& force, double overlap, const auto& n, double arm)
@@ -299,26 +314,34 @@ DemContacts SceneReadings<Backend, D, P>::contacts()
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < count[i] && !ranks_.ghost(i); ++k)
         {
-            const auto& c = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width];
-            if (c.other < 0 || (Backend::gpu && c.other < i)) continue;
-            put(i, p_.particles.ids[key[c.other]], c.force, double(c.overlap), c.n, double(c.arm));
+            const std::size_t e = std::size_t(base[i/width]) + std::size_t(k)*width + i % width;
+            const int other = all[e].other;
+            if (other < 0 || (Backend::gpu && other < i)) continue;
+            const auto& c = forces[e];
+            put(i, p_.particles.ids[key[other]], c.force, double(c.overlap), c.n, double(c.arm));
         }
     eachWallContact(n, put);
     return out;
 }
 
+//- All of them on each rank
+template<class Backend, int D, class P>
+std::vector<ClumpData> SceneReadings<Backend, D, P>::bodies()
+{ return ranks_.others ? ranks_.bodies.all() : p_.clumps.known(); }
+
 template<class Backend, int D, class P>
 DemClumpState SceneReadings<Backend, D, P>::clumps()
 {
     p_.clock.read();
-    return p_.clumps.state(halfStep());
+    return p_.clumps.state(bodies(), halfStep());
 }
 
 template<class Backend, int D, class P>
 DemEnergy SceneReadings<Backend, D, P>::energy()
 {
     DemEnergy e;
-    const DemClumpState c = clumps();
+    p_.clock.read();
+    const std::vector<ClumpData> bodies = p_.clumps.reported();
     SumEnergies<D, P> free{};
     forces_.setMotion(free);
     free.box = p_.set.box;
@@ -327,15 +350,10 @@ DemEnergy SceneReadings<Backend, D, P>::energy()
     e.translation = sums[0];
     e.rotation = sums[1];
     e.potential = sums[2];
-    p_.clumps.addEnergies(c, e);
-    e.spring = p_.clumps.springEnergy();
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        SumContactEnergy<Backend, D, P, decltype(law)> sum;
-        forces_.setModel(sum.probe);
-        if (ranks_.others) sum.calm = p_.particles.view().calm;
-        e.contact = sumOver<1>(p_.set.context, p_.order.active(), sum)[0];
-    });
+    p_.clumps.addEnergies(p_.clumps.state(bodies, halfStep()), e);
+    e.spring = p_.clumps.springEnergy(bodies);
+    const auto probed = probe();
+    e.contact = sumOver<2>(p_.set.context, p_.order.active(), contactSums(probed))[0];
     const auto wall = p_.walls.memory.entries ? p_.walls.memory.force.download()
                                               : std::vector<real>();
     if (!ranks_.others)
@@ -402,13 +420,8 @@ DemMomentum SceneReadings<Backend, D, P>::momentum()
 template<class Backend, int D, class P>
 double SceneReadings<Backend, D, P>::deepestOverlap()
 {
-    double most = 0;
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        DeepestOverlap<Backend, D, P, decltype(law)> deepest;
-        forces_.setModel(deepest.probe);
-        most = reduceMax(p_.set.context, p_.order.active(), deepest);
-    });
+    const auto probed = probe();
+    double most = reduceMax(p_.set.context, p_.order.active(), contactSums(probed));
     if (!p_.walls.count || !p_.walls.memory.entries) return most;
     const auto first = p_.walls.memory.entryFirst.download();
     const auto entry = p_.walls.memory.entry.download();
@@ -556,13 +569,8 @@ double SceneReadings<Backend, D, P>::contactsPerParticle()
 {
     p_.clock.read();
     const int n = p_.order.active();
-    double contacts = 0;
-    withLaw(p_.set.laws, [&](auto law)
-    {
-        SumContacts<Backend, D, P, decltype(law)> sum;
-        forces_.setModel(sum.probe);
-        contacts = sumOver<1>(p_.set.context, n, sum)[0];
-    });
+    const auto probed = probe();
+    const double contacts = sumOver<2>(p_.set.context, n, contactSums(probed))[1];
     return n ? 2*contacts/n : 0;
 }
 

@@ -79,10 +79,13 @@ void SceneReports<Backend, D, P>::collectEscaped(DemReport& report)
         report.particles = std::size_t(ranks_.others->total());
         report.escaped.swap(ranks_.escaped);
         report.escapedId.swap(ranks_.escapedId);
+        ranks_.others->work(false);
         const ParticleExchange::Counts& c = ranks_.others->counts();
+        const PieceOwners& owners = ranks_.others->owners();
         report.rank = DemRankReport{std::size_t(ranks_.others->ownedHere()),
-            std::size_t(ranks_.others->ghostsHere()), c.arrivals, c.divisions, c.bytesShared,
-            c.bytesMigrating};
+            std::size_t(ranks_.others->ghostsHere()), c.arrivals, c.divisions,
+            c.bytesShared + p_.clumps.share.bytes, c.bytesMigrating, owners.unevenBefore(),
+            owners.unevenAfter(), owners.atWork()};
         return;
     }
     const int active = p_.order.active();

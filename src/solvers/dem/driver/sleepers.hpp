@@ -35,6 +35,9 @@ public:
 private:
 
     SleepState<D, P> state(bool fused);
+    // where sleepers that nobody touches need not be asked (CPU)
+    bool looksNear() const;
+    template<class Kernel> void ofNear(const Kernel&, bool looking);
     void takeHistories(const SleepState<D, P>&);
 
     DemParts<Backend, D, P>& p_;
@@ -63,6 +66,31 @@ SleepState<D, P> Sleepers<Backend, D, P>::state(bool fused)
     return s;
 }
 
+//- What wakes comes from neighbours alone
+template<class Backend, int D, class P>
+bool Sleepers<Backend, D, P>::looksNear() const
+{
+    return !Backend::gpu && !p_.bonds.count() && !p_.motion.walls();
+}
+
+//- Over all; near sleepers' neighbours alone, or those of them whose lists are looked at
+template<class Backend, int D, class P>
+template<class Kernel>
+void Sleepers<Backend, D, P>::ofNear(const Kernel& kernel, [[maybe_unused]] bool looking)
+{
+#ifndef __CUDACC__
+    if constexpr (!Backend::gpu)
+        if (looksNear())
+        {
+            const AwakeLists& awake = p_.memory.deferred.awake;
+            const std::vector<int>& list = looking ? awake.looking : awake.near;
+            forEach(p_.set.context, int(list.size()), OverList<Kernel>{kernel, list.data()});
+            return;
+        }
+#endif
+    forEach(p_.set.context, p_.particles.n, kernel);
+}
+
 //- Where histories are kept at both ends, before those that are marked wake
 template<class Backend, int D, class P>
 void Sleepers<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
@@ -78,18 +106,27 @@ void Sleepers<Backend, D, P>::takeHistories(const SleepState<D, P>& s)
 template<class Backend, int D, class P>
 void Sleepers<Backend, D, P>::check(bool fused)
 {
-    const SleepState<D, P> s = state(fused);
+    SleepState<D, P> s = state(fused);
+    std::int32_t stirs = Backend::gpu, changed = 0;
+    if constexpr (!Backend::gpu)
+    {
+        s.stirs = &stirs;
+        s.changed = &changed;
+    }
     const bool walls = p_.walls.count && p_.walls.memory.entries;
-    forEach(p_.set.context, p_.particles.n,
-        CountCalm<D, P>{s, real(p_.set.config.sleepSpeed),
-            walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.entry.data(),
-            p_.walls.walls.data()});
-    forEach(p_.set.context, p_.particles.n,
-        MarkRestless<Backend, D, P>{
-            s, p_.order.list.view(), p_.bonds.table(), p_.order.slotOf.data()});
+    ofNear(CountCalm<D, P>{s, real(p_.set.config.sleepSpeed),
+               walls ? p_.walls.memory.entryFirst.data() : nullptr, p_.walls.memory.entry.data(),
+               p_.walls.walls.data()},
+        false);
+    if (!stirs) return;
+    // whoever falls asleep keeps its forces
+    forces_.collectForces();
+    ofNear(MarkRestless<Backend, D, P>{
+               s, p_.order.list.view(), p_.bonds.table(), p_.order.slotOf.data()},
+        true);
     takeHistories(s);
-    forEach(p_.set.context, p_.particles.n, FallAsleep<D, P>{s, p_.groups.data()});
-    neighbours_.setRanges();
+    ofNear(FallAsleep<D, P>{s, p_.groups.data()}, false);
+    if (changed) neighbours_.setRanges();
 }
 
 //- A change that could set a sleeper in motion faster than v_s within the time after which it

@@ -57,7 +57,7 @@ void SolidStepper<Backend, D, P>::step()
     if (p_.motion.walls())
         forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data()));
     const bool verlet = p_.set.config.integrator == DemIntegratorKind::velocityVerlet;
-    if (p_.clumps.count())
+    if (p_.clumps.any())
         forEach(p_.set.context, p_.clumps.count(),
             MoveClumps<D, P>{p_.clumps.data(), p_.clumps.kick(), verlet, p_.clock.data()});
     forces_.moveParticles();
@@ -76,9 +76,9 @@ void SolidStepper<Backend, D, P>::finishStep()
     if (p_.set.config.integrator != DemIntegratorKind::velocityVerlet) return;
     FinishVerlet<D, P> finish{};
     forces_.setMotion(finish);
-    finish.clumps = p_.clumps.count();
+    finish.clumps = p_.clumps.any();
     forEach(p_.set.context, p_.particles.n, finish);
-    if (p_.clumps.count())
+    if (p_.clumps.any())
         forEach(p_.set.context, p_.clumps.count(),
             FinishClumps<D, P>{p_.clumps.data(), p_.clumps.kick(), p_.clock.data()});
 }
@@ -123,7 +123,7 @@ bool SolidStepper<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
     else
-        return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.count()
+        return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.any()
             && !p_.motion.walls() && p_.particles.n <= BlockLimits::particles
             && p_.bonds.count() <= BlockLimits::bonds
             && (!p_.walls.memory.entries
@@ -232,10 +232,7 @@ void SolidStepper<Backend, D, P>::run(std::int64_t& rebuilds)
                 step();
                 if (p_.sleeps() && p_.clock.data()->active
                     && p_.clock.data()->step % stepsPerCheck == 0)
-                {
-                    forces_.collectForces();
                     sleepers_.check(false);
-                }
             }
             while (p_.clock.data()->active && !ranks_.stopped());
         }

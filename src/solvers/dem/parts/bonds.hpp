@@ -200,7 +200,7 @@ BondRecord<D, P> Bonds<Backend, D, P>::record(int k) const
     for (int e = 0; e < 2; ++e) r.id[e] = share.id[e][k];
     r.type = type_.data()[k];
     r.broken = broken_.data()[k];
-    r.gone = share.gone[k];
+    r.gone = static_cast<unsigned char>(share.gone[k]);
     r.rest = rest_.data()[k];
     std::copy_n(history_.data() + std::size_t(k)*bondHistory<D>, bondHistory<D>, r.history);
     r.force = force_.data()[k];
@@ -228,18 +228,11 @@ void Bonds<Backend, D, P>::setRecords(const std::vector<BondRecord<D, P>>& all)
         history.insert(history.end(), r.history, r.history + bondHistory<D>);
         force.push_back(r.force);
     }
-    // the memory of those that went elsewhere is given back
-    const auto put = [&](auto& array, const auto& values)
-    {
-        std::decay_t<decltype(array)> fresh;
-        fresh.upload(set_.context, values);
-        array.swap(fresh);
-    };
-    put(type_, type);
-    put(broken_, broken);
-    put(rest_, rest);
-    put(history_, history);
-    put(force_, force);
+    replaceBy(set_.context, type_, type);
+    replaceBy(set_.context, broken_, broken);
+    replaceBy(set_.context, rest_, rest);
+    replaceBy(set_.context, history_, history);
+    replaceBy(set_.context, force_, force);
 }
 
 template<class Backend, int D, class P>

@@ -8,6 +8,7 @@
 #include "dem/motion/clumpSums.hpp"
 #include "dem/motion/push.hpp"
 #include "solvers/dem/parts/particleFields.hpp"
+#include "solvers/dem/parts/sharedClumps.hpp"
 #include "solvers/dem/parts/solidGroups.hpp"
 
 namespace riprap
@@ -26,10 +27,21 @@ public:
         : set_(set), particles_(particles), groups_(groups)
     {}
 
+    SharedClumps<D, P> share;
+
     void set(const DemParticles&);
 
-    int count() const { return count_; }
+    bool any() const { return total_ > 0; }     // on any rank
+    int total() const { return total_; }
+    int count() const { return count_; }        // that this rank moves
     ClumpData* data() { return clumps_.data(); }
+
+    //- On several ranks (CPU): those that are here, of which this one moves so many, and members of
+    //  these; or memory for all
+    void setHere(const std::vector<ClumpData>&, int moved, const std::vector<int>& first,
+        const std::vector<int>& member);
+    void holdAll();
+
     // of members in their bodies, 3 a key
     Array<Backend, double>& offset() { return offset_; }
     const ClumpConstraint* constraints() const
@@ -50,15 +62,22 @@ public:
                 PushClumps<D, P>{members(slotOf), groups_.data(), constraints(), dt});
     }
 
-    //- For the host; half: by how much velocities of now are ahead of those kept [s]
-    DemClumpState state(double half);
-    std::vector<DemSpringState> springs();
-    double springEnergy();
+    //- For the host: bodies as they are here, in order. Those that this rank does not report (of
+    //  those that it knows: has not got) are as if they had left
+    std::vector<ClumpData> reported() const { return onHost(false); }
+    std::vector<ClumpData> known() const { return onHost(true); }
+
+    //- Of all bodies; half: by how much velocities of now are ahead of those kept [s]
+    DemClumpState state(const std::vector<ClumpData>&, double half) const;
+    std::vector<DemSpringState> springs(const std::vector<ClumpData>&) const;
+    double springEnergy(const std::vector<ClumpData>&) const;
     void addEnergies(const DemClumpState&, DemEnergy&) const;
     std::size_t bytes() const;
 
 private:
 
+    void gatherShared(const DemClockData* clock, const int* slotOf);
+    std::vector<ClumpData> onHost(bool all) const;
     int leastSharing(int together) const;
     std::vector<ClumpData> bodies(const std::vector<int>& first) const;
     void placeMembers(
@@ -71,7 +90,7 @@ private:
     DemSetting<Backend, D, P>& set_;
     ParticleFields<Backend, D, P>& particles_;
     const SolidGroups<Backend, D, P>& groups_;
-    int count_ = 0, largest_ = 0;
+    int count_ = 0, total_ = 0, largest_ = 0;
     Array<Backend, ClumpData> clumps_;
     Array<Backend, double> offset_;
     Array<Backend, int> memberFirst_, member_;
@@ -79,7 +98,8 @@ private:
     std::vector<ClumpConstraint> constraintOf_;         // the same
     Array<Backend, SpringData> springs_;
     Array<Backend, int> springFirst_;                   // of a clump
-    std::vector<SpringData> allSprings_;                // the same in the order of clumps,
+    std::vector<SpringData> allSprings_;                // of all in the order of clumps,
+    std::vector<int> allSpringFirst_;
     // and of groups: the clump, and which of them
     std::vector<std::pair<int, int>> springOfGroups_;
 };
@@ -165,7 +185,7 @@ void Clumps<Backend, D, P>::placeMembers(const DemParticles& particles,
 template<class Backend, int D, class P>
 void Clumps<Backend, D, P>::set(const DemParticles& particles)
 {
-    count_ = int(set_.input.clumps.size());
+    count_ = total_ = int(set_.input.clumps.size());
     if (!count_) return;
     std::vector<int> first(count_ + 1, 0);
     const auto& of = particles.clump;
@@ -181,6 +201,7 @@ void Clumps<Backend, D, P>::set(const DemParticles& particles)
     clumps_.upload(set_.context, clumps);
     setSprings(clumps);
     memberFirst_.upload(set_.context, first);
+    share.first = first;
 }
 
 //- In the solver's axes
@@ -271,9 +292,43 @@ void Clumps<Backend, D, P>::setSprings(const std::vector<ClumpData>& clumps)
     for (int g = 0; g < int(set_.input.groups.size()); ++g)
         for (int e = 0; e < int(set_.input.groups[g].springs.size()); ++e)
             for (int k = 0; k < count_; ++k)
-                if (clumps[k].group == g) springOfGroups_.push_back({k, first[k] + e});
+                if (clumps[k].group == g) springOfGroups_.emplace_back(k, first[k] + e);
     springs_.upload(set_.context, allSprings_);
     springFirst_.upload(set_.context, first);
+    allSpringFirst_ = first;
+}
+
+template<class Backend, int D, class P>
+void Clumps<Backend, D, P>::setHere(const std::vector<ClumpData>& clumps, int moved,
+    const std::vector<int>& first, const std::vector<int>& member)
+{
+    count_ = moved;
+    std::vector<SpringData> springs;
+    std::vector<int> springFirst(1, 0);
+    for (int k = 0; k < moved && !allSprings_.empty(); ++k)
+    {
+        const int body = share.number[k];
+        springs.insert(springs.end(), allSprings_.begin() + allSpringFirst_[body],
+            allSprings_.begin() + allSpringFirst_[body + 1]);
+        springFirst.push_back(int(springs.size()));
+    }
+    replaceBy(set_.context, clumps_, clumps);
+    replaceBy(set_.context, memberFirst_, first);
+    replaceBy(set_.context, member_, member);
+    if (allSprings_.empty()) return;
+    replaceBy(set_.context, springs_, springs);
+    replaceBy(set_.context, springFirst_, springFirst);
+}
+
+template<class Backend, int D, class P>
+void Clumps<Backend, D, P>::holdAll()
+{
+    share.some = share.leftActed = false;
+    share.left.clear();
+    count_ = total_;
+    Array<Backend, ClumpData> all;
+    all.upload(set_.context, std::vector<ClumpData>(total_, ClumpData{}));
+    clumps_.swap(all);
 }
 
 template<class Backend, int D, class P>
@@ -294,9 +349,37 @@ ClumpKick<D, P> Clumps<Backend, D, P>::kick() const
 template<class Backend, int D, class P>
 void Clumps<Backend, D, P>::gather(const DemClockData* clock, const int* slotOf)
 {
-    if (count_)
-        sumClumps(set_.context, count_, largest_,
-            GatherClumps<D, P>{members(slotOf), {springs_.data(), springFirst_.data()}, clock});
+    if (!any()) return;
+    if (share.some) return gatherShared(clock, slotOf);
+    sumClumps(set_.context, count_, largest_,
+        GatherClumps<D, P>{members(slotOf), {springs_.data(), springFirst_.data()}, clock});
+}
+
+//- Each rank that has members of a body adds up what acts on all of them, in their order
+template<class Backend, int D, class P>
+void Clumps<Backend, D, P>::gatherShared(
+    [[maybe_unused]] const DemClockData* clock, [[maybe_unused]] const int* slotOf)
+{
+    if constexpr (!Backend::gpu)
+    {
+        if (clock && !clock->forcesDue()) return;
+        for (auto& one : share.left)
+        {
+            if (!share.leftActed) break;
+            for (int d = 0; d < 3; ++d) one.second.f[d] = one.second.m[d] = 0;
+            one.second.touching = 0;
+        }
+        share.leftActed = false;
+        share.bytes += share.members.share(*set_.config.ranks, particles_.view());
+        GatherClumps<D, P> sum{members(slotOf), {springs_.data(), springFirst_.data()}, clock};
+        sumClumps(set_.context, share.whole, largest_, sum);
+        sum.members.clumps += share.whole;
+        sum.members.first += share.whole;
+        if (sum.springs.spring) sum.springs.first += share.whole;
+        sum.members.fields = share.members.view();
+        sum.members.slotOf = share.members.place.data();
+        sumClumps(set_.context, count_ - share.whole, largest_, sum);
+    }
 }
 
 //- A constrained clump half a step later: from numbers that the host has
@@ -315,12 +398,29 @@ ClumpData Clumps<Backend, D, P>::kicked(ClumpData c, double dt) const
 }
 
 template<class Backend, int D, class P>
-DemClumpState Clumps<Backend, D, P>::state(double half)
+std::vector<ClumpData> Clumps<Backend, D, P>::onHost(bool all) const
+{
+    if (!any()) return {};
+    if (!share.some) return clumps_.download();
+    std::vector<ClumpData> bodies(total_, ClumpData{});
+    for (int k = 0; k < total_; ++k)
+    {
+        bodies[k].q[0] = 1;
+        bodies[k].mass = set_.input.clumps[k].mass;
+        bodies[k].group = set_.input.clumps[k].group;
+        bodies[k].left = 1;
+    }
+    for (const auto& one : share.left) bodies[one.first] = one.second;
+    for (int k = 0; k < count_; ++k)
+        if (all || share.counts[k]) bodies[share.number[k]] = clumps_.data()[k];
+    return bodies;
+}
+
+template<class Backend, int D, class P>
+DemClumpState Clumps<Backend, D, P>::state(const std::vector<ClumpData>& all, double half) const
 {
     DemClumpState s;
-    std::vector<ClumpData> all;
-    if (count_) all = clumps_.download();
-    for (ClumpData& c : all)
+    for (const ClumpData& c : all)
     {
         const DemGroup& g = set_.input.groups[c.group];
         const bool constrained = g.constraint.any();
@@ -363,11 +463,11 @@ DemClumpState Clumps<Backend, D, P>::state(double half)
 }
 
 template<class Backend, int D, class P>
-std::vector<DemSpringState> Clumps<Backend, D, P>::springs()
+std::vector<DemSpringState> Clumps<Backend, D, P>::springs(
+    const std::vector<ClumpData>& clumps) const
 {
     std::vector<DemSpringState> all;
     if (allSprings_.empty()) return all;
-    const std::vector<ClumpData> clumps = clumps_.download();
     for (const DemGroup& g : set_.input.groups)
         for (const DemSpring& s : g.springs) all.push_back(DemSpringState{g.name + "." + s.name});
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -390,10 +490,10 @@ std::vector<DemSpringState> Clumps<Backend, D, P>::springs()
 
 //- Of what is stretched, or pressed together
 template<class Backend, int D, class P>
-double Clumps<Backend, D, P>::springEnergy()
+double Clumps<Backend, D, P>::springEnergy(const std::vector<ClumpData>& clumps) const
 {
     double sum = 0;
-    const std::vector<DemSpringState> now = springs();
+    const std::vector<DemSpringState> now = springs(clumps);
     for (std::size_t i = 0; i < now.size(); ++i)
     {
         const SpringData& s = allSprings_[springOfGroups_[i].second];
@@ -414,7 +514,7 @@ void Clumps<Backend, D, P>::addEnergies(const DemClumpState& c, DemEnergy& e) co
             sum -= m*set_.config.gravity[set_.config.axes[d]]*x[set_.config.axes[d]];
         return sum;
     };
-    for (int k = 0; k < count_; ++k)
+    for (int k = 0; k < total_; ++k)
     {
         if (c.left[k]) continue;
         const DemClump& in = set_.input.clumps[k];

@@ -89,10 +89,20 @@ struct DemParts
 
     bool sleeps() const { return set.config.sleepSpeed > 0; }
 
+    //- Do dashpots of members of bodies take the body's mass (clumpState.hpp)? Paper 2's spring
+    //  goes with the mass of its particles
+    bool sharesMass() const
+    {
+        bool shares = false;
+        NormalLaws::at(set.laws.normal,
+            [&](auto law) { shares = clumps.any() && !decltype(law)::type::stiffnessByMass; });
+        return shares;
+    }
+
     //- Are steps fused (GPU)? Clumps gather their members' forces first, and Verlet kicks twice
     bool fuses() const
     {
-        return Backend::gpu && !clumps.count()
+        return Backend::gpu && !clumps.any()
             && set.config.integrator == DemIntegratorKind::leapfrog;
     }
 

@@ -25,8 +25,9 @@ public:
     //- Of the laws that the setting chooses, for these particles
     void set(const DemParticles&);
 
-    //- What a pass over contacts reads
-    template<class Law> void give(PairModel<Backend, D, P, Law>&) const;
+    //- What a pass over contacts reads, without and with the law's numbers
+    void give(PairSetting<Backend, D, P>&) const;
+    template<class Law> void giveNumbers(PairModel<Backend, D, P, Law>&) const;
     template<class Law>
     const typename Law::template Parameters<real>* parameters() const
     { return reinterpret_cast<const typename Law::template Parameters<real>*>(parameters_.data()); }
@@ -42,6 +43,8 @@ public:
 
 private:
 
+    //- \return how many numbers a pair has
+    int chooseLaw();
     //- The material of all particles; -1: they are of several
     static int materialOfAll(const std::vector<std::int32_t>& of);
 
@@ -54,6 +57,7 @@ private:
     std::vector<real> singlePair_;    // its numbers (else of the first pair), its gap behind them
     double largestGap_ = 0;
     int histories_ = 0;
+    void (*make_)(const PairProperties&, real* numbers) = nullptr;     // of the law
 };
 
 template<class Backend, int D, class P>
@@ -99,40 +103,54 @@ void PairTable<Backend, D, P>::set(const DemParticles& particles)
         }
     gaps_.upload(set_.context, gaps);
     gapOf_ = gaps;
+    const int numbers = chooseLaw();
+    std::vector<real> all(numbers*pairs.size(), real(0));
+    // a pair that cannot meet was not given: its numbers are never used
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+        if (given[k]) make_(pairs[k], &all[k*numbers]);
+    parameters_.upload(set_.context, all);
+    alone_ = materialOfAll(particles.material)*(m + 1);
+    // what touches is what is nearer than the largest gap there is
+    if (alone_ < 0 || gaps[alone_] != real(largestGap_)) alone_ = -1;
+    const int first = std::max(alone_, 0);
+    singlePair_.assign(all.begin() + first*numbers, all.begin() + (first + 1)*numbers);
+    singlePair_.push_back(gaps[first]);
+}
+
+template<class Backend, int D, class P>
+int PairTable<Backend, D, P>::chooseLaw()
+{
+    int numbers = 0;
     withLaw(set_.laws, [&](auto law)
     {
         using Law = decltype(law);
         using Parameters = typename Law::template Parameters<real>;
-        std::vector<real> all;
-        for (std::size_t k = 0; k < pairs.size(); ++k)
+        numbers = sizeof(Parameters)/sizeof(real);
+        make_ = [](const PairProperties& p, real* to)
         {
-            // a pair that cannot meet was not given: its numbers are never used
-            const Parameters one = given[k] ? Law::template make<real>(pairs[k]) : Parameters{};
-            const real* from = reinterpret_cast<const real*>(&one);
-            all.insert(all.end(), from, from + sizeof(one)/sizeof(real));
-        }
-        parameters_.upload(set_.context, all);
-        constexpr int numbers = sizeof(Parameters)/sizeof(real);
-        alone_ = materialOfAll(particles.material)*(m + 1);
-        // what touches is what is nearer than the largest gap there is
-        if (alone_ < 0 || gaps[alone_] != real(largestGap_)) alone_ = -1;
-        const int first = std::max(alone_, 0);
-        singlePair_.assign(all.begin() + first*numbers, all.begin() + (first + 1)*numbers);
-        singlePair_.push_back(gaps[first]);
+            const Parameters one = Law::template make<real>(p);
+            std::memcpy(to, &one, sizeof(one));
+        };
         histories_ = Law::template history<D>;
     });
+    return numbers;
+}
+
+template<class Backend, int D, class P>
+void PairTable<Backend, D, P>::give(PairSetting<Backend, D, P>& m) const
+{
+    m.gap = gaps();
+    m.materials = materials();
+    m.alone = alone_;
+    m.singlePairGap = singlePair_.back();
 }
 
 template<class Backend, int D, class P>
 template<class Law>
-void PairTable<Backend, D, P>::give(PairModel<Backend, D, P, Law>& m) const
+void PairTable<Backend, D, P>::giveNumbers(PairModel<Backend, D, P, Law>& m) const
 {
     m.parameters = parameters<Law>();
-    m.gap = gaps();
-    m.materials = materials();
-    m.alone = alone_;
     std::memcpy(&m.singlePair, singlePair_.data(), sizeof(m.singlePair));
-    m.singlePairGap = singlePair_.back();
 }
 
 } // namespace riprap

@@ -12,6 +12,15 @@
 namespace riprap
 {
 
+//- In place of what an array has; memory of more is given back
+template<class Backend, class T>
+void replaceBy(Context<Backend>& context, Array<Backend, T>& array, const std::vector<T>& values)
+{
+    Array<Backend, T> fresh;
+    fresh.upload(context, values);
+    array.swap(fresh);
+}
+
 //- Where a field of the set stands, its first component; -1: there is none
 struct SolidFieldNumbers
 {

@@ -23,6 +23,7 @@ public:
     GroupData<D, real> of(const DemGroup&) const;
     const GroupData<D, real>* data() const { return groups_.data(); }
     int motions() const;        // that groups are moved by
+    bool damped() const;        // is any?
 
 private:
 
@@ -67,6 +68,13 @@ int SolidGroups<Backend, D, P>::motions() const
     int count = 0;
     for (const DemGroup& g : set_.input.groups) count = std::max(count, g.motion + 1);
     return count;
+}
+
+template<class Backend, int D, class P>
+bool SolidGroups<Backend, D, P>::damped() const
+{
+    for (const DemGroup& g : set_.input.groups) if (of(g).damped) return true;
+    return false;
 }
 
 } // namespace riprap

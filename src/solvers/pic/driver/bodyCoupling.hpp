@@ -94,6 +94,7 @@ PressureReport BodyCoupling<Backend, D, P>::solve(
     Context<Backend>& context = p_.set.context;
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     PressureOfWater<Backend, D, P>& pressure = p_.pressure;
+    if (p_.halo) return p_.projectOnRanks(fields, sameWater, tolerance);
     const MultigridControls* own = pressure.solver.onDevice();
     if (!yields())
     {
@@ -222,6 +223,7 @@ void BodyCoupling<Backend, D, P>::slowBetween(double dt)
     if (areas.empty()) return;
     const ContactBoxes<D> boxes(grid);
     std::vector<std::pair<int, int>> order;
+    order.reserve(areas.size());
     for (int k = 0; k < int(areas.size()); ++k) order.push_back({boxes.number(areas[k].point), k});
     std::sort(order.begin(), order.end());
     std::vector<int> box;

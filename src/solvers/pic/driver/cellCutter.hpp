@@ -30,6 +30,7 @@ public:
 private:
 
     void measureOpenParts(bool all);
+    void keepSurfaces();
     void keepBase();
     void keepPushed();
     void cutByBodies();
@@ -41,29 +42,23 @@ private:
 template<class Backend, int D, class P>
 void CellCutter<Backend, D, P>::setWalls(const PicWalls& walls)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
+    const UniformGrid<D>& grid = p_.set.whole();
+    std::vector<real> open[D];
     for (int d = 0; d < D; ++d)
     {
-        std::vector<real> a(walls.aperture[d].begin(), walls.aperture[d].end());
-        if (a.empty())
-        {
-            a.assign(grid.faces(d), real(1));
-            for (int i = 0; i < grid.faces(d) && !grid.periodic[d]; ++i)
-            {
-                const int layer = grid.faceIndex(d, i).c[d];
-                if (layer == 0 || layer == grid.n[d]) a[i] = 0;
-            }
-        }
-        p_.walls.aperture[d].upload(p_.set.context, a);
+        open[d] = openParts<real>(grid, d, walls.aperture[d]);
+        const std::vector<real>& a = open[d];
+        p_.walls.aperture[d].upload(p_.set.context, p_.halo ? p_.halo->partOf(a, d) : a);
         if (!walls.wallVelocity[d].empty() || p_.solids.bodies) p_.walls.move = true;
         if (p_.opens()) openings_.keepOpenParts(d, a);
     }
-    p_.walls.setSides();
+    p_.walls.setSides(open);
     if (!p_.walls.move) return;
     for (int d = 0; d < D; ++d)
     {
         std::vector<real> w(grid.faces(d), real(0));
         std::copy(walls.wallVelocity[d].begin(), walls.wallVelocity[d].end(), w.begin());
+        if (p_.halo) w = p_.halo->partOf(w, d);
         p_.walls.velocity[d].upload(p_.set.context, w);
     }
     if (p_.opens()) openings_.writeFaces();
@@ -90,12 +85,8 @@ void CellCutter<Backend, D, P>::cut(double t, double dt)
     {
         p_.cut.base = cutWalls(
             p_.set.config, p_.walls.sides, p_.inside.obstacles, p_.inside.motion, t, dt);
-        for (int d = 0; d < D; ++d)
-            p_.cut.sealed[d].upload(context,
-                std::vector<unsigned char>(
-                    p_.cut.base.sealed[d].begin(), p_.cut.base.sealed[d].end()));
         setWalls(p_.cut.base.walls);
-        p_.cut.nodeDistance.upload(context, p_.cut.base.nodeDistance);
+        keepSurfaces();
         if (solids.bodies) keepBase();
         if (p_.cut.base.moves) keepPushed();
     }
@@ -132,6 +123,24 @@ void CellCutter<Backend, D, P>::measureOpenParts(bool all)
     }
     p_.solids.cut.eachCell(context, volumes);
     p_.solids.cut.eachCell(context, weights);
+}
+
+//- Of several ranks: what this one's part has of the whole block
+template<class Backend, int D, class P>
+void CellCutter<Backend, D, P>::keepSurfaces()
+{
+    Context<Backend>& context = p_.set.context;
+    CutCells<Backend, D, P>& cut = p_.cut;
+    for (int d = 0; d < D; ++d)
+    {
+        std::vector<unsigned char> sealed(cut.base.sealed[d].begin(), cut.base.sealed[d].end());
+        if (p_.halo) sealed = p_.halo->partOf(sealed, d);
+        cut.sealed[d].upload(context, sealed);
+    }
+    if (!p_.halo) cut.nodeDistance.upload(context, cut.base.nodeDistance);
+    else
+        cut.nodeDistance.upload(
+            context, p_.halo->partOf(cut.base.nodeDistance, GridField::nodes));
 }
 
 //- The grid without bodies, to put back what they change

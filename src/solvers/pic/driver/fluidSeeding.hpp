@@ -73,6 +73,8 @@ public:
 private:
 
     void leaveDry();
+    std::size_t place(const std::vector<double>& x, const std::vector<double>& v,
+        const std::vector<double>& gradient, const std::vector<std::int32_t>& id);
     std::vector<double> velocitiesAt(const std::vector<double>& seeds, const std::vector<double>& x,
         const std::vector<double>& v, std::vector<double>& gradient) const;
     void dropInside(std::vector<double>& x);
@@ -91,9 +93,8 @@ template<class T> std::vector<double> asDouble(const std::vector<T>& v)
 template<class Backend, int D, class P>
 void FluidSeeding<Backend, D, P>::fill(const FluidInput& fluid)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
+    const UniformGrid<D>& grid = p_.set.whole();
     const PicConfig& config = p_.set.config;
-    PicParticleFields<Backend, D, P>& particles = p_.particles;
     const real band = real(p_.set.bandCells*grid.h);
     if (fluid.size() == 0) { leaveDry(); return; }
     const std::vector<double> x = p_.set.solved(fluid.position, true),
@@ -101,13 +102,14 @@ void FluidSeeding<Backend, D, P>::fill(const FluidInput& fluid)
     std::vector<double> fill = fillOfBoxes<D>(grid, x, config.spacing);
     if (p_.cuts())
         fillSolids(grid, clearCells(std::min(config.spacing, p_.set.nearSolid*grid.h)),
-            asDouble(p_.cut.open.download()), p_.set.steepest(), fill);
+            asDouble(p_.whole(p_.cut.open, -1)), p_.set.steepest(), fill);
     const std::vector<real> phi = surfaceOf<D, real>(grid, fill, band);
-    p_.surface.phi.upload(p_.set.context, phi);
+    p_.surface.phi.upload(p_.set.context, p_.halo ? p_.halo->partOf(phi, -1) : phi);
     double sums[3];
     const double total = (p_.cuts() ? surface_.waterVolume(sums)
                                     : std::accumulate(fill.begin(), fill.end(), 0.0))
         *grid.volume();
+    std::size_t count = 0;
     if (config.seedsPerDirection > 0)
     {
         std::vector<double> at = seeds<D, real>(
@@ -115,20 +117,60 @@ void FluidSeeding<Backend, D, P>::fill(const FluidInput& fluid)
         if (p_.cuts()) dropInside(at);
         std::vector<double> gradient;
         const std::vector<double> velocity = velocitiesAt(at, x, v, gradient);
-        particles.fill(at, velocity, gradient, std::vector<std::int32_t>());
+        count = place(at, velocity, gradient, std::vector<std::int32_t>());
     }
     else
     {
         std::vector<double> gradient;
-        if (particles.scheme.gradient()) velocitiesAt(x, x, v, gradient);
-        particles.fill(x, v, gradient, fluid.id);
+        if (p_.particles.scheme.gradient()) velocitiesAt(x, x, v, gradient);
+        count = place(x, v, gradient, fluid.id);
     }
-    if (particles.n == 0) throw std::invalid_argument("the fluid fills no cell");
-    p_.set.clock.particleVolume = total/particles.n;
-    p_.set.clock.initial = particles.n;
+    if (count == 0) throw std::invalid_argument("the fluid fills no cell");
+    p_.set.clock.particleVolume = total/double(count);
+    p_.set.clock.initial = std::int64_t(count);
     advection_.sort();
     surface_.markWater();
     surface_.measure();
+}
+
+//- All that are given, of which several ranks keep those of their parts. \return how many there are
+template<class Backend, int D, class P>
+std::size_t FluidSeeding<Backend, D, P>::place(const std::vector<double>& x,
+    const std::vector<double>& v, const std::vector<double>& gradient,
+    const std::vector<std::int32_t>& id)
+{
+    const std::size_t count = x.size()/D;
+    PicParticleFields<Backend, D, P>& particles = p_.particles;
+    if (!p_.halo)
+    {
+        particles.fill(x, v, gradient, id);
+        return count;
+    }
+    const UniformGrid<D>& whole = p_.set.whole();
+    const GridBricks<D>& bricks = *p_.set.bricks;
+    const CellBox part = bricks.part(bricks.rank());
+    std::vector<double> ownX, ownV, ownGradient;
+    std::vector<std::int32_t> ids(id), ownId;
+    if (ids.empty()) { ids.resize(count); std::iota(ids.begin(), ids.end(), 0); }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        int c[3] = {0, 0, 0};
+        for (int d = 0; d < D; ++d)
+            c[d] = std::max(0, std::min(int(x[i*D + d]/whole.h), whole.n[d] - 1));
+        // a cell more: on a face rounding decides
+        bool near = true;
+        for (int d = 0; d < D; ++d) near = near && c[d] >= part.low[d] - 1 && c[d] <= part.high[d];
+        if (!near) continue;
+        ownX.insert(ownX.end(), &x[i*D], &x[i*D] + D);
+        ownV.insert(ownV.end(), &v[i*D], &v[i*D] + D);
+        if (!gradient.empty())
+            ownGradient.insert(ownGradient.end(), &gradient[i*D*D], &gradient[i*D*D] + D*D);
+        ownId.push_back(ids[i]);
+    }
+    particles.fill(ownX, ownV, ownGradient, ownId);
+    particles.setAll(std::int64_t(count));
+    p_.set.clock.nextId = count ? std::int64_t(*std::max_element(ids.begin(), ids.end())) + 1 : 0;
+    return count;
 }
 
 //- Solids alone: arrays of one particle that does not count, and no surface
@@ -150,9 +192,9 @@ void FluidSeeding<Backend, D, P>::leaveDry()
 template<class Backend, int D, class P>
 void FluidSeeding<Backend, D, P>::dropInside(std::vector<double>& x)
 {
-    const std::vector<double> distance = p_.cut.nodeDistance.download();
+    const std::vector<double> distance = p_.nodeDistances();
     SolidField<D, real> solids{};
-    solids.grid = p_.set.grid;
+    solids.grid = p_.set.whole();
     solids.distance = distance.data();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < x.size()/D; ++i)
@@ -166,12 +208,12 @@ void FluidSeeding<Backend, D, P>::dropInside(std::vector<double>& x)
     x.resize(kept*D);
 }
 
-//- Of the host's copies: cells that no solid is near, to `clear`; the open parts of all
+//- Cells of the whole block that no solid is near, to `clear`
 template<class Backend, int D, class P>
 std::vector<char> FluidSeeding<Backend, D, P>::clearCells(double clear)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
-    const std::vector<double> distance = p_.cut.nodeDistance.download();
+    const UniformGrid<D>& grid = p_.set.whole();
+    const std::vector<double> distance = p_.nodeDistances();
     const NodeGrid<D> nodes{grid};
     std::vector<char> known(grid.cells());
     for (int i = 0; i < grid.cells(); ++i)
@@ -200,7 +242,7 @@ std::vector<double> FluidSeeding<Backend, D, P>::velocitiesAt(const std::vector<
     if (std::all_of(v.begin(), v.end(), [](double u) { return u == 0; })) return result;
     constexpr int terms = D + 1;
     const double reach = std::max(p_.set.grid.h, 2*p_.set.config.spacing);
-    const ParticleBoxes<D> boxes(p_.set.grid, reach, x);
+    const ParticleBoxes<D> boxes(p_.set.whole(), reach, x);
     #pragma omp parallel for
     for (std::size_t s = 0; s < seeds.size()/D; ++s)
     {

@@ -24,7 +24,8 @@ public:
 
     explicit ForcesOnWalls(PicParts<Backend, D, P>& parts) : p_(parts) {}
 
-    std::vector<FluidForce> all();
+    //- ofAllRanks: else those in this rank's brick
+    std::vector<FluidForce> all(bool ofAllRanks);
 
     //- Has somebody asked for the shear on obstacles?
     bool shearAsked() const { return asked_; }
@@ -32,33 +33,61 @@ public:
 
 private:
 
+    bool isHere(const Vec<D, double>& x) const;
     void setParts();
     void addPressure(std::vector<FluidForce>&);
     void addSideStress(std::vector<FluidForce>&);
     void addObstacleStress(std::vector<FluidForce>&);
     int nearestObstacle(int component, const typename UniformGrid<D>::Index& face) const;
     FluidForce shearOn(int part, int component, double force, const Vec<D, double>& place) const;
+    void tell(
+        std::vector<FluidForce>&, const FluidForce&, const Vec<D, double>& place) const;
 
     PicParts<Backend, D, P>& p_;
     std::unique_ptr<WallParts<D>> parts_;       // once somebody has asked for forces
     double partsTime_ = 0;
     bool asked_ = false;
+    bool ofAllRanks_ = false;                   // are forces told of all ranks?
     // once it was: of the last step, what drags obstacles
     Array<Backend, real> u_[D];
     Array<Backend, unsigned char> layer_[D];
 };
 
 template<class Backend, int D, class P>
-std::vector<FluidForce> ForcesOnWalls<Backend, D, P>::all()
+std::vector<FluidForce> ForcesOnWalls<Backend, D, P>::all(bool ofAllRanks)
 {
     std::vector<FluidForce> all;
     asked_ = p_.sticksInside();
+    ofAllRanks_ = ofAllRanks;
     if (!p_.set.clock.steps || !p_.set.clock.initial) return all;       // no pressure yet, no water
     setParts();
     addPressure(all);
     if (p_.set.config.noSlip && p_.set.config.viscosity > 0) addSideStress(all);
     if (p_.sticksInside()) addObstacleStress(all);
     return all;
+}
+
+//- Is a place of the block, from the world's origin, for this rank to tell of?
+template<class Backend, int D, class P>
+bool ForcesOnWalls<Backend, D, P>::isHere(const Vec<D, double>& x) const
+{
+    if (!p_.halo) return true;
+    const UniformGrid<D>& whole = p_.set.whole();
+    typename UniformGrid<D>::Index c{{0, 0, 0}};
+    for (int d = 0; d < D; ++d)
+    {
+        const int i = floorInt((x.c[d] - whole.origin[d])/whole.h);
+        c.c[d] = std::max(0, std::min(i, whole.n[d] - 1));
+    }
+    return p_.set.bricks->owner(c) == p_.set.bricks->rank();
+}
+
+//- All ranks find all forces, in the order of one process
+template<class Backend, int D, class P>
+void ForcesOnWalls<Backend, D, P>::tell(
+    std::vector<FluidForce>& all, const FluidForce& f, const Vec<D, double>& place) const
+{
+    if (ofAllRanks_ || isHere(place)) all.push_back(f);
 }
 
 //- Of where the walls were when the pressure was solved
@@ -76,12 +105,12 @@ template<class Backend, int D, class P>
 void ForcesOnWalls<Backend, D, P>::addPressure(std::vector<FluidForce>& all)
 {
     const PicConfig& config = p_.set.config;
-    const std::vector<double> p = p_.pressure.whole().download();
+    const std::vector<double> p = p_.whole(p_.pressure.whole(), -1);
     Vec<D, double> weight;
     for (int d = 0; d < D; ++d) weight[d] = config.density*p_.set.gravity[d];
     for (const WallPiece<D>& piece : parts_->pieces)
     {
-        const Vec<D, double> force = pressureForce(p_.set.grid, piece, p, weight);
+        const Vec<D, double> force = pressureForce(p_.set.whole(), piece, p, weight);
         if (squaredNorm(force) == 0) continue;
         FluidForce f;
         f.part = piece.part;
@@ -91,7 +120,7 @@ void ForcesOnWalls<Backend, D, P>::addPressure(std::vector<FluidForce>& all)
             f.place[config.axes[d]] = piece.middle[d];
             f.pressure[config.axes[d]] = force[d];
         }
-        all.push_back(f);
+        tell(all, f, piece.middle);
     }
 }
 
@@ -113,12 +142,12 @@ FluidForce ForcesOnWalls<Backend, D, P>::shearOn(
 template<class Backend, int D, class P>
 void ForcesOnWalls<Backend, D, P>::addSideStress(std::vector<FluidForce>& all)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
+    const UniformGrid<D>& grid = p_.set.whole();
     const double stress = p_.set.config.viscosity*grid.area()/grid.h;
-    const std::vector<unsigned char> wet = p_.surface.wet.download();
+    const std::vector<unsigned char> wet = p_.whole(p_.surface.wet, -1);
     for (int component = 0; component < D; ++component)
     {
-        const std::vector<real> u = p_.faces.u[component].download();
+        const std::vector<real> u = p_.whole(p_.faces.u[component], component);
         for (int f = 0; f < grid.faces(component); ++f)
         {
             const auto x = grid.faceIndex(component, f);
@@ -143,8 +172,10 @@ void ForcesOnWalls<Backend, D, P>::addSideStress(std::vector<FluidForce>& all)
                             ? -1
                             : p_.walls.sides.part[d][wall];
                         if (part >= 0)
-                            all.push_back(shearOn(part, component,
-                                cells[0] < 0 || cells[1] < 0 ? force : 0.5*force, place));
+                            tell(all,
+                                shearOn(part, component,
+                                    cells[0] < 0 || cells[1] < 0 ? force : 0.5*force, place),
+                                place);
                     }
                 }
         }
@@ -162,7 +193,7 @@ int ForcesOnWalls<Backend, D, P>::nearestObstacle(
     {
         if (parts_->distanceOf[k].empty()) continue;    // water slips along sheets
         const double distance = distanceOfFace(
-            NodeGrid<D>{p_.set.grid}, component, face, parts_->distanceOf[k].data());
+            NodeGrid<D>{p_.set.whole()}, component, face, parts_->distanceOf[k].data());
         if (distance < least) { least = distance; part = parts_->part[k]; }
     }
     return part;
@@ -192,15 +223,15 @@ void ForcesOnWalls<Backend, D, P>::keepSheared()
 template<class Backend, int D, class P>
 void ForcesOnWalls<Backend, D, P>::addObstacleStress(std::vector<FluidForce>& all)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
+    const UniformGrid<D>& grid = p_.set.whole();
     const double stress = p_.set.config.viscosity*grid.area()/grid.h;
     // asked for the first time, or since a state was loaded: it comes with the next step
     if (u_[0].size() == 0) return;
     for (int component = 0; component < D; ++component)
     {
         const int faces = grid.faces(component);
-        const std::vector<real> u = u_[component].download();
-        const std::vector<unsigned char> layer = layer_[component].download();
+        const std::vector<real> u = p_.whole(u_[component], component);
+        const std::vector<unsigned char> layer = p_.whole(layer_[component], component);
         const std::vector<double>& moving = p_.cut.base.walls.wallVelocity[component];
         std::vector<real> distance(faces), w(faces, real(0));
         std::copy(moving.begin(), moving.end(), w.begin());
@@ -224,8 +255,10 @@ void ForcesOnWalls<Backend, D, P>::addObstacleStress(std::vector<FluidForce>& al
                     const real theta = about.theta(j, i);
                     Vec<D, double> place = faceMiddle(grid, component, i);
                     place[d] += offset*(1 - double(theta))*grid.h;
-                    all.push_back(shearOn(part, component,
-                        stress*(double(u[j]) - about.onSurface(j, i, theta))/theta, place));
+                    tell(all,
+                        shearOn(part, component,
+                            stress*(double(u[j]) - about.onSurface(j, i, theta))/theta, place),
+                        place);
                 }
         }
     }

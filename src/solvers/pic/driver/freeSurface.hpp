@@ -13,6 +13,8 @@
 #include "pic/surface/redistance.hpp"
 #include "pic/surface/waterVolume.hpp"
 #include "solvers/pic/driver/particleAdvection.hpp"
+#include "solvers/pic/driver/particleMigration.hpp"
+#include "solvers/pic/driver/rankSums.hpp"
 
 namespace riprap
 {
@@ -39,7 +41,11 @@ public:
 
 private:
 
+    static constexpr double volumeProbe = 0.05;     // cells
+
     template<int N, class F> std::array<double, N> sumOver(const F&);
+    std::array<double, 3> volumeInOrder();
+    void shiftTo(double target);
     void redistance();
     void extend(Array<Backend, real>& phi);
 
@@ -52,6 +58,7 @@ template<class Backend, int D, class P>
 template<int N, class F>
 std::array<double, N> FreeSurface<Backend, D, P>::sumOver(const F& f)
 {
+    if (p_.halo) return sumByRank<N>(p_, f);
     return p_.rows.found() ? p_.rows.template sum<N>(p_.set.context, f)
                            : riprap::sumOver<N>(p_.set.context, p_.set.grid.cells(), f);
 }
@@ -92,14 +99,16 @@ void FreeSurface<Backend, D, P>::move(double dt, PicReport& report)
         f.band = band;
         p_.rows.eachCellOfBoth(p_.set.context, f);
     });
+    if (p_.halo) ParticleMigration<Backend, D, P>(p_).migrate(report);
     // else solids have moved particles since, or others have come in
-    advection_.sort(&report, !p_.cuts() && !p_.opens());
+    advection_.sort(&report, !p_.cuts() && !p_.opens() && !p_.halo);
     p_.rows.eachCell(p_.set.context,
         HoldSurface<D, real>{grid, p_.particles.view(),
             real(p_.set.clock.particleVolume/grid.volume()),
             p_.cuts() ? p_.cut.open.data() : nullptr,
             p_.cuts() ? p_.cut.openWeight.data() : nullptr, surface.carried.data(), band});
     if (p_.cuts()) extend(surface.carried);
+    if (p_.halo) p_.halo->exchange({{surface.carried, -1}});
     redistance();
     markWater();
 }
@@ -111,10 +120,15 @@ void FreeSurface<Backend, D, P>::extend(Array<Backend, real>& phi)
     CutCells<Backend, D, P>& cut = p_.cut;
     p_.rows.eachCellOfBoth(
         p_.set.context, MarkKnownCells<real>{cut.open.data(), cut.cellLayer.data()});
+    // a pass sees three cells far: two leave the brick right
+    static_assert(GridBricks<D>::depth > 6, "two passes between exchanges");
     for (int pass = 1; pass <= int(p_.set.bandCells) + 1; ++pass)
+    {
+        if (p_.halo && pass % 2 == 1) p_.halo->exchange({{phi, -1}, {cut.cellLayer, -1}});
         p_.rows.eachCellOfBoth(p_.set.context,
             ExtendSurface<D, real>{p_.set.grid, static_cast<unsigned char>(pass),
                 cut.cellLayer.data(), phi.data(), real(p_.set.bandCells*p_.set.grid.h)});
+    }
 }
 
 //- phi of the carried one, which changes in the rows about the water alone
@@ -136,12 +150,28 @@ void FreeSurface<Backend, D, P>::redistance()
     }
 }
 
-//- Volume under phi [cells]; sums: also with phi a little higher and lower
+//- The same bits as of one process
+template<class Backend, int D, class P>
+std::array<double, 3> FreeSurface<Backend, D, P>::volumeInOrder()
+{
+    Array<Backend, real> phi, open;
+    phi.upload(p_.set.context, p_.whole(p_.surface.phi, -1));
+    if (p_.cuts()) open.upload(p_.set.context, p_.whole(p_.cut.open, -1));
+    return sumInOrder<3>(p_,
+        WaterVolume<D, real>{p_.set.whole(), phi.data(), p_.cuts() ? open.data() : nullptr,
+            volumeProbe*p_.set.grid.h});
+}
+
+//- Volume under phi [cells]; sums: also with phi a little higher and lower. Before rows are known,
+//  at the start, in the order of one process
 template<class Backend, int D, class P>
 double FreeSurface<Backend, D, P>::waterVolume(double* sums)
 {
-    const auto s = sumOver<3>(WaterVolume<D, real>{p_.set.grid, p_.surface.phi.data(),
-        p_.cuts() ? p_.cut.open.data() : nullptr, 0.05*p_.set.grid.h});
+    const bool inOrder = p_.halo && (p_.gathered || !p_.rows.found());
+    const auto s = inOrder
+        ? volumeInOrder()
+        : sumOver<3>(WaterVolume<D, real>{p_.set.grid, p_.surface.phi.data(),
+            p_.cuts() ? p_.cut.open.data() : nullptr, volumeProbe*p_.set.grid.h});
     for (int k = 0; k < 3; ++k) sums[k] = s[k];
     return s[0];
 }
@@ -152,12 +182,22 @@ void FreeSurface<Backend, D, P>::holdVolume()
 {
     const UniformGrid<D>& grid = p_.set.grid;
     SurfaceFields<Backend, D, P>& surface = p_.surface;
-    constexpr double largestShift = 0.1;        // of a cell, a step
     surface.flying = sumOver<1>(
         CountFlying<D, real>{grid, p_.particles.view(), surface.near.data()})[0];
     const double particle = p_.set.clock.particleVolume/grid.volume();
-    const double target = (p_.particles.n - surface.flying)*particle
-        + (p_.opens() ? p_.openings.balance()/grid.volume() : 0);
+    shiftTo((double(p_.particles.all()) - surface.flying)*particle
+        + (p_.opens() ? p_.openings.balance()/grid.volume() : 0));
+    if (p_.halo)
+        p_.halo->exchange({{surface.phi, -1}, {surface.wet, -1}, {surface.near, -1}});
+}
+
+//- target: volume [cells]
+template<class Backend, int D, class P>
+void FreeSurface<Backend, D, P>::shiftTo(double target)
+{
+    const UniformGrid<D>& grid = p_.set.grid;
+    SurfaceFields<Backend, D, P>& surface = p_.surface;
+    constexpr double largestShift = 0.1;        // of a cell, a step
     double sums[3];
     // until the loop over steps ends and asks again
     surface.volume = waterVolume(sums);

@@ -34,9 +34,18 @@ public:
 
 private:
 
+    void listHere();
+    //- Of values of all faces those of one direction that are here
+    template<class T> std::vector<T> pick(const std::vector<T>& all, int d) const
+    {
+        std::vector<T> some;
+        some.reserve(p_.openings.here[d].size());
+        for (const int k : p_.openings.here[d]) some.push_back(all[k]);
+        return some;
+    }
     std::vector<double> at(Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells);
-    void append(
-        const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities);
+    void share(std::vector<double>& ofFaces) const;
+    void append(std::vector<EnteringParticle<D>>& all, const std::vector<int>& face);
 
     PicParts<Backend, D, P>& p_;
 };
@@ -45,9 +54,8 @@ private:
 template<class Backend, int D, class P>
 void OpenBoundaries<Backend, D, P>::set(PicWalls& walls)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
+    const UniformGrid<D>& grid = p_.set.whole();
     const PicConfig& config = p_.set.config;
-    Context<Backend>& context = p_.set.context;
     OpenSides<Backend, D, P>& sides = p_.openings;
     double g = 0;
     for (int d = 0; d < D; ++d) g += p_.set.gravity[d]*p_.set.gravity[d];
@@ -75,23 +83,52 @@ void OpenBoundaries<Backend, D, P>::set(PicWalls& walls)
             for (int i = 0; i < grid.faces(d) && !grid.periodic[d]; ++i)
                 if (atEnd(grid, d, grid.faceIndex(d, i).c[d])) a[i] = 0;
         }
-        std::vector<int> face, cell;
+        sides.number[d].assign(grid.faces(d), -1);
         for (const OpenFace<D>& f : sides.faces)
         {
             if (f.direction != d) continue;
             a[f.face] = 1;
-            face.push_back(f.face);
-            cell.push_back(f.cell);
+            sides.number[d][f.face] = f.opening;
         }
-        sides.number[d].assign(grid.faces(d), -1);
-        for (const OpenFace<D>& f : sides.faces)
-            if (f.direction == d) sides.number[d][f.face] = f.opening;
-        sides.face[d].upload(context, face);
-        sides.cell[d].upload(context, cell);
+    }
+    listHere();
+    p_.walls.move = true;
+}
+
+//- Those whose cells this rank's part has, as they are numbered in its arrays
+template<class Backend, int D, class P>
+void OpenBoundaries<Backend, D, P>::listHere()
+{
+    const UniformGrid<D>&whole = p_.set.whole(), &grid = p_.set.grid;
+    Context<Backend>& context = p_.set.context;
+    OpenSides<Backend, D, P>& sides = p_.openings;
+    std::vector<int> face[D], cell[D];
+    sides.owner.clear();
+    for (auto& list : sides.here) list.clear();
+    for (int k = 0; k < int(sides.faces.size()); ++k)
+    {
+        const OpenFace<D>& f = sides.faces[k];
+        auto at = whole.faceIndex(f.direction, f.face), c = whole.cellIndex(f.cell);
+        if (p_.halo) sides.owner.push_back(p_.set.bricks->owner(c));
+        bool in = true;
+        for (int d = 0; d < D; ++d)
+        {
+            at.c[d] -= grid.first[d];
+            c.c[d] -= grid.first[d];
+            in = in && c.c[d] >= 0 && c.c[d] < grid.n[d];
+        }
+        if (!in) continue;
+        sides.here[f.direction].push_back(k);
+        face[f.direction].push_back(grid.face(f.direction, at));
+        cell[f.direction].push_back(grid.cell(c));
+    }
+    for (int d = 0; d < D; ++d)
+    {
+        sides.face[d].upload(context, face[d]);
+        sides.cell[d].upload(context, cell[d]);
         sides.gate[d].allocate(context, grid.faces(d));
         p_.walls.velocity[d].allocate(context, grid.faces(d));
     }
-    p_.walls.move = true;
 }
 
 //- After the walls were set: what obstacles leave open of each face
@@ -119,13 +156,14 @@ void OpenBoundaries<Backend, D, P>::openFully()
                 p_.walls.aperture[d].data()});
 }
 
-//- A field of faces (of cells) at the openings' faces (the cells behind them), in their order
+//- A field of faces (of cells) at the openings' faces (the cells behind them), in their order; of
+//  all ranks
 template<class Backend, int D, class P>
 std::vector<double> OpenBoundaries<Backend, D, P>::at(
     Array<Backend, real>* ofFaces, const Array<Backend, real>* ofCells)
 {
     OpenSides<Backend, D, P>& sides = p_.openings;
-    std::vector<double> values;
+    std::vector<double> values(sides.faces.size());
     for (int d = 0; d < D; ++d)
     {
         const int count = int(sides.face[d].size());
@@ -135,9 +173,25 @@ std::vector<double> OpenBoundaries<Backend, D, P>::at(
             ReadOpenFaces<real>{ofFaces ? sides.face[d].data() : sides.cell[d].data(),
                 ofFaces ? ofFaces[d].data() : ofCells->data(), sides.buffer.data()});
         const std::vector<real> part = sides.buffer.download();
-        values.insert(values.end(), part.begin(), part.end());
+        for (int k = 0; k < count; ++k) values[sides.here[d][k]] = part[k];
     }
+    if (p_.halo) share(values);
     return values;
+}
+
+//- What owners have
+template<class Backend, int D, class P>
+void OpenBoundaries<Backend, D, P>::share(std::vector<double>& ofFaces) const
+{
+    Transport& ranks = p_.halo->ranks();
+    const std::vector<int>& owner = p_.openings.owner;
+    RankBytes own;
+    for (std::size_t k = 0; k < owner.size(); ++k)
+        if (owner[k] == ranks.rank()) putValues(own, &ofFaces[k]);
+    const std::vector<RankBytes> came = toAll(ranks, own);
+    std::vector<const unsigned char*> next;
+    for (const RankBytes& bytes : came) next.push_back(bytes.data());
+    for (std::size_t k = 0; k < owner.size(); ++k) takeValues(next[owner[k]], &ofFaces[k]);
 }
 
 //- Of a new run: sides already have what is given
@@ -146,16 +200,13 @@ void OpenBoundaries<Backend, D, P>::start()
 {
     OpenSides<Backend, D, P>& sides = p_.openings;
     setFaces(p_.set.clock.time);
-    std::size_t from = 0;
     for (int d = 0; d < D; ++d)
     {
-        const std::size_t count = sides.face[d].size();
+        const int count = int(sides.face[d].size());
         if (!count) continue;
-        sides.buffer.upload(p_.set.context,
-            std::vector<real>(sides.given.begin() + from, sides.given.begin() + from + count));
-        forEach(p_.set.context, int(count),
+        sides.buffer.upload(p_.set.context, pick(sides.given, d));
+        forEach(p_.set.context, count,
             PushOpenFaces<real>{sides.face[d].data(), sides.buffer.data(), p_.faces.u[d].data()});
-        from += count;
     }
 }
 
@@ -237,21 +288,17 @@ void OpenBoundaries<Backend, D, P>::writeFaces()
 {
     Context<Backend>& context = p_.set.context;
     OpenSides<Backend, D, P>& sides = p_.openings;
-    std::size_t from = 0;
     for (int d = 0; d < D; ++d)
     {
-        const std::size_t count = sides.face[d].size();
+        const int count = int(sides.face[d].size());
         if (!count || sides.open.empty()) continue;
-        const auto part = [&](const auto& all)
-        { return std::decay_t<decltype(all)>(all.begin() + from, all.begin() + from + count); };
-        sides.buffer.upload(context, part(sides.open));
-        sides.second.upload(context, part(sides.given));
-        sides.flags.upload(context, part(sides.leaves));
-        forEach(context, int(count),
+        sides.buffer.upload(context, pick(sides.open, d));
+        sides.second.upload(context, pick(sides.given, d));
+        sides.flags.upload(context, pick(sides.leaves, d));
+        forEach(context, count,
             SetOpenFaces<real>{sides.face[d].data(), sides.buffer.data(), sides.second.data(),
                 sides.flags.data(), p_.walls.aperture[d].data(), p_.walls.velocity[d].data(),
                 sides.gate[d].data()});
-        from += count;
     }
 }
 
@@ -262,11 +309,10 @@ void OpenBoundaries<Backend, D, P>::push(double dt)
     OpenSides<Backend, D, P>& sides = p_.openings;
     double g = 0;
     for (int d = 0; d < D; ++d) g += p_.set.gravity[d]*p_.set.gravity[d];
-    std::size_t k = 0;
     for (int d = 0; d < D; ++d)
     {
         std::vector<real> push;
-        for (; k < sides.faces.size() && sides.faces[k].direction == d; ++k)
+        for (const int k : sides.here[d])
         {
             const OpenFace<D>& f = sides.faces[k];
             const PicOpening& o = p_.set.config.openings[f.opening];
@@ -282,7 +328,8 @@ void OpenBoundaries<Backend, D, P>::push(double dt)
     }
 }
 
-//- Particles that have come in during the drift dt, with what the grid has for them
+//- Particles that have come in during the drift dt, with what the grid has for them. All ranks find
+//  those of all, so that ids are the same everywhere
 template<class Backend, int D, class P>
 void OpenBoundaries<Backend, D, P>::inject(double dt)
 {
@@ -292,7 +339,9 @@ void OpenBoundaries<Backend, D, P>::inject(double dt)
     const std::vector<double> u = at(p_.faces.u, nullptr);
     const int vertical = p_.set.steepest(),
               perDirection = std::max(1, int(std::lround(grid.h/p_.set.particleSpacing())));
-    std::vector<Vec<D, double>> places, velocities;
+    std::vector<Vec<D, double>> places;
+    std::vector<EnteringParticle<D>> entering;
+    std::vector<int> face;                      // through which each comes
     std::vector<double> carried(sides.owed.size(), 0.0), wet(sides.owed.size(), 0.0);
     for (std::size_t k = 0; k < sides.faces.size(); ++k)
     {
@@ -302,34 +351,48 @@ void OpenBoundaries<Backend, D, P>::inject(double dt)
         const double area = f.filled*f.open*grid.area();
         wet[f.opening] += area;
         carried[f.opening] += std::max(0.0, -f.inward(along))*area*dt;
-        const std::size_t before = places.size();
+        places.clear();
         enter(f, grid, f.inward(along), dt, clock.particleVolume, perDirection, vertical,
             vertical >= 0 && p_.set.gravity[vertical] < 0, p_.set.wallMargin*grid.h, places);
-        sides.in[f.opening] += std::int64_t(places.size() - before);
-        sides.volume[f.opening] += double(places.size() - before)*clock.particleVolume;
+        sides.in[f.opening] += std::int64_t(places.size());
+        sides.volume[f.opening] += double(places.size())*clock.particleVolume;
         Vec<D, double> v{};
-        if (o.kind == OpeningKind::velocity && places.size() > before)
+        if (o.kind == OpeningKind::velocity && !places.empty())
         {
             const Vector3 all = o.velocity(clock.time);
             for (int d = 0; d < D; ++d) v.c[d] = all[p_.set.config.axes[d]];
         }
         else v.c[f.direction] = along;
-        velocities.resize(places.size(), v);
+        for (const Vec<D, double>& x : places)
+        {
+            entering.push_back({x, v, std::int32_t(clock.nextId++), int(entering.size())});
+            face.push_back(int(k));
+        }
     }
     for (std::size_t k = 0; k < carried.size(); ++k)
         balance<D>(sides.owed[k], carried[k], wet[k]*grid.h/perDirection);
-    append(places, velocities);
+    append(entering, face);
 }
 
-//- They have what the grid has for them
+//- They have what the grid has for them. Of several ranks each takes those that come to its cells;
+//  ghosts of them come with the others'
 template<class Backend, int D, class P>
 void OpenBoundaries<Backend, D, P>::append(
-    const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities)
+    std::vector<EnteringParticle<D>>& all, const std::vector<int>& face)
 {
     PicParticleFields<Backend, D, P>& particles = p_.particles;
-    const int first = particles.n, more = int(places.size());
+    if (p_.halo)
+    {
+        particles.setAll(particles.all() + std::int64_t(all.size()));
+        std::vector<EnteringParticle<D>> own;
+        for (const EnteringParticle<D>& e : all)
+            if (p_.openings.owner[face[e.number]] == p_.halo->ranks().rank()) own.push_back(e);
+        all.swap(own);
+        for (const EnteringParticle<D>& e : all) particles.entered.push_back(e.number);
+    }
+    const int first = particles.n, more = int(all.size());
     if (!more) return;
-    particles.append(places, velocities);
+    particles.append(all);
     particles.scheme.enter(p_.set.context, p_.gridVelocities(0), first, more);
 }
 

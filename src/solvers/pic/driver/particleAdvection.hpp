@@ -109,7 +109,6 @@ void ParticleAdvection<Backend, D, P>::sort(PicReport* report, bool keysKnown)
 template<class Backend, int D, class P>
 void ParticleAdvection<Backend, D, P>::reportLeft(PicReport& report, int left)
 {
-    OpenSides<Backend, D, P>& sides = p_.openings;
     PicParticleFields<Backend, D, P>& particles = p_.particles;
     std::vector<std::int32_t> id(left);
     std::vector<double> x[D];
@@ -132,14 +131,7 @@ void ParticleAdvection<Backend, D, P>::reportLeft(PicReport& report, int left)
             place.c[d] = x[d][i];
             at[p_.set.config.axes[d]] = p_.set.grid.origin[d] + x[d][i];
         }
-        const int through = p_.opens() ? sides.leftThrough(place) : -1;
-        if (through >= 0)
-        {
-            ++sides.out[through];
-            sides.volume[through] -= p_.set.clock.particleVolume;
-            sides.owed[through] -= p_.set.clock.particleVolume;
-            continue;
-        }
+        if (p_.openings.takeLeft(place)) continue;
         report.escaped.push_back(at);
         report.escapedId.push_back(id[i]);
     }
@@ -147,7 +139,8 @@ void ParticleAdvection<Backend, D, P>::reportLeft(PicReport& report, int left)
 
 template<class Backend, int D, class P> double ParticleAdvection<Backend, D, P>::fastest()
 {
-    return reduceMax(p_.set.context, p_.particles.n, ParticleSpeed<D, real>{p_.particles.view()});
+    return p_.set.largest(
+        reduceMax(p_.set.context, p_.particles.n, ParticleSpeed<D, real>{p_.particles.view()}));
 }
 
 //- Of particles that water carries, and of others as far as they limit the step. of: all
@@ -156,9 +149,9 @@ double ParticleAdvection<Backend, D, P>::fastestCarried(double of)
 {
     const PicConfig& config = p_.set.config;
     if (!(p_.surface.flying > 0) || !(config.maxFlyingCourant > config.maxCourant)) return of;
-    return reduceMax(p_.set.context, p_.particles.n,
+    return p_.set.largest(reduceMax(p_.set.context, p_.particles.n,
         CarriedSpeed<D, real>{p_.set.grid, {p_.particles.view()}, p_.surface.near.data(),
-            config.maxCourant/config.maxFlyingCourant});
+            config.maxCourant/config.maxFlyingCourant}));
 }
 
 } // namespace riprap

@@ -9,12 +9,15 @@
     changes and what particles took; what openings remember; of solids, each after its length, what
     bodies remember and the state of their own scene; a checksum of all words before it.
 
+    Of several ranks the first has all words, those of one process; any number of ranks reads them.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
 #include "solvers/pic/driver/cellCutter.hpp"
 #include "solvers/pic/driver/freeSurface.hpp"
+#include "solvers/pic/driver/savedArrays.hpp"
 #include "solvers/checkpointWords.hpp"
 
 namespace riprap
@@ -47,6 +50,7 @@ public:
     {}
 
     std::vector<std::int32_t> save();
+    //- Of several ranks the first's words count
     void load(const std::vector<std::int32_t>&);
 
 private:
@@ -55,6 +59,11 @@ private:
     struct Found { std::size_t openingsAt, solidsAt; std::vector<double> bodies; };
 
     template<class F> void forEachSaved(const F&);
+    std::size_t words(const SavedArray& a, std::int64_t particles) const
+    {
+        return (a.each*savedCount(p_, a, particles) + 3)/4;
+    }
+    void readParticles(const std::vector<std::int32_t>& words);
     void check(const std::vector<std::int32_t>& words) const;
     Found find(const std::vector<std::int32_t>& words);
     void recut();
@@ -74,31 +83,38 @@ void PicCheckpoint<Backend, D, P>::forEachSaved(const F& f)
     PicParticleFields<Backend, D, P>& particles = p_.particles;
     PressureOfWater<Backend, D, P>& pressure = p_.pressure;
     for (int k = 0; k < particles.values.fields(); ++k)
-        f(particles.values.bytes(k), std::size_t(particles.n)*particles.values.elementBytes(k));
-    f(reinterpret_cast<unsigned char*>(p_.surface.phi.data()), p_.surface.phi.size()*sizeof(real));
-    for (auto* p : {&pressure.p, &pressure.reflected, &pressure.total})
-        f(reinterpret_cast<unsigned char*>(p->data()), p->size()*sizeof(double));
+        f(SavedArray{particles.values.bytes(k), std::size_t(particles.values.elementBytes(k)),
+            SavedArray::particles});
+    const auto ofGrid = [&](auto& array, int direction)
+    {
+        if (array.size())
+            f(SavedArray{reinterpret_cast<unsigned char*>(array.data()), sizeof(*array.data()),
+                direction});
+    };
+    ofGrid(p_.surface.phi, -1);
+    for (auto* p : {&pressure.p, &pressure.reflected, &pressure.total}) ofGrid(*p, -1);
     for (int d = 0; d < D; ++d)
-        for (auto* a : {&faces.u[d], &faces.change[d], &faces.after[d]})
-            f(reinterpret_cast<unsigned char*>(a->data()), a->size()*sizeof(real));
+        for (auto* a : {&faces.u[d], &faces.change[d], &faces.after[d]}) ofGrid(*a, d);
 }
 
 template<class Backend, int D, class P>
 std::vector<std::int32_t> PicCheckpoint<Backend, D, P>::save()
 {
     PicParticleFields<Backend, D, P>& particles = p_.particles;
+    const std::int64_t count = particles.all();
     std::vector<std::int32_t> words{detail::picMagic, detail::picVersion, D, int(sizeof(real)),
-        int(Backend::gpu), particles.n, particles.values.fields() + 256*particles.scheme.mark(),
-        p_.set.grid.cells(), int(sizeof(PicClock))};
+        int(Backend::gpu), int(count), particles.values.fields() + 256*particles.scheme.mark(),
+        p_.set.whole().cells(), int(sizeof(PicClock))};
     detail::appendBytes(words, &p_.set.clock, sizeof(PicClock));
     std::size_t expected = words.size() + 1;
-    forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    forEachSaved([&](const SavedArray& a) { expected += this->words(a, count); });
     detail::reserveWords(words, expected);
-    forEachSaved([&](unsigned char* data, std::size_t size)
+    const std::vector<std::size_t> order = orderOfAll(p_);
+    forEachSaved([&](const SavedArray& a)
     {
         const std::size_t at = words.size();
-        words.resize(at + (size + 3)/4, 0);
-        if (size) p_.set.context.toHost(&words[at], data, size);
+        words.resize(at + this->words(a, count), 0);
+        saveArray(p_, a, order, &words[at]);
     });
     if (p_.opens())
     {
@@ -115,6 +131,7 @@ std::vector<std::int32_t> PicCheckpoint<Backend, D, P>::save()
         words.insert(words.end(), solids.begin(), solids.end());
     }
     words.push_back(detail::checksum(words, words.size()));
+    if (p_.halo && p_.halo->ranks().rank() > 0) words.clear();
     return words;
 }
 
@@ -136,12 +153,13 @@ void PicCheckpoint<Backend, D, P>::check(const std::vector<std::int32_t>& words)
              "another order");
     if (words[6] != p_.particles.values.fields() + 256*p_.particles.scheme.mark())
         fail("it has other fields (the transfer was changed)");
-    if (words[7] != p_.set.grid.cells())
+    if (words[7] != p_.set.whole().cells())
         fail("it has " + std::to_string(words[7]) + " cells, the mesh "
-            + std::to_string(p_.set.grid.cells()));
+            + std::to_string(p_.set.whole().cells()));
     if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");
     const int n = words[5];
-    const std::size_t room = p_.particles.values.size();
+    const std::size_t room = p_.halo ? std::size_t(p_.set.clock.initial)
+                                     : p_.particles.values.size();
     if (n < 0 || (std::size_t(n) > room && !p_.opens()))
         fail("it holds " + std::to_string(n) + " particles, the case " + std::to_string(room));
 }
@@ -152,7 +170,7 @@ typename PicCheckpoint<Backend, D, P>::Found PicCheckpoint<Backend, D, P>::find(
     const std::vector<std::int32_t>& words)
 {
     std::size_t expected = detail::picHeader + detail::picClockWords + 1;
-    forEachSaved([&](unsigned char*, std::size_t size) { expected += (size + 3)/4; });
+    forEachSaved([&](const SavedArray& a) { expected += this->words(a, words[5]); });
     Found found{expected - 1, 0, {}};
     if (p_.opens()) expected += 2*p_.openings.memorySize();
     found.solidsAt = expected - 1;
@@ -171,10 +189,41 @@ typename PicCheckpoint<Backend, D, P>::Found PicCheckpoint<Backend, D, P>::find(
     return found;
 }
 
+//- Particles and grid
 template<class Backend, int D, class P>
-void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
+void PicCheckpoint<Backend, D, P>::readParticles(const std::vector<std::int32_t>& words)
+{
+    const std::size_t first = detail::picHeader + detail::picClockWords;
+    std::vector<std::size_t> own;
+    if (p_.halo)
+    {
+        std::vector<const std::int32_t*> fields;
+        std::size_t at = first;
+        forEachSaved([&](const SavedArray& a)
+        {
+            fields.push_back(&words[at]);
+            at += this->words(a, words[5]);
+        });
+        own = seenOf(p_, fields, words[5]);
+        p_.particles.n = 0;
+        p_.particles.reserve(own.size());
+        p_.particles.n = int(own.size());
+        p_.particles.setAll(words[5]);
+    }
+    std::size_t at = first;
+    forEachSaved([&](const SavedArray& a)
+    {
+        loadArray(p_, a, own, &words[at], words[5]);
+        at += this->words(a, words[5]);
+    });
+}
+
+template<class Backend, int D, class P>
+void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& ofFirst)
 {
     PicParticleFields<Backend, D, P>& particles = p_.particles;
+    const std::vector<std::int32_t> words = p_.halo ? wordsOfFirst(p_.halo->ranks(), ofFirst)
+                                                    : ofFirst;
     check(words);
     const int n = words[5], before = particles.n;
     if (p_.opens()) particles.reserve(n);
@@ -200,12 +249,7 @@ void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& words)
         p_.solids.loaded = true;
     }
     std::memcpy(static_cast<void*>(&p_.set.clock), &words[detail::picHeader], sizeof(PicClock));
-    std::size_t at = detail::picHeader + detail::picClockWords;
-    forEachSaved([&](unsigned char* data, std::size_t size)
-    {
-        if (size) p_.set.context.toDevice(data, &words[at], size);
-        at += (size + 3)/4;
-    });
+    readParticles(words);
     if (p_.opens())
     {
         std::vector<double> memory(p_.openings.memorySize());

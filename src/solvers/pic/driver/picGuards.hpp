@@ -30,6 +30,7 @@ private:
     double speedLimit(double now);
     void stopTooFast(PicReport&, double speed);
     void findOffender(PicReport&, double courant);
+    void agree(PicReport&, double worst) const;
 
     PicParts<Backend, D, P>& p_;
     PicReadings<Backend, D, P>& readings_;
@@ -111,6 +112,22 @@ void PicGuards<Backend, D, P>::findOffender(PicReport& report, double courant)
             {all.position[3*i], all.position[3*i + 1], all.position[3*i + 2]}};
         report.stopValue = courant;
     }
+    if (p_.halo) agree(report, worst);
+}
+
+//- On the rank whose particle is worst, the first of those where it is as bad
+template<class Backend, int D, class P>
+void PicGuards<Backend, D, P>::agree(PicReport& report, double worst) const
+{
+    struct Found { double worst, value; Vector3 position; std::int32_t id; };
+    std::vector<Found> all{
+        Found{worst, report.stopValue, report.stopPosition, report.stopId}};
+    join(p_.halo->ranks(), all);
+    const Found& found = *std::max_element(all.begin(), all.end(),
+        [](const Found& a, const Found& b) { return a.worst < b.worst; });
+    report.stopValue = found.value;
+    report.stopPosition = found.position;
+    report.stopId = found.id;
 }
 
 } // namespace riprap

@@ -16,20 +16,47 @@ namespace riprap
 {
 
 template<int D, class R>
+HD bool isInBrick(const UniformGrid<D>& grid, const CellBox& brick, const Vec<D, double>& x)
+{
+    typename UniformGrid<D>::Index c = InCell<D, R>(grid, x).index();
+    for (int d = 0; d < D; ++d) c.c[d] += grid.first[d];
+    return brick.has(c.c);
+}
+
+template<int D, class R>
 struct ParticleEnergy
 {
     static constexpr const char* name = "particleEnergy";
     PicParticles<D, R> particles;
     Vec<D, double> gravity;
+    UniformGrid<D> grid;
+    CellBox brick;              // of several ranks; empty: there is one
+    bool divided;
 
     HD void add(int i, double* sums) const
     {
         const Vec<D, double> x = particles.position(i);
+        if (divided && !isInBrick<D, R>(grid, brick, x)) return;
         for (int d = 0; d < D; ++d)
         {
             sums[0] += 0.5*double(particles.v[d][i])*particles.v[d][i];
             sums[1] -= gravity.c[d]*x.c[d];
         }
+    }
+};
+
+//- 0 of ghosts: what the grid has at the end of a part is not right
+template<int D, class R>
+struct SpeedInBrick
+{
+    static constexpr const char* name = "particleSpeed";
+    ParticleSpeed<D, R> of;
+    UniformGrid<D> grid;
+    CellBox brick;
+
+    HD double value(int i) const
+    {
+        return isInBrick<D, R>(grid, brick, of.particles.position(i)) ? of.value(i) : 0.0;
     }
 };
 
@@ -68,6 +95,14 @@ private:
     void velocitiesNow(int d, Array<Backend, real>&);
     PicParticles<D, real> particlesNow(Array<Backend, real> (&v)[D]);
     std::vector<real> velocities(int d);
+    //- What samples are taken from, where the scene's own arrays are not that
+    struct Sampled
+    {
+        Array<Backend, double> p, nodes;
+        Array<Backend, real> phi, u[D];
+    };
+    SamplePoints<D, real> sampled(Sampled&);
+    FluidEnd farEndOfRanks(const Vector3& direction, double reach);
 
     PicParts<Backend, D, P>& p_;
     ViscousStep<Backend, D, P>& viscosity_;
@@ -113,17 +148,20 @@ std::vector<typename P::real> PicReadings<Backend, D, P>::velocities(int d)
     return now.download();
 }
 
+//- Of this rank, where there are several
 template<class Backend, int D, class P>
 FluidState PicReadings<Backend, D, P>::fluid()
 {
     const PicConfig& config = p_.set.config;
     PicParticleFields<Backend, D, P>& particles = p_.particles;
+    const std::vector<int> own = particles.own();
+    const int count = int(own.size());
     FluidState state;
-    state.position.assign(3*std::size_t(particles.n), 0.0);
-    state.velocity.assign(3*std::size_t(particles.n), 0.0);
+    state.position.assign(3*std::size_t(count), 0.0);
+    state.velocity.assign(3*std::size_t(count), 0.0);
     const int empty = config.axes[2];
     if (D == 2)
-        for (int i = 0; i < particles.n; ++i)
+        for (int i = 0; i < count; ++i)
             state.position[3*i + empty] = p_.set.emptyCoordinate;
     for (int d = 0; d < D; ++d)
     {
@@ -131,17 +169,19 @@ FluidState PicReadings<Backend, D, P>::fluid()
             p_.set.context, particles.at.x + d);
         const std::vector<real> v = velocities(d);
         const int axis = config.axes[d];
-        #pragma omp parallel for schedule(static) if (particles.n > 10000)
-        for (int i = 0; i < particles.n; ++i)
+        #pragma omp parallel for schedule(static) if (count > 10000)
+        for (int i = 0; i < count; ++i)
         {
-            state.position[3*std::size_t(i) + axis] = p_.set.grid.origin[d] + x[i];
-            state.velocity[3*std::size_t(i) + axis] = v[i];
+            state.position[3*std::size_t(i) + axis] = p_.set.grid.origin[d] + x[own[i]];
+            state.velocity[3*std::size_t(i) + axis] = v[own[i]];
         }
     }
-    state.id = particles.values.template download<std::int32_t>(p_.set.context, particles.at.id);
-    state.id.resize(particles.n);
-    state.density.assign(particles.n, config.density);
-    state.smoothingLength.assign(particles.n, p_.set.grid.h);
+    const std::vector<std::int32_t> id = particles.values.template download<std::int32_t>(
+        p_.set.context, particles.at.id);
+    state.id.resize(count);
+    for (int i = 0; i < count; ++i) state.id[i] = id[own[i]];
+    state.density.assign(count, config.density);
+    state.smoothingLength.assign(count, p_.set.grid.h);
     state.pressure = sample(state.position).pressure;
     return state;
 }
@@ -149,18 +189,18 @@ FluidState PicReadings<Backend, D, P>::fluid()
 template<class Backend, int D, class P>
 PicGridState PicReadings<Backend, D, P>::grid()
 {
-    const UniformGrid<D>& grid = p_.set.grid;
+    const UniformGrid<D>& grid = p_.set.whole();
     const int cells = grid.cells();
     PicGridState state;
-    state.pressure = p_.pressure.whole().download();
-    const std::vector<real> phi = p_.surface.phi.download();
-    const std::vector<unsigned char> near = p_.surface.near.download();
-    const std::vector<real> open = p_.cuts() ? p_.cut.open.download() : std::vector<real>();
+    state.pressure = p_.whole(p_.pressure.whole(), -1);
+    const std::vector<real> phi = p_.whole(p_.surface.phi, -1);
+    const std::vector<unsigned char> near = p_.whole(p_.surface.near, -1);
+    const std::vector<real> open = p_.cuts() ? p_.whole(p_.cut.open, -1) : std::vector<real>();
     state.distance.assign(phi.begin(), phi.end());
     state.water.resize(cells);
     state.velocity.assign(3*std::size_t(cells), 0.0);
     std::vector<real> u[D];
-    for (int d = 0; d < D; ++d) u[d] = p_.faces.u[d].download();
+    for (int d = 0; d < D; ++d) u[d] = p_.whole(p_.faces.u[d], d);
     #pragma omp parallel for schedule(static) if (cells > 10000)
     for (int i = 0; i < cells; ++i)
     {
@@ -174,27 +214,53 @@ PicGridState PicReadings<Backend, D, P>::grid()
     return state;
 }
 
+//- Points may be anywhere: of several ranks each takes the whole block's fields. Pressures are
+//  continued into solids
+template<class Backend, int D, class P>
+SamplePoints<D, typename P::real> PicReadings<Backend, D, P>::sampled(Sampled& fields)
+{
+    const UniformGrid<D>& grid = p_.set.whole();
+    Context<Backend>& context = p_.set.context;
+    SurfaceFields<Backend, D, P>& surface = p_.surface;
+    SamplePoints<D, real> from{
+        grid, {}, surface.phi.data(), p_.pressure.whole().data(), {}, nullptr, nullptr};
+    for (int d = 0; d < D; ++d) from.u[d] = p_.faces.u[d].data();
+    if (p_.halo)
+    {
+        fields.phi.upload(context, p_.whole(surface.phi, -1));
+        from.phi = fields.phi.data();
+        for (int d = 0; d < D; ++d)
+        {
+            fields.u[d].upload(context, p_.whole(p_.faces.u[d], d));
+            from.u[d] = fields.u[d].data();
+        }
+    }
+    if (p_.halo || p_.cuts())
+    {
+        std::vector<double> p = p_.whole(p_.pressure.whole(), -1);
+        if (p_.cuts())
+            extendPressure(grid, p_.whole(surface.phi, -1).data(), p_.whole(surface.wet, -1), p);
+        fields.p.upload(context, p);
+        from.p = fields.p.data();
+    }
+    if (!p_.cuts()) return from;
+    from.solids.grid = grid;
+    from.solids.distance = p_.cut.nodeDistance.data();
+    if (!p_.halo) return from;
+    fields.nodes.upload(context, p_.nodeDistances());
+    from.solids.distance = fields.nodes.data();
+    return from;
+}
+
 template<class Backend, int D, class P>
 SampleResult PicReadings<Backend, D, P>::sample(const std::vector<double>& points)
 {
-    const UniformGrid<D>& grid = p_.set.grid;
     Context<Backend>& context = p_.set.context;
-    SurfaceFields<Backend, D, P>& surface = p_.surface;
     const std::size_t m = points.size()/3, most = 1 << 20;      // at once: memory on the device
     const std::vector<double> x = p_.set.solved(points, true);
-    Array<Backend, double> extended, places, found;
-    SamplePoints<D, real> sample{
-        grid, {}, surface.phi.data(), p_.pressure.whole().data(), {}, nullptr, nullptr};
-    for (int d = 0; d < D; ++d) sample.u[d] = p_.faces.u[d].data();
-    if (p_.cuts())
-    {
-        std::vector<double> p = p_.pressure.whole().download();
-        extendPressure(grid, surface.phi.download().data(), surface.wet.download(), p);
-        extended.upload(context, p);
-        sample.p = extended.data();
-        sample.solids.grid = grid;
-        sample.solids.distance = p_.cut.nodeDistance.data();
-    }
+    Sampled fields;
+    SamplePoints<D, real> sample = sampled(fields);
+    Array<Backend, double> places, found;
     SampleResult result;
     result.volumeFraction.assign(m, 0.0);
     result.pressure.assign(m, 0.0);
@@ -225,9 +291,12 @@ template<class Backend, int D, class P>
 FluidEnergy PicReadings<Backend, D, P>::energy()
 {
     Array<Backend, real> v[D];
-    ParticleEnergy<D, real> sum{particlesNow(v), {}};
+    ParticleEnergy<D, real> sum{particlesNow(v), {}, p_.set.grid, {}, bool(p_.halo)};
+    if (p_.halo) sum.brick = p_.set.bricks->brick();
     for (int d = 0; d < D; ++d) sum.gravity.c[d] = p_.set.gravity[d];
-    const auto sums = sumOver<2>(p_.set.context, p_.particles.n, sum);
+    const auto here = sumOver<2>(p_.set.context, p_.particles.n, sum);
+    std::vector<double> sums(here.begin(), here.end());
+    if (p_.halo) addByRank(p_.halo->ranks(), sums);
     const double mass = p_.set.config.density*p_.set.clock.particleVolume;
     FluidEnergy e;
     e.kinetic = mass*sums[0];
@@ -241,14 +310,19 @@ template<class Backend, int D, class P>
 FluidExtremes PicReadings<Backend, D, P>::extremes()
 {
     Array<Backend, real> v[D];
+    const ParticleSpeed<D, real> speed{particlesNow(v)};
     FluidExtremes e;
-    e.speed = reduceMax(p_.set.context, p_.particles.n, ParticleSpeed<D, real>{particlesNow(v)});
+    if (p_.halo)
+        e.speed = p_.set.largest(reduceMax(p_.set.context, p_.particles.n,
+            SpeedInBrick<D, real>{speed, p_.set.grid, p_.set.bricks->brick()}));
+    else e.speed = reduceMax(p_.set.context, p_.particles.n, speed);
     return e;
 }
 
 template<class Backend, int D, class P>
 FluidEnd PicReadings<Backend, D, P>::farEnd(const Vector3& direction, double reach)
 {
+    if (p_.halo) return farEndOfRanks(direction, reach);
     const UniformGrid<D>& grid = p_.set.grid;
     Vec<D, double> lower, upper;
     for (int d = 0; d < D; ++d)
@@ -259,6 +333,39 @@ FluidEnd PicReadings<Backend, D, P>::farEnd(const Vector3& direction, double rea
     return farEndOf<Backend, D>(p_.set.context, p_.particles.n,
         ParticlePlaces<D, real>{grid, p_.particles.view()}, p_.set.config.axes, direction, reach,
         lower, upper, p_.set.emptyCoordinate);
+}
+
+//- Those of this rank within reach of where the water of all ranks ends
+template<class Backend, int D, class P>
+FluidEnd PicReadings<Backend, D, P>::farEndOfRanks(const Vector3& direction, double reach)
+{
+    const UniformGrid<D>& whole = p_.set.whole();
+    const std::vector<int> own = p_.particles.own();
+    std::vector<double> x[D], along(own.size(), 0.0);
+    double most = -1e300, size = 0;
+    for (int d = 0; d < D; ++d)
+    {
+        x[d] = p_.particles.values.template download<double>(
+            p_.set.context, p_.particles.at.x + d);
+        size += std::abs(whole.origin[d]) + 2*whole.n[d]*whole.h;
+        for (std::size_t k = 0; k < own.size(); ++k)
+        {
+            x[d][own[k]] += whole.origin[d];
+            along[k] += direction[p_.set.config.axes[d]]*x[d][own[k]];
+        }
+    }
+    for (const double a : along) most = std::max(most, a);
+    const double least = p_.set.largest(most) - reach - 1e-12*size;
+    FluidEnd end;
+    end.particles = own.size();
+    for (std::size_t k = 0; k < own.size(); ++k)
+    {
+        if (along[k] < least) continue;
+        Vector3 at{{p_.set.emptyCoordinate, p_.set.emptyCoordinate, p_.set.emptyCoordinate}};
+        for (int d = 0; d < D; ++d) at[p_.set.config.axes[d]] = x[d][own[k]];
+        end.position.insert(end.position.end(), at.begin(), at.end());
+    }
+    return end;
 }
 
 template<class Backend, int D, class P>
@@ -307,6 +414,7 @@ std::vector<ArrayInfo> PicReadings<Backend, D, P>::arrays() const
     for (int d = 0; d < D; ++d)
         openings += sides.face[d].bytes() + sides.cell[d].bytes() + sides.gate[d].bytes();
     add("openings", openings);
+    if (p_.halo) add("messages", p_.halo->bytes());
     return list;
 }
 

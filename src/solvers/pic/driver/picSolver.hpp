@@ -35,9 +35,14 @@ public:
         return p_.solids.bodies ? Coupling{p_.solids.bodies->forces.force(), p_.solids.subcycles}
                                 : Coupling();
     }
-    void watchMomentum(bool on) override { budget_.watch(on); }
+    void watchMomentum(bool on) override
+    {
+        if (on && p_.halo) throw std::invalid_argument("momentum is balanced on one process");
+        budget_.watch(on);
+    }
     PicMomentum momentum() override { return budget_.last(); }
-    std::vector<FluidForce> forcesOnWalls() override { return wallForces_.all(); }
+    std::vector<FluidForce> forcesOnWalls() override { return wallForces_.all(false); }
+    std::vector<FluidForce> forcesOnWallsOfAll() override { return wallForces_.all(true); }
     std::vector<FluidForce> forcesOnSolids() override
     {
         return p_.solids.bodies ? p_.solids.bodies->forces.forces() : std::vector<FluidForce>();
@@ -65,6 +70,7 @@ public:
 
 private:
 
+    bool interrupted() const { return p_.set.largest(p_.interrupted ? 1 : 0) > 0; }
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void finish(PicReport&);
 
@@ -92,7 +98,7 @@ private:
 template<class Backend, int D, class P>
 PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& fluid,
     const PicWalls& walls, LinearSolver* solver, PicInside&& inside)
-    : p_(config, solver, std::move(inside))
+    : p_(config, fluid, solver, std::move(inside))
 {
     p_.walls.sides = walls;
     if (!config.openings.empty()) openings_.set(p_.walls.sides);
@@ -119,11 +125,12 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     if (p_.set.clock.initial == 0) return advanceDry(t, maxSteps);
     PicReport report;
     report.minTimeStep = 1e300;
-    if (p_.interrupted) maxSteps = 1;
+    if (p_.set.meter) p_.set.meter->begin();
+    if (interrupted()) maxSteps = 1;
     if (p_.solids.side) p_.solids.side->beginReport();
-    while (
-        p_.set.clock.time < t && p_.particles.n > 0 && (maxSteps <= 0 || report.steps < maxSteps))
-        if (!stepper_.advance(t, report) || p_.interrupted) break;
+    while (p_.set.clock.time < t && p_.particles.all() > 0
+        && (maxSteps <= 0 || report.steps < maxSteps))
+        if (!stepper_.advance(t, report) || interrupted()) break;
     p_.interrupted = false;
     finish(report);
     return report;
@@ -144,12 +151,13 @@ void PicSolver<Backend, D, P>::finish(PicReport& report)
     if (!report.steps) report.minTimeStep = 0;
     report.time = clock.time;
     report.totalSteps = clock.steps;
-    report.fluid = particles.n;
+    const double all = double(particles.all());
+    report.fluid = std::size_t(particles.all());
     report.flying = std::size_t(surface.flying);
     const double particle = clock.particleVolume;
     report.volume = surface.volume*p_.set.grid.volume() + surface.flying*particle;
-    report.volumeError = particles.n > 0
-        ? report.volume/(particles.n*particle + (p_.opens() ? sides.balance() : 0)) - 1
+    report.volumeError = all > 0
+        ? report.volume/(all*particle + (p_.opens() ? sides.balance() : 0)) - 1
         : 0;
     report.volumeDrift = clock.drift;
     for (std::size_t k = 0; k < sides.in.size(); ++k)
@@ -158,6 +166,9 @@ void PicSolver<Backend, D, P>::finish(PicReport& report)
         report.passed.push_back(
             PicPassage{sides.in[k], sides.out[k], sides.volume[k] + pending, pending});
     }
+    if (!p_.set.meter) return;
+    const std::size_t owned = particles.own().size();
+    report.rank = p_.set.meter->end(owned, std::size_t(particles.n) - owned);
 }
 
 //- Without water solids do what they do in a scene of their own, to the bit

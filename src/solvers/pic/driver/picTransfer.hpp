@@ -22,10 +22,14 @@ public:
     explicit PicTransfer(PicParts<Backend, D, P>& parts) : p_(parts) {}
 
     void toGrid();
-    void extrapolate(std::initializer_list<Array<Backend, real>*> fields, int passes);
+    //- share: so that other ranks' parts have the result, too
+    void extrapolate(
+        std::initializer_list<Array<Backend, real>*> fields, int passes, bool share = false);
     void toParticles(double dt);
 
 private:
+
+    void share(const std::initializer_list<Array<Backend, real>*>& fields);
 
     PicParts<Backend, D, P>& p_;
 };
@@ -62,10 +66,26 @@ void PicTransfer<Backend, D, P>::toGrid()
     extrapolate({p_.faces.before}, 3);
 }
 
+//- With the layers that they have
+template<class Backend, int D, class P>
+void PicTransfer<Backend, D, P>::share(
+    const std::initializer_list<Array<Backend, real>*>& fields)
+{
+    std::vector<GridField> all;
+    for (int d = 0; d < D; ++d)
+    {
+        for (Array<Backend, real>* a : fields) all.emplace_back(a[d], d);
+        all.emplace_back(p_.faces.layer[d], d);
+    }
+    p_.halo->exchange(all);
+}
+
+//- A pass sees three faces far: two leave the brick right
 template<class Backend, int D, class P>
 void PicTransfer<Backend, D, P>::extrapolate(
-    std::initializer_list<Array<Backend, real>*> fields, int passes)
+    std::initializer_list<Array<Backend, real>*> fields, int passes, bool share)
 {
+    static_assert(GridBricks<D>::depth > 6, "two passes between exchanges");
     Extrapolate<D, real> f{};
     f.grid = p_.set.grid;
     for (Array<Backend, real>* a : fields)
@@ -76,9 +96,11 @@ void PicTransfer<Backend, D, P>::extrapolate(
     for (int d = 0; d < D; ++d) f.layer[d] = p_.faces.layer[d].data();
     for (int pass = 1; pass <= passes; ++pass)
     {
+        if (p_.halo && pass % 2 == 1) this->share(fields);
         f.pass = static_cast<unsigned char>(pass);
         p_.rows.each(p_.set.context, f);
     }
+    if (p_.halo && share) this->share(fields);
 }
 
 template<class Backend, int D, class P> void PicTransfer<Backend, D, P>::toParticles(double dt)

@@ -140,6 +140,7 @@ void Projection<Backend, D, P>::project(double dt, double drift)
     if (p_.opens()) openings_.push(dt);
     budget_.keepForced();
     if (solids.bodies) coupling_.project(dt, reflects);
+    else if (p_.halo) pressure.last = p_.projectOnRanks(p_.pressureFields(dt), reflects);
     else
         pressure.last = pressure.step.project(
             context, p_.pressureFields(dt), pressure.solver, nullptr, reflects, &p_.rows);
@@ -161,8 +162,8 @@ void Projection<Backend, D, P>::project(double dt, double drift)
     p_.rows.eachFace(context, [&](int d) { return p_.markFaces(d); });
     if (reflects)
         transfer_.extrapolate(
-            {faces.u, faces.change, faces.after, faces.carrier}, p_.set.extrapolationPasses);
-    else transfer_.extrapolate({faces.u, faces.change}, p_.set.extrapolationPasses);
+            {faces.u, faces.change, faces.after, faces.carrier}, p_.set.extrapolationPasses, true);
+    else transfer_.extrapolate({faces.u, faces.change}, p_.set.extrapolationPasses, true);
 }
 
 } // namespace riprap

@@ -40,7 +40,7 @@ double TimeStepControl<Backend, D, P>::step(double speed, std::string& limit) co
     if (!config.adjustTimeStep) { limit = "fixed"; return config.fixedTimeStep; }
     double g2 = 0, slide = 0;               // a wall that slides will carry particles along
     for (int d = 0; d < D; ++d) g2 += p_.set.gravity[d]*p_.set.gravity[d];
-    for (const auto& axis : grid.slide)
+    for (const auto& axis : p_.set.whole().slide)
         for (const auto& side : axis)
             for (const double v : side) slide = std::max(slide, std::abs(v));
     speed = std::max(slide, speed);

@@ -7,6 +7,7 @@
 #include "pic/projection/project.hpp"
 #include "pic/terms/forces.hpp"
 #include "solvers/pic/driver/bodyCoupling.hpp"
+#include "solvers/pic/driver/faceSums.hpp"
 #include "solvers/pic/driver/forcesOnWalls.hpp"
 
 namespace riprap
@@ -36,6 +37,8 @@ private:
     ViscousFaces<D, real> view(int d, bool homogeneous = false);
     void diffuseImplicitly(double dt, double number);
     void setForce(double dt);
+    void share(Array<Backend, real>* a);
+    void copyAround(Array<Backend, real>* a);
     void solve(real k);
 
     PicParts<Backend, D, P>& p_;
@@ -44,6 +47,7 @@ private:
     // of the implicit one
     Array<Backend, real> force_[D], source_[D], residual_[D], direction_[D], product_[D];
     Array<Backend, double> pressure_;
+    FaceSums<Backend, D, P> sums_{p_};
     bool converged_ = true;
 };
 
@@ -136,6 +140,7 @@ void ViscousStep<Backend, D, P>::diffuseImplicitly(double dt, double number)
     // the water along
     for (int d = 0; d < D; ++d)
         forEach(context, grid.faces(d), p_.markFaces(d));
+    sums_.start();
 
     setForce(dt);
     for (int stage = 1; stage <= 2; ++stage)
@@ -166,6 +171,26 @@ void ViscousStep<Backend, D, P>::diffuseImplicitly(double dt, double number)
     }
 }
 
+//- What other ranks have beside the brick
+template<class Backend, int D, class P>
+void ViscousStep<Backend, D, P>::share(Array<Backend, real>* a)
+{
+    if (!p_.halo) return;
+    std::vector<GridField> fields;
+    for (int d = 0; d < D; ++d) fields.emplace_back(a[d], d);
+    p_.halo->exchange(fields);
+}
+
+template<class Backend, int D, class P>
+void ViscousStep<Backend, D, P>::copyAround(Array<Backend, real>* a)
+{
+    const UniformGrid<D>& grid = p_.set.grid;
+    for (int d = 0; d < D; ++d)
+        if (grid.periodic[d])
+            forEach(
+                p_.set.context, grid.faces(d), CopyPeriodic<D, real>{grid, d, a[d].data()});
+}
+
 //- (1 - k L) u = source by conjugate gradients, from the u at hand
 template<class Backend, int D, class P>
 void ViscousStep<Backend, D, P>::solve(real k)
@@ -177,19 +202,7 @@ void ViscousStep<Backend, D, P>::solve(real k)
     // of the source or the first residual
     const double tolerance = sizeof(real) == 4 ? 1e-6 : 1e-10;
     const auto dot = [&](Array<Backend, real>* a, Array<Backend, real>* b)
-    {
-        double sum = 0;
-        for (int d = 0; d < D; ++d)
-            sum += sumOver<1>(
-                context, grid.faces(d), FaceDot<D, real>{view(d), a[d].data(), b[d].data()})[0];
-        return sum;
-    };
-    const auto copies = [&](Array<Backend, real>* a)
-    {
-        for (int d = 0; d < D; ++d)
-            if (grid.periodic[d])
-                forEach(context, grid.faces(d), CopyPeriodic<D, real>{grid, d, a[d].data()});
-    };
+    { return sums_.dot([&](int d) { return view(d); }, a, b); };
     for (int d = 0; d < D; ++d)
         forEach(context, grid.faces(d),
             ViscousResidual<D, real>{view(d), source_[d].data(), faces.u[d].data(),
@@ -200,7 +213,9 @@ void ViscousStep<Backend, D, P>::solve(real k)
     for (int iteration = 0; rr > enough; ++iteration)
     {
         if (iteration == most) { converged_ = false; break; }
-        copies(direction_);
+        // so that u, which it is added to, stays right there, too
+        share(direction_);
+        copyAround(direction_);
         for (int d = 0; d < D; ++d)
             forEach(context, grid.faces(d),
                 ViscousProduct<D, real>{
@@ -219,13 +234,13 @@ void ViscousStep<Backend, D, P>::solve(real k)
                 FaceAdd<real>{residual_[d].data(), direction_[d].data(), real(next/rr), true});
         rr = next;
     }
-    copies(faces.u);
+    copyAround(faces.u);
 }
 
 template<class Backend, int D, class P>
 std::size_t ViscousStep<Backend, D, P>::bytes() const
 {
-    std::size_t sum = pressure_.bytes();
+    std::size_t sum = pressure_.bytes() + sums_.bytes();
     for (int d = 0; d < D; ++d)
         sum += force_[d].bytes() + source_[d].bytes() + residual_[d].bytes() + direction_[d].bytes()
             + product_[d].bytes();

@@ -117,7 +117,9 @@ public:
         p.allocate(set.context, cells);
         if (set.config.reflection > 0)
             for (auto* a : {&reflected, &ahead, &total}) a->allocate(set.context, cells);
-        step.allocate(set.context, set.grid);
+        if (set.gathersPressure()) step.allocateWet(set.context, set.grid);
+        else step.allocate(set.context, set.grid);
+        if (set.bricks && !set.gathersPressure()) step.divide(set.context, *set.bricks);
     }
 
     Array<Backend, double>& whole() { return set_.config.reflection > 0 ? total : p; }

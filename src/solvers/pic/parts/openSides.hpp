@@ -2,6 +2,9 @@
     directions, what is given at each in this step, and what has passed through each opening. Empty
     in a scene that has none.
 
+    Of several ranks each has all faces of the block, and does the same with them; in its arrays are
+    those that its part has.
+
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
@@ -22,6 +25,8 @@ public:
 
     std::vector<OpenFace<D>> faces;
     std::vector<int> number[D];             // of a face's opening, -1: none
+    std::vector<int> here[D];               // which of `faces` are in this rank's arrays
+    std::vector<int> owner;                 // the ranks of the faces' cells; empty: there is one
     std::vector<real> open, given;
     std::vector<unsigned char> leaves;
     // of openings: velocity inward that the flow makes [m/s]
@@ -35,7 +40,7 @@ public:
 
     explicit OpenSides(PicSetting<Backend, D, P>& set) : set_(set) {}
 
-    int leftThrough(const Vec<D, double>& x) const;
+    bool takeLeft(const Vec<D, double>& x);
     double speed(double t) const;
     double balance(int opening = -1) const;
 
@@ -46,25 +51,40 @@ public:
 
 private:
 
+    int leftThrough(const Vec<D, double>& x) const;
+
     PicSetting<Backend, D, P>& set_;
 };
+
+//- A particle has left the block. \return through an opening? Then it counts as that
+template<class Backend, int D, class P>
+bool OpenSides<Backend, D, P>::takeLeft(const Vec<D, double>& x)
+{
+    const int through = faces.empty() ? -1 : leftThrough(x);
+    if (through < 0) return false;
+    ++out[through];
+    volume[through] -= set_.clock.particleVolume;
+    owed[through] -= set_.clock.particleVolume;
+    return true;
+}
 
 //- The opening through which a particle has left the block; -1: none
 template<class Backend, int D, class P>
 int OpenSides<Backend, D, P>::leftThrough(const Vec<D, double>& x) const
 {
+    const UniformGrid<D>& grid = set_.whole();
     typename UniformGrid<D>::Index at{{0, 0, 0}};
     int direction = -1;
     for (int d = 0; d < D; ++d)
     {
-        const int c = floorInt(x.c[d]/set_.grid.h);
-        at.c[d] = std::max(0, std::min(c, set_.grid.n[d] - 1));
+        const int c = floorInt(x.c[d]/grid.h);
+        at.c[d] = std::max(0, std::min(c, grid.n[d] - 1));
         if (c == at.c[d]) continue;
         direction = d;
     }
     if (direction < 0) return -1;
-    if (x.c[direction] > 0) at.c[direction] = set_.grid.n[direction];
-    return number[direction][set_.grid.face(direction, at)];
+    if (x.c[direction] > 0) at.c[direction] = grid.n[direction];
+    return number[direction][grid.face(direction, at)];
 }
 
 //- The fastest that comes in at a time [m/s]

@@ -16,6 +16,15 @@
 namespace riprap
 {
 
+//- A particle that comes in; number: among those of all ranks that come in with it
+template<int D>
+struct EnteringParticle
+{
+    Vec<D, double> x, v;
+    std::int32_t id;
+    int number;
+};
+
 //- Where a field of the set stands, its first component; -1: there is none
 struct PicFieldNumbers { int x = 0, v = 0, affine = -1, id = 0, memory = 0; };
 
@@ -26,21 +35,28 @@ public:
 
     using real = typename P::real;
 
-    int n = 0;                                  // particles in the scene
+    int n = 0;                                  // particles here, ghosts of other ranks included
     FieldSet<Backend> values;
     PicFieldNumbers at;
     CellSort<Backend> sort;
     Array<Backend, PlaceInCell<real>> place;    // of particles, from one sort to the next
     Array<Backend, real> shift[D];              // of position correction
     GridToParticles<Backend, D, real> scheme;   // which says what fields they have
+    // of several ranks: numbers of the last ones here, which have come in since the sort
+    std::vector<int> entered;
 
     explicit PicParticleFields(PicSetting<Backend, D, P>& set) : scheme(set.config), set_(set) {}
 
     void fill(const std::vector<double>& x, const std::vector<double>& v,
         const std::vector<double>& gradient, const std::vector<std::int32_t>& id);
-    void append(
-        const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities);
+    void append(const std::vector<EnteringParticle<D>>& those);
     void reserve(std::size_t particles);
+
+    //- In the scene; told by those who know where there are several ranks
+    std::int64_t all() const { return set_.bricks ? all_ : n; }
+    void setAll(std::int64_t particles) { all_ = particles; }
+    std::vector<int> own() const;
+    std::vector<int> starts() const;
 
     PicParticles<D, real> view(bool spare = false);
     Vec<D, double> momentum();
@@ -50,7 +66,44 @@ private:
     template<class T> void enlarge(Array<Backend, T>&, std::size_t room);
 
     PicSetting<Backend, D, P>& set_;
+    std::int64_t all_ = 0;
 };
+
+//- Where each cell begins, and where the last one ends, on the host
+template<class Backend, int D, class P>
+std::vector<int> PicParticleFields<Backend, D, P>::starts() const
+{
+    std::vector<int> all(std::size_t(set_.grid.cells()) + 1);
+    set_.context.toHost(all.data(), sort.start(), all.size()*sizeof(int));
+    return all;
+}
+
+//- Numbers of those in cells of this rank's brick, which is all where there is one rank; after a
+//  sort
+template<class Backend, int D, class P>
+std::vector<int> PicParticleFields<Backend, D, P>::own() const
+{
+    std::vector<int> numbers;
+    if (!set_.bricks)
+    {
+        numbers.resize(n);
+        std::iota(numbers.begin(), numbers.end(), 0);
+        return numbers;
+    }
+    const UniformGrid<D>& grid = set_.grid;
+    const CellBox& brick = set_.bricks->brick();
+    const std::vector<int> start = starts();
+    int c[3];
+    for (c[2] = brick.low[2]; c[2] < brick.high[2]; ++c[2])
+        for (c[1] = brick.low[1]; c[1] < brick.high[1]; ++c[1])
+        {
+            typename UniformGrid<D>::Index at{{brick.low[0], c[1], c[2]}};
+            for (int d = 0; d < D; ++d) at.c[d] -= grid.first[d];
+            const int first = grid.cell(at), end = first + brick.high[0] - brick.low[0];
+            for (int i = start[first]; i < start[end]; ++i) numbers.push_back(i);
+        }
+    return numbers;
+}
 
 //- spare: those that a sort fills
 template<class Backend, int D, class P>
@@ -108,7 +161,7 @@ void PicParticleFields<Backend, D, P>::fill(const std::vector<double>& x,
     set_.clock.nextId = n ? std::int64_t(*std::max_element(ids.begin(), ids.end())) + 1 : 0;
     for (int d = 0; d < D; ++d)
     {
-        const double length = set_.grid.n[d]*set_.grid.h,
+        const double length = set_.whole().n[d]*set_.grid.h,
                      margin = set_.grid.periodic[d] ? 0 : set_.wallMargin*set_.grid.h;
         for (int i = 0; i < n; ++i)
         {
@@ -130,10 +183,9 @@ void PicParticleFields<Backend, D, P>::fill(const std::vector<double>& x,
 
 //- More particles, after the others
 template<class Backend, int D, class P>
-void PicParticleFields<Backend, D, P>::append(
-    const std::vector<Vec<D, double>>& places, const std::vector<Vec<D, double>>& velocities)
+void PicParticleFields<Backend, D, P>::append(const std::vector<EnteringParticle<D>>& those)
 {
-    const int more = int(places.size()), first = n;
+    const int more = int(those.size()), first = n;
     if (!more) return;
     reserve(std::size_t(n) + more);
     std::vector<double> x(more);
@@ -146,11 +198,11 @@ void PicParticleFields<Backend, D, P>::append(
     };
     for (int d = 0; d < D; ++d)
     {
-        for (int i = 0; i < more; ++i) { x[i] = places[i].c[d]; v[i] = real(velocities[i].c[d]); }
+        for (int i = 0; i < more; ++i) { x[i] = those[i].x.c[d]; v[i] = real(those[i].v.c[d]); }
         put(at.x + d, x);
         put(at.v + d, v);
     }
-    for (int i = 0; i < more; ++i) { id[i] = std::int32_t(set_.clock.nextId++); v[i] = 0; }
+    for (int i = 0; i < more; ++i) { id[i] = those[i].id; v[i] = 0; }
     put(at.id, id);
     for (int k = 0; at.affine >= 0 && k < D*D; ++k) put(at.affine + k, v);
     for (int k = 0; k < scheme.memory(); ++k) put(at.memory + k, v);

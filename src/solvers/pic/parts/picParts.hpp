@@ -15,6 +15,7 @@
 #include "pic/grid/pressureFields.hpp"
 #include "pic/transfer/particleToGrid.hpp"
 #include "solvers/pic/parts/cutCells.hpp"
+#include "solvers/pic/parts/gatheredPressure.hpp"
 #include "solvers/pic/parts/gridFields.hpp"
 #include "solvers/pic/parts/gridWalls.hpp"
 #include "solvers/pic/parts/openSides.hpp"
@@ -58,9 +59,18 @@ struct PicParts
     double wallWork = 0;                        // of obstacles that move, since the scene began
     std::atomic<bool> interrupted{false};
 
-    PicParts(const PicConfig& config, LinearSolver* solver, PicInside&& in)
-        : set(config), inside(std::move(in)), pressure(set, solver)
-    {}
+    // of several ranks; null: there is one
+    std::unique_ptr<HaloExchange<Backend, D>> halo;
+    std::unique_ptr<GatheredPressure<Backend, D, P>> gathered;      // null: they divide it
+
+    PicParts(const PicConfig& config, const FluidInput& water, LinearSolver* solver, PicInside&& in)
+        : set(config, water), inside(std::move(in)), pressure(set, solver)
+    {
+        if (!set.bricks) return;
+        halo = std::make_unique<HaloExchange<Backend, D>>(set.context, *set.bricks);
+        if (set.gathersPressure())
+            gathered = std::make_unique<GatheredPressure<Backend, D, P>>(set, *halo);
+    }
 
     PicParts(const PicParts&) = delete;
 
@@ -69,6 +79,20 @@ struct PicParts
     bool sticksInside() const { return cuts() && set.config.noSlip && set.config.viscosity > 0; }
 
     PressureFields<D, real> pressureFields(double dt, bool useReflected = false);
+    PressureReport projectOnRanks(
+        const PressureFields<D, real>&, bool sameWater, double tolerance = 0);
+
+    //- Of cells (direction -1) or faces of the whole block, on the host
+    template<class A> auto whole(A& array, int direction) const
+    {
+        return halo ? halo->gather(array, direction) : array.download();
+    }
+    //- Of the whole block's nodes to solids
+    std::vector<double> nodeDistances() const
+    {
+        return halo ? cut.base.nodeDistance : cut.nodeDistance.download();
+    }
+
     GridVelocities<D, real> gridVelocities(double dt);
     SolidField<D, real> solidField();
     CutFields<D, real> cutFields();
@@ -98,6 +122,31 @@ PressureFields<D, typename P::real> PicParts<Backend, D, P>::pressureFields(
     f.timeStep = dt;
     f.density = set.config.density;
     return f;
+}
+
+//- As PressureStep::project, of water without bodies
+template<class Backend, int D, class P>
+PressureReport PicParts<Backend, D, P>::projectOnRanks(
+    const PressureFields<D, real>& f, bool sameWater, double tolerance)
+{
+    PressureReport report;
+    if (!pressure.solver.onDevice())
+        throw std::invalid_argument(
+            std::string("several processes need p solved by ") + ownSolver);
+    MultigridControls controls = *pressure.solver.onDevice();
+    if (tolerance > 0) controls.tolerance = tolerance;
+    if (gathered)
+    {
+        report = gathered->solve(f, pressure.solver, sameWater, tolerance);
+        if (!sameWater) pressure.step.markWet(set.context, f);
+    }
+    else
+    {
+        report = pressure.step.solveDivided(set.context, f, sameWater, controls);
+        pressure.solver.report(report);
+    }
+    pressure.step.correct(set.context, f, &rows);
+    return report;
 }
 
 template<class Backend, int D, class P>

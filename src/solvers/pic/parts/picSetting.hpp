@@ -4,11 +4,15 @@
 */
 #pragma once
 
+#include <memory>
 #include "api/picScene.hpp"
 #include "core/backend/launch.hpp"
 #include "core/simd/precision.hpp"
 #include "pic/grid/mirror.hpp"
 #include "pic/grid/uniformGrid.hpp"
+#include "core/ranks/joinRanks.hpp"
+#include "pic/ranks/gridBricks.hpp"
+#include "pic/ranks/rankMeter.hpp"
 #include "solvers/pic/transfer/picSplines.hpp"
 
 namespace riprap
@@ -39,14 +43,27 @@ struct PicSetting
 
     PicConfig config;
     Context<Backend> context{};
-    UniformGrid<D> grid;
+    UniformGrid<D> grid;                        // of several ranks: this one's part
+    std::unique_ptr<RankMeter> meter;           // null: one rank has all
+    std::unique_ptr<GridBricks<D>> bricks;      // the same
     double gravity[D];
     double emptyCoordinate = 0;
     PicClock clock;
 
-    explicit PicSetting(const PicConfig&);
+    //- water: that a run begins with, whose places decide who has which cells
+    explicit PicSetting(const PicConfig&, const FluidInput& water = FluidInput());
     PicSetting(const PicSetting&) = delete;
 
+    const UniformGrid<D>& whole() const { return bricks ? bricks->whole() : grid; }
+    //- Does each of several ranks solve for p of the whole block?
+    bool gathersPressure() const
+    {
+        return bricks && whole().cells() <= config.gatheredCells;
+    }
+    double largest(double value) const
+    {
+        return bricks ? largestOfRanks(bricks->ranks(), value) : value;
+    }
     double particleSpacing() const { return std::pow(clock.particleVolume, 1.0/D); }
     double kick(double dt) const;
     int steepest() const;
@@ -55,7 +72,7 @@ struct PicSetting
 };
 
 template<class Backend, int D, class P>
-PicSetting<Backend, D, P>::PicSetting(const PicConfig& c)
+PicSetting<Backend, D, P>::PicSetting(const PicConfig& c, const FluidInput& water)
 :
     config(c)
 {
@@ -71,6 +88,11 @@ PicSetting<Backend, D, P>::PicSetting(const PicConfig& c)
     const int empty = config.axes[2];
     emptyCoordinate = 0.5*(config.domainMin[empty] + config.domainMax[empty]);
     clock.time = config.startTime;
+    if (!config.ranks || config.ranks->size() < 2) return;
+    meter = std::make_unique<RankMeter>(*config.ranks);
+    bricks = std::make_unique<GridBricks<D>>(*meter, grid, solved(water.position, true),
+        std::pow(config.spacing/config.cellSize, D));
+    grid = bricks->partGrid();
 }
 
 //- Velocities stand between the times of positions (leapfrog): half a step behind the first time,

@@ -62,7 +62,7 @@ int transferChoice(const PicConfig& c)
     for (const SplineCard& s : splines())
     {
         if (std::find(orders.begin(), orders.end(), s.order) != orders.end())
-            valid.push_back(s.word);
+            valid.emplace_back(s.word);
         if (s.order == c.splineOrder) typed = s.word;
     }
     throw std::invalid_argument("transfer " + c.transfer + " does not go with splines " + typed
@@ -71,7 +71,7 @@ int transferChoice(const PicConfig& c)
 
 TransferCard transferOf(const PicConfig& c)
 {
-    const TransferCard card = transfers()[transferChoice(c)];
+    TransferCard card = transfers()[transferChoice(c)];
     for (const TransferEntry& e : card.entries)
         if (!e.yesNo && !e.allows(e.value(c.transferNumbers)))
             throw std::invalid_argument(

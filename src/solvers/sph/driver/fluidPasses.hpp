@@ -25,6 +25,9 @@ public:
     //- M: one of the kernels that move particles or write their records
     template<class M> M mover();
 
+    //- Moves them
+    template<class M> void move();
+
     //- Records of the state at hand; steps leave predicted ones
     void refreshRecords();
 
@@ -51,6 +54,16 @@ M FluidPasses<Backend, D, P>::mover()
     m.contact = p_.faces.contact(p_.solids);
     m.ghosts = p_.ghosts();
     return m;
+}
+
+template<class Backend, int D, class P>
+template<class M>
+void FluidPasses<Backend, D, P>::move()
+{
+    const M m = mover<M>();
+    if constexpr (!Backend::gpu)
+        if (m.isPlain()) return forEach(p_.set.context, p_.fluid.n, PlainMover<M>{m});
+    forEach(p_.set.context, p_.fluid.n, m);
 }
 
 template<class Backend, int D, class P>

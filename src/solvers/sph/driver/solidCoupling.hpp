@@ -71,17 +71,21 @@ void SolidCoupling<Backend, D, P>::sort()
         place.reference[d] = p_.solids.reference.data() + std::size_t(d)*p_.solids.count;
     if constexpr (Backend::gpu) place.frames = p_.memory.frames.view();
     forEach(p_.set.context, p_.solids.count, place);
+    if (p_.solidRanks) p_.solidRanks->settle();
 }
 
 template<class Backend, int D, class P>
 void SolidCoupling<Backend, D, P>::findFluid()
 {
-    p_.solids.meets.upload(p_.set.context, std::vector<int>(1, 0));
+    const bool ranks = bool(p_.solidRanks);
+    p_.solids.meets.upload(
+        p_.set.context, std::vector<int>(ranks ? std::size_t(p_.solids.count) : 1, 0));
     forEach(p_.set.context, p_.solids.count,
         MeetFluid<D, P>{p_.set.box, p_.set.grid, p_.solids.side->view(), p_.solids.sort.order(),
-            p_.solids.sort.active(), p_.fluid.sort.start(), p_.solids.meets.data(),
+            p_.solids.sort.active(), p_.fluid.sort.start(), p_.solids.meets.data(), ranks,
             Backend::gpu ? p_.set.grid.radius : p_.set.grid.radius + p_.set.allowedWay});
-    p_.solids.meetFluid = p_.solids.meets.download()[0] != 0;
+    p_.solids.meetFluid = ranks ? p_.solidRanks->agreeOnMeeting()
+                                : p_.solids.meets.download()[0] != 0;
     if (!p_.solids.meetFluid)
         forEach(p_.set.context, p_.solids.count*D, ClearForces<real>{p_.solids.force.data()});
     else if (Backend::gpu)
@@ -198,8 +202,9 @@ void SolidCoupling<Backend, D, P>::pressurePass(bool inStep)
         p_.runOverSolids(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>{
             p_.set.box, p_.set.grid, {p_.fluidAboutSolids()}, p_.solids.records.view(),
             p_.set.template kernelConstants<Kernel>(), p_.set.model, p_.solids.points(),
-            extrapolated, inStep ? p_.clock.data() : nullptr});
+            extrapolated, inStep ? p_.clock.data() : nullptr, p_.solidGhosts()});
     });
+    if (p_.solidRanks) p_.solidRanks->sharePressures();
 }
 
 template<class Backend, int D, class P>
@@ -217,7 +222,7 @@ void SolidCoupling<Backend, D, P>::pass()
             SolidToFluidPass<Backend, D, P, Kernel, variableH, part, SolidTerms> pass{p_.set.box,
                 p_.set.grid, {p_.solidSource()}, p_.fluid.records.view(), terms,
                 p_.set.template kernelConstants<Kernel>(), p_.set.model, p_.solids.action(),
-                p_.solids.mass.data(), {}, p_.fluid.sort.active(), p_.clock.data()};
+                p_.solids.mass.data(), {}, p_.fluid.sort.active(), p_.clock.data(), p_.ghosts()};
             for (int d = 0; d < D; ++d) pass.own[d] = p_.solids.own[d].data();
             p_.run(pass, p_.fluid.n);
         });
@@ -230,6 +235,9 @@ void SolidCoupling<Backend, D, P>::forcePass(real* pressureForce)
     if (!p_.solids.meetFluid) return;
     SolidPoints<D, P> points = p_.solids.points();
     if (pressureForce) points.force = pressureForce;
+    if (p_.solidRanks)
+        forEach(p_.set.context, p_.solids.count,
+            ClearPointForces<D, P>{points, p_.set.model.mass});
     withKernel(p_.set.config, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
@@ -240,9 +248,10 @@ void SolidCoupling<Backend, D, P>::forcePass(real* pressureForce)
             p_.runOverSolids(FluidToSolidPass<Backend, D, P, Kernel, variableH, SolidTerms>{
                 p_.set.box, p_.set.grid, {p_.fluidAboutSolids()}, p_.solids.records.view(), terms,
                 p_.set.template kernelConstants<Kernel>(), p_.set.model, points,
-                pressureForce ? nullptr : p_.clock.data()});
+                pressureForce ? nullptr : p_.clock.data(), p_.solidGhosts()});
         });
     });
+    if (p_.solidRanks) p_.solidRanks->shareForces(points);
 }
 
 template<class Backend, int D, class P>

@@ -129,7 +129,7 @@ void SoundSpeed<Backend, D, P>::setMaxVelocity(double maxVelocity, double soundS
     p_.clock.now.maxima[2] = float(reduceMax(
         p_.set.context, n, withoutGhosts(AbsoluteDeviation<real>{deviation}, p_.ghosts())));
     p_.clock.write();
-    if (p_.ranks) { p_.ranks->agree(*p_.clock.data(), p_.interrupted); p_.clock.read(); }
+    if (p_.ranks) { p_.ranks->agree(p_.clock, p_.interrupted); p_.clock.read(); }
     fluid_.refreshRecords();
     if constexpr (Backend::gpu) p_.memory.graphs.forget();
 }

@@ -61,7 +61,7 @@ std::vector<Vector3> SphForces<Backend, D, P>::wallForces()
     const auto f = wallPointForces(true);
     const auto id = p_.walls.values.template download<std::int32_t>(p_.set.context, p_.walls.at.id);
     for (int i = 0; i < p_.walls.count; ++i)
-        for (int d = 0; d < D && !p_.wallGhosts()(i); ++d)
+        for (int d = 0; d < D && !p_.wallGhost(i); ++d)
             total[p_.walls.bodyOf[id[i]] + 1][p_.set.config.axes[d]] += f[std::size_t(i)*D + d];
     return total;
 }
@@ -80,7 +80,7 @@ std::vector<FluidForce> SphForces<Backend, D, P>::forcesOnWalls()
         x[d] = p_.walls.values.template download<std::int64_t>(p_.set.context, p_.walls.at.x + d);
     for (int i = 0; i < p_.walls.count; ++i)
     {
-        if (p_.wallGhosts()(i)) continue;
+        if (p_.wallGhost(i)) continue;
         FluidForce f;
         bool any = false;
         f.part = p_.walls.partOf[id[i]];

@@ -43,11 +43,14 @@ public:
     void fitCapacity();
 
     //- Several ranks: memory for so many
-    void setCapacity(int n) { p_.fluid.setCapacity(n, p_.ranks->particles().residents()); }
+    void setCapacity(int n);
 
 private:
 
+    void agreeOnSearch();
     void settleFrames();
+    void allocateListMemory();
+    template<class List> int roomFor(const List&, int capacity) const;
     SearchReach<real> fluidReach() const;
     void buildLists();
 
@@ -76,7 +79,7 @@ void SphNeighbours<Backend, D, P>::rebuild()
     keys.clock = p_.clock.data();
     forEach(p_.set.context, p_.fluid.n, keys);
     if (p_.ranks)
-        p_.ranks->migrate([this](int n) { setCapacity(n); }, [this] { return p_.fluid.fields(); });
+        p_.ranks->migrate([this](int n) { setCapacity(n); });
     p_.fluid.sort.sort(p_.set.context, p_.fluid.n);
     p_.fluid.values.permute(p_.set.context, p_.fluid.sort.order(), p_.fluid.n);
     if (p_.ranks) p_.ranks->settle(p_.fluid.active());
@@ -85,6 +88,7 @@ void SphNeighbours<Backend, D, P>::rebuild()
     if (p_.walls.bodies) walls_.place();
     if (p_.wallRanks) p_.wallRanks->settle();
     if (p_.solids.side) solids_.sort();
+    if (p_.ranks) agreeOnSearch();
     settleFrames();
     if (p_.solids.side) solids_.findFluid();
     buildLists();
@@ -93,7 +97,21 @@ void SphNeighbours<Backend, D, P>::rebuild()
     if (p_.walls.bodies || p_.set.config.integrator == IntegratorKind::symplectic)
         walls_.extrapolate(false);
     solids_.pressurePass(false);
-    if (p_.ranks) p_.ranks->agree(*p_.clock.data(), p_.interrupted);
+    if (p_.ranks) p_.ranks->agree(p_.clock, p_.interrupted);
+}
+
+//- On the GPU: how far lists reach, and how fast water is about each place, of all ranks
+template<class Backend, int D, class P>
+void SphNeighbours<Backend, D, P>::agreeOnSearch()
+{
+    if constexpr (Backend::gpu)
+    {
+        if (p_.set.config.variableSmoothing) p_.ranks->agreeOnH(p_.clock);
+        if (!p_.memory.frames.on()) return;
+        std::vector<int> bounds = p_.memory.frames.bounds();
+        leastOfRanks(*p_.set.config.ranks, bounds, 2*D, LocalFrames<D, P>::unset);
+        p_.memory.frames.setBounds(p_.set.context, bounds);
+    }
 }
 
 //- How far particles may go, now that they and the walls are in their places
@@ -138,25 +156,26 @@ void SphNeighbours<Backend, D, P>::buildLists()
         int* overflow = p_.clock.data()->overflow;
         p_.memory.fluidFluid.build(p_.set.context, box, grid, grid.radius, fluid, fluid,
             p_.fluid.sort.start(), p_.fluid.sort.active(), true, overflow, "listFluid",
-            fluidReach());
+            fluidReach(), p_.ghosts());
         if (p_.solids.meetFluid)
         {
             const auto solid = p_.solids.records.view();
             p_.memory.fluidSolid.build(p_.set.context, box, grid, grid.radius, fluid, solid,
                 p_.solids.sort.start(), p_.fluid.sort.active(), false, overflow + 3,
-                "listFluidSolid");
+                "listFluidSolid", {}, p_.ghosts());
             p_.memory.solidFluid.build(p_.set.context, box, grid, grid.radius, solid, fluid,
                 p_.fluid.sort.start(), p_.solids.sort.active(), false, overflow + 4,
-                "listSolidFluid");
+                "listSolidFluid", {}, p_.solidGhosts());
         }
         if (!p_.walls.count) return;
         const auto wall = p_.walls.records.view();
         p_.memory.fluidWall.build(p_.set.context, box, grid, p_.memory.wallRadius, fluid, wall,
-            p_.walls.sort.start(), p_.fluid.sort.active(), false, overflow + 1, "listFluidWall");
+            p_.walls.sort.start(), p_.fluid.sort.active(), false, overflow + 1, "listFluidWall",
+            {}, p_.ghosts());
         if (p_.set.config.wallModel == WallKind::extrapolated || p_.walls.bodies)
             p_.memory.wallFluid.build(p_.set.context, box, grid, p_.memory.wallRadius, wall, fluid,
                 p_.fluid.sort.start(), p_.walls.sort.active(), false, overflow + 2,
-                "listWallFluid");
+                "listWallFluid", {}, p_.wallGhosts());
     }
 }
 
@@ -169,6 +188,17 @@ void SphNeighbours<Backend, D, P>::allocateLists()
         const auto shiftOf = [](int n)
         { return n <= 24000 ? 3 : (n <= 200000 ? 2 : (n <= 500000 ? 1 : 0)); };
         p_.shift = shiftOf(p_.fluid.n);
+        if (p_.solids.side) p_.memory.solidShift = shiftOf(p_.solids.count);
+        allocateListMemory();
+    }
+}
+
+//- Memory of lists, for particles that there is memory for
+template<class Backend, int D, class P>
+void SphNeighbours<Backend, D, P>::allocateListMemory()
+{
+    if constexpr (Backend::gpu)
+    {
         const FluidModel<D, P>& model = p_.set.model;
         const double pi = 3.14159265358979323846,
                      h = std::min(1.5*double(ClockData::growthOfH)*model.h0 + model.h0,
@@ -179,16 +209,17 @@ void SphNeighbours<Backend, D, P>::allocateLists()
         const int lanes = 1 << p_.shift;
         const int fluidNeighbours = int(1.4*sphere/std::pow(p_.set.config.spacing, D)) + 8;
         const int capacity = (fluidNeighbours/lanes*(lanes > 1 ? 3 : 2)/2 + 7)/4 + 1;
-        p_.memory.fluidFluid.allocate(p_.set.context, p_.fluid.n, p_.shift, false, capacity);
+        p_.memory.fluidFluid.allocate(p_.set.context, p_.fluid.n, p_.shift, false,
+            roomFor(p_.memory.fluidFluid, capacity));
         if (p_.solids.side)
         {
             // grown when they do not fit
-            p_.memory.solidShift = shiftOf(p_.solids.count);
             const long long warps = ((long long)p_.solids.count << p_.shift)/32 + 1;
             p_.memory.fluidSolid.allocate(
-                p_.set.context, p_.fluid.n, p_.shift, true, int(warps*capacity + 256));
+                p_.set.context, p_.fluid.n, p_.shift, true,
+                roomFor(p_.memory.fluidSolid, int(warps*capacity + 256)));
             p_.memory.solidFluid.allocate(p_.set.context, p_.solids.count, p_.memory.solidShift,
-                true, int(warps*capacity/2 + 256));
+                true, roomFor(p_.memory.solidFluid, int(warps*capacity/2 + 256)));
         }
         if (p_.walls.count)
         {
@@ -198,10 +229,11 @@ void SphNeighbours<Backend, D, P>::allocateLists()
             const long long warps = ((long long)p_.fluid.n << p_.shift)/32 + 1,
                             wallWarps = ((long long)p_.walls.count << p_.shift)/32 + 1;
             p_.memory.fluidWall.allocate(p_.set.context, p_.fluid.n, p_.shift, true,
-                int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256));
+                roomFor(p_.memory.fluidWall,
+                    int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256)));
             if (p_.set.config.wallModel == WallKind::extrapolated || p_.walls.bodies)
                 p_.memory.wallFluid.allocate(p_.set.context, p_.walls.count, p_.shift, true,
-                    int(wallWarps*capacity/4 + 256));
+                    roomFor(p_.memory.wallFluid, int(wallWarps*capacity/4 + 256)));
         }
     }
 }
@@ -238,6 +270,7 @@ template<class Backend, int D, class P>
 void SphNeighbours<Backend, D, P>::setFrames()
 {
     p_.walls.allowedWay = p_.set.allowedWay;
+    double farthest = p_.set.grid.radius;
     if constexpr (Backend::gpu)
     {
         const double skin = 2*double(p_.set.allowedWay), radius = p_.set.grid.radius,
@@ -249,14 +282,36 @@ void SphNeighbours<Backend, D, P>::setFrames()
         p_.memory.wallRadius = real(reach);
         if (p_.walls.bodies) p_.walls.allowedWay = real(0.5*(reach - support));
         p_.memory.frames.set(p_.set.context, p_.set.box, 2*radius, 2e6);
+        farthest = std::max(farthest, reach);
     }
+    if (p_.ranks) p_.ranks->setReach(farthest, double(p_.set.allowedWay));
 }
 
 template<class Backend, int D, class P>
 void SphNeighbours<Backend, D, P>::fitCapacity()
 {
+    if constexpr (Backend::gpu)
+        for (auto* list : {&p_.memory.fluidFluid, &p_.memory.fluidWall, &p_.memory.wallFluid,
+                 &p_.memory.fluidSolid, &p_.memory.solidFluid})
+            *list = std::decay_t<decltype(*list)>();
     setCapacity(p_.ranks->room());
     rebuild();
+}
+
+template<class Backend, int D, class P>
+void SphNeighbours<Backend, D, P>::setCapacity(int n)
+{
+    p_.fluid.setCapacity(n, p_.ranks->particles().residents());
+    if (p_.solids.side) p_.solids.allocateAction(p_.fluid.n);
+    allocateListMemory();
+}
+
+//- Of a list that has grown; on several ranks what it has grown to holds
+template<class Backend, int D, class P>
+template<class List>
+int SphNeighbours<Backend, D, P>::roomFor(const List& list, int capacity) const
+{
+    return p_.ranks ? std::max(capacity, list.capacity()) : capacity;
 }
 
 } // namespace riprap

@@ -99,7 +99,7 @@ WallState SphReadings<Backend, D, P>::walls()
         ReadWalls<Backend, D, P>{p_.walls.records.view(), p_.walls.fields().id, pressure.data()});
     const auto p = pressure.download();
     for (int i = 0; i < p_.walls.count; ++i) s.pressure[i] = p[i];
-    for (int i = 0; i < p_.walls.count; ++i) if (p_.wallGhosts()(i)) s.pressure[id[i]] = 0;
+    for (int i = 0; i < p_.walls.count; ++i) if (p_.wallGhost(i)) s.pressure[id[i]] = 0;
     if (!p_.walls.bodies) return s;
     for (int d = 0; d < D; ++d)
     {
@@ -133,7 +133,7 @@ SphEnergy SphReadings<Backend, D, P>::energy()
     {
         const auto work = p_.walls.values.template download<double>(p_.set.context, field);
         double sum = 0;
-        for (int i = 0; i < p_.walls.count; ++i) if (!p_.wallGhosts()(i)) sum += work[i];
+        for (int i = 0; i < p_.walls.count; ++i) if (!p_.wallGhost(i)) sum += work[i];
         return sum;
     };
     e.wallWork = sumOf(p_.walls.at.work);
@@ -275,7 +275,7 @@ NeighbourCounts SphReadings<Backend, D, P>::countNeighbours()
     const double support = supportOf(p_.set.config);
     const auto count = [&](const Source<Backend, D, P>& source,
                            const RecordsView<Backend, D, P>& target, int n,
-                           const GhostMarks<Backend>& ghosts, bool solids)
+                           const auto& ghost, bool solids)
     {
         if (!n || !source.start) return std::int64_t(0);
         Array<Backend, real> result;
@@ -287,21 +287,23 @@ NeighbourCounts SphReadings<Backend, D, P>::countNeighbours()
         const std::vector<real> counts = result.download();
         std::int64_t sum = 0;
         for (int i = 0; i < n; ++i)
-            if (!ghosts(i)) sum += std::int64_t(counts[i]);
+            if (!ghost(i)) sum += std::int64_t(counts[i]);
         return sum;
     };
     const int n = p_.fluid.active();
-    r.fluid = count(p_.fluidSource(false), p_.fluid.records.view(), n, p_.ghosts(), false);
-    r.walls = count(p_.wallSource(), p_.fluid.records.view(), n, p_.ghosts(), false);
+    const auto ghost = [&](int i) { return p_.ghost(i); };
+    r.fluid = count(p_.fluidSource(false), p_.fluid.records.view(), n, ghost, false);
+    r.walls = count(p_.wallSource(), p_.fluid.records.view(), n, ghost, false);
     if (p_.walls.count && (p_.walls.bodies || p_.set.config.wallModel == WallKind::extrapolated))
         r.aboutWalls = count(
-            p_.fluidSource(true), p_.walls.records.view(), p_.walls.count, p_.wallGhosts(),
-            false);
+            p_.fluidSource(true), p_.walls.records.view(), p_.walls.count,
+            [&](int i) { return p_.wallGhost(i); }, false);
     if (!p_.solids.meetFluid) return r;
     int solids = 0;
     p_.set.context.toHost(&solids, p_.solids.sort.active(), sizeof(int));
-    r.solids = count(p_.solidSource(), p_.fluid.records.view(), n, p_.ghosts(), false);
-    r.aboutSolids = count(p_.fluidAboutSolids(), p_.solids.records.view(), solids, {}, true);
+    r.solids = count(p_.solidSource(), p_.fluid.records.view(), n, ghost, false);
+    r.aboutSolids = count(p_.fluidAboutSolids(), p_.solids.records.view(), solids,
+        [&](int i) { return p_.solidGhost(i); }, true);
     return r;
 }
 

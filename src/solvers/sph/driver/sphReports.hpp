@@ -72,7 +72,7 @@ void SphReports<Backend, D, P>::collectEscaped(SphReport& report)
     if (p_.ranks)
     {
         p_.ranks->report(report);
-        report.rank.bytesInSteps += p_.wallRanks->bytesShared();
+        report.rank.bytesInSteps += p_.wallRanks->bytesShared() + p_.solidRanks->bytesShared();
         return;
     }
     const int active = p_.fluid.active();

@@ -1,5 +1,5 @@
 /*  The SPH scene on one backend, in one dimension and precision: its parts (solvers/sph/parts), and
-    classes that do one thing with them each. Several processes: solvers/sph/fluidRanks.hpp.
+    classes that do one thing with them each. Several processes: solvers/sph/parts/fluidRanks.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -133,7 +133,7 @@ void SphSolver<Backend, D, P>::prime()
     fluid_.template pass<Part::all>(Finish::store);
     solids_.forcePass();
     solids_.showForces();
-    if (p_.ranks) p_.ranks->agree(*p_.clock.data(), p_.interrupted);
+    if (p_.ranks) p_.ranks->agree(p_.clock, p_.interrupted);
     p_.set.context.synchronise();
     p_.clock.read();
 }

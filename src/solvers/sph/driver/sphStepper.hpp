@@ -33,6 +33,7 @@ private:
     void passesAfterSolids();
     int stepsAhead() const;
     void runCycles(int steps, bool graphs);
+    void runCyclesOfRanks(int steps);
     void fitCycle(int taken);
 
     SphParts<Backend, D, P>& p_;
@@ -47,6 +48,12 @@ void SphStepper<Backend, D, P>::step()
 {
     forEach(p_.set.context, 1, p_.tick());
     if constexpr (!Backend::gpu) if (!p_.clock.data()->active) return;
+    if (Backend::gpu && p_.ranks)
+    {
+        // ranks send each other nothing in a step that is off
+        p_.clock.read();
+        if (!p_.clock.now.active) return;
+    }
     if (p_.solids.side)
     {
         if (Backend::gpu && p_.solids.coupling.force != FluidForceKind::impulse)
@@ -67,7 +74,7 @@ void SphStepper<Backend, D, P>::passes()
     walls_.moveFaces();
     if (p_.set.config.integrator == IntegratorKind::leapfrog)
     {
-        forEach(p_.set.context, p_.fluid.n, fluid_.template mover<LeapfrogDrift<Backend, D, P>>());
+        fluid_.template move<LeapfrogDrift<Backend, D, P>>();
         if (p_.ranks) p_.ranks->shareRecords();
         walls_.pushBodies();
         walls_.move(false);
@@ -80,14 +87,13 @@ void SphStepper<Backend, D, P>::passes()
     }
     else
     {
-        forEach(p_.set.context, p_.fluid.n, fluid_.template mover<SymplecticKick<Backend, D, P>>());
+        fluid_.template move<SymplecticKick<Backend, D, P>>();
         if (p_.ranks) p_.ranks->shareRecords();
         walls_.move(true);
         solids_.move(true);
         solids_.template pass<Part::density>();
         fluid_.template pass<Part::density>(Finish::close);
-        forEach(
-            p_.set.context, p_.fluid.n, fluid_.template mover<SymplecticDrift<Backend, D, P>>());
+        fluid_.template move<SymplecticDrift<Backend, D, P>>();
         if (p_.ranks) p_.ranks->shareRecords();
         walls_.pushBodies();
         walls_.move(false);
@@ -99,7 +105,7 @@ void SphStepper<Backend, D, P>::passes()
         walls_.force(nullptr);
     }
     solids_.forcePass();
-    if (p_.ranks) p_.ranks->agree(*p_.clock.data(), p_.interrupted);
+    if (p_.ranks) p_.ranks->agree(p_.clock, p_.interrupted);
 }
 
 //- On the GPU recorded, for each memory that fields of fluid, walls and solids alternate between:
@@ -109,7 +115,7 @@ void SphStepper<Backend, D, P>::passesAfterSolids()
 {
 #ifdef __CUDACC__
     if constexpr (std::is_same<Backend, Gpu>::value)
-        if (!p_.set.context.profile.timing && p_.fluid.values.alternates()
+        if (!p_.ranks && !p_.set.context.profile.timing && p_.fluid.values.alternates()
             && (!p_.walls.bodies || p_.walls.values.alternates()))
         {
             std::string key;
@@ -159,16 +165,19 @@ void SphStepper<Backend, D, P>::run(std::int64_t& rebuilds)
         while (!p_.clock.over())
         {
             const std::int64_t before = p_.clock.now.step;
-            // large sets rotate through spare memory, and do not need graphs
+            // large sets rotate through spare memory, and do not need graphs; what ranks send
+            // passes through the host
             const bool graphs = !p_.set.context.profile.timing && p_.fluid.values.alternates()
-                && wallsAlternate;
+                && wallsAlternate && !p_.ranks;
             const int steps = stepsAhead();
-            runCycles(steps, graphs);
+            if (p_.ranks) runCyclesOfRanks(steps);
+            else runCycles(steps, graphs);
             rebuilds += 2;
             p_.clock.read();
             if (p_.clock.now.overflows()) { neighbours_.growLists(); continue; }
             // heeded, whatever else ends the loop
-            const bool interrupted = p_.interrupted.exchange(false);
+            const bool interrupted = p_.ranks ? p_.stopAsked() : p_.interrupted.exchange(false);
+            if (p_.ranks && interrupted) p_.interrupted = false;
             if (p_.clock.over() || interrupted) break;
             if (steps == p_.cycle.steps) fitCycle(int(p_.clock.now.step - before));
         }
@@ -214,6 +223,23 @@ void SphStepper<Backend, D, P>::runCycles([[maybe_unused]] int steps, [[maybe_un
             }
             for (; k < steps; ++k) { if (graphs) g.step[c].replay(p_.set.context); else step(); }
         }
+    }
+}
+
+//- The same on several ranks, with the host between steps: it sees when one is off, as those after
+//  it would be
+template<class Backend, int D, class P>
+void SphStepper<Backend, D, P>::runCyclesOfRanks(int steps)
+{
+    for (int c = 0; c < 2; ++c)
+    {
+        neighbours_.rebuild();
+        for (int k = 0; k < steps; ++k)
+        {
+            step();
+            if (!p_.clock.now.active || p_.stopAsked()) break;
+        }
+        if (p_.stopAsked()) break;
     }
 }
 

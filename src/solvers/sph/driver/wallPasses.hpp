@@ -179,9 +179,10 @@ void WallPasses<Backend, D, P>::moveFaces()
 template<class Backend, int D, class P>
 void WallPasses<Backend, D, P>::pushBodies()
 {
-    if (p_.faces.bodies() && p_.solids.meetFluid)
-        forEach(p_.set.context, p_.faces.bodies(),
-            BlowBodies<D, P>{p_.solids.side->bodies(), p_.faces.blow(), double(p_.set.model.mass)});
+    if (!p_.faces.bodies() || !p_.solids.meetFluid) return;
+    if (p_.solidRanks) p_.solidRanks->sumBlows(p_.faces.blow(), p_.faces.bodies());
+    forEach(p_.set.context, p_.faces.bodies(),
+        BlowBodies<D, P>{p_.solids.side->bodies(), p_.faces.blow(), double(p_.set.model.mass)});
 }
 
 } // namespace riprap

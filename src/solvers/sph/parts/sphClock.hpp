@@ -35,6 +35,15 @@ public:
     void read() { context_.toHost(&now, clock_.data(), sizeof(ClockData)); }
     void write() { context_.toDevice(clock_.data(), &now, sizeof(ClockData)); }
 
+    //- For the host to change between two launches, and back
+    ClockData& taken()
+    {
+        if (!Backend::gpu) return *clock_.data();
+        read();
+        return now;
+    }
+    void give() { if (Backend::gpu) write(); }
+
     //- Has the device come to the target, the last step, or to a guard?
     bool over() const
     {

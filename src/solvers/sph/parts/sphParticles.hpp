@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/backend/hostMemory.hpp"
 #include "core/neighbours/cellSort.hpp"
 #include "solvers/sph/parts/sphSetting.hpp"
 #include "sph/state/fluidFields.hpp"
@@ -37,7 +38,7 @@ public:
     void set(const FluidInput&);
 
     //- Memory for so many from now on; the first `residents` stay in their slots, and a rebuild
-    //  does the rest (CPU)
+    //  does the rest
     void setCapacity(int capacity, int residents);
 
     //- So many are loaded into their fields: what is laid out by their number
@@ -117,7 +118,8 @@ void SphParticles<Backend, D, P>::setCapacity(int capacity, int residents)
     }
     values.allocate(set_.context, capacity);
     for (int f = 0; f < values.fields(); ++f)
-        std::memcpy(values.bytes(f), old.bytes(f), std::size_t(kept)*old.elementBytes(f));
+        copyOnDevice(set_.context, values.bytes(f), old.bytes(f),
+            std::size_t(kept)*old.elementBytes(f));
     records = Records<Backend, D, P>();
     records.allocate(set_.context, capacity, set_.model.variableH);
     reference = Array<Backend, position>();
@@ -125,6 +127,7 @@ void SphParticles<Backend, D, P>::setCapacity(int capacity, int residents)
     sort = CellSort<Backend>();
     sort.allocate(set_.context, capacity, set_.grid.cells);
     set_.context.toDevice(const_cast<int*>(sort.active()), &inScene, sizeof(int));
+    set_.context.synchronise();     // before the old memory goes
     n = capacity;
 }
 

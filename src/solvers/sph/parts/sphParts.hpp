@@ -14,8 +14,9 @@
     #include "core/backend/graph.hpp"
     #include "core/neighbours/neighbourList.hpp"
 #endif
-#include "solvers/sph/fluidRanks.hpp"
+#include "solvers/sph/parts/fluidRanks.hpp"
 #include "solvers/sph/parts/faceArrays.hpp"
+#include "solvers/sph/parts/solidRanks.hpp"
 #include "solvers/sph/parts/sphClock.hpp"
 #include "solvers/sph/parts/sphParticles.hpp"
 #include "solvers/sph/parts/wallPoints.hpp"
@@ -84,6 +85,7 @@ struct SphParts
     // null: there is one
     std::unique_ptr<FluidRanks<Backend, D, P>> ranks;
     std::unique_ptr<WallRanks<Backend, D, P>> wallRanks;
+    std::unique_ptr<SolidRanks<Backend, D, P>> solidRanks;
 
     SphParts(const SphConfig&, int particles, WallMotion);
     SphParts(const SphParts&) = delete;
@@ -93,6 +95,14 @@ struct SphParts
     {
         return wallRanks ? wallRanks->marks() : GhostMarks<Backend>();
     }
+    GhostMarks<Backend> solidGhosts() const
+    {
+        return solidRanks ? solidRanks->marks() : GhostMarks<Backend>();
+    }
+    //- The same for the host: is it worked out by another rank?
+    bool ghost(int i) const { return ranks && ranks->ghost(i); }
+    bool wallGhost(int i) const { return wallRanks && wallRanks->ghost(i); }
+    bool solidGhost(int i) const { return solidRanks && solidRanks->ghost(i); }
     bool stopAsked() const { return ranks ? ranks->stopAgreed() : bool(interrupted); }
     Tick tick() { return Tick{clock.data(), set.limits}; }
 
@@ -113,10 +123,10 @@ SphParts<Backend, D, P>::SphParts(const SphConfig& config, int particles, WallMo
 {
     if (!config.ranks || config.ranks->size() == 1) return;
     ranks = std::make_unique<FluidRanks<Backend, D, P>>(
-        typename FluidRanks<Backend, D, P>::Scene{set.config, set.box, set.grid, fluid.values,
-            fluid.records, fluid.sort, fluid.n, set.emptyCoordinate},
-        double(set.allowedWay));
+        typename FluidRanks<Backend, D, P>::Scene{set.context, set.config, set.box, set.grid,
+            fluid.values, fluid.records, fluid.sort, fluid.n, set.emptyCoordinate, fluid.at});
     wallRanks = std::make_unique<WallRanks<Backend, D, P>>(*ranks, walls);
+    solidRanks = std::make_unique<SolidRanks<Backend, D, P>>(*ranks, solids);
 }
 
 template<class Backend, int D, class P>

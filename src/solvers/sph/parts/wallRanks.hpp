@@ -1,4 +1,4 @@
-/*  Points of walls of a scene on several ranks (CPU).
+/*  Points of walls of a scene on several ranks.
 
     Each rank has all points, and moves those that move by the same motion: where they are, and
     their order, are the same bits everywhere. What the fluid about a point gives it (pressure, the
@@ -10,12 +10,43 @@
 */
 #pragma once
 
-#include "core/ranks/slotShares.hpp"
-#include "solvers/sph/fluidRanks.hpp"
+#include "core/ranks/deviceShares.hpp"
+#include "core/containers/ghostMarks.hpp"
+#include "solvers/sph/parts/fluidRanks.hpp"
 #include "solvers/sph/parts/wallPoints.hpp"
 
 namespace riprap
 {
+
+//- What the fluid gave a point, as bytes for another rank; its h is that of the start
+template<class Backend, int D, class P>
+struct PutWall
+{
+    RecordsView<Backend, D, P> records;
+
+    HD void operator()(int i, unsigned char* to) const
+    {
+        const auto p = records.template load<false>(i);
+        for (int d = 0; d < D; ++d) putWord(to, p.velocity.c[d]);
+        putWord(to, p.pressureTerm);
+        putWord(to, p.density);
+    }
+};
+
+template<class Backend, int D, class P>
+struct TakeWall
+{
+    RecordsView<Backend, D, P> records;
+
+    HD void operator()(int i, const unsigned char* from) const
+    {
+        auto p = records.h ? records.template load<true>(i) : records.template load<false>(i);
+        for (int d = 0; d < D; ++d) takeWord(from, p.velocity.c[d]);
+        takeWord(from, p.pressureTerm);
+        takeWord(from, p.density);
+        records.store(i, p);
+    }
+};
 
 template<class Backend, int D, class P>
 class WallRanks
@@ -33,10 +64,10 @@ public:
     void settle();
 
     //- Is the point in this slot worked out by another rank?
-    bool ghost(int i) const { return ghosts_[i]; }
-    GhostMarks<Backend> marks() const { return ghostMarks<Backend>(ghosts_); }
+    bool ghost(int i) const { return ghosts_(i); }
+    GhostMarks<Backend> marks() const { return ghosts_.view(); }
 
-    //- What the fluid gave the points. Their h is that of the start
+    //- What the fluid gave the points
     void share();
 
     //- What has been added up for each point, on the first rank
@@ -49,14 +80,16 @@ private:
     // slots by rank
     using Slots = std::vector<std::vector<int>>;
 
+    std::vector<std::int32_t> ids();
+    std::vector<std::uint32_t> cellsOfPoints();
     void sendAddedUp(Slots to, Slots from);
 
     FluidRanks<Backend, D, P>& fluid_;
     WallPoints<Backend, D, P>& walls_;
-    SlotShares shares_;
-    std::vector<char> ghosts_;
+    DeviceShares<Backend> shares_;
+    GhostMemory<Backend> ghosts_;
     std::vector<int> owner_;                // by id; empty: points have not been divided
-    std::int64_t divided_ = -1, bytes_ = 0;     // ParticleExchange::divisions() when they were
+    std::int64_t divided_ = -1, bytes_ = 0;     // PieceOwners::divisions() when they were
 };
 
 namespace detail
@@ -78,99 +111,106 @@ inline void setShares(SlotShares& shares, std::vector<std::vector<int>>& to,
 template<class Backend, int D, class P>
 void WallRanks<Backend, D, P>::settle()
 {
-    if constexpr (!Backend::gpu)
+    SlotExchange<Backend>& cells = fluid_.particles();
+    if (!walls_.count || (!walls_.bodies && cells.owners().divisions() == divided_)) return;
+    divided_ = cells.owners().divisions();
+    const int me = cells.transport().rank(), size = cells.transport().size();
+    const std::vector<std::uint32_t> cellOf = cellsOfPoints();
+    const std::vector<std::int32_t> id = ids();
+    Slots to(size), from(size), leave(size), arrive(size);
+    const bool first = owner_.empty();
+    owner_.resize(walls_.count);
+    std::vector<char> marks(walls_.count);
+    for (int i = 0; i < walls_.count; ++i)
     {
-        ParticleExchange& cells = fluid_.particles();
-        if (!walls_.count || (!walls_.bodies && cells.divisions() == divided_)) return;
-        divided_ = cells.divisions();
-        const int me = cells.transport().rank(), size = cells.transport().size();
-        const RecordsView<Backend, D, P> records = walls_.records.view();
-        const std::int32_t* id = walls_.values.template data<std::int32_t>(walls_.at.id);
-        Slots to(size), from(size), leave(size), arrive(size);
-        const bool first = owner_.empty();
-        owner_.resize(walls_.count);
-        ghosts_.resize(walls_.count);
-        for (int i = 0; i < walls_.count; ++i)
+        const std::uint32_t cell = cellOf[i];
+        const int owner = cells.ownerOf(cell), before = first ? owner : owner_[id[i]];
+        for (const int rank : cells.ghostsOf(cell))
         {
-            const std::uint32_t cell = fluid_.cellOf(records.loadPosition(i));
-            const int owner = cells.ownerOf(cell), before = first ? owner : owner_[id[i]];
-            for (const int rank : cells.ghostsOf(cell))
-            {
-                if (owner == me) to[rank].push_back(i);
-                else if (rank == me) from[owner].push_back(i);
-            }
-            if (before != owner && before == me) leave[owner].push_back(i);
-            if (before != owner && owner == me) arrive[before].push_back(i);
-            owner_[id[i]] = owner;
-            ghosts_[i] = owner != me;
+            if (owner == me) to[rank].push_back(i);
+            else if (rank == me) from[owner].push_back(i);
         }
-        detail::setShares(shares_, to, from);
-        sendAddedUp(std::move(leave), std::move(arrive));
+        if (before != owner && before == me) leave[owner].push_back(i);
+        if (before != owner && owner == me) arrive[before].push_back(i);
+        owner_[id[i]] = owner;
+        marks[i] = owner != me;
     }
+    ghosts_.set(fluid_.context(), std::move(marks));
+    SlotShares lists;
+    detail::setShares(lists, to, from);
+    shares_.set(fluid_.context(), lists);
+    sendAddedUp(std::move(leave), std::move(arrive));
 }
 
 template<class Backend, int D, class P>
-void WallRanks<Backend, D, P>::sendAddedUp(
-    [[maybe_unused]] Slots to, [[maybe_unused]] Slots from)
+std::vector<std::int32_t> WallRanks<Backend, D, P>::ids()
 {
-    if constexpr (!Backend::gpu)
+    return walls_.values.template download<std::int32_t>(fluid_.context(), walls_.at.id);
+}
+
+template<class Backend, int D, class P>
+std::vector<std::uint32_t> WallRanks<Backend, D, P>::cellsOfPoints()
+{
+    std::vector<std::int64_t> x[D];
+    for (int d = 0; d < D; ++d)
+        x[d] = walls_.values.template download<std::int64_t>(fluid_.context(), walls_.at.x + d);
+    std::vector<std::uint32_t> cells(walls_.count);
+    for (int i = 0; i < walls_.count; ++i)
     {
-        if (!walls_.bodies) return;
-        constexpr std::size_t word = sizeof(double);
-        double* const sums[] = {walls_.values.template data<double>(walls_.at.work),
-            walls_.values.template data<double>(walls_.at.pressureWork)};
-        SlotShares moving;
-        detail::setShares(moving, to, from);
-        bytes_ += moving.share(fluid_.particles().transport(), 2*word,
-            [&](int i, unsigned char* at)
-            { for (const double* s : sums) { std::memcpy(at, s + i, word); at += word; } },
-            [&](int i, const unsigned char* at)
-            { for (double* s : sums) { std::memcpy(s + i, at, word); at += word; } });
+        Vec<D, std::int64_t> point;
+        for (int d = 0; d < D; ++d) point.c[d] = x[d][i];
+        cells[i] = fluid_.cellOf(point);
     }
+    return cells;
+}
+
+template<class Backend, int D, class P>
+void WallRanks<Backend, D, P>::sendAddedUp(Slots to, Slots from)
+{
+    if (!walls_.bodies) return;
+    constexpr std::size_t word = sizeof(double);
+    Context<Backend>& context = fluid_.context();
+    const int fields[] = {walls_.at.work, walls_.at.pressureWork};
+    const auto any = [](const Slots& slots)
+    { return std::any_of(slots.begin(), slots.end(), [](const auto& s) { return !s.empty(); }); };
+    const bool sends = any(to), receives = any(from);
+    std::vector<double> sums[2];
+    if (sends || receives)
+        for (int f = 0; f < 2; ++f)
+            sums[f] = walls_.values.template download<double>(context, fields[f]);
+    SlotShares moving;
+    detail::setShares(moving, to, from);
+    bytes_ += moving.share(fluid_.particles().transport(), 2*word,
+        [&](int i, unsigned char* at)
+        { for (const auto& s : sums) { std::memcpy(at, &s[i], word); at += word; } },
+        [&](int i, const unsigned char* at)
+        { for (auto& s : sums) { std::memcpy(&s[i], at, word); at += word; } });
+    if (receives)
+        for (int f = 0; f < 2; ++f) walls_.values.upload(context, fields[f], sums[f]);
 }
 
 template<class Backend, int D, class P>
 void WallRanks<Backend, D, P>::gather()
 {
-    if constexpr (!Backend::gpu)
+    Transport& ranks = fluid_.particles().transport();
+    const std::vector<std::int32_t> id = ids();
+    Slots to(ranks.size()), from(ranks.size());
+    for (int i = 0; i < walls_.count; ++i)
     {
-        Transport& ranks = fluid_.particles().transport();
-        const std::int32_t* id = walls_.values.template data<std::int32_t>(walls_.at.id);
-        Slots to(ranks.size()), from(ranks.size());
-        for (int i = 0; i < walls_.count; ++i)
-        {
-            const int owner = owner_[id[i]];
-            if (owner == 0) continue;
-            if (ranks.rank() == 0) from[owner].push_back(i);
-            else if (ranks.rank() == owner) to[0].push_back(i);
-        }
-        sendAddedUp(std::move(to), std::move(from));
+        const int owner = owner_[id[i]];
+        if (owner == 0) continue;
+        if (ranks.rank() == 0) from[owner].push_back(i);
+        else if (ranks.rank() == owner) to[0].push_back(i);
     }
+    sendAddedUp(std::move(to), std::move(from));
 }
 
 template<class Backend, int D, class P>
 void WallRanks<Backend, D, P>::share()
 {
-    if constexpr (!Backend::gpu)
-    {
-        const RecordsView<Backend, D, P> r = walls_.records.view();
-        constexpr std::size_t word = sizeof(real);
-        bytes_ += shares_.share(fluid_.particles().transport(), word*(D + 2),
-            [&](int i, unsigned char* to)
-        {
-            const auto put = [&](const auto* from) { std::memcpy(to, from + i, word); to += word; };
-            for (int d = 0; d < D; ++d) put(r.velocity[d]);
-            put(r.pressureTerm);
-            put(r.density);
-        },
-        [&](int i, const unsigned char* from)
-        {
-            const auto take = [&](auto* to) { std::memcpy(to + i, from, word); from += word; };
-            for (int d = 0; d < D; ++d) take(r.velocity[d]);
-            take(r.pressureTerm);
-            take(r.density);
-        });
-    }
+    const RecordsView<Backend, D, P> r = walls_.records.view();
+    bytes_ += shares_.share(fluid_.context(), fluid_.particles().transport(), sizeof(real)*(D + 2),
+        PutWall<Backend, D, P>{r}, TakeWall<Backend, D, P>{r});
 }
 
 } // namespace riprap

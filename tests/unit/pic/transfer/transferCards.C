@@ -103,7 +103,7 @@ TEST(TransferCards, WhatDoesNotGoIsRefused)
         }
         PicConfig c = with(card);
         c.splineOrder = 9;
-        EXPECT_NE(whyNot(c).find("9"), std::string::npos) << card.word;
+        EXPECT_NE(whyNot(c).find('9'), std::string::npos) << card.word;
         for (const TransferEntry& e : card.entries)
         {
             if (e.yesNo) continue;

@@ -55,9 +55,10 @@ DemInput heap(DemConfig& c)
     std::uniform_real_distribution<double> u(-1, 1);
     for (int k = 0; k < 500; ++k)
     {
+        const int layer = k/64;
         const double r = 0.02*std::pow(3.0, 0.25*(u(engine) - 1));
         addParticle(in,
-            {{-0.13 + 0.036*(k % 8), -0.4 + 0.036*(k/8 % 8), -0.15 + 0.036*(k/64)}},
+            {{-0.13 + 0.036*(k % 8), -0.4 + 0.036*(k/8 % 8), -0.15 + 0.036*layer}},
             {{0.3*u(engine), 0.3*u(engine), 0.3*u(engine)}}, r, 1e4*r*r*r);
     }
     for (const double side : {-1.0, 1.0})

@@ -21,7 +21,7 @@ struct Blow
 
 //- `across` spheres a side about the origin, and a ball on its way to the corner with the lowest x
 //  and the highest y (and z)
-Blow blow(DemConfig c, int D, int across)
+Blow blow(const DemConfig& c, int D, int across)
 {
     const double size = 0.02, offset = 0.5*(across - 1)*size;
     Blow b{c, oneMaterial()};

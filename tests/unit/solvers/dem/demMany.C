@@ -326,8 +326,9 @@ TEST_P(DemMany, RestartWithoutThoseThatLeftIsExact)
     const int side = 18, n = side*side*side;        // more than one block of the CPU
     for (int k = 0; k < n; ++k)
     {
-        const Vector3 x{{-0.425 + 0.05*(k % side), -0.425 + 0.05*(k/side % side),
-            -0.425 + 0.05*(k/side/side)}};
+        const int layer = k/side/side;
+        const Vector3 x{
+            {-0.425 + 0.05*(k % side), -0.425 + 0.05*(k/side % side), -0.425 + 0.05*layer}};
         Vector3 v{{u(engine), u(engine), u(engine)}};
         double r = 0.0225;
         // corners and an edge

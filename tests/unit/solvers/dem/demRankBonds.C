@@ -3,11 +3,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
-#include <algorithm>
-#include "dem/demTest.hpp"
-#include "core/ranks/joinRanks.hpp"
-#include "core/threadRanks.hpp"
-#include "api/wholeDemScene.hpp"
+#include "solvers/dem/rankedPieces.hpp"
 
 namespace riprap
 {
@@ -22,38 +18,25 @@ struct Seen
     DemContacts contacts;
     DemReport report;
     double energy = 0;
+
+    static Seen of(DemScene& scene, const DemReport& r);
+    void expectSame(const Seen& other) const;
 };
 
-Seen see(DemScene& scene, const DemReport& r)
+Seen Seen::of(DemScene& scene, const DemReport& r)
 {
     Seen s;
     s.report = r;
     s.energy = scene.energy().bond;
     s.bonds = scene.bonds();
     s.contacts = scene.contacts();
-    DemState& p = s.particles;
-    p = scene.particles();
-    const auto byId = orderBy(
-        p.id.size(), [&](std::size_t a, std::size_t b) { return p.id[a] < p.id[b]; });
-    for (auto* v : {&p.position, &p.velocity, &p.spin, &p.force, &p.moment}) arrange(*v, 3, byId);
-    arrange(p.orientation, 4, byId);
-    for (auto* v : {&p.id, &p.contacts, &p.brokenBonds}) arrange(*v, 1, byId);
+    s.particles = particlesById(scene);
     return s;
 }
 
-//- The same bits: zeros have a sign
-template<class T>
-void expectBits(const std::vector<T>& a, const std::vector<T>& b, std::size_t each,
-    const std::vector<std::int32_t>& number, const char* what)
+void Seen::expectSame(const Seen& b) const
 {
-    ASSERT_EQ(a.size(), b.size()) << what;
-    for (std::size_t k = 0; k < a.size(); ++k)
-        ASSERT_EQ(std::memcmp(&a[k], &b[k], sizeof(T)), 0)
-            << what << " of " << number[k/each] << ": " << a[k] << " and " << b[k];
-}
-
-void expectSame(const Seen& a, const Seen& b)
-{
+    const Seen& a = *this;
     EXPECT_EQ(a.report.stop, DemStop::none) << a.report.stopMessage;
     EXPECT_EQ(a.report.steps, b.report.steps);
     EXPECT_EQ(a.report.rebuilds, b.report.rebuilds);
@@ -83,57 +66,7 @@ void expectSame(const Seen& a, const Seen& b)
     EXPECT_EQ(a.contacts.a.size(), b.contacts.a.size());
 }
 
-//- What ranks did besides
-struct Traffic { std::int64_t arrivals = 0, divisions = 0; std::size_t ghosts = 0; };
-
-//- Seen after each of some pieces of a run
-using Pieces = std::vector<Seen>;
-
-Pieces runAlone(const DemConfig& c, const DemInput& in, std::int64_t steps, int pieces)
-{
-    Pieces run;
-    auto scene = createDemScene(c, in);
-    for (int k = 0; k < pieces; ++k)
-    {
-        const DemReport r = scene->advance(1e9, steps);
-        run.push_back(see(*scene, r));
-    }
-    return run;
-}
-
-//- The same on several, of which each sees all
-Traffic compareOn(int ranks, const DemConfig& c, const DemInput& in, std::int64_t steps,
-    const Pieces& one)
-{
-    SCOPED_TRACE(std::to_string(ranks) + " ranks");
-    Traffic traffic;
-    std::mutex mutex;
-    std::vector<Pieces> runs(ranks);
-    onRanks(ranks, [&](Transport& transport)
-    {
-        DemConfig own(c);
-        own.ranks = &transport;
-        auto part = createDemScene(own, in);
-        auto scene = wholeDemScene(*part, transport);
-        for (std::size_t k = 0; k < one.size(); ++k)
-        {
-            const DemReport r = scene->advance(1e9, steps);
-            runs[transport.rank()].push_back(see(*scene, r));
-        }
-        const DemRankReport& r = scene->lastReport().rank;
-        std::lock_guard<std::mutex> lock(mutex);
-        traffic.arrivals += r.arrivals;
-        traffic.divisions = r.divisions;
-        traffic.ghosts += r.ghosts;
-    });
-    for (const Pieces& run : runs)
-        for (std::size_t k = 0; k < one.size() && !testing::Test::HasFatalFailure(); ++k)
-        {
-            SCOPED_TRACE("piece " + std::to_string(k));
-            expectSame(one[k], run[k]);
-        }
-    return traffic;
-}
+using Pieces = PiecesOf<Seen>;
 
 class DemRankBonds : public DemTest
 {
@@ -210,9 +143,9 @@ protected:
 
     //- \return what the largest number of ranks did
     Traffic compare(const DemConfig& c, const DemInput& in, std::int64_t steps, int pieces,
-        std::vector<int> ranks) const
+        const std::vector<int>& ranks) const
     {
-        const Pieces one = runAlone(c, in, steps, pieces);
+        const Pieces one = runAlone<Seen>(c, in, steps, pieces);
         Traffic t;
         for (const int n : ranks) t = compareOn(n, c, in, steps, one);
         last_ = one.back();
@@ -414,37 +347,6 @@ TEST_P(DemRankBonds, ranksWithoutBonds)
     EXPECT_EQ(last_.report.brokenBonds, 1u);
 }
 
-//- So many ranks go on from a state (empty: from the beginning) for some steps, and save theirs; 1:
-//  one process, without ranks
-Seen goOn(int ranks, const DemConfig& c, const DemInput& in, std::vector<std::int32_t>& state,
-    std::int64_t steps)
-{
-    const std::vector<std::int32_t> from(state);
-    std::vector<Seen> seen(ranks);
-    const auto run = [&](DemScene& scene, int rank)
-    {
-        // others are told by the first
-        if (!from.empty()) scene.loadState(rank == 0 ? from : std::vector<std::int32_t>());
-        DemReport r = scene.advance(1e9, steps);
-        const std::vector<std::int32_t> words = scene.saveState();
-        if (rank == 0) state = words;
-        // how often neighbours were sought in another way is no matter
-        r.rebuilds = 0;
-        seen[rank] = see(scene, r);
-    };
-    if (ranks == 1) run(*createDemScene(c, in), 0);
-    else
-        onRanks(ranks, [&](Transport& transport)
-        {
-            DemConfig own(c);
-            own.ranks = &transport;
-            auto part = createDemScene(own, in);
-            run(*wholeDemScene(*part, transport), transport.rank());
-        });
-    for (int rank = 1; rank < ranks; ++rank) expectSame(seen[0], seen[rank]);
-    return seen[0];
-}
-
 //- Words of a state are those of one process; 3, 1, 2 and 4 ranks go on with each other's
 TEST_P(DemRankBonds, savedStates)
 {
@@ -457,8 +359,8 @@ TEST_P(DemRankBonds, savedStates)
         for (const int ranks : {3, 1, 2, 4})
         {
             SCOPED_TRACE(ranks);
-            a = goOn(1, c, in, one, 150);
-            expectSame(a, goOn(ranks, c, in, many, 150));
+            a = goOn<Seen>(1, c, in, one, 150);
+            a.expectSame(goOn<Seen>(ranks, c, in, many, 150));
             EXPECT_EQ(one, many) << ranks << " ranks";
         }
         EXPECT_GT(a.report.brokenBonds, 20u);
@@ -483,7 +385,7 @@ TEST_P(DemRankBonds, savingWhereBondsAreLost)
             const DemReport r = scene.advance(1e9, 120);
             const std::vector<std::int32_t> now = scene.saveState();
             if (words) words->insert(words->end(), now.begin(), now.end());
-            run.push_back(see(scene, r));
+            run.push_back(Seen::of(scene, r));
         }
     };
     go(*createDemScene(c, in), runs[3], &states[0]);
@@ -497,7 +399,7 @@ TEST_P(DemRankBonds, savingWhereBondsAreLost)
     });
     EXPECT_EQ(states[0], states[1]);
     for (int rank = 0; rank < 3; ++rank)
-        for (std::size_t k = 0; k < runs[3].size(); ++k) expectSame(runs[3][k], runs[rank][k]);
+        for (std::size_t k = 0; k < runs[3].size(); ++k) runs[3][k].expectSame(runs[rank][k]);
     const auto& broken = runs[3].back().bonds.broken;
     EXPECT_GT(std::count(broken.begin(), broken.end(), 3), 20);
 }

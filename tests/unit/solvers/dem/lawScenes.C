@@ -33,10 +33,12 @@ TEST_P(LawScenes, AreAsOnTheCpu)
             pair.properties = typical(lawEntries(choice), false);
             in.pairs.push_back(pair);
             for (int k = 0; k < 8; ++k)
+            {
+                const int layer = k/4;
                 addParticle(in,
-                    {{0.0101*(k % 2) + 0.0005*k, 0.019*(k/2 % 2),
-                        -0.4899 + 0.0205*(k/4)}},
+                    {{0.0101*(k % 2) + 0.0005*k, 0.019*(k/2 % 2), -0.4899 + 0.0205*layer}},
                     {{0.1*k, -0.05*k, -0.2}}, 0.01 - 0.0005*(k % 3));
+            }
             in.walls.push_back(planeWall({{0, 0, -0.5}}, {{0, 0, 1}}));
             auto scene = createDemScene(c, in);
             scene->advance(0.005);

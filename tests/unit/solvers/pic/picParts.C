@@ -34,8 +34,9 @@ TEST(PicParticleFields, KeepWhatTheyHaveWhenMoreComeIn)
     Setting set(square(8));
     Particles particles(set);
     particles.fill({0.1, 0.2, -3, 0.4}, {1, 2, 3, 4}, std::vector<double>(8, 0.0), {7, 5});
-    particles.append(std::vector<Vec<2, double>>(100, Vec<2, double>{{0.5, 0.6}}),
-        std::vector<Vec<2, double>>(100, Vec<2, double>{{5, 6}}));
+    std::vector<EnteringParticle<2>> more(100, {{{0.5, 0.6}}, {{5, 6}}, 0, 0});
+    for (int k = 0; k < 100; ++k) more[k].id = 8 + k;
+    particles.append(more);
     ASSERT_EQ(particles.n, 102);
     const PicParticles<2, double> view = particles.view();
     EXPECT_EQ(view.x[0][0], 0.1);
@@ -44,7 +45,7 @@ TEST(PicParticleFields, KeepWhatTheyHaveWhenMoreComeIn)
     EXPECT_EQ(view.v[1][1], 4);
     EXPECT_EQ(view.id[0], 7);
     EXPECT_EQ(view.id[1], 5);
-    EXPECT_EQ(view.id[2], 8);               // after the largest there was
+    EXPECT_EQ(view.id[2], 8);
     EXPECT_EQ(view.id[101], 107);
     EXPECT_EQ(view.x[1][101], 0.6);
     EXPECT_EQ(view.v[0][101], 5);
@@ -84,11 +85,17 @@ struct Channel
 
 TEST(OpenSides, TellThroughWhichOpeningAParticleHasLeft)
 {
-    const Channel c;
-    EXPECT_EQ(c.openings.leftThrough(Vec<2, double>{{-1e-6, 0.5}}), 0);
-    EXPECT_EQ(c.openings.leftThrough(Vec<2, double>{{1 + 1e-6, 0.5}}), 1);
-    EXPECT_EQ(c.openings.leftThrough(Vec<2, double>{{0.5, 1.1}}), -1);
-    EXPECT_EQ(c.openings.leftThrough(Vec<2, double>{{0.5, 0.5}}), -1);
+    Channel c;
+    c.set.clock.particleVolume = 0.0625;
+    EXPECT_TRUE(c.openings.takeLeft(Vec<2, double>{{-1e-6, 0.5}}));
+    EXPECT_EQ(c.openings.out, (std::vector<std::int64_t>{2, 2}));
+    EXPECT_TRUE(c.openings.takeLeft(Vec<2, double>{{1 + 1e-6, 0.5}}));
+    EXPECT_EQ(c.openings.out, (std::vector<std::int64_t>{2, 3}));
+    EXPECT_FALSE(c.openings.takeLeft(Vec<2, double>{{0.5, 1.1}}));
+    EXPECT_FALSE(c.openings.takeLeft(Vec<2, double>{{0.5, 0.5}}));
+    EXPECT_EQ(c.openings.out, (std::vector<std::int64_t>{2, 3}));
+    EXPECT_EQ(c.openings.volume, (std::vector<double>{0.1875, -0.5625}));
+    EXPECT_EQ(c.openings.owed, (std::vector<double>{-0.0625, 0.0625}));
 }
 
 TEST(OpenSides, RememberWhatHasComeInAndGoneOut)

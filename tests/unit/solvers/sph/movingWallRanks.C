@@ -51,19 +51,7 @@ protected:
         for (std::size_t i = 0; i < x.size(); i += 3)
             w.normal.insert(w.normal.end(), {1, 0, 0});
         w.body.resize(w.size(), 0);
-        FluidInput kept;
-        for (std::size_t i = 0; i < f.size(); ++i)
-        {
-            bool beside = false;
-            for (int d = 0; d < D(); ++d)
-                beside = beside || f.position[3*i + d] < lower[d] - 0.5*c.spacing
-                    || f.position[3*i + d] > upper[d] + 0.5*c.spacing;
-            if (!beside) continue;
-            kept.position.insert(kept.position.end(), &f.position[3*i], &f.position[3*i] + 3);
-            kept.velocity.insert(kept.velocity.end(), &f.velocity[3*i], &f.velocity[3*i] + 3);
-            kept.density.push_back(f.density[i]);
-        }
-        f = kept;
+        clear(c, lower, upper, f);
     }
 
     double depth() const { return D() == 3 ? 0.5 : 0; }
@@ -95,13 +83,13 @@ protected:
 
     //- The walls do work, nothing stops the run, and ranks change none of it
     void expectMoved(const SphConfig& c, const FluidInput& f, const WallInput& w,
-        const WallMotion& motion, std::vector<int> ranks, bool moves = true) const
+        const WallMotion& motion, const std::vector<int>& ranks, bool moves = true) const
     {
         const Outcome one = alone(c, f, w, course(), motion);
         EXPECT_EQ(one.report.stop, StopReason::none);
         EXPECT_NE(one.energy.wallWork, 0);
         EXPECT_NE(one.walls.position, w.position);
-        compare(c, f, w, course(), std::move(ranks), moves, motion);
+        compare(c, f, w, course(), ranks, moves, motion);
     }
 };
 
@@ -244,30 +232,7 @@ TEST_P(MovingWallRanks, savedStates)
     FluidInput f = pool(c);
     addBlock(c, {{0.2, 0.1, 0}}, {{0.3, 0.3, depth()}}, w, f);
     const WallMotion go = along([](double t) { return Vector3{{way(5, t), 0, 0}}; });
-    std::vector<std::int32_t> one, many;
-    std::mutex mutex;
-    const auto goOn = [&](std::vector<std::int32_t>& state)
-    {
-        const auto from = std::make_shared<std::vector<std::int32_t>>(state);
-        return Course([from, &state, &mutex](SphScene& s, Outcome& o)
-        {
-            if (!from->empty()) s.loadState(*from);
-            course()(s, o);
-            const std::vector<std::int32_t> words = s.saveState();
-            std::lock_guard<std::mutex> lock(mutex);
-            if (!words.empty()) state = words;
-        });
-    };
-    for (const int ranks : {3, 1, 2, 4})
-    {
-        SCOPED_TRACE(std::to_string(ranks) + " ranks");
-        const Outcome a = alone(c, f, w, goOn(one), go);
-        const Outcome b = ranks == 1 ? alone(c, f, w, goOn(many), go)
-                                     : onSeveral(ranks, c, f, w, goOn(many), go);
-        EXPECT_EQ(a.report.stop, StopReason::none);
-        expectSame(a, b);
-        EXPECT_EQ(one, many);
-    }
+    compareGoingOn(c, f, w, {3, 1, 2, 4}, course(), go);
 }
 
 //- In pieces, with states saved and all that is read back between: the same run
@@ -292,6 +257,6 @@ TEST_P(MovingWallRanks, piecesAndReadings)
 
 } // namespace
 
-RIPRAP_CPU_SETUPS(MovingWallRanks);
+RIPRAP_ALL_SETUPS(MovingWallRanks);
 
 } // namespace riprap

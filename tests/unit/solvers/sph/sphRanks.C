@@ -14,7 +14,8 @@ class SphRanks : public RankedTank {};
 TEST_P(SphRanks, damBreak)
 {
     const SphConfig c = damBreak();
-    compare(c, water(c), walls(c), stepsOf(D() == 2 ? 150 : 50), {2, 3, 4});
+    // GPUs seek neighbours less often, and particles change their ranks then
+    compare(c, water(c), walls(c), stepsOf(D() == 2 || gpu() ? 150 : 50), {2, 3, 4});
 }
 
 TEST_P(SphRanks, leapfrogAndStationaryWalls)
@@ -50,7 +51,7 @@ TEST_P(SphRanks, periodicBox)
     for (int d = 0; d < D(); ++d) c.periodic[d] = true;
     FluidInput f = lattice(c, {{0, 0, 0}}, {{1, 1, D() == 3 ? 1.0 : 0.0}});
     disturb(c, f, 0.1, 2, 0.01, 3);
-    compare(c, f, WallInput(), stepsOf(D() == 2 ? 60 : 15), {2, 8});
+    compare(c, f, WallInput(), stepsOf(D() == 2 || gpu() ? 60 : 15), {2, 8});
 }
 
 //- No floor: all leave, some ranks become empty
@@ -80,7 +81,16 @@ TEST_P(SphRanks, wildParticles)
     for (std::size_t i = 5; i < f.size(); i += 17) f.velocity[3*i] = 4*(i % 2 ? 1 : -1);
     const Outcome one = alone(c, f, walls(c), stepsOf(30));
     EXPECT_GT(one.wild.size(), 2u);
-    compare(c, f, walls(c), stepsOf(30), {3}, false);
+    if (!gpu() || D() == 2) return compare(c, f, walls(c), stepsOf(30), {3}, false);
+    // lists of one process do not fit here, and are made once more before the first forces: without
+    // the wild ones, so that lanes add up in another order. 30 steps are no time for that to grow
+    const Outcome three = onSeveral(3, c, f, walls(c), stepsOf(30));
+    EXPECT_EQ(one.fluid.id, three.fluid.id);
+    EXPECT_EQ(std::set<int>(one.wild.begin(), one.wild.end()),
+        std::set<int>(three.wild.begin(), three.wild.end()));
+    EXPECT_EQ(one.steps, three.steps);
+    for (std::size_t k = 0; k < one.fluid.position.size(); ++k)
+        EXPECT_NEAR(one.fluid.position[k], three.fluid.position[k], 30*30*epsilon());
 }
 
 //- Faces of walls without points
@@ -90,7 +100,7 @@ TEST_P(SphRanks, facesOfWalls)
     WallInput w;
     WallFaceInput& faces = w.faces;
     faces.point = {-0.2, 0, -0.2, 1.2, 0, -0.2, 1.2, 0, 0.8, -0.2, 0, 0.8};
-    const auto add = [&](std::vector<int> vertices)
+    const auto add = [&](const std::vector<int>& vertices)
     {
         faces.vertex.insert(faces.vertex.end(), vertices.begin(), vertices.end());
         faces.normal.insert(faces.normal.end(), {0, 1, 0});
@@ -160,30 +170,8 @@ TEST_P(SphRanks, savedStates)
 {
     SphConfig c = damBreak(0.05);
     const FluidInput f = water(c);
-    const WallInput w = walls(c);
-    std::vector<std::int32_t> one, many;
-    std::mutex mutex;
-    const auto goOn = [&mutex](std::vector<std::int32_t>& state)
-    {
-        const auto from = std::make_shared<std::vector<std::int32_t>>(state);
-        return Course([from, &state, &mutex](SphScene& s, Outcome& o)
-        {
-            if (!from->empty()) s.loadState(*from);
-            include(o, s.advance(1e9, 30));
-            const std::vector<std::int32_t> words = s.saveState();
-            std::lock_guard<std::mutex> lock(mutex);
-            if (!words.empty()) state = words;
-        });
-    };
-    for (const int ranks : {4, 1, 3})
-    {
-        SCOPED_TRACE(std::to_string(ranks) + " ranks");
-        const Outcome a = alone(c, f, w, goOn(one));
-        const Outcome b = ranks == 1 ? alone(c, f, w, goOn(many))
-                                     : onSeveral(ranks, c, f, w, goOn(many));
-        expectSame(a, b);
-        EXPECT_EQ(one, many);
-    }
+    compareGoingOn(c, f, walls(c), {4, 1, 3},
+        [](SphScene& scene, Outcome& o) { include(o, scene.advance(1e9, 30)); });
 }
 
 //- Each rank asks for places of its own, one of them for none; some see past planes
@@ -325,13 +313,10 @@ TEST_P(SphRanks, refusals)
     SphConfig c = damBreak(0.05);
     c.imbalance = 0;
     expectRefused(c, "imbalance");
-    c = damBreak(0.05);
-    c.device = DeviceKind::gpu;
-    expectRefused(c, "CPUs alone");
 }
 
 } // namespace
 
-RIPRAP_CPU_SETUPS(SphRanks);
+RIPRAP_ALL_SETUPS(SphRanks);
 
 } // namespace riprap

@@ -18,7 +18,7 @@ namespace
     {
         const dictionary dict(entries(text));
         checkedDictionary checked(dict);
-        const bodyGrading g(readGrading(checked));
+        bodyGrading g(readGrading(checked));
         checked.end();
         return g;
     }

@@ -72,8 +72,9 @@ TEST(SheetSampling, latticeOfRectangles)
     forAll(points.position, i)
     {
         const vector p(points.position[i] - point(1, 2, 3));
+        const label row = i/10;
         EXPECT_NEAR(p.x(), 0.104*(i % 10 + 0.5), 1e-12);
-        EXPECT_NEAR(p.z(), 0.092*(i/10 + 0.5), 1e-12);
+        EXPECT_NEAR(p.z(), 0.092*(row + 0.5), 1e-12);
     }
 }
 

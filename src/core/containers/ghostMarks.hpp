@@ -1,40 +1,45 @@
-/*  Which particles are of other ranks: kernels of steps leave them alone. On the CPU only;
-    elsewhere, and on one rank, none is.
+/*  Which particles are of other ranks: kernels of steps leave them alone. On one rank none is.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include <vector>
 #include "core/backend/launch.hpp"
 
 namespace riprap
 {
 
+//- As kernels see it
 template<class Backend>
 struct GhostMarks
 {
-    HD bool operator()(int) const { return false; }
-};
-
-#ifndef __CUDACC__
-
-template<>
-struct GhostMarks<Cpu>
-{
     const char* mark = nullptr;
-    bool operator()(int i) const { return mark && mark[i]; }
+    HD bool operator()(int i) const { return mark && mark[i]; }
 };
 
-#endif
-
-//- The marks of a vector that outlives them; none in an empty one
+//- By slot, for kernels and for the host
 template<class Backend>
-GhostMarks<Backend> ghostMarks([[maybe_unused]] const std::vector<char>& of)
+class GhostMemory
 {
-    if constexpr (Backend::gpu) return {};
-    else return {of.empty() ? nullptr : of.data()};
-}
+public:
+
+    void set(Context<Backend>& context, std::vector<char> marks)
+    {
+        marks_.swap(marks);
+        device_.upload(context, marks_);
+    }
+
+    bool operator()(int i) const { return !marks_.empty() && marks_[i]; }
+    GhostMarks<Backend> view() const
+    {
+        return {marks_.empty() ? nullptr : device_.data()};
+    }
+
+private:
+
+    std::vector<char> marks_;
+    Array<Backend, char> device_;
+};
 
 //- A sum or maximum over particles (F::add, F::value) without ghosts
 template<class Backend, class F>

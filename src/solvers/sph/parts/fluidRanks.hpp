@@ -1,10 +1,10 @@
-/*  The fluid of a scene on several ranks (CPU): each owns that of its brick, and has ghosts of that
-    of others that it may see.
+/*  The fluid of a scene on several ranks: each owns that of its brick, and has ghosts of that of
+    others that it may see.
 
     Ghosts stand among a rank's own particles in the order of their cells. They are sources of its
     passes and never targets. That order is the one of one process, and all that is in a row of
-    cells within reach is there: packs of neighbours hold the same particles in the same lanes, sums
-    are added up in the same order, and results are the same bits.
+    cells within reach is there: packs of neighbours, and lists of the GPU, hold the same particles
+    in the same lanes, sums are added up in the same order, and results are the same bits.
 
     Points of walls: solvers/sph/parts/wallRanks.hpp.
 
@@ -17,14 +17,50 @@
 #pragma once
 
 #include "core/neighbours/cellSort.hpp"
-#include "core/ranks/ghostMarks.hpp"
 #include "core/ranks/joinRanks.hpp"
-#include "core/ranks/particleExchange.hpp"
+#include "core/ranks/slotExchange.hpp"
+#include "solvers/sph/parts/sphClock.hpp"
+#include "solvers/sph/parts/sphParticles.hpp"
 #include "solvers/sph/sphFamilies.hpp"
-#include "sph/state/clock.hpp"
 
 namespace riprap
 {
+
+//- What pairs see of a particle, as bytes for another rank
+template<class Backend, int D, class P>
+struct PutRecord
+{
+    RecordsView<Backend, D, P> records;
+
+    HD void operator()(int i, unsigned char* to) const
+    {
+        const Vec<D, typename P::position> x = records.loadPosition(i);
+        const auto p = records.h ? records.template load<true>(i) : records.template load<false>(i);
+        for (int d = 0; d < D; ++d) { putWord(to, x.c[d]); putWord(to, p.velocity.c[d]); }
+        putWord(to, p.pressureTerm);
+        putWord(to, p.density);
+        if (records.h) putWord(to, p.h);
+    }
+};
+
+template<class Backend, int D, class P>
+struct TakeRecord
+{
+    RecordsView<Backend, D, P> records;
+
+    HD void operator()(int i, const unsigned char* from) const
+    {
+        Vec<D, typename P::position> x;
+        PairParticle<D, typename P::real> p;
+        for (int d = 0; d < D; ++d) { takeWord(from, x.c[d]); takeWord(from, p.velocity.c[d]); }
+        takeWord(from, p.pressureTerm);
+        takeWord(from, p.density);
+        p.h = 0;
+        if (records.h) takeWord(from, p.h);
+        records.storePosition(i, x);
+        records.store(i, p);
+    }
+};
 
 template<class Backend, int D, class P>
 class FluidRanks
@@ -37,6 +73,7 @@ public:
     //- Of the solver: what is divided
     struct Scene
     {
+        Context<Backend>& context;
         const SphConfig& config;
         const Box<D, P>& box;
         const CellGrid<D, P>& grid;
@@ -45,31 +82,41 @@ public:
         CellSort<Backend>& sort;
         const int& n;               // slots
         const double& nowhere;      // [m] coordinate along the empty axis
+        FluidFieldNumbers& at;
     };
 
-    //- Before there are fields; cells are known. way: of a particle, for which neighbours hold [m]
-    FluidRanks(const Scene&, double way);
+    //- Before there are fields; cells are known
+    explicit FluidRanks(const Scene&);
+
+    //- Neighbours are sought from as far as `radius`, by particles that are up to `way` from the
+    //  cell that they were in [m]
+    void setReach(double radius, double way);
 
     //- All particles of the scene are here, as the words of a state have them; sums since the start
     //  are the first rank's
     void begin(ClockData&, double& stiffening);
 
     bool first() const { return ranks().rank() == 0; }
-    const ParticleExchange& particles() const { return exchange_; }
-    ParticleExchange& particles() { return exchange_; }
+    const SlotExchange<Backend>& particles() const { return exchange_; }
+    SlotExchange<Backend>& particles() { return exchange_; }
     //- Slots for what is here, and some more
-    int room() const { return exchange_.residents() + exchange_.residents()/4 + 256; }
+    int room() const
+    {
+        const int here = exchange_.residents();
+        return 2*here - exchange_.ownedHere() + here/8 + 256;
+    }
 
     //- After keys of all particles were found, before they are sorted: who is here from now on.
-    //  grow(n): memory for so many; fields(): the fluid's, as they lie then
-    template<class Grow, class Fields>
-    void migrate(const Grow& grow, const Fields& fields);
+    //  grow(n): memory for so many
+    template<class Grow> void migrate(const Grow& grow);
     //- Particles are in their new places, `active` of them
     void settle(int active);
 
-    bool ghost(int i) const { return exchange_.kind(i) == ParticleExchange::ghost; }
-    GhostMarks<Backend> marks() const { return ghostMarks<Backend>(ghosts_); }
+    bool ghost(int i) const { return exchange_.ghost(i); }
+    GhostMarks<Backend> marks() const { return exchange_.marks(); }
     std::uint32_t cellOf(const Vec<D, position>& x) const;
+    std::uint32_t cellOf(const Vec<D, std::int64_t>& x) const;      // as fields have it
+    Context<Backend>& context() const { return s_.context; }
     //- Is a point in a cell of this rank?
     bool has(const Vec<D, position>& x) const
     {
@@ -80,9 +127,15 @@ public:
     void shareRecords();
 
     //- What the last pass, its step or a rebuild has raised on any rank
-    void agree(ClockData&, bool interrupted);
+    void agree(SphClock<Backend>&, bool interrupted);
+    //- At a rebuild, before lists are made: the largest h there is
+    void agreeOnH(SphClock<Backend>&);
     //- Before the first step of a call
-    void agreeToStop(bool interrupted) { stop_ = largestOfRanks(ranks(), double(interrupted)) > 0; }
+    void agreeToStop(bool interrupted)
+    {
+        stop_ = largestOfRanks(ranks(), double(interrupted)) > 0;
+        exchange_.work(true);
+    }
     bool stopAgreed() const { return stop_; }
 
     //- Rows of ghosts out of what is read back, `each` numbers a row
@@ -104,21 +157,24 @@ public:
 private:
 
     Transport& ranks() const { return *s_.config.ranks; }
-    void noticeLeft(int slot, const FluidFields<D, P>&);
+    void noticeLeft();
 
     Scene s_;
-    ParticleExchange exchange_;
-    std::vector<char> ghosts_;
+    SlotExchange<Backend> exchange_;
     bool stop_ = false;
     // escaped and wild particles since the last report
     SphReport left_;
 };
 
 template<class Backend, int D, class P>
-FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene, double way)
-    : s_(scene), exchange_(*scene.config.ranks, scene.config.imbalance)
+FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene)
+    : s_(scene), exchange_(scene.context, *scene.config.ranks, scene.config.imbalance,
+        scene.config.measured)
+{}
+
+template<class Backend, int D, class P>
+void FluidRanks<Backend, D, P>::setReach(double radius, double way)
 {
-    if (Backend::gpu) throw std::invalid_argument("several processes run on CPUs alone");
     PieceGrid g;
     for (int d = 0; d < 3; ++d) { g.n[d] = s_.grid.n[d]; g.stride[d] = s_.grid.stride[d]; }
     for (int d = 0; d < D; ++d)
@@ -129,7 +185,9 @@ FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene, double way)
     }
     // who seeks may be as far from its cell as those that it finds; rows of cells are searched a
     // hair beyond the radius (CellGrid)
-    exchange_.setPieces({g}, 1.001*double(s_.grid.radius) + way);
+    // on GPUs pieces are as long as the search radius: fewer of them for the host to look at
+    const int least = Backend::gpu ? std::max(1, int(s_.grid.radius*s_.grid.inverse[0])) : 1;
+    exchange_.setPieces({g}, 1.001*radius + way, least);
     exchange_.begin(s_.n);
 }
 
@@ -144,79 +202,53 @@ void FluidRanks<Backend, D, P>::begin(ClockData& c, double& stiffening)
     stiffening = 0;
 }
 
-//- An own particle that is in no cell: it has escaped, or ran wild
+//- Own particles that are in no cell: they have escaped, or ran wild
 template<class Backend, int D, class P>
-void FluidRanks<Backend, D, P>::noticeLeft(int slot, const FluidFields<D, P>& f)
+void FluidRanks<Backend, D, P>::noticeLeft()
 {
-    Vector3 x{{s_.nowhere, s_.nowhere, s_.nowhere}};
-    double speed2 = 0;
-    for (int d = 0; d < D; ++d)
+    for (int k = 0; k < exchange_.left(); ++k)
     {
-        x[s_.config.axes[d]] = s_.box.toMetres(d, f.x[d][slot]);
-        speed2 += double(f.v[d][slot])*f.v[d][slot];
-    }
-    if (f.id[slot] < 0)
-    {
-        left_.wild.push_back(
-            WildParticle{-1 - f.id[slot], x, f.deviation[slot], std::sqrt(speed2)});
-        return;
-    }
-    left_.escaped.push_back(x);
-    left_.escapedId.push_back(f.id[slot]);
-}
-
-template<class Backend, int D, class P>
-template<class Grow, class Fields>
-void FluidRanks<Backend, D, P>::migrate(const Grow& grow, const Fields& fields)
-{
-    if constexpr (!Backend::gpu)
-    {
-        const auto pack = [&](int slot, bool, RankBytes& to)
+        const auto take = [&](int field, auto& value)
         {
-            for (int f = 0; f < s_.fluid.fields(); ++f)
-            {
-                const std::size_t each = s_.fluid.elementBytes(f);
-                putValues(to, s_.fluid.bytes(f) + slot*each, each);
-            }
+            std::memcpy(&value,
+                exchange_.leftRecord(k) + FieldRecords<Backend>::offset(s_.fluid, field),
+                sizeof(value));
         };
-        const auto unpack = [&](int slot, bool, const unsigned char*& from)
+        Vector3 x{{s_.nowhere, s_.nowhere, s_.nowhere}};
+        double speed2 = 0;
+        for (int d = 0; d < D; ++d)
         {
-            if (slot >= s_.n) grow(std::max(slot + 1, s_.n + s_.n/4) + 64);
-            for (int f = 0; f < s_.fluid.fields(); ++f)
-            {
-                const std::size_t each = s_.fluid.elementBytes(f);
-                takeValues(from, s_.fluid.bytes(f) + slot*each, each);
-            }
-        };
-        exchange_.migrate(s_.sort.keys(), pack, unpack);
-        for (const int slot : exchange_.left()) noticeLeft(slot, fields());
-        std::vector<char> here(s_.n, 0);
-        int k = 0;
-        const auto put = [&](int slot, std::uint32_t cell)
-        {
-            s_.sort.keys()[k] = cell;
-            s_.sort.indices()[k++] = std::uint32_t(slot);
-        };
-        for (const int slot : exchange_.sequence())
-        {
-            here[slot] = 1;
-            put(slot, exchange_.cell(slot));
+            std::int64_t position;
+            real v;
+            take(s_.at.x + d, position);
+            take(s_.at.v + d, v);
+            x[s_.config.axes[d]] = s_.box.toMetres(d, position);
+            speed2 += double(v)*v;
         }
-        for (int slot = 0; slot < s_.n; ++slot)
-            if (!here[slot]) put(slot, std::uint32_t(s_.grid.cells));
+        std::int32_t id;
+        real deviation;
+        take(s_.at.id, id);
+        take(s_.at.deviation, deviation);
+        if (id < 0)
+        {
+            left_.wild.push_back(WildParticle{-1 - id, x, deviation, std::sqrt(speed2)});
+            continue;
+        }
+        left_.escaped.push_back(x);
+        left_.escapedId.push_back(id);
     }
 }
 
 template<class Backend, int D, class P>
-void FluidRanks<Backend, D, P>::settle(int active)
+template<class Grow>
+void FluidRanks<Backend, D, P>::migrate(const Grow& grow)
 {
-    if constexpr (!Backend::gpu)
-    {
-        exchange_.settle(s_.sort.order(), active);
-        ghosts_.assign(s_.n, 0);
-        for (int i = 0; i < exchange_.residents(); ++i) ghosts_[i] = ghost(i);
-    }
+    exchange_.migrate(s_.fluid, s_.sort, s_.n, grow);
+    noticeLeft();
 }
+
+template<class Backend, int D, class P>
+void FluidRanks<Backend, D, P>::settle(int active) { exchange_.settle(s_.sort, s_.n, active); }
 
 template<class Backend, int D, class P>
 std::uint32_t FluidRanks<Backend, D, P>::cellOf(const Vec<D, position>& x) const
@@ -227,41 +259,44 @@ std::uint32_t FluidRanks<Backend, D, P>::cellOf(const Vec<D, position>& x) const
 }
 
 template<class Backend, int D, class P>
-void FluidRanks<Backend, D, P>::shareRecords()
+std::uint32_t FluidRanks<Backend, D, P>::cellOf(const Vec<D, std::int64_t>& x) const
 {
-    if constexpr (!Backend::gpu)
-    {
-        const RecordsView<Backend, D, P> r = s_.records.view();
-        constexpr std::size_t word = sizeof(real);
-        exchange_.share(word*(2*D + 2 + (r.h ? 1 : 0)), [&](int i, unsigned char* to)
-        {
-            const auto put = [&](const auto* from) { std::memcpy(to, from + i, word); to += word; };
-            for (int d = 0; d < D; ++d) { put(r.x[d]); put(r.velocity[d]); }
-            put(r.pressureTerm);
-            put(r.density);
-            if (r.h) put(r.h);
-        },
-        [&](int i, const unsigned char* from)
-        {
-            const auto take = [&](auto* to) { std::memcpy(to + i, from, word); from += word; };
-            for (int d = 0; d < D; ++d) { take(r.x[d]); take(r.velocity[d]); }
-            take(r.pressureTerm);
-            take(r.density);
-            if (r.h) take(r.h);
-        });
-    }
+    Vec<D, position> p;
+    for (int d = 0; d < D; ++d) p.c[d] = s_.box.pairPosition(d, x.c[d]);
+    return cellOf(p);
 }
 
 template<class Backend, int D, class P>
-void FluidRanks<Backend, D, P>::agree(ClockData& c, bool interrupted)
+void FluidRanks<Backend, D, P>::shareRecords()
 {
+    const RecordsView<Backend, D, P> r = s_.records.view();
+    exchange_.share(sizeof(real)*(2*D + 2 + (r.h ? 1 : 0)), PutRecord<Backend, D, P>{r},
+        TakeRecord<Backend, D, P>{r});
+}
+
+template<class Backend, int D, class P>
+void FluidRanks<Backend, D, P>::agree(SphClock<Backend>& clock, bool interrupted)
+{
+    ClockData& c = clock.taken();
     std::vector<double> most(c.maxima, c.maxima + maximaCount);
-    for (const int flag : {c.needRebuild, c.skinViolations, int(interrupted)}) most.push_back(flag);
+    int* const flags[] = {&c.needRebuild, &c.skinViolations, c.aged, c.aged + 1, c.missed,
+        c.missed + 1, c.overflow, c.overflow + 1, c.overflow + 2, c.overflow + 3, c.overflow + 4};
+    for (const int* flag : flags) most.push_back(*flag);
+    most.push_back(interrupted);
     ranks().largest(most);
     for (int k = 0; k < maximaCount; ++k) c.maxima[k] = float(most[k]);
-    c.needRebuild = int(most[maximaCount]);
-    c.skinViolations = int(most[maximaCount + 1]);
-    stop_ = most[maximaCount + 2] > 0;
+    int k = maximaCount;
+    for (int* flag : flags) *flag = int(most[k++]);
+    stop_ = most[k] > 0;
+    clock.give();
+}
+
+template<class Backend, int D, class P>
+void FluidRanks<Backend, D, P>::agreeOnH(SphClock<Backend>& clock)
+{
+    ClockData& c = clock.taken();
+    c.foundH = float(largestOfRanks(ranks(), double(c.foundH)));
+    clock.give();
 }
 
 template<class Backend, int D, class P>
@@ -286,10 +321,13 @@ void FluidRanks<Backend, D, P>::report(SphReport& report)
     report.escapedId.swap(left_.escapedId);
     report.wild.swap(left_.wild);
     left_ = SphReport();
-    const ParticleExchange::Counts& c = exchange_.counts();
-    report.rank = RankReport{std::size_t(exchange_.ownedHere()),
-        std::size_t(exchange_.ghostsHere()), c.arrivals, c.divisions, c.bytesShared,
-        c.bytesMigrating};
+    exchange_.work(false);
+    const auto& c = exchange_.counts;
+    const int own = exchange_.ownedHere();
+    report.rank = RankReport{std::size_t(own), std::size_t(exchange_.residents() - own), c.arrivals,
+        exchange_.owners().cuts(), c.bytesShared, c.bytesMigrating,
+        exchange_.owners().unevenBefore(), exchange_.owners().unevenAfter(),
+        exchange_.owners().atWork()};
 }
 
 template<class Backend, int D, class P>
@@ -330,13 +368,15 @@ template<class Backend, int D, class P>
 void FluidRanks<Backend, D, P>::gather(FieldSet<Backend>& set, int field, std::int32_t* to) const
 {
     const std::size_t each = set.elementBytes(field);
+    std::vector<unsigned char> here(exchange_.residents()*each);
+    if (!here.empty()) s_.context.toHost(here.data(), set.bytes(field), here.size());
+    const std::vector<std::int64_t> numbers = exchange_.numbers();
     std::vector<RankBytes> out(ranks().size()), in;
     for (int i = 0; i < exchange_.residents(); ++i)
     {
         if (ghost(i)) continue;
-        const std::int64_t number = exchange_.number(i);
-        putValues(out[0], &number);
-        putValues(out[0], set.bytes(field) + i*each, each);
+        putValues(out[0], &numbers[i]);
+        putValues(out[0], here.data() + i*each, each);
     }
     ranks().exchange(out, in);
     for (const RankBytes& bytes : in)
