@@ -8,9 +8,18 @@ import re
 
 here = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 rowsFile = os.path.join(here, 'results', 'sceneNeeds.csv')
+cutRowsFile = os.path.join(here, 'results', 'sceneCuts.csv')
+cutColumns = ['solver', 'without', 'byEntry', 'program']
 ownersFile = os.path.join(here, 'sceneOwners.csv')
 solvers = ['sphDem', 'picDem', 'dem']
 itemOf = {'sphDem': 'fluid particle', 'picDem': 'cell', 'dem': 'particle'}
+# The scene of each solver from which all is left out that can be
+barest = {'sphDem': 'all of these but walls', 'picDem': 'all of these', 'dem': 'all of these'}
+# Scenes that lack what another has without a part of a step for it: both are the same program
+sameProgram = {'sphDem': ['the dry part of the box'],
+               'picDem': [],            # water that is let go has another pressure to solve for
+               'dem': ['the empty part of the box', 'the sleeping block']}
+bound = 1.05
 ofSolids = ('solids.', 'contacts.', 'bonds.', 'clumps.', 'walls.')
 
 
@@ -23,6 +32,36 @@ def readRows(text):
             row[column] = {name: float(value) for name, value in (
                 part.rsplit('=', 1) for part in row[column].split(';'))}
     return rows
+
+
+def key(row):
+    return row['solver'], row['scene'], row['without']
+
+
+def nameOf(row):
+    return ', '.join(part for part in (row['solver'], row['scene'],
+                                       row['without'] and 'without ' + row['without']) if part)
+
+
+def readCutRows(text):
+    return list(csv.DictReader(text.splitlines()))
+
+
+def keepCutRow(row):
+    """In place of the one there is, or behind those of its solver"""
+    with open(cutRowsFile) as f:
+        rows = readCutRows(f.read())
+    same = [k for k, old in enumerate(rows)
+            if (old['solver'], old['without']) == (row['solver'], row['without'])]
+    if same:
+        rows[same[0]] = row
+    else:
+        rows.append(row)
+    rows.sort(key=lambda r: solvers.index(r['solver']))
+    with open(cutRowsFile, 'w', newline='') as f:
+        out = csv.DictWriter(f, cutColumns, lineterminator='\n')
+        out.writeheader()
+        out.writerows(rows)
 
 
 def owners():
@@ -64,34 +103,73 @@ def number(value, digits=3):
     return f'{float(value):.{digits}g}' if float(value) < 10**digits else f'{float(value):.0f}'
 
 
-def saved(row, whole):
-    """Of the whole scene's time"""
-    ratio = float(row['timeRatio'])
-    return '-' if ratio == 0 else f'{100*(ratio - 1):+.0f} %'
+def change(ratio):
+    return f'{100*(ratio - 1):+.0f} %'
+
+
+def measured(row, whole):
+    """Instructions an item, and what has changed of the step; time where it was measured"""
+    if not row['instructions']:
+        return ['-'] + (['-'] if float(whole['time']) > 0 else [])
+    cells = []
+    each = number(float(row['instructions'])/float(row['items']), 4)
+    if row is whole:
+        cells.append(each)
+    else:
+        cells.append(f"{each} ({change(float(row['instructions'])/float(whole['instructions']))})")
+    if float(whole['time']) > 0:
+        cells.append(f"{number(row['time'])} µs" if row is whole
+                     else change(float(row['timeRatio'])))
+    return cells
 
 
 def table(rows, solver):
-    lines = [f'| without | kernels a step | fields | bytes a {itemOf[solver]} | time of a step |',
-             '| --- | --- | --- | --- | --- |']
+    rows = [row for row in rows if row['solver'] == solver]
+    head = ['without', 'kernels a step', 'fields', f'bytes a {itemOf[solver]}',
+            f'instructions a {itemOf[solver]} and step']
+    head += ['time of a step'] if float(rows[0]['time']) > 0 else []
+    lines = ['| ' + ' | '.join(head) + ' |', '| ' + ' | '.join('---' for _ in head) + ' |']
     whole = None
     for row in rows:
-        if row['solver'] != solver:
-            continue
         if not row['without']:
             whole = row
-            time = f"{number(row['time'])} µs" if float(row['time']) > 0 else '-'
-            lines.append(f"| **{row['scene']}** ({row['items']}) | {number(row['kernels'])} | "
-                         f"{row['fields']} | {number(row['bytes'])} | {time} |")
-            continue
         kernels, fields = (len(set(whole[c]) - set(row[c])) for c in ('kernelList', 'fieldList'))
-        gone = [f'{n} gone' if n else '' for n in (kernels, fields)]
+        gone = [f' ({n} gone)' if n else '' for n in (kernels, fields)]
         lines.append('| ' + ' | '.join([
-            row['without'],
-            f"{number(row['kernels'])}" + (f' ({gone[0]})' if gone[0] else ''),
-            row['fields'] + (f' ({gone[1]})' if gone[1] else ''),
-            number(row['bytes']),
-            saved(row, whole)]) + ' |')
+            row['without'] or f"**{row['scene']}** ({row['items']})",
+            number(row['kernels']) + gone[0],
+            row['fields'] + gone[1],
+            number(row['bytes'])] + measured(row, whole)) + ' |')
     return '\n'.join(lines)
+
+
+def comparisons(rows, cutRows):
+    """(solver, without, instructions with it absent by entry, of a program without it)"""
+    known = {key(row): row for row in rows}
+    found = [(r['solver'], r['without'], float(r['byEntry']), float(r['program']))
+             for r in cutRows]
+    for row in rows:
+        if row['without'] in sameProgram[row['solver']] and row['instructions']:
+            whole = known[row['solver'], row['scene'], '']
+            found.append((row['solver'], row['without'], float(whole['instructions']),
+                          float(row['instructions'])))
+    return sorted(found, key=lambda f: solvers.index(f[0]))
+
+
+def cutTable(rows, cutRows):
+    lines = ['| solver | what the scene lacks | instructions a step | of a program without it | '
+             'ratio |', '| --- | --- | --- | --- | --- |']
+    for solver, without, by, program in comparisons(rows, cutRows):
+        ratio = f'{by/program:.3f}'
+        lines.append(f'| {solver} | {without} | {by:.0f} | {program:.0f} | '
+                     + (f'**{ratio}**' if by > bound*program else ratio) + ' |')
+    return '\n'.join(lines)
+
+
+def cutSummary(rows, cutRows):
+    ratios = [by/program for _, _, by, program in comparisons(rows, cutRows)]
+    return (f'Of {len(ratios)} comparisons {sum(r <= bound for r in ratios)} are within 5 %; '
+            f'the largest ratio is {max(ratios):.3f}.')
 
 
 def summary(rows, known):
@@ -102,10 +180,12 @@ def summary(rows, known):
             f'Kernels and fields of parts that a scene does not have: **{wrong}**.')
 
 
-def fill(text, rows):
+def fill(text, rows, cutRows):
     """The page with its generated parts made anew"""
     parts = {solver: table(rows, solver) for solver in solvers}
     parts['summary'] = summary(rows, owners())
+    parts['cuts'] = cutTable(rows, cutRows)
+    parts['cutSummary'] = cutSummary(rows, cutRows)
     found = set(re.findall(r'<!-- generated (\w+)', text))
     if found != set(parts):
         raise ValueError(

@@ -22,6 +22,8 @@ struct CountedScene
     std::function<std::vector<KernelInfo>()> kernels;
     std::function<std::vector<ArrayInfo>()> arrays;
     std::size_t items = 0;                  // particles; of picDem: cells
+    int before = 0;                         // steps that are taken first
+    std::function<void()> ready;            // throws if they have not led where they should
     // samples after each step; comes back after each step, as for a line of the log
     bool sampling = false, logging = false;
 

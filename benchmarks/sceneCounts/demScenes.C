@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <cmath>
+#include <stdexcept>
 #include "countedScene.hpp"
 
 namespace riprap
@@ -18,6 +19,8 @@ struct Options
          sleeps = false, turns = true,
          oneMaterial = false;                // else another, which nobody is of
     bool rest = false;                      // a block that lies on the floor, else it falls apart
+    bool beside = false;                    // one at rest beside it
+    double apart = 1.998;                   // particles of a block [radii]
     double box = 0.2;
     bool sampling = false, logging = false;
 };
@@ -35,8 +38,30 @@ DemConfig configOf(const Options& o)
     c.rolling = o.rolling ? "spring" : "none";
     c.timeStep = 1e-5;
     c.orientation = o.turns;
-    if (o.sleeps) { c.sleepSpeed = 1e-2; c.sleepAfter = 1e-3; }
+    if (o.sleeps) { c.sleepSpeed = 5e-2; c.sleepAfter = 1e-3; }
     return c;
+}
+
+constexpr int side = 12;                    // particles of a block along each direction
+
+//- A block that lies on the floor, or falls, each layer sliding over the one below; apart: its
+//  particles, in radii
+void addBlock(DemInput& in, int dimensions, bool rest, double from, double radii)
+{
+    const int deep = dimensions == 3 ? side : 1;
+    const double apart = radii*radius;
+    for (int k = 0; k < deep; ++k)
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i)
+            {
+                in.particles.position.insert(in.particles.position.end(),
+                    {from + i*apart, radius*(rest ? 1 : 1.2) + j*apart, 0.02 + k*apart});
+                in.particles.velocity.insert(in.particles.velocity.end(),
+                    {rest ? 0 : 0.02*(j % 2 ? 1 : -1), rest ? 0 : -0.1, 0});
+                in.particles.radius.push_back(radius);
+                in.particles.mass.push_back(density
+                    *(dimensions == 3 ? 4.0/3*M_PI*std::pow(radius, 3) : M_PI*radius*radius));
+            }
 }
 
 DemInput inputOf(const Options& o)
@@ -59,22 +84,8 @@ DemInput inputOf(const Options& o)
     for (bool& held : group.held) held = !o.moves;
     group.heldSpin = !o.moves;
     in.groups.push_back(group);
-    const int side = 12, deep = o.dimensions == 3 ? side : 1;
-    const double apart = o.rest ? 2*radius : 2.02*radius;
-    for (int k = 0; k < deep; ++k)
-        for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i)
-            {
-                in.particles.position.insert(in.particles.position.end(),
-                    {0.02 + i*apart, radius*(o.rest ? 1 : 1.2) + j*apart, 0.02 + k*apart});
-                // each layer slides over the one below
-                in.particles.velocity.insert(in.particles.velocity.end(),
-                    {o.rest ? 0 : 0.02*(j % 2 ? 1 : -1), o.rest ? 0 : -0.1, 0});
-                in.particles.radius.push_back(radius);
-                in.particles.mass.push_back(density
-                    *(o.dimensions == 3 ? 4.0/3*M_PI*std::pow(radius, 3)
-                                         : M_PI*radius*radius));
-            }
+    addBlock(in, o.dimensions, o.rest, 0.02, o.apart);
+    if (o.beside) addBlock(in, o.dimensions, true, 0.2, 2);
     const std::int32_t n = std::int32_t(in.particles.size());
     if (o.bonds)
     {
@@ -118,6 +129,18 @@ CountedScene make(const Options& o)
     s.sample = [scene] { scene->energy(); };
     s.sampling = o.sampling;
     s.logging = o.logging;
+    if (o.sleeps)
+    {
+        s.before = 400;
+        const auto asleep = std::make_shared<std::size_t>(0);
+        s.advance = [scene, asleep](int steps) { *asleep = scene->advance(1e30, steps).asleep; };
+        s.ready = [asleep, wanted = in.particles.size()/(o.beside ? 2 : 1)]
+        {
+            if (*asleep != wanted)
+                throw std::runtime_error(std::to_string(*asleep) + " particles sleep, not "
+                    + std::to_string(wanted));
+        };
+    }
     return s;
 }
 
@@ -176,10 +199,20 @@ std::vector<Row> demRows()
 
     Options rest;
     rest.rest = true;
+    rest.apart = 2;
     rest.bonds = rest.clumps = rest.turns = false;
     rows.push_back(row("", "block at rest", rest));
     rest.sleeps = true;
     rows.push_back(row("still solids awake", "block at rest", rest));
+
+    Options two;
+    two.box = 0.4;
+    two.apart = 2.02;                       // steps enough for one to fall asleep
+    two.bonds = two.clumps = two.turns = false;
+    two.beside = two.sleeps = true;
+    rows.push_back(row("", "two blocks", two));
+    two.beside = two.sleeps = false;
+    rows.push_back(row("the sleeping block", "two blocks", two));
 
     Options wide;
     wide.box = 0.8;

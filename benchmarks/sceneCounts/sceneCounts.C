@@ -1,14 +1,17 @@
 /*  sceneCounts: what a step of small scenes takes, and of the same scenes with one thing less, on
     one thread of the CPU.
 
-        sceneCounts [-steps N] [-blocks N] [sphDem|picDem|dem]...
+        sceneCounts [-steps N] [-blocks N] [-scene NAME] [-without THING] [sphDem|picDem|dem]...
 
     A line a scene: solver, scene, what is left out, particles (picDem: cells), kernels a step
     (loops over them), fields held, bytes a particle, processor time a step [us], the same over that
     of the scene itself, what the scene has, the kernels that it has run since it was made
-    (name=launches a step) and its
-    fields (set.name=bytes). Times: both scenes in turn, -blocks times -steps steps; the median of
-    the ratios. -blocks 0: counts alone.
+    (name=launches a step) and its fields (set.name=bytes). Times: both scenes in turn, -blocks
+    times -steps steps; the median of the ratios. -blocks 0: counts alone. -scene: this one alone,
+    with those that lack something. -without: the scenes without this alone.
+
+    Under valgrind's callgrind the steps that are counted are dumped, a file a line
+    (benchmarks/pages/instructions.py), if its header was there when this was compiled.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -19,6 +22,10 @@
 #include <ctime>
 #include <map>
 #include <omp.h>
+#if __has_include(<valgrind/callgrind.h>)
+    #include <valgrind/callgrind.h>
+    #define COUNTS_INSTRUCTIONS
+#endif
 #include "countedScene.hpp"
 
 using namespace riprap;
@@ -44,11 +51,25 @@ void take(CountedScene& s, int steps)
     }
 }
 
+//- Under callgrind, which then writes how many instructions they took
+void countedSteps(CountedScene& s, int steps)
+{
+#ifdef COUNTS_INSTRUCTIONS
+    CALLGRIND_START_INSTRUMENTATION;
+    CALLGRIND_ZERO_STATS;
+    take(s, steps);
+    CALLGRIND_DUMP_STATS;
+    CALLGRIND_STOP_INSTRUMENTATION;
+#else
+    take(s, steps);
+#endif
+}
+
 Counts count(CountedScene& s, int steps)
 {
     std::map<std::string, std::int64_t> before;
     for (const KernelInfo& k : s.kernels()) before[k.name] = k.launches;
-    take(s, steps);
+    countedSteps(s, steps);
     Counts c;
     for (const KernelInfo& k : s.kernels())
     {
@@ -112,14 +133,27 @@ void print(const Row& r, const CountedScene& s, const Counts& c, double time, do
     std::fflush(stdout);
 }
 
-//- A scene, and those with one thing less
-void run(const std::vector<Row>& rows, int steps, int blocks)
+struct Options
 {
+    int steps = 20, blocks = 0;
+    std::string scene, without;                     // empty: all
+    std::vector<std::string> solvers;
+};
+
+//- A scene, and those with one thing less
+void run(const std::vector<Row>& rows, const Options& o)
+{
+    const int steps = o.steps, blocks = o.blocks;
     std::unique_ptr<CountedScene> whole;
     for (const Row& r : rows)
     {
+        if (!o.scene.empty() && r.scene != o.scene) continue;
+        // times are measured beside the whole scene
+        const bool wanted = o.without.empty() || r.without == o.without;
+        if (!wanted && !(blocks && r.without.empty())) continue;
         auto scene = std::make_unique<CountedScene>(r.make());
-        take(*scene, steps);
+        take(*scene, steps + scene->before);
+        if (scene->ready) scene->ready();
         const Counts c = count(*scene, steps);
         std::vector<double> times, ratios;
         for (int b = 0; b < blocks; ++b)
@@ -129,7 +163,7 @@ void run(const std::vector<Row>& rows, int steps, int blocks)
             times.push_back(own);
             ratios.push_back(own/of);
         }
-        print(r, *scene, c, median(times), median(ratios));
+        if (wanted) print(r, *scene, c, median(times), median(ratios));
         if (r.without.empty()) whole = std::move(scene);
     }
 }
@@ -138,32 +172,32 @@ void run(const std::vector<Row>& rows, int steps, int blocks)
 
 int main(int argc, char* argv[])
 {
-    int steps = 20, blocks = 0;
-    std::vector<std::string> asked;
+    Options o;
     for (int i = 1; i < argc; ++i)
     {
         const bool more = i + 1 < argc;
-        if (more && !std::strcmp(argv[i], "-steps")) steps = std::max(1, std::atoi(argv[++i]));
+        if (more && !std::strcmp(argv[i], "-steps")) o.steps = std::max(1, std::atoi(argv[++i]));
         else if (more && !std::strcmp(argv[i], "-blocks"))
-            blocks = std::max(0, std::atoi(argv[++i]));
-        else asked.push_back(argv[i]);
+            o.blocks = std::max(0, std::atoi(argv[++i]));
+        else if (more && !std::strcmp(argv[i], "-scene")) o.scene = argv[++i];
+        else if (more && !std::strcmp(argv[i], "-without")) o.without = argv[++i];
+        else o.solvers.emplace_back(argv[i]);
     }
-    if (asked.empty()) asked = {"sphDem", "picDem", "dem"};
+    if (o.solvers.empty()) o.solvers = {"sphDem", "picDem", "dem"};
     omp_set_num_threads(1);
     std::printf("solver,scene,without,items,kernels,fields,bytes,time,timeRatio,has,kernelList,"
                 "fieldList\n");
     try
     {
-        for (const std::string& solver : asked)
+        for (const std::string& solver : o.solvers)
         {
-            if (solver == "sphDem") run(sphRows(), steps, blocks);
-            else if (solver == "picDem") run(picRows(), steps, blocks);
-            else if (solver == "dem") run(demRows(), steps, blocks);
+            if (solver == "sphDem") run(sphRows(), o);
+            else if (solver == "picDem") run(picRows(), o);
+            else if (solver == "dem") run(demRows(), o);
             else
             {
-                std::fprintf(stderr,
-                    "sceneCounts: unknown %s; valid are -steps N, -blocks N, sphDem, picDem, dem\n",
-                    solver.c_str());
+                std::fprintf(stderr, "sceneCounts: unknown %s; valid are -steps N, -blocks N, "
+                    "-scene NAME, -without THING, sphDem, picDem, dem\n", solver.c_str());
                 return 1;
             }
         }

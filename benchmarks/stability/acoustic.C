@@ -59,8 +59,9 @@ bool staysQuiet(
     for (int n = 0; n < 40; ++n) { take(*scene, 1); middle += disturbance(*scene, p.config); }
     if (!take(*scene, steps/2)) return false;
     for (int n = 0; n < 40; ++n) { take(*scene, 1); end += disturbance(*scene, p.config); }
+    const int halfway = steps/2 + 40;
     // a NaN is not quiet
-    return end < middle*std::exp(growth*(steps/2 + 40)) && end < 40*1e4*amplitude;
+    return end < middle*std::exp(growth*halfway) && end < 40*1e4*amplitude;
 }
 
 //- Growth a step of the wave that grows fastest, by theory

@@ -1,7 +1,8 @@
 #!/bin/bash
 # What riprapFoam -dry-run says that a scene does not need: each claim is made where it holds and
 # nowhere else, and a run without these entries and models has the same bits. What a step takes is
-# on a page of its own, and counts are those of the table: benchmarks/sceneNeeds -check
+# on a page of its own, and counts are those of the table: benchmarks/sceneNeeds -check. The barest
+# scenes take no more instructions than there: -instructions
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -83,6 +84,17 @@ claims sph.fixed 'constant/sphProperties, entry '{acoustic,force,viscous}Courant
 bits with; control sphDem 0.005 'adjustTimeStep no; deltaT 2e-5;'; sph ''; bits without
 same sph.fixed.bits with without
 none sph.none
+sph 'smoothingLength { model variable; maxGrowth 1; }'
+claims sph.growth 'constant/sphProperties, entry smoothingLength/model'
+says sph.growth.says 'maxGrowth is 1, so h stays what it is; `model constant` '\
+'(saves [0-9.]+ % of a step \(measured\)|does the same)'
+sph 'smoothingLength { model variable; maxGrowth 1.1; }'; none sph.grows
+resting='walls { motion { lid { patches (right); solidBodyMotionFunction oscillatingLinearMotion; '
+sph "$resting omega 40; amplitude (0 0 0); } } }"
+claims sph.resting 'constant/sphProperties, entry walls/motion/lid'
+says sph.resting.says 'entry walls/motion/lid: its walls rest until endTime; without it they are '\
+'fixed, which takes less'
+sph "$resting omega 40; amplitude (1e-6 0 0); } } }"; none sph.moves
 
 # Terms that are on with a factor of 0
 control sphDem 0.005
@@ -123,6 +135,8 @@ says dem.group 'entry groups/tip: no solid is in this group'
 bits with; solids 'friction 0.2;' '' '' 'guards { escape stop; }'; bits without
 same dem.idle.bits with without
 none dem.none
+solids 'friction 0.2;' '' '' "$resting omega 40; amplitude (0 0 0); } } }"
+claims dem.resting 'constant/solidProperties, entry walls/motion/lid'
 # Nobody meets so, and yet it decides on the step
 solids 'friction 0.2;' 'steel { rho 7800; nu 0.3; }' \
     'glass-steel { restitution 0.5; stiffness 4e5; friction 0; }'  ''
@@ -162,6 +176,17 @@ dictionary constant/solidProperties \
 bits without; same dem.on.bits with without
 solids 'friction 0; rollingFriction 0.1;' '' '' '' 'rolling spring;'
 none dem.rolls
+
+# Damping of solids that are fixed
+dictionary system/setParticlesDict \
+    <<<'regions ( two { set solids; material glass; group held; radius 0.005; spacing 0.01; '\
+'packing square; source box; box (0.02 0 0) (0.08 0.04 0.01); } );'
+held() { solids 'friction 0.2;' '' '' "groups { held { fixed $1; ${2:-} } }"; }
+held all 'viscousDamping 5; viscousSpinDamping 2;'; fill
+claims dem.held 'constant/solidProperties, entry groups/held/'{viscousDamping,viscousSpinDamping}
+says dem.held.why 'entry groups/held/viscousDamping: its solids are fixed'
+bits with; held all; bits without; same dem.held.bits with without
+held '(x spin)' 'viscousDamping 5;'; none dem.notHeld
 
 # picDem: entries, and a viscosity that the grid does not resolve
 tank2; rm -f constant/solidProperties constant/sphProperties
@@ -221,3 +246,11 @@ then
 else
     fail counts "${said//$'\n'/; }"
 fi
+
+# What is not used costs no more instructions than it did
+said=$("${RIPRAP_PYTHON:-python3}" "$root/benchmarks/sceneNeeds" -instructions 2>&1)
+case $? in
+    0) pass instructions;;
+    3) echo "SKIP $suite.instructions ${said//$'\n'/; }";;
+    *) fail instructions "${said//$'\n'/; }";;
+esac
