@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Are the solids, or with --fluid the fluid, of two cases the same particles, number for number?
 
-    sameClouds.py CASE TIME OTHER OTHERTIME [--whole] [--close] [--fluid]
+    sameClouds.py CASE TIME OTHER OTHERTIME [--whole] [--close | --nearly] [--fluid]
 
 CASE is read from its processors' folders, with --whole from its own time; OTHER from its own time.
 Files are binary. Particles are compared by origId (id of the fluid): their fields to the bit, with
---close positions to 1e-9 m. Prints what differs and exits with 1, else how many particles there
-are.
+--close positions to 1e-9 m, with --nearly all to 1e-8 of the field's largest. Prints what differs
+and exits with 1, else how many particles there are.
 """
 import glob
 import os
@@ -57,7 +57,7 @@ def read(folders, ids):
 
 
 def main(arguments):
-    whole, close = '--whole' in arguments, '--close' in arguments
+    whole, close, nearly = (f'--{word}' in arguments for word in ('whole', 'close', 'nearly'))
     cloud, ids = ('fluid', 'id') if '--fluid' in arguments else ('solids', 'origId')
     case, time, other, otherTime = [a for a in arguments if not a.startswith('--')]
     parts = [case] if whole else sorted(glob.glob(os.path.join(case, 'processor*')))
@@ -66,12 +66,16 @@ def main(arguments):
     if set(a) != set(b) or not a:
         print(f'{len(a)} particles, and {len(b)}, or others')
         return 1
+    bounds = {'positions': 1e-9} if close else {}
+    if nearly:
+        bounds = {name: 1e-8*max(abs(x) for fields in b.values() for x in fields[name])
+                  for name in next(iter(b.values()))}
     wrong = {}
     for number, fields in a.items():
         for name, value in fields.items():
             there = b[number].get(name, ())
-            near = (close and name == 'positions'
-                    and all(abs(x - y) <= 1e-9 for x, y in zip(value, there)))
+            near = (name in bounds and len(value) == len(there)
+                    and all(abs(x - y) <= bounds[name] for x, y in zip(value, there)))
             if value != there and not near:
                 wrong.setdefault(name, []).append(number)
     print('; '.join(f'{name} of {len(numbers)}, {numbers[0]} the first'

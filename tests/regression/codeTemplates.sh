@@ -292,3 +292,14 @@ drifter 'flow (0.1 0 0); relaxationTime -1;'
 refused wrongTime 'Entry relaxationTime is -1: it must be positive.*drifterProperties' riprapFoam
 drifter 'flow (0.1 0 0); relaxationTime 1; drag 2;'
 refused wrongEntry 'Unknown entry drag; valid are .*relaxationTime' riprapFoam
+# It has not said that several processes can share it
+if command -v mpirun >/dev/null
+then
+    drifter 'flow (0.1 0 0); relaxationTime 1;'
+    FOAM_SIGFPE=false decomposePar >log 2>&1
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    refused severalProcesses 'Entry solver is drifters, which runs on one process' \
+        mpirun -np 2 --oversubscribe riprapFoam -parallel
+else
+    echo "SKIP $suite.severalProcesses no mpirun"
+fi

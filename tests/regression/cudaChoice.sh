@@ -67,6 +67,11 @@ wanted noGpu "nvcc without a GPU: the CPU alone, and how it is had for GPUs" \
 wanted brokenDriver "numbers of an error are no architecture" "*no GPU*$alone" 2 "$(decided "$gpu")"
 wanted askedArchitecture "RIPRAP_CUDA_ARCH is built without a GPU" \
     'status 0 for [[]90[]] by [[]nvcc[]] as linux-cuda90' 1 "$(decided "$nvcc" RIPRAP_CUDA_ARCH=90)"
+wanted quick "kernels that are not optimised have a build of their own" \
+    'status 0 for [[]90[]] by [[]nvcc[]] as linux-cuda90-quick' 1 \
+    "$(decided "$nvcc" RIPRAP_CUDA_ARCH=90 RIPRAP_CUDA_QUICK=1)"
+wanted quickCpu "of the CPU alone there is no other" "$alone" 1 \
+    "$(decided "$nvcc" NVCC= RIPRAP_CUDA_QUICK=1)"
 wanted askedSeveral "several architectures, each once" 'status 0 for [[]80 90[]] by [[]nvcc[]] as '\
 'linux-cuda80-90' 1 "$(decided "$nvcc" 'RIPRAP_CUDA_ARCH=90 80 90')"
 wanted askedCompiler "NVCC names a compiler: asked for" 'status 0 for [[]80 90[]] by [[]nvcc[]] '\
@@ -128,7 +133,7 @@ told()      # JOBS [VARIABLE=VALUE]...: Allwmake up to where it would compile
         mkdir -p "$copy/src/Make"; printf 'xNone.C\nLIB = none\n' >"$copy/src/Make/files"
         echo '$(error nothing is to be compiled)' >"$copy/src/Make/options"
     fi
-    (cd "$copy" && env -u NVCC -u RIPRAP_CUDA_ARCH \
+    (cd "$copy" && env -u NVCC -u RIPRAP_CUDA_ARCH -u RIPRAP_CUDA_QUICK \
         -u RIPRAP_CPU_ARCH RIPRAP_BOOTSTRAP=no "$@" ./Allwmake -j "$jobs" 2>&1)
 }
 said=$(told 2 NVCC= RIPRAP_CPU_ARCH=)
@@ -136,7 +141,7 @@ minutes() { sed -n 's/^riprap: a first build, about \([0-9]*\) minutes with.*/\1
 one=$(minutes "$said")
 two=$(minutes "$(told 2 NVCC="$nvcc/nvcc" RIPRAP_CUDA_ARCH='80 90' RIPRAP_CPU_ARCH=)")
 four=$(minutes "$(told 4 NVCC= RIPRAP_CPU_ARCH=)")
-if [[ -n $one && -n $two && -n $four ]] && ((two == one + 33 && four*2 >= one && four < one))
+if [[ -n $one && -n $two && -n $four ]] && ((two == one + 24 && four*2 >= one && four < one))
 then echo "PASS cudaChoice.time"
 else
     echo "FAIL cudaChoice.time minutes told of a first build with 2 jobs, with two architectures, \

@@ -16,7 +16,8 @@ variable()
 {
     local name=$1
     shift
-    env -u NVCC -u RIPRAP_CUDA_ARCH -u RIPRAP_CPU_ARCH "$@" bash -c ". etc/bashrc; echo \"\$$name\""
+    env -u NVCC -u RIPRAP_CUDA_ARCH -u RIPRAP_CUDA_QUICK -u RIPRAP_CPU_ARCH "$@" \
+        bash -c ". etc/bashrc; echo \"\$$name\""
 }
 
 silent() { local said; said=$(etc/bootstrap 2>&1) && [[ -z $said ]]; }
@@ -193,6 +194,27 @@ check sizes etc/checkSizes
 check sizesCounted etc/checkSizes --self-test
 check unitSources etc/unitSources -check
 check python etc/checkPython
+
+# The same by ruff and by pycodestyle with pyflakes: a file for each rule that must be refused, and
+# others that must not
+pythonRules()
+{
+    local folder rule verdict text said status=0; folder=$(mktemp -d)
+    while IFS=$'\t' read -r rule verdict text
+    do
+        [[ $rule == '#'* ]] || printf '%b' "$text" >"$folder/$rule.$verdict.py"
+    done <tests/regression/pythonRules.tsv
+    said=$(etc/checkPython "$folder"/*.py 2>&1); status=$?
+    ((status != 3)) || { echo "${said/SKIP python/SKIP pythonRules}"; rm -rf "$folder"; return 3; }
+    for text in "$folder"/*.wrong.py
+    do
+        [[ $said == *${text##*/}:* ]] || { echo "${text##*/} is accepted"; status=2; }
+    done
+    ! grep -m1 'right\.py' <<<"$said" || status=2
+    rm -rf "$folder"
+    ((status == 1))
+}
+check pythonRules pythonRules
 check whitespace etc/checkWhitespace
 
 # etc/wrapLines breaks long lines of C++ and touches nothing else
@@ -218,6 +240,20 @@ wrapped()
     return $status
 }
 check wrapLines wrapped
+
+# Of tests that may not be skipped a skipped one has failed, and one that has not run
+required()
+{
+    local file said; file=$(mktemp)
+    printf '%s\n' 'PASS a' 'SKIP ab none' 'SKIP b no program' >"$file"
+    said=$(tests/required "$file" a b c) && [[ $said == "FAIL b skipped"*"no program" ]] &&
+        said=$(tests/required -all "$file" a b c) && [[ $said == "FAIL c has not run"* ]] &&
+        [[ $(cut -d' ' -f1,2 "$file" | paste -sd,) == "PASS a,SKIP ab,FAIL b,FAIL c" ]]
+    local status=$?
+    rm -f "$file"
+    return $status
+}
+expect requiredTests "a test in RIPRAP_REQUIRED that is skipped has failed" required
 
 check licences etc/checkLicences
 noLicence()

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../.."
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-if tests/mutate/run --sample 300 --seed 1 >"$log" 2>&1
+if tests/mutate/run --sample 300 --seed 1 --limit 120 >"$log" 2>&1
 then
     echo "PASS mutate $(tail -1 "$log")"
 else

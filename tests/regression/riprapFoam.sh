@@ -50,6 +50,9 @@ bad gpuFraction 'gpu 1.5;' 'Entry gpu is 1.5: it must be a whole number'
 dictionary constant/sphProperties <<<'gpu 99;'
 wrong gpuNumber 'Entry gpu is 99, '\
 'and (the GPUs of this machine are 0 \(|riprap was built without CUDA|there is no).*sphProperties'
+bad balance 'parallel { balance work; }' 'balance has the unknown word work; '\
+'valid are .*(time particles|particles time)'
+bad imbalance 'parallel { imbalance 0; }' 'Entry imbalance is 0: it must be positive'
 bad ratio 'smoothingLength { ratio 0.5; }' 'Entry ratio is 0.5: it must be from 0.8 to 4'
 bad model 'smoothingLength { model adaptive; }' 'model has the unknown word adaptive; '\
 'valid are .*constant variable|model has the unknown word adaptive; valid are .*variable constant'
@@ -351,9 +354,9 @@ stopped()   # NAME STATUS PATTERN COMMAND...
     touch -d '100 seconds ago' system/controlDict
     sph 'walls { patches (".*"); }'
     riprapFoam >log 2>&1 & pid=$!
-    for ((i = 0; i < 300; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
+    for ((i = 0; i < 1200; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
     "$@"
-    for ((i = 0; i < 300; ++i)); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+    for ((i = 0; i < 600; ++i)); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
     kill -9 $pid 2>/dev/null
     wait $pid; status=$?
     ((status == expected)) && pass "stopped.$name" || fail "stopped.$name" "status $status"
