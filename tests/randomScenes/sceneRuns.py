@@ -5,6 +5,7 @@ import argparse
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -15,13 +16,18 @@ PROGRAMS = ('blockMesh', 'setParticles', 'riprapFoam')
 
 
 def program(name, folder, threads, limit, end):
-    """Its log, and why it did not end well or nothing"""
+    """Its log, and why it did not end well or nothing. limit: of its processor time [s], which
+    other programs beside it do not lengthen; four times that by the clock"""
     path = os.path.join(folder, 'log.' + name)
     with open(path, 'w') as log:
         try:
-            status = subprocess.run([name], cwd=folder, stdout=log, stderr=subprocess.STDOUT,
+            command = 'ulimit -t %d; exec "$0"' % (limit*threads)
+            status = subprocess.run(['bash', '-c', command, name], cwd=folder, stdout=log,
+                                    stderr=subprocess.STDOUT,
                                     env=dict(os.environ, OMP_NUM_THREADS=str(threads)),
-                                    timeout=limit).returncode
+                                    timeout=4*limit).returncode
+            if status in (-signal.SIGXCPU, -signal.SIGKILL):
+                status = 'time'
         except subprocess.TimeoutExpired:
             status = 'time'
     with open(path) as f:
@@ -95,7 +101,7 @@ def parser(text):
     p.add_argument('--jobs', type=int, default=os.cpu_count())
     p.add_argument('--keep')
     p.add_argument('--dimensions', type=int, help='2 or 3: the others are passed over')
-    p.add_argument('--limit', type=float, default=300)
+    p.add_argument('--limit', type=float, default=300, help='of each program, processor time [s]')
     return p
 
 

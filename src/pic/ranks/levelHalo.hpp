@@ -77,6 +77,7 @@ private:
     static std::vector<RankMessage> messages(const std::vector<Piece>& list, T* memory)
     {
         std::vector<RankMessage> all;
+        all.reserve(list.size());
         for (const Piece& p : list)
             all.push_back(RankMessage{p.rank, reinterpret_cast<unsigned char*>(memory + p.at),
                 p.box.count()*sizeof(T)});
