@@ -101,7 +101,8 @@ def parser(text):
     p.add_argument('--jobs', type=int, default=os.cpu_count())
     p.add_argument('--keep')
     p.add_argument('--dimensions', type=int, help='2 or 3: the others are passed over')
-    p.add_argument('--limit', type=float, default=300, help='of each program, processor time [s]')
+    p.add_argument("--limit", type=float, default=300,
+                   help="of each program, processor time [s]")
     return p
 
 

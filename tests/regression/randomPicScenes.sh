@@ -6,4 +6,4 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runPicScenes.py --seeds 1-50 --end 0.25 --limit 120
+"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runPicScenes.py --seeds 1-50 --end 0.25 --limit 300

@@ -6,4 +6,4 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runScenes.py --limit 120
+"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runScenes.py --limit 300
