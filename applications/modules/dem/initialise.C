@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
+#include "deviceChoice.H"
 #include "demMotion.H"
 #include "sphNames.H"
 #include "wholeBoundary.H"
@@ -25,6 +26,7 @@ void Foam::solverModules::dem::makeScene(const riprap::DemConfig& config)
     {
         FatalIOErrorInFunction(settings_.dict) << e.what() << exit(FatalIOError);
     }
+    leaveCoresToWriting(scene_->device());
     if (ranks_.valid())
     {
         part_ = std::move(scene_);

@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "deviceChoice.H"
 #include "sphNames.H"
 #include "wallPoints.H"
 #include "wholeBoundary.H"
@@ -66,6 +67,7 @@ void Foam::solverModules::picDem::makeScene
         FatalIOErrorInFunction(solids_ ? solids_->dict() : settings_.dict)
             << "The case cannot be run: " << e.what() << exit(FatalIOError);
     }
+    leaveCoresToWriting(scene_->device());
     ranks_.join(scene_);
 }
 

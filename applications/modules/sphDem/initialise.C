@@ -7,6 +7,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "sphDem.H"
+#include "deviceChoice.H"
 #include "wholeBoundary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -76,6 +77,7 @@ void Foam::solverModules::sphDem::makeScene
             << runTime_.timePath()/"lagrangian/fluid" << ": " << e.what()
             << exit(FatalError);
     }
+    leaveCoresToWriting(scene_->device());
 }
 
 
@@ -107,6 +109,7 @@ void Foam::solverModules::sphDem::makeCoupledScene
         FatalIOErrorInFunction(solids_->dict())
             << e.what() << exit(FatalIOError);
     }
+    leaveCoresToWriting(scene_->device());
 }
 
 

@@ -16,7 +16,7 @@
 #include "core/simd/macros.hpp"
 #include "core/backend/profile.hpp"
 #ifdef __CUDACC__
-    #include <cuda_runtime.h>
+    #include "core/backend/stagedCopies.hpp"
 #endif
 
 namespace riprap
@@ -47,12 +47,6 @@ public:
 };
 
 #ifdef __CUDACC__
-
-inline void checkCuda(cudaError_t e, const char* what)
-{
-    if (e != cudaSuccess)
-        throw std::runtime_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e));
-}
 
 template<>
 class Context<Gpu>
@@ -96,11 +90,15 @@ public:
     void release(void* p) { cudaFree(p); }
     void toDevice(void* to, const void* from, std::size_t bytes)
     {
+        if (bytes >= StagedCopies::worth)
+            return StagedCopies::ofProcess().toDevice(stream, to, from, bytes);
         checkCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream), "copy");
         synchronise();
     }
     void toHost(void* to, const void* from, std::size_t bytes)
     {
+        if (bytes >= StagedCopies::worth)
+            return StagedCopies::ofProcess().toHost(stream, to, from, bytes);
         checkCuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, stream), "copy");
         synchronise();
     }

@@ -77,6 +77,42 @@ private:
     }
 };
 
+//- How many contacts a particle has. Both of a pair count what the one that lists it has found; on
+//  a GPU, where both do, the first of them
+template<class Backend, class R>
+struct CountActing
+{
+    static constexpr const char* name = "countActing";
+    ContactListView<Backend, R> list;
+    const ProbedContact<R>* probed;
+    const int* active;
+    int* counts;
+
+    HD void operator()(int i) const
+    {
+        if (i >= *active) return;
+        for (int k = 0; k < list.count[i]; ++k)
+        {
+            const int j = probed[list.index(i, k)].other;
+            if (j < 0 || (Backend::gpu && j < i)) continue;
+            increase(i);
+            increase(j);
+        }
+    }
+
+private:
+
+    HD void increase([[maybe_unused]] int i) const
+    {
+#ifdef __CUDA_ARCH__
+        atomicAdd(counts + i, 1);
+#elif !defined(__CUDACC__)
+        #pragma omp atomic
+        counts[i] += 1;
+#endif
+    }
+};
+
 //- Energy of contacts, how many there are, each once, and the deepest one of a particle
 template<class Backend, class R>
 struct ContactSums

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Written by etc/unitSources: the sources of this folder, compiled together
 #include "caseTime.C"
+#include "cellLattice.C"
 #include "dividedCloud.C"
 #include "lineSeries.C"
 #include "locateParticles.C"

@@ -5,21 +5,25 @@
     plane the point is farthest beyond, until the point is on the inner side of all faces: a few
     products a particle, where the mesh's octree takes hundreds of tests in flat cells. A point on
     faces is in the first of the cells about it, wherever the search began. What this does not
-    settle (cells with warped faces, a boundary on the way) the octree decides.
+    settle (cells with warped faces, a boundary on the way) the octree decides. Where all cells are
+    equal boxes and many points are asked for, their place tells the same (cellLattice).
 */
 
+#include "cellLattice.H"
 #include "particleCloudIO.H"
 #include "DynamicList.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
+#include <memory>
 
 namespace Foam
 {
 
+//- Of a face's distance: nearer to it a point counts as on it
+static constexpr scalar tolerance = 1e-9;
+
 class cellWalk
 {
-    // of a face's distance: nearer to it a point counts as on it
-    static constexpr scalar tolerance = 1e-9;
     const polyMesh& mesh_;
     const label longest_;
     label flat_ = -1;                               // the last cell found to have plane faces
@@ -152,6 +156,11 @@ Foam::labelList Foam::locateParticles
     mesh.faceAreas();
     boundBox around(mesh.bounds());
     around.inflate(1e-6);
+
+    // To look at all cells pays for itself where there are so many points
+    std::unique_ptr<const cellLattice> lattice;
+    if (points.size() > mesh.nCells()/4) lattice.reset(new cellLattice(mesh));
+    const bool equal = lattice && *lattice;
     const label chunk = 4096, chunks = (points.size() + chunk - 1)/chunk;
     #pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
     for (label k = 0; k < chunks; ++k)
@@ -160,7 +169,10 @@ Foam::labelList Foam::locateParticles
         label last = 0;
         for (label i = k*chunk; i < min((k + 1)*chunk, points.size()); ++i)
         {
-            cell[i] = walk.find(points[i], hinted(i) ? hint[i] : last);
+            cell[i] =
+                equal
+              ? lattice->find(points[i], tolerance)
+              : walk.find(points[i], hinted(i) ? hint[i] : last);
             if (cell[i] >= 0) last = cell[i];
         }
     }

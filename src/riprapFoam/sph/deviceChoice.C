@@ -9,6 +9,7 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "sphNames.H"
+#include "timeWriter.H"
 #include "core/backend/gpus.hpp"
 #include "core/backend/machineMemory.hpp"
 #include "api/sphScene.hpp"
@@ -19,6 +20,9 @@
 
 namespace Foam
 {
+
+//- Cores that threads of loops leave to writing
+static int leftToWriting = 0;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -153,6 +157,17 @@ void useDevice
 }
 
 
+void leaveCoresToWriting(riprap::DeviceKind taken)
+{
+    if (taken != riprap::DeviceKind::gpu || Pstream::parRun() || std::getenv("OMP_NUM_THREADS"))
+    {
+        return;
+    }
+    leftToWriting = timeWriter::coresTaken();
+    omp_set_num_threads(max(1, omp_get_num_procs() - leftToWriting));
+}
+
+
 void logDevice
 (
     const std::string& name,
@@ -177,6 +192,8 @@ void logDevice
         << (
                std::getenv("OMP_NUM_THREADS")
              ? "OMP_NUM_THREADS"
+             : leftToWriting
+             ? "a quarter of the cores is left to writing: OMP_NUM_THREADS is not set"
              : "one a core: OMP_NUM_THREADS is not set"
            )
         << ')' << nl;

@@ -11,9 +11,10 @@
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- A quarter of the cores: the others work on
 static int severalThreads()
 {
-    return Foam::max(1, Foam::min(8, int(std::thread::hardware_concurrency())));
+    return Foam::max(1, Foam::min(8, int(std::thread::hardware_concurrency())/4));
 }
 
 
@@ -115,6 +116,12 @@ Foam::timeWriter& Foam::timeWriter::ofRun()
 {
     static timeWriter writer;
     return writer;
+}
+
+
+int Foam::timeWriter::coresTaken()
+{
+    return severalThreads();
 }
 
 

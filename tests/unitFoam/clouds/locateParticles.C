@@ -6,6 +6,7 @@
 #include "testTime.H"
 
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -76,6 +77,47 @@ TEST(LocateParticles, onFacesInTheFirst)
     {
         EXPECT_EQ(locateParticles(mesh(), pointField(1, corner), labelList(1, hint), false)[0],
             first);
+    }
+}
+
+//- Many points at once are found by their place where all cells are equal boxes, one by one through
+//  faces: the same cells, also beside faces and on the boundary, and in meshes that are no lattice
+TEST(LocateParticles, manyAsOneByOne)
+{
+    const auto rounded = [](const point& p)
+    {
+        point q;
+        for (direction d = 0; d < 3; ++d) q[d] = std::round(1e6*p[d])*1e-6;
+        return q;
+    };
+    const std::vector<std::function<point(const point&)>> maps
+    {
+        [](const point& p) { return p; },
+        rounded,
+        [](const point& p) { return point(p.x(), p.y() + 0.1*p.y()*p.y(), p.z()); },
+        [](const point& p) { return point(p.x() + 0.3*p.y(), p.y(), p.z()); },
+        [](const point& p) { return point(p.x(), p.y(), p.z() + (p.x() > 0.9 ? 1e-3 : 0)); }
+    };
+    const double beside[] = {0, 1e-13, 1e-11, 1e-8, 1e-6, -1e-13, -1e-11, -1e-8};
+    for (std::size_t m = 0; m < maps.size(); ++m)
+    {
+        BoxMesh box(block());
+        box.map = maps[m];
+        const auto mesh = box.make(testTime());
+        pointField points(randomPoints(900));
+        forAll(points, i)
+        {
+            const double off = beside[i % 8];
+            if (i % 5 == 1) points[i].x() = i % 2 ? 1 + off : -1 - off;
+            points[i] = maps[m](points[i] + vector(off, 0, i % 7 ? off : 0));
+        }
+        const labelList together(locateParticles(mesh(), points, labelList(), true));
+        forAll(points, i)
+        {
+            const labelList alone(
+                locateParticles(mesh(), pointField(1, points[i]), labelList(), true));
+            ASSERT_EQ(together[i], alone[0]) << "map " << m << ", point " << i << ' ' << points[i].x();
+        }
     }
 }
 

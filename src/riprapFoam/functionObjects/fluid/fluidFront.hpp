@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace riprap
@@ -115,16 +116,29 @@ inline int frontNeighbours
     return neighbours;
 }
 
+//- The particles no further than a reach behind the furthest one, and those of them in order
+struct FrontEnd
+{
+    FluidEnd end;
+    std::vector<FrontCandidate> window;
+
+    //- rule: its origin and direction alone
+    FrontEnd(FluidEnd&& particles, const FrontRule& rule)
+        : end(std::move(particles)), window(frontWindow(end.position, rule))
+    {}
+};
+
 //- (x - origin).direction of the front particle's centre [m]; -infinity when no particle counts.
-//  farEnd(reach): the particles no further than reach behind the furthest one
+//  farEnd(reach): a FrontEnd
 template<class FarEnd>
 double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
 {
     for (double reach = 4*rule.support;; reach *= 2)
     {
-        const FluidEnd& end = farEnd(reach);
+        const FrontEnd& far = farEnd(reach);
+        const FluidEnd& end = far.end;
         const std::vector<double>& position = end.position;
-        const std::vector<FrontCandidate> window(frontWindow(position, rule));
+        const std::vector<FrontCandidate>& window = far.window;
         if (window.empty()) break;
 
         const double first = window[0].s;
@@ -149,7 +163,8 @@ double fluidFrontOf(const FarEnd& farEnd, const FrontRule& rule)
 inline double fluidFront(const std::vector<double>& position, const FrontRule& rule)
 {
     return fluidFrontOf(
-        [&](double reach) { return farEnd(position, rule.direction, reach); }, rule);
+        [&](double reach) { return FrontEnd(farEnd(position, rule.direction, reach), rule); },
+        rule);
 }
 
 } // namespace riprap

@@ -179,17 +179,17 @@ bool Foam::functionObjects::frontPosition::writeSample()
     }
 
     // Rules ask for the same ends
-    std::map<scalar, riprap::FluidEnd> ends;
-    const auto end = [&](scalar reach) -> const riprap::FluidEnd&
+    std::map<scalar, riprap::FrontEnd> ends;
+    const auto end = [&](scalar reach) -> const riprap::FrontEnd&
     {
         auto known = ends.find(reach);
         if (known == ends.end())
         {
-            known = ends.emplace(reach, farEnd(reach)).first;
+            known = ends.emplace(reach, riprap::FrontEnd(farEnd(reach), rule_)).first;
         }
         return known->second;
     };
-    const label particles = end(4*rule_.support).particles;
+    const label particles = end(4*rule_.support).end.particles;
 
     // Edge of the furthest particle; 0 when there is none
     const auto edge = [&](const riprap::FrontRule& rule)

@@ -6,6 +6,7 @@
 
 #include "core/loops/reduceMax.hpp"
 #include "dem/passes/contactProbe.hpp"
+#include "dem/walls/deepestAtWalls.hpp"
 #include "solvers/dem/driver/contactForces.hpp"
 #include "solvers/dem/driver/rankedSolids.hpp"
 
@@ -231,18 +232,14 @@ auto SceneReadings<Backend, D, P>::contactSums(
 template<class Backend, int D, class P>
 std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
 {
-    std::vector<std::int32_t> contacts(n, 0);
-    const auto all = probe().download();
-    const auto [base, count] = p_.order.shape();
-    constexpr int width = ContactList<Backend, real>::width;
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < count[i]; ++k)
-        {
-            const int j = all[std::size_t(base[i/width]) + std::size_t(k)*width + i % width].other;
-            if (j < 0 || (Backend::gpu && j < i)) continue;
-            ++contacts[i];
-            ++contacts[j];
-        }
+    Array<Backend, int> counts;
+    counts.allocate(p_.set.context, p_.particles.n + 1);
+    p_.set.context.zero(counts.data(), counts.size()*sizeof(int));
+    const auto probed = probe();
+    forEach(p_.set.context, p_.particles.n, CountActing<Backend, real>{p_.order.list.view(),
+        probed.data(), p_.order.sort.active(), counts.data()});
+    std::vector<std::int32_t> contacts = counts.download();
+    contacts.resize(n);
     if (!p_.walls.count || !p_.walls.memory.entries) return contacts;
     const auto first = p_.walls.memory.entryFirst.download();
     const auto acts = wallContacts();
@@ -423,21 +420,17 @@ double SceneReadings<Backend, D, P>::deepestOverlap()
     const auto probed = probe();
     double most = reduceMax(p_.set.context, p_.order.active(), contactSums(probed));
     if (!p_.walls.count || !p_.walls.memory.entries) return most;
-    const auto first = p_.walls.memory.entryFirst.download();
-    const auto entry = p_.walls.memory.entry.download();
-    const auto force = p_.walls.memory.force.download();
-    const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
-    const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
-    const int n = p_.order.active();
-    for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1] && !ranks_.ghost(i); ++e)
-        {
-            const double gap = double(
-                p_.pairs.gap(material[i], p_.set.input.walls[entry[e].wall].material));
-            most = std::max(most,
-                0.5*(double(force[e*wallWords<D> + D + S + 1]) - gap)/double(radius[i]));
-        }
-    return most;
+    std::vector<double> gaps;
+    for (int m = 0; m < p_.pairs.materials(); ++m)
+        for (const auto& wall : p_.set.input.walls)
+            gaps.push_back(double(p_.pairs.gap(m, wall.material)));
+    Array<Backend, double> gap;
+    gap.upload(p_.set.context, gaps);
+    const SolidFields<D, P> solids = p_.particles.view();
+    return std::max(most, reduceMax(p_.set.context, p_.order.active(), DeepestAtWalls<D, P>{solids,
+        p_.walls.memory.entryFirst.data(), p_.walls.memory.entry.data(),
+        p_.walls.memory.force.data(), gap.data(), int(p_.set.input.walls.size()),
+        p_.order.sort.active(), ranks_.others ? solids.calm : nullptr}));
 }
 
 //- Slots that have entries of walls, which begin at first, and are no ghosts

@@ -4,6 +4,8 @@
 */
 #pragma once
 
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include "pic/openings/openFaces.hpp"
 #include "solvers/pic/parts/picParts.hpp"
@@ -365,6 +367,9 @@ void OpenBoundaries<Backend, D, P>::inject(double dt)
         else v.c[f.direction] = along;
         for (const Vec<D, double>& x : places)
         {
+            if (clock.nextId > std::numeric_limits<std::int32_t>::max())
+                throw std::runtime_error("openings have let in all particles that ids of 31 bits "
+                    "tell apart: the run cannot go on with them");
             entering.push_back({x, v, std::int32_t(clock.nextId++), int(entering.size())});
             face.push_back(int(k));
         }

@@ -153,6 +153,26 @@ TEST_P(PicOpenings, ABasinIsFilled)
     EXPECT_TRUE(std::adjacent_find(id.begin(), id.end()) == id.end());
 }
 
+//- Ids have 31 bits: what comes in beyond them would be others' namesakes
+TEST_P(PicOpenings, IdsThatAreUsedUpEndTheRun)
+{
+    PicConfig c = config(8);
+    c.openings = {flow("pump", 0.1)};
+    FluidInput f = box(c, {{0, 0, 0}}, {{1, 0.25, 1}}, everywhere);
+    for (std::size_t i = 0; i < f.size(); ++i) f.id.push_back(std::int32_t(i));
+    f.id.back() = std::numeric_limits<std::int32_t>::max() - 3;
+    const auto s = open(c, f, sides(c, 0, -1));
+    try
+    {
+        s->advance(2);
+        FAIL() << "ids above 2147483647";
+    }
+    catch (const std::runtime_error& e)
+    {
+        EXPECT_NE(std::string(e.what()).find("ids of 31 bits"), std::string::npos) << e.what();
+    }
+}
+
 //- As much beyond as inside: rest
 TEST_P(PicOpenings, EqualLevelsRest)
 {

@@ -394,7 +394,10 @@ TEST_P(SolidRanks, periodicSides)
     const Course run = course(D() == 2 ? 120 : 40);
     const Outcome one = alone(c, f, floor, run);
     EXPECT_EQ(one.report.stop, StopReason::none);
-    EXPECT_LT(one.solids[0].state.position[3*3], 0.5) << "through the side";
+    double least = 1;               // in no order: a GPU sorts them
+    for (std::size_t i = 0; i < one.solids[0].state.id.size(); ++i)
+        least = std::min(least, one.solids[0].state.position[3*i]);
+    EXPECT_LT(least, 0.5) << "through the side";
     compare(c, f, floor, run, {2, 3}, D() == 2);
 }
 
