@@ -211,6 +211,31 @@ FIELDS_TEST(SumsDoNotDependOnThreads)
     }
 }
 
+//- Those of more than 2 MB go in pieces of 4 MB through memory that is used again and again
+FIELDS_TEST(LargeCopiesComeBackWhole)
+{
+    Context<Backend> context;
+    const std::size_t mega = std::size_t(1) << 20;
+    std::vector<std::uint32_t> sent;
+    for (const std::size_t bytes : {2*mega - 1, 2*mega, 2*mega + 1, 4*mega - 3, 4*mega, 4*mega + 1,
+             16*mega, 16*mega + 1, 20*mega - 1, 37*mega + 12345})
+    {
+        sent.resize(bytes/4 + 3);
+        for (std::size_t i = 0; i < sent.size(); ++i)
+            sent[i] = std::uint32_t(i*2654435761u + bytes);
+        // to and from any byte
+        const auto* from = reinterpret_cast<const unsigned char*>(sent.data()) + 1;
+        Array<Backend, unsigned char> there;
+        there.allocate(context, bytes + 2);
+        context.toDevice(there.data() + 1, from, bytes);
+        std::vector<unsigned char> back(bytes + 6, 0xee);
+        context.toHost(back.data() + 3, there.data() + 1, bytes);
+        EXPECT_TRUE(std::equal(from, from + bytes, back.begin() + 3)) << bytes << " bytes";
+        for (const std::size_t k : {std::size_t(0), std::size_t(2), bytes + 3, bytes + 5})
+            EXPECT_EQ(back[k], 0xee) << bytes << " bytes, beside them";
+    }
+}
+
 FIELDS_TEST(LaunchesAreCounted)
 {
     Context<Backend> context;
