@@ -138,7 +138,8 @@ Foam::labelList Foam::locateParticles
     const polyMesh& mesh,
     const pointField& points,
     const labelList& hint,
-    bool nearest
+    bool nearest,
+    const cellLattice* lattice
 )
 {
     labelList cell(points.size(), -1);
@@ -158,8 +159,12 @@ Foam::labelList Foam::locateParticles
     around.inflate(1e-6);
 
     // To look at all cells pays for itself where there are so many points
-    std::unique_ptr<const cellLattice> lattice;
-    if (points.size() > mesh.nCells()/4) lattice.reset(new cellLattice(mesh));
+    std::unique_ptr<const cellLattice> found;
+    if (!lattice && points.size() > mesh.nCells()/4)
+    {
+        found.reset(new cellLattice(mesh));
+        lattice = found.get();
+    }
     const bool equal = lattice && *lattice;
     const label chunk = 4096, chunks = (points.size() + chunk - 1)/chunk;
     #pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sceneCloud.H"
+#include "cellLattice.H"
 #include "dividedCloud.H"
 #include "pictures.H"
 #include "timeWriter.H"
@@ -53,17 +54,20 @@ Foam::labelList Foam::sceneCloud::locate
     label& nOutside
 ) const
 {
-    // setParticles numbers from 0: one label a particle that ever was
-    cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
-    labelList cell
-    (
-        locateParticles(mesh_, position, labelList(cellOfId_, id), false)
-    );
+    if (!lattice_) lattice_.reset(new cellLattice(mesh_));
+    labelList before;
+    if (!*lattice_)
+    {
+        // setParticles numbers from 0: one label a particle that ever was
+        cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
+        before = labelList(cellOfId_, id);
+    }
+    labelList cell(locateParticles(mesh_, position, before, false, lattice_.get()));
 
     DynamicList<label> outside;
     forAll(cell, i)
     {
-        cellOfId_[id[i]] = cell[i];
+        if (before.size()) cellOfId_[id[i]] = cell[i];
         if (cell[i] < 0)
         {
             outside.append(i);
@@ -73,7 +77,8 @@ Foam::labelList Foam::sceneCloud::locate
     // OpenFOAM's utilities do not accept a particle that is in no cell
     const labelList nearest
     (
-        locateParticles(mesh_, pointField(position, outside), labelList(), true)
+        locateParticles(
+            mesh_, pointField(position, outside), labelList(), true, lattice_.get())
     );
     forAll(outside, i)
     {
@@ -156,6 +161,9 @@ Foam::sceneCloud::sceneCloud(const polyMesh& mesh, const word& name)
     writesItself<cloud>(mesh, name),
     mesh_(mesh)
 {}
+
+
+Foam::sceneCloud::~sceneCloud() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -163,7 +163,7 @@ void leaveCoresToWriting(riprap::DeviceKind taken)
     {
         return;
     }
-    leftToWriting = timeWriter::coresTaken();
+    leftToWriting = timeWriter::threadsBeside;
     omp_set_num_threads(max(1, omp_get_num_procs() - leftToWriting));
 }
 

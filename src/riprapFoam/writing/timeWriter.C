@@ -5,64 +5,115 @@
 
 #include "timeWriter.H"
 #include "OSspecific.H"
+#include <algorithm>
 #include <chrono>
 #include <fcntl.h>
 #include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- A quarter of the cores: the others work on
+static int cores()
+{
+    return std::max(1u, std::thread::hardware_concurrency());
+}
+
+
+//- At once: nobody else works
 static int severalThreads()
 {
-    return Foam::max(1, Foam::min(8, int(std::thread::hardware_concurrency())/4));
+    return std::min(8, cores());
 }
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+int Foam::timeWriter::threadsBeside = std::max(1, std::min(8, cores()/4));
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-//- The thread's life
+//- A thread's life
 void Foam::timeWriter::work()
 {
     std::unique_lock<std::mutex> locked(lock_);
     for (;;)
     {
-        changed_.wait(locked, [&]() { return stop_ || !jobs_.empty(); });
-        if (jobs_.empty()) return;
+        changed_.wait(locked, [&]() { return mayBegin() || (stop_ && tasks_.empty()); });
+        if (tasks_.empty()) return;
 
-        const job next(std::move(jobs_.front()));
-        jobs_.pop_front();
-        busy_ = true;
+        const task next(std::move(tasks_.front()));
+        tasks_.pop_front();
+        begun(next);
         const bool failed = !failure_.empty();
         locked.unlock();
 
-        const auto from = std::chrono::steady_clock::now();
-        std::string failure;
-        try
-        {
-            if (!failed) next();
-        }
-        catch (const Foam::error& e)
-        {
-            failure = e.message();
-        }
-        catch (const std::bad_alloc&)
-        {
-            failure = "More memory is needed than this machine has free, to"
-                " write time " + timePath_;
-        }
-        catch (const std::exception& e)
-        {
-            failure = e.what();
-        }
-        const std::chrono::duration<double> took =
-            std::chrono::steady_clock::now() - from;
+        const std::string failure(failed ? std::string() : tried(next.work));
 
         locked.lock();
-        seconds_ += took.count();
-        if (failure_.empty()) failure_ = failure;
-        busy_ = false;
+        ended(next, failure);
         changed_.notify_all();
     }
+}
+
+
+bool Foam::timeWriter::mayBegin() const
+{
+    if (tasks_.empty() || oneAlone_) return false;
+    return running_ == 0 || (freeCores_ && !tasks_.front().alone);
+}
+
+
+void Foam::timeWriter::begun(const task& next)
+{
+    if (running_++ == 0) since_ = std::chrono::steady_clock::now();
+    oneAlone_ = next.alone;
+}
+
+
+void Foam::timeWriter::ended(const task& last, const std::string& failure)
+{
+    if (last.alone) oneAlone_ = false;
+    if (failure_.empty()) failure_ = failure;
+    if (--running_ == 0)
+    {
+        const std::chrono::duration<double> took =
+            std::chrono::steady_clock::now() - since_;
+        seconds_ += took.count();
+    }
+}
+
+
+//- What failed, or nothing
+std::string Foam::timeWriter::tried(const job& work) const
+{
+    try
+    {
+        work();
+    }
+    catch (const Foam::error& e)
+    {
+        return e.message();
+    }
+    catch (const std::bad_alloc&)
+    {
+        return "More memory is needed than this machine has free, to write time " + timePath_;
+    }
+    catch (const std::exception& e)
+    {
+        return e.what();
+    }
+    return std::string();
+}
+
+
+//- The last file of a time is formatted by those that have nothing else to do
+int Foam::timeWriter::threadsOfFile()
+{
+    if (!freeCores_) return 1;
+
+    const std::lock_guard<std::mutex> locked(lock_);
+    const bool last = running_ == 1 && (tasks_.empty() || tasks_.front().alone);
+    return last ? threadsBeside : 1;
 }
 
 
@@ -76,7 +127,7 @@ void Foam::timeWriter::formatOnly(const writtenFile& file)
 }
 
 
-void Foam::timeWriter::add(job next)
+void Foam::timeWriter::add(job next, bool alone)
 {
     if (!asynchronous_)
     {
@@ -92,7 +143,7 @@ void Foam::timeWriter::add(job next)
     }
     {
         const std::lock_guard<std::mutex> locked(lock_);
-        jobs_.push_back(std::move(next));
+        tasks_.push_back({std::move(next), alone});
     }
     changed_.notify_all();
 }
@@ -100,13 +151,12 @@ void Foam::timeWriter::add(job next)
 
 Foam::timeWriter::~timeWriter()
 {
-    if (!thread_.joinable()) return;
     {
         const std::lock_guard<std::mutex> locked(lock_);
         stop_ = true;
     }
     changed_.notify_all();
-    thread_.join();
+    for (std::thread& thread : threads_) thread.join();
 }
 
 
@@ -119,12 +169,6 @@ Foam::timeWriter& Foam::timeWriter::ofRun()
 }
 
 
-int Foam::timeWriter::coresTaken()
-{
-    return severalThreads();
-}
-
-
 void Foam::timeWriter::begin(const fileName& timePath, bool asynchronous)
 {
     wait();
@@ -133,9 +177,10 @@ void Foam::timeWriter::begin(const fileName& timePath, bool asynchronous)
     sums_.clear();
     open_ = true;
     asynchronous_ = asynchronous;
-    if (asynchronous_ && !thread_.joinable())
+    const std::size_t threads = asynchronous_ ? (freeCores_ ? threadsBeside : 1) : 0;
+    while (threads_.size() < threads)
     {
-        thread_ = std::thread([this]() { work(); });
+        threads_.emplace_back([this]() { work(); });
     }
 }
 
@@ -154,10 +199,12 @@ void Foam::timeWriter::put(writtenFile&& file)
     (
         [this, kept, counted, later]()
         {
-            const bool several = !later || freeCores_;
-            const fileSum sum(kept->write(several ? severalThreads() : 1));
-            if (counted && sum.bytes >= 0) sums_[kept->path()] = sum;
-        }
+            const fileSum sum(kept->write(later ? threadsOfFile() : severalThreads()));
+            if (!counted || sum.bytes < 0) return;
+            const std::lock_guard<std::mutex> locked(lock_);
+            sums_[kept->path()] = sum;
+        },
+        false
     );
 }
 
@@ -166,7 +213,7 @@ void Foam::timeWriter::put(job next)
 {
     if (onTrial()) return;
 
-    add(std::move(next));
+    add(std::move(next), true);
 }
 
 
@@ -195,7 +242,8 @@ void Foam::timeWriter::finish
             {
                 rmDir(path, true);
             }
-        }
+        },
+        true
     );
     open_ = false;
     asynchronous_ = false;
@@ -208,7 +256,7 @@ std::string Foam::timeWriter::fault()
     std::string failure;
     const std::lock_guard<std::mutex> locked(lock_);
     failure.swap(failure_);
-    if (!failure.empty()) jobs_.clear();
+    if (!failure.empty()) tasks_.clear();
     return failure;
 }
 
@@ -226,7 +274,7 @@ void Foam::timeWriter::check()
 void Foam::timeWriter::idle()
 {
     std::unique_lock<std::mutex> locked(lock_);
-    changed_.wait(locked, [&]() { return jobs_.empty() && !busy_; });
+    changed_.wait(locked, [&]() { return tasks_.empty() && running_ == 0; });
 }
 
 

@@ -215,9 +215,10 @@ FIELDS_TEST(SumsDoNotDependOnThreads)
 FIELDS_TEST(LargeCopiesComeBackWhole)
 {
     Context<Backend> context;
-    const std::size_t mega = std::size_t(1) << 20;
+    const int mega = 1 << 20;
     std::vector<std::uint32_t> sent;
-    for (const std::size_t bytes : {2*mega - 1, 2*mega, 2*mega + 1, 4*mega - 3, 4*mega, 4*mega + 1,
+    std::vector<unsigned char> back(40*mega);
+    for (const int bytes : {2*mega - 1, 2*mega, 2*mega + 1, 4*mega - 3, 4*mega, 4*mega + 1,
              16*mega, 16*mega + 1, 20*mega - 1, 37*mega + 12345})
     {
         sent.resize(bytes/4 + 3);
@@ -228,10 +229,10 @@ FIELDS_TEST(LargeCopiesComeBackWhole)
         Array<Backend, unsigned char> there;
         there.allocate(context, bytes + 2);
         context.toDevice(there.data() + 1, from, bytes);
-        std::vector<unsigned char> back(bytes + 6, 0xee);
+        back.assign(back.size(), 0xee);
         context.toHost(back.data() + 3, there.data() + 1, bytes);
         EXPECT_TRUE(std::equal(from, from + bytes, back.begin() + 3)) << bytes << " bytes";
-        for (const std::size_t k : {std::size_t(0), std::size_t(2), bytes + 3, bytes + 5})
+        for (const int k : {0, 2, bytes + 3, bytes + 5})
             EXPECT_EQ(back[k], 0xee) << bytes << " bytes, beside them";
     }
 }

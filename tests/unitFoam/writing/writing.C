@@ -12,6 +12,8 @@
 #include "timeWriter.H"
 #include "vectorField.H"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -19,6 +21,7 @@
 #include <limits>
 #include <random>
 #include <sstream>
+#include <thread>
 
 using namespace Foam;
 
@@ -238,6 +241,67 @@ TEST(Writing, aTimeIsWholeWhenItsLastFileIs)
         EXPECT_EQ(int(manifest.is), int(timeManifest::kind::whole));
         EXPECT_TRUE(manifest.changed.empty());
     }
+}
+
+//- Where cores are free. What writes files of its own waits for those before it, and others for it
+TEST(Writing, severalFilesAtOnce)
+{
+    const int before = timeWriter::threadsBeside;
+    timeWriter::threadsBeside = 4;
+    timeWriter& writer = timeWriter::ofRun();
+    writer.freeCores(true);
+    autoPtr<Time> time(timeOf("ascii"));
+    time.ref().setTime(6, 6);
+    const fileName path(time().path()/"6");
+    std::atomic<int> now{0}, most{0}, done{0};
+    const auto put = [&](const word& name, label n)
+    {
+        writtenFile file(object(time(), name), IOField<scalar>::typeName, time());
+        file.add([&](fileSink&, const listFormat&)
+        {
+            most = std::max(int(most), ++now);
+            // until others have come, or never will
+            for (int k = 0; k < 200 && most < 3; ++k)
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        });
+        scalarField values(n);
+        forAll(values, i) values[i] = i + 0.25*n;
+        file.add(listBody(std::move(values)));
+        file.add([&](fileSink&, const listFormat&) { --now; ++done; });
+        writer.put(std::move(file));
+    };
+    int alone = -1, doneThen = -1;
+    writer.begin(path, true);
+    for (label k = 0; k < 7; ++k) put("first" + Foam::name(k), 20000 - 2500*k);
+    writer.put(timeWriter::job([&]() { alone = now; doneThen = done; }));
+    for (label k = 0; k < 5; ++k) put("second" + Foam::name(k), 40000);
+    writer.finish(fileNameList());
+    writer.wait();
+    EXPECT_GE(most, 3);
+    EXPECT_LE(most, 4);
+    EXPECT_EQ(alone, 0);
+    EXPECT_EQ(doneThen, 7);
+    EXPECT_EQ(done, 12);
+    EXPECT_EQ(int(timeManifest::of(path).is), int(timeManifest::kind::whole));
+    EXPECT_TRUE(timeManifest::of(path).changed.empty());
+    const std::string together(bytes(object(time(), "second1").objectPath()));
+    writer.begin(path, false);
+    put("second1", 40000);
+    writer.finish(fileNameList());
+    EXPECT_EQ(bytes(object(time(), "second1").objectPath()), together);
+
+    writer.begin(path, true);
+    for (label k = 0; k < 4; ++k) put("first" + Foam::name(k), 1000);
+    const std::string said = thrown([&]()
+    {
+        writer.put(timeWriter::job([]() { throw std::runtime_error("no disk"); }));
+        writer.finish(fileNameList());
+        writer.wait();
+    });
+    EXPECT_NE(said.find("no disk"), std::string::npos) << said;
+    EXPECT_FALSE(isFile(path/"uniform/riprap/manifest"));
+    writer.freeCores(false);
+    timeWriter::threadsBeside = before;
 }
 
 TEST(Writing, whatFailsIsTold)
