@@ -122,6 +122,55 @@ public:
     }
 };
 
+static bool hinted(const polyMesh& mesh, const labelList& hint, label i)
+{
+    return i < hint.size() && hint[i] >= 0 && hint[i] < mesh.nCells();
+}
+
+
+//- By walks; -1 for what they do not settle
+static labelList walkedTo
+(
+    const polyMesh& mesh,
+    const pointField& points,
+    const labelList& hint
+)
+{
+    // What a walk needs of the mesh is there before the threads ask for it. A point within a cell
+    // is in no other: chunks do not matter
+    mesh.cells();
+    mesh.cellCentres();
+    mesh.faceAreas();
+    labelList cell(points.size());
+    const label chunk = 4096, chunks = (points.size() + chunk - 1)/chunk;
+    #pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
+    for (label k = 0; k < chunks; ++k)
+    {
+        cellWalk walk(mesh);
+        label last = 0;
+        for (label i = k*chunk; i < min((k + 1)*chunk, points.size()); ++i)
+        {
+            cell[i] = walk.find(points[i], hinted(mesh, hint, i) ? hint[i] : last);
+            if (cell[i] >= 0) last = cell[i];
+        }
+    }
+    return cell;
+}
+
+
+//- By place; -1: outside
+static labelList placedIn(const cellLattice& lattice, const pointField& points)
+{
+    labelList cell(points.size());
+    #pragma omp parallel for schedule(static) if (points.size() > 10000)
+    for (label i = 0; i < points.size(); ++i)
+    {
+        cell[i] = lattice.find(points[i], tolerance);
+    }
+    return cell;
+}
+
+
 //- The cell of a point that no walk has found: the mesh builds its tree for it
 static label searchCell(const polyMesh& mesh, const point& p, label guess, bool nearest)
 {
@@ -142,21 +191,7 @@ Foam::labelList Foam::locateParticles
     const cellLattice* lattice
 )
 {
-    labelList cell(points.size(), -1);
-    if (!mesh.nCells()) return cell;
-
-    const auto hinted = [&](label i)
-    {
-        return hint.size() == points.size() && hint[i] >= 0 && hint[i] < mesh.nCells();
-    };
-
-    // What the walk needs of the mesh is there before the threads ask for it. A point within a cell
-    // is in no other: chunks do not matter
-    mesh.cells();
-    mesh.cellCentres();
-    mesh.faceAreas();
-    boundBox around(mesh.bounds());
-    around.inflate(1e-6);
+    if (!mesh.nCells()) return labelList(points.size(), -1);
 
     // To look at all cells pays for itself where there are so many points
     std::unique_ptr<const cellLattice> found;
@@ -166,29 +201,20 @@ Foam::labelList Foam::locateParticles
         lattice = found.get();
     }
     const bool equal = lattice && *lattice;
-    const label chunk = 4096, chunks = (points.size() + chunk - 1)/chunk;
-    #pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
-    for (label k = 0; k < chunks; ++k)
-    {
-        cellWalk walk(mesh);
-        label last = 0;
-        for (label i = k*chunk; i < min((k + 1)*chunk, points.size()); ++i)
-        {
-            cell[i] =
-                equal
-              ? lattice->find(points[i], tolerance)
-              : walk.find(points[i], hinted(i) ? hint[i] : last);
-            if (cell[i] >= 0) last = cell[i];
-        }
-    }
+    const labelList none;
+    const labelList& guess = hint.size() == points.size() ? hint : none;
+    labelList cell(equal ? placedIn(*lattice, points) : walkedTo(mesh, points, guess));
 
     // The rest, one by one, but not those that are clear of the mesh
+    boundBox around(mesh.bounds());
+    around.inflate(1e-6);
     label last = 0;
     forAll(points, i)
     {
         if (cell[i] < 0 && (nearest || around.contains(points[i])))
         {
-            cell[i] = searchCell(mesh, points[i], hinted(i) ? hint[i] : last, nearest);
+            const label near = hinted(mesh, guess, i) ? guess[i] : last;
+            cell[i] = searchCell(mesh, points[i], near, nearest);
         }
         if (cell[i] >= 0) last = cell[i];
     }
