@@ -158,6 +158,7 @@ TEST_P(PicOpenings, IdsThatAreUsedUpEndTheRun)
 {
     PicConfig c = config(8);
     c.openings = {flow("pump", 0.1)};
+    c.seedsPerDirection = 0;
     FluidInput f = box(c, {{0, 0, 0}}, {{1, 0.25, 1}}, everywhere);
     for (std::size_t i = 0; i < f.size(); ++i) f.id.push_back(std::int32_t(i));
     f.id.back() = std::numeric_limits<std::int32_t>::max() - 3;
