@@ -77,8 +77,8 @@ double GridBricks<D>::loadOf(const CellBox& units, const std::vector<double>& lo
     return sum;
 }
 
-//- Across the direction of most units, where the loads of both sides are to each other as their
-//  ranks
+//- Where the loads of both sides are to each other as their ranks, across the direction in which
+//  that and the copies beside the cut cost least
 template<int D>
 void GridBricks<D>::divide(
     const CellBox& box, int firstRank, int ranks, const std::vector<double>& load)
@@ -101,11 +101,11 @@ void GridBricks<D>::divide(
     const double all = loadOf(box, load);
     double least = 1e300;
     CellBox best[2];
-    for (int d = 0, longest = 0; d < D; ++d)
+    for (int d = 0; d < D; ++d)
     {
         const int length = box.high[d] - box.low[d];
-        if (!cuts(d) || length < 2 || (length <= longest && least < 1e300)) continue;
-        CellBox side[2] = {box, box};
+        if (!cuts(d) || length < 2) continue;
+        CellBox side[2] = {box, box}, cut[2];
         double own = 1e300;
         for (int at = box.low[d] + 1; at < box.high[d]; ++at)
         {
@@ -114,10 +114,14 @@ void GridBricks<D>::divide(
             const double off = std::abs(loadOf(side[0], load) - all*lower/ranks);
             if (!(off < own)) continue;
             own = off;
-            best[0] = side[0];
-            best[1] = side[1];
+            cut[0] = side[0];
+            cut[1] = side[1];
         }
-        if (own < 1e300) { longest = length; least = own; }
+        const double copies = all*depth/(double(length)*unit(d));
+        if (!(own + copies < least)) continue;
+        least = own + copies;
+        best[0] = cut[0];
+        best[1] = cut[1];
     }
     if (!(least < 1e300))
         throw TooManyRanks(std::to_string(this->size())
@@ -127,18 +131,13 @@ void GridBricks<D>::divide(
     divide(best[1], firstRank + lower, ranks - lower, load);
 }
 
-//- Rows of tiles are listed by what is within so many cells, and one tile more where the block ends
-//  in itself (ActiveRows::find)
 template<int D>
 CellBox GridBricks<D>::part(int rank) const
 {
-    bool rings = false;
-    for (int d = 0; d < D; ++d) rings = rings || whole_.periodic[d];
-    const int around = rings ? 2*depth : depth;
     CellBox box = bricks_[rank];
     for (int d = 0; d < D; ++d)
     {
-        const int u = unit(d), more = (around + u - 1)/u*u;
+        const int u = unit(d), more = (around() + u - 1)/u*u;
         box.low[d] = std::max(box.low[d] - more, 0);
         box.high[d] = std::min(box.high[d] + more, whole_.n[d]);
     }

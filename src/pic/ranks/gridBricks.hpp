@@ -94,6 +94,14 @@ public:
         return seenBy_[unitOf(c)];
     }
 
+    //- Whether a rank needs the particles of a cell of its part: rows of 32 cells are longer than it
+    //  sees
+    bool needs(int rank, const typename UniformGrid<D>::Index& c) const
+    {
+        const CellBox& box = bricks_[rank];
+        return c.c[0] >= box.low[0] - around() && c.c[0] < box.high[0] + around();
+    }
+
     //- The faces of direction d that a rank has for others: those below its cells, at the end of
     //  the block those above them, too. Of a part: all about its cells
     CellBox facesOfBrick(int rank, int d) const;
@@ -108,6 +116,14 @@ private:
         return u;
     }
     void divide(const CellBox& box, int firstRank, int ranks, const std::vector<double>& load);
+    //- Rows of tiles are listed by what is within so many cells, and one tile more where the block
+    //  ends in itself (ActiveRows::find)
+    int around() const
+    {
+        bool rings = false;
+        for (int d = 0; d < D; ++d) rings = rings || whole_.periodic[d];
+        return rings ? 2*depth : depth;
+    }
     bool cuts(int d) const { return d < D && !whole_.periodic[d]; }
     int most(const CellBox& units) const;
     double loadOf(const CellBox& units, const std::vector<double>& load) const;

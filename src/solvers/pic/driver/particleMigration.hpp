@@ -114,6 +114,7 @@ void ParticleMigration<Backend, D, P>::moveOne(int i, const Place& was)
     }
     for (const int r : bricks_.seenBy(c))
     {
+        if (!bricks_.needs(r, c)) continue;
         if (r == bricks_.rank()) stay_.push_back(was);
         else put(out_[r], i, was);
     }
@@ -151,17 +152,28 @@ void ParticleMigration<Backend, D, P>::rebuild()
     FieldSet<Backend>& values = particles_.values;
     particles_.n = 0;                       // what is there is read already
     particles_.reserve(n);
+    // Most stand side by side as they did
+    std::vector<std::size_t> runs;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const bool goesOn = i && all[i].list < 0 && all[i - 1].list < 0
+            && all[i].at == all[i - 1].at + 1;
+        if (!goesOn) runs.push_back(i);
+    }
+    runs.push_back(n);
     std::size_t before = sizeof(std::int64_t) + sizeof(int);
     RankBytes merged;
     for (int k = 0; k < values.fields(); ++k)
     {
         const std::size_t size = values.elementBytes(k);
         merged.resize(n*size);
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t r = 0; r + 1 < runs.size(); ++r)
         {
+            const std::size_t i = runs[r];
             const Place& p = all[i];
             std::memcpy(&merged[i*size],
-                p.list < 0 ? &field_[k][p.at*size] : &in_[p.list][p.at*each + before], size);
+                p.list < 0 ? &field_[k][p.at*size] : &in_[p.list][p.at*each + before],
+                (runs[r + 1] - i)*size);
         }
         if (n) p_.set.context.toDevice(values.bytes(k), merged.data(), merged.size());
         before += size;
