@@ -94,8 +94,8 @@ public:
         return seenBy_[unitOf(c)];
     }
 
-    //- Whether a rank needs the particles of a cell of its part: rows of 32 cells are longer than it
-    //  sees
+    //- Whether a rank needs the particles of a cell of its part: rows of 32 cells are longer than
+    //  it sees
     bool needs(int rank, const typename UniformGrid<D>::Index& c) const
     {
         const CellBox& box = bricks_[rank];
