@@ -211,6 +211,7 @@ void DividedPockets<Backend, D>::takeMean(
         s.weight += byDiagonal ? c.weight : 1;
     }
     std::vector<Sums> all;
+    all.reserve(own.size());
     for (const auto& s : own) all.push_back(s.second);
     join(bricks_.ranks(), all);
     own.clear();

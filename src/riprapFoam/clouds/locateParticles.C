@@ -197,7 +197,7 @@ Foam::labelList Foam::locateParticles
     std::unique_ptr<const cellLattice> found;
     if (!lattice && points.size() > mesh.nCells()/4)
     {
-        found.reset(new cellLattice(mesh));
+        found = std::make_unique<const cellLattice>(mesh);
         lattice = found.get();
     }
     const bool equal = lattice && *lattice;

@@ -54,7 +54,7 @@ Foam::labelList Foam::sceneCloud::locate
     label& nOutside
 ) const
 {
-    if (!lattice_) lattice_.reset(new cellLattice(mesh_));
+    if (!lattice_) lattice_ = std::make_unique<const cellLattice>(mesh_);
     labelList before;
     if (!*lattice_)
     {

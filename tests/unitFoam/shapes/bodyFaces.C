@@ -73,8 +73,9 @@ namespace
         EXPECT_LT(open, 1e-9) << surface;
         // in the body's frame: the centre is the origin
         double middle[3] = {0, 0, 0};
+        const std::size_t points = f.point.size()/3;
         for (std::size_t i = 0; i < f.point.size(); ++i)
-            middle[i % 3] += f.point[i]/double(f.point.size()/3);
+            middle[i % 3] += f.point[i]/double(points);
         for (int d = 0; d < 3; ++d)
         {
             if (dimensions == 3 || d != 1) { EXPECT_NEAR(middle[d], 0, 1e-9) << surface; }

@@ -192,6 +192,7 @@ void OpenBoundaries<Backend, D, P>::share(std::vector<double>& ofFaces) const
         if (owner[k] == ranks.rank()) putValues(own, &ofFaces[k]);
     const std::vector<RankBytes> came = toAll(ranks, own);
     std::vector<const unsigned char*> next;
+    next.reserve(came.size());
     for (const RankBytes& bytes : came) next.push_back(bytes.data());
     for (std::size_t k = 0; k < owner.size(); ++k) takeValues(next[owner[k]], &ofFaces[k]);
 }

@@ -58,8 +58,8 @@ std::vector<std::size_t> orderOfAll(PicParts<Backend, D, P>& p)
 template<class F>
 void withBytes(std::size_t bytes, const F& f)
 {
-    if (bytes == 8) f(std::uint64_t());
-    else f(std::uint32_t());
+    if (bytes == 8) return f(std::uint64_t());
+    f(std::uint32_t());
 }
 
 template<class Backend, int D, class P>
@@ -123,6 +123,7 @@ void loadArray(PicParts<Backend, D, P>& p, const SavedArray& a,
         else if (p.halo)
         {
             std::vector<T> seen;
+            seen.reserve(own.size());
             for (const std::size_t i : own) seen.push_back(values[i]);
             values.swap(seen);
         }

@@ -177,6 +177,7 @@ void ViscousStep<Backend, D, P>::share(Array<Backend, real>* a)
 {
     if (!p_.halo) return;
     std::vector<GridField> fields;
+    fields.reserve(D);
     for (int d = 0; d < D; ++d) fields.emplace_back(a[d], d);
     p_.halo->exchange(fields);
 }

@@ -17,7 +17,10 @@ namespace
     {
         pointField points((n + 1)*(m + 1));
         forAll(points, i)
-            points[i] = map(scalar(i % (n + 1))/n, scalar(i/(n + 1))/m);
+        {
+            const label row = i/(n + 1);
+            points[i] = map(scalar(i % (n + 1))/n, scalar(row)/m);
+        }
         List<labelledTri> faces;
         for (label j = 0; j < m; ++j)
         {
