@@ -540,33 +540,8 @@ TEST_P(DemRankBodies, savingWhereBodiesHaveLeft)
     DemInput in = rocks(2, 12, 6);
     in.walls.clear();
     for (std::size_t i = 0; i < in.particles.size(); ++i) in.particles.id.push_back(int(i));
-    std::vector<Pieces> runs(4);
-    std::vector<std::vector<std::int32_t>> states(2);
-    std::vector<std::int32_t> last;
-    const auto go = [&](DemScene& scene, Pieces& run, std::vector<std::int32_t>* words)
-    {
-        for (int k = 0; k < 6; ++k)
-        {
-            const DemReport r = scene.advance(1e9, 90);
-            const std::vector<std::int32_t> now = scene.saveState();
-            if (words) words->insert(words->end(), now.begin(), now.end());
-            if (words == &states[1]) last = now;
-            run.push_back(Seen::of(scene, r));
-        }
-    };
-    go(*createDemScene(c, in), runs[3], &states[0]);
-    onRanks(3, [&](Transport& transport)
-    {
-        DemConfig own(c);
-        own.ranks = &transport;
-        auto part = createDemScene(own, in);
-        const int rank = transport.rank();
-        go(*wholeDemScene(*part, transport), runs[rank], rank ? nullptr : &states[1]);
-    });
-    EXPECT_EQ(states[0], states[1]);
-    for (int rank = 0; rank < 3; ++rank)
-        for (std::size_t k = 0; k < runs[3].size(); ++k) runs[3][k].expectSame(runs[rank][k]);
-    last_ = runs[3].back();
+    const auto [seen, last] = sameWithStates<Seen>(c, in, 90, 6);
+    last_ = seen;
     EXPECT_GT(left(), 5);
     EXPECT_LT(left(), int(in.clumps.size()) - 5);
 

@@ -376,31 +376,8 @@ TEST_P(DemRankBonds, savingWhereBondsAreLost)
     DemInput in = blocks(2, 12);
     in.walls.clear();
     accelerate(in, 4);
-    std::vector<Pieces> runs(4);
-    std::vector<std::vector<std::int32_t>> states(2);
-    const auto go = [&](DemScene& scene, Pieces& run, std::vector<std::int32_t>* words)
-    {
-        for (int k = 0; k < 6; ++k)
-        {
-            const DemReport r = scene.advance(1e9, 120);
-            const std::vector<std::int32_t> now = scene.saveState();
-            if (words) words->insert(words->end(), now.begin(), now.end());
-            run.push_back(Seen::of(scene, r));
-        }
-    };
-    go(*createDemScene(c, in), runs[3], &states[0]);
-    onRanks(3, [&](Transport& transport)
-    {
-        DemConfig own(c);
-        own.ranks = &transport;
-        auto part = createDemScene(own, in);
-        const int rank = transport.rank();
-        go(*wholeDemScene(*part, transport), runs[rank], rank ? nullptr : &states[1]);
-    });
-    EXPECT_EQ(states[0], states[1]);
-    for (int rank = 0; rank < 3; ++rank)
-        for (std::size_t k = 0; k < runs[3].size(); ++k) runs[3][k].expectSame(runs[rank][k]);
-    const auto& broken = runs[3].back().bonds.broken;
+    const Seen seen = sameWithStates<Seen>(c, in, 120, 6).first;
+    const auto& broken = seen.bonds.broken;
     EXPECT_GT(std::count(broken.begin(), broken.end(), 3), 20);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include "dem/demTest.hpp"
 #include "core/ranks/joinRanks.hpp"
 #include "core/threadRanks.hpp"
@@ -128,6 +129,41 @@ Seen goOn(int ranks, const DemConfig& c, const DemInput& in, std::vector<std::in
         });
     for (int rank = 1; rank < ranks; ++rank) seen[0].expectSame(seen[rank]);
     return seen[0];
+}
+
+//- Pieces of a run, each of which ends with a saved state: the words and what is seen of three
+//  ranks are those of one. \return what is seen at the end, and the ranks' last state
+template<class Seen>
+std::pair<Seen, std::vector<std::int32_t>> sameWithStates(
+    const DemConfig& c, const DemInput& in, std::int64_t steps, int pieces)
+{
+    std::vector<PiecesOf<Seen>> runs(4);
+    std::vector<std::vector<std::int32_t>> states(2);
+    std::vector<std::int32_t> last;
+    const auto go = [&](DemScene& scene, PiecesOf<Seen>& run, std::vector<std::int32_t>* words)
+    {
+        for (int k = 0; k < pieces; ++k)
+        {
+            const DemReport r = scene.advance(1e9, steps);
+            const std::vector<std::int32_t> now = scene.saveState();
+            if (words) words->insert(words->end(), now.begin(), now.end());
+            if (words == &states[1]) last = now;
+            run.push_back(Seen::of(scene, r));
+        }
+    };
+    go(*createDemScene(c, in), runs[3], &states[0]);
+    onRanks(3, [&](Transport& transport)
+    {
+        DemConfig own(c);
+        own.ranks = &transport;
+        auto part = createDemScene(own, in);
+        const int rank = transport.rank();
+        go(*wholeDemScene(*part, transport), runs[rank], rank ? nullptr : &states[1]);
+    });
+    EXPECT_EQ(states[0], states[1]);
+    for (int rank = 0; rank < 3; ++rank)
+        for (std::size_t k = 0; k < runs[3].size(); ++k) runs[3][k].expectSame(runs[rank][k]);
+    return {runs[3].back(), last};
 }
 
 } // namespace
