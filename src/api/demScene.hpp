@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include "api/later.hpp"
 #include "api/pairProperties.hpp"
 #include "api/rankConfig.hpp"
 #include "api/sceneTypes.hpp"
@@ -379,6 +380,12 @@ public:
 
     virtual DemState particles() = 0;
 
+    //- As it is now, for a thread that takes it while the scene moves on
+    virtual Later<DemState> particlesLater()
+    {
+        return takenOf<DemState>(false, 0, [this] { return particles(); });
+    }
+
     //- The same without contacts and brokenBonds, which take most of the time
     virtual DemState motion() = 0;
     virtual DemContacts contacts() = 0;
@@ -402,7 +409,9 @@ public:
 
     //- Exact state, histories and bonds included: a run continues bit for bit on the same device
     //  and precision
-    virtual std::vector<std::int32_t> saveState() = 0;
+    std::vector<std::int32_t> saveState() { return savedState(false).take(); }
+    //- The same, to be taken at once or later, while the scene moves on
+    virtual Later<std::vector<std::int32_t>> savedState(bool later) = 0;
     virtual void loadState(const std::vector<std::int32_t>&) = 0;
 
     virtual DemPlan plan() const = 0;

@@ -7,6 +7,7 @@
 */
 #pragma once
 
+#include "api/later.hpp"
 #include "api/sceneTypes.hpp"
 
 namespace riprap
@@ -116,6 +117,11 @@ public:
 
     virtual double time() const = 0;
     virtual FluidState fluid() = 0;
+    //- As it is now, for a thread that takes it while the scene moves on
+    virtual Later<FluidState> fluidLater()
+    {
+        return takenOf<FluidState>(false, 0, [this] { return fluid(); });
+    }
     virtual FluidEnergy energy() = 0;
     virtual FluidExtremes extremes() = 0;
 

@@ -226,6 +226,22 @@ struct PicGridState
     std::vector<double> distance;           // to the surface [m], negative in water
 };
 
+//- Memory for n cells: pressure, velocity (3 a cell) and water as in PicGridState
+struct PicCellFields { double *pressure, *velocity, *water; };
+
+inline void takeCells(
+    const PicGridState& from, const std::int32_t* cells, std::size_t n, const PicCellFields& to)
+{
+    #pragma omp parallel for schedule(static) if (n > 10000)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const std::size_t c = cells[i];
+        to.pressure[i] = from.pressure[c];
+        for (int d = 0; d < 3; ++d) to.velocity[3*i + d] = from.velocity[3*c + d];
+        to.water[i] = from.water[c];
+    }
+}
+
 //- What the kick of the last step did to momentum [N s] (2D: per metre): water = gravity + other -
 //  walls - solids
 struct PicMomentum
@@ -256,6 +272,12 @@ public:
 
     virtual PicGridState grid() = 0;
 
+    //- The same of n cells of the block, in their order, into the caller's memory
+    virtual void cellFields(const std::int32_t* cells, std::size_t n, const PicCellFields& to)
+    {
+        takeCells(grid(), cells, n, to);
+    }
+
     //- forcesOnWalls() of all processes, on each, in the order of one process
     virtual std::vector<FluidForce> forcesOnWallsOfAll() { return forcesOnWalls(); }
 
@@ -274,7 +296,9 @@ public:
     virtual double particleSpacing() const = 0;
 
     //- The exact state: see SphScene
-    virtual std::vector<std::int32_t> saveState() = 0;
+    std::vector<std::int32_t> saveState() { return savedState(false).take(); }
+    //- The same, to be taken at once or later, while the scene moves on
+    virtual Later<std::vector<std::int32_t>> savedState(bool later) = 0;
     virtual void loadState(const std::vector<std::int32_t>&) = 0;
 
     virtual double estimateTimeStep(std::string& limit) = 0;

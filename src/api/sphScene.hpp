@@ -188,7 +188,9 @@ public:
     //- The exact state, so that a run continues bit for bit on the same device and precision.
     //  Opaque words with a header and a checksum; after saveState the scene itself continues as a
     //  scene that was given this state.
-    virtual std::vector<std::int32_t> saveState() = 0;
+    std::vector<std::int32_t> saveState() { return savedState(false).take(); }
+    //- The same, to be taken at once or later, while the scene moves on
+    virtual Later<std::vector<std::int32_t>> savedState(bool later) = 0;
 
     //- Continue from saved words; std::invalid_argument says what does not fit
     virtual void loadState(const std::vector<std::int32_t>&) = 0;

@@ -7,8 +7,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
+#include "api/later.hpp"
 #include "core/backend/machineMemory.hpp"
+#include "core/backend/snapshot.hpp"
 
 namespace riprap
 {
@@ -82,6 +87,157 @@ inline void appendBytes(std::vector<std::int32_t>& words, const void* data, std:
     words.resize(at + (bytes + 3)/4, 0);
     if (bytes) std::memcpy(&words[at], data, bytes);
 }
+
+//- The words of a state as they are put together, of the host's memory and the device's. Wanted
+//  later, they are kept in pieces until then
+template<class Backend>
+class StateWords
+{
+public:
+
+    using Words = std::vector<std::int32_t>;
+
+    StateWords(Context<Backend>& context, bool later, Words&& first)
+        : now_(context, later), words_(std::move(first))
+    {}
+
+    bool later() const { return now_.keeps(); }
+    Snapshot<Backend>& now() { return now_; }
+
+    //- Room for so many in all
+    void expect(std::size_t words) { if (!later()) reserveWords(words_, words); }
+
+    //- How many there are
+    std::size_t size() const { return before_ + words_.size(); }
+
+    void add(std::int32_t word) { words_.push_back(word); }
+    void add(const void* host, std::size_t bytes) { appendBytes(words_, host, bytes); }
+    void addZeros(std::size_t words) { words_.resize(words_.size() + words, 0); }
+
+    void addOfDevice(const void* data, std::size_t bytes)
+    {
+        const std::size_t words = (bytes + 3)/4;
+        const ReadBytes read = now_.bytes(data, bytes);
+        if (later())
+        {
+            endPiece();
+            pieces_.push_back(Piece{{}, read, words, nullptr});
+            before_ += words;
+            return;
+        }
+        const std::size_t at = words_.size();
+        words_.resize(at + words, 0);
+        if (bytes) read(&words_[at]);
+    }
+
+    //- Of the host, written by who asks, at once
+    std::int32_t* room(std::size_t words)
+    {
+        const std::size_t at = words_.size();
+        words_.resize(at + words, 0);
+        return words_.data() + at;
+    }
+
+    //- A state within the state, after its length
+    void addState(Later<Words> state)
+    {
+        add(std::int32_t(std::uint32_t(state.size)));
+        addMade(std::move(state));
+    }
+
+    //- Words that are made when they are wanted
+    void addMade(Later<Words> made)
+    {
+        if (!later())
+        {
+            const Words words = made.take();
+            words_.insert(words_.end(), words.begin(), words.end());
+            return;
+        }
+        endPiece();
+        before_ += made.size;
+        pieces_.push_back(Piece{{}, nullptr, 0, std::move(made.take)});
+    }
+
+    //- What changes them once they are all there
+    void after(std::function<void(Words&)> f) { after_.push_back(std::move(f)); }
+
+    //- With their checksum
+    Later<Words> done()
+    {
+        if (!later())
+        {
+            finish(words_, after_);
+            return knownWords(std::move(words_));
+        }
+        endPiece();
+        const auto kept = std::make_shared<Kept>(Kept{std::move(pieces_), std::move(after_)});
+        return {before_ + 1, [kept, all = before_]
+        {
+            Words words;
+            reserveWords(words, all + 1);
+            for (Piece& piece : kept->pieces)
+            {
+                piece.appendTo(words);
+                piece = Piece();            // its memory is not needed any more
+            }
+            finish(words, std::exchange(kept->after, {}));
+            return words;
+        }};
+    }
+
+private:
+
+    using Changes = std::vector<std::function<void(Words&)>>;
+
+    struct Piece
+    {
+        Words host;
+        ReadBytes read;
+        std::size_t words = 0;
+        std::function<Words()> make;
+
+        void appendTo(Words& all)
+        {
+            if (!read)
+            {
+                const Words there = make ? make() : std::move(host);
+                all.insert(all.end(), there.begin(), there.end());
+                return;
+            }
+            const std::size_t at = all.size();
+            all.resize(at + words, 0);
+            if (words) read(&all[at]);
+        }
+    };
+
+    //- What waits until the words are wanted
+    struct Kept
+    {
+        std::vector<Piece> pieces;
+        Changes after;
+    };
+
+    static void finish(Words& words, const Changes& after)
+    {
+        for (const auto& f : after) f(words);
+        words.push_back(checksum(words, words.size()));
+    }
+
+    void endPiece()
+    {
+        if (words_.empty()) return;
+        before_ += words_.size();
+        pieces_.push_back(Piece{std::move(words_), nullptr, 0, nullptr});
+        words_ = Words();
+    }
+
+    Snapshot<Backend> now_;
+    Words words_;
+    std::vector<Piece> pieces_;
+    Changes after_;
+    std::size_t before_ = 0;
+};
 
 } // namespace detail
 } // namespace riprap

@@ -154,7 +154,10 @@ public:
     {
         part_.setExternalForces(force, moment);
     }
-    std::vector<std::int32_t> saveState() override { return part_.saveState(); }
+    Later<std::vector<std::int32_t>> savedState(bool later) override
+    {
+        return part_.savedState(later);
+    }
     void loadState(const std::vector<std::int32_t>& words) override { part_.loadState(words); }
     DemPlan plan() const override { return part_.plan(); }
     std::vector<ArrayInfo> arrays() const override { return part_.arrays(); }

@@ -68,7 +68,10 @@ public:
     void watchMomentum(bool on) override { part_.watchMomentum(on); }
     PicMomentum momentum() override { return part_.momentum(); }
     double particleSpacing() const override { return part_.particleSpacing(); }
-    std::vector<std::int32_t> saveState() override { return part_.saveState(); }
+    Later<std::vector<std::int32_t>> savedState(bool later) override
+    {
+        return part_.savedState(later);
+    }
     void loadState(const std::vector<std::int32_t>& words) override { part_.loadState(words); }
     double estimateTimeStep(std::string& limit) override { return part_.estimateTimeStep(limit); }
     std::vector<ArrayInfo> arrays() const override { return part_.arrays(); }

@@ -137,7 +137,10 @@ public:
         return r;
     }
 
-    std::vector<std::int32_t> saveState() override { return part_.saveState(); }
+    Later<std::vector<std::int32_t>> savedState(bool later) override
+    {
+        return part_.savedState(later);
+    }
     void loadState(const std::vector<std::int32_t>& words) override { part_.loadState(words); }
 
     std::array<std::size_t, speedClasses> fasterThan(

@@ -16,7 +16,7 @@
 #include "core/simd/macros.hpp"
 #include "core/backend/profile.hpp"
 #ifdef __CUDACC__
-    #include "core/backend/stagedCopies.hpp"
+    #include "core/backend/deviceMemory.hpp"
 #endif
 
 namespace riprap
@@ -83,9 +83,7 @@ public:
     void synchronise() { checkCuda(cudaStreamSynchronize(stream), "kernel"); }
     void* allocate(std::size_t bytes)
     {
-        void* p = nullptr;
-        checkCuda(cudaMalloc(&p, bytes + 256), "allocation");
-        return p;
+        return allocateOnDevice(bytes + 256);
     }
     void release(void* p) { cudaFree(p); }
     void toDevice(void* to, const void* from, std::size_t bytes)

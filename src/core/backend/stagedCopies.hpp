@@ -39,6 +39,13 @@ public:
         return all;
     }
 
+    //- Another for threads that fetch what is written: the run does not wait for them
+    static StagedCopies& ofWriting()
+    {
+        static StagedCopies& all = *new StagedCopies;
+        return all;
+    }
+
     //- Waits for the copy
     void toHost(cudaStream_t stream, void* to, const void* from, std::size_t bytes)
     {

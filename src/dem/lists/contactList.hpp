@@ -14,7 +14,7 @@
 #pragma once
 
 #include <vector>
-#include "core/backend/backend.hpp"
+#include "core/backend/snapshot.hpp"
 #include "core/loops/sort.hpp"
 
 namespace riprap
@@ -188,15 +188,20 @@ public:
     }
 
     //- Which entries are one of the first n particles'; the others fill up blocks
-    std::vector<char> used(int n) const
+    ReadValues<char> used(Snapshot<Backend>& now, int n) const
     {
-        std::vector<char> yes(entries_, 0);
-        const std::vector<int> base = base_.download(), count = count_.download();
-        #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i)
-            for (int k = 0; k < count[i]; ++k)
-                yes[std::size_t(base[i/width]) + std::size_t(k)*width + i % width] = 1;
-        return yes;
+        const auto bases = now.values(base_);
+        const auto counts = now.values(count_);
+        return [bases, counts, n, entries = entries_]
+        {
+            std::vector<char> yes(entries, 0);
+            const std::vector<int> base = bases(), count = counts();
+            #pragma omp parallel for schedule(static) if (n > 10000)
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < count[i]; ++k)
+                    yes[std::size_t(base[i/width]) + std::size_t(k)*width + i % width] = 1;
+            return yes;
+        };
     }
 
     //- Where entries are, without the entries

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include "backendTest.hpp"
+#include "core/backend/snapshot.hpp"
 #include "core/containers/fieldSet.hpp"
 
 namespace riprap
@@ -234,6 +235,30 @@ FIELDS_TEST(LargeCopiesComeBackWhole)
         EXPECT_TRUE(std::equal(from, from + bytes, back.begin() + 3)) << bytes << " bytes";
         for (const int k : {0, 2, bytes + 3, bytes + 5})
             EXPECT_EQ(back[k], 0xee) << bytes << " bytes, beside them";
+    }
+}
+
+//- What a snapshot keeps is what was there, whatever becomes of the arrays
+FIELDS_TEST(SnapshotsKeepWhatWasThere)
+{
+    Context<Backend> context;
+    for (const std::size_t n : {std::size_t(0), std::size_t(1), std::size_t(1000),
+             std::size_t(3000001)})
+    {
+        std::vector<int> given(n), others(n, -1);
+        std::iota(given.begin(), given.end(), 7);
+        Array<Backend, int> a;
+        a.upload(context, given);
+        Snapshot<Backend> kept(context, true), live(context, false);
+        const auto then = kept.values(a), now = live.values(a);
+        const auto half = kept.values(a.data() + n/2, n - n/2);
+        EXPECT_EQ(now(), given) << n;
+        a.upload(context, others);
+        EXPECT_EQ(now(), others) << n;
+        EXPECT_EQ(then(), given) << n;
+        a = Array<Backend, int>();
+        EXPECT_EQ(then(), given) << n;
+        EXPECT_TRUE(std::equal(given.begin() + n/2, given.end(), half().begin())) << n;
     }
 }
 

@@ -25,21 +25,44 @@ namespace detail
 
 static constexpr std::int32_t demMagic = 0x72697064, demVersion = 4;
 
-//- Appends device memory to the words, or fills it from them
-template<class Context>
-struct StateWriter
+//- Words behind lists of contacts that stand for nothing. All but entries are counted in words
+struct UnusedWords
 {
-    Context& context;
-    std::vector<std::int32_t>& words;
+    std::size_t entry = 0, entries = 0;         // of the lists: where they begin, how many
+    std::uint32_t touching = 0;
+    std::size_t together = 0, rows = 0;         // of their histories: each entry's in a row, rows
+    std::size_t walls = 0;                      // that stand between
+    std::size_t slots = 0, ofSlot[2] = {0, 0};  // of touched walls, of a normal, of a history
+    std::function<std::vector<char>()> used;    // which entries are a particle's; null: all are
 
-    void operator()(const void* data, std::size_t bytes)
+    void clear(std::vector<std::int32_t>& words) const
     {
-        const std::size_t at = words.size();
-        words.resize(at + (bytes + 3)/4, 0);
-        if (bytes) context.toHost(&words[at], data, bytes);
+        const auto clear = [&](std::size_t from, std::size_t count)
+        { std::fill_n(words.begin() + from, count, 0); };
+        const std::vector<char> its = used ? used() : std::vector<char>(entries, 1);
+        #pragma omp parallel for schedule(static) if (entries > 10000)
+        for (std::size_t e = 0; e < entries; ++e) if (!its[e]) words[entry + e] = 0;
+        std::size_t at = entry + entries;
+        for (std::size_t q = 0; q < rows; ++q, at += entries*together)
+        {
+            #pragma omp parallel for schedule(static) if (entries > 10000)
+            for (std::size_t e = 0; e < entries; ++e)
+                if (!(std::uint32_t(words[entry + e]) & touching))
+                    clear(at + e*together, together);
+        }
+        at += walls;
+        const std::size_t on = at;
+        at += slots;
+        for (const std::size_t numbers : ofSlot)
+        {
+            for (std::size_t s = 0; s < slots; ++s)
+                if (!words[on + s]) clear(at + s*numbers, numbers);
+            at += slots*numbers;
+        }
     }
 };
 
+//- Fills device memory from the words
 template<class Context>
 struct StateReader
 {
@@ -70,14 +93,17 @@ public:
         : p_(parts), ranks_(ranks), neighbours_(neighbours)
     {}
 
-    std::vector<std::int32_t> save();
+    Later<std::vector<std::int32_t>> save(bool later);
     void load(const std::vector<std::int32_t>& words);
 
 private:
 
+    using Words = std::vector<std::int32_t>;
+
     bool isSaved(int field) const;
     int savedFields() const;
-    std::vector<std::int32_t> checkpointWords();
+    Later<Words> checkpointWords(bool later);
+    std::size_t wordsExpected(int n);
     static constexpr std::size_t header = 13;       // words
     void checkHeader(const std::vector<std::int32_t>& words) const;
     void takeState(const std::vector<std::int32_t>& words);
@@ -86,7 +112,7 @@ private:
     template<class F> void forEachMemory(F f);
     std::size_t historyTogether() const;
     std::size_t historyRows() const;
-    void clearUnused(std::vector<std::int32_t>& words, std::size_t at, int n) const;
+    std::function<void(Words&)> clearUnused(Snapshot<Backend>&, std::size_t at, int n) const;
     void restoreSearch(const DemSearchState&);
     void restoreIds(const std::vector<std::int32_t>& ids);
     template<class Reader> void restoreNeighbours(Reader&, int entries, int wallEntries);
@@ -134,41 +160,27 @@ void Checkpoint<Backend, D, P>::forEachMemory(F f)
 }
 
 //- What fills up blocks of entries, and histories of what does not touch, are whatever was there
-//  before: the same state of n particles shall be the same words
+//  before: the same state of n particles shall be the same words. at: where forEachMemory begins
 template<class Backend, int D, class P>
-void Checkpoint<Backend, D, P>::clearUnused(
-    std::vector<std::int32_t>& words, std::size_t at, int n) const
+std::function<void(std::vector<std::int32_t>&)> Checkpoint<Backend, D, P>::clearUnused(
+    Snapshot<Backend>& now, std::size_t at, int n) const
 {
     using List = ContactListView<Backend, real>;
-    const std::size_t entries = p_.order.list.entries(), each = sizeof(real)/4, entry = at;
-    const auto clear = [&](std::size_t from, std::size_t reals)
-    { std::fill_n(words.begin() + from, reals*each, 0); };
-    const auto free = [&](std::size_t e)
-    { return !(std::uint32_t(words[entry + e]) & List::touching); };
-    if (Backend::gpu)
+    detail::UnusedWords unused;
+    unused.entry = at;
+    unused.entries = p_.order.list.entries();
+    unused.touching = List::touching;
+    unused.together = historyTogether()*sizeof(real)/4;
+    unused.rows = historyRows();
+    if (p_.walls.count)
     {
-        const std::vector<char> used = p_.order.list.used(n);
-        #pragma omp parallel for schedule(static) if (entries > 10000)
-        for (std::size_t e = 0; e < entries; ++e) if (!used[e]) words[entry + e] = 0;
+        unused.walls = p_.walls.count*sizeof(WallData)/4;
+        unused.slots = std::size_t(p_.walls.memory.entries)*wallTouches;
+        unused.ofSlot[0] = D*sizeof(real)/4;
+        unused.ofSlot[1] = p_.pairs.histories()*sizeof(real)/4;
     }
-    at += entries;
-    const std::size_t together = historyTogether(), rows = historyRows();
-    for (std::size_t q = 0; q < rows; ++q, at += entries*together*each)
-    {
-        #pragma omp parallel for schedule(static) if (entries > 10000)
-        for (std::size_t e = 0; e < entries; ++e)
-            if (free(e)) clear(at + e*together*each, together);
-    }
-    if (!p_.walls.count) return;
-    at += p_.walls.count*sizeof(WallData)/4;
-    const std::size_t slots = std::size_t(p_.walls.memory.entries)*wallTouches, on = at;
-    at += slots;
-    for (const int numbers : {D, p_.pairs.histories()})
-    {
-        for (std::size_t s = 0; s < slots; ++s)
-            if (!words[on + s]) clear(at + s*numbers*each, numbers);
-        at += slots*numbers*each;
-    }
+    if (Backend::gpu) unused.used = p_.order.list.used(now, n);
+    return [unused](Words& words) { unused.clear(words); };
 }
 
 //- Marks of ghosts are not part of a state
@@ -186,25 +198,38 @@ int Checkpoint<Backend, D, P>::savedFields() const
 }
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> Checkpoint<Backend, D, P>::save()
+Later<std::vector<std::int32_t>> Checkpoint<Backend, D, P>::save(bool later)
 {
     if (!ranks_.others)
     {
         neighbours_.rebuild();
-        return checkpointWords();
+        return checkpointWords(later);
     }
     ranks_.others->gatherOn(0);
     neighbours_.rebuild();
-    std::vector<std::int32_t> words = checkpointWords();
+    Words words = checkpointWords(false).take();
     if (p_.set.config.ranks->rank() != 0) words.clear();
     ranks_.others->gatherOn(-1);
     neighbours_.rebuild();
-    return words;
+    return knownWords(std::move(words));
+}
+
+//- About how many there are of n particles
+template<class Backend, int D, class P>
+std::size_t Checkpoint<Backend, D, P>::wordsExpected(int n)
+{
+    std::size_t expected = header + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4 + 1024;
+    for (int f = 0; f < p_.particles.values.fields(); ++f)
+        if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
+    forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
+    if (p_.clumps.any())
+        expected += (p_.clumps.total()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
+    return expected;
 }
 
 //- Of all particles here, which have just been sorted
 template<class Backend, int D, class P>
-std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
+Later<std::vector<std::int32_t>> Checkpoint<Backend, D, P>::checkpointWords(bool later)
 {
     p_.clock.read();
     p_.reach.searchedAt = p_.clock.now.step;
@@ -212,55 +237,46 @@ std::vector<std::int32_t> Checkpoint<Backend, D, P>::checkpointWords()
     p_.clock.write();
     const int n = p_.order.active();
     const std::vector<int> kept = p_.bonds.kept(p_.order.slotOf);
-    std::vector<std::int32_t> words{detail::demMagic, detail::demVersion, D, int(sizeof(real)),
-        int(Backend::gpu), p_.pairs.histories(), n, savedFields(), int(kept.size()),
-        p_.clumps.total(), p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries};
-    // Room for most of it, without which it would be copied again and again
-    std::size_t expected = words.size() + n + (sizeof(DemClockData) + sizeof(DemSearchState))/4
-        + 1024;
-    for (int f = 0; f < p_.particles.values.fields(); ++f)
-        if (isSaved(f)) expected += (std::size_t(n)*p_.particles.values.elementBytes(f) + 3)/4;
-    forEachMemory([&](const void*, std::size_t bytes) { expected += (bytes + 3)/4; });
-    if (p_.clumps.any())
-        expected += (p_.clumps.total()*sizeof(ClumpData) + 3)/4 + 6*std::size_t(n);
-    detail::reserveWords(words, expected);
-    const auto append = [&](const void* data, std::size_t bytes)
-    {
-        const std::size_t at = words.size();
-        words.resize(at + (bytes + 3)/4, 0);
-        if (bytes) std::memcpy(&words[at], data, bytes);
-    };
-    detail::StateWriter<Context<Backend>> write{p_.set.context, words};
-    write(p_.clock.data(), sizeof(DemClockData));
+    detail::StateWords<Backend> words(p_.set.context, later,
+        {detail::demMagic, detail::demVersion, D, int(sizeof(real)), int(Backend::gpu),
+            p_.pairs.histories(), n, savedFields(), int(kept.size()), p_.clumps.total(),
+            p_.walls.count, int(p_.order.list.entries()), p_.walls.memory.entries});
+    words.expect(wordsExpected(n));
+    words.addOfDevice(p_.clock.data(), sizeof(DemClockData));
     const DemSearchState search = p_.reach.state();
-    append(&search, sizeof(search));
-    const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
-    for (int i = 0; i < n; ++i) words.push_back(p_.particles.ids[key[i]]);
+    words.add(&search, sizeof(search));
+    const auto keys = p_.particles.template fieldOf<std::int32_t>(
+        words.now(), n, p_.particles.at.id);
+    words.addMade({std::size_t(n), [this, keys]
+    {
+        Words ids = keys();
+        for (std::int32_t& id : ids) id = p_.particles.ids[id];
+        return ids;
+    }});
     for (int f = 0; f < p_.particles.values.fields(); ++f)
     {
         // keys count particles of this scene alone
-        if (f == p_.particles.at.id) words.resize(words.size() + n, 0);
+        if (f == p_.particles.at.id) words.addZeros(n);
         else if (isSaved(f))
-            write(
+            words.addOfDevice(
                 p_.particles.values.bytes(f), std::size_t(n)*p_.particles.values.elementBytes(f));
     }
     p_.bonds.forEachMemory(kept, [&](auto& array, int numbers)
     {
         const auto all = array.download();
-        for (const int k : kept) append(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
+        for (const int k : kept) words.add(&all[std::size_t(k)*numbers], numbers*sizeof(all[0]));
     });
     if (p_.clumps.any())
     {
         const std::vector<ClumpData> bodies = p_.clumps.known();
-        append(bodies.data(), bodies.size()*sizeof(ClumpData));
+        words.add(bodies.data(), bodies.size()*sizeof(ClumpData));
+        const auto key = p_.particles.template field<std::int32_t>(p_.particles.at.id);
         const auto offset = p_.clumps.offset().download();
-        for (int i = 0; i < n; ++i) append(&offset[3*std::size_t(key[i])], 3*sizeof(double));
+        for (int i = 0; i < n; ++i) words.add(&offset[3*std::size_t(key[i])], 3*sizeof(double));
     }
-    const std::size_t memory = words.size();
-    forEachMemory(write);
-    clearUnused(words, memory, n);
-    words.push_back(detail::checksum(words, words.size()));
-    return words;
+    words.after(clearUnused(words.now(), words.size(), n));
+    forEachMemory([&](const void* data, std::size_t bytes) { words.addOfDevice(data, bytes); });
+    return words.done();
 }
 
 template<class Backend, int D, class P>

@@ -28,6 +28,7 @@ public:
     double time() const override { return p_.clock.now.time; }
     const DemReport& lastReport() const override { return reports_.last; }
     DemState particles() override { return readings_.particles(); }
+    Later<DemState> particlesLater() override { return readings_.particlesLater(); }
     DemState motion() override { return readings_.motion(); }
     DemContacts contacts() override { return readings_.contacts(); }
     DemBondState bonds() override
@@ -41,7 +42,10 @@ public:
     std::vector<DemWallForce> wallForces() override { return readings_.wallForces(); }
     void setExternalForces(
         const std::vector<double>& force, const std::vector<double>& moment) override;
-    std::vector<std::int32_t> saveState() override { return checkpoint_.save(); }
+    Later<std::vector<std::int32_t>> savedState(bool later) override
+    {
+        return checkpoint_.save(later);
+    }
     void loadState(const std::vector<std::int32_t>& words) override { checkpoint_.load(words); }
     DemPlan plan() const override { return p_.set.plan; }
     std::vector<ArrayInfo> arrays() const override { return readings_.arrays(); }

@@ -7,6 +7,7 @@
 #include "core/loops/reduceMax.hpp"
 #include "dem/passes/contactProbe.hpp"
 #include "dem/walls/deepestAtWalls.hpp"
+#include "dem/walls/wallForceSums.hpp"
 #include "solvers/dem/driver/contactForces.hpp"
 #include "solvers/dem/driver/rankedSolids.hpp"
 
@@ -27,8 +28,9 @@ public:
     {}
 
     // As DemScene has them
-    DemState particles();
+    DemState particles() { return particles(false).take(); }
     DemState motion();
+    Later<DemState> particlesLater() { return particles(true); }
     DemContacts contacts();
     DemClumpState clumps();
     std::vector<DemSpringState> springs() { return p_.clumps.springs(bodies()); }
@@ -46,13 +48,18 @@ private:
 
     double halfStep() const;
     std::vector<ClumpData> bodies();
-    std::vector<double> orientations(int n);
-    DemState fields(int n);
+    // of a snapshot, where they are wanted later
+    Later<DemState> particles(bool later);
+    std::function<DemState()> motion(Snapshot<Backend>& now);
+    ReadValues<double> orientations(Snapshot<Backend>& now, int n);
+    std::function<DemState()> fields(Snapshot<Backend>& now, int n);
+    ReadValues<std::int32_t> contactCounts(Snapshot<Backend>& now, int n);
+    ReadValues<int> wallContacts(Snapshot<Backend>& now);
+    void toNow(DemState&, int i, double half, double inverseInertia, bool asleep,
+        const real* more) const;
     void dropGhosts(DemState&);
     template<class Put> void eachWallContact(int n, const Put&);
-    std::vector<int> wallContacts();
     std::vector<int> atWalls(const std::vector<int>& first);
-    std::vector<std::int32_t> contactCounts(int n);
     Array<Backend, ProbedContact<real>> probe(ProbedForce<D, real>* forces = nullptr);
     ContactSums<Backend, real> contactSums(const Array<Backend, ProbedContact<real>>& probed);
 
@@ -68,44 +75,64 @@ double SceneReadings<Backend, D, P>::halfStep() const
 
 //- Quaternions of the first n, in the axes of the scene
 template<class Backend, int D, class P>
-std::vector<double> SceneReadings<Backend, D, P>::orientations(int n)
+ReadValues<double> SceneReadings<Backend, D, P>::orientations(Snapshot<Backend>& now, int n)
 {
-    std::vector<double> turns(4*std::size_t(n), 0.0);
+    std::vector<ReadValues<real>> component;
     for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
+        component.push_back(
+            p_.particles.template fieldOf<real>(now, n, p_.particles.at.turn + k));
+    return [this, component, n]
     {
-        const auto q = p_.particles.template field<real>(p_.particles.at.turn + k);
-        #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i)
+        std::vector<double> turns(4*std::size_t(n), 0.0);
+        for (int k = 0; k < int(component.size()); ++k)
         {
-            if (D == 3) { turns[4*std::size_t(i) + k] = double(q[i]); continue; }
-            turns[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
-            turns[4*std::size_t(i) + 1 + p_.set.config.axes[2]] = p_.set.spinSign()
-                *std::sin(0.5*double(q[i]));
+            const std::vector<real> q = component[k]();
+            #pragma omp parallel for schedule(static) if (n > 10000)
+            for (int i = 0; i < n; ++i)
+            {
+                if (D == 3) { turns[4*std::size_t(i) + k] = double(q[i]); continue; }
+                turns[4*std::size_t(i)] = std::cos(0.5*double(q[i]));
+                turns[4*std::size_t(i) + 1 + p_.set.config.axes[2]] = p_.set.spinSign()
+                    *std::sin(0.5*double(q[i]));
+            }
         }
-    }
-    return turns;
+        return turns;
+    };
 }
 
 //- As the device has it, ghosts included
 template<class Backend, int D, class P>
-DemState SceneReadings<Backend, D, P>::fields(int n)
+std::function<DemState()> SceneReadings<Backend, D, P>::fields(Snapshot<Backend>& now, int n)
 {
-    DemState s;
-    s.position = p_.particles.positions(n);
-    s.velocity = p_.particles.template vector<double>(n, p_.particles.at.v, D, false);
-    s.spin = p_.particles.template vector<real>(n, p_.particles.at.w, S, true);
-    s.force = p_.particles.template vector<real>(n, p_.particles.at.f, D, false);
-    s.moment = p_.particles.template vector<real>(n, p_.particles.at.m, S, true);
-    const SolidFieldNumbers& at = p_.particles.at;
-    s.material = p_.particles.template field<std::int32_t>(at.material);
-    s.group = p_.particles.template field<std::int32_t>(at.group);
-    s.clump = p_.particles.at.clump < 0
-        ? std::vector<std::int32_t>(n, -1)
-        : p_.particles.template field<std::int32_t>(p_.particles.at.clump);
-    for (auto* v : {&s.material, &s.group, &s.clump, &s.id}) v->resize(n);
-    for (auto* v : {&s.radius, &s.mass}) v->resize(n);
-    if (at.turn >= 0) s.orientation = orientations(n);
-    return s;
+    ParticleFields<Backend, D, P>& all = p_.particles;
+    const SolidFieldNumbers& at = all.at;
+    const auto position = all.positionsOf(now, n);
+    const auto velocity = all.template vectorOf<double>(now, n, at.v, D, false);
+    const auto spin = all.template vectorOf<real>(now, n, at.w, S, true);
+    const auto force = all.template vectorOf<real>(now, n, at.f, D, false);
+    const auto moment = all.template vectorOf<real>(now, n, at.m, S, true);
+    const auto material = all.template fieldOf<std::int32_t>(now, n, at.material);
+    const auto group = all.template fieldOf<std::int32_t>(now, n, at.group);
+    ReadValues<std::int32_t> clump;
+    if (at.clump >= 0) clump = all.template fieldOf<std::int32_t>(now, n, at.clump);
+    ReadValues<double> turned;
+    if (at.turn >= 0) turned = orientations(now, n);
+    return [=]
+    {
+        DemState s;
+        s.position = position();
+        s.velocity = velocity();
+        s.spin = spin();
+        s.force = force();
+        s.moment = moment();
+        s.material = material();
+        s.group = group();
+        s.clump = clump ? clump() : std::vector<std::int32_t>(n, -1);
+        s.id.resize(n);
+        for (auto* v : {&s.radius, &s.mass}) v->resize(n);
+        if (turned) s.orientation = turned();
+        return s;
+    };
 }
 
 template<class Backend, int D, class P>
@@ -121,85 +148,122 @@ void SceneReadings<Backend, D, P>::dropGhosts(DemState& s)
 template<class Backend, int D, class P>
 DemState SceneReadings<Backend, D, P>::motion()
 {
-    p_.clock.read();
-    const int n = p_.order.active();
-    DemState s(fields(n));
-    const SolidFieldNumbers& at = p_.particles.at;
-    const auto key = p_.particles.template field<std::int32_t>(at.id);
-    const auto radius = p_.particles.template field<real>(at.radius),
-               mass = p_.particles.template field<real>(at.mass);
-    const auto inverse = p_.particles.template field<real>(at.inertia);
-    const std::vector<real> external = p_.particles.external.download();
-    const auto calm = p_.particles.at.calm < 0
-        ? std::vector<std::int32_t>()
-        : p_.particles.template field<std::int32_t>(p_.particles.at.calm);
-    // leapfrog keeps velocities of half a step ago: forces are of now
-    const double half = halfStep();
-    #pragma omp parallel for schedule(static) if (n > 10000)
-    for (int i = 0; i < n; ++i)
-    {
-        s.id[i] = p_.particles.ids[key[i]];
-        s.radius[i] = double(radius[i]);
-        s.mass[i] = double(mass[i]);
-        const DemGroup& g = p_.set.input.groups[s.group[i]];
-        const bool asleep = !calm.empty() && calm[i] >= asleepFrom,
-                   kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
-        const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
-        for (int d = 0; d < D; ++d)
-        {
-            const std::size_t at = 3*std::size_t(i) + p_.set.config.axes[d];
-            double& f = s.force[at];
-            double& v = s.velocity[at];
-            f += (g.gravity ? s.mass[i]*p_.set.config.gravity[p_.set.config.axes[d]] : 0)
-                + g.force[p_.set.config.axes[d]] + (more ? double(more[d]) : 0);
-            const double damped = locallyDamped(f, v, g.localDamping)
-                - g.viscousDamping*s.mass[i]*v;
-            if (kicked && !g.held[p_.set.config.axes[d]]) v += half*damped/s.mass[i];
-        }
-        for (int c = 0; c < S; ++c)
-        {
-            const int axis = D == 2 ? p_.set.config.axes[2] : c;
-            const std::size_t at = 3*std::size_t(i) + axis;
-            double& m = s.moment[at];
-            double& w = s.spin[at];
-            m += g.moment[axis] + (more ? (D == 2 ? p_.set.spinSign() : 1)*double(more[D + c]) : 0);
-            const double rate = locallyDamped(m, w, g.localDamping)*double(inverse[i])
-                - g.viscousSpinDamping*w;
-            if (kicked && !g.heldSpin) w += half*rate;
-        }
-    }
-    dropGhosts(s);
-    return s;
+    Snapshot<Backend> now(p_.set.context, false);
+    return motion(now)();
 }
 
 template<class Backend, int D, class P>
-DemState SceneReadings<Backend, D, P>::particles()
+std::function<DemState()> SceneReadings<Backend, D, P>::motion(Snapshot<Backend>& now)
 {
-    DemState s(motion());
+    p_.clock.read();
     const int n = p_.order.active();
-    s.contacts = contactCounts(n);
-    ranks_.dropGhosts(s.contacts, 1);
-    s.brokenBonds = p_.bonds.brokenAt(p_.order.slotOf, n);
-    ranks_.dropGhosts(s.brokenBonds, 1);
-    return s;
+    const SolidFieldNumbers& at = p_.particles.at;
+    const std::function<DemState()> read = fields(now, n);
+    const auto keys = p_.particles.template fieldOf<std::int32_t>(now, n, at.id);
+    const auto radii = p_.particles.template fieldOf<real>(now, n, at.radius),
+               masses = p_.particles.template fieldOf<real>(now, n, at.mass),
+               inverses = p_.particles.template fieldOf<real>(now, n, at.inertia);
+    const auto externals = now.values(p_.particles.external);
+    ReadValues<std::int32_t> calms;
+    if (at.calm >= 0) calms = p_.particles.template fieldOf<std::int32_t>(now, n, at.calm);
+    // leapfrog keeps velocities of half a step ago: forces are of now
+    return [=, half = halfStep()]
+    {
+        DemState s(read());
+        const std::vector<std::int32_t> key = keys();
+        const std::vector<real> radius = radii(), mass = masses();
+        const std::vector<real> inverse = inverses(), external = externals();
+        const auto calm = calms ? calms() : std::vector<std::int32_t>();
+        #pragma omp parallel for schedule(static) if (n > 10000)
+        for (int i = 0; i < n; ++i)
+        {
+            s.id[i] = p_.particles.ids[key[i]];
+            s.radius[i] = double(radius[i]);
+            s.mass[i] = double(mass[i]);
+            const real* more = external.empty() ? nullptr : &external[std::size_t(key[i])*(D + S)];
+            toNow(s, i, half, double(inverse[i]), !calm.empty() && calm[i] >= asleepFrom, more);
+        }
+        dropGhosts(s);
+        return s;
+    };
+}
+
+//- Forces with those of the group, and velocities half a step on. more: from outside, or null
+template<class Backend, int D, class P>
+void SceneReadings<Backend, D, P>::toNow(
+    DemState& s, int i, double half, double inverseInertia, bool asleep, const real* more) const
+{
+    const DemConfig& config = p_.set.config;
+    const DemGroup& g = p_.set.input.groups[s.group[i]];
+    const bool kicked = g.motion < 0 && s.clump[i] < 0 && !asleep;
+    for (int d = 0; d < D; ++d)
+    {
+        const int axis = config.axes[d];
+        double& f = s.force[3*std::size_t(i) + axis];
+        double& v = s.velocity[3*std::size_t(i) + axis];
+        f += (g.gravity ? s.mass[i]*config.gravity[axis] : 0) + g.force[axis]
+            + (more ? double(more[d]) : 0);
+        const double damped = locallyDamped(f, v, g.localDamping) - g.viscousDamping*s.mass[i]*v;
+        if (kicked && !g.held[axis]) v += half*damped/s.mass[i];
+    }
+    for (int c = 0; c < S; ++c)
+    {
+        const int axis = D == 2 ? config.axes[2] : c;
+        double& m = s.moment[3*std::size_t(i) + axis];
+        double& w = s.spin[3*std::size_t(i) + axis];
+        m += g.moment[axis] + (more ? (D == 2 ? p_.set.spinSign() : 1)*double(more[D + c]) : 0);
+        const double rate = locallyDamped(m, w, g.localDamping)*inverseInertia
+            - g.viscousSpinDamping*w;
+        if (kicked && !g.heldSpin) w += half*rate;
+    }
+}
+
+template<class Backend, int D, class P>
+Later<DemState> SceneReadings<Backend, D, P>::particles(bool later)
+{
+    Snapshot<Backend> now(p_.set.context, later && !ranks_.others);
+    const std::function<DemState()> moving = motion(now);
+    const int n = p_.order.active();
+    const auto contacts = contactCounts(now, n);
+    const auto broken = std::make_shared<const std::vector<std::int32_t>>(
+        p_.bonds.brokenAt(p_.order.slotOf, n));
+    const auto all = [=]
+    {
+        DemState s(moving());
+        s.contacts = contacts();
+        ranks_.dropGhosts(s.contacts, 1);
+        s.brokenBonds = *broken;
+        ranks_.dropGhosts(s.brokenBonds, 1);
+        return s;
+    };
+    return takenOf<DemState>(now.keeps() || !later, n, all);
 }
 
 //- Slots of walls that carry force
 template<class Backend, int D, class P>
-std::vector<int> SceneReadings<Backend, D, P>::wallContacts()
+ReadValues<int> SceneReadings<Backend, D, P>::wallContacts(Snapshot<Backend>& now)
 {
-    std::vector<int> on = p_.walls.memory.on.download();
+    const auto touched = now.values(p_.walls.memory.on);
+    ReadValues<real> remembered;
     withLaw(p_.set.laws, [&](auto law)
     {
-        using Law = decltype(law);
-        if constexpr (Law::NormalLaw::reaches)
-        {
-            const auto history = p_.walls.memory.history.download();
-            for (std::size_t s = 0; s < on.size(); ++s)
-                on[s] = on[s] && Law::NormalLaw::acts(&history[s*Law::template history<D>]);
-        }
+        if (decltype(law)::NormalLaw::reaches) remembered = now.values(p_.walls.memory.history);
     });
-    return on;
+    return [this, touched, remembered]
+    {
+        std::vector<int> on = touched();
+        withLaw(p_.set.laws, [&](auto law)
+        {
+            using Law = decltype(law);
+            if constexpr (Law::NormalLaw::reaches)
+            {
+                const auto history = remembered();
+                for (std::size_t s = 0; s < on.size(); ++s)
+                    on[s] = on[s] && Law::NormalLaw::acts(&history[s*Law::template history<D>]);
+            }
+        });
+        return on;
+    };
 }
 
 //- Of each entry of the lists of contacts
@@ -230,23 +294,29 @@ auto SceneReadings<Backend, D, P>::contactSums(
 
 //- Of the first n with others and with walls: as contacts() lists them, without what they are
 template<class Backend, int D, class P>
-std::vector<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(int n)
+ReadValues<std::int32_t> SceneReadings<Backend, D, P>::contactCounts(Snapshot<Backend>& now, int n)
 {
-    Array<Backend, int> counts;
-    counts.allocate(p_.set.context, p_.particles.n + 1);
-    p_.set.context.zero(counts.data(), counts.size()*sizeof(int));
+    const auto counted = std::make_shared<Array<Backend, int>>();
+    counted->allocate(p_.set.context, p_.particles.n + 1);
+    p_.set.context.zero(counted->data(), counted->size()*sizeof(int));
     const auto probed = probe();
     forEach(p_.set.context, p_.particles.n, CountActing<Backend, real>{p_.order.list.view(),
-        probed.data(), p_.order.sort.active(), counts.data()});
-    std::vector<std::int32_t> contacts = counts.download();
-    contacts.resize(n);
-    if (!p_.walls.count || !p_.walls.memory.entries) return contacts;
-    const auto first = p_.walls.memory.entryFirst.download();
-    const auto acts = wallContacts();
-    for (int i = 0; i < n; ++i)
-        for (int e = first[i]; e < first[i + 1]; ++e)
-            if (acts[std::size_t(e)*wallTouches]) ++contacts[i];
-    return contacts;
+        probed.data(), p_.order.sort.active(), counted->data()});
+    const auto counts = now.values(counted->data(), std::size_t(n));
+    const auto hold = now.keeps() ? nullptr : counted;
+    if (!p_.walls.count || !p_.walls.memory.entries) return [hold, counts] { return counts(); };
+    const auto firsts = now.values(p_.walls.memory.entryFirst);
+    const auto acting = wallContacts(now);
+    return [hold, counts, firsts, acting, n]
+    {
+        std::vector<std::int32_t> contacts = counts();
+        const std::vector<int> first = firsts(), acts = acting();
+        #pragma omp parallel for schedule(static) if (n > 10000)
+        for (int i = 0; i < n; ++i)
+            for (int e = first[i]; e < first[i + 1]; ++e)
+                if (acts[std::size_t(e)*wallTouches]) ++contacts[i];
+        return contacts;
+    };
 }
 
 //- put(particle, number of the wall from -1 down, force, overlap, normal, arm) of each
@@ -257,7 +327,8 @@ void SceneReadings<Backend, D, P>::eachWallContact(int n, const Put& put)
     if (!p_.walls.count || !p_.walls.memory.entries) return;
     const auto first = p_.walls.memory.entryFirst.download();
     const auto entry = p_.walls.memory.entry.download();
-    const auto acts = wallContacts();
+    Snapshot<Backend> now(p_.set.context, false);
+    const auto acts = wallContacts(now)();
     const auto material = p_.particles.template field<std::int32_t>(p_.particles.at.material);
     const auto force = p_.walls.memory.force.download(), normal = p_.walls.memory.normal.download();
     const auto radius = p_.particles.template field<real>(p_.particles.at.radius);
@@ -449,56 +520,49 @@ std::vector<DemWallForce> SceneReadings<Backend, D, P>::wallForces()
 {
     std::vector<DemWallForce> out(p_.walls.count);
     if (!p_.walls.count || !p_.walls.memory.entries) return out;
-    const auto first = p_.walls.memory.entryFirst.download();
-    const auto entry = p_.walls.memory.entry.download();
-    const auto force = p_.walls.memory.force.download();
-    const auto on = p_.walls.memory.on.download();
-    const auto normal = p_.walls.memory.normal.download();
+    const auto& memory = p_.walls.memory;
+    const SolidFields<D, P> solids = p_.particles.view();
+    WallForceSums<D, P> sum{solids, p_.set.box, memory.entryFirst.data(), memory.entry.data(),
+        memory.force.data(), memory.on.data(), memory.normal.data(), p_.walls.walls.data(),
+        {p_.set.config.axes[0], p_.set.config.axes[1], p_.set.config.axes[2]},
+        double(p_.set.spinSign()), p_.order.sort.active(),
+        ranks_.others ? solids.calm : nullptr, 0};
+    const auto put = [](DemWallForce& to, const double* sums)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            to.force[d] += sums[d];
+            to.moment[d] += sums[3 + d];
+            to.normal[d] += sums[6 + d];
+            to.normalMoment[d] += sums[9 + d];
+        }
+    };
+    if constexpr (Backend::gpu && D == 3)
+    {
+        for (sum.wall = 0; sum.wall < p_.walls.count; ++sum.wall)
+            put(out[sum.wall],
+                sumOver<sum.values>(p_.set.context, p_.order.active(), sum).data());
+        return out;
+    }
+    // in the order of particles
+    const auto first = memory.entryFirst.download();
+    const auto entry = memory.entry.download();
+    const auto force = memory.force.download(), normal = memory.normal.download();
+    const auto on = memory.on.download();
     const std::vector<WallData> walls = p_.walls.walls.download();
+    sum.entry = entry.data();
+    sum.force = force.data();
+    sum.normal = normal.data();
+    sum.on = on.data();
+    sum.walls = walls.data();
     const std::vector<int> near = atWalls(first);
     const std::vector<double> x = p_.particles.positionsOf(near);
-    // the part of a force along the normals of an entry's touches
-    const auto alongNormals = [&](int e, const Vec<3, double>& force)
-    {
-        Vec<3, double> sum{{0, 0, 0}}, basis[wallTouches];
-        int known = 0;
-        for (int slot = e*wallTouches; slot < (e + 1)*wallTouches; ++slot)
-        {
-            if (!on[slot]) continue;
-            Vec<D, double> local;
-            for (int d = 0; d < D; ++d) local.c[d] = double(normal[slot*D + d]);
-            local = outOfFrame<D>(walls[entry[e].wall].frame.R, local);
-            Vec<3, double> b{{0, 0, 0}};
-            for (int d = 0; d < D; ++d) b.c[p_.set.config.axes[d]] = local.c[d];
-            for (int k = 0; k < known; ++k) b = b - dot(b, basis[k])*basis[k];
-            const double size = std::sqrt(squaredNorm(b));
-            if (!(size > 1e-3)) continue;           // as others
-            basis[known] = (1/size)*b;
-            sum = sum + dot(force, basis[known])*basis[known];
-            ++known;
-        }
-        return sum;
-    };
     for (std::size_t k = 0; k < near.size(); ++k)
         for (int e = first[near[k]]; e < first[near[k] + 1]; ++e)
         {
-            Vec<3, double> f{{0, 0, 0}}, m{{0, 0, 0}};
-            for (int d = 0; d < D; ++d)
-                f.c[p_.set.config.axes[d]] = -double(force[e*wallWords<D> + d]);
-            for (int c = 0; c < S; ++c)
-                m.c[D == 2 ? p_.set.config.axes[2] : c] = -(D == 2 ? p_.set.spinSign() : 1)
-                    *double(force[e*wallWords<D> + D + c]);
-            const Vec<3, double> centre{{x[3*k], x[3*k + 1], x[3*k + 2]}},
-                pressed = alongNormals(e, f), turned = cross(centre, pressed);
-            m = m + cross(centre, f);
-            DemWallForce& w = out[entry[e].wall];
-            for (int d = 0; d < 3; ++d)
-            {
-                w.force[d] += f.c[d];
-                w.moment[d] += m.c[d];
-                w.normal[d] += pressed.c[d];
-                w.normalMoment[d] += turned.c[d];
-            }
+            double of[sum.values] = {};
+            sum.addEntry(e, {{x[3*k], x[3*k + 1], x[3*k + 2]}}, of);
+            put(out[entry[e].wall], of);
         }
     return out;
 }

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/backend/snapshot.hpp"
 #include "core/containers/fieldSet.hpp"
 #include "dem/passes/gatherPlaces.hpp"
 #include "dem/state/solidFields.hpp"
@@ -62,9 +63,18 @@ public:
     {
         return values.template download<T>(set_.context, f);
     }
-    template<class T> std::vector<double> vector(int count, int first, int components, bool spin);
     std::vector<double> positions(int count);
     std::vector<double> positionsOf(const std::vector<int>& who);
+
+    //- The same of the first `count`, as a snapshot has them
+    template<class T> ReadValues<T> fieldOf(Snapshot<Backend>& now, int count, int f)
+    {
+        return now.values(values.template data<T>(f), std::size_t(count));
+    }
+    template<class T>
+    ReadValues<double> vectorOf(
+        Snapshot<Backend>& now, int count, int first, int components, bool spin);
+    ReadValues<double> positionsOf(Snapshot<Backend>& now, int count);
 
 private:
 
@@ -204,39 +214,61 @@ SolidFields<D, P> ParticleFields<Backend, D, P>::view()
 
 template<class Backend, int D, class P>
 template<class T>
-std::vector<double> ParticleFields<Backend, D, P>::vector(
-    int count, int first, int components, bool spin)
+ReadValues<double> ParticleFields<Backend, D, P>::vectorOf(
+    Snapshot<Backend>& now, int count, int first, int components, bool spin)
 {
-    std::vector<double> out(3*std::size_t(count), 0.0);
-    for (int d = 0; d < components; ++d)
+    std::vector<ReadValues<T>> component;
+    for (int d = 0; d < components; ++d) component.push_back(fieldOf<T>(now, count, first + d));
+    return [this, component, count, spin]
     {
-        const auto v = field<T>(first + d);
+        std::vector<double> out(3*std::size_t(count), 0.0);
         const bool one = spin && D == 2;
-        #pragma omp parallel for schedule(static) if (count > 10000)
-        for (int i = 0; i < count; ++i)
-            out[3*std::size_t(i) + set_.config.axes[one ? 2 : d]] = (one ? set_.spinSign() : 1)
-                *double(v[i]);
-    }
-    return out;
+        for (int d = 0; d < int(component.size()); ++d)
+        {
+            const std::vector<T> v = component[d]();
+            #pragma omp parallel for schedule(static) if (count > 10000)
+            for (int i = 0; i < count; ++i)
+                out[3*std::size_t(i) + set_.config.axes[one ? 2 : d]] = (one ? set_.spinSign() : 1)
+                    *double(v[i]);
+        }
+        return out;
+    };
 }
 
 //- Positions of the first count, in metres
 template<class Backend, int D, class P>
 std::vector<double> ParticleFields<Backend, D, P>::positions(int count)
 {
-    std::vector<double> out(3*std::size_t(count), 0.0);
-    const auto key = field<std::int32_t>(at.id);
-    if (D == 2)
-        for (int i = 0; i < count; ++i)
-            out[3*std::size_t(i) + set_.config.axes[2]] = emptyCoordinate[key[i]];
+    Snapshot<Backend> now(set_.context, false);
+    return positionsOf(now, count)();
+}
+
+template<class Backend, int D, class P>
+ReadValues<double> ParticleFields<Backend, D, P>::positionsOf(Snapshot<Backend>& now, int count)
+{
+    ReadValues<std::int32_t> keys;
+    if (D == 2) keys = fieldOf<std::int32_t>(now, count, at.id);
+    std::vector<ReadValues<std::int64_t>> component;
     for (int d = 0; d < D; ++d)
+        component.push_back(fieldOf<std::int64_t>(now, count, at.x + d));
+    return [this, keys, component, count, box = set_.box]
     {
-        const auto x = field<std::int64_t>(at.x + d);
-        #pragma omp parallel for schedule(static) if (count > 10000)
-        for (int i = 0; i < count; ++i)
-            out[3*std::size_t(i) + set_.config.axes[d]] = set_.box.toMetres(d, x[i]);
-    }
-    return out;
+        std::vector<double> out(3*std::size_t(count), 0.0);
+        if (D == 2)
+        {
+            const std::vector<std::int32_t> key = keys();
+            for (int i = 0; i < count; ++i)
+                out[3*std::size_t(i) + set_.config.axes[2]] = emptyCoordinate[key[i]];
+        }
+        for (int d = 0; d < D; ++d)
+        {
+            const std::vector<std::int64_t> x = component[d]();
+            #pragma omp parallel for schedule(static) if (count > 10000)
+            for (int i = 0; i < count; ++i)
+                out[3*std::size_t(i) + set_.config.axes[d]] = box.toMetres(d, x[i]);
+        }
+        return out;
+    };
 }
 
 //- Positions of some, in metres

@@ -49,7 +49,7 @@ public:
         p_(parts), advection_(advection), surface_(surface), openings_(openings), cutter_(cutter)
     {}
 
-    std::vector<std::int32_t> save();
+    Later<std::vector<std::int32_t>> save(bool later);
     //- Of several ranks the first's words count
     void load(const std::vector<std::int32_t>&);
 
@@ -98,41 +98,38 @@ void PicCheckpoint<Backend, D, P>::forEachSaved(const F& f)
 }
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> PicCheckpoint<Backend, D, P>::save()
+Later<std::vector<std::int32_t>> PicCheckpoint<Backend, D, P>::save(bool later)
 {
     PicParticleFields<Backend, D, P>& particles = p_.particles;
     const std::int64_t count = particles.all();
-    std::vector<std::int32_t> words{detail::picMagic, detail::picVersion, D, int(sizeof(real)),
-        int(Backend::gpu), int(count), particles.values.fields() + 256*particles.scheme.mark(),
-        p_.set.whole().cells(), int(sizeof(PicClock))};
-    detail::appendBytes(words, &p_.set.clock, sizeof(PicClock));
+    detail::StateWords<Backend> words(p_.set.context, later && !p_.halo,
+        {detail::picMagic, detail::picVersion, D, int(sizeof(real)), int(Backend::gpu), int(count),
+            particles.values.fields() + 256*particles.scheme.mark(), p_.set.whole().cells(),
+            int(sizeof(PicClock))});
+    words.add(&p_.set.clock, sizeof(PicClock));
     std::size_t expected = words.size() + 1;
     forEachSaved([&](const SavedArray& a) { expected += this->words(a, count); });
-    detail::reserveWords(words, expected);
+    words.expect(expected);
     const std::vector<std::size_t> order = orderOfAll(p_);
     forEachSaved([&](const SavedArray& a)
     {
-        const std::size_t at = words.size();
-        words.resize(at + this->words(a, count), 0);
-        saveArray(p_, a, order, &words[at]);
+        if (p_.halo) saveOfRanks(p_, a, order, words.room(this->words(a, count)));
+        else words.addOfDevice(a.data, a.each*savedCount(p_, a, count));
     });
     if (p_.opens())
     {
         const std::vector<double> memory = p_.openings.memory();
-        detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
+        words.add(memory.data(), memory.size()*sizeof(double));
     }
     if (p_.solids.bodies)
     {
         const std::vector<double> memory = p_.solids.bodies->forces.memory();
-        words.push_back(int(memory.size()));
-        detail::appendBytes(words, memory.data(), memory.size()*sizeof(double));
-        const std::vector<std::int32_t> solids = p_.inside.scene->saveState();
-        words.push_back(std::int32_t(std::uint32_t(solids.size())));
-        words.insert(words.end(), solids.begin(), solids.end());
+        words.add(int(memory.size()));
+        words.add(memory.data(), memory.size()*sizeof(double));
+        words.addState(p_.inside.scene->savedState(words.later()));
     }
-    words.push_back(detail::checksum(words, words.size()));
-    if (p_.halo && p_.halo->ranks().rank() > 0) words.clear();
-    return words;
+    if (p_.halo && p_.halo->ranks().rank() > 0) return knownWords({});
+    return words.done();
 }
 
 template<class Backend, int D, class P>

@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/backend/snapshot.hpp"
 #include "core/loops/reduceMax.hpp"
 #include "pic/cutCells/samplePoints.hpp"
 #include "pic/grid/speed.hpp"
@@ -69,6 +70,62 @@ struct ParticlePlaces
     HD double x(int d, int i) const { return grid.origin[d] + particles.x[d][i]; }
 };
 
+//- Where particles are, as samples are asked for: above the block's corner
+template<int D, class R>
+struct SampledPlaces
+{
+    static constexpr const char* name = "sampledPlaces";
+    UniformGrid<D> grid;
+    PicParticles<D, R> particles;
+    int first;
+    double* x;
+
+    HD void operator()(int i) const
+    {
+        for (int d = 0; d < D; ++d)
+            x[std::size_t(D)*i + d] = grid.origin[d] + particles.x[d][first + i] - grid.origin[d];
+    }
+};
+
+//- Of some cells, as PicGridState has them
+template<int D, class R>
+struct FieldsOfCells
+{
+    static constexpr const char* name = "fieldsOfCells";
+    UniformGrid<D> grid;
+    const std::int32_t* cell;
+    const R* phi;
+    const unsigned char* near;
+    const R* open;                      // nullptr: nothing is cut
+    const R* u[D];
+    const double* p;
+    int axes[3];
+    double *pressure, *velocity, *water;
+
+    HD void operator()(int i) const
+    {
+        const int c = cell[i];
+        pressure[i] = p[c];
+        water[i] = waterFraction(grid, phi, c, 0)*(open ? double(open[c]) : 1.0);
+        for (int d = 0; d < 3; ++d) velocity[3*std::size_t(i) + d] = 0;
+        if (!near[c]) return;
+        const typename UniformGrid<D>::Index at = grid.cellIndex(c);
+        for (int d = 0; d < D; ++d)
+            velocity[3*std::size_t(i) + axes[d]] = 0.5
+                *(double(u[d][grid.faceOf(d, at, 0)]) + u[d][grid.faceOf(d, at, 1)]);
+    }
+};
+
+struct SampledPressures
+{
+    static constexpr const char* name = "sampledPressures";
+    const double* samples;
+    int values;
+    double* pressure;
+
+    HD void operator()(int i) const { pressure[i] = samples[std::size_t(values)*i + 1]; }
+};
+
 template<class Backend, int D, class P>
 class PicReadings
 {
@@ -81,8 +138,10 @@ public:
         p_(parts), viscosity_(viscosity)
     {}
 
-    FluidState fluid();
+    FluidState fluid() { return fluid(false).take(); }
+    Later<FluidState> fluidLater() { return fluid(true); }
     PicGridState grid();
+    void cellFields(const std::int32_t* cells, std::size_t n, const PicCellFields& to);
     SampleResult sample(const std::vector<double>& points);
     FluidEnergy energy();
     FluidExtremes extremes();
@@ -92,9 +151,10 @@ public:
 
 private:
 
+    Later<FluidState> fluid(bool later);
+    ReadValues<double> pressures(Snapshot<Backend>& now);
     void velocitiesNow(int d, Array<Backend, real>&);
     PicParticles<D, real> particlesNow(Array<Backend, real> (&v)[D]);
-    std::vector<real> velocities(int d);
     //- What samples are taken from, where the scene's own arrays are not that
     struct Sampled
     {
@@ -140,50 +200,114 @@ PicParticles<D, typename P::real> PicReadings<Backend, D, P>::particlesNow(
     return now;
 }
 
+//- Pressures where particles are
 template<class Backend, int D, class P>
-std::vector<typename P::real> PicReadings<Backend, D, P>::velocities(int d)
+ReadValues<double> PicReadings<Backend, D, P>::pressures(Snapshot<Backend>& now)
 {
-    Array<Backend, real> now;
-    velocitiesNow(d, now);
-    return now.download();
+    Context<Backend>& context = p_.set.context;
+    const int n = p_.particles.n, most = 1 << 20;           // at once: memory on the device
+    Sampled fields;
+    SamplePoints<D, real> sample = sampled(fields);
+    Array<Backend, double> places, found;
+    const auto pressure = std::make_shared<Array<Backend, double>>();
+    pressure->allocate(context, n);
+    for (int first = 0; first < n; first += most)
+    {
+        const int count = std::min(n - first, most);
+        places.allocate(context, D*std::size_t(count));
+        found.allocate(context, sample.values*std::size_t(count));
+        forEach(context, count,
+            SampledPlaces<D, real>{p_.set.grid, p_.particles.view(), first, places.data()});
+        sample.x = places.data();
+        sample.result = found.data();
+        forEach(context, count, sample);
+        forEach(context, count,
+            SampledPressures{found.data(), sample.values, pressure->data() + first});
+    }
+    const auto values = now.values(*pressure);
+    return [values, hold = now.keeps() ? nullptr : pressure] { return values(); };
 }
 
 //- Of this rank, where there are several
 template<class Backend, int D, class P>
-FluidState PicReadings<Backend, D, P>::fluid()
+Later<FluidState> PicReadings<Backend, D, P>::fluid(bool later)
 {
-    const PicConfig& config = p_.set.config;
     PicParticleFields<Backend, D, P>& particles = p_.particles;
-    const std::vector<int> own = particles.own();
-    const int count = int(own.size());
-    FluidState state;
-    state.position.assign(3*std::size_t(count), 0.0);
-    state.velocity.assign(3*std::size_t(count), 0.0);
-    const int empty = config.axes[2];
-    if (D == 2)
-        for (int i = 0; i < count; ++i)
-            state.position[3*i + empty] = p_.set.emptyCoordinate;
+    Snapshot<Backend> now(p_.set.context, later && !p_.halo);
+    const std::size_t n = particles.n;
+    std::array<ReadValues<double>, D> places;
+    std::array<ReadValues<real>, D> velocities;
+    const auto kept = std::make_shared<std::array<Array<Backend, real>, D>>();
     for (int d = 0; d < D; ++d)
     {
-        const std::vector<double> x = particles.values.template download<double>(
-            p_.set.context, particles.at.x + d);
-        const std::vector<real> v = velocities(d);
-        const int axis = config.axes[d];
-        #pragma omp parallel for schedule(static) if (count > 10000)
-        for (int i = 0; i < count; ++i)
-        {
-            state.position[3*std::size_t(i) + axis] = p_.set.grid.origin[d] + x[own[i]];
-            state.velocity[3*std::size_t(i) + axis] = v[own[i]];
-        }
+        places[d] = now.values(particles.values.template data<double>(particles.at.x + d), n);
+        velocitiesNow(d, (*kept)[d]);
+        velocities[d] = now.values((*kept)[d]);
     }
-    const std::vector<std::int32_t> id = particles.values.template download<std::int32_t>(
-        p_.set.context, particles.at.id);
-    state.id.resize(count);
-    for (int i = 0; i < count; ++i) state.id[i] = id[own[i]];
-    state.density.assign(count, config.density);
-    state.smoothingLength.assign(count, p_.set.grid.h);
-    state.pressure = sample(state.position).pressure;
-    return state;
+    const auto ids = now.values(particles.values.template data<std::int32_t>(particles.at.id), n);
+    const auto pressure = pressures(now);
+    const auto hold = now.keeps() ? nullptr : kept;
+    const auto owned = std::make_shared<const std::vector<int>>(particles.own());
+    const auto all = [=, grid = p_.set.grid]
+    {
+        (void)hold;
+        const std::vector<int>& own = *owned;
+        const PicConfig& config = p_.set.config;
+        const std::size_t count = own.size();
+        FluidState state;
+        state.position.assign(3*count, 0.0);
+        state.velocity.assign(3*count, 0.0);
+        if (D == 2)
+            for (std::size_t i = 0; i < count; ++i)
+                state.position[3*i + config.axes[2]] = p_.set.emptyCoordinate;
+        for (int d = 0; d < D; ++d)
+        {
+            const std::vector<double> x = places[d]();
+            const std::vector<real> v = velocities[d]();
+            const int axis = config.axes[d];
+            #pragma omp parallel for schedule(static) if (count > 10000)
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                state.position[3*i + axis] = grid.origin[d] + x[own[i]];
+                state.velocity[3*i + axis] = v[own[i]];
+            }
+        }
+        const std::vector<std::int32_t> id = ids();
+        const std::vector<double> p = pressure();
+        state.id.resize(count);
+        state.pressure.resize(count);
+        for (std::size_t i = 0; i < count; ++i) state.id[i] = id[own[i]];
+        for (std::size_t i = 0; i < count; ++i) state.pressure[i] = p[own[i]];
+        state.density.assign(count, config.density);
+        state.smoothingLength.assign(count, grid.h);
+        return state;
+    };
+    return takenOf<FluidState>(now.keeps() || !later, n, all);
+}
+
+//- Where one process has the grid, each value is made where it is: little is copied
+template<class Backend, int D, class P>
+void PicReadings<Backend, D, P>::cellFields(
+    const std::int32_t* cells, std::size_t n, const PicCellFields& to)
+{
+    if (p_.halo) return takeCells(grid(), cells, n, to);
+    Context<Backend>& context = p_.set.context;
+    Array<Backend, std::int32_t> cell;
+    Array<Backend, double> pressure, velocity, water;
+    cell.allocate(context, n);
+    for (auto* a : {&pressure, &water}) a->allocate(context, n);
+    velocity.allocate(context, 3*n);
+    if (n) context.toDevice(cell.data(), cells, n*sizeof(*cells));
+    FieldsOfCells<D, real> fields{p_.set.grid, cell.data(), p_.surface.phi.data(),
+        p_.surface.near.data(), p_.cuts() ? p_.cut.open.data() : nullptr, {},
+        p_.pressure.whole().data(), {}, pressure.data(), velocity.data(), water.data()};
+    for (int d = 0; d < D; ++d) fields.u[d] = p_.faces.u[d].data();
+    for (int d = 0; d < 3; ++d) fields.axes[d] = p_.set.config.axes[d];
+    forEach(context, int(n), fields);
+    if (!n) return;
+    context.toHost(to.pressure, pressure.data(), n*sizeof(double));
+    context.toHost(to.velocity, velocity.data(), 3*n*sizeof(double));
+    context.toHost(to.water, water.data(), n*sizeof(double));
 }
 
 template<class Backend, int D, class P>

@@ -28,7 +28,12 @@ public:
     }
     double time() const override { return p_.set.clock.time; }
     FluidState fluid() override { return readings_.fluid(); }
+    Later<FluidState> fluidLater() override { return readings_.fluidLater(); }
     PicGridState grid() override { return readings_.grid(); }
+    void cellFields(const std::int32_t* cells, std::size_t n, const PicCellFields& to) override
+    {
+        readings_.cellFields(cells, n, to);
+    }
     DemScene* solids() override { return p_.inside.scene.get(); }
     Coupling coupling() override
     {
@@ -59,7 +64,10 @@ public:
     {
         return readings_.sample(points);
     }
-    std::vector<std::int32_t> saveState() override { return checkpoint_.save(); }
+    Later<std::vector<std::int32_t>> savedState(bool later) override
+    {
+        return checkpoint_.save(later);
+    }
     void loadState(const std::vector<std::int32_t>& words) override { checkpoint_.load(words); }
     double estimateTimeStep(std::string& limit) override { return control_.estimate(limit); }
     std::vector<ArrayInfo> arrays() const override { return readings_.arrays(); }
@@ -70,7 +78,6 @@ public:
 
 private:
 
-    bool interrupted() const { return p_.set.largest(p_.interrupted ? 1 : 0) > 0; }
     PicReport advanceDry(double t, std::int64_t maxSteps);
     void finish(PicReport&);
 
@@ -126,11 +133,11 @@ PicReport PicSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
     PicReport report;
     report.minTimeStep = 1e300;
     if (p_.set.meter) p_.set.meter->begin();
-    if (interrupted()) maxSteps = 1;
+    if (p_.isInterrupted()) maxSteps = 1;
     if (p_.solids.side) p_.solids.side->beginReport();
     while (p_.set.clock.time < t && p_.particles.all() > 0
         && (maxSteps <= 0 || report.steps < maxSteps))
-        if (!stepper_.advance(t, report) || interrupted()) break;
+        if (!stepper_.advance(t, report) || p_.isInterrupted()) break;
     p_.interrupted = false;
     finish(report);
     return report;

@@ -62,8 +62,9 @@ void withBytes(std::size_t bytes, const F& f)
     f(std::uint32_t());
 }
 
+//- Of several ranks, in the order of one process
 template<class Backend, int D, class P>
-void saveArray(PicParts<Backend, D, P>& p, const SavedArray& a,
+void saveOfRanks(PicParts<Backend, D, P>& p, const SavedArray& a,
     const std::vector<std::size_t>& order, std::int32_t* to)
 {
     withBytes(a.each, [&](auto type)
@@ -71,16 +72,11 @@ void saveArray(PicParts<Backend, D, P>& p, const SavedArray& a,
         using T = decltype(type);
         const T* from = reinterpret_cast<const T*>(a.data);
         std::vector<T> values;
-        if (a.direction != SavedArray::particles && p.halo)
-            values = p.halo->gather(from, a.direction);
+        if (a.direction != SavedArray::particles) values = p.halo->gather(from, a.direction);
         else
         {
-            values.resize(p.halo ? std::size_t(p.particles.n)
-                                 : savedCount(p, a, p.particles.n));
+            values.resize(std::size_t(p.particles.n));
             if (!values.empty()) p.set.context.toHost(values.data(), from, values.size()*a.each);
-        }
-        if (a.direction == SavedArray::particles && p.halo)
-        {
             std::vector<T> own;
             for (const int i : p.particles.own()) own.push_back(values[i]);
             join(p.halo->ranks(), own);

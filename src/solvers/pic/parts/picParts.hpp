@@ -74,6 +74,8 @@ struct PicParts
 
     PicParts(const PicParts&) = delete;
 
+    //- On any rank
+    bool isInterrupted() const { return set.largest(interrupted ? 1 : 0) > 0; }
     bool opens() const { return !openings.faces.empty(); }
     bool cuts() const { return !inside.empty(); }
     bool sticksInside() const { return cuts() && set.config.noSlip && set.config.viscosity > 0; }

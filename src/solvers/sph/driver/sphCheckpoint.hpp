@@ -61,7 +61,7 @@ public:
         : p_(parts), solids_(solids), neighbours_(neighbours)
     {}
 
-    std::vector<std::int32_t> save();
+    Later<std::vector<std::int32_t>> save(bool later);
     void load(const std::vector<std::int32_t>&);
 
 private:
@@ -70,8 +70,11 @@ private:
     // the energy last
     static constexpr std::size_t headWords = detail::stateHeader + clockWords + sizeof(double)/4;
 
+    using Words = detail::StateWords<Backend>;
+
+    void addFields(Words&, FieldSet<Backend>&, int count, bool divided);
     std::size_t requireFit(const std::vector<std::int32_t>& words) const;
-    void saveSolids(std::vector<std::int32_t>& words, const std::vector<std::int32_t>& ids,
+    void saveSolids(Words&, const std::vector<std::int32_t>& ids,
         const std::vector<int>& there);
     void loadSolids(const std::vector<std::int32_t>& words, std::size_t at);
 
@@ -81,7 +84,7 @@ private:
 };
 
 template<class Backend, int D, class P>
-std::vector<std::int32_t> SphCheckpoint<Backend, D, P>::save()
+Later<std::vector<std::int32_t>> SphCheckpoint<Backend, D, P>::save(bool later)
 {
     p_.clock.read();
     const int n = p_.ranks ? int(p_.ranks->particles().total()) : p_.fluid.active();
@@ -89,43 +92,46 @@ std::vector<std::int32_t> SphCheckpoint<Backend, D, P>::save()
     if (p_.ranks) p_.ranks->sum(p_.clock.now, stiffening);
     std::vector<int> there;
     const std::vector<std::int32_t> ids = p_.solids.ids(there);
-    std::vector<std::int32_t> words{detail::stateMagic, detail::stateVersion, D, int(sizeof(real)),
-        int(Backend::gpu), n, p_.fluid.values.fields(), p_.shift, p_.cycle.steps,
-        int(sizeof(ClockData)), p_.walls.bodies ? p_.walls.count : 0,
-        p_.walls.bodies ? p_.walls.values.fields() : 0, int(p_.cycle.fitted) + 2*p_.cycle.full,
-        int(there.size())};
-    detail::appendBytes(words, &p_.clock.now, sizeof(ClockData));
-    detail::appendBytes(words, &stiffening, sizeof(stiffening));
+    Words words(p_.set.context, later && !p_.ranks,
+        {detail::stateMagic, detail::stateVersion, D, int(sizeof(real)), int(Backend::gpu), n,
+            p_.fluid.values.fields(), p_.shift, p_.cycle.steps, int(sizeof(ClockData)),
+            p_.walls.bodies ? p_.walls.count : 0, p_.walls.bodies ? p_.walls.values.fields() : 0,
+            int(p_.cycle.fitted) + 2*p_.cycle.full, int(there.size())});
+    words.add(&p_.clock.now, sizeof(ClockData));
+    words.add(&stiffening, sizeof(stiffening));
     std::size_t expected = words.size() + 1;
     for (int f = 0; f < p_.fluid.values.fields(); ++f)
         expected += (std::size_t(n)*p_.fluid.values.elementBytes(f) + 3)/4;
     const bool here = !p_.ranks || p_.ranks->first();
-    if (here) detail::reserveWords(words, expected);
-    const auto append = [&](FieldSet<Backend>& set, int count, bool divided)
-    {
-        for (int f = 0; f < set.fields(); ++f)
-        {
-            const std::size_t at = words.size(), bytes = std::size_t(count)*set.elementBytes(f);
-            if (here) words.resize(at + (bytes + 3)/4, 0);
-            if (divided) p_.ranks->gather(set, f, words.data() + at);
-            else if (here && count) p_.set.context.toHost(&words[at], set.bytes(f), bytes);
-        }
-    };
-    append(p_.fluid.values, n, bool(p_.ranks));
+    if (here) words.expect(expected);
+    addFields(words, p_.fluid.values, n, bool(p_.ranks));
     if (p_.walls.bodies && p_.wallRanks) p_.wallRanks->gather();
-    if (p_.walls.bodies) append(p_.walls.values, p_.walls.count, false);
+    if (p_.walls.bodies) addFields(words, p_.walls.values, p_.walls.count, false);
     if (p_.solids.side) saveSolids(words, ids, there);
     if (p_.ranks) p_.clock.read();
-    if (!here) return {};
-    words.push_back(detail::checksum(words, words.size()));
-    return words;
+    if (!here) return knownWords({});
+    return words.done();
+}
+
+//- Of several ranks the first has them
+template<class Backend, int D, class P>
+void SphCheckpoint<Backend, D, P>::addFields(
+    Words& words, FieldSet<Backend>& set, int count, bool divided)
+{
+    const bool here = !p_.ranks || p_.ranks->first();
+    for (int f = 0; f < set.fields(); ++f)
+    {
+        const std::size_t bytes = std::size_t(count)*set.elementBytes(f);
+        if (divided) p_.ranks->gather(set, f, here ? words.room((bytes + 3)/4) : nullptr);
+        else if (here) words.addOfDevice(set.bytes(f), bytes);
+    }
 }
 
 template<class Backend, int D, class P>
-void SphCheckpoint<Backend, D, P>::saveSolids(std::vector<std::int32_t>& words,
-    const std::vector<std::int32_t>& ids, const std::vector<int>& there)
+void SphCheckpoint<Backend, D, P>::saveSolids(
+    Words& words, const std::vector<std::int32_t>& ids, const std::vector<int>& there)
 {
-    for (const int key : there) words.push_back(ids[key]);
+    for (const int key : there) words.add(ids[key]);
     for (const auto* a :
         {&p_.solids.velocity, &p_.solids.acceleration, &p_.solids.force, &p_.solids.forceBefore})
     {
@@ -134,11 +140,9 @@ void SphCheckpoint<Backend, D, P>::saveSolids(std::vector<std::int32_t>& words,
         std::vector<real> values;
         for (const int key : there)
             values.insert(values.end(), &all[std::size_t(key)*D], &all[std::size_t(key)*D] + D);
-        detail::appendBytes(words, values.data(), values.size()*sizeof(real));
+        words.add(values.data(), values.size()*sizeof(real));
     }
-    const std::vector<std::int32_t> own = p_.solids.scene->saveState();
-    words.push_back(std::int32_t(std::uint32_t(own.size())));
-    words.insert(words.end(), own.begin(), own.end());
+    words.addState(p_.solids.scene->savedState(words.later()));
 }
 
 //- Is it a state of this scene? \return where solids begin in it

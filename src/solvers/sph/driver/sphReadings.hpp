@@ -4,6 +4,7 @@
 */
 #pragma once
 
+#include "core/backend/snapshot.hpp"
 #include "core/loops/reduceMax.hpp"
 #include "solvers/sph/driver/sphNeighbours.hpp"
 #include "solvers/sph/parts/sphReadBack.hpp"
@@ -26,7 +27,8 @@ public:
     {}
 
     // As SphScene has them
-    FluidState fluid();
+    FluidState fluid() { return fluid(false).take(); }
+    Later<FluidState> fluidLater() { return fluid(true); }
     WallState walls();
     SphEnergy energy();
     FluidExtremes extremes();
@@ -41,6 +43,8 @@ public:
 
 private:
 
+    Later<FluidState> fluid(bool later);
+
     SphParts<Backend, D, P>& p_;
     FluidPasses<Backend, D, P>& fluid_;
     WallPasses<Backend, D, P>& walls_;
@@ -48,38 +52,50 @@ private:
 };
 
 template<class Backend, int D, class P>
-FluidState SphReadings<Backend, D, P>::fluid()
+Later<FluidState> SphReadings<Backend, D, P>::fluid(bool later)
 {
     const int n = p_.fluid.active();
-    FluidState s;
-    std::vector<std::int64_t> x[D];
-    for (int d = 0; d < D; ++d)
-        x[d] = p_.fluid.values.template download<std::int64_t>(p_.set.context, p_.fluid.at.x + d);
-    p_.set.toMetres(x, n, s.position);
-    s.velocity.assign(3*std::size_t(n), 0.0);
+    Snapshot<Backend> now(p_.set.context, later && !p_.ranks);
+    FieldSet<Backend>& values = p_.fluid.values;
+    std::array<ReadValues<std::int64_t>, D> places;
+    std::array<ReadValues<real>, D> velocities;
     for (int d = 0; d < D; ++d)
     {
-        const auto v = p_.fluid.values.template download<real>(p_.set.context, p_.fluid.at.v + d);
+        places[d] = now.values(values.template data<std::int64_t>(p_.fluid.at.x + d), n);
+        velocities[d] = now.values(values.template data<real>(p_.fluid.at.v + d), n);
+    }
+    const auto deviations = now.values(values.template data<real>(p_.fluid.at.deviation), n);
+    const auto ids = now.values(values.template data<std::int32_t>(p_.fluid.at.id), n);
+    const auto all = [=, model = p_.set.model]
+    {
+        FluidState s;
+        std::vector<std::int64_t> x[D];
+        for (int d = 0; d < D; ++d) x[d] = places[d]();
+        p_.set.toMetres(x, n, s.position);
+        s.velocity.assign(3*std::size_t(n), 0.0);
+        for (int d = 0; d < D; ++d)
+        {
+            const std::vector<real> v = velocities[d]();
+            #pragma omp parallel for schedule(static) if (n > 10000)
+            for (int i = 0; i < n; ++i) s.velocity[3*std::size_t(i) + p_.set.config.axes[d]] = v[i];
+        }
+        const std::vector<real> deviation = deviations();
+        s.id = ids();
+        for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) v->resize(n);
         #pragma omp parallel for schedule(static) if (n > 10000)
-        for (int i = 0; i < n; ++i) s.velocity[3*std::size_t(i) + p_.set.config.axes[d]] = v[i];
-    }
-    const auto deviation = p_.fluid.values.template download<real>(
-        p_.set.context, p_.fluid.at.deviation);
-    s.id = p_.fluid.values.template download<std::int32_t>(p_.set.context, p_.fluid.at.id);
-    s.id.resize(n);
-    for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) v->resize(n);
-    #pragma omp parallel for schedule(static) if (n > 10000)
-    for (int i = 0; i < n; ++i)
-    {
-        s.density[i] = p_.set.config.density*(1 + double(deviation[i]));
-        s.pressure[i] = p_.set.model.eos.pressure(deviation[i]);
-        s.smoothingLength[i] = p_.set.model.smoothingLength(deviation[i]);
-    }
-    if (!p_.ranks) return s;
-    for (auto* v : {&s.position, &s.velocity}) p_.ranks->dropGhosts(*v, 3);
-    for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) p_.ranks->dropGhosts(*v, 1);
-    p_.ranks->dropGhosts(s.id, 1);
-    return s;
+        for (int i = 0; i < n; ++i)
+        {
+            s.density[i] = p_.set.config.density*(1 + double(deviation[i]));
+            s.pressure[i] = model.eos.pressure(deviation[i]);
+            s.smoothingLength[i] = model.smoothingLength(deviation[i]);
+        }
+        if (!p_.ranks) return s;
+        for (auto* v : {&s.position, &s.velocity}) p_.ranks->dropGhosts(*v, 3);
+        for (auto* v : {&s.density, &s.pressure, &s.smoothingLength}) p_.ranks->dropGhosts(*v, 1);
+        p_.ranks->dropGhosts(s.id, 1);
+        return s;
+    };
+    return takenOf<FluidState>(now.keeps() || !later, n, all);
 }
 
 template<class Backend, int D, class P>

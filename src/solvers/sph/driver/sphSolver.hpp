@@ -27,6 +27,7 @@ public:
     void interrupt() override { p_.interrupted = true; }
     double time() const override { return p_.clock.now.time; }
     FluidState fluid() override { return readings_.fluid(); }
+    Later<FluidState> fluidLater() override { return readings_.fluidLater(); }
     WallState walls() override { return readings_.walls(); }
     SphEnergy energy() override { return readings_.energy(); }
     FluidExtremes extremes() override { return readings_.extremes(); }
@@ -43,7 +44,10 @@ public:
     {
         return readings_.sample(points, planes);
     }
-    std::vector<std::int32_t> saveState() override { return checkpoint_.save(); }
+    Later<std::vector<std::int32_t>> savedState(bool later) override
+    {
+        return checkpoint_.save(later);
+    }
     void loadState(const std::vector<std::int32_t>& words) override { checkpoint_.load(words); }
     std::array<std::size_t, SphScene::speedClasses> fasterThan(
         const std::array<double, SphScene::speedClasses>& speeds) override

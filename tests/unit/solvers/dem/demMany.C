@@ -3,6 +3,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <future>
 #include <map>
 #include <set>
 #include <omp.h>
@@ -233,6 +234,17 @@ std::vector<double> fingerprint(DemScene& scene)
     return r;
 }
 
+void expectSame(const DemState& a, const DemState& b)
+{
+    EXPECT_EQ(a.id, b.id);
+    for (auto of : {&DemState::position, &DemState::velocity, &DemState::spin, &DemState::force,
+             &DemState::moment, &DemState::orientation, &DemState::radius, &DemState::mass})
+        EXPECT_EQ(a.*of, b.*of);
+    for (auto of : {&DemState::material, &DemState::group, &DemState::clump, &DemState::contacts,
+             &DemState::brokenBonds})
+        EXPECT_EQ(a.*of, b.*of);
+}
+
 //- A run that is saved and loaded goes on as the one that was not, bit for bit
 TEST_P(DemMany, RestartIsExact)
 {
@@ -248,6 +260,12 @@ TEST_P(DemMany, RestartIsExact)
         auto other = createDemScene(c, in);
         other->loadState(saved);
         EXPECT_EQ(fingerprint(*scene), fingerprint(*other));
+        const Later<std::vector<std::int32_t>> words = scene->savedState(true);
+        const Later<DemState> all = scene->particlesLater();
+        auto wordsThen = std::async(std::launch::async, words.take);
+        auto allThen = std::async(std::launch::async, all.take);
+        const std::vector<std::int32_t> wordsNow = other->saveState();
+        const DemState allNow = other->particles();
         for (int k = 0; k < 2; ++k)
         {
             r = scene->advance(1e9, 400);
@@ -257,6 +275,11 @@ TEST_P(DemMany, RestartIsExact)
             ASSERT_EQ(fingerprint(*scene), fingerprint(*other)) << D << "D, part " << k;
             EXPECT_EQ(scene->bonds().broken, other->bonds().broken);
         }
+        // what is taken while the scene moves on is what it was
+        EXPECT_EQ(words.size, wordsNow.size());
+        EXPECT_EQ(wordsThen.get(), wordsNow);
+        EXPECT_EQ(all.size, allNow.id.size());
+        expectSame(allThen.get(), allNow);
         std::vector<std::int32_t> bad = saved;
         bad[bad.size()/2] ^= 1;
         EXPECT_THROW(other->loadState(bad), std::invalid_argument);

@@ -172,6 +172,30 @@ TEST_P(PicFlow, AFlatSurfaceBeginsWithSlopeOne)
     }
 }
 
+//- In any order, some twice: what grid() has of them
+TEST_P(PicFlow, FieldsOfCellsAreThoseOfTheGrid)
+{
+    const PicConfig c = config(8);
+    const auto s = scene(c, box(c, {{0, 0, 0}}, {{0.5, 0.75, 1}}, everywhere), PicInside());
+    s->advance(1, 7);
+    const PicGridState g = s->grid();
+    std::vector<std::int32_t> cells;
+    for (int i = int(g.water.size()) - 1; i >= 0; i -= 2) cells.push_back(i);
+    for (int i = 0; i < int(g.water.size()); i += 3) cells.push_back(i);
+    std::vector<double> p(cells.size(), -1), u(3*cells.size(), -1), water(cells.size(), -1);
+    s->cellFields(cells.data(), cells.size(), {p.data(), u.data(), water.data()});
+    double fastest = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+        EXPECT_EQ(p[k], g.pressure[cells[k]]) << k;
+        EXPECT_EQ(water[k], g.water[cells[k]]) << k;
+        for (int d = 0; d < 3; ++d) EXPECT_EQ(u[3*k + d], g.velocity[3*cells[k] + d]) << k;
+        fastest = std::max(fastest, std::abs(u[3*k]));
+    }
+    EXPECT_GT(fastest, 0.1);
+    s->cellFields(nullptr, 0, {nullptr, nullptr, nullptr});
+}
+
 //- Taylor-Green vortices at Re 100, periodic: the error of the particles' velocities falls with
 //  second order (FLIP), faster (APIC)
 TEST_P(PicFlow, VorticesDecayWithSecondOrder)

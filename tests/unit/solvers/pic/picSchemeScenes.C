@@ -42,9 +42,15 @@ TEST_P(PicSchemeScenes, StatesGoOnToTheBit)
         const auto whole = column(with(card)), second = column(with(card));
         whole->advance(1, 6);
         const std::vector<std::int32_t> half = whole->saveState();
+        const auto words = whole->savedState(true);
+        const Later<FluidState> fluid = whole->fluidLater();
+        const FluidState fluidNow = whole->fluid();
         const PicReport report = whole->advance(1, 5);
         EXPECT_EQ(report.stop, StopReason::none) << card.word;
         EXPECT_GT(report.maxSpeed, 0.1) << card.word;
+        EXPECT_EQ(words.size, half.size()) << card.word;
+        EXPECT_EQ(words.take(), half) << card.word;
+        expectSameBits(fluid.take(), fluidNow);
         second->loadState(half);
         second->advance(1, 5);
         EXPECT_TRUE(whole->saveState() == second->saveState()) << card.word;

@@ -2,6 +2,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <future>
 #include "pic/bodyReference.hpp"
 #include "picSolidScene.hpp"
 #include "pic/bodies/ballUnion.hpp"
@@ -244,9 +245,19 @@ TEST_P(PicSolidScene, RestsOnTheFloorAndContinuesToTheBit)
     EXPECT_EQ(first->advance(0.1).stop, StopReason::none);
     const std::vector<std::int32_t> state = first->saveState();
     second->loadState(state);
+    const auto words = first->savedState(true);
+    const Later<FluidState> fluid = first->fluidLater();
+    auto wordsThen = std::async(std::launch::async, words.take);
+    auto fluidThen = std::async(std::launch::async, fluid.take);
+    const FluidState fluidNow = first->fluid();
     EXPECT_EQ(first->advance(0.2).stop, StopReason::none);
     second->advance(0.2);
     expectSameBits(first->fluid(), second->fluid());
+    // what is taken while the scene moves on is what it was
+    EXPECT_EQ(words.size, state.size());
+    EXPECT_EQ(wordsThen.get(), state);
+    EXPECT_EQ(fluid.size, fluidNow.id.size());
+    expectSameBits(fluidThen.get(), fluidNow);
     EXPECT_EQ(first->solids()->particles().position, second->solids()->particles().position);
     EXPECT_EQ(first->saveState(), second->saveState());
     if (D() == 3) return;

@@ -3,6 +3,7 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
+#include <future>
 #include "tankScene.hpp"
 
 namespace riprap
@@ -40,6 +41,11 @@ protected:
             reference->advance(0.05);
             reference->advance(0.06);
             EXPECT_EQ(reference->saveState(), saved);
+            const auto words = reference->savedState(true);
+            const Later<FluidState> fluid = reference->fluidLater();
+            auto wordsThen = std::async(std::launch::async, words.take);
+            auto fluidThen = std::async(std::launch::async, fluid.take);
+            const FluidState fluidNow = reference->fluid();
             for (const double t : {0.07, 0.1})
             {
                 const SphReport a = reference->advance(t), b = second->advance(t);
@@ -48,6 +54,11 @@ protected:
                 expectSameBits(reference->fluid(), second->fluid());
                 expectSameWalls(*reference, *second);
             }
+            // what is taken while the scene moves on is what it was
+            EXPECT_EQ(words.size, saved.size());
+            EXPECT_EQ(wordsThen.get(), saved);
+            EXPECT_EQ(fluid.size, fluidNow.id.size());
+            expectSameBits(fluidThen.get(), fluidNow);
             EXPECT_EQ(reference->energy().wallWork, second->energy().wallWork);
             EXPECT_EQ(reference->energy().wallPressureWork, second->energy().wallPressureWork);
             EXPECT_EQ(reference->saveState(), second->saveState());
