@@ -172,24 +172,21 @@ Foam::gridFields::gridFields(const fvMesh& mesh)
 
 void Foam::gridFields::update
 (
-    const riprap::PicGridState& state,
+    riprap::PicScene& scene,
     const labelList& cell,
     const riprap::PicConfig& config
 )
 {
-    scalarField& p = p_->primitiveFieldRef();
-    vectorField& U = U_->primitiveFieldRef();
-    scalarField& alpha = alpha_->primitiveFieldRef();
-
-    #pragma omp parallel for
-    for (label i = 0; i < cell.size(); ++i)
-    {
-        const std::size_t c = cell[i];
-        const double* u = &state.velocity[3*c];
-        p[i] = state.pressure[c];
-        U[i] = vector(u[0], u[1], u[2]);
-        alpha[i] = state.water[c];
-    }
+    scene.cellFields
+    (
+        cell.cdata(),
+        cell.size(),
+        {
+            p_->primitiveFieldRef().data(),
+            reinterpret_cast<scalar*>(U_->primitiveFieldRef().data()),
+            alpha_->primitiveFieldRef().data()
+        }
+    );
 
     p_->correctBoundaryConditions();
     setWallPressure(config);

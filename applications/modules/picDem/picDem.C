@@ -90,7 +90,7 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
 void Foam::solverModules::picDem::updateFields()
 {
     const wallTimes::part timed("fields");
-    fields_->update(scene_->grid(), grid_.gridCell(), settings_.config);
+    fields_->update(*scene_, grid_.gridCell(), settings_.config);
 }
 
 

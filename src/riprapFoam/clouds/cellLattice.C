@@ -9,6 +9,7 @@
 
 namespace Foam
 {
+    defineTypeNameAndDebug(latticeOfMesh, 0);
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -23,10 +24,26 @@ static constexpr scalar offPlane = 1e-10;
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
+//- The mesh need not know the faces of all cells for it
+Foam::boundBox Foam::cellLattice::firstCell(const polyMesh& mesh)
+{
+    boundBox box(boundBox::invertedBox);
+    const labelList& owner = mesh.faceOwner();
+    forAll(owner, f)
+    {
+        if (owner[f] == 0 || (mesh.isInternalFace(f) && mesh.faceNeighbour()[f] == 0))
+        {
+            box.add(mesh.points(), mesh.faces()[f]);
+        }
+    }
+    return box;
+}
+
+
 bool Foam::cellLattice::setPlanes(const polyMesh& mesh)
 {
     const boundBox whole(mesh.points(), false);
-    const boundBox first(mesh.cells()[0].points(mesh.faces(), mesh.points()), false);
+    const boundBox first(firstCell(mesh));
     scalar cells = 1;
     for (direction d = 0; d < 3; ++d)
     {
@@ -116,6 +133,13 @@ Foam::cellLattice::cellLattice(const polyMesh& mesh)
 }
 
 
+Foam::latticeOfMesh::latticeOfMesh(const polyMesh& mesh)
+:
+    MeshObject<polyMesh, Foam::GeometricMeshObject, latticeOfMesh>(mesh),
+    cells_(mesh)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::cellLattice::find(const point& p, scalar tolerance) const
@@ -143,6 +167,18 @@ Foam::label Foam::cellLattice::find(const point& p, scalar tolerance) const
         }
     }
     return first;
+}
+
+
+Foam::label Foam::cellLattice::nearest(const point& p, scalar tolerance) const
+{
+    point within(p);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!std::isfinite(p[d])) return -1;
+        within[d] = min(max(p[d], planes_[d].front()), planes_[d].back());
+    }
+    return find(within, tolerance);
 }
 
 

@@ -6,7 +6,7 @@
     products a particle, where the mesh's octree takes hundreds of tests in flat cells. A point on
     faces is in the first of the cells about it, wherever the search began. What this does not
     settle (cells with warped faces, a boundary on the way) the octree decides. Where all cells are
-    equal boxes and many points are asked for, their place tells the same (cellLattice).
+    equal boxes, a point's place tells the same (cellLattice).
 */
 
 #include "cellLattice.H"
@@ -14,7 +14,6 @@
 #include "DynamicList.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
-#include <memory>
 
 namespace Foam
 {
@@ -158,14 +157,15 @@ static labelList walkedTo
 }
 
 
-//- By place; -1: outside
-static labelList placedIn(const cellLattice& lattice, const pointField& points)
+//- By place; outside -1 or the nearest
+static labelList placedIn(const cellLattice& lattice, const pointField& points, bool nearest)
 {
     labelList cell(points.size());
     #pragma omp parallel for schedule(static) if (points.size() > 10000)
     for (label i = 0; i < points.size(); ++i)
     {
-        cell[i] = lattice.find(points[i], tolerance);
+        cell[i] = nearest ? lattice.nearest(points[i], tolerance)
+                          : lattice.find(points[i], tolerance);
     }
     return cell;
 }
@@ -193,17 +193,12 @@ Foam::labelList Foam::locateParticles
 {
     if (!mesh.nCells()) return labelList(points.size(), -1);
 
-    // To look at all cells pays for itself where there are so many points
-    std::unique_ptr<const cellLattice> found;
-    if (!lattice && points.size() > mesh.nCells()/4)
-    {
-        found = std::make_unique<const cellLattice>(mesh);
-        lattice = found.get();
-    }
-    const bool equal = lattice && *lattice;
+    const cellLattice& equal = lattice ? *lattice : latticeOfMesh::cells(mesh);
+    if (equal) return placedIn(equal, points, nearest);
+
     const labelList none;
     const labelList& guess = hint.size() == points.size() ? hint : none;
-    labelList cell(equal ? placedIn(*lattice, points) : walkedTo(mesh, points, guess));
+    labelList cell(walkedTo(mesh, points, guess));
 
     // The rest, one by one, but not those that are clear of the mesh
     boundBox around(mesh.bounds());

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 namespace Foam
 {
@@ -95,30 +96,40 @@ static void writeFields
 (
     const polyMesh& mesh,
     const writtenCloud& w,
-    const HashTable<Field<T>>& fields
+    const wordList& names,
+    HashTable<Field<T>> particleCloud::*fields
 )
 {
-    for (const word& field : fields.sortedToc())
+    for (const word& field : names)
     {
         if (!pictures::ofRun().holds(field)) continue;
 
-        const Field<T>& values = fields[field];
-        if (values.size() != w.cloud->size())
-        {
-            FatalErrorInFunction
-                << "field " << field << " of cloud " << w.cloud->name << " has "
-                << values.size() << " values for " << w.cloud->size() << " particles"
-                << exit(FatalError);
-        }
-        writtenFile file(cloudFile(mesh, w.cloud->name, field), IOField<T>::typeName, mesh.time());
+        writtenFile file(cloudFile(mesh, w.name, field), IOField<T>::typeName, mesh.time());
         file.add
         (
-            [cloud = w.cloud, order = w.order, &values](fileSink& sink, const listFormat& format)
+            [content = w.content, fields, field](fileSink& sink, const listFormat& format)
             {
-                writeList(sink, Field<T>(values, *order), format);
+                const cloudContent& c = content.get();
+                writeList(sink, Field<T>(((*c.cloud).*fields)[field], c.order), format);
             }
         );
         timeWriter::ofRun().put(std::move(file));
+    }
+}
+
+
+template<class T>
+static void checkSizes(const word& cloud, label n, const HashTable<Field<T>>& fields)
+{
+    forAllConstIters(fields, iter)
+    {
+        if (iter.val().size() == n) continue;
+
+        throw std::runtime_error
+        (
+            "field " + iter.key() + " of cloud " + cloud + " has "
+          + std::to_string(iter.val().size()) + " values for " + std::to_string(n) + " particles"
+        );
     }
 }
 
@@ -141,12 +152,12 @@ static IOobject propertiesFile(
 
 static void writeCloudProperties(const polyMesh& mesh, const writtenCloud& w)
 {
-    IOdictionary properties(propertiesFile(mesh, w.cloud->name, IOobject::NO_READ));
+    IOdictionary properties(propertiesFile(mesh, w.name, IOobject::NO_READ));
     properties.merge(w.properties);
     properties.add("geometry", cloud::geometryTypeNames[cloud::geometryType::POSITIONS]);
 
     dictionary count;
-    count.add("particleCount", w.cloud->size());
+    count.add("particleCount", w.size);
     properties.add(word("processor" + Foam::name(Pstream::myProcNo())), count);
 
     writtenFile file(
@@ -224,36 +235,83 @@ void Foam::sortByLabel(particleCloud& c, const word& field)
 }
 
 
+void Foam::particleCloud::requireSize(label n) const
+{
+    if (position.size() != n)
+    {
+        throw std::runtime_error
+        (
+            "cloud " + name + " has " + std::to_string(position.size()) + " particles, not "
+          + std::to_string(n)
+        );
+    }
+    checkSizes(name, n, labels);
+    checkSizes(name, n, scalars);
+    checkSizes(name, n, vectors);
+}
+
+
+Foam::writtenCloud::writtenCloud(const particleCloud& c)
+:
+    name(c.name),
+    size(c.size()),
+    labels(c.labels.sortedToc()),
+    scalars(c.scalars.sortedToc()),
+    vectors(c.vectors.sortedToc())
+{}
+
+
+void Foam::writtenCloud::hold(cloudContent&& there)
+{
+    const particleCloud& c = *there.cloud;
+    size = c.size();
+    try
+    {
+        c.requireSize(size);
+    }
+    catch (const std::runtime_error& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+    }
+    inOrder = ascending(idsOf(c), there.order);
+    std::promise<cloudContent> made;
+    made.set_value(std::move(there));
+    content = made.get_future().share();
+}
+
+
 void Foam::writeParticleCloud(const polyMesh& mesh, const writtenCloud& w)
 {
-    const particleCloud& c = *w.cloud;
-    IOobject positions(cloudFile(mesh, c.name, "positions"));
-    if (ascending(idsOf(c), *w.order)) positions.note() = inOrderOfIds;
+    IOobject positions(cloudFile(mesh, w.name, "positions"));
+    if (w.inOrder) positions.note() = inOrderOfIds;
     writtenFile file(positions, word("Cloud<passiveParticle>", false), mesh.time());
     file.add
     (
-        [cloud = w.cloud, order = w.order, cell = w.cell](fileSink& sink, const listFormat& format)
+        [content = w.content](fileSink& sink, const listFormat& format)
         {
-            writePositions(sink, pointField(cloud->position, *order), *cell, format);
+            const cloudContent& c = content.get();
+            writePositions(sink, pointField(c.cloud->position, c.order), c.cell, format);
         }
     );
     timeWriter::ofRun().put(std::move(file));
-    writeFields(mesh, w, c.labels);
-    writeFields(mesh, w, c.scalars);
-    writeFields(mesh, w, c.vectors);
+    writeFields(mesh, w, w.labels, &particleCloud::labels);
+    writeFields(mesh, w, w.scalars, &particleCloud::scalars);
+    writeFields(mesh, w, w.vectors, &particleCloud::vectors);
     writeCloudProperties(mesh, w);
 }
 
 
 void Foam::writeParticleCloud(const polyMesh& mesh, const particleCloud& c)
 {
-    writtenCloud w;
+    writtenCloud w(c);
     w.properties = c.properties;
-    w.cloud = std::make_shared<const particleCloud>(c);
-    w.order = std::make_shared<const labelList>(identity(c.size()));
-    w.cell = std::make_shared<const labelList>
+    w.hold
     (
-        c.cell.size() == c.size() ? c.cell : locateParticles(mesh, c.position, c.cell, true)
+        {
+            std::make_shared<const particleCloud>(c),
+            identity(c.size()),
+            c.cell.size() == c.size() ? c.cell : locateParticles(mesh, c.position, c.cell, true)
+        }
     );
     writeParticleCloud(mesh, w);
 }

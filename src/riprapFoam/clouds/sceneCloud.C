@@ -9,6 +9,7 @@
 #include "pictures.H"
 #include "timeWriter.H"
 #include "Time.H"
+#include <utility>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -51,18 +52,18 @@ Foam::labelList Foam::sceneCloud::locate
 (
     const pointField& position,
     const labelUList& id,
-    label& nOutside
+    label& nOutside,
+    const cellLattice& lattice
 ) const
 {
-    if (!lattice_) lattice_ = std::make_unique<const cellLattice>(mesh_);
     labelList before;
-    if (!*lattice_)
+    if (!lattice)
     {
         // setParticles numbers from 0: one label a particle that ever was
         cellOfId_.resize(max(cellOfId_.size(), id.empty() ? 0 : max(id) + 1), -1);
         before = labelList(cellOfId_, id);
     }
-    labelList cell(locateParticles(mesh_, position, before, false, lattice_.get()));
+    labelList cell(locateParticles(mesh_, position, before, false, &lattice));
 
     DynamicList<label> outside;
     forAll(cell, i)
@@ -78,7 +79,7 @@ Foam::labelList Foam::sceneCloud::locate
     const labelList nearest
     (
         locateParticles(
-            mesh_, pointField(position, outside), labelList(), true, lattice_.get())
+            mesh_, pointField(position, outside), labelList(), true, &lattice)
     );
     forAll(outside, i)
     {
@@ -112,6 +113,86 @@ const Foam::particleCloud& Foam::sceneCloud::fetch() const
 }
 
 
+std::function<void(Foam::particleCloud&)> Foam::sceneCloud::fillLater
+(
+    particleCloud&,
+    label&
+) const
+{
+    return nullptr;
+}
+
+
+Foam::writtenCloud Foam::sceneCloud::writtenNow(label& outside) const
+{
+    const particleCloud& particles = fetch();
+    const labelField& id = particles.labels[idField()];
+    cloudContent content;
+    content.cloud = particles_;
+    content.order = orderOf(id);
+    outside = outside_;
+    content.cell = Pstream::parRun()
+      ? labelList(labelField(particles.cell, content.order))
+      : locate
+        (
+            pointField(particles.position, content.order),
+            labelList(id, content.order),
+            outside,
+            latticeOfMesh::cells(mesh_)
+        );
+    writtenCloud written(particles);
+    written.hold(std::move(content));
+    return written;
+}
+
+
+//- Cells by place alone: other ways to them change what the mesh keeps.
+//  Without content: it is to be made now
+Foam::writtenCloud Foam::sceneCloud::writtenLater() const
+{
+    particleCloud names(name());
+    writtenCloud written(names);
+    if (particles_ || Pstream::parRun() || !timeWriter::ofRun().fillsLater()) return written;
+
+    const cellLattice& lattice = latticeOfMesh::cells(mesh_);
+    if (!lattice) return written;
+
+    auto fill = fillLater(names, written.size);
+    if (!fill) return written;
+
+    const label size = written.size;
+    written = writtenCloud(names);
+    written.size = size;
+    written.inOrder = true;
+    auto make =
+        [fill = std::move(fill), this, &lattice, size, at = time().timeName()]() mutable
+        {
+            auto particles = std::make_shared<particleCloud>(name());
+            // What it holds on the device is given back with it
+            std::exchange(fill, nullptr)(*particles);
+            particles->requireSize(size);
+            const labelField& id = particles->labels[idField()];
+            cloudContent content;
+            content.order = orderOf(id);
+            label outside = 0;
+            content.cell =
+                locate(pointField(particles->position, content.order), id, outside, lattice);
+            content.cloud = std::move(particles);
+            if (outside)
+            {
+                timeWriter::ofRun().tell
+                (
+                    "Time " + at + ": " + std::to_string(outside)
+                  + " of the written particles are outside the mesh"
+                );
+            }
+            return content;
+        };
+    written.content = std::async(std::launch::deferred, std::move(make)).share();
+    return written;
+}
+
+
 bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
 {
     // First, since the scene then goes on as one that was given this state
@@ -119,34 +200,19 @@ bool Foam::sceneCloud::writeAs(const IOstreamOption&, bool) const
     writeState(picture);
     if (!picture) particles_.reset();
 
-    const particleCloud& particles = fetch();
-    const labelField& id = particles.labels[idField()];
-    const labelList order(orderOf(id));
-    label nOutside = outside_;
-    writtenCloud written;
-    written.cell = std::make_shared<const labelList>
-    (
-        Pstream::parRun()
-      ? labelList(labelField(particles.cell, order))
-      : locate
-        (
-            pointField(particles.position, order),
-            labelList(id, order),
-            nOutside
-        )
-    );
-    written.cloud = particles_;
-    written.order = std::make_shared<const labelList>(order);
+    label outside = 0;
+    writtenCloud written(writtenLater());
+    if (!written.content.valid()) written = writtenNow(outside);
     addProperties(written.properties);
     writeParticleCloud(mesh_, written);
     if (timeWriter::ofRun().onTrial()) return true;
 
     Info<< "Written " << time().timeName() << ": "
-        << returnReduce(particles.size(), sumOp<label>()) << " particles"
+        << returnReduce(written.size, sumOp<label>()) << " particles"
         << (picture ? ", a picture" : "");
-    if (nOutside)
+    if (outside)
     {
-        Info<< ", " << nOutside << " of them outside the mesh";
+        Info<< ", " << outside << " of them outside the mesh";
     }
     Info<< nl << endl;
 

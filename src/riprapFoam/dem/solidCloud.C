@@ -10,6 +10,7 @@
 #include "quaternion.H"
 #include "sceneState.H"
 #include "solidFiles.H"
+#include "timeWriter.H"
 #include <algorithm>
 
 namespace Foam
@@ -241,7 +242,33 @@ const Foam::word& Foam::solidCloud::idField() const
 void Foam::solidCloud::fill(particleCloud& particles) const
 {
     const riprap::DemState now(ownParticles());
+    take(now, now.orientation.size(), particles);
+}
 
+
+std::function<void(Foam::particleCloud&)> Foam::solidCloud::fillLater
+(
+    particleCloud& names,
+    label& size
+) const
+{
+    take(riprap::DemState(), settings_.config.orientation, names);
+    const riprap::Later<riprap::DemState> solids(part_.particlesLater());
+    size = label(solids.size);
+    return [this, asItIs = solids.take](particleCloud& particles)
+    {
+        take(asItIs(), settings_.config.orientation, particles);
+    };
+}
+
+
+void Foam::solidCloud::take
+(
+    const riprap::DemState& now,
+    bool turned,
+    particleCloud& particles
+) const
+{
     particles.position = toVectors(now.position);
     particles.vectors.set("U", toVectors(now.velocity));
     particles.vectors.set("omega", toVectors(now.spin));
@@ -265,7 +292,7 @@ void Foam::solidCloud::fill(particleCloud& particles) const
     {
         particles.labels.set("clump", toField<label>(now.clump));
     }
-    if (now.orientation.size())
+    if (turned)
     {
         particles.vectors.set("turned", rotationVectors(now.orientation));
     }
@@ -284,7 +311,7 @@ void Foam::solidCloud::writeState(bool picture) const
 {
     if (writesState_ && !picture)
     {
-        std::vector<std::int32_t> words(scene_.saveState());
+        stateWords words(scene_.savedState(timeWriter::ofRun().fillsLater()));
         if (Pstream::master())
         {
             writeStateWords(time(), demRestart::stateFile, std::move(words));

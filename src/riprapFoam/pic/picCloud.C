@@ -5,6 +5,7 @@
 
 #include "picCloud.H"
 #include "Time.H"
+#include "timeWriter.H"
 
 namespace Foam
 {
@@ -31,14 +32,31 @@ Foam::picCloud::picCloud
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::picCloud::fill(particleCloud& particles) const
+void Foam::picCloud::take(const riprap::FluidState& fluid, particleCloud& particles)
 {
-    const riprap::FluidState fluid(part_.fluid());
-
     particles.position = toVectors(fluid.position);
     particles.vectors.set("U", toVectors(fluid.velocity));
     particles.scalars.set("p", toField<scalar>(fluid.pressure));
     particles.labels.set("id", toField<label>(fluid.id));
+}
+
+
+void Foam::picCloud::fill(particleCloud& particles) const
+{
+    take(part_.fluid(), particles);
+}
+
+
+std::function<void(Foam::particleCloud&)> Foam::picCloud::fillLater
+(
+    particleCloud& names,
+    label& size
+) const
+{
+    take(riprap::FluidState(), names);
+    const riprap::Later<riprap::FluidState> fluid(part_.fluidLater());
+    size = label(fluid.size);
+    return [asItIs = fluid.take](particleCloud& particles) { take(asItIs(), particles); };
 }
 
 
@@ -53,7 +71,7 @@ void Foam::picCloud::writeState(bool picture) const
     if (picture) return;
 
     // Of several processes the first has all of it
-    std::vector<std::int32_t> words(scene_.saveState());
+    stateWords words(scene_.savedState(timeWriter::ofRun().fillsLater()));
     if (!Pstream::master()) return;
 
     writePicState(time(), std::move(words));

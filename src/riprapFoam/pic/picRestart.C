@@ -88,7 +88,7 @@ std::vector<std::int32_t> readPicState(const Time& time)
 }
 
 
-void writePicState(const Time& time, std::vector<std::int32_t>&& words)
+void writePicState(const Time& time, stateWords&& words)
 {
     writeStateWords(time, "picState", std::move(words));
 }

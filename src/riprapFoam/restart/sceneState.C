@@ -12,9 +12,11 @@
 #include "OSspecific.H"
 #include "DynamicList.H"
 #include "timeWriter.H"
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <stdexcept>
 
 std::size_t Foam::stateListSize = std::size_t(1) << 30;
 
@@ -24,9 +26,34 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static label hashOf(const std::vector<std::int32_t>& words)
+//- Of all words in order. States of any length once began with it, and are still read
+static label serialHash(const std::vector<std::int32_t>& words)
 {
     return label(Hasher(words.data(), words.size()*sizeof(words[0]), 0));
+}
+
+
+//- Of more than a block that of the blocks' hashes, which threads find at once
+static label hashOf(const std::vector<std::int32_t>& words)
+{
+    const std::size_t block = 1 << 18;
+    if (words.size() <= block) return serialHash(words);
+
+    const std::size_t blocks = (words.size() + block - 1)/block;
+    std::vector<std::int32_t> hashes(blocks);
+    #pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < blocks; ++k)
+    {
+        const std::size_t from = k*block, n = std::min(block, words.size() - from);
+        hashes[k] = std::int32_t(Hasher(&words[from], n*sizeof(words[0]), 0));
+    }
+    return serialHash(hashes);
+}
+
+
+static bool fits(const std::vector<std::int32_t>& words, label hash)
+{
+    return hash == hashOf(words) || hash == serialHash(words);
 }
 
 
@@ -57,7 +84,7 @@ bool wordsReader::read(std::vector<std::int32_t>& words)
         if (all.size() >= 2)
         {
             words.assign(all.begin() + 2, all.end());
-            good = all[0] == label(words.size()) && all[1] == hashOf(words);
+            good = all[0] == label(words.size()) && fits(words, all[1]);
         }
     }
     else
@@ -75,7 +102,7 @@ bool wordsReader::read(std::vector<std::int32_t>& words)
             head.size() == 3
          && std::uint32_t(head[0]) == std::uint32_t(words.size())
          && std::uint32_t(head[1]) == std::uint32_t(uint64_t(words.size()) >> 32)
-         && head[2] == hashOf(words);
+         && fits(words, head[2]);
     }
     close();
     return good;
@@ -313,10 +340,10 @@ void writeStateWords
 (
     const Time& time,
     const word& name,
-    std::vector<std::int32_t>&& words
+    stateWords&& words
 )
 {
-    const bool one = words.size() + 2 <= stateListSize;
+    const bool one = words.size + 2 <= stateListSize;
     writtenFile file
     (
         stateObject(time, name),
@@ -324,11 +351,17 @@ void writeStateWords
         IOstream::BINARY,
         IOstream::UNCOMPRESSED
     );
-    const auto kept =
-        std::make_shared<const std::vector<std::int32_t>>(std::move(words));
     file.add
     (
-        [kept](fileSink& sink, const listFormat&) { writeLists(sink, *kept); }
+        [words = std::move(words)](fileSink& sink, const listFormat&)
+        {
+            const std::vector<std::int32_t> all(words.take());
+            if (all.size() != words.size)
+            {
+                throw std::runtime_error("The exact state is not as long as it was said to be");
+            }
+            writeLists(sink, all);
+        }
     );
     timeWriter::ofRun().put(std::move(file));
 }

@@ -6,6 +6,7 @@
 #include "fluidCloud.H"
 #include "sceneState.H"
 #include "Time.H"
+#include "timeWriter.H"
 
 namespace Foam
 {
@@ -32,16 +33,33 @@ Foam::fluidCloud::fluidCloud
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::fluidCloud::fill(particleCloud& particles) const
+void Foam::fluidCloud::take(const riprap::FluidState& fluid, particleCloud& particles)
 {
-    const riprap::FluidState fluid(part_.fluid());
-
     particles.position = toVectors(fluid.position);
     particles.vectors.set("U", toVectors(fluid.velocity));
     particles.scalars.set("rho", toField<scalar>(fluid.density));
     particles.scalars.set("p", toField<scalar>(fluid.pressure));
     particles.scalars.set("h", toField<scalar>(fluid.smoothingLength));
     particles.labels.set("id", toField<label>(fluid.id));
+}
+
+
+void Foam::fluidCloud::fill(particleCloud& particles) const
+{
+    take(part_.fluid(), particles);
+}
+
+
+std::function<void(Foam::particleCloud&)> Foam::fluidCloud::fillLater
+(
+    particleCloud& names,
+    label& size
+) const
+{
+    take(riprap::FluidState(), names);
+    const riprap::Later<riprap::FluidState> fluid(part_.fluidLater());
+    size = label(fluid.size);
+    return [asItIs = fluid.take](particleCloud& particles) { take(asItIs(), particles); };
 }
 
 
@@ -58,7 +76,7 @@ void Foam::fluidCloud::writeState(bool picture) const
     if (picture) return;
 
     // Of several processes the first has all of it
-    std::vector<std::int32_t> words(scene_.saveState());
+    stateWords words(scene_.savedState(timeWriter::ofRun().fillsLater()));
     if (!Pstream::master()) return;
 
     writeSphState(time(), std::move(words));

@@ -64,7 +64,7 @@ std::vector<std::int32_t> readSphState(const Time& time)
 }
 
 
-void writeSphState(const Time& time, std::vector<std::int32_t>&& words)
+void writeSphState(const Time& time, stateWords&& words)
 {
     writeStateWords(time, "sphState", std::move(words));
 }

@@ -22,6 +22,38 @@ void Foam::fileSink::put(const char* data, std::size_t n)
 }
 
 
+//- Whole blocks: another thread adds them up meanwhile, where there is one
+void Foam::fileSink::putBlocks(const char* data, std::size_t blocks)
+{
+    const auto at = [data](std::size_t k) { return data + k*fileSum::block; };
+    if (threads_ == 1 || !file_ || blocks < 4)
+    {
+        for (std::size_t k = 0; k < blocks; ++k) put(at(k), fileSum::block);
+        return;
+    }
+    std::future<unsigned> sum = std::async
+    (
+        std::launch::async,
+        [at, blocks, before = sum_.sum]()
+        {
+            unsigned all = before;
+            for (std::size_t k = 0; k < blocks; ++k)
+            {
+                all = Hasher(at(k), fileSum::block, all);
+            }
+            return all;
+        }
+    );
+    for (std::size_t k = 0; k < blocks; ++k)
+    {
+        file_->stdStream().write(at(k), fileSum::block);
+        requireGood();
+    }
+    sum_.sum = sum.get();
+    sum_.bytes += blocks*fileSum::block;
+}
+
+
 void Foam::fileSink::requireGood() const
 {
     if (file_->stdStream().good()) return;
@@ -74,9 +106,10 @@ void Foam::fileSink::write(const char* data, std::size_t n)
     {
         if (block_.empty() && n >= fileSum::block)
         {
-            put(data, fileSum::block);
-            data += fileSum::block;
-            n -= fileSum::block;
+            const std::size_t blocks = n/fileSum::block;
+            putBlocks(data, blocks);
+            data += blocks*fileSum::block;
+            n -= blocks*fileSum::block;
             continue;
         }
         const std::size_t part = std::min(n, fileSum::block - block_.size());

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fcntl.h>
+#include <omp.h>
 #include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -35,6 +36,8 @@ int Foam::timeWriter::threadsBeside = std::max(1, std::min(8, cores()/4));
 //- A thread's life
 void Foam::timeWriter::work()
 {
+    // Where cores are free, what is written is made by some of them at once
+    omp_set_num_threads(threadsBeside);
     std::unique_lock<std::mutex> locked(lock_);
     for (;;)
     {
@@ -106,14 +109,15 @@ std::string Foam::timeWriter::tried(const job& work) const
 }
 
 
-//- The last file of a time is formatted by those that have nothing else to do
+//- The last file of a time is formatted by those that have nothing else to do; one thread beside
+//  another adds up what it writes
 int Foam::timeWriter::threadsOfFile()
 {
     if (!freeCores_) return 1;
 
     const std::lock_guard<std::mutex> locked(lock_);
     const bool last = running_ == 1 && (tasks_.empty() || tasks_.front().alone);
-    return last ? threadsBeside : 1;
+    return last ? threadsBeside : std::min(2, threadsBeside);
 }
 
 
@@ -261,8 +265,29 @@ std::string Foam::timeWriter::fault()
 }
 
 
+void Foam::timeWriter::tell(const std::string& what)
+{
+    if (onTrial()) return;
+
+    const std::lock_guard<std::mutex> locked(lock_);
+    told_.push_back(what);
+}
+
+
+void Foam::timeWriter::logTold()
+{
+    std::vector<std::string> told;
+    {
+        const std::lock_guard<std::mutex> locked(lock_);
+        told.swap(told_);
+    }
+    for (const std::string& what : told) Info<< what.c_str() << nl << endl;
+}
+
+
 void Foam::timeWriter::check()
 {
+    logTold();
     const std::string failure(fault());
     if (!failure.empty())
     {
@@ -303,6 +328,7 @@ Foam::timeWriter::session::~session()
 {
     // Another error may end the run: this one is told beside it
     const std::string failure(ofRun().settled());
+    ofRun().logTold();
     if (!failure.empty())
     {
         WarningInFunction << failure.c_str() << endl;

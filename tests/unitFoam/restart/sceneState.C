@@ -20,7 +20,7 @@ namespace
             IOdictionary run(stateObject(time(), "run"));
             run.add("steps", exact(scalar(12)));
             writeState(run);
-            writeStateWords(time(), "words", {1, -2, 2147483647});
+            writeStateWords(time(), "words", riprap::knownWords({1, -2, 2147483647}));
             timeWriter::ofRun().wait();
         }
 
