@@ -1,5 +1,5 @@
 /*  FluidScene::farEnd on a device. Where has `double x(int d, int i)`: component d of particle i
-    [m].
+    [m], and `bool skips(int i)`: is it another rank's?
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include "core/loops/collect.hpp"
 #include "core/loops/reduceMax.hpp"
 #include "core/simd/vec.hpp"
@@ -25,6 +26,7 @@ struct AlongDirection
 
     HD double value(int i) const
     {
+        if (where.skips(i)) return 0;
         double s = -from;
         for (int d = 0; d < D; ++d) s += direction.c[d]*where.x(d, i);
         return s > 0 ? s : 0;
@@ -38,7 +40,7 @@ struct FarParticles
     double least;
     double* position;           // D components each
 
-    HD bool wanted(int i) const { return along.value(i) >= least; }
+    HD bool wanted(int i) const { return !along.where.skips(i) && along.value(i) >= least; }
     HD void put(int i, int k) const
     {
         for (int d = 0; d < D; ++d) position[D*std::size_t(k) + d] = along.where.x(d, i);
@@ -46,11 +48,12 @@ struct FarParticles
 };
 
 //- n particles in a domain whose corners are known; empty: the coordinate along the direction that
-//  is not solved in 2D
+//  is not solved in 2D; ofAll: the largest of a number of all ranks
 template<class Backend, int D, class Where>
 FluidEnd farEndOf(Context<Backend>& context, int n, const Where& where, const int* axes,
     const Vector3& direction, double reach, const Vec<D, double>& lower,
-    const Vec<D, double>& upper, double empty)
+    const Vec<D, double>& upper, double empty,
+    const std::function<double(double)>& ofAll = nullptr)
 {
     AlongDirection<D, Where> along{where, {}, 0};
     double length = 0;
@@ -65,7 +68,8 @@ FluidEnd farEndOf(Context<Backend>& context, int n, const Where& where, const in
     FluidEnd end;
     end.particles = n;
     const double rounding = 1e-12*(length + std::abs(along.from));
-    FarParticles<D, Where> far{along, reduceMax(context, n, along) - reach - rounding, nullptr};
+    const double most = reduceMax(context, n, along);
+    FarParticles<D, Where> far{along, (ofAll ? ofAll(most) : most) - reach - rounding, nullptr};
     Array<Backend, double> room;
     const int m = collect(context, n, far, [&](int count)
     {

@@ -68,6 +68,7 @@ struct ParticlePlaces
     PicParticles<D, R> particles;
 
     HD double x(int d, int i) const { return grid.origin[d] + particles.x[d][i]; }
+    HD bool skips(int) const { return false; }
 };
 
 //- Where particles are, as samples are asked for: above the block's corner

@@ -172,16 +172,20 @@ FluidExtremes SphReadings<Backend, D, P>::extremes()
 template<class Backend, int D, class P>
 FluidEnd SphReadings<Backend, D, P>::farEnd(const Vector3& direction, double reach)
 {
-    if (p_.ranks) return p_.ranks->farEnd(fluid().position, direction, reach);
     Vec<D, double> lower, upper;
     for (int d = 0; d < D; ++d)
     {
         lower.c[d] = p_.set.box.lower[d];
         upper.c[d] = p_.set.box.lower[d] + p_.set.box.length[d];
     }
-    return farEndOf<Backend, D>(p_.set.context, p_.fluid.active(),
-        FluidPlaces<D, P>{p_.set.box, p_.fluid.fields()}, p_.set.config.axes, direction, reach,
-        lower, upper, p_.set.emptyCoordinate);
+    const int n = p_.fluid.active();
+    std::function<double(double)> ofAll;
+    if (p_.ranks) ofAll = [this](double here) { return p_.ranks->largest(here); };
+    FluidEnd end = farEndOf<Backend, D>(p_.set.context, n,
+        FluidPlaces<Backend, D, P>{p_.set.box, p_.fluid.fields(), p_.ghosts()},
+        p_.set.config.axes, direction, reach, lower, upper, p_.set.emptyCoordinate, ofAll);
+    if (p_.ranks) end.particles = p_.ranks->owned();
+    return end;
 }
 
 template<class Backend, int D, class P>

@@ -148,9 +148,10 @@ public:
     void sum(ClockData&, double& stiffening) const;
     //- A field of all particles, on the first rank, in the order of one process
     void gather(FieldSet<Backend>&, int field, std::int32_t* to) const;
-    //- Those of this rank within reach of where the fluid of all ranks ends. x: all of this rank,
-    //  three coordinates each
-    FluidEnd farEnd(const std::vector<double>& x, const Vector3& direction, double reach) const;
+    //- The largest of all ranks
+    double largest(double here) const { return largestOfRanks(ranks(), here); }
+    //- How many particles are this rank's own
+    std::size_t owned() const;
     //- A state that the first rank has, on all of them
     std::vector<std::int32_t> ofFirst(const std::vector<std::int32_t>& words) const;
 
@@ -314,6 +315,14 @@ void FluidRanks<Backend, D, P>::dropGhosts(std::vector<T>& v, int each) const
 }
 
 template<class Backend, int D, class P>
+std::size_t FluidRanks<Backend, D, P>::owned() const
+{
+    std::size_t n = 0;
+    for (int i = 0; i < exchange_.residents(); ++i) n += !ghost(i);
+    return n;
+}
+
+template<class Backend, int D, class P>
 void FluidRanks<Backend, D, P>::report(SphReport& report)
 {
     report.fluid = std::size_t(exchange_.total());
@@ -386,27 +395,6 @@ void FluidRanks<Backend, D, P>::gather(FieldSet<Backend>& set, int field, std::i
             takeValues(from, &number);
             takeValues(from, reinterpret_cast<unsigned char*>(to) + number*each, each);
         }
-}
-
-template<class Backend, int D, class P>
-FluidEnd FluidRanks<Backend, D, P>::farEnd(
-    const std::vector<double>& x, const Vector3& direction, double reach) const
-{
-    FluidEnd end;
-    end.particles = x.size()/3;
-    std::vector<double> along(end.particles, 0.0);
-    double most = -1e300, size = 0;
-    for (int d = 0; d < D; ++d) size += std::abs(s_.box.lower[d]) + 2*s_.box.length[d];
-    for (std::size_t i = 0; i < along.size(); ++i)
-    {
-        for (int d = 0; d < D; ++d)
-            along[i] += direction[s_.config.axes[d]]*x[3*i + s_.config.axes[d]];
-        most = std::max(most, along[i]);
-    }
-    const double least = largestOfRanks(ranks(), most) - reach - 1e-12*size;
-    for (std::size_t i = 0; i < along.size(); ++i)
-        if (along[i] >= least) end.position.insert(end.position.end(), &x[3*i], &x[3*i] + 3);
-    return end;
 }
 
 template<class Backend, int D, class P>

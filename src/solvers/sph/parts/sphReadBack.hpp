@@ -72,11 +72,14 @@ struct FluidDeviation
     HD double value(int i) const { return fabs(double(fluid.deviation[i])); }
 };
 
-template<int D, class P>
+template<class Backend, int D, class P>
 struct FluidPlaces
 {
     Box<D, P> box;
     FluidFields<D, P> fluid;
+    GhostMarks<Backend> ghosts;
+
+    HD bool skips(int i) const { return ghosts(i); }
 
     HD double x(int d, int i) const { return box.toMetres(d, fluid.x[d][i]); }
 };
