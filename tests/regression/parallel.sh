@@ -155,6 +155,21 @@ for t in 0.005 0.01; do same "disks.$t" . $t ../one $t; done
 sameTables disks.tables . ../one
 reconstructPar >log 2>&1
 same disks.reconstructed . 0.01 ../one 0.01 --whole --close
+# Older times go when those of all processes are there, written while the run goes on or not
+for how in yes no
+do
+    rm -rf processor*/0.0*
+    control 0.01 0.005 "purgeWrite 1; writeAsynchronously $how;"
+    onRanks 2 >log 2>&1
+    left=$(echo processor*/0.0*)
+    if [[ $left == 'processor0/0.01 processor1/0.01' ]]
+    then
+        pass "disks.purge.$how"
+    else
+        fail "disks.purge.$how" "$left"
+    fi
+    same "disks.purged.$how" . 0.01 ../one 0.01
+done
 cd ..; rm -rf one
 
 # Spheres that roll over a cylinder among walls: 3 processes, which go on; then one, then two

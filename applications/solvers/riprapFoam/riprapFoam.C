@@ -71,10 +71,10 @@ static void checkParallel(const argList& args)
 
 
 //- All that has been written so far is there
-static void waitForWriting()
+static void waitForWriting(caseTime& runTime)
 {
     const wallTimes::part timed("waiting for writing");
-    timeWriter::ofRun().wait();
+    runTime.settle();
 }
 
 
@@ -103,9 +103,9 @@ static bool goesOn(caseTime& runTime, timePlan& plan)
 {
     if (filesAreRead(runTime))
     {
-        waitForWriting();
+        waitForWriting(runTime);
     }
-    timeWriter::ofRun().check();
+    runTime.checkWriting();
 
     bool more;
     {
@@ -184,7 +184,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
         if (signal || runTime.writeTime())
         {
-            waitForWriting();
+            waitForWriting(runTime);
         }
         const wallTimes::part timed("writing");
         if (signal)
@@ -200,7 +200,7 @@ static void runLoop(caseTime& runTime, solverModule& module)
 
         runTime.printExecutionTime(Info);
     }
-    waitForWriting();
+    waitForWriting(runTime);
     wallTimes::ofRun().write(runTime, timeWriter::ofRun().seconds());
 }
 

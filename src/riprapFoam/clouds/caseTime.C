@@ -176,11 +176,11 @@ bool Foam::caseTime::writeAs(const IOstreamOption& how, bool valid) const
     }
 
     pictures::ofRun().next(*this, lastWrite());
+    const_cast<caseTime&>(*this).settle();
     timeWriter::ofRun().begin
     (
         timePath(),
-        !Pstream::parRun()
-     && controlDict().getOrDefault<bool>("writeAsynchronously", true)
+        controlDict().getOrDefault<bool>("writeAsynchronously", true)
     );
     writing_ = timePath();
 
@@ -287,10 +287,34 @@ void Foam::caseTime::finishWrite()
         return;
     }
 
-    // Older times go when that of all processes is whole
     writer.finish(fileNameList(), pictures::ofRun().now(), required_);
-    stopIfAny(writer.settled());
-    for (const fileName& path : older) rmDir(path, true);
+    retired_.append(older);
+    if (!controlDict().getOrDefault<bool>("writeAsynchronously", true)) settle();
+}
+
+
+void Foam::caseTime::settle()
+{
+    if (!Pstream::parRun())
+    {
+        timeWriter::ofRun().wait();
+        return;
+    }
+    stopIfAny(timeWriter::ofRun().settled());
+    for (const fileName& path : retired_) rmDir(path, true);
+    retired_.clear();
+}
+
+
+void Foam::caseTime::checkWriting() const
+{
+    if (!Pstream::parRun())
+    {
+        timeWriter::ofRun().check();
+        return;
+    }
+    timeWriter::ofRun().logTold();
+    stopIfAny(timeWriter::ofRun().fault());
 }
 
 
