@@ -291,7 +291,7 @@ $library } forces { type solidWallForce; $library } }"
 tank2; solids ''; control 'endTime 1000; writeInterval 1000;'
 fill "pile { $glass source box; box (0.04 0 0) (0.09 0.05 0.01); packing layers; \
 velocity (0.1 0 0); }"
-riprapFoam >log 2>&1 & pid=$!
+rm -f log; riprapFoam >log 2>&1 & pid=$!
 for ((i = 0; i < 300; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
 kill -INT $pid; wait $pid && pass interruptStatus || fail interruptStatus "exit status $?"
 says interrupt 'Stopping on SIGINT: writing this time'

@@ -349,12 +349,12 @@ rmdir elsewhere
 stopped()   # NAME STATUS PATTERN COMMAND...
 {
     local name=$1 expected=$2 pattern=$3 pid status; shift 3
-    rm -rf 0.*; control startTime 1000; sed -i 's/sampleInterval 0.005/sampleInterval 0.05; '\
+    rm -rf 0.* log; control startTime 1000; sed -i 's/sampleInterval 0.005/sampleInterval 0.05; '\
 'runTimeModifiable yes/; s/writeInterval 0.005/writeInterval 500/' system/controlDict
     touch -d '100 seconds ago' system/controlDict
     sph 'walls { patches (".*"); }'
     riprapFoam >log 2>&1 & pid=$!
-    for ((i = 0; i < 1200; ++i)); do grep -q '^Time = ' log && break; sleep 0.1; done
+    for ((i = 0; i < 1200; ++i)); do grep -q '^Time = ' log 2>/dev/null && break; sleep 0.1; done
     "$@"
     for ((i = 0; i < 600; ++i)); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
     kill -9 $pid 2>/dev/null
