@@ -22,7 +22,7 @@ namespace riprap
 using ReadBytes = std::function<void(void* to)>;
 template<class T> using ReadValues = std::function<std::vector<T>()>;
 
-inline ReadBytes readKept(std::shared_ptr<const std::vector<unsigned char>> bytes)
+inline ReadBytes readKept(const std::shared_ptr<const std::vector<unsigned char>>& bytes)
 {
     return [bytes](void* to)
     { if (!bytes->empty()) std::memcpy(to, bytes->data(), bytes->size()); };
@@ -118,7 +118,7 @@ public:
         if (!n) return [](void*) {};
         if (!keeps_)
             return [context = &context_, from, n](void* to) { context->toHost(to, from, n); };
-        if (const ReadBytes copy = copies_.keep(context_, from, n)) return copy;
+        if (ReadBytes copy = copies_.keep(context_, from, n)) return copy;
         const auto there = std::make_shared<std::vector<unsigned char>>(n);
         context_.toHost(there->data(), from, n);
         return readKept(there);

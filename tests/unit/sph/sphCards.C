@@ -538,16 +538,16 @@ TEST(SphCards, RareTermsCostNothingUnlessChosen)
         std::vector<std::string> all;
         const auto note = [&](const auto& fluidTerms, const auto& wallTerms, auto shifts)
         {
-            all.push_back(typeid(fluidTerms).name());
-            all.push_back(typeid(wallTerms).name());
-            all.push_back(typeid(shifts).name());
+            all.emplace_back(typeid(fluidTerms).name());
+            all.emplace_back(typeid(wallTerms).name());
+            all.emplace_back(typeid(shifts).name());
         };
         terms.template withFluidTerms<Part::all, true>(note);
         terms.template withFluidTerms<Part::momentum, true>(note);
         terms.template withFluidTerms<Part::density, true>(note);
         terms.template withFluidTerms<Part::all, false>(note);
-        terms.withWallTerms(true, [&](const auto& t) { all.push_back(typeid(t).name()); });
-        terms.withSolidTerms(true, [&](const auto& t) { all.push_back(typeid(t).name()); });
+        terms.withWallTerms(true, [&](const auto& t) { all.emplace_back(typeid(t).name()); });
+        terms.withSolidTerms(true, [&](const auto& t) { all.emplace_back(typeid(t).name()); });
         return all;
     };
     for (const SphConfig& c : everyChoice())

@@ -77,10 +77,10 @@ double SceneReadings<Backend, D, P>::halfStep() const
 template<class Backend, int D, class P>
 ReadValues<double> SceneReadings<Backend, D, P>::orientations(Snapshot<Backend>& now, int n)
 {
-    std::vector<ReadValues<real>> component;
-    for (int k = 0; k < (D == 2 ? 1 : 4); ++k)
-        component.push_back(
-            p_.particles.template fieldOf<real>(now, n, p_.particles.at.turn + k));
+    std::vector<ReadValues<real>> component(D == 2 ? 1 : 4);
+    for (std::size_t k = 0; k < component.size(); ++k)
+        component[k] = p_.particles.template fieldOf<real>(
+            now, n, p_.particles.at.turn + int(k));
     return [this, component, n]
     {
         std::vector<double> turns(4*std::size_t(n), 0.0);

@@ -217,8 +217,8 @@ template<class T>
 ReadValues<double> ParticleFields<Backend, D, P>::vectorOf(
     Snapshot<Backend>& now, int count, int first, int components, bool spin)
 {
-    std::vector<ReadValues<T>> component;
-    for (int d = 0; d < components; ++d) component.push_back(fieldOf<T>(now, count, first + d));
+    std::vector<ReadValues<T>> component(components);
+    for (int d = 0; d < components; ++d) component[d] = fieldOf<T>(now, count, first + d);
     return [this, component, count, spin]
     {
         std::vector<double> out(3*std::size_t(count), 0.0);
@@ -248,9 +248,8 @@ ReadValues<double> ParticleFields<Backend, D, P>::positionsOf(Snapshot<Backend>&
 {
     ReadValues<std::int32_t> keys;
     if (D == 2) keys = fieldOf<std::int32_t>(now, count, at.id);
-    std::vector<ReadValues<std::int64_t>> component;
-    for (int d = 0; d < D; ++d)
-        component.push_back(fieldOf<std::int64_t>(now, count, at.x + d));
+    std::vector<ReadValues<std::int64_t>> component(D);
+    for (int d = 0; d < D; ++d) component[d] = fieldOf<std::int64_t>(now, count, at.x + d);
     return [this, keys, component, count, box = set_.box]
     {
         std::vector<double> out(3*std::size_t(count), 0.0);

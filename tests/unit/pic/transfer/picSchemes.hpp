@@ -165,7 +165,7 @@ SCHEME_TEST(MomentumIsConserved)
 {
     using C = TypeParam;
     using R = typename C::real;
-    constexpr int D = C::D;
+    static constexpr int D = C::D;
     eachChoice([](const Choice& choice)
     {
         Random random(11);
@@ -222,7 +222,7 @@ SCHEME_TEST(LinearFieldsAreKept)
 {
     using C = TypeParam;
     using R = typename C::real;
-    constexpr int D = C::D;
+    static constexpr int D = C::D;
     const auto slope = [](int d, int a) { return 0.7*d - 0.4*a + 0.2; };
     const auto linear = [&](const Vec<D, double>& x, int d, double factor)
     {
@@ -290,7 +290,7 @@ SCHEME_TEST(SprayIsBounded)
 {
     using C = TypeParam;
     using R = typename C::real;
-    constexpr int D = C::D;
+    static constexpr int D = C::D;
     eachChoice([](const Choice& choice)
     {
         Random random(23);
@@ -331,7 +331,7 @@ SCHEME_TEST(SprayIsBounded)
 SCHEME_TEST(WhatComesInTakesTheGrid)
 {
     using C = TypeParam;
-    constexpr int D = C::D;
+    static constexpr int D = C::D;
     const auto linear = [](const Vec<D, double>& x, int d)
     { return 0.3 + 0.5*x.c[0] - 0.25*(d + 1)*x.c[1]; };
     eachChoice([&](const Choice& choice)
@@ -364,7 +364,7 @@ SCHEME_TEST(WithoutWaterParticlesFall)
 {
     using C = TypeParam;
     using R = typename C::real;
-    constexpr int D = C::D;
+    static constexpr int D = C::D;
     eachChoice([](const Choice& choice)
     {
         Random random(29);

@@ -17,7 +17,7 @@ protected:
     //- A tank under way, with particles in tension too
     SphConfig moving(FluidInput& f) const
     {
-        const SphConfig c = tank();
+        SphConfig c = tank();
         f = column(c);
         disturb(c, f, 0.05, 0.3, 0.02);
         return c;
