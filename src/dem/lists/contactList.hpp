@@ -28,7 +28,7 @@ struct ContactListLayout
 
 //- Numbers that are loaded at once
 template<int n, class R>
-struct alignas(n*sizeof(R)) HistoryWords { R c[n ? n : 1]; };
+struct alignas(n*sizeof(R)) HistoryWords { R c[n]; };
 template<class R>
 struct HistoryWords<0, R> { R c[1]; };
 

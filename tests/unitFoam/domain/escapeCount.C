@@ -87,7 +87,7 @@ TEST(EscapeCount, stopsAboveTheShare)
         run.escaped = escaped;
         run.outflow = outflow;
         testing::internal::CaptureStdout();
-        const std::string message
+        std::string message
         (
             messageOf([&]() { count.stopAbove(allowed, Report(), run, "advice"); })
         );
