@@ -252,13 +252,11 @@ std::function<void(Foam::particleCloud&)> Foam::solidCloud::fillLater
     label& size
 ) const
 {
-    take(riprap::DemState(), settings_.config.orientation, names);
-    const riprap::Later<riprap::DemState> solids(part_.particlesLater());
-    size = label(solids.size);
-    return [this, asItIs = solids.take](particleCloud& particles)
+    const auto put = [this](const riprap::DemState& now, particleCloud& particles)
     {
-        take(asItIs(), settings_.config.orientation, particles);
+        take(now, settings_.config.orientation, particles);
     };
+    return filledBy(part_.particlesLater(), put, names, size);
 }
 
 

@@ -56,10 +56,7 @@ std::function<void(Foam::particleCloud&)> Foam::fluidCloud::fillLater
     label& size
 ) const
 {
-    take(riprap::FluidState(), names);
-    const riprap::Later<riprap::FluidState> fluid(part_.fluidLater());
-    size = label(fluid.size);
-    return [asItIs = fluid.take](particleCloud& particles) { take(asItIs(), particles); };
+    return filledBy(part_.fluidLater(), &take, names, size);
 }
 
 

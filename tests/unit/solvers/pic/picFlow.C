@@ -188,8 +188,9 @@ TEST_P(PicFlow, FieldsOfCellsAreThoseOfTheGrid)
     for (std::size_t k = 0; k < cells.size(); ++k)
     {
         EXPECT_EQ(p[k], g.pressure[cells[k]]) << k;
-        // made on the device, where products and sums may be joined
-        EXPECT_NEAR(water[k], g.water[cells[k]], 1e-6) << k;
+        // a GPU may join products and sums where the host does not
+        if (GetParam().device == DeviceKind::cpu) { EXPECT_EQ(water[k], g.water[cells[k]]) << k; }
+        else { EXPECT_NEAR(water[k], g.water[cells[k]], 1e-6) << k; }
         for (int d = 0; d < 3; ++d) EXPECT_EQ(u[3*k + d], g.velocity[3*cells[k] + d]) << k;
         fastest = std::max(fastest, std::abs(u[3*k]));
     }
