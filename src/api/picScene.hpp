@@ -310,7 +310,7 @@ public:
 };
 
 //- Parts of a case's input
-enum class PicInput {device, guards, obstacles, solids, solver};
+enum class PicInput {device, guards, solver};
 
 //- Which of them several processes cannot take, and why
 struct PicRefusal : std::invalid_argument
@@ -321,9 +321,9 @@ struct PicRefusal : std::invalid_argument
 };
 
 //- What createPicScene refuses with PicConfig::ranks, for those who want to know before they make
-//  its input: obstacles need no surfaces here, and solids no particles
+//  its input
 //  @throws PicRefusal
-void checkPicRanks(const PicConfig&, const LinearSolver* solver, const PicInside&);
+void checkPicRanks(const PicConfig&, const LinearSolver* solver);
 
 //- Build a scene. solver, which must outlive it, solves the pressure equation; nullptr: our
 //  multigrid, to pressureTolerance

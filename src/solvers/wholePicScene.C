@@ -57,6 +57,9 @@ public:
 
     std::vector<FluidForce> forcesOnWalls() override { return part_.forcesOnWallsOfAll(); }
     std::vector<FluidForce> forcesOnWallsOfAll() override { return part_.forcesOnWallsOfAll(); }
+    //- Each process has all solids
+    DemScene* solids() override { return part_.solids(); }
+    Coupling coupling() override { return part_.coupling(); }
     std::vector<FluidForce> forcesOnSolids() override { return part_.forcesOnSolids(); }
 
     using FluidScene::sample;

@@ -1,7 +1,7 @@
 #!/bin/bash
-# riprapFoam -parallel with solvers dem, sphDem and picDem, solids in the water of sphDem too:
-# clouds of 2 and 3 processes are those of one, to the bit, written, put together, divided and
-# continued; what several processes cannot do, and processes that fail
+# riprapFoam -parallel with solvers dem, sphDem and picDem, solids in the water of both: clouds of 2
+# and 3 processes are those of one, to the bit (solids in the water of picDem: nearly), written, put
+# together, divided and continued; what several processes cannot do, and processes that fail
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
@@ -666,8 +666,6 @@ pic=constant/picProperties
 refusedEntry gpu $pic 'device gpu;' 'Entry device, with -parallel: .*CPUs alone.*picProperties'
 refusedEntry Courant $pic 'guards { Courant 8; }' \
     'Entry Courant, with -parallel: .* 6 cells a step.*picProperties.guards'
-refusedEntry solids constant/solidProperties 'materials { wood { rho 600; } }' \
-    'constant/solidProperties, with -parallel: solids in the water run on one.*solidProperties'
 refusedEntry linearSolver system/fvSolution 'solvers { p { solver PCG; preconditioner DIC; } }' \
     'Entry solver of p, with -parallel: several processes need p solved by cudaPCG.*fvSolution'
 functions='momentum { type momentumBalance; libs ("libriprapFoam.so"); }'
@@ -685,3 +683,53 @@ setParticles >log 2>&1
 divide 3
 refusedOn 3 grid.tooMany \
     'Entry numberOfSubdomains: 3 processes are too many for this mesh.*decomposeParDict'
+
+# Solids in the water of picDem: stones that roll, light ones that float, a plate that is moved,
+# water that sticks to them; 3 processes, which go on, then one, then two
+cd "$case" || exit 1
+rm -rf one again grid small
+mkdir stones && cd stones || exit 1
+functions="energy { type energyBalance; $library } solids { type solidEnergies; $library }
+motion { type groupMotion; $library } level { type waterLevel; $library points ((0.03 0 0)); }
+parts { type particleForces; $library groups (stones); } walls { type solidWallForce; $library }"
+block 0.2 0.1 0.01 '80 40 1' "$sides $lower $open $flat"
+geometry 'plate { type searchableBox; min (0.1 0.012 -1); max (0.112 0.09 1); }'
+moves='motion { plate { patches (plate); solidBodyMotionFunction linearMotion; '
+moves+='linearMotionCoeffs { velocity (0.02 0.3 0); } } }'
+dictionary constant/picProperties \
+    <<<"precision double; viscosity implicit; walls { slip noSlip; $moves }"
+dictionary constant/fluidProperties <<<'rho 1000; nu 1e-4;'
+dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-12; relTol 0; } }'
+dictionary constant/solidProperties <<<"materials { rock { rho 2500; } cork { rho 400; } }
+contact { normal linear; tangential history; } pairs { default { stiffness 1e4; restitution 0.4;
+friction 0.4; } } walls { material rock; $moves } groups { stones {} corks {} }"
+dictionary system/setParticlesDict <<<'spacing 0.00125; packing square; regions (
+water { set fluid; source box; box (0 0 -1) (0.095 0.055 1); pressure hydrostatic; }
+stones { set solids; source box; box (0.12 0 -1) (0.19 0.05 1); radius 0.006; packing layers;
+material rock; group stones; velocity (-0.4 0 0); }
+corks { set solids; source box; box (0.01 0.06 -1) (0.07 0.08 1); radius 0.0055; packing layers;
+material cork; group corks; velocity (0.1 -0.5 0); } );'
+setParticles >log 2>&1 || fail stones.made "$(oneLine | tail -c 300)"
+control 0.03 0.01
+mkdir ../one && cp -r 0 constant system ../one && (cd ../one && riprapFoam >log 2>&1)
+divide 3
+control 0.03 0.01 'stopAt nextWrite;'
+onRanks 3 >log 2>&1
+says stones.log 'Processes = 3, largest part = [0-9.]+ of the mean, ghosts = [1-9][0-9]*'
+says stones.pressure 'pressure +divided over the processes, as there are solids'
+both stones.0.01 0.01 --nearly
+onRanks 3 >log 2>&1
+says stones.continues 'Continuing exactly from time 0.01'
+both stones.0.02 0.02 --nearly
+reconstructPar >log 2>&1
+both stones.reconstructed 0.02 --whole --nearly
+cp -r . ../again
+control 0.03 0.01
+riprapFoam >log 2>&1
+says stones.oneGoesOn 'Continuing exactly from time 0.02'
+both stones.one 0.03 --whole --nearly
+cd ../again || exit 1
+divide 2
+onRanks 2 >log 2>&1
+says stones.othersGoOn 'Continuing exactly from time 0.02'
+both stones.two 0.03 --nearly

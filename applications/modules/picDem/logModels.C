@@ -139,7 +139,7 @@ void Foam::solverModules::picDem::logModels() const
     {
         logItem("viscosity") << picNames::viscosity[int(c.viscousScheme)] << nl;
     }
-    ranks_.logPressure(c);
+    ranks_.logPressure(c, bool(solids_));
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;
     logZones(c);
     if (obstacles_.valid())

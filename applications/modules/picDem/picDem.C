@@ -74,7 +74,7 @@ Foam::solverModules::picDem::picDem(Time& runTime, fvMesh& mesh)
 {
     if (Pstream::parRun())
     {
-        ranks_.check(asRead_, pressure_, obstacles_.get(), bodyOfObstacle());
+        ranks_.check(asRead_, pressure_);
     }
 
     if (picSolids::there(runTime))

@@ -6,7 +6,6 @@
 #include "picRanks.H"
 #include "logRanks.H"
 #include "moduleLog.H"
-#include "picSolids.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -19,14 +18,6 @@ struct caseEntry
     std::string what;
     dictionary dict;
 };
-
-
-static caseEntry fileOf(const Time& time, const word& name)
-{
-    caseEntry file{"constant/" + name, dictionary()};
-    file.dict.name() = time.globalPath()/time.constant()/name;
-    return file;
-}
 
 
 static caseEntry subEntry
@@ -55,8 +46,6 @@ static caseEntry entryOf
     {
         case PicInput::device: return {"Entry device", dict};
         case PicInput::guards: return subEntry(dict, "guards", "Entry Courant");
-        case PicInput::obstacles: return fileOf(time, "geometry");
-        case PicInput::solids: return fileOf(time, "solidProperties");
         case PicInput::solver: break;
     }
     caseEntry solver{"Entry solver of p", dictionary()};
@@ -82,29 +71,16 @@ Foam::picRanks::picRanks(const Time& time)
 void Foam::picRanks::check
 (
     const picSettings& settings,
-    const pressureSolver& pressure,
-    const geometryWalls* surfaces,
-    const labelList& bodyOfSurface
+    const pressureSolver& pressure
 ) const
 {
     if (!transport()) return;
 
     riprap::PicConfig config(settings.config);
     config.ranks = transport();
-    riprap::PicInside inside;
-    inside.obstacles.resize(bodyOfSurface.size());
-    forAll(bodyOfSurface, i)
-    {
-        inside.obstacles[i].name = surfaces->names()[i];
-        inside.obstacles[i].body = bodyOfSurface[i];
-    }
-    if (picSolids::there(time_))
-    {
-        inside.solids = std::make_shared<const riprap::PicSolids>();
-    }
     try
     {
-        riprap::checkPicRanks(config, &pressure, inside);
+        riprap::checkPicRanks(config, &pressure);
     }
     catch (const riprap::PicRefusal& e)
     {
@@ -137,13 +113,18 @@ void Foam::picRanks::join(std::unique_ptr<riprap::PicScene>& scene)
 }
 
 
-void Foam::picRanks::logPressure(const riprap::PicConfig& c) const
+void Foam::picRanks::logPressure(const riprap::PicConfig& c, bool solids) const
 {
     if (!transport()) return;
 
     scalar cells = 1;
     for (int d = 0; d < c.dimensions; ++d) cells *= c.cells[c.axes[d]];
     logItem("pressure");
+    if (solids)
+    {
+        Info<< "divided over the processes, as there are solids" << nl;
+        return;
+    }
     if (cells <= c.gatheredCells)
     {
         Info<< "gathered: each process solves for all "
@@ -151,8 +132,7 @@ void Foam::picRanks::logPressure(const riprap::PicConfig& c) const
     }
     else
     {
-        Info<< "divided over the processes; gathered where water has no surface"
-            << " or walls inside the mesh part it";
+        Info<< "divided over the processes";
     }
     Info<< " (gatheredCells " << c.gatheredCells << ')' << nl;
 }

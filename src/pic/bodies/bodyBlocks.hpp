@@ -32,9 +32,10 @@ struct PlacedBody
         for (int d = 0; d < 3; ++d) { low[d] = 0; size[d] = 1; }
         for (int d = 0; d < D; ++d)
         {
-            const int first = floorInt((centre[d] - reach - grid.origin[d])/grid.h) - blockMargin,
-                      last = floorInt((centre[d] + reach - grid.origin[d])/grid.h) + 1
-                + blockMargin;
+            const int first = floorInt((centre[d] - reach - grid.origin[d])/grid.h)
+                - grid.first[d] - blockMargin,
+                      last = floorInt((centre[d] + reach - grid.origin[d])/grid.h)
+                - grid.first[d] + 1 + blockMargin;
             low[d] = first > 0 ? first : 0;
             size[d] = (last < grid.n[d] ? last : grid.n[d]) - low[d] + 1;
             if (size[d] < 0) size[d] = 0;

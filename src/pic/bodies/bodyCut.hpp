@@ -6,6 +6,7 @@
 */
 #pragma once
 
+#include <limits>
 #include "core/loops/sort.hpp"
 #include "pic/bodies/bodyRows.hpp"
 #include "pic/bodies/placedBodies.hpp"
@@ -25,6 +26,21 @@ struct CutFields
     double* distance;               // nodes
     const double* baseDistance;
     double band;                    // that distances are told in [m]
+};
+
+//- Of a grid that is a part of the whole block: cells and faces that count in sums over bodies,
+//  numbered as in the block
+struct CountedOfBodies
+{
+    CellBox cells, upFaces;         // faces: those across which volumes are measured
+
+    static CountedOfBodies all()
+    {
+        CountedOfBodies a;
+        for (int d = 0; d < 3; ++d)
+            a.cells.high[d] = a.upFaces.high[d] = std::numeric_limits<int>::max();
+        return a;
+    }
 };
 
 template<class Backend, int D>
@@ -55,7 +71,7 @@ public:
     //  across which volumes are measured
     template<class Bodies, class R>
     void cut(Context<Backend>& context, const UniformGrid<D>& grid, const Bodies& bodies, int up,
-        const CutFields<D, R>& f);
+        const CutFields<D, R>& f, const CountedOfBodies& counted = CountedOfBodies::all());
 
     //- Where the surface is, shares of what is under water: of bodies with a shape of their own.
     //  \return is there any? Wall velocities are to be set anew then
@@ -94,7 +110,7 @@ public:
         forEach(context, lanes*rows(), OverBlockCells<D, lanes, F>{blocks(), f});
     }
 
-    //- J^T p of each body, modes values each
+    //- J^T p of each body, modes values each; of a part of the block its own share
     std::vector<double> gather(Context<Backend>& context, const double* p)
     {
         forEach(context, rows(),
@@ -103,6 +119,8 @@ public:
     }
 
     const std::vector<double>& volumes() const { return volume_; }
+    //- In place of this part's share: of the whole block
+    void setVolumes(const std::vector<double>& all) { volume_ = all; }
 
     //- What bodies have of the faces of a direction
     std::vector<double> shareOfFaces(int d) const;
@@ -165,6 +183,7 @@ private:
     Array<Backend, double> keptShare_, keptAperture_;
     Array<Backend, Vec<D, double>> keptArm_;
     bool cutToWater_ = false;
+    CountedOfBodies counted_ = CountedOfBodies::all();
     Array<Backend, int> cellFirst_, cellX_, cell_;              // of rows of cells; of entries
     Array<Backend, double> j_, velocity_, ofRow_, ofBody_;
     // keys[1], values[1]: shares by faces
@@ -174,8 +193,9 @@ private:
 template<class Backend, int D>
 template<class Bodies, class R>
 void BodyCut<Backend, D>::cut(Context<Backend>& context, const UniformGrid<D>& grid,
-    const Bodies& bodies, int up, const CutFields<D, R>& f)
+    const Bodies& bodies, int up, const CutFields<D, R>& f, const CountedOfBodies& counted)
 {
+    counted_ = counted;
     placed_.place(context, grid, bodies);
     measure(context);
     cutToWater_ = false;
@@ -256,7 +276,8 @@ template<class Backend, int D>
 void BodyCut<Backend, D>::fillRows(Context<Backend>& context, int up)
 {
     allocateWithRoom(context, ofRow_, std::size_t(rows())*modes);
-    forEach(context, rows(), VolumesOfRows<D>{blocks(), shares(), up, ofRow_.data()});
+    forEach(context, rows(),
+        VolumesOfRows<D>{blocks(), shares(), up, counted_.upFaces, ofRow_.data()});
     volume_ = sumBodies(context, 1);
     for (auto* a : {&cellFirst_, &cellX_}) allocateWithRoom(context, *a, rows() + 1);
     forEach(context, rows() + 1,
@@ -272,7 +293,8 @@ void BodyCut<Backend, D>::fillCells(Context<Backend>& context)
 {
     forEach(context, lanes*rows(),
         FillBodyCells<D, lanes>{
-            blocks(), shares(), cellFirst_.data(), cellX_.data(), cell_.data(), j_.data()});
+            blocks(), shares(), cellFirst_.data(), cellX_.data(), counted_.cells, cell_.data(),
+            j_.data()});
 }
 
 template<class Backend, int D>

@@ -64,6 +64,7 @@ struct FillBodyCells
     ShareRows<D> shares;
     const int* first;
     const int* x;
+    CellBox own;                    // cells that count: J is 0 in others
     int* cell;
     double* j;                      // bodyModes a cell [m2, m3]
 
@@ -92,8 +93,11 @@ struct FillBodyCells
                     for (int m = 0; m < modes; ++m)
                         sum[m] += flux*modeVelocity(m, d, shares.arm[s]);
                 }
+            int whole[3] = {0, 0, 0};
+            for (int d = 0; d < D; ++d) whole[d] = g.first[d] + c.c[d];
+            const bool mine = own.has(whole);
             cell[at] = g.cell(c);
-            for (int m = 0; m < modes; ++m) j[at*modes + m] = sum[m];
+            for (int m = 0; m < modes; ++m) j[at*modes + m] = mine ? sum[m] : 0;
         }
     }
 };

@@ -21,6 +21,7 @@
 #pragma once
 
 #include "pic/bodies/bodyBlocks.hpp"
+#include "pic/ranks/gridBricks.hpp"
 #include "pic/bodies/bodyTerm.hpp"
 #include "pic/bodies/inBody.hpp"
 
@@ -119,7 +120,7 @@ struct FindShares
              ++i, ++f.c[0])
         {
             if (g.periodic[at.d] && (f.c[at.d] == 0 || f.c[at.d] == g.n[at.d])) continue;
-            if (!row.may(g.origin[0] + g.h*f.c[0])) continue;
+            if (!row.may(g.origin[0] + g.h*(g.first[0] + f.c[0]))) continue;
             if (first < 0) first = f.c[0];
             last = f.c[0];
         }
@@ -144,7 +145,7 @@ HD double measureShare(const BodyBlocks<D>& blocks, int body, int d,
     {
         const double in = e == d ? 0 : any ? part.moment[m]/part.share : 0;
         m += e != d;
-        arm[e] = g.origin[e] + g.h*(f.c[e] + in) - blocks.body[body].centre[e];
+        arm[e] = g.origin[e] + g.h*(g.first[e] + f.c[e] + in) - blocks.body[body].centre[e];
     }
     return any ? part.share : 0;
 }
@@ -385,15 +386,22 @@ struct VolumesOfRows
     BodyBlocks<D> blocks;
     ShareRows<D> shares;
     int up;
+    CellBox own;                    // faces that count
     double* volume;                 // a row of cells each [m2, m3]
 
     HD void operator()(int r) const
     {
         const BlockRow row = blocks.row(r);
         const int of = FaceRow<D>::number(blocks, row.body, up, row.j, row.k);
+        const UniformGrid<D>& g = blocks.grid;
+        typename UniformGrid<D>::Index f = blocks.first(row);
+        for (int d = 0; d < D; ++d) f.c[d] += g.first[d];
         double sum = 0;
         for (int s = shares.first[of]; s < shares.first[of + 1]; ++s)
-            sum += shares.share[s]*blocks.grid.area()*blocks.grid.h;
+        {
+            f.c[0] = g.first[0] + shares.x[of] + s - shares.first[of];
+            if (own.has(f.c)) sum += shares.share[s]*g.area()*g.h;
+        }
         volume[r] = sum;
     }
 };

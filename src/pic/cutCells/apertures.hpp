@@ -61,7 +61,7 @@ struct NodeGrid
     HD Vec<D, double> position(const typename UniformGrid<D>::Index& at) const
     {
         Vec<D, double> x;
-        for (int d = 0; d < D; ++d) x[d] = grid.origin[d] + grid.h*at.c[d];
+        for (int d = 0; d < D; ++d) x[d] = grid.origin[d] + grid.h*(grid.first[d] + at.c[d]);
         return x;
     }
 };

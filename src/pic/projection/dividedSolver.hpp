@@ -58,7 +58,9 @@ public:
 
     //- After part's; pockets: memory of part
     void setUp(Context<Backend>& context, Pockets<Backend, D>& pockets);
-    PressureReport solve(Context<Backend>& context, const MultigridControls& controls);
+    //- bodies: as MultigridSolver::solve has them, with the entries of this rank's cells
+    PressureReport solve(Context<Backend>& context, const MultigridControls& controls,
+        const CoupledView<D>* bodies = nullptr);
 
     std::size_t bytes() const { return coarse_.bytes(); }
 
@@ -82,6 +84,8 @@ private:
     void cycle(int sweeps);
     std::vector<float> gathered(const float* values) const;
     template<int N, class F> std::vector<double> total(const F& f);
+    template<class V> void sumCoupled(const CoupledView<D>& bodies, const V* field);
+    void startCoupled(const CoupledView<D>& bodies);
 
     Context<Backend>& context_;
     const GridBricks<D>& bricks_;
@@ -258,9 +262,35 @@ std::vector<double> DividedSolver<Backend, D>::total(const F& f)
     return sums;
 }
 
+//- U^T of a field, over the cells of all ranks: a body may lie on several
+template<class Backend, int D>
+template<class V>
+void DividedSolver<Backend, D>::sumCoupled(const CoupledView<D>& bodies, const V* field)
+{
+    forEachBlock(context_, bodies.bodyRoom, SumCoupled<D, V>{bodies, field});
+    int count = 0;
+    context_.toHost(&count, bodies.counts + coupledBodyCount, sizeof(int));
+    std::vector<double> sums(std::size_t(count)*bodyModes<D>);
+    context_.toHost(sums.data(), bodies.ofBody, sums.size()*sizeof(double));
+    addByRank(bricks_.ranks(), sums);
+    context_.toDevice(bodies.ofBody, sums.data(), sums.size()*sizeof(double));
+}
+
+//- What bodies add to the first residual, and to the measure of residuals
+template<class Backend, int D>
+void DividedSolver<Backend, D>::startCoupled(const CoupledView<D>& bodies)
+{
+    const FineData<D>& fine = part_.fine();
+    eachOfTiles<Backend, D>(context_, part_.byRows(), ClearDirections<D>{fine, part_.fineCells()});
+    sumCoupled(bodies, fine.x);
+    forEach(context_, bodies.entryRoom, AddCoupled<D>{bodies, fine.q});
+    sumCoupled(bodies, static_cast<const double*>(nullptr));
+    forEach(context_, bodies.entryRoom, AddCoupled<D>{bodies, fine.p});
+}
+
 template<class Backend, int D>
 PressureReport DividedSolver<Backend, D>::solve(
-    Context<Backend>& context, const MultigridControls& controls)
+    Context<Backend>& context, const MultigridControls& controls, const CoupledView<D>* bodies)
 {
     const FineData<D>& fine = part_.fine();
     const TiledCells<D>& cells = part_.fineCells();
@@ -274,11 +304,18 @@ PressureReport DividedSolver<Backend, D>::solve(
     halo_[0]->exchange(context, fine.x);
     SetReference{&s}(total<2>(AverageGuess<D>{fine, cells}).data());
     give();
-    StartIterations{&s}(total<2>(FirstResidual<D>{fine, cells, state_.data(), false}).data());
+    if (bodies) startCoupled(*bodies);
+    StartIterations{&s}(
+        total<2>(FirstResidual<D>{fine, cells, state_.data(), bodies != nullptr}).data());
     while (s.again)
     {
         cycle(controls.sweeps);
-        SetDirection{&s}(total<3>(ApplyPreconditioned<D>{fine, cells}).data());
+        if (bodies)
+        {
+            sumCoupled(*bodies, static_cast<const float*>(fine.z));
+            SetDirection{&s}(total<3>(ApplyCoupled<D>{fine, cells, *bodies}).data());
+        }
+        else SetDirection{&s}(total<3>(ApplyPreconditioned<D>{fine, cells}).data());
         give();
         s.residual = total<1>(Advance<D>{fine, cells, state_.data()})[0]/s.normFactor;
         ++s.iterations;

@@ -71,10 +71,14 @@ public:
 
     //- Of a rank's part, whose own solver the controls are for
     PressureReport solveDivided(Context<Backend>& context, const PressureFields<D, R>& f,
-        bool sameWater, const MultigridControls& controls)
+        bool sameWater, const MultigridControls& controls,
+        const BodiesOnGrid<Backend, D>* onGrid = nullptr)
     {
         assemble(context, f, sameWater);
-        const PressureReport report = divided_->solve(context, controls);
+        if (onGrid)
+            coupled_.set(context, onGrid->cut, scaled(onGrid->root, f), multigrid_.fine());
+        const CoupledView<D> view = coupled_.view();
+        const PressureReport report = divided_->solve(context, controls, onGrid ? &view : nullptr);
         store(context, f);
         return report;
     }

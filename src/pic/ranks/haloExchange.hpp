@@ -63,7 +63,12 @@ private:
 
     CellBox owned(int rank, int direction) const
     {
-        return direction < 0 ? bricks_.brick(rank) : bricks_.facesOfBrick(rank, direction);
+        if (direction != GridField::nodes)
+            return direction < 0 ? bricks_.brick(rank) : bricks_.facesOfBrick(rank, direction);
+        // as faces: the last ones are those of the block's end
+        CellBox box = bricks_.brick(rank);
+        for (int d = 0; d < D; ++d) if (box.high[d] == bricks_.whole().n[d]) ++box.high[d];
+        return box;
     }
     CellBox part(int rank, int direction) const
     {

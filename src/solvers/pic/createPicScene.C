@@ -157,16 +157,12 @@ void makeSolids(const PicConfig& c, DeviceKind device, bool water, PicInside& in
 
 } // namespace
 
-void checkPicRanks(const PicConfig& c, const LinearSolver* solver, const PicInside& inside)
+void checkPicRanks(const PicConfig& c, const LinearSolver* solver)
 {
     if (!c.ranks || c.ranks->size() < 2) return;
     const auto need = [](bool condition, PicInput input, const std::string& what)
     { if (!condition) throw PicRefusal(input, what); };
     need(c.device != DeviceKind::gpu, PicInput::device, "several processes run on CPUs alone");
-    need(!inside.solids, PicInput::solids, "solids in the water run on one process");
-    for (const PicObstacle& o : inside.obstacles)
-        need(o.body < 0, PicInput::obstacles,
-            "surface " + o.name + " inside the mesh moves, which runs on one process");
     need(!solver || solver->onDevice(), PicInput::solver,
         std::string("several processes need p solved by ") + ownSolver);
     // a particle must stay where the halo is right
@@ -181,7 +177,7 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
 {
     checkNumbers(config);
     checkFluid(config, fluid, bool(inside.solids));
-    checkPicRanks(config, solver, inside);
+    checkPicRanks(config, solver);
     fedisableexcept(FE_ALL_EXCEPT);         // a state that blows up is the guards' business
     const bool several = config.ranks && config.ranks->size() > 1;
     const DeviceChoice choice = chooseDevice(several ? DeviceKind::cpu : config.device,

@@ -131,6 +131,21 @@ void BodyForces<D>::drag(int body, int component, double force, const Vec<D, dou
 }
 
 template<int D>
+std::vector<double> BodyForces<D>::drags() const
+{
+    std::vector<double> sums;
+    for (const Now& n : table_.now) sums.insert(sums.end(), n.drag.begin(), n.drag.end());
+    return sums;
+}
+
+template<int D>
+void BodyForces<D>::setDrags(const std::vector<double>& sums)
+{
+    for (std::size_t i = 0; i < table_.now.size(); ++i)
+        std::copy_n(sums.begin() + std::ptrdiff_t(i*modes), modes, table_.now[i].drag.begin());
+}
+
+template<int D>
 void BodyForces<D>::endDrag(double dt, double viscosity, const std::vector<double>& volume)
 {
     for (std::size_t i = 0; i < table_.now.size(); ++i)

@@ -45,6 +45,9 @@ public:
     //  lap u, the stress mu (grad u + grad u^T): the second term does nothing within the water, and
     //  on a body that turns it is the moment -2 mu V w, whatever its shape
     void startDrag();
+    //- What has been added up, modes values a body: of several ranks each has its share
+    std::vector<double> drags() const;
+    void setDrags(const std::vector<double>&);
     void drag(int body, int component, double force, const Vec<D, double>& at);
     void endDrag(double dt, double viscosity, const std::vector<double>& volume);
 

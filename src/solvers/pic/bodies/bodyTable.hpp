@@ -91,14 +91,11 @@ public:
             int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
             for (int d = 0; d < D; ++d)
             {
+                const double at = bodies[b].centre[d] - grid.origin[d], reach = bodies[b].reach;
                 low[d] = std::max(0,
-                    int(std::floor(
-                        (bodies[b].centre[d] - bodies[b].reach - grid.origin[d])/grid.h - cells))
-                        - 1);
+                    int(std::floor((at - reach)/grid.h - cells)) - 1 - grid.first[d]);
                 high[d] = std::min(grid.layers(component, d) - 1,
-                    int(std::ceil(
-                        (bodies[b].centre[d] + bodies[b].reach - grid.origin[d])/grid.h + cells))
-                        + 1);
+                    int(std::ceil((at + reach)/grid.h + cells)) + 1 - grid.first[d]);
             }
             typename UniformGrid<D>::Index at{{0, 0, 0}};
             for (at.c[2] = low[2]; at.c[2] <= high[2]; ++at.c[2])
@@ -108,7 +105,7 @@ public:
                         Vec<D, double> x;
                         for (int d = 0; d < D; ++d)
                             x[d] = grid.origin[d]
-                                + grid.h*(at.c[d] + (d == component ? 0.0 : 0.5));
+                                + grid.h*(grid.first[d] + at.c[d] + (d == component ? 0.0 : 0.5));
                         if (bodies[b].shape.distance(x) < cells*grid.h) f(b, at, x);
                     }
         }

@@ -30,6 +30,7 @@ public:
     PressureReport solve(
         const PressureFields<D, real>& fields, bool sameWater, double tolerance = 0);
     void project(double dt, bool sameWater);
+    std::vector<double> gather(const double* pressure);
     void slowBetween(double dt);
     void setSolidVelocity();
     void drag(double dt);
@@ -38,6 +39,9 @@ public:
 private:
 
     bool yields() const;
+    bool counts(int component, const typename UniformGrid<D>::Index& face) const;
+    PressureReport solveOnRanks(
+        const PressureFields<D, real>& fields, bool sameWater, double tolerance);
 
     PicParts<Backend, D, P>& p_;
     OpenBoundaries<Backend, D, P>& openings_;
@@ -94,7 +98,7 @@ PressureReport BodyCoupling<Backend, D, P>::solve(
     Context<Backend>& context = p_.set.context;
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     PressureOfWater<Backend, D, P>& pressure = p_.pressure;
-    if (p_.halo) return p_.projectOnRanks(fields, sameWater, tolerance);
+    if (p_.halo) return solveOnRanks(fields, sameWater, tolerance);
     const MultigridControls* own = pressure.solver.onDevice();
     if (!yields())
     {
@@ -120,6 +124,26 @@ PressureReport BodyCoupling<Backend, D, P>::solve(
         context, fields, pressure.solver, &terms, sameWater, &p_.rows, nullptr, tolerance);
 }
 
+//- Slow modes of light bodies cost iterations here: nothing takes them away
+template<class Backend, int D, class P>
+PressureReport BodyCoupling<Backend, D, P>::solveOnRanks(
+    const PressureFields<D, real>& fields, bool sameWater, double tolerance)
+{
+    if (!yields()) return p_.projectOnRanks(fields, sameWater, tolerance);
+    const std::vector<double> roots = p_.solids.bodies->table.roots();
+    const BodiesOnGrid<Backend, D> onGrid{p_.solids.cut, roots};
+    return p_.projectOnRanks(fields, sameWater, tolerance, &onGrid);
+}
+
+//- J^T p of all bodies, of all ranks
+template<class Backend, int D, class P>
+std::vector<double> BodyCoupling<Backend, D, P>::gather(const double* pressure)
+{
+    std::vector<double> sums = p_.solids.cut.gather(p_.set.context, pressure);
+    if (p_.halo) addByRank(p_.halo->ranks(), sums);
+    return sums;
+}
+
 //- The impulse by which particles are left ahead is known before
 template<class Backend, int D, class P>
 void BodyCoupling<Backend, D, P>::project(double dt, bool sameWater)
@@ -127,12 +151,11 @@ void BodyCoupling<Backend, D, P>::project(double dt, bool sameWater)
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     PressureOfWater<Backend, D, P>& pressure = p_.pressure;
     if (p_.set.config.reflection > 0)
-        solids.bodies->forces.foresee(yields()
-                ? solids.cut.gather(p_.set.context, pressure.ahead.data())
-                : std::vector<double>());
+        solids.bodies->forces.foresee(
+            yields() ? gather(pressure.ahead.data()) : std::vector<double>());
     useVelocities(true);
     pressure.last = solve(p_.pressureFields(dt), sameWater);
-    solids.bodies->forces.move(solids.cut.gather(p_.set.context, pressure.p.data()), dt);
+    solids.bodies->forces.move(gather(pressure.p.data()), dt);
 }
 
 //- Of solids at the faces about their surfaces, as in the step before: bodies' rigid motion, else
@@ -168,6 +191,17 @@ void BodyCoupling<Backend, D, P>::setSolidVelocity()
     }
 }
 
+//- Is a face this rank's to count?
+template<class Backend, int D, class P>
+bool BodyCoupling<Backend, D, P>::counts(
+    int component, const typename UniformGrid<D>::Index& face) const
+{
+    if (!p_.halo) return true;
+    typename UniformGrid<D>::Index f = face;
+    for (int d = 0; d < D; ++d) f.c[d] += p_.set.grid.first[d];
+    return p_.set.bricks->facesOfBrick(p_.halo->ranks().rank(), component).has(f.c);
+}
+
 //- What viscosity has taken from the water beside bodies in a step dt, they have got: across each
 //  pair of faces of which one lies in the water and one in the body mu (u - w)/theta h^(D - 2)
 template<class Backend, int D, class P>
@@ -191,7 +225,7 @@ void BodyCoupling<Backend, D, P>::drag(double dt)
             [&](int body, const typename UniformGrid<D>::Index& f, const Vec<D, double>& x)
             {
                 const int i = grid.face(component, f);
-                if (!faces.inSolid(i)) return;
+                if (!faces.inSolid(i) || !counts(component, f)) return;
                 for (int d = 0; d < D; ++d)
                     for (int offset = -1; offset <= 1; offset += 2)
                     {
@@ -209,6 +243,12 @@ void BodyCoupling<Backend, D, P>::drag(double dt)
                     }
             });
     }
+    if (p_.halo)
+    {
+        std::vector<double> sums = solids.bodies->forces.drags();
+        addByRank(p_.halo->ranks(), sums);
+        solids.bodies->forces.setDrags(sums);
+    }
     solids.bodies->forces.endDrag(dt, p_.set.config.viscosity, solids.cut.volumes());
 }
 
@@ -221,7 +261,7 @@ void BodyCoupling<Backend, D, P>::slowBetween(double dt)
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     const std::vector<ContactArea<D>> areas = solids.bodies->table.contacts(grid);
     if (areas.empty()) return;
-    const ContactBoxes<D> boxes(grid);
+    const ContactBoxes<D> boxes(p_.set.whole());
     std::vector<std::pair<int, int>> order;
     order.reserve(areas.size());
     for (int k = 0; k < int(areas.size()); ++k) order.push_back({boxes.number(areas[k].point), k});

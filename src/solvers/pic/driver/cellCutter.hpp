@@ -149,14 +149,16 @@ void CellCutter<Backend, D, P>::keepBase()
 {
     Context<Backend>& context = p_.set.context;
     CutCells<Backend, D, P>& cut = p_.cut;
-    cut.baseDistance.upload(context, cut.base.nodeDistance);
+    const auto here = [&](const auto& whole, int direction)
+    { return p_.halo ? p_.halo->partOf(whole, direction) : whole; };
+    cut.baseDistance.upload(context, here(cut.base.nodeDistance, GridField::nodes));
     for (int d = 0; d < D; ++d)
     {
-        cut.baseAperture[d].upload(context,
-            std::vector<real>(
-                cut.base.walls.aperture[d].begin(), cut.base.walls.aperture[d].end()));
+        const std::vector<double>& a = cut.base.walls.aperture[d];
         const std::vector<double>& w = cut.base.walls.wallVelocity[d];
-        if (!w.empty()) cut.baseVelocity[d].upload(context, std::vector<real>(w.begin(), w.end()));
+        cut.baseAperture[d].upload(context, here(std::vector<real>(a.begin(), a.end()), d));
+        if (!w.empty())
+            cut.baseVelocity[d].upload(context, here(std::vector<real>(w.begin(), w.end()), d));
     }
 }
 
@@ -171,7 +173,8 @@ void CellCutter<Backend, D, P>::keepPushed()
         #pragma omp parallel for schedule(static) if (flux.size() > 10000)
         for (std::size_t i = 0; i < flux.size(); ++i)
             flux[i] = real((1 - double(walls.aperture[d][i]))*double(walls.wallVelocity[d][i]));
-        p_.cut.pushed[d].upload(p_.set.context, flux);
+        p_.cut.pushed[d].upload(
+            p_.set.context, p_.halo && !flux.empty() ? p_.halo->partOf(flux, d) : flux);
     }
 }
 
@@ -181,8 +184,21 @@ void CellCutter<Backend, D, P>::cutByBodies()
 {
     SolidsInWater<Backend, D, P>& solids = p_.solids;
     if (p_.opens()) openings_.openFully();
-    solids.cut.cut(p_.set.context, p_.set.grid, solids.bodies->table.bodies,
-        std::max(p_.set.steepest(), 0), p_.cutFields());
+    const int up = std::max(p_.set.steepest(), 0);
+    CountedOfBodies counted = CountedOfBodies::all();
+    if (p_.halo)
+    {
+        const GridBricks<D>& bricks = *p_.set.bricks;
+        counted = {bricks.brick(), bricks.facesOfBrick(bricks.rank(), up)};
+    }
+    solids.cut.cut(p_.set.context, p_.set.grid, solids.bodies->table.bodies, up, p_.cutFields(),
+        counted);
+    if (p_.halo)
+    {
+        std::vector<double> volumes = solids.cut.volumes();
+        addByRank(p_.halo->ranks(), volumes);
+        solids.cut.setVolumes(volumes);
+    }
     if (p_.opens()) openings_.keepOpenParts();
     std::vector<double> velocity;
     for (const auto& b : solids.bodies->table.bodies)

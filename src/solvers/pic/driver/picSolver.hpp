@@ -24,7 +24,8 @@ public:
     void interrupt() override
     {
         p_.interrupted = true;
-        if (p_.inside.scene) p_.inside.scene->interrupt();
+        // ranks stop their solids at the same step
+        if (p_.inside.scene && !p_.halo) p_.inside.scene->interrupt();
     }
     double time() const override { return p_.set.clock.time; }
     FluidState fluid() override { return readings_.fluid(); }
@@ -183,6 +184,7 @@ template<class Backend, int D, class P>
 PicReport PicSolver<Backend, D, P>::advanceDry(double t, std::int64_t maxSteps)
 {
     PicReport report;
+    if (p_.halo && p_.isInterrupted()) maxSteps = 1;
     const DemReport solids = p_.inside.scene->advance(t, maxSteps);
     p_.interrupted = false;
     p_.set.clock.time = report.time = solids.time;

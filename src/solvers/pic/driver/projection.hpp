@@ -8,6 +8,7 @@
 #include "pic/terms/forces.hpp"
 #include "solvers/pic/driver/momentumBudget.hpp"
 #include "solvers/pic/driver/picTransfer.hpp"
+#include "solvers/pic/driver/rankSums.hpp"
 #include "solvers/pic/driver/viscousStep.hpp"
 
 namespace riprap
@@ -104,7 +105,10 @@ void Projection<Backend, D, P>::addWallWork(double dt)
         if (!p_.cut.pushed[d].size()) return;
         work.flux[d] = p_.cut.pushed[d].data();
     }
-    p_.wallWork += dt*p_.set.grid.area()*sumOver<1>(p_.set.context, p_.set.grid.cells(), work)[0];
+    const double sum = p_.halo
+        ? sumByRank<1>(p_, work)[0]
+        : sumOver<1>(p_.set.context, p_.set.grid.cells(), work)[0];
+    p_.wallWork += dt*p_.set.grid.area()*sum;
 }
 
 //- Forces, then the pressure; the velocity, its change and what carries particles, extended past
@@ -150,7 +154,7 @@ void Projection<Backend, D, P>::project(double dt, double drift)
                 pressure.total.data(), dt});
     if (p_.cut.base.moves) addWallWork(dt);
     if (solids.bodies)
-        solids.bodies->forces.act(solids.cut.gather(context, pressure.whole().data()));
+        solids.bodies->forces.act(coupling_.gather(pressure.whole().data()));
     p_.rows.eachFace(context,
         [&](int d)
         {

@@ -109,6 +109,8 @@ void ViscousStep<Backend, D, P>::setForce(double dt)
     if (clock.steps && p_.cut.moves)
     {
         if (pressure_.size() == 0) pressure_.allocate(context, grid.cells());
+        // a solution leaves one cell around the brick right: new cells there have neighbours
+        if (p_.halo) p_.halo->exchange({{p_.pressure.whole(), -1}});
         PressureOfNewCells<D> fill{grid, p_.pressure.step.wet(), f.p, pressure_.data(), {}};
         for (int d = 0; d < D; ++d) fill.weight[d] = p_.set.config.density*p_.set.gravity[d]*grid.h;
         forEach(context, grid.cells(), fill);

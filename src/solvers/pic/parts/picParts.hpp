@@ -64,7 +64,7 @@ struct PicParts
     std::unique_ptr<GatheredPressure<Backend, D, P>> gathered;      // null: they divide it
 
     PicParts(const PicConfig& config, const FluidInput& water, LinearSolver* solver, PicInside&& in)
-        : set(config, water), inside(std::move(in)), pressure(set, solver)
+        : set(ofRanks(config, bool(in.solids)), water), inside(std::move(in)), pressure(set, solver)
     {
         if (!set.bricks) return;
         halo = std::make_unique<HaloExchange<Backend, D>>(set.context, *set.bricks);
@@ -74,6 +74,13 @@ struct PicParts
 
     PicParts(const PicParts&) = delete;
 
+    //- Bodies are solved for where the equation is divided
+    static PicConfig ofRanks(PicConfig config, bool solids)
+    {
+        if (solids) config.gatheredCells = 0;
+        return config;
+    }
+
     //- On any rank
     bool isInterrupted() const { return set.largest(interrupted ? 1 : 0) > 0; }
     bool opens() const { return !openings.faces.empty(); }
@@ -81,8 +88,9 @@ struct PicParts
     bool sticksInside() const { return cuts() && set.config.noSlip && set.config.viscosity > 0; }
 
     PressureFields<D, real> pressureFields(double dt, bool useReflected = false);
-    PressureReport projectOnRanks(
-        const PressureFields<D, real>&, bool sameWater, double tolerance = 0);
+    //- As PressureStep::project
+    PressureReport projectOnRanks(const PressureFields<D, real>&, bool sameWater,
+        double tolerance = 0, const BodiesOnGrid<Backend, D>* onGrid = nullptr);
 
     //- Of cells (direction -1) or faces of the whole block, on the host
     template<class A> auto whole(A& array, int direction) const
@@ -92,7 +100,9 @@ struct PicParts
     //- Of the whole block's nodes to solids
     std::vector<double> nodeDistances() const
     {
-        return halo ? cut.base.nodeDistance : cut.nodeDistance.download();
+        if (!halo) return cut.nodeDistance.download();
+        return solids.bodies ? halo->gather(cut.nodeDistance, GridField::nodes)
+                             : cut.base.nodeDistance;
     }
 
     GridVelocities<D, real> gridVelocities(double dt);
@@ -126,10 +136,9 @@ PressureFields<D, typename P::real> PicParts<Backend, D, P>::pressureFields(
     return f;
 }
 
-//- As PressureStep::project, of water without bodies
 template<class Backend, int D, class P>
-PressureReport PicParts<Backend, D, P>::projectOnRanks(
-    const PressureFields<D, real>& f, bool sameWater, double tolerance)
+PressureReport PicParts<Backend, D, P>::projectOnRanks(const PressureFields<D, real>& f,
+    bool sameWater, double tolerance, const BodiesOnGrid<Backend, D>* onGrid)
 {
     PressureReport report;
     if (!pressure.solver.onDevice())
@@ -144,7 +153,7 @@ PressureReport PicParts<Backend, D, P>::projectOnRanks(
     }
     else
     {
-        report = pressure.step.solveDivided(set.context, f, sameWater, controls);
+        report = pressure.step.solveDivided(set.context, f, sameWater, controls, onGrid);
         pressure.solver.report(report);
     }
     pressure.step.correct(set.context, f, &rows);

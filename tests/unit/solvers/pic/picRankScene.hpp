@@ -21,6 +21,8 @@ struct RankScene
     FluidInput water;
     PicWalls walls;
     std::vector<PicObstacle> obstacles;
+    std::shared_ptr<const PicSolids> solids = nullptr;
+    WallMotion motion = nullptr;
 
     std::unique_ptr<PicScene> on(Transport* ranks) const
     {
@@ -28,6 +30,8 @@ struct RankScene
         own.ranks = ranks;
         PicInside inside;
         inside.obstacles = obstacles;
+        inside.solids = solids;
+        inside.motion = motion;
         return createPicScene(own, water, walls, nullptr, std::move(inside));
     }
 };

@@ -303,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(, PicRanks, testing::ValuesIn(setups({2, 3})), setupNam
 //- What is not there yet is refused by all ranks
 TEST(PicRanksRefused, whatOneProcessHas)
 {
-    const auto refused = [](const std::function<void(PicConfig&, PicInside&)>& change)
+    const auto refused = [](const std::function<void(PicConfig&)>& change)
     {
         std::string text;
         onRanks(2, [&](Transport& t)
@@ -315,8 +315,7 @@ TEST(PicRanksRefused, whatOneProcessHas)
             c.spacing = 0.5*c.cellSize;
             c.density = 1000;
             c.ranks = &t;
-            PicInside inside;
-            change(c, inside);
+            change(c);
             FluidInput f;
             for (int i = 0; i < 16; ++i)
                 for (int j = 0; j < 16; ++j)
@@ -325,29 +324,18 @@ TEST(PicRanksRefused, whatOneProcessHas)
             // a box of half a cell fills none
             if (c.jitter > 0) f.position.resize(3);
             f.velocity.assign(f.position.size(), 0.0);
-            try { createPicScene(c, f, PicWalls(), nullptr, std::move(inside)); }
+            try { createPicScene(c, f, PicWalls()); }
             catch (const std::invalid_argument& e) { if (t.rank() == 0) text = e.what(); }
         });
         return text;
     };
     using C = PicConfig;
-    using I = PicInside;
-    EXPECT_EQ(refused([](C&, I&) {}), "");
-    EXPECT_EQ(refused([](C& c, I&) { c.jitter = 0.1; }), "the fluid fills no cell");
-    EXPECT_NE(refused([](C& c, I&) { c.maxCourantEver = 8; }).find("guards/Courant"),
+    EXPECT_EQ(refused([](C&) {}), "");
+    EXPECT_EQ(refused([](C& c) { c.jitter = 0.1; }), "the fluid fills no cell");
+    EXPECT_NE(refused([](C& c) { c.maxCourantEver = 8; }).find("guards/Courant"),
         std::string::npos);
-    EXPECT_NE(refused([](C&, I& i) { i.solids = std::make_shared<PicSolids>(); }).find("solids"),
-        std::string::npos);
-    const auto moving = [](C&, I& i)
-    {
-        i.obstacles.resize(1);
-        i.obstacles[0].name = "gate";
-        i.obstacles[0].body = 0;
-        i.motion = [](int, double) { return WallPose(); };
-    };
-    EXPECT_NE(refused(moving).find("surface gate inside the mesh moves"), std::string::npos);
     EXPECT_NE(
-        refused([](C& c, I&) { c.periodic[0] = c.periodic[1] = true; }).find("too many"),
+        refused([](C& c) { c.periodic[0] = c.periodic[1] = true; }).find("too many"),
         std::string::npos);
 }
 
@@ -360,29 +348,25 @@ TEST(PicRanksRefused, partsOfTheInput)
         {
             PressureReport solve(ReducedSystem&) override { return PressureReport(); }
         } others;
-        const auto refused = [&](const std::function<void(PicConfig&, PicInside&)>& change,
+        const auto refused = [&](const std::function<void(PicConfig&)>& change,
                                  const LinearSolver* solver = nullptr, bool several = true)
         {
             PicConfig c;
             c.ranks = several ? &t : nullptr;
-            PicInside inside;
-            change(c, inside);
-            try { checkPicRanks(c, solver, inside); }
+            change(c);
+            try { checkPicRanks(c, solver); }
             catch (const PicRefusal& e) { return int(e.input); }
             return -1;
         };
         using C = PicConfig;
-        using I = PicInside;
-        const auto nothing = [](C&, I&) {};
+        const auto nothing = [](C&) {};
         EXPECT_EQ(refused(nothing), -1);
         EXPECT_EQ(refused(nothing, &others), int(PicInput::solver));
         EXPECT_EQ(refused(nothing, &others, false), -1);
-        EXPECT_EQ(refused([](C& c, I&) { c.device = DeviceKind::gpu; }),
+        EXPECT_EQ(refused([](C& c) { c.device = DeviceKind::gpu; }),
             int(PicInput::device));
-        EXPECT_EQ(refused([](C& c, I&) { c.maxCourantEver = 7; }), int(PicInput::guards));
-        EXPECT_EQ(refused([](C& c, I&) { c.maxCourantEver = 6; }), -1);
-        EXPECT_EQ(refused([](C&, I& i) { i.solids = std::make_shared<PicSolids>(); }),
-            int(PicInput::solids));
+        EXPECT_EQ(refused([](C& c) { c.maxCourantEver = 7; }), int(PicInput::guards));
+        EXPECT_EQ(refused([](C& c) { c.maxCourantEver = 6; }), -1);
     });
 }
 
