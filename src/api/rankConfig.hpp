@@ -18,6 +18,8 @@ struct RankConfig
     double imbalance = 0.1;
     // parts are even in the time that their particles cost; else in their numbers
     bool measured = false;
+    // GPUs that reach each other send what a step needs without the host
+    bool direct = true;
 };
 
 } // namespace riprap

@@ -42,6 +42,7 @@ struct RankReport
     // the last division: most of a rank over the mean, before (0: there was none) and after
     double unevenBefore = 0, unevenAfter = 0;
     double atWork = 0;                      // [s] in steps, without waiting for others
+    bool direct = false;                    // GPUs send in steps without the host
 };
 
 struct KernelInfo { std::string name; std::int64_t launches = 0; double seconds = 0; };

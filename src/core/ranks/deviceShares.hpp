@@ -1,5 +1,6 @@
 /*  SlotShares of fields that are on a device: what is sent is put together there by a list of
-    slots, and crosses to the host in one copy; what comes goes the same way back.
+    slots, and crosses to the host in one copy; what comes goes the same way back. Where GPUs reach
+    each other (devicePeers.hpp) it does not pass through the host, which waits for nothing.
 
     put(slot, to) and take(slot, from) are functors for the device; bytes are aligned to the words
     that they are made of.
@@ -10,6 +11,7 @@
 
 #include "core/backend/hostMemory.hpp"
 #include "core/backend/launch.hpp"
+#include "core/ranks/devicePeers.hpp"
 #include "core/ranks/slotShares.hpp"
 
 namespace riprap
@@ -67,11 +69,23 @@ class DeviceShares
 {
 public:
 
-    //- Slots that are shared from now on
-    void set(Context<Backend>& context, const SlotShares& shares)
+    //- Slots that are shared from now on, with records of up to `most` bytes. All ranks call
+    void set(Context<Backend>& context, [[maybe_unused]] Transport& transport,
+        DevicePeers<Backend>& peers, const SlotShares& shares, [[maybe_unused]] std::size_t most)
     {
         set(context, shares.sent(), sent_);
         set(context, shares.received(), received_);
+        direct_ = peers.there();
+        if constexpr (Backend::gpu) if (direct_)
+        {
+            std::vector<typename PeerChannel<Backend>::Partner> partners(transport.size());
+            for (int r = 0; r < transport.size(); ++r) partners[r].rank = r;
+            for (const auto& p : sent_.partners) partners[p.first].out = p.second;
+            for (const auto& p : received_.partners) partners[p.first].in = p.second;
+            partners.erase(std::remove_if(partners.begin(), partners.end(),
+                [](const auto& p) { return p.out + p.in == 0; }), partners.end());
+            channel_.set(context, peers, transport, partners, most);
+        }
     }
 
     //- \return bytes sent
@@ -79,10 +93,17 @@ public:
     std::int64_t share(Context<Backend>& context, Transport& transport, std::size_t each,
         const Put& put, const Take& take)
     {
-        setRoom(context, each, sent_);
-        setRoom(context, each, received_);
         const int out = sent_.count(), in = received_.count();
         const std::size_t bytes = out*each;
+        if constexpr (Backend::gpu) if (direct_)
+        {
+            channel_.share(context, each,
+                PutSlots<Put>{put, sent_.slots.data(), nullptr, int(each)},
+                TakeSlots<Take>{take, received_.slots.data(), nullptr, int(each)});
+            return std::int64_t(bytes);
+        }
+        setRoom(context, each, sent_);
+        setRoom(context, each, received_);
         forEach(context, out, PutSlots<Put>{put, sent_.slots.data(), sent_.bytes(), int(each)});
         // waits for what came before, too: its memory is written anew
         if (Backend::gpu && out) context.toHost(sent_.host.data(), sent_.bytes(), bytes);
@@ -142,6 +163,8 @@ private:
     }
 
     Side sent_, received_;
+    bool direct_ = false;
+    PeerChannel<Backend> channel_;
 };
 
 } // namespace riprap

@@ -44,6 +44,27 @@ void join(Transport& ranks, std::vector<T>& values)
     }
 }
 
+//- What ranks have sent in ascending rows, one after the other, becomes one row
+template<class T, class Less>
+void mergeRows(std::vector<T>& v, const Less& less)
+{
+    std::vector<std::size_t> begin(1, 0), next;
+    for (std::size_t k = 1; k < v.size(); ++k) if (less(v[k], v[k - 1])) begin.push_back(k);
+    begin.push_back(v.size());
+    const auto at = [&](std::size_t k) { return v.begin() + std::ptrdiff_t(begin[k]); };
+    while (begin.size() > 2)
+    {
+        next.clear();
+        for (std::size_t k = 0; k + 1 < begin.size(); k += 2)
+        {
+            next.push_back(begin[k]);
+            if (k + 2 < begin.size()) std::inplace_merge(at(k), at(k + 1), at(k + 2), less);
+        }
+        next.push_back(v.size());
+        begin.swap(next);
+    }
+}
+
 //- Entry by entry, by rank
 inline void addByRank(Transport& ranks, std::vector<double>& v)
 {

@@ -87,23 +87,25 @@ void PieceOwners::count(std::vector<std::int64_t> here, bool everywhere)
 
 void PieceOwners::count(const std::vector<PieceCount>& here, bool everywhere)
 {
+    std::vector<PieceCount> all(here);
+    if (!everywhere)
+    {
+        join(transport_, all);
+        mergeRows(all, [](const PieceCount& a, const PieceCount& b) { return a.piece < b.piece; });
+    }
     inPiece_.resize(pieces_.count(), 0);
     for (const int p : occupied_) if (p < pieces_.count()) inPiece_[p] = 0;
     occupied_.clear();
+    occupied_.reserve(all.size());
     total_ = 0;
-    const auto add = [&](const PieceCount& c)
+    for (const PieceCount& c : all)
     {
-        if (!inPiece_[c.piece]) occupied_.push_back(c.piece);
+        if (occupied_.empty() || occupied_.back() != c.piece) occupied_.push_back(c.piece);
         inPiece_[c.piece] += c.count;
         total_ += c.count;
-    };
-    if (everywhere) for (const PieceCount& c : here) add(c);
-    else
+    }
+    if (!everywhere)
     {
-        std::vector<PieceCount> all(here);
-        join(transport_, all);
-        for (const PieceCount& c : all) add(c);
-        std::sort(occupied_.begin(), occupied_.end());
         std::int64_t own = 0;
         for (const PieceCount& c : here) own += c.count;
         measure(own);
@@ -176,13 +178,14 @@ const std::vector<int>& PieceOwners::needs(int piece)
 {
     std::vector<int>& r = needs_[piece];
     if (known_[piece]) return r;
-    known_[piece] = 1;
+    known_[piece] = nobody;
     r.clear();
     if (within(piece)) return r;
     for (const int other : pieces_.near(piece))
         if (owner_[other] != owner_[piece]) r.push_back(owner_[other]);
     std::sort(r.begin(), r.end());
     r.erase(std::unique(r.begin(), r.end()), r.end());
+    if (!r.empty()) known_[piece] = somebody;
     return r;
 }
 

@@ -48,6 +48,8 @@ public:
     int owner(int piece) const { return owner_[piece]; }
     //- Ranks besides the owner that need its particles
     const std::vector<int>& needs(int piece);
+    //- Are there any? Of most pieces it is known that there are none
+    bool needed(int piece) { return known_[piece] != nobody && !needs(piece).empty(); }
     std::int64_t in(int piece) const { return inPiece_[piece]; }    // of all ranks
     //- Those with particles of any rank, ascending
     const std::vector<int>& occupied() const { return occupied_; }
@@ -78,6 +80,7 @@ private:
     Bricks bricks_;
     std::vector<int> owner_;                // of each piece
     std::vector<std::vector<int>> needs_;   // where that is known
+    static constexpr char nobody = 1, somebody = 2;         // 0: not known
     std::vector<char> known_;
     std::vector<std::int64_t> inPiece_;     // particles of all ranks
     std::vector<int> occupied_;

@@ -15,6 +15,7 @@
 #include "core/neighbours/cellSort.hpp"
 #include "core/ranks/deviceShares.hpp"
 #include "core/ranks/fieldRecords.hpp"
+#include "core/ranks/joinRanks.hpp"
 #include "core/containers/ghostMarks.hpp"
 #include "core/ranks/pieceOwners.hpp"
 #include "core/ranks/slotKernels.hpp"
@@ -27,10 +28,12 @@ class SlotExchange
 {
 public:
 
-    //- measured: bricks follow the time that particles cost
-    SlotExchange(
-        Context<Backend>& context, Transport& transport, double imbalance, bool measured = false)
-        : context_(context), transport_(transport), owners_(transport, imbalance, measured)
+    //- measured: bricks follow the time that particles cost. direct: GPUs that reach each other
+    //  send without the host. All ranks make theirs
+    SlotExchange(Context<Backend>& context, Transport& transport, double imbalance,
+        bool measured = false, bool direct = true)
+        : peers(context, transport, direct), context_(context), transport_(transport),
+        owners_(transport, imbalance, measured)
     {}
 
     Transport& transport() const { return transport_; }
@@ -61,7 +64,9 @@ public:
     int left() const { return left_; }
     const unsigned char* leftRecord(int k) { return records_.record(sent_ + k); }
 
-    //- put(slot, to), take(slot, from): functors for the device (deviceShares.hpp)
+    //- put(slot, to), take(slot, from): functors for the device (deviceShares.hpp). each: of
+    //  mostShared at most
+    static constexpr std::size_t mostShared = 9*sizeof(double);
     template<class Put, class Take>
     void share(std::size_t each, const Put& put, const Take& take)
     {
@@ -70,6 +75,7 @@ public:
 
     struct Counts { std::int64_t arrivals = 0, bytesMigrating = 0, bytesShared = 0; };
     Counts counts;                          // so far, of this rank
+    DevicePeers<Backend> peers;
     //- Steps begin, or have ended
     void work(bool on) { owners_.work(on); }
     const PieceOwners& owners() const { return owners_; }
@@ -132,7 +138,7 @@ private:
     Scratch scratch_;
     FieldRecords<Backend> records_;
     DeviceShares<Backend> shares_;
-    std::vector<int> foreign_;              // pieces with ghosts here
+    std::vector<int> foreign_, shared_;     // pieces with ghosts here; own ones, elsewhere
     mutable std::vector<char> ghosts_;      // what the host has seen of the marks
     bool everywhere_ = false;
     int residents_ = 0, ownedHere_ = 0, stay_ = 0, arrived_ = 0, sent_ = 0, left_ = 0;
@@ -216,7 +222,9 @@ void SlotExchange<Backend>::setRoles(const std::vector<PieceCount>& here)
     std::vector<OccupiedPiece> occupied;
     std::int64_t first = 0;
     auto own = here.begin();
+    occupied.reserve(owners_.occupied().size());
     foreign_.clear();
+    shared_.clear();
     ownedHere_ = 0;
     for (const int p : owners_.occupied())
     {
@@ -224,13 +232,15 @@ void SlotExchange<Backend>::setRoles(const std::vector<PieceCount>& here)
         const bool mine = owners_.owner(p) == me, any = own != here.end() && own->piece == p;
         OccupiedPiece o{first, p, count, mine ? PieceRole::own : 0, 0};
         first += count;
+        const bool needed = (mine || any) && owners_.needed(p);
         if (mine) ownedHere_ += count;
+        if (mine && needed) shared_.push_back(p);
         if (any)
         {
             ++own;
+            if (!everywhere_ && (!mine || needed)) o.role |= PieceRole::sends;
             const std::vector<int>& needs = owners_.needs(p);
-            if (!everywhere_ && (!mine || !needs.empty())) o.role |= PieceRole::sends;
-            if (!mine && std::binary_search(needs.begin(), needs.end(), me))
+            if (!mine && needed && std::binary_search(needs.begin(), needs.end(), me))
             {
                 o.role |= PieceRole::keeps;
                 foreign_.push_back(p);
@@ -281,6 +291,7 @@ std::vector<typename SlotExchange<Backend>::Sending> SlotExchange<Backend>::deci
         if (c.cell >= std::uint32_t(owners_.pieces().cells())) { left.push_back(c.slot); continue; }
         const int piece = pieceOf(c.cell), owner = owners_.owner(piece);
         if (owner != me) sending.push_back(Sending{owner, k, true});
+        if (!owners_.needed(piece)) continue;
         for (const int rank : owners_.needs(piece))
             if (rank != me) sending.push_back(Sending{rank, k, false});
     }
@@ -311,7 +322,7 @@ std::vector<typename SlotExchange<Backend>::Arrival> SlotExchange<Backend>::take
             if (!h.whole) foreign_.push_back(pieceOf(h.cell));
         }
     }
-    std::sort(arrivals.begin(), arrivals.end(), [](const Arrival& a, const Arrival& b)
+    mergeRows(arrivals, [](const Arrival& a, const Arrival& b)
     { return a.header.number < b.header.number; });
     for (std::size_t k = 1; k < arrivals.size(); ++k)
         if (arrivals[k].header.number == arrivals[k - 1].header.number)
@@ -344,6 +355,7 @@ void SlotExchange<Backend>::migrate(
     FieldSet<Backend>& fields, CellSort<Backend>& sort, const int& n, const Grow& grow)
 {
     const std::vector<PieceCount> here = count(sort);
+    peers.noticeWaiting();
     owners_.count(here, everywhere_);
     setRoles(here);
     const std::vector<ChosenSlot> chosen = choose(sort);
@@ -352,6 +364,10 @@ void SlotExchange<Backend>::migrate(
     records_.gather(context_, fields, slots);
     const std::size_t each = records_.each();
     std::vector<RankBytes> out(transport_.size()), in;
+    std::vector<std::size_t> count(transport_.size(), 0);
+    for (const Sending& s : sending) ++count[s.rank];
+    for (int r = 0; r < transport_.size(); ++r)
+        out[r].reserve(count[r]*(sizeof(Header) + each));
     for (const Sending& s : sending)
     {
         const Header h{chosen[s.at].number, chosen[s.at].cell, s.whole};
@@ -371,6 +387,10 @@ void SlotExchange<Backend>::migrate(
     std::vector<std::int64_t> number;
     std::vector<unsigned char> bytes;
     slots.clear();
+    slots.reserve(arrivals.size());
+    arrival.reserve(arrivals.size());
+    number.reserve(arrivals.size());
+    bytes.reserve(arrivals.size()*each);
     for (const Arrival& a : arrivals)
     {
         slots.push_back(residents_ + int(slots.size()));
@@ -414,10 +434,7 @@ void SlotExchange<Backend>::shareSlots(CellSort<Backend>& sort)
 {
     std::sort(foreign_.begin(), foreign_.end());
     foreign_.erase(std::unique(foreign_.begin(), foreign_.end()), foreign_.end());
-    std::vector<int> wanted;
-    for (const int p : owners_.occupied())
-        if (owners_.owner(p) == transport_.rank() && !owners_.needs(p).empty())
-            wanted.push_back(p);
+    std::vector<int> wanted(shared_);
     const std::size_t own = wanted.size();
     wanted.insert(wanted.end(), foreign_.begin(), foreign_.end());
     scratch_.wanted.upload(context_, wanted);
@@ -427,19 +444,24 @@ void SlotExchange<Backend>::shareSlots(CellSort<Backend>& sort)
     const std::vector<int> ranges = fetch(scratch_.range.data(), 2*wanted.size());
 
     std::vector<std::vector<int>> to(transport_.size()), from(transport_.size());
+    const auto add = [&](std::vector<int>& slots, std::size_t k)
+    {
+        const std::size_t before = slots.size();
+        slots.resize(before + ranges[2*k + 1] - ranges[2*k]);
+        std::iota(slots.begin() + std::ptrdiff_t(before), slots.end(), ranges[2*k]);
+    };
     for (std::size_t k = 0; k < wanted.size(); ++k)
-        for (int i = ranges[2*k]; i < ranges[2*k + 1]; ++i)
-        {
-            if (k >= own) from[owners_.owner(wanted[k])].push_back(i);
-            else for (const int rank : owners_.needs(wanted[k])) to[rank].push_back(i);
-        }
+    {
+        if (k >= own) add(from[owners_.owner(wanted[k])], k);
+        else for (const int rank : owners_.needs(wanted[k])) add(to[rank], k);
+    }
     SlotShares shares;
     for (int rank = 0; rank < transport_.size(); ++rank)
     {
         shares.send(rank, std::move(to[rank]));
         shares.receive(rank, std::move(from[rank]));
     }
-    shares_.set(context_, shares);
+    shares_.set(context_, transport_, peers, shares, mostShared);
 }
 
 //- The host's copy is brought over when somebody asks

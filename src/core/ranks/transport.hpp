@@ -42,6 +42,8 @@ public:
 
     //- This rank has been in these calls for so long [s], waiting for others most of it
     double seconds() const { return seconds_; }
+    //- It has waited elsewhere: in kernels of a GPU [s]
+    void waited(double seconds) { seconds_ += seconds; }
 
 protected:
 

@@ -34,7 +34,8 @@ void Foam::logRanks(pstreamTransport& ranks, const riprap::RankReport& here)
     }
     Info<< nl << "Busiest process = " << most[1]*n/max(work[0], VSMALL)
         << " of the mean time in steps without waiting" << nl
-        << "Sent in all: steps " << bytesText(sums[3]).c_str();
+        << "Sent in all: steps " << bytesText(sums[3]).c_str()
+        << (here.direct ? " from GPU to GPU" : "");
     // A grid has none
     if (sums[4]) Info<< ", rebuilds " << bytesText(sums[4]).c_str();
     Info<< ", particles to other processes " << sums[2] << endl;

@@ -12,6 +12,7 @@ void Foam::readRankBalance(checkedDictionary& all, riprap::RankConfig& config)
     checkedDictionary dict(all.subDict("parallel"));
     config.measured = dict.either("balance", "time", "particles", true);
     config.imbalance = dict.positive("imbalance", config.imbalance);
+    config.direct = dict.either("messages", "direct", "host", config.direct);
     dict.end();
 }
 

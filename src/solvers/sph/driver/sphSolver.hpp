@@ -154,7 +154,11 @@ SphReport SphSolver<Backend, D, P>::advance(double t, std::int64_t maxSteps)
         // poses are part of the recorded launches
         if constexpr (Backend::gpu) p_.memory.graphs.forget();
     }
-    if (p_.ranks) p_.ranks->agreeToStop(p_.interrupted);
+    if (p_.ranks)
+    {
+        p_.ranks->agreeToStop(p_.interrupted);
+        p_.ranks->particles().work(true);
+    }
     if (p_.stopAsked()) maxSteps = 1;
     const std::int64_t before = now.step;
     if (p_.solids.side) p_.solids.side->beginReport();

@@ -34,6 +34,7 @@ private:
     int stepsAhead() const;
     void runCycles(int steps, bool graphs);
     void runCyclesOfRanks(int steps);
+    void rebuildOfRanks();
     void fitCycle(int taken);
 
     SphParts<Backend, D, P>& p_;
@@ -48,9 +49,9 @@ void SphStepper<Backend, D, P>::step()
 {
     forEach(p_.set.context, 1, p_.tick());
     if constexpr (!Backend::gpu) if (!p_.clock.data()->active) return;
-    if (Backend::gpu && p_.ranks)
+    if (Backend::gpu && p_.ranks && !p_.ranks->particles().peers.there())
     {
-        // ranks send each other nothing in a step that is off
+        // hosts send each other nothing in a step that is off
         p_.clock.read();
         if (!p_.clock.now.active) return;
     }
@@ -146,7 +147,7 @@ void SphStepper<Backend, D, P>::run(std::int64_t& rebuilds)
     {
         while (!p_.clock.over())
         {
-            neighbours_.rebuild();
+            rebuildOfRanks();
             ++rebuilds;
             // on the GPU a step with solids has read its clock by itself: the host waits once less
             do {
@@ -226,21 +227,31 @@ void SphStepper<Backend, D, P>::runCycles([[maybe_unused]] int steps, [[maybe_un
     }
 }
 
-//- The same on several ranks, with the host between steps: it sees when one is off, as those after
+//- The same on several ranks. Where their hosts send, each sees when a step is off, as those after
 //  it would be
 template<class Backend, int D, class P>
 void SphStepper<Backend, D, P>::runCyclesOfRanks(int steps)
 {
+    const bool direct = p_.ranks->particles().peers.there();
     for (int c = 0; c < 2; ++c)
     {
-        neighbours_.rebuild();
+        rebuildOfRanks();
         for (int k = 0; k < steps; ++k)
         {
             step();
-            if (!p_.clock.now.active || p_.stopAsked()) break;
+            if (!direct && (!p_.clock.now.active || p_.stopAsked())) break;
         }
         if (p_.stopAsked()) break;
     }
+}
+
+//- Where hosts launch ahead ranks agree here whether somebody wants them to stop
+template<class Backend, int D, class P>
+void SphStepper<Backend, D, P>::rebuildOfRanks()
+{
+    neighbours_.rebuild();
+    if (p_.ranks && p_.ranks->particles().peers.there())
+        p_.ranks->agreeToStop(p_.interrupted);
 }
 
 //- The length of a cycle after two of them took so many steps. Those that find nothing to do take

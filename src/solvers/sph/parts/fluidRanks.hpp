@@ -62,6 +62,34 @@ struct TakeRecord
     }
 };
 
+//- f(value) for what ranks agree on of a clock: the largest of each
+template<class F>
+HD void eachAgreed(ClockData& c, F f)
+{
+    for (float& most : c.maxima) f(most);
+    f(c.needRebuild);
+    f(c.skinViolations);
+    for (int k = 0; k < 2; ++k) { f(c.aged[k]); f(c.missed[k]); }
+    for (int& overflow : c.overflow) f(overflow);
+}
+
+//- The same between GPUs (DevicePeers)
+struct AgreeOnClock
+{
+    static constexpr const char* name = "agreeOnClock";
+    static constexpr int count = maximaCount + 2 + 4 + 5;
+    ClockData* clock;
+
+    HD void put(double* to) const
+    {
+        eachAgreed(*clock, [&](auto value) { *to++ = double(value); });
+    }
+    HD void take(const double* from) const
+    {
+        eachAgreed(*clock, [&](auto& value) { value = std::decay_t<decltype(value)>(*from++); });
+    }
+};
+
 template<class Backend, int D, class P>
 class FluidRanks
 {
@@ -126,7 +154,8 @@ public:
     //- What pairs see of fluid that is a ghost elsewhere
     void shareRecords();
 
-    //- What the last pass, its step or a rebuild has raised on any rank
+    //- What the last pass, its step or a rebuild has raised on any rank. Where GPUs reach each
+    //  other, hosts launch ahead and `interrupted` is not looked at: agreeToStop() is for that
     void agree(SphClock<Backend>&, bool interrupted);
     //- At a rebuild, before lists are made: the largest h there is
     void agreeOnH(SphClock<Backend>&);
@@ -134,7 +163,6 @@ public:
     void agreeToStop(bool interrupted)
     {
         stop_ = largestOfRanks(ranks(), double(interrupted)) > 0;
-        exchange_.work(true);
     }
     bool stopAgreed() const { return stop_; }
 
@@ -170,7 +198,7 @@ private:
 template<class Backend, int D, class P>
 FluidRanks<Backend, D, P>::FluidRanks(const Scene& scene)
     : s_(scene), exchange_(scene.context, *scene.config.ranks, scene.config.imbalance,
-        scene.config.measured)
+        scene.config.measured, scene.config.direct)
 {}
 
 template<class Backend, int D, class P>
@@ -278,17 +306,13 @@ void FluidRanks<Backend, D, P>::shareRecords()
 template<class Backend, int D, class P>
 void FluidRanks<Backend, D, P>::agree(SphClock<Backend>& clock, bool interrupted)
 {
-    ClockData& c = clock.taken();
-    std::vector<double> most(c.maxima, c.maxima + maximaCount);
-    int* const flags[] = {&c.needRebuild, &c.skinViolations, c.aged, c.aged + 1, c.missed,
-        c.missed + 1, c.overflow, c.overflow + 1, c.overflow + 2, c.overflow + 3, c.overflow + 4};
-    for (const int* flag : flags) most.push_back(*flag);
-    most.push_back(interrupted);
+    if (exchange_.peers.there()) return exchange_.peers.largest(AgreeOnClock{clock.data()});
+    const AgreeOnClock clockOf{&clock.taken()};
+    std::vector<double> most(AgreeOnClock::count + 1, double(interrupted));
+    clockOf.put(most.data());
     ranks().largest(most);
-    for (int k = 0; k < maximaCount; ++k) c.maxima[k] = float(most[k]);
-    int k = maximaCount;
-    for (int* flag : flags) *flag = int(most[k++]);
-    stop_ = most[k] > 0;
+    clockOf.take(most.data());
+    stop_ = most.back() > 0;
     clock.give();
 }
 
@@ -330,13 +354,14 @@ void FluidRanks<Backend, D, P>::report(SphReport& report)
     report.escapedId.swap(left_.escapedId);
     report.wild.swap(left_.wild);
     left_ = SphReport();
+    exchange_.peers.noticeWaiting();
     exchange_.work(false);
     const auto& c = exchange_.counts;
     const int own = exchange_.ownedHere();
     report.rank = RankReport{std::size_t(own), std::size_t(exchange_.residents() - own), c.arrivals,
         exchange_.owners().cuts(), c.bytesShared, c.bytesMigrating,
         exchange_.owners().unevenBefore(), exchange_.owners().unevenAfter(),
-        exchange_.owners().atWork()};
+        exchange_.owners().atWork(), exchange_.peers.there()};
 }
 
 template<class Backend, int D, class P>

@@ -137,9 +137,9 @@ bool SolidRanks<Backend, D, P>::agreeOnMeeting()
         if (rank != me) nearTo[rank].push_back(i);
     SlotShares shares;
     detail::setShares(shares, to, from);
-    forces_.set(fluid_.context(), shares);
+    forces_.set(fluid_.context(), transport(), cells.peers, shares, sizeof(real)*D);
     detail::setShares(shares, nearTo, nearFrom);
-    pressures_.set(fluid_.context(), shares);
+    pressures_.set(fluid_.context(), transport(), cells.peers, shares, sizeof(real)*(D + 2));
     return any;
 }
 

@@ -138,7 +138,8 @@ void WallRanks<Backend, D, P>::settle()
     ghosts_.set(fluid_.context(), std::move(marks));
     SlotShares lists;
     detail::setShares(lists, to, from);
-    shares_.set(fluid_.context(), lists);
+    shares_.set(
+        fluid_.context(), cells.transport(), cells.peers, lists, sizeof(real)*(D + 2));
     sendAddedUp(std::move(leave), std::move(arrive));
 }
 
