@@ -52,6 +52,8 @@ wrong gpuNumber 'Entry gpu is 99, '\
 'and (the GPUs of this machine are 0 \(|riprap was built without CUDA|there is no).*sphProperties'
 bad balance 'parallel { balance work; }' 'balance has the unknown word work; '\
 'valid are .*(time particles|particles time)'
+bad messages 'parallel { messages fast; }' 'messages has the unknown word fast; '\
+'valid are \(direct host\)'
 bad imbalance 'parallel { imbalance 0; }' 'Entry imbalance is 0: it must be positive'
 bad ratio 'smoothingLength { ratio 0.5; }' 'Entry ratio is 0.5: it must be from 0.8 to 4'
 bad model 'smoothingLength { model adaptive; }' 'model has the unknown word adaptive; '\

@@ -7,12 +7,12 @@
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::readRankBalance(checkedDictionary& all, riprap::RankConfig& config)
+void Foam::readRankBalance(checkedDictionary& all, riprap::RankConfig& config, bool onGpus)
 {
     checkedDictionary dict(all.subDict("parallel"));
     config.measured = dict.either("balance", "time", "particles", true);
     config.imbalance = dict.positive("imbalance", config.imbalance);
-    config.direct = dict.either("messages", "direct", "host", config.direct);
+    if (onGpus) config.direct = dict.either("messages", "direct", "host", config.direct);
     dict.end();
 }
 

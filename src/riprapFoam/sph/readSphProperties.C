@@ -300,7 +300,7 @@ void readSphProperties(checkedDictionary sph, sphSettings& settings)
     config.precision =
         sph.choice("precision", sphNames::precision, config.precision);
     config.device = readDevice(sph, config.device);
-    readRankBalance(sph, config);
+    readRankBalance(sph, config, true);
 
     readKernel(sph, config);
     readEquationOfState(sph, settings);

@@ -166,7 +166,7 @@ void Foam::readSolidProperties(const dictionary& all, demSettings& settings)
     config.precision =
         solids.choice("precision", sphNames::precision, config.precision);
     config.device = readDevice(solids, config.device);
-    readRankBalance(solids, config);
+    readRankBalance(solids, config, false);
 
     readContact(solids, config);
     readSolidMaterials(solids, settings);
