@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include "core/ranks/transport.hpp"
 
 namespace riprap
@@ -38,6 +39,8 @@ void join(Transport& ranks, std::vector<T>& values)
     for (const RankBytes& bytes : toAll(ranks, own))
     {
         const std::size_t before = values.size();
+        if (bytes.size() % sizeof(T))
+            throw std::logic_error("a rank has sent a part of a row");
         values.resize(before + bytes.size()/sizeof(T));
         if (bytes.size())
             std::memcpy(static_cast<void*>(values.data() + before), bytes.data(), bytes.size());

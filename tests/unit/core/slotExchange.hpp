@@ -75,7 +75,7 @@ class Part
 public:
 
     Part(Transport& ranks, const Truth& all)
-        : exchange_(context_, ranks, 0.1), n_(int(all.cell.size()))
+        : exchange_(context_, ranks, 0.1, false, false), n_(int(all.cell.size()))
     {
         id_ = fields_.template add<std::int32_t>("id");
         value_ = fields_.template add<std::int64_t>("value");
