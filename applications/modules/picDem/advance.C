@@ -40,7 +40,7 @@ Foam::scalar Foam::solverModules::picDem::advance(scalar t, bool singleStep)
     {
         Info<< "The pressure is solved by the edited entries of"
             << " system/fvSolution" << nl << endl;
-        ranks_.warnOfEdits(asRead_, settings_, pressure_);
+        ranks_.warnOfEdits(asRead_, settings_, pressure_, bool(solids_));
     }
     takeSteps(t, singleStep ? 1 : 0);
 

@@ -143,9 +143,13 @@ void Foam::picRanks::warnOfEdits
 (
     const picSettings& asRead,
     const picSettings& used,
-    const pressureSolver& pressure
+    const pressureSolver& pressure,
+    bool solids
 ) const
 {
+    // With solids it has no meaning
+    if (solids) return;
+
     const label now = used.config.gatheredCells;
     const label then = pressure.gatheredCells(asRead.config.gatheredCells);
     if (!transport() || then == now) return;

@@ -103,7 +103,7 @@ bool Foam::solverModules::picDem::loadState(const particleCloud& cloud)
 
     const bool same =
         asWritten_
-     || (sameCloud(cloud) && (!solids_ || solids_->sameAsCloud()));
+     || (sameCloud(cloud) && (!solids_ || solids_->sameAsCloud(rewritten_)));
     if (!same)
     {
         return notUsed("the cloud has been changed since it was written");

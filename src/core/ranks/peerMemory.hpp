@@ -46,6 +46,7 @@ public:
 private:
 
     void closeOthers();
+    cudaError_t exportNew(cudaIpcMemHandle_t& handle);
 
     unsigned char* own_ = nullptr;
     std::size_t room_ = 0;

@@ -95,16 +95,16 @@ std::string PeerMemory::whyNot(Transport& ranks)
     Words words(ranks.size());
     try { trial.fit(ranks, 1, words); }
     catch (const std::runtime_error&) { failed = true; }
+    trial.closeOthers();
+    largestOfRanks(ranks, 0);               // nobody has it open any more
+    cudaFree(trial.own_);
+    cudaGetLastError();
     return largestOfRanks(ranks, double(failed)) > 0 ? "CUDA does not share memory here" : "";
 }
 
 
-PeerMemory::~PeerMemory()
-{
-    closeOthers();
-    cudaFree(own_);
-    cudaGetLastError();
-}
+//- Others may have this rank's memory open, and end at another time: it goes with the process
+PeerMemory::~PeerMemory() { closeOthers(); }
 
 
 void PeerMemory::closeOthers()
@@ -114,6 +114,17 @@ void PeerMemory::closeOthers()
         if (other) cudaIpcCloseMemHandle(other);
         other = nullptr;
     }
+}
+
+
+//- Memory of room_ bytes, and its handle. Errors are told once all ranks have sent theirs
+cudaError_t PeerMemory::exportNew(cudaIpcMemHandle_t& handle)
+{
+    try { own_ = static_cast<unsigned char*>(allocateOnDevice(room_)); }
+    catch (const std::runtime_error&) { return cudaErrorMemoryAllocation; }
+    cudaError_t failed = cudaMemset(own_, 0, room_);
+    if (failed == cudaSuccess) failed = cudaDeviceSynchronize();
+    return failed == cudaSuccess ? cudaIpcGetMemHandle(&handle, own_) : failed;
 }
 
 
@@ -129,10 +140,8 @@ void PeerMemory::fit(Transport& ranks, std::size_t bytes, Words& words)
         old = own_;
         room_ = (bytes + bytes/4 + piece - 1)/piece*piece;
         mine.isNew = 1;
-        own_ = static_cast<unsigned char*>(allocateOnDevice(room_));
-        checkCuda(cudaMemset(own_, 0, room_), "memory");
-        checkCuda(cudaDeviceSynchronize(), "memory");
-        failed = cudaIpcGetMemHandle(&mine.handle, own_);
+        own_ = nullptr;
+        failed = exportNew(mine.handle);
     }
     std::vector<RankBytes> out(n), in;
     for (int r = 0; r < n; ++r)

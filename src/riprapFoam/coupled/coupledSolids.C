@@ -73,7 +73,11 @@ Foam::coupledSolids::coupledSolids
             << "Entry gpu: solids are where their fluid is. Leave it out here,"
             << " and name the GPU in constant/" << fluid << exit(FatalIOError);
     }
-    differ
+    // Several processes of a fluid whose device is auto take the CPU, so do their
+    // solids
+    const bool choose =
+        asRead_.config.device == riprap::DeviceKind::automatic;
+    if (!(Pstream::parRun() && choose)) differ
     (
         "device",
         sphNames::device[asRead_.config.device],

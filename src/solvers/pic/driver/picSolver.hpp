@@ -24,8 +24,9 @@ public:
     void interrupt() override
     {
         p_.interrupted = true;
-        // ranks stop their solids at the same step
-        if (p_.inside.scene && !p_.halo) p_.inside.scene->interrupt();
+        // in water they end the step in hand; ranks stop at the same one
+        if (p_.inside.scene && !p_.halo && p_.set.clock.initial == 0)
+            p_.inside.scene->interrupt();
     }
     double time() const override { return p_.set.clock.time; }
     FluidState fluid() override { return readings_.fluid(); }
