@@ -40,6 +40,29 @@ TEST_P(PicSolidScene, StartsAgainstItsAddedMass)
     }
 }
 
+//- Who is interrupted ends the step in hand, with its solids, and goes on as others do
+TEST_P(PicSolidScene, AnInterruptedStepIsWhole)
+{
+    if (D() == 3) GTEST_SKIP() << "nothing that 2D does not have";
+    PicConfig c = config(24);
+    const FluidInput water = box(
+        c, {{0, 0, 0}}, {{1, 0.6, 1}}, [](double, double) { return true; });
+    std::unique_ptr<PicScene> scenes[2];
+    for (auto& s : scenes) s = withSolids(c, water, balls(c, {{{0.5, 0.7, 0.5}}}, 0.1, 2000));
+    for (auto& s : scenes) ASSERT_EQ(s->advance(1, 5).steps, 5);
+    scenes[0]->interrupt();
+    EXPECT_EQ(scenes[0]->advance(1, 0).steps, 1);
+    scenes[1]->advance(1, 1);
+    for (int k = 0; k < 2; ++k)
+    {
+        const DemState a = scenes[0]->solids()->particles(), b = scenes[1]->solids()->particles();
+        EXPECT_EQ(a.position, b.position);
+        EXPECT_EQ(a.velocity, b.velocity);
+        for (auto& s : scenes) s->advance(1, 3);
+    }
+    EXPECT_EQ(scenes[0]->saveState(), scenes[1]->saveState());
+}
+
 //- One that is held bears what it displaces (Archimedes); one that is moved, ever faster, its added
 //  mass (as above)
 TEST_P(PicSolidScene, HeldAndMovedOnesBearTheWater)
