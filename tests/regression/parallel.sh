@@ -697,12 +697,13 @@ geometry 'plate { type searchableBox; min (0.1 0.012 -1); max (0.112 0.09 1); }'
 moves='motion { plate { patches (plate); solidBodyMotionFunction linearMotion; '
 moves+='linearMotionCoeffs { velocity (0.02 0.3 0); } } }'
 dictionary constant/picProperties \
-    <<<"precision double; viscosity implicit; walls { slip noSlip; $moves }"
+    <<<"device auto; precision double; viscosity implicit; walls { slip noSlip; $moves }"
 dictionary constant/fluidProperties <<<'rho 1000; nu 1e-4;'
 dictionary system/fvSolution <<<'solvers { p { solver cudaPCG; tolerance 1e-12; relTol 0; } }'
-dictionary constant/solidProperties <<<"materials { rock { rho 2500; } cork { rho 400; } }
-contact { normal linear; tangential history; } pairs { default { stiffness 1e4; restitution 0.4;
-friction 0.4; } } walls { material rock; $moves } groups { stones {} corks {} }"
+dictionary constant/solidProperties <<<"device auto;
+materials { rock { rho 2500; } cork { rho 400; } } contact { normal linear; tangential history; }
+pairs { default { stiffness 1e4; restitution 0.4; friction 0.4; } }
+walls { material rock; $moves } groups { stones {} corks {} }"
 dictionary system/setParticlesDict <<<'spacing 0.00125; packing square; regions (
 water { set fluid; source box; box (0 0 -1) (0.095 0.055 1); pressure hydrostatic; }
 stones { set solids; source box; box (0.12 0 -1) (0.19 0.05 1); radius 0.006; packing layers;
