@@ -27,16 +27,8 @@ protected:
     std::shared_ptr<PicSolids> balls(
         const PicConfig& c, unsigned seed, int count, double light, double heavy) const
     {
-        auto s = std::make_shared<PicSolids>();
-        s->config.domainMin = c.domainMin;
-        s->config.domainMax = c.domainMax;
+        auto s = noSolids(c, 1e5, 0.3);
         s->config.gravity = c.gravity;
-        s->config.normal = "linear";
-        s->config.tangential = "history";
-        s->input.materials.resize(1);
-        s->input.pairs.resize(1);
-        s->input.pairs[0].properties.normalStiffness = 1e5;
-        s->input.pairs[0].properties.restitution = 0.3;
         s->input.pairs[0].properties.friction = 0.4;
         std::mt19937 engine(seed);
         std::vector<double>& x = s->input.particles.position;

@@ -55,6 +55,22 @@ protected:
         return f;
     }
 
+    //- Solids of one material and a linear contact law, of which none is there yet
+    static std::shared_ptr<PicSolids> noSolids(
+        const PicConfig& c, double stiffness, double restitution)
+    {
+        auto s = std::make_shared<PicSolids>();
+        s->config.domainMin = c.domainMin;
+        s->config.domainMax = c.domainMax;
+        s->config.normal = "linear";
+        s->config.tangential = "history";
+        s->input.materials.resize(1);
+        s->input.pairs.resize(1);
+        s->input.pairs[0].properties.normalStiffness = stiffness;
+        s->input.pairs[0].properties.restitution = restitution;
+        return s;
+    }
+
     static std::unique_ptr<PicScene> scene(
         const PicConfig& c, const FluidInput& f, PicInside inside)
     { return createPicScene(c, f, PicWalls(), nullptr, std::move(inside)); }

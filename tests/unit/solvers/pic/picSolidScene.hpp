@@ -20,16 +20,8 @@ protected:
     std::shared_ptr<PicSolids> balls(const PicConfig& c, const std::vector<Vector3>& at,
         double radius, double density, bool weak = false) const
     {
-        auto s = std::make_shared<PicSolids>();
+        auto s = noSolids(c, 1e6, 0.3);
         s->weak = weak;
-        s->config.domainMin = c.domainMin;
-        s->config.domainMax = c.domainMax;
-        s->config.normal = "linear";
-        s->config.tangential = "history";
-        s->input.materials.resize(1);
-        s->input.pairs.resize(1);
-        s->input.pairs[0].properties.normalStiffness = 1e6;
-        s->input.pairs[0].properties.restitution = 0.3;
         for (const Vector3& x : at)
         {
             s->input.particles.position.insert(
