@@ -20,7 +20,7 @@
       };
 
     Gpu: gather over neighbour lists, one or several lanes a particle, no atomics on sums: bitwise
-    repeatable. Cpu: packs of neighbours over the rows of the cell grid. A pass may have `bool
+    repeatable. Cpu: packs of neighbours over ranges of the cell grid. A pass may have `bool
     skips(int i) const`: targets of other ranks.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -28,6 +28,7 @@
 #pragma once
 
 #include "core/neighbours/cellGrid.hpp"
+#include "core/neighbours/foundRanges.hpp"
 #include "core/backend/launch.hpp"
 #include "core/containers/records.hpp"
 #ifdef __CUDACC__
@@ -47,6 +48,7 @@ struct Source<Cpu, D, P>
 {
     RecordsView<Cpu, D, P> records;
     const int* start;           // first particle of each cell
+    RangesView ranges;          // about each target; null: they are sought anew
 };
 
 namespace detail
@@ -71,6 +73,18 @@ inline void addRange(const Pass& pass, const Self& self, const X& xi, int begin,
         const T r2 = keepFirst(squaredNorm(dx), end - j, real(1e18));
         pass.template pair<S>(self, other, dx, r2, j, sums);
     }
+}
+
+//- The neighbours of source S, of a target at that place above the box's corner
+template<int S, class Pass, class Self, class X, class Place>
+inline void addNeighbours(const Pass& pass, int i, const Self& self, const X& xi,
+    const Place& relative, Pack<typename Pass::real>* sums)
+{
+    const auto& source = pass.source[S];
+    if (!source.start) return;
+    const auto add = [&](int begin, int end) { addRange<S>(pass, self, xi, begin, end, sums); };
+    if (source.ranges) source.ranges.forEach(i, add);
+    else pass.grid.forEachRange(relative, source.start, add);
 }
 
 //- Pass::skips(i), where there is one: a target that is left alone
@@ -110,11 +124,9 @@ void pairLoop(Context<Cpu>& context, const Pass& pass)
                 }
                 T sums[Pass::channels];
                 for (int k = 0; k < Pass::channels; ++k) sums[k] = T(real(0));
-                pass.grid.forEachRange(relative, pass.source[0].start, [&](int begin, int end)
-                { detail::addRange<0>(pass, self, xi, begin, end, sums); });
-                if constexpr (Pass::sources > 1) if (pass.source[1].start)
-                    pass.grid.forEachRange(relative, pass.source[1].start, [&](int begin, int end)
-                    { detail::addRange<1>(pass, self, xi, begin, end, sums); });
+                detail::addNeighbours<0>(pass, i, self, xi, relative, sums);
+                if constexpr (Pass::sources > 1)
+                    detail::addNeighbours<1>(pass, i, self, xi, relative, sums);
                 real total[Pass::channels];
                 for (int k = 0; k < Pass::channels; ++k) total[k] = sumLanes(sums[k]);
                 pass.finish(i, total, maxima);
@@ -129,9 +141,13 @@ void pairLoop(Context<Cpu>& context, const Pass& pass)
     });
 }
 
-//- For targets that are no sorted set (sampling points): the same on the CPU
+//- For targets that are no sorted set (sampling points)
 template<class Pass>
-void directPairLoop(Context<Cpu>& context, const Pass& pass, int) { pairLoop(context, pass); }
+void directPairLoop(Context<Cpu>& context, Pass pass, int)
+{
+    for (auto& source : pass.source) source.ranges = RangesView();
+    pairLoop(context, pass);
+}
 
 #endif
 

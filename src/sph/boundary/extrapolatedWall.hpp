@@ -36,7 +36,12 @@ struct ExtrapolatedWallPass
     const ClockData* clock;     // in a step; null: now
     GhostMarks<Backend> ghosts;
 
-    HD bool skips(int i) const { return ghosts(i); }
+    HD bool skips(int i) const
+    {
+        if constexpr (!Backend::gpu)
+            if (!all() && source[0].ranges && source[0].ranges.none(i)) return true;
+        return ghosts(i);
+    }
     HD bool enabled() const { return !clock || clock->active; }
     HD int targets() const { return count; }
     HD float* maxima() const { return nullptr; }

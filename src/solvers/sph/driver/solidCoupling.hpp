@@ -83,7 +83,7 @@ void SolidCoupling<Backend, D, P>::findFluid()
     forEach(p_.set.context, p_.solids.count,
         MeetFluid<D, P>{p_.set.box, p_.set.grid, p_.solids.side->view(), p_.solids.sort.order(),
             p_.solids.sort.active(), p_.fluid.sort.start(), p_.solids.meets.data(), ranks,
-            Backend::gpu ? p_.set.grid.radius : p_.set.grid.radius + p_.set.allowedWay});
+            p_.set.grid.radius});
     p_.solids.meetFluid = ranks ? p_.solidRanks->agreeOnMeeting()
                                 : p_.solids.meets.download()[0] != 0;
     if (!p_.solids.meetFluid)

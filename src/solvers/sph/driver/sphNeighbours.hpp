@@ -53,6 +53,7 @@ private:
     template<class List> int roomFor(const List&, int capacity) const;
     SearchReach<real> fluidReach() const;
     void buildLists();
+    void findRanges();
 
     // GPU: what lists of walls reach beyond the support, of it
     static constexpr double wallSkin = D == 2 ? 0.5 : 0.2;
@@ -177,7 +178,36 @@ void SphNeighbours<Backend, D, P>::buildLists()
                 p_.fluid.sort.start(), p_.walls.sort.active(), false, overflow + 2,
                 "listWallFluid", {}, p_.wallGhosts());
     }
+#ifndef __CUDACC__
+    else findRanges();
+#endif
 }
+
+#ifndef __CUDACC__
+template<class Backend, int D, class P>
+void SphNeighbours<Backend, D, P>::findRanges()
+{
+    const auto find = [this](FoundRanges& to, const auto& targets, int n, const auto& set,
+                          const GhostMarks<Backend>& ghosts)
+    {
+        to.find(p_.set.context, p_.set.box, p_.set.grid, targets, n, set.start(), ghosts);
+    };
+    const auto fluid = p_.fluid.records.view();
+    const int n = *p_.fluid.sort.active();
+    find(p_.memory.fluidFluid, fluid, n, p_.fluid.sort, p_.ghosts());
+    if (p_.walls.count)
+    {
+        find(p_.memory.fluidWall, fluid, n, p_.walls.sort, p_.ghosts());
+        if (p_.set.config.wallModel == WallKind::extrapolated || p_.walls.bodies)
+            find(p_.memory.wallFluid, p_.walls.records.view(), p_.walls.count, p_.fluid.sort,
+                p_.wallGhosts());
+    }
+    if (!p_.solids.meetFluid) return;
+    find(p_.memory.fluidSolid, fluid, n, p_.solids.sort, p_.ghosts());
+    find(p_.memory.solidFluid, p_.solids.records.view(), *p_.solids.sort.active(), p_.fluid.sort,
+        p_.solidGhosts());
+}
+#endif
 
 template<class Backend, int D, class P>
 void SphNeighbours<Backend, D, P>::allocateLists()

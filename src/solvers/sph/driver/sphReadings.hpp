@@ -372,14 +372,11 @@ std::vector<ArrayInfo> SphReadings<Backend, D, P>::arrays() const
         add("fluid", "action of solids", p_.solids.actionBytes(), p_.fluid.n);
         for (const ArrayInfo& a : p_.solids.scene->arrays()) r.push_back(a);
     }
-    if constexpr (Backend::gpu)
-    {
-        add("lists", "fluidSolid", p_.memory.fluidSolid.bytes(), p_.fluid.n);
-        add("lists", "solidFluid", p_.memory.solidFluid.bytes(), p_.solids.count);
-        add("lists", "fluidFluid", p_.memory.fluidFluid.bytes(), p_.fluid.n);
-        add("lists", "fluidWall", p_.memory.fluidWall.bytes(), p_.fluid.n);
-        add("lists", "wallFluid", p_.memory.wallFluid.bytes(), p_.walls.count);
-    }
+    add("lists", "fluidSolid", p_.memory.fluidSolid.bytes(), p_.fluid.n);
+    add("lists", "solidFluid", p_.memory.solidFluid.bytes(), p_.solids.count);
+    add("lists", "fluidFluid", p_.memory.fluidFluid.bytes(), p_.fluid.n);
+    add("lists", "fluidWall", p_.memory.fluidWall.bytes(), p_.fluid.n);
+    add("lists", "wallFluid", p_.memory.wallFluid.bytes(), p_.walls.count);
     return r;
 }
 

@@ -35,7 +35,16 @@ struct CycleLength
 };
 
 //- What only one backend has
-template<class Backend, int D, class P> struct BackendParts { };
+template<class Backend, int D, class P> struct BackendParts;
+
+#ifndef __CUDACC__
+//- What a search has found; of fluid and solids only where they may meet
+template<int D, class P>
+struct BackendParts<Cpu, D, P>
+{
+    FoundRanges fluidFluid, fluidWall, wallFluid, fluidSolid, solidFluid;
+};
+#endif
 
 #ifdef __CUDACC__
 //- Recorded launches, for either half of the double-buffered fields
@@ -137,6 +146,9 @@ Source<Backend, D, P> SphParts<Backend, D, P>::fluidSource([[maybe_unused]] bool
     s.start = fluid.sort.start();
     if constexpr (Backend::gpu)
         s.list = forWalls ? memory.wallFluid.view() : memory.fluidFluid.view();
+#ifndef __CUDACC__
+    else s.ranges = forWalls ? memory.wallFluid.view() : memory.fluidFluid.view();
+#endif
     return s;
 }
 
@@ -148,6 +160,9 @@ Source<Backend, D, P> SphParts<Backend, D, P>::wallSource()
     s.records = walls.records.view();
     s.start = walls.sort.start();
     if constexpr (Backend::gpu) s.list = memory.fluidWall.view();
+#ifndef __CUDACC__
+    else s.ranges = memory.fluidWall.view();
+#endif
     return s;
 }
 
@@ -158,6 +173,9 @@ Source<Backend, D, P> SphParts<Backend, D, P>::solidSource()
     s.records = solids.records.view();
     s.start = solids.sort.start();
     if constexpr (Backend::gpu) s.list = memory.fluidSolid.view();
+#ifndef __CUDACC__
+    else if (solids.meetFluid) s.ranges = memory.fluidSolid.view();
+#endif
     return s;
 }
 
@@ -168,6 +186,9 @@ Source<Backend, D, P> SphParts<Backend, D, P>::fluidAboutSolids()
     s.records = fluid.records.view();
     s.start = fluid.sort.start();
     if constexpr (Backend::gpu) s.list = memory.solidFluid.view();
+#ifndef __CUDACC__
+    else if (solids.meetFluid) s.ranges = memory.solidFluid.view();
+#endif
     return s;
 }
 

@@ -17,13 +17,13 @@ namespace riprap
 template<class R>
 R reachOfH(const SphConfig& c) { return R(kernelOf(c.kernel).support); }
 
-//- What is added to the support may be travelled by a particle before neighbours are sought anew:
-//  half of it on the GPU, all of it on the CPU
+//- What is added to the support: half of it may be travelled by a particle before neighbours are
+//  sought anew
 template<class Backend, int D>
 double skinRatio(const SphConfig& config, int n)
 {
     if (config.skin >= 0) return config.skin;
-    if (!Backend::gpu) return 0.1;
+    if (!Backend::gpu) return D == 2 ? 0.2 : 0.15;
     // small scenes are bound by launches, of which a rebuild has many
     const bool symplectic = config.integrator == IntegratorKind::symplectic;
     if (n <= 24000) return D == 2 || symplectic ? 0.5 : 0.35;
@@ -147,9 +147,8 @@ void SphSetting<Backend, D, P>::setBox(int particles)
         skin = period*(1 - 1e-9)/3 - support;       // so that rounding does not cost a row
     }
     const double radius = support + skin;
-    // on the CPU who seeks is where it is now: only those that it seeks may have moved. A hair
-    // less, for rounding
-    allowedWay = real(Backend::gpu ? 0.5*skin : 0.999*skin);
+    // on the CPU a hair less, for rounding
+    allowedWay = real(Backend::gpu ? 0.5*skin : 0.4995*skin);
     for (int d = 0; d < D; ++d)
     {
         const int axis = c.axes[d];

@@ -51,7 +51,7 @@ TEST_P(SphRanks, periodicBox)
     for (int d = 0; d < D(); ++d) c.periodic[d] = true;
     FluidInput f = lattice(c, {{0, 0, 0}}, {{1, 1, D() == 3 ? 1.0 : 0.0}});
     disturb(c, f, 0.1, 2, 0.01, 3);
-    compare(c, f, WallInput(), stepsOf(D() == 2 || gpu() ? 60 : 15), {2, 8});
+    compare(c, f, WallInput(), stepsOf(D() == 2 || gpu() ? 60 : 30), {2, 8});
 }
 
 //- No floor: all leave, some ranks become empty
