@@ -69,7 +69,7 @@ static particleCloud allRegions(const List<particleRegion>& regions, scalar spac
     c.vectors.set("U", U);
     c.scalars.set("p", p);
     c.labels.set("id", labelField(identity(c.size())));
-    c.properties.add("spacing", spacing);
+    c.properties.add("spacing", exact(spacing));
     return c;
 }
 

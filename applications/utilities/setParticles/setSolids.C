@@ -115,7 +115,7 @@ void Foam::setSolids(const polyMesh& mesh, const dictionary& dict, const setOpti
     const solidSet solids(joined(placed.regions));
     const riprap::DemBondState bonds(bondSolids(dict, solids, settings));
     Info<< endl;
-    checkSolidOverlap(placed.regions, solids, bonds, tolerance);
+    checkSolidOverlap(placed.regions, solids, bonds, settings.config, tolerance);
 
     if (!options.dryRun) write(mesh, settings, solids, bonds);
 }

@@ -9,6 +9,7 @@
 #include "SortableList.H"
 #include "timeWriter.H"
 #include <fstream>
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -39,7 +40,8 @@ static void writeSeries(const fileName& folder, const word& name)
         }
     }
 
-    std::ofstream os(folder/name + ".vtp.series");
+    const fileName series(folder/name + ".vtp.series");
+    std::ofstream os(series);
     os.precision(12);
     os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
     const SortableList<scalar> order(times);
@@ -50,12 +52,28 @@ static void writeSeries(const fileName& folder, const word& name)
             << order[i] << " }" << (i + 1 < order.size() ? ",\n" : "\n");
     }
     os  << "  ]\n}\n";
+    os.flush();
+    if (!os.good()) throw std::runtime_error("Cannot write " + series + ": is the disk full?");
 }
 
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::endOfLine
+(
+    DynamicList<point>& points,
+    const label a,
+    const label b,
+    const vector& way
+)
+{
+    if (points[b] - points[a] == way) return b;
+    points.append(points[a] + way);
+    return points.size() - 1;
+}
+
 
 void Foam::writeLineSeries
 (

@@ -116,6 +116,8 @@ static void writePiece
     format.endPiece();
     format.endTag(vtk::fileTag::POLY_DATA).endVTKFile();
 
+    // what a full disk does not take is known when all has left the buffer
+    os.flush();
     if (!os.good())
     {
         // Maybe in a thread of its own

@@ -10,23 +10,26 @@ Description
 #include "solidCloud.H"
 #include "idIndex.H"
 #include "lineSeries.H"
+#include "nearestImage.H"
 #include "Time.H"
 
 void Foam::writeBondLines
 (
     const Time& time,
+    const riprap::DemConfig& config,
     const riprap::DemState& particles,
     const riprap::DemBondState& bonds
 )
 {
     const idIndex entryOfId(particles.id);
 
-    const vectorField position(toVectors(particles.position));
+    DynamicList<point> position(toVectors(particles.position));
     const vectorField force(toVectors(bonds.force));
     const vectorField moment(toVectors(bonds.moment));
 
     DynamicList<label> drawn;
     DynamicList<edge> lines;
+    DynamicList<vector> ways;
     forAll(force, i)
     {
         // One whose particle has left the scene has no line
@@ -35,7 +38,8 @@ void Foam::writeBondLines
         if (a >= 0 && b >= 0)
         {
             drawn.append(i);
-            lines.append(edge(a, b));
+            ways.append(nearestImage(config, position[b] - position[a]));
+            lines.append(edge(a, endOfLine(position, a, b, ways.last())));
         }
     }
 
@@ -46,7 +50,7 @@ void Foam::writeBondLines
     {
         const label i = drawn[k];
         // The force on a, which is pulled towards b
-        tension[k] = force[i] & lines[k].unitVec(position);
+        tension[k] = force[i] & vector(normalised(ways[k]));
         stretch[k] = bonds.gap[i] - bonds.restGap[i];
     }
     fields.scalars.set("tension", tension);
@@ -56,7 +60,7 @@ void Foam::writeBondLines
     fields.labels.set("type", labelField(toField<label>(bonds.type), drawn));
     fields.labels.set("broken", labelField(toField<label>(bonds.broken), drawn));
 
-    writeLineSeries(time, "bonds", position, edgeList(lines), fields);
+    writeLineSeries(time, "bonds", pointField(position), edgeList(lines), fields);
 }
 
 

@@ -328,7 +328,7 @@ void Foam::solidCloud::writeState(bool picture) const
         const riprap::DemBondState now(bonds(particles, lost));
         // Each process has them all
         if (!picture && Pstream::master()) writeBondFiles(time(), now);
-        writeBondLines(time(), particles, now);
+        writeBondLines(time(), settings_.config, particles, now);
         run.brokenBefore += lost;
     }
     if (!picture && Pstream::master()) writeDemRun(time(), run);

@@ -159,7 +159,7 @@ void Foam::writeBondFiles(const Time& time, const riprap::DemBondState& bonds)
 void Foam::readBondFiles
 (
     const Time& time,
-    const labelList& typeOfFile,
+    const solidNames& types,
     solidSet& solids
 )
 {
@@ -167,6 +167,7 @@ void Foam::readBondFiles
     const bondFields file(time, folder);
     const labelField& a = file.a;
     const labelField& b = file.b;
+    const std::string ofTypes(solidFile(time, folder, "type").objectPath());
 
     labelHashSet ids;
     for (const std::int32_t id : solids.particles.id)
@@ -191,7 +192,7 @@ void Foam::readBondFiles
         }
         solids.bonds.a.push_back(a[i]);
         solids.bonds.b.push_back(b[i]);
-        solids.bonds.type.push_back(typeOfFile[file.type[i]]);
+        solids.bonds.type.push_back(types(file.type[i], ofTypes, i));
         solids.bonds.gap.push_back(file.gap[i]);
         solids.brokenBond.push_back(file.broken[i]);
     }
@@ -255,14 +256,27 @@ void Foam::writeClumpFiles
 }
 
 
+//- A quaternion of which a file of text has few digits; one that is none stays what it is
+static void normalise(std::array<double, 4>& q)
+{
+    constexpr double exact = 1e-12, rounded = 1e-2;
+    double norm = 0;
+    for (const double e : q) norm += e*e;
+    if (std::abs(norm - 1) < exact || std::abs(norm - 1) > rounded) return;
+    for (double& e : q) e /= std::sqrt(norm);
+}
+
+
 void Foam::readClumpFiles
 (
     const Time& time,
-    const labelList& groupOfFile,
+    const solidNames& groups,
     solidSet& solids
 )
 {
-    const clumpFields file(time, "clumps");
+    const word folder("clumps");
+    const clumpFields file(time, folder);
+    const std::string ofGroups(solidFile(time, folder, "group").objectPath());
     const label n = file.position.size();
     solids.clumps.resize(n);
     forAll(file.position, i)
@@ -280,10 +294,12 @@ void Foam::readClumpFiles
         }
         c.orientation[0] = file.real[i];
         c.start.orientation[0] = file.startReal[i];
+        normalise(c.orientation);
+        normalise(c.start.orientation);
         c.moved = true;
         c.volume = file.volume[i];
         c.mass = file.mass[i];
-        c.group = groupOfFile[file.group[i]];
+        c.group = groups(file.group[i], ofGroups, i);
         c.shape = file.shape[i];
     }
 }

@@ -75,31 +75,38 @@ static void requireDensities
 }
 
 
+label solidNames::operator()
+(
+    const label value,
+    const std::string& file,
+    const label entry
+) const
+{
+    const bool named = meaningOf.size();
+    if (value < 0 || value >= (named ? meaningOf.size() : valid.size()))
+    {
+        FatalErrorInFunction
+            << file.c_str() << " has the value " << value << " at entry " << entry
+            << ": it counts from 0 in " << listed(valid).c_str() << exit(FatalError);
+    }
+    return named ? meaningOf[value] : value;
+}
+
+
 //- Field of indices, 0 where the cloud has none
 static std::vector<std::int32_t> indices
 (
     const particleCloud& cloud,
     const word& field,
-    const labelList& meaningOf,
-    const wordList& valid
+    const solidNames& names
 )
 {
     std::vector<std::int32_t> index(cloud.size(), 0);
     if (!cloud.labels.found(field)) return index;
 
     const labelField& values = cloud.labels[field];
-    forAll(values, i)
-    {
-        const bool named = meaningOf.size();
-        if (values[i] < 0 || values[i] >= (named ? meaningOf.size() : valid.size()))
-        {
-            FatalErrorInFunction
-                << "lagrangian/solids/" << field << " has the value "
-                << values[i] << " at entry " << i << ": it counts from 0 in "
-                << listed(valid).c_str() << exit(FatalError);
-        }
-        index[i] = named ? meaningOf[values[i]] : values[i];
-    }
+    const std::string file("lagrangian/solids/" + field);
+    forAll(values, i) index[i] = names(values[i], file, i);
     return index;
 }
 
@@ -195,12 +202,7 @@ Foam::solidSet Foam::readSolids
     solidSet solids;
     riprap::DemParticles& p = solids.particles;
     setMotion(mesh, cloud, p);
-    p.material = indices
-    (
-        cloud, "material",
-        materials,
-        settings.materialNames()
-    );
+    p.material = indices(cloud, "material", {materials, settings.materialNames()});
     if (cloud.scalars.found("mass"))
     {
         requireDensities
@@ -208,12 +210,18 @@ Foam::solidSet Foam::readSolids
             mesh.time(), properties, settings, materials, p.material
         );
     }
-    p.group = indices(cloud, "group", groups, settings.groupNames());
+    const solidNames ofGroups{groups, settings.groupNames()};
+    p.group = indices(cloud, "group", ofGroups);
     p.id = uniqueIds(name, "origId", cloud.labels["origId"]);
     setInertia(cloud, settings, p);
 
-    readBondFiles(mesh.time(), meaning(properties, "bondTypes", typeOf), solids);
-    readClumpFiles(mesh.time(), groups, solids);
+    readBondFiles
+    (
+        mesh.time(),
+        {meaning(properties, "bondTypes", typeOf), settings.bondNames()},
+        solids
+    );
+    readClumpFiles(mesh.time(), ofGroups, solids);
     if (solids.clumps.size() && cloud.labels.found("clump"))
     {
         const labelField& clump = cloud.labels["clump"];

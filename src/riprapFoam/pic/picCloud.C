@@ -59,7 +59,7 @@ std::function<void(Foam::particleCloud&)> Foam::picCloud::fillLater
 
 void Foam::picCloud::addProperties(dictionary& properties) const
 {
-    properties.add("spacing", run_.spacing);
+    properties.add("spacing", exact(run_.spacing));
 }
 
 

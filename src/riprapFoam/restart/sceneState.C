@@ -207,10 +207,30 @@ string exact(const UList<scalar>& values)
 }
 
 
-scalarList exactList(const dictionary& dict, const word& entry)
+List<string> exactStrings(const UList<scalar>& values)
 {
-    std::istringstream text(dict.getOrDefault<string>(entry, string::null));
-    DynamicList<scalar> values;
+    // of 24 characters at most, and a blank: a string of a file may have 1024
+    constexpr label inOne = 40;
+    DynamicList<string> strings;
+    for (label first = 0; first < values.size(); first += inOne)
+    {
+        const label n = min(inOne, values.size() - first);
+        strings.append(exact(SubList<scalar>(values, n, first)));
+    }
+    return List<string>(std::move(strings));
+}
+
+
+//- The numbers in a string
+static void appendNumbers
+(
+    const dictionary& dict,
+    const word& entry,
+    const string& from,
+    DynamicList<scalar>& values
+)
+{
+    std::istringstream text(from);
     std::string one;
     while (text >> one)
     {
@@ -222,6 +242,45 @@ scalarList exactList(const dictionary& dict, const word& entry)
                 << "Entry " << entry << " holds " << one << ", no number"
                 << exit(FatalIOError);
         }
+    }
+}
+
+
+scalarList exactList(const dictionary& dict, const word& entry)
+{
+    DynamicList<scalar> values;
+    const Foam::entry* given = dict.findEntry(entry);
+    if (!given || !given->isStream()) return scalarList();
+
+    const tokenList& tokens = given->stream();
+    label brackets = 0;                 // of lists: more than one where each value has its own
+    bool strings = tokens.empty();
+    for (const token& t : tokens)
+    {
+        strings = strings || t.isString();
+        brackets += t == token::BEGIN_LIST || t == token::BEGIN_BLOCK;
+    }
+    if (strings)
+    {
+        for (const token& t : tokens)
+        {
+            if (t.isString()) appendNumbers(dict, entry, t.stringToken(), values);
+        }
+    }
+    else if (tokens.size() == 1 && tokens[0].isNumber())
+    {
+        values.append(dict.get<scalar>(entry));
+    }
+    else if (brackets > 1)
+    {
+        for (const vector& v : dict.get<List<vector>>(entry))
+        {
+            for (const scalar number : v) values.append(number);
+        }
+    }
+    else
+    {
+        values.append(dict.get<scalarList>(entry));
     }
     return scalarList(std::move(values));
 }

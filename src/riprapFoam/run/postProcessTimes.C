@@ -20,8 +20,7 @@ namespace Foam
 static bool succeeds(const std::function<void()>& process)
 {
     bool good = true;
-    FatalError.throwExceptions();
-    FatalIOError.throwExceptions();
+    const bool threw = FatalError.throwExceptions(), ioThrew = FatalIOError.throwExceptions();
     try
     {
         process();
@@ -36,8 +35,8 @@ static bool succeeds(const std::function<void()>& process)
         Warning<< err << endl;
         good = false;
     }
-    FatalError.dontThrowExceptions();
-    FatalIOError.dontThrowExceptions();
+    FatalError.throwExceptions(threw);
+    FatalIOError.throwExceptions(ioThrew);
     return good;
 }
 

@@ -62,7 +62,7 @@ std::function<void(Foam::particleCloud&)> Foam::fluidCloud::fillLater
 
 void Foam::fluidCloud::addProperties(dictionary& properties) const
 {
-    properties.add("spacing", run_.spacing);
+    properties.add("spacing", exact(run_.spacing));
     properties.add("soundSpeed", exact(run_.soundSpeed));
     properties.add("density", exact(run_.density));
 }

@@ -168,7 +168,8 @@ Foam::vector Foam::functionObjects::fluidFunctionObject::upDirection
       : vector(meshObjects::gravity::New(time_).value())
     );
 
-    return direction(dict, "up", mag(g) < VSMALL ? vector(0, 1, 0) : -g);
+    // no zero with a sign, which a message would show
+    return direction(dict, "up", mag(g) < VSMALL ? vector(0, 1, 0) : vector(Zero) - g);
 }
 
 

@@ -97,7 +97,7 @@ public:
         if (state.size() % (values + 1)) return;
         for (std::size_t k = 0; k < state.size(); k += values + 1)
         {
-            samples_.push_back({state[k], {state.begin() + k + 1, state.begin() + k + 1 + values}});
+            add(state[k], {state.begin() + k + 1, state.begin() + k + 1 + values});
         }
     }
 };

@@ -6,6 +6,7 @@
 #include "sceneFunctionObject.H"
 #include "checkedDictionary.H"
 #include "didYouMean.H"
+#include "sceneState.H"
 #include "timeWriter.H"
 #include "wallTimes.H"
 
@@ -90,15 +91,25 @@ void Foam::functionObjects::sceneFunctionObject::add
 
 Foam::scalarList Foam::functionObjects::sceneFunctionObject::saved(const word& property) const
 {
-    scalarList numbers;
-    if (foundProperty(property)) getProperty(property, numbers);
-    return numbers;
+    return foundProperty(property)
+        ? exactList(stateDict().subDict(name()), property)
+        : scalarList();
+}
+
+
+void Foam::functionObjects::sceneFunctionObject::keep
+(
+    const word& property,
+    const UList<scalar>& numbers
+)
+{
+    setProperty(property, exactStrings(numbers));
 }
 
 
 void Foam::functionObjects::sceneFunctionObject::save(const trailingMean& mean)
 {
-    if (mean.on()) setProperty(trailingMean::property, mean.state());
+    if (mean.on()) keep(trailingMean::property, mean.state());
 }
 
 

@@ -41,6 +41,14 @@ Foam::functionObjects::energyBalance::energyBalance
 }
 
 
+//- Of the run that is continued; as it was where nothing is kept
+void Foam::functionObjects::energyBalance::readKept(const word& property, scalar& value) const
+{
+    const scalarList kept(saved(property));
+    if (kept.size()) value = kept[0];
+}
+
+
 void Foam::functionObjects::energyBalance::begin()
 {
     const riprap::FluidEnergy energy(fluid().fluidScene().energy());
@@ -48,26 +56,20 @@ void Foam::functionObjects::energyBalance::begin()
     if (!foundProperty("totalAtStart"))
     {
         totalAtStart_ = total(energy);
-        setProperty("totalAtStart", totalAtStart_);
+        keep("totalAtStart", scalarList(1, totalAtStart_));
         return;
     }
 
-    getProperty("totalAtStart", totalAtStart_);
-    getProperty("largestKinetic", largestKinetic_);
+    readKept("totalAtStart", totalAtStart_);
+    readKept("largestKinetic", largestKinetic_);
 
     // Does the scene bring them along, or begin at 0?
     if (energy.wallWork == 0)
     {
-        getProperty("wallWork", workBefore_);
-        if (foundProperty("wallPressureWork"))
-        {
-            getProperty("wallPressureWork", pressureWorkBefore_);
-        }
+        readKept("wallWork", workBefore_);
+        readKept("wallPressureWork", pressureWorkBefore_);
     }
-    if (energy.stiffening == 0 && foundProperty("stiffening"))
-    {
-        getProperty("stiffening", stiffeningBefore_);
-    }
+    if (energy.stiffening == 0) readKept("stiffening", stiffeningBefore_);
 }
 
 
@@ -75,19 +77,15 @@ bool Foam::functionObjects::energyBalance::executeSample()
 {
     if (time_.writeTime())
     {
-        setProperty("largestKinetic", largestKinetic_);
         const riprap::FluidEnergy energy(fluid().fluidScene().energy());
-        setProperty("wallWork", scalar(energy.wallWork + workBefore_));
-        setProperty
-        (
-            "wallPressureWork",
-            scalar(energy.wallPressureWork + pressureWorkBefore_)
-        );
-        setProperty
-        (
-            "stiffening",
-            scalar(energy.stiffening + stiffeningBefore_)
-        );
+        const auto keepOne = [this](const word& property, const scalar value)
+        {
+            keep(property, scalarList(1, value));
+        };
+        keepOne("largestKinetic", largestKinetic_);
+        keepOne("wallWork", energy.wallWork + workBefore_);
+        keepOne("wallPressureWork", energy.wallPressureWork + pressureWorkBefore_);
+        keepOne("stiffening", energy.stiffening + stiffeningBefore_);
     }
 
     return true;

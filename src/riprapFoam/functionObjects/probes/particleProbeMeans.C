@@ -81,7 +81,7 @@ bool Foam::functionObjects::particleProbes::executeSample()
         save(mean_);
         if (body_.ofSolids())
         {
-            setProperty(poseProperty(), gaugeBody::state(body_.pose()));
+            keep(poseProperty(), gaugeBody::state(body_.pose()));
         }
     }
 

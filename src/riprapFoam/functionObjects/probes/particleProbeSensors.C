@@ -57,10 +57,7 @@ void Foam::functionObjects::particleProbes::readBody(const dictionary& dict)
     }
 
     body_.find(dict, name());
-    if (!same && body_.ofSolids() && foundProperty(poseProperty()))
-    {
-        getProperty(poseProperty(), before);
-    }
+    if (!same && body_.ofSolids()) before = saved(poseProperty());
     body_.begin(dict, before);
 }
 

@@ -5,6 +5,7 @@
 
 #include "brokenBonds.H"
 #include "idIndex.H"
+#include "nearestImage.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -45,13 +46,13 @@ bool Foam::functionObjects::brokenBonds::writeSample()
         const label a = entryOfId(bonds.a[i]), b = entryOfId(bonds.b[i]);
         if (bonds.broken[i] || a < 0 || b < 0) continue;
 
-        vector way, force;
+        vector way, force;              // the force on a, which is pulled towards b
         for (int d = 0; d < vector::nComponents; ++d)
         {
             way[d] = now.position[3*b + d] - now.position[3*a + d];
             force[d] = bonds.force[3*i + d];
         }
-        const vector n(normalised(way));
+        const vector n(normalised(nearestImage(dem().settings().config, way)));
         maxTension = max(maxTension, force & n);
         maxShear = max(maxShear, mag(force - (force & n)*n));
     }

@@ -7,6 +7,7 @@
 #include "idIndex.H"
 #include "addToRunTimeSelectionTable.H"
 #include "lineSeries.H"
+#include "nearestImage.H"
 #include "sceneCloud.H"
 
 namespace Foam
@@ -43,6 +44,7 @@ void Foam::functionObjects::contactChains::writeLines(const riprap::DemContacts&
         points.append(point(now.position[3*i], now.position[3*i + 1], now.position[3*i + 2]));
     }
 
+    const riprap::DemConfig& config = dem().settings().config;
     const label n = contacts.a.size();
     edgeList lines(n);
     lineFields fields;
@@ -55,9 +57,9 @@ void Foam::functionObjects::contactChains::writeLines(const riprap::DemContacts&
         const label a = entryOfId(contacts.a[i]);
         const label b = wall[i] ? points.size() : entryOfId(contacts.b[i]);
         if (wall[i]) points.append(at[i]);
-        lines[i] = edge(a, b);
-        const vector way(normalised(vector(points[b] - points[a])));
-        normal[i] = -(force[i] & way);
+        const vector way(nearestImage(config, points[b] - points[a]));
+        lines[i] = edge(a, endOfLine(points, a, b, way));
+        normal[i] = -(force[i] & vector(normalised(way)));
     }
     fields.labels.set("wall", wall);
     fields.scalars.set("normalForce", normal);

@@ -5,6 +5,7 @@
 
 #include "gaugeBody.H"
 #include "didYouMean.H"
+#include "nearestImage.H"
 #include "runningScenes.H"
 #include "wallBodies.H"
 #include "principalAxes.H"
@@ -70,13 +71,11 @@ void Foam::functionObjects::gaugeBody::follow(const riprap::DemState& now)
         const auto found = at.find(ids_[k]);
         if (found == at.end()) continue;
 
-        for (label d = 0; d < 3; ++d)
-        {
-            scalar step = now.position[3*found->second + d] - last_[k][d];
-            const scalar length = config.domainMax[d] - config.domainMin[d];
-            if (config.periodic[d]) step -= length*std::floor(step/length + 0.5);
-            last_[k][d] += step;
-        }
+        const double* x = &now.position[3*found->second];
+        vector step;
+        for (direction d = 0; d < 3; ++d) step[d] = x[d] - last_[k][d];
+        step = nearestImage(config, step);
+        for (direction d = 0; d < 3; ++d) last_[k][d] += step[d];
     }
 }
 

@@ -161,7 +161,7 @@ bool Foam::functionObjects::groupMotion::executeSample()
 {
     for (label i = 0; time_.writeTime() && i < bodies_.size(); ++i)
     {
-        if (bodies_.set(i)) setProperty(poseProperty(i), gaugeBody::state(bodies_[i].pose()));
+        if (bodies_.set(i)) keep(poseProperty(i), gaugeBody::state(bodies_[i].pose()));
     }
     return true;
 }

@@ -128,7 +128,7 @@ bool Foam::functionObjects::particleForces::executeSample()
         {
             scalarList kept(1, impulseAt_);
             for (const double number : asNumbers(impulse_, impulseForce_)) kept.append(number);
-            setProperty(impulseProperty, kept);
+            keep(impulseProperty, kept);
         }
     }
     return true;

@@ -8,6 +8,8 @@
 #include "pointGrid.H"
 #include "sceneCloud.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
@@ -23,10 +25,20 @@ static labelList membersOf(const solidSet& all, const labelList& groups)
 }
 
 
-static label addBonds
+static bool inOneBody(const riprap::DemParticles& p, label i, label j)
+{
+    return p.clump.size() && p.clump[i] >= 0 && p.clump[i] == p.clump[j];
+}
+
+
+//- Pairs that were near enough: those that were bonded, and those that had been before
+struct bondCount { label added = 0, before = 0; };
+
+static bondCount addBonds
 (
     const solidSet& all,
     const labelList& members,
+    const riprap::DemConfig& config,
     label type,
     scalar tolerance,
     HashSet<labelPair, labelPair::Hash<>>& bonded,
@@ -39,29 +51,35 @@ static label addBonds
     for (const label i : members) largest = max(largest, p.radius[i]);
 
     pointGrid grid(2*largest + tolerance);
-    label n = 0;
+    grid.repeat(config);
+    bondCount n;
     for (const label i : members)
     {
-        DynamicList<label> partners;
-        grid.near
+        std::vector<std::pair<label, scalar>> partners;
+        grid.nearOrImage
         (
             x[i],
             [&](label j, const vector&, scalar distance)
             {
-                if (distance <= p.radius[i] + p.radius[j] + tolerance) partners.append(j);
+                if (!inOneBody(p, i, j) && distance <= p.radius[i] + p.radius[j] + tolerance)
+                    partners.push_back({j, distance});
             }
         );
         grid.insert(x[i], i);
-        Foam::sort(partners);
-        for (const label j : partners)
+        std::sort(partners.begin(), partners.end());
+        for (const auto& [j, distance] : partners)
         {
-            if (!bonded.insert(labelPair(j, i))) continue;
+            if (!bonded.insert(labelPair(j, i)))
+            {
+                ++n.before;
+                continue;
+            }
             bonds.a.push_back(p.id[j]);
             bonds.b.push_back(p.id[i]);
             bonds.type.push_back(type);
             bonds.broken.push_back(0);
-            bonds.restGap.push_back(mag(x[i] - x[j]) - p.radius[i] - p.radius[j]);
-            ++n;
+            bonds.restGap.push_back(distance - p.radius[i] - p.radius[j]);
+            ++n.added;
         }
     }
     return n;
@@ -94,14 +112,19 @@ riprap::DemBondState Foam::bondSolids
         const scalar tolerance = (dict.number("gapTolerance"), dict.notNegative("gapTolerance", 0));
         dict.end();
 
-        const label n = addBonds(solids, membersOf(solids, groups), type, tolerance, bonded, bonds);
-        Info<< "    bonds " << named.name << ": " << n << nl;
-        if (n == 0)
+        const bondCount n = addBonds(solids, membersOf(solids, groups), settings.config, type,
+            tolerance, bonded, bonds);
+        Info<< "    bonds " << named.name << ": " << n.added << nl;
+        if (n.added == 0)
         {
-            FatalIOErrorInFunction(entries)
-                << "Entry bonds: " << named.name
-                << " bonds nothing: no two particles of these groups are nearer"
-                << " than gapTolerance " << tolerance << " m" << exit(FatalIOError);
+            FatalIOErrorInFunction(entries) << "Entry bonds: " << named.name << " bonds nothing: ";
+            if (n.before)
+                FatalIOError << "all pairs of these groups that are nearer than gapTolerance "
+                             << tolerance << " m are bonded already, by an entry before it";
+            else
+                FatalIOError << "no two particles of these groups are nearer than gapTolerance "
+                             << tolerance << " m";
+            FatalIOError << exit(FatalIOError);
         }
     }
     return bonds;

@@ -104,6 +104,7 @@ void Foam::checkSolidOverlap
     const List<solidRegion>& regions,
     const solidSet& all,
     const riprap::DemBondState& bonds,
+    const riprap::DemConfig& config,
     scalar tolerance
 )
 {
@@ -120,12 +121,14 @@ void Foam::checkSolidOverlap
     const vectorField x(toVectors(p.position));
     scalar largest = 0;
     for (const double R : p.radius) largest = max(largest, R);
-    const pointGrid grid(2*largest, x);
+    pointGrid grid(2*largest, x);
+    grid.repeat(config);
 
     forAll(x, i)
     {
         label other = -1;
-        grid.near
+        scalar way = 0;
+        grid.nearOrImage
         (
             x[i],
             [&](label j, const vector&, scalar distance)
@@ -136,6 +139,7 @@ void Foam::checkSolidOverlap
                     && !bonded.found(labelPair(j, i)))
                 {
                     other = j;
+                    way = distance;
                 }
             }
         );
@@ -143,7 +147,7 @@ void Foam::checkSolidOverlap
         FatalIOErrorInFunction(regions[owner[i]].dict)
             << "Particles overlap at the start: one of region " << regions[owner[other]].name
             << " at " << x[other] << " and one of region " << regions[owner[i]].name << " at "
-            << x[i] << ", by " << p.radius[i] + p.radius[other] - mag(x[i] - x[other])
+            << x[i] << ", by " << p.radius[i] + p.radius[other] - way
             << " m; overlapTolerance allows " << tolerance << " of the smaller radius"
             << exit(FatalIOError);
     }

@@ -38,7 +38,7 @@ static void requireOneMotion(const solidRegion& region)
 // What entries of a region say of all its particles, and of its rigid bodies
 struct regionEntries
 {
-    label material = 0, group = 0;
+    label material = 0, group = 0;      // material -1: none is named
     vector velocity = Zero, spin = Zero;
     bool rigid = false;
 };
@@ -53,7 +53,6 @@ static regionEntries readEntries(checkedDictionary& dict, const demSettings& set
         [&](const word& w) { return settings.material(w, dict.dict()); },
         settings.materials.size() == 1 ? 0 : -1
     );
-    if (entries.material < 0) dict.dict().get<word>("material");
     entries.group = readName
     (
         dict, "group",
@@ -121,7 +120,11 @@ static void fillMissing(const regionEntries& entries, solidRegion& region)
     const label n = region.size();
     if (region.velocity.empty()) region.velocity = vectorField(n, entries.velocity);
     if (region.spin.empty()) region.spin = vectorField(n, entries.spin);
-    if (region.material.empty()) region.material = labelField(n, entries.material);
+    if (region.material.empty())
+    {
+        if (entries.material < 0) region.dict.get<word>("material");
+        region.material = labelField(n, entries.material);
+    }
     if (region.group.empty()) region.group = labelField(n, entries.group);
     if (region.clump.empty()) region.clump = labelField(n, -1);
 }
@@ -140,6 +143,23 @@ static void completeClumps(const regionEntries& entries, scalar density, solidRe
             clump.velocity[d] = entries.velocity[d];
             clump.spin[d] = entries.spin[d];
         }
+    }
+}
+
+
+// What a turning body gives its particles
+static void moveWithClumps(const riprap::DemConfig& config, solidRegion& region)
+{
+    forAll(region.clump, i)
+    {
+        if (region.clump[i] < 0) continue;
+        const riprap::DemClump& c = region.clumps[region.clump[i]];
+        vector spin(c.spin[0], c.spin[1], c.spin[2]);
+        // in 2D bodies turn in the plane
+        if (config.dimensions == 2) for (int d = 0; d < 2; ++d) spin[config.axes[d]] = 0;
+        const point centre(c.position[0], c.position[1], c.position[2]);
+        region.velocity[i] = vector(c.velocity[0], c.velocity[1], c.velocity[2])
+            + (spin ^ (region.position[i] - centre));
     }
 }
 
@@ -171,6 +191,8 @@ static solidRegion readRegion(const namedDictionary& named, const solidSpace& sp
 
     dict.found("source");
     const word source(region.dict.get<word>("source"));
+    // a list may have a column of it
+    if (entries.material < 0 && source != "csv") region.dict.get<word>("material");
     if (entries.rigid && holdsClumps(source))
     {
         FatalIOErrorInFunction(region.dict)
@@ -183,10 +205,12 @@ static solidRegion readRegion(const namedDictionary& named, const solidSpace& sp
     dict.end();
 
     fillMissing(entries, region);
-    completeClumps(entries, settings.materials[entries.material].density, region);
+    if (region.clumps.size())
+        completeClumps(entries, settings.materials[entries.material].density, region);
     if (region.mass.empty()) setMasses(settings, unitMass, region);
     if (entries.rigid && region.size())
         makeRigid(space, entries.group, entries.velocity, entries.spin, body, region);
+    moveWithClumps(settings.config, region);
     return region;
 }
 

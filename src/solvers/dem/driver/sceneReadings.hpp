@@ -344,10 +344,13 @@ void SceneReadings<Backend, D, P>::eachWallContact(int n, const Put& put)
                 local.c[d] = double(normal[slot*D + d]);
                 f.c[d] = double(force[e*wallWords<D> + d]);
             }
-            const real reach = p_.pairs.reach(
-                material[i], p_.set.input.walls[entry[e].wall].material);
-            put(i, -1 - entry[e].wall, f, double(force[e*wallWords<D> + D + S + 1]) - double(reach),
-                outOfFrame<D>(walls[entry[e].wall].frame.R, local), double(radius[i]));
+            const int other = p_.set.input.walls[entry[e].wall].material;
+            const double overlap = double(force[e*wallWords<D> + D + S + 1]);
+            // to the wall's surface
+            const double arm =
+                double(radius[i]) + double(p_.pairs.gap(material[i], other)) - overlap;
+            put(i, -1 - entry[e].wall, f, overlap - double(p_.pairs.reach(material[i], other)),
+                outOfFrame<D>(walls[entry[e].wall].frame.R, local), arm);
         }
 }
 
