@@ -8,7 +8,7 @@
 #include "labelIOList.H"
 #include "OSspecific.H"
 #include "sceneState.H"
-#include "testTime.H"
+#include "scratchCase.hpp"
 #include "timeWriter.H"
 #include "vectorField.H"
 
@@ -42,6 +42,12 @@ namespace
     };
 
     const Scratch scratch;
+
+    //- A time sets the digits of all streams
+    struct Writing : testing::Test
+    {
+        void TearDown() override { defaultDigits(); }
+    };
 
     //- A time in it, in this format
     autoPtr<Time> timeOf(const std::string& format, const std::string& compression = "off")
@@ -136,7 +142,7 @@ namespace
     }
 }
 
-TEST(Writing, numbersAreThoseOfAStream)
+TEST_F(Writing, numbersAreThoseOfAStream)
 {
     std::vector<scalar> values(numbers(20000));
     values.push_back(std::numeric_limits<scalar>::infinity());
@@ -156,7 +162,7 @@ TEST(Writing, numbersAreThoseOfAStream)
     }
 }
 
-TEST(Writing, listsAreTheBytesOfOpenFOAM)
+TEST_F(Writing, listsAreTheBytesOfOpenFOAM)
 {
     for (const label n : {0, 1, 2, 10, 11, 100000})
     {
@@ -179,7 +185,7 @@ TEST(Writing, listsAreTheBytesOfOpenFOAM)
 }
 
 //- Number, hash, words; long states are read with the hash that they once had, too
-TEST(Writing, stateIsTheListItWas)
+TEST_F(Writing, stateIsTheListItWas)
 {
     const autoPtr<Time> time(timeOf("ascii"));
     for (const std::size_t n : {100000, 1000000})
@@ -203,7 +209,7 @@ TEST(Writing, stateIsTheListItWas)
     }
 }
 
-TEST(Writing, moreWordsThanAListHoldsAreSeveralLists)
+TEST_F(Writing, moreWordsThanAListHoldsAreSeveralLists)
 {
     const autoPtr<Time> time(timeOf("ascii"));
     const std::size_t before = stateListSize;
@@ -225,7 +231,7 @@ TEST(Writing, moreWordsThanAListHoldsAreSeveralLists)
         std::string::npos);
 }
 
-TEST(Writing, aTimeIsWholeWhenItsLastFileIs)
+TEST_F(Writing, aTimeIsWholeWhenItsLastFileIs)
 {
     for (const bool later : {true, false})
     {
@@ -253,7 +259,7 @@ TEST(Writing, aTimeIsWholeWhenItsLastFileIs)
 }
 
 //- Where cores are free. What writes files of its own waits for those before it, and others for it
-TEST(Writing, severalFilesAtOnce)
+TEST_F(Writing, severalFilesAtOnce)
 {
     const int before = timeWriter::threadsBeside;
     timeWriter::threadsBeside = 4;
@@ -313,7 +319,7 @@ TEST(Writing, severalFilesAtOnce)
     timeWriter::threadsBeside = before;
 }
 
-TEST(Writing, whatFailsIsTold)
+TEST_F(Writing, whatFailsIsTold)
 {
     const autoPtr<Time> time(timeOf("ascii"));
     for (const bool later : {true, false})
@@ -340,7 +346,7 @@ TEST(Writing, whatFailsIsTold)
     }
 }
 
-TEST(Writing, aTimeWithoutARequiredFileFails)
+TEST_F(Writing, aTimeWithoutARequiredFileFails)
 {
     for (const bool later : {true, false})
     {
