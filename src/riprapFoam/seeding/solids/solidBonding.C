@@ -62,7 +62,7 @@ static bondCount addBonds
             [&](label j, const vector&, scalar distance)
             {
                 if (!inOneBody(p, i, j) && distance <= p.radius[i] + p.radius[j] + tolerance)
-                    partners.push_back({j, distance});
+                    partners.emplace_back(j, distance);
             }
         );
         grid.insert(x[i], i);
