@@ -11,6 +11,7 @@
 #include "StringStream.H"
 
 #include <csignal>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -36,6 +37,10 @@ namespace
         Documents() : before(getEnv("RIPRAP_DIR"))
         {
             GTEST_FLAG_SET(death_test_style, "threadsafe");
+            // however it was called
+            std::vector<std::string> words(testing::internal::GetInjectableArgvs());
+            words[0] = std::filesystem::read_symlink("/proc/self/exe").string();
+            testing::internal::SetInjectableArgvs(words);
             if (testing::internal::InDeathTestChild()) return;
             c = std::make_unique<ScratchCase>();
             c->write("docs/page.md", "text");
@@ -47,6 +52,7 @@ namespace
         {
             setEnv("RIPRAP_DIR", before, true);
             unsetenv("FOAM_DOC_BROWSER");
+            testing::internal::ClearInjectableArgvs();
         }
 
         std::string shown(const std::string& file) const { return c ? c->read(file) : ""; }
