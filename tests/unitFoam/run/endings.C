@@ -43,8 +43,8 @@ namespace
             testing::internal::SetInjectableArgvs(words);
             if (testing::internal::InDeathTestChild()) return;
             c = std::make_unique<ScratchCase>();
-            c->write("docs/page.md", "text");
-            c->write("src/main.C", "source");
+            c->write("docs/glossary.md", "text");
+            c->write("src/riprapFoam/run/documentation.C", "source");
             setEnv("RIPRAP_DIR", c->path(), true);
         }
 
@@ -64,7 +64,11 @@ namespace
 
         void expectEnd(const char* option, int code) const
         {
-            EXPECT_EXIT(show(option, "docs/page", "src/main.C"), testing::ExitedWithCode(code), "");
+            EXPECT_EXIT
+            (
+                show(option, "docs/glossary", "src/riprapFoam/run/documentation.C"),
+                testing::ExitedWithCode(code), ""
+            );
         }
     };
 }
@@ -130,16 +134,16 @@ TEST(DocumentationDeathTest, pagesAndSources)
 {
     const Documents d;
     // no such option: nothing happens
-    show("-case", "docs/page", "src/main.C");
+    show("-case", "docs/glossary", "src/riprapFoam/run/documentation.C");
     d.browse("cp %f");
     d.expectEnd("-doc", 0);
     EXPECT_EQ(d.shown("shown"), d.c ? "text" : "");
     // the site's page, where it was made
-    if (d.c) d.c->write("platforms/docs/docs/page.html", "site");
+    if (d.c) d.c->write("platforms/docs/docs/glossary.html", "site");
     d.expectEnd("-doc", 0);
     EXPECT_EQ(d.shown("shown"), d.c ? "site" : "");
     d.expectEnd("-doc-source", 0);
     EXPECT_EQ(d.shown("shown"), d.c ? "source" : "");
-    if (d.c) { EXPECT_TRUE(rm(d.c->path()/"src/main.C")); }
+    if (d.c) { EXPECT_TRUE(rm(d.c->path()/"src/riprapFoam/run/documentation.C")); }
     d.expectEnd("-doc-source", 1);
 }
