@@ -25,6 +25,12 @@
 
 using namespace Foam;
 
+//- A time sets the digits of all streams
+struct Writing : testing::Test
+{
+    void TearDown() override { defaultDigits(); }
+};
+
 namespace
 {
     //- Of this program's own; it goes with it
@@ -42,12 +48,6 @@ namespace
     };
 
     const Scratch scratch;
-
-    //- A time sets the digits of all streams
-    struct Writing : testing::Test
-    {
-        void TearDown() override { defaultDigits(); }
-    };
 
     //- A time in it, in this format
     autoPtr<Time> timeOf(const std::string& format, const std::string& compression = "off")

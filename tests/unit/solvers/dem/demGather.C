@@ -4,8 +4,28 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
-#include "solvers/dem/driver/demAll.hpp"
+#include "solvers/dem/demFamilies.hpp"
 #include "dem/demTest.hpp"
+
+namespace riprap
+{
+
+//- The law of this test alone, of 35 that a solver would be compiled for
+template<class F>
+void withHertz(const LawChoice& c, F f)
+{
+    ASSERT_EQ(c.normal, NormalLaws::find(Hertz::word));
+    ASSERT_EQ(c.tangential, TangentialLaws::find(Mindlin::word,
+        [](auto law) { return decltype(law)::type::template goesWith<Hertz>; }));
+    ASSERT_EQ(c.rolling, RollingLaws::find(RollingSpring::word));
+    f(Contact<Hertz, Mindlin, RollingSpring>());
+}
+
+} // namespace riprap
+
+#define withLaw withHertz
+#include "solvers/dem/driver/demAll.hpp"
+#undef withLaw
 
 namespace riprap
 {
