@@ -1,5 +1,5 @@
 #!/bin/bash
-# 300 mutations of the tutorials' dictionaries (tests/mutate): each ends with one clear message, or
+# 150 mutations of the tutorials' dictionaries (tests/mutate): each ends with one clear message, or
 # runs
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../.."
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-if tests/mutate/run --sample 300 --seed 1 --limit 120 >"$log" 2>&1
+if tests/mutate/run --sample 150 --seed 1 --limit 120 >"$log" 2>&1
 then
     echo "PASS mutate $(tail -1 "$log")"
 else

@@ -261,7 +261,7 @@ TEST_P(DemRankBodies, rocksInASquare)
 {
     DemConfig c = config(2);
     c.gravity = Vector3{{15, -40, 0}};
-    const Traffic t = compare(c, rocks(2, 12, 2), 400, 4, {2, 3, 4, 9});
+    const Traffic t = compare(c, rocks(2, 12, 2), 400, 4, {3, 9});
     EXPECT_GT(t.arrivals, 50);
     EXPECT_GT(t.ghosts, 50u);
     EXPECT_GT(last_.contacts.size(), 30u);
@@ -271,7 +271,7 @@ TEST_P(DemRankBodies, rocksInABox)
 {
     DemConfig c = config(3);
     c.gravity = Vector3{{15, 5, -100}};
-    const Traffic t = compare(c, rocks(3, 7, 2), 250, 4, {2, 3, 8});
+    const Traffic t = compare(c, rocks(3, 7, 2), 250, 4, {3, 8});
     EXPECT_GT(t.arrivals, 50);
     EXPECT_GT(t.ghosts, 50u);
     EXPECT_GT(last_.contacts.size(), 30u);
@@ -295,33 +295,32 @@ TEST_P(DemRankBodies, hertzAndVerlet)
 TEST_P(DemRankBodies, longBars)
 {
     for (const int D : {2, 3})
-        for (const bool verlet : {false, true})
+    {
+        DemConfig c = config(D);
+        if (D == 2) c.integrator = DemIntegratorKind::velocityVerlet;
+        DemInput in = stones();
+        addBody(in, D, bar(40, 0.02), Vector3{{0, D == 3 ? 0.01 : -0.4, D == 3 ? -0.4 : 0}},
+            Vector3{{0, 0, 0}}, 1, true);
+        std::mt19937 engine(5);
+        std::uniform_real_distribution<double> u(-1, 1);
+        for (int i = 0; i < 12; ++i)
         {
-            DemConfig c = config(D);
-            if (verlet) c.integrator = DemIntegratorKind::velocityVerlet;
-            DemInput in = stones();
-            addBody(in, D, bar(40, 0.02), Vector3{{0, D == 3 ? 0.01 : -0.4, D == 3 ? -0.4 : 0}},
-                Vector3{{0, 0, 0}}, 1, true);
-            std::mt19937 engine(5);
-            std::uniform_real_distribution<double> u(-1, 1);
-            for (int i = 0; i < 12; ++i)
-            {
-                Vector3 x{{-0.37 + 0.06*i, 0.01, 0}}, v{{u(engine), 0.1*u(engine), 0}};
-                x[D - 1] = -0.33 + 0.02*(i % 3);
-                v[D - 1] = -2 + u(engine);
-                if (i % 2) loose(in, x, v);
-                else addBody(in, D, rock(D, engine), x, v, unsigned(i));
-            }
-            // one that stands upright, and falls over several ranks
-            addBody(in, D, bar(26, 0.02, D - 1),
-                Vector3{{D == 3 ? 0.3 : 0.38, D == 3 ? 0.2 : 0, 0}}, Vector3{{-0.7, 0, 0}}, 4,
-                true);
-            shuffle(in, engine);
-            addBox(in, D);
-            const Traffic t = compare(c, in, 250, 4, {2, 3, 8});
-            EXPECT_GT(t.arrivals, 20);
-            EXPECT_GT(last_.contacts.size(), 4u);
+            Vector3 x{{-0.37 + 0.06*i, 0.01, 0}}, v{{u(engine), 0.1*u(engine), 0}};
+            x[D - 1] = -0.33 + 0.02*(i % 3);
+            v[D - 1] = -2 + u(engine);
+            if (i % 2) loose(in, x, v);
+            else addBody(in, D, rock(D, engine), x, v, unsigned(i));
         }
+        // one that stands upright, and falls over several ranks
+        addBody(in, D, bar(26, 0.02, D - 1),
+            Vector3{{D == 3 ? 0.3 : 0.38, D == 3 ? 0.2 : 0, 0}}, Vector3{{-0.7, 0, 0}}, 4,
+            true);
+        shuffle(in, engine);
+        addBox(in, D);
+        const Traffic t = compare(c, in, 250, 4, {3, 8});
+        EXPECT_GT(t.arrivals, 20);
+        EXPECT_GT(last_.contacts.size(), 4u);
+    }
 }
 
 //- Through periodic sides, also at corners
@@ -353,7 +352,7 @@ TEST_P(DemRankBodies, bodiesLeave)
             Vector3{{1.5, 0.2, 0}}, 9, true);
         in.walls.clear();
         c.gravity = Vector3{{120, 0, 0}};
-        const Traffic t = compare(c, in, 130, 12, {2, 4, 9});
+        const Traffic t = compare(c, in, 130, 12, {9});
         EXPECT_GT(left(), int(in.clumps.size())/2);
         EXPECT_GT(t.arrivals, 20);
         EXPECT_TRUE(last_.bodies.left.back());
@@ -430,7 +429,7 @@ TEST_P(DemRankBodies, moreRanksThanParticles)
     addBody(in, 3, bar(4, 0.05), Vector3{{0, 0, -0.3}}, Vector3{{1, 0.4, -1}}, 2);
     loose(in, Vector3{{0.1, 0.1, -0.2}}, Vector3{{0, 0, -1}});
     addBox(in, 3);
-    const Traffic t = compare(c, in, 400, 3, {2, 3, 5, 9});
+    const Traffic t = compare(c, in, 400, 3, {2, 9});
     EXPECT_EQ(t.least, 0u);
 }
 
