@@ -1,5 +1,5 @@
 #!/bin/bash
-# What one to four processes do together (tests/ranks): the pressure with free bodies, particles
+# What one to three processes do together (tests/ranks): the pressure with free bodies, particles
 # that change their process, scenes of spheres.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -13,7 +13,7 @@ trap 'rm -rf "$case"' EXIT
 cd "$case" || exit 1
 export OMP_NUM_THREADS=1
 
-for n in 1 2 3 4
+for n in 1 2 3
 do
     launch=(rankTests)
     ((n == 1)) \
