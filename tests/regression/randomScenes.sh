@@ -1,6 +1,6 @@
 #!/bin/bash
-# The first of 50 random scenes with an empty sphProperties (tests/randomScenes; tests/Allverify runs
-# all): none stops, nothing passes a wall
+# The first of 50 random scenes with an empty sphProperties (tests/randomScenes; tests/Allverify
+# runs all): none stops, nothing passes a wall
 # or lies in a body, energy does not grow
 #
 # SPDX-License-Identifier: GPL-3.0-or-later

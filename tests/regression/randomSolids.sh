@@ -1,6 +1,6 @@
 #!/bin/bash
-# The first of 50 random scenes of dem (tests/randomScenes; tests/Allverify runs all): none stops, nothing is lost or passes a wall,
-# energy does not grow, forces balance, restart to the bit
+# The first of 50 random scenes of dem (tests/randomScenes; tests/Allverify runs all): none stops,
+# nothing is lost or passes a wall, energy does not grow, forces balance, restart to the bit
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
