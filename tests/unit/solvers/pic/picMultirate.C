@@ -181,9 +181,9 @@ TEST_P(PicMultirate, SlowWavesGoOn)
     EXPECT_LT(difference, 1e-3*largest);
 }
 
-//- A bore over a long bed, too low to break: what breaks does not repeat, whatever changes. Where it
-//  is, and how high water stands, are those of steps for each particle, far within the path of slow
-//  ones
+//- A bore over a long bed, too low to break: what breaks does not repeat, whatever changes. Where
+//  it is, and how high water stands, are those of steps for each particle, far within the path of
+//  slow ones
 TEST_P(PicMultirate, ABoreMeetsWaterThatWaited)
 {
     const PicConfig c[2] = {tank(1), tank(10)};
@@ -292,6 +292,42 @@ TEST_P(PicMultirate, ABallFallsIntoWaterThatWaits)
         EXPECT_EQ(r[1].stop, StopReason::none);
     }
     EXPECT_GT(most, 0.3);
+}
+
+//- Tiles about openings never wait; water comes in, and a state of that goes on, with what water
+//  sticks to
+TEST_P(PicMultirate, WaterComesInBesideWaterThatWaits)
+{
+    std::unique_ptr<PicScene> s[3];
+    PicWalls sides;
+    for (int k = 0; k < 3; ++k)
+    {
+        PicConfig c = tank(k ? 8 : 1);
+        c.noSlip = true;
+        c.viscosity = 0.1;
+        PicOpening o;
+        o.name = "river";
+        o.kind = OpeningKind::flowRate;
+        o.flowRate = [&](double) { return D() == 3 ? 0.01*4*h : 0.01; };
+        o.level = [](double) { return 0.375; };
+        c.openings = {o};
+        const int rows = c.cells[1]*c.cells[2];
+        sides.opening[0].assign((c.cells[0] + 1)*rows, -1);
+        for (int j = 0; j < rows; ++j) sides.opening[0][(c.cells[0] + 1)*j] = 0;
+        s[k] = createPicScene(c, pool(c), sides);
+    }
+    s[0]->advance(1);
+    const PicReport r = s[1]->advance(1);
+    EXPECT_GT(share(r), 0.3);
+    EXPECT_LT(share(r), 0.95);
+    ASSERT_EQ(r.passed.size(), 1u);
+    EXPECT_GT(r.passed[0].in, 4);
+    EXPECT_LT(std::abs(r.volumeError), 1e-3);
+    const PicConfig c = tank(1);
+    EXPECT_LT(largestDifference(levels(c, *s[0]), levels(c, *s[1])), 0.05*h);
+    s[2]->loadState(s[1]->saveState());
+    for (int k = 1; k < 3; ++k) s[k]->advance(10, 21);
+    EXPECT_TRUE(s[1]->saveState() == s[2]->saveState());
 }
 
 TEST_P(PicMultirate, WrongNumbersAreRefused)
