@@ -4,15 +4,17 @@
         F] [--transfer flip|pic|flipPic|apic] [--affine yes|no]
                  [--spline 1|2|3] [--reflection 0..1] [--tolerance T] [--reflectionTolerance T]
                  [--steps N] [--warmUp N] [--kernels] [--repeats] [--solids N] [--solidCells M]
-                 [--pool F]
+                 [--pool F] [--bed F] [--interval K] [--slowCo C]
 
     The column is N cells wide, 2 N high and, in 3D, N deep, with 2 seeds a direction and cell, in a
     box 4 F columns wide and 2.5 F high. Steps go by maxCourant 0.5. With --pool water stands F
-    columns deep in the whole box instead. --solids: so many disks or spheres of stone, M cells
-    across (8), fall from a lattice two cells apart that begins at the floor. A line a run: time a
-    step, particle-steps/s; then, of as many steps with every kernel timed, seconds a step of each
-    kernel and each part. The particle part is transfers, motion and sort; correction of positions,
-    surface, velocities on the grid and pressure are told apart. With --repeats the run is done once
+    columns deep in the whole box instead, with --bed beside the column. --interval: slow particles,
+    whose path is C cells at most, are stepped once in K steps (multirate). --solids: so many disks
+    or spheres of stone, M cells across (8), fall from a lattice two cells apart that begins at the
+    floor. A line a run: time a step, particle-steps/s; then, of as many steps with every kernel
+    timed, seconds a step of each kernel and each part. The particle part is transfers, motion and
+    sort; correction of positions, surface, velocities on the grid and pressure are told apart. With
+    --repeats the run is done once
     more, and the line says whether its state is the same to the bit.
 
     SPDX-License-Identifier: GPL-3.0-or-later
@@ -35,7 +37,7 @@ struct Options
 {
     PicConfig config;
     int dimensions = 3, across = 40, solids = 0, solidCells = 8;
-    double box = 1, pool = 0;
+    double box = 1, pool = 0, bed = 0;
     std::int64_t steps = 40, warmUp = 10;
     bool kernels = false, repeats = false;
 };
@@ -87,6 +89,9 @@ Options read(int argc, char** argv)
         else if (a == "--solids") o.solids = std::stoi(value());
         else if (a == "--solidCells") o.solidCells = std::stoi(value());
         else if (a == "--pool") o.pool = std::stod(value());
+        else if (a == "--bed") o.bed = std::stod(value());
+        else if (a == "--interval") o.config.slowInterval = std::stoi(value());
+        else if (a == "--slowCo") o.config.slowCourant = std::stod(value());
         else if (a == "--kernels") o.kernels = true;
         else if (a == "--repeats") o.repeats = true;
         else throw std::invalid_argument("unknown option " + a);
@@ -116,12 +121,13 @@ FluidInput column(Options& o)
     const double s = 0.5*h;
     c.spacing = s;
     FluidInput f;
-    const int deep = three ? 2*o.across : 1, wide = 2*(o.pool > 0 ? c.cells[0] : o.across),
-              high = o.pool > 0 ? int(std::lround(2*o.pool*o.across)) : 4*o.across;
-    f.position.reserve(std::size_t(3)*wide*high*deep);
+    const double beside = o.pool > 0 ? o.pool : o.bed;
+    const int deep = three ? 2*o.across : 1, wide = 2*(beside > 0 ? c.cells[0] : o.across),
+              low = int(std::lround(2*beside*o.across)), high = o.pool > 0 ? low : 4*o.across;
+    f.position.reserve(std::size_t(3)*deep*(std::size_t(wide)*low + 2*o.across*high));
     for (int k = 0; k < deep; ++k)
-        for (int j = 0; j < high; ++j)
-            for (int i = 0; i < wide; ++i)
+        for (int j = 0; j < std::max(low, high); ++j)
+            for (int i = 0; i < (j < low ? wide : 2*o.across); ++i)
                 f.position.insert(f.position.end(),
                     {(i + 0.5)*s, (j + 0.5)*s, three ? (k + 0.5)*s : 0.5*h});
     f.velocity.assign(f.position.size(), 0);
@@ -203,7 +209,12 @@ const char* partOf(const std::string& kernel)
         {"correctPositions", "correction of positions"}, {"markWetCells", "surface"},
         {"markNearWater", "surface"}, {"waterVolume", "surface"}, {"countFlying", "surface"},
         {"advectLevelSet", "surface"}, {"holdSurface", "surface"}, {"startDistance", "surface"},
-        {"spreadDistance", "surface"}, {"shiftSurface", "surface"}};
+        {"spreadDistance", "surface"}, {"shiftSurface", "surface"}, {"findFastTiles", "multirate"},
+        {"chooseSlowTiles", "multirate"},
+        {"flagSlowTiles", "multirate"}, {"wakeTiles", "multirate"}, {"endDueTiles", "multirate"},
+        {"flagSummedTiles", "multirate"}, {"listSummedTiles", "multirate"},
+        {"addToInterval", "multirate"}, {"enterSlowTiles", "multirate"},
+        {"countSlow", "multirate"}};
     const auto at = parts.find(kernel);
     if (at != parts.end()) return at->second;
     return kernel.compare(0, 8, "pressure") == 0 ? "pressure" : "velocities on the grid";
@@ -261,6 +272,9 @@ int run(Options o)
         scene->deviceName().c_str(), omp_get_max_threads(), o.dimensions, n, (long long)cells,
         (long long)r.steps, 1e6*wall/r.steps, double(n)*double(r.steps)/wall,
         double(r.pressureIterations)/r.steps, bytes/n, r.volumeError, again.c_str());
+    if (o.config.slowInterval > 1)
+        std::printf("    %.3g %% of the particles are slow at the end\n",
+            100.0*double(r.slow)/double(r.fluid));
     if (o.solids)
         std::printf("    %d solids, %d steps of theirs in the last one, of %.4g s\n", o.solids,
             scene->coupling().subcycles, r.lastTimeStep);

@@ -116,6 +116,11 @@ struct PicConfig : FluidConfig, PicLimits, RankConfig
 
     std::vector<PicAbsorber> absorbers;
     std::vector<PicOpening> openings;
+
+    // Multirate: particles of water that goes at most so many cells in so many steps are stepped
+    // once in these (pic/multirate); 1: each particle in each step
+    int slowInterval = 1;
+    double slowCourant = 0.25;
 };
 
 //- Sides of the domain, and what the faces of the grid are where they are not open water: cells'
@@ -207,6 +212,7 @@ struct PicReport : PicStop
     // sum of what the steps lost (-) or gained before it was put right, relative
     double volumeDrift = 0;
     std::size_t fluid = 0, flying = 0;      // particles in the scene, those of them that fly
+    std::size_t slow = 0;                   // and those that wait for the end of an interval
     std::vector<Vector3> escaped;           // last positions of those that left in this call
     std::vector<std::int32_t> escapedId;
     std::vector<PicPassage> passed;         // an opening each
@@ -310,7 +316,7 @@ public:
 };
 
 //- Parts of a case's input
-enum class PicInput {device, guards, solver};
+enum class PicInput {device, guards, solver, multirate};
 
 //- Which of them several processes cannot take, and why
 struct PicRefusal : std::invalid_argument

@@ -100,6 +100,7 @@ Foam::wordList Foam::solverModules::picDem::modelsOff() const
     if (c.absorbers.empty()) off.append("absorb");
     if (c.openings.empty()) off.append("openings");
     if (c.positionCorrection == 0) off.append("positionCorrection");
+    if (c.slowInterval == 1) off.append("multirate");
     if (!c.adjustTimeStep) off.append("adjustTimeStep");
 
     return wordList(off);
@@ -132,6 +133,11 @@ void Foam::solverModules::picDem::logModels() const
     if (c.positionCorrection > 0)
     {
         logItem("positionCorrection") << c.positionCorrection << nl;
+    }
+    if (c.slowInterval > 1)
+    {
+        logItem("multirate") << "slow particles once in " << c.slowInterval
+            << " steps, path of " << c.slowCourant << " cells at most" << nl;
     }
     logItem("fluid") << "rho " << c.density << " kg/m3, mu " << c.viscosity
         << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;

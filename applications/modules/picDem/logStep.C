@@ -12,6 +12,29 @@ Description
 #include "foamVersions/foamVersions.H"
 #include "logPrecision.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static void logOpenings
+(
+    const riprap::PicReport& report,
+    const riprap::PicConfig& config
+)
+{
+    for (std::size_t k = 0; k < report.passed.size(); ++k)
+    {
+        const riprap::PicPassage& p = report.passed[k];
+        Info<< "Opening " << config.openings[k].name.c_str()
+            << ": particles in = " << label(p.in) << ", out = " << label(p.out)
+            << ", volume in all = " << p.volume << endl;
+    }
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solverModules::picDem::report()
@@ -34,18 +57,18 @@ void Foam::solverModules::picDem::report()
         << "), deltaT = " << report_.minTimeStep << " to "
         << report_.maxTimeStep << " s, limit: " << report_.limit.c_str() << nl
         << "max(mag(U)) = " << report_.maxSpeed << " m/s, particles = "
-        << run_.particles << ", flying = " << label(report_.flying) << nl
+        << run_.particles << ", flying = " << label(report_.flying);
+    if (settings_.config.slowInterval > 1)
+    {
+        Info<< ", slow = " << label(report_.slow) << " ("
+            << 100*scalar(report_.slow)/max(run_.particles, label(1)) << " %)";
+    }
+    Info<< nl
         << "Volume = " << report_.volume << ", error = "
         << report_.volumeError << ", put right so far = "
         << report_.volumeDrift << endl;
 
-    for (std::size_t k = 0; k < report_.passed.size(); ++k)
-    {
-        const riprap::PicPassage& p = report_.passed[k];
-        Info<< "Opening " << settings_.config.openings[k].name.c_str()
-            << ": particles in = " << label(p.in) << ", out = " << label(p.out)
-            << ", volume in all = " << p.volume << endl;
-    }
+    logOpenings(report_, settings_.config);
 
     if (!report_.pressureConverged)
     {

@@ -46,6 +46,7 @@ static caseEntry entryOf
     {
         case PicInput::device: return {"Entry device", dict};
         case PicInput::guards: return subEntry(dict, "guards", "Entry Courant");
+        case PicInput::multirate: return {"Entry multirate", dict};
         case PicInput::solver: break;
     }
     caseEntry solver{"Entry solver of p", dictionary()};

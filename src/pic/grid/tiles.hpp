@@ -31,6 +31,28 @@ struct CellTiles
         if constexpr (D == 3) c.c[2] = t/(n[0]*n[1])*side;
         return c;
     }
+
+    //- The tile of a cell
+    HD int of(const typename UniformGrid<D>::Index& c) const
+    {
+        const int row = n[0]*(c.c[1]/side);
+        if constexpr (D == 3) return c.c[0]/side + row + n[0]*n[1]*(c.c[2]/side);
+        else return c.c[0]/side + row;
+    }
+};
+
+//- Cells of tiles in one state; of all tiles if there are no states
+template<int D>
+struct TileChoice
+{
+    const unsigned char* state;     // of tiles; nullptr: there are none
+    CellTiles<D> tiles;
+    unsigned char wanted;
+
+    HD bool has(const typename UniformGrid<D>::Index& c) const
+    {
+        return !state || state[tiles.of(c)] == wanted;
+    }
 };
 
 //- 1 for each tile that has particles
@@ -104,6 +126,22 @@ private:
     CellTiles<D> tiles_;
     Array<Backend, int> flag_, place_, list_;
     int count_ = 0;
+};
+
+//- Some tiles
+template<int D>
+struct TileList
+{
+    CellTiles<D> tiles;
+    const int* list;
+    int count;
+
+    TileList(const CellTiles<D>& of, const int* tileList, int tileCount)
+        : tiles(of), list(tileList), count(tileCount)
+    {}
+    template<class Backend> TileList(const OccupiedTiles<Backend, D>& all)
+        : tiles(all.tiles()), list(all.list()), count(all.count())
+    {}
 };
 
 } // namespace riprap

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "pic/grid/particles.hpp"
+#include "pic/grid/tiles.hpp"
 #include "pic/transfer/innerNodes.hpp"
 #include "pic/transfer/sample.hpp"
 #include "pic/grid/wetCells.hpp"
@@ -42,11 +43,13 @@ struct GridToParticle
     Formula formula;
     bool affine;
     R fall[D];                  // g dt [m/s]
+    TileChoice<D> only;         // particles there
 
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(grid, inverse, x);
+        if (!only.has(at.index())) return;
         const unsigned char water = nearWater[at.cell(grid)];
         if (!water)
         {
@@ -172,13 +175,19 @@ struct VelocityNow
     R part;                     // of du
     R fall;                     // of particles that fly [m/s]
     R* result;
+    // what particles of these tiles have not taken yet; nullptr: all have taken all
+    const R* pending;
+    TileChoice<D> slow;
 
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
-        const bool water = nearWater[InCell<D, R>(grid, x).cell(grid)];
+        const InCell<D, R> at(grid, x);
+        const bool water = nearWater[at.cell(grid)];
         result[i] = particles.v[component][i]
             + (water ? part*sampleFace<Order>(grid, du, component, x) : fall);
+        if (pending && slow.has(at.index()))
+            result[i] += sampleFace<Order>(grid, pending, component, x);
     }
 };
 

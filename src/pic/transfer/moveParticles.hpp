@@ -20,6 +20,7 @@
 #pragma once
 
 #include "pic/grid/particles.hpp"
+#include "pic/grid/tiles.hpp"
 #include "pic/transfer/positionCorrection.hpp"
 #include "pic/transfer/innerNodes.hpp"
 #include "pic/transfer/localVelocity.hpp"
@@ -218,12 +219,15 @@ struct MoveParticles
     // again
     std::uint32_t* keys;
     std::uint32_t* indices;
+    TileChoice<D> only;         // particles there
+    double lag;                 // by which those in water are behind; timeStep holds it [s]
 
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(grid, inverse, x);
         const typename UniformGrid<D>::Index c = at.index();
+        if (!only.has(c)) return;
         if (nearWater[grid.cell(c)])
             arriveInWater(
                 i, c, carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order));
@@ -235,10 +239,9 @@ struct MoveParticles
     {
         double most = 0;
         for (int d = 0; d < D; ++d) most = maximum(most, double(absolute(particles.v[d][i])));
-        const int pieces = most*timeStep*inverse < maxPieces
-            ? 1 + int(most*timeStep*inverse)
-            : maxPieces;
-        const double piece = timeStep/pieces;
+        const double step = timeStep - lag;
+        const int pieces = most*step*inverse < maxPieces ? 1 + int(most*step*inverse) : maxPieces;
+        const double piece = step/pieces;
         for (int k = 1; k < pieces; ++k)
         {
             const Vec<D, double> to = stopped(i, c, x + piece*convert<double>(velocity(i)));
@@ -247,13 +250,13 @@ struct MoveParticles
             for (int d = 0; d < D; ++d) in = in && at.c[d] >= 0 && at.c[d] < grid.n[d];
             if (!in)
             {
-                arrive(i, c, x + (timeStep - (k - 1)*piece)*convert<double>(velocity(i)));
+                arrive(i, c, x + (step - (k - 1)*piece)*convert<double>(velocity(i)));
                 return;
             }
             x = to;
             c = at.index();
             if (!nearWater[grid.cell(c)]) continue;
-            const double left = timeStep - k*piece;
+            const double left = step - k*piece;
             arrive(i, c,
                 carriedAnywhere<Order, Around>(
                     grid, Vec<3, const R*>{{u[0], u[1], u[D - 1]}}, x, left, order));

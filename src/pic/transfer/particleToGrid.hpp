@@ -56,6 +56,17 @@ struct SeenFaces
 template<class R>
 struct alignas(2*sizeof(R)) FaceSum { R mass, momentum; };
 
+//- Of a direction, where particles of slow tiles stay as they are for several steps
+//  (pic/multirate): their sums are kept; what the grid has changed since is added to them
+template<int D, class R>
+struct SlowSums
+{
+    TileList<D> current, summed;    // tiles of other particles; slow ones that are to be summed
+    const int* slot;                // where the sums of `summed` go
+    const int* place;               // of all tiles, as GatherTiles has it
+    FaceSum<R>* sums;
+    const R* change;                // of the faces' velocities [m/s]
+};
 
 //- Sums of the tiles that have particles
 template<int Order, int D, class R, int Component, bool Affine>
@@ -76,14 +87,15 @@ struct SumTiles
     const int* list;
     PicParticles<D, R> particles;
     FaceSum<R>* sums;           // tile after tile
+    const int* slot;            // where those of a tile go; nullptr: in the order of the list
 
     HD void operator()(const Team& team, Shared& shared, int block) const
     {
         const Index first = tiles.first(list[block]);
         team.each(allOfTile, [&](int k) { shared.sum[k] = FaceSum<R>{R(0), R(0)}; });
         for (int k = team.index; k < threads; k += team.size) addCell(team, shared, first, k);
-        team.each(
-            allOfTile, [&](int k) { sums[std::size_t(block)*allOfTile + k] = shared.sum[k]; });
+        const std::size_t to = std::size_t(slot ? slot[block] : block)*allOfTile;
+        team.each(allOfTile, [&](int k) { sums[to + k] = shared.sum[k]; });
     }
 
 private:
@@ -222,8 +234,10 @@ private:
     }
 };
 
-//- A face adds what the tiles about it, and about its images beyond the sides, have for it
-template<int Order, int D, class R>
+//- A face adds what the tiles about it, and about its images beyond the sides, have for it.
+//  Slow: places of slow tiles are below -1, -2 - slot; the mass m_s of their particles has m_s du
+//  more momentum than their sums say
+template<int Order, int D, class R, bool Slow = false>
 struct GatherTiles
 {
     static constexpr const char* name = "gatherTiles";
@@ -237,20 +251,24 @@ struct GatherTiles
     const R* last;
     R* u;                       // velocity [m/s], 0 where no particle is near
     R* mass;                    // in particles
+    const FaceSum<R>* slow;     // of slow tiles
+    const R* change;            // du of the faces
 
     HD void operator()(int face, const typename UniformGrid<D>::Index& at) const
     {
-        R m = 0, mv = 0;
+        R m = 0, mv = 0, ofSlow = 0;
         // farther from the sides than a particle sees
-        if (inner(grid, at, 3)) addTiles(at, R(1), m, mv);
-        else addWithImages(at, m, mv);
+        if (inner(grid, at, 3)) addTiles(at, R(1), m, mv, ofSlow);
+        else addWithImages(at, m, mv, ofSlow);
+        if constexpr (Slow) mv += ofSlow*change[face];
         mass[face] = m;
         u[face] = m > 0 ? mv/m : R(0);
     }
 
 private:
 
-    HD void addWithImages(const typename UniformGrid<D>::Index& at, R& m, R& mv) const
+    HD void addWithImages(
+        const typename UniformGrid<D>::Index& at, R& m, R& mv, R& ofSlow) const
     {
         int place[3][3] = {};
         R sign[3][3];
@@ -265,7 +283,7 @@ private:
                     const R before = m, odd = sign[0][i]*sign[1][j]*sign[2][k];
                     const typename UniformGrid<D>::Index image{
                         {place[0][i], place[1][j], place[2][k]}};
-                    addTiles(image, odd, m, mv);
+                    addTiles(image, odd, m, mv, ofSlow);
                     if (!last || !(odd < 0)) continue;
                     typename UniformGrid<D>::Index side = at;
                     side.c[own] = image.c[own] < at.c[own] ? 0 : grid.n[own];
@@ -306,8 +324,17 @@ private:
         return found;
     }
 
+    //- What a tile that has this place has for one of the faces that it sees
+    HD FaceSum<R> sumOf(int tile, int number) const
+    {
+        constexpr int each = Seen::template allOfTile<D>();
+        return Slow && tile < 0 ? slow[std::size_t(-2 - tile)*each + number]
+                                : sums[std::size_t(tile)*each + number];
+    }
+
     //- All places are read before any sum, so that a thread waits twice
-    HD void addTiles(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv) const
+    HD void addTiles(const typename UniformGrid<D>::Index& at, R sign, R& m, R& mv,
+        [[maybe_unused]] R& ofSlow) const
     {
         // tiles along an axis that have a face
         constexpr int side = CellTiles<D>::side, most = 2;
@@ -351,12 +378,13 @@ private:
                 UNROLL
                 for (int i = 0; i < most; ++i)
                 {
-                    if (place[k][j][i] < 0) continue;
+                    const int own = place[k][j][i];
+                    if (Slow ? own == -1 : own < 0) continue;
                     int number = within[0] - side*(from[0] + i)
                         + stride[1]*(within[1] - side*(from[1] + j));
                     if constexpr (D == 3) number += stride[2]*(within[2] - side*(from[2] + k));
-                    const FaceSum<R> sum =
-                        sums[std::size_t(place[k][j][i])*Seen::template allOfTile<D>() + number];
+                    const FaceSum<R> sum = sumOf(own, number);
+                    if (Slow && own < 0) ofSlow += sum.mass;
                     m += sum.mass;
                     mv += sign*sum.momentum;
                 }
@@ -376,36 +404,55 @@ public:
     }
 
     //- Velocity u and mass of the faces of one direction that rows have. last: what sides have that
-    //  move, nullptr: they rest
+    //  move, nullptr: they rest. slow: nullptr, no tiles are
     template<int Order>
     void map(Context<Backend>& context, const UniformGrid<D>& grid,
         const ActiveRows<Backend, D>& rows, const PicParticles<D, R>& particles, int component,
-        bool affine, const R* last, R* u, R* mass)
+        bool affine, const R* last, R* u, R* mass, const SlowSums<D, R>* slow = nullptr)
     {
-        const CellTiles<D>& tiles = occupied_.tiles();
-        const std::size_t all = std::size_t(std::max(occupied_.count(), 1))
+        const TileList<D> current = slow ? slow->current : TileList<D>(occupied_);
+        const std::size_t all = std::size_t(std::max(current.count, 1))
             *SeenFaces<Order>::template allOfTile<D>();
         if (sums_.size() < all) sums_.allocate(context, all + all/8);
-        const auto sum = [&](auto direction, auto withGradient)
+        sumTiles<Order>(
+            context, grid, particles, component, affine, current, nullptr, sums_.data());
+        if (!slow)
         {
-            forEachBlock(context, occupied_.count(),
-                SumTiles<Order, D, R, decltype(direction)::value, decltype(withGradient)::value>{
-                    grid, tiles, occupied_.list(), particles, sums_.data()});
-        };
-        const auto sumAlong = [&](auto direction)
-        { affine ? sum(direction, std::true_type()) : sum(direction, std::false_type()); };
-        if (component == 0) sumAlong(std::integral_constant<int, 0>());
-        else if (component == 1) sumAlong(std::integral_constant<int, 1>());
-        else if constexpr (D == 3) sumAlong(std::integral_constant<int, 2>());
+            rows.eachFaceOfBoth(context, component,
+                GatherTiles<Order, D, R>{grid, current.tiles, occupied_.place(), component,
+                    sums_.data(), last, u, mass, nullptr, nullptr});
+            return;
+        }
+        sumTiles<Order>(context, grid, particles, component, affine, slow->summed, slow->slot,
+            slow->sums);
         rows.eachFaceOfBoth(context, component,
-            GatherTiles<Order, D, R>{
-                grid, tiles, occupied_.place(), component, sums_.data(), last, u, mass});
+            GatherTiles<Order, D, R, true>{grid, current.tiles, slow->place, component,
+                sums_.data(), last, u, mass, slow->sums, slow->change});
     }
 
     const OccupiedTiles<Backend, D>& occupied() const { return occupied_; }
     std::size_t bytes() const { return occupied_.bytes() + sums_.bytes(); }
 
 private:
+
+    template<int Order>
+    static void sumTiles(Context<Backend>& context, const UniformGrid<D>& grid,
+        const PicParticles<D, R>& particles, int component, bool affine, const TileList<D>& of,
+        const int* slot, FaceSum<R>* sums)
+    {
+        const auto sum = [&](auto direction, auto withGradient)
+        {
+            forEachBlock(context, of.count,
+                SumTiles<Order, D, R, decltype(direction)::value, decltype(withGradient)::value>{
+                    grid, of.tiles, of.list, particles, sums, slot});
+        };
+        const auto sumAlong = [&](auto direction)
+        { affine ? sum(direction, std::true_type()) : sum(direction, std::false_type()); };
+        if (component == 0) sumAlong(std::integral_constant<int, 0>());
+        else if (component == 1) sumAlong(std::integral_constant<int, 1>());
+        else if constexpr (D == 3) sumAlong(std::integral_constant<int, 2>());
+    }
+
     OccupiedTiles<Backend, D> occupied_;
     Array<Backend, FaceSum<R>> sums_;
 };

@@ -14,6 +14,7 @@
 
 #include "core/loops/rows.hpp"
 #include "pic/grid/particles.hpp"
+#include "pic/grid/tiles.hpp"
 #include "pic/transfer/sample.hpp"
 
 namespace riprap
@@ -50,11 +51,13 @@ struct CorrectPositions
     R* shift[D];
     R strength;                 // c dt [s]
     R spacing;                  // s [m]
+    TileChoice<D> only;         // particles there
 
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(grid, inverse, x);
+        if (!only.has(at.index())) return;
         R push[D], speed2 = 0;
         for (int d = 0; d < D; ++d)
         {

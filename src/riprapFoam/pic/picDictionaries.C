@@ -41,6 +41,18 @@ static void readSeeds(checkedDictionary& pic, riprap::PicConfig& config)
 }
 
 
+static void readMultirate(checkedDictionary& pic, riprap::PicConfig& config)
+{
+    checkedDictionary dict(pic.subDict("multirate"));
+    if (!pic.dict().found("multirate")) return;
+
+    config.slowInterval = int(dict.whole("interval", 10, 2, 100));
+    config.slowCourant = dict.between("maxCo", config.slowCourant, 1e-6, 0.5);
+
+    dict.end();
+}
+
+
 static void readWalls
 (
     checkedDictionary& pic,
@@ -245,6 +257,8 @@ static void readPicProperties
         pic.either("reflection", "yes", "no", config.reflection > 0) ? 1 : 0;
     config.positionCorrection =
         pic.notNegativeOrNone("positionCorrection", config.positionCorrection);
+
+    readMultirate(pic, config);
 
     const int scheme = pic.choice
     (

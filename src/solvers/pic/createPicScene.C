@@ -51,6 +51,9 @@ void checkNumbers(const PicConfig& c)
     require(c.adjustTimeStep || c.fixedTimeStep > 0, "a fixed time step must be positive");
     require(c.maxTimeStep > 0, "the largest time step must be positive");
     require(c.maxCourant > 0 && c.maxCourant <= 2, "the Courant number must lie in 0 .. 2");
+    require(c.slowInterval >= 1, "an interval of slow particles must be a step or more");
+    require(c.slowCourant > 0 && c.slowCourant <= 0.5,
+        "the path of slow particles in an interval must lie in 0 .. 0.5 cells");
     require(c.maxFlyingCourant >= c.maxCourant,
         "the Courant number of flying particles must not be below that of the others");
     double cells = 1;
@@ -165,6 +168,8 @@ void checkPicRanks(const PicConfig& c, const LinearSolver* solver)
     need(c.device != DeviceKind::gpu, PicInput::device, "several processes run on CPUs alone");
     need(!solver || solver->onDevice(), PicInput::solver,
         std::string("several processes need p solved by ") + ownSolver);
+    need(c.slowInterval == 1, PicInput::multirate,
+        "several processes step each particle in each step: remove multirate");
     // a particle must stay where the halo is right
     constexpr double farthest = 6;
     need(c.maxCourantEver <= farthest, PicInput::guards,

@@ -85,6 +85,22 @@ TEST(PicSettings, whatIsRefused)
         "A wall that slides needs `slip noSlip;`");
 }
 
+TEST(PicSettings, multirate)
+{
+    PicCase c;
+    EXPECT_EQ(c.settings("").config.slowInterval, 1);
+    EXPECT_EQ(c.settings("multirate {}").config.slowInterval, 10);
+    EXPECT_EQ(c.settings("multirate {}").config.slowCourant, 0.25);
+    const picSettings s(c.settings("multirate { interval 4; maxCo 0.1; }"));
+    EXPECT_EQ(s.config.slowInterval, 4);
+    EXPECT_EQ(s.config.slowCourant, 0.1);
+    EXPECT_TRUE(holds(c.said("multirate { interval 1; }"), "Entry interval is 1"));
+    EXPECT_TRUE(holds(c.said("multirate { interval 2.5; }"), "Entry interval is 2.5"));
+    EXPECT_TRUE(holds(c.said("multirate { maxCo 0.6; }"), "Entry maxCo is 0.6"));
+    EXPECT_TRUE(holds(c.said("multirate { maxco 0.1; }"), "did you mean maxCo?"));
+    EXPECT_TRUE(holds(c.said("multirate yes;"), "Entry multirate must be a dictionary"));
+}
+
 //- Zones that absorb nothing, or lie beyond the mesh, are not kept
 TEST(PicSettings, absorbingZones)
 {

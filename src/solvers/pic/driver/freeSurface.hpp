@@ -100,8 +100,8 @@ void FreeSurface<Backend, D, P>::move(double dt, PicReport& report)
         p_.rows.eachCellOfBoth(p_.set.context, f);
     });
     if (p_.halo) ParticleMigration<Backend, D, P>(p_).migrate(report);
-    // else solids have moved particles since, or others have come in
-    advection_.sort(&report, !p_.cuts() && !p_.opens() && !p_.halo);
+    // else solids have moved particles since, others have come in, or some have waited
+    advection_.sort(&report, !p_.cuts() && !p_.opens() && !p_.halo && !p_.slow.any());
     p_.rows.eachCell(p_.set.context,
         HoldSurface<D, real>{grid, p_.particles.view(),
             real(p_.set.clock.particleVolume/grid.volume()),

@@ -35,6 +35,8 @@ public:
 
 private:
 
+    Vec<D, double> ofParticles();
+
     PicParts<Backend, D, P>& p_;
     bool watches_ = false;
     std::vector<real> forced_[D];               // while somebody watches
@@ -93,17 +95,35 @@ void MomentumBudget<Backend, D, P>::weigh(double dt)
     momentum_ = sum;
 }
 
+//- With what those that wait have still to take
+template<class Backend, int D, class P>
+Vec<D, double> MomentumBudget<Backend, D, P>::ofParticles()
+{
+    Vec<D, double> sum = p_.particles.momentum();
+    if (!p_.slow.any()) return sum;
+    const double mass = p_.set.config.density*p_.set.clock.particleVolume;
+    withSpline(p_.set.config.splineOrder, [&](auto order)
+    {
+        SumPending<decltype(order)::value, D, real> pending{
+            p_.particles.view(), p_.set.grid, p_.slow.in(slowTile), {}};
+        for (int d = 0; d < D; ++d) pending.change[d] = p_.slow.change[d].data();
+        const auto sums = sumOver<D>(p_.set.context, p_.particles.n, pending);
+        for (int d = 0; d < D; ++d) sum[d] += mass*sums[d];
+    });
+    return sum;
+}
+
 //- What particles have before they take from the grid, and what it has made of that
 template<class Backend, int D, class P> void MomentumBudget<Backend, D, P>::holdParticles()
 {
-    if (watches_) held_ = p_.particles.momentum();
+    if (watches_) held_ = ofParticles();
 }
 
 template<class Backend, int D, class P>
 void MomentumBudget<Backend, D, P>::compareParticles()
 {
     if (!watches_) return;
-    const Vec<D, double> now = p_.particles.momentum();
+    const Vec<D, double> now = ofParticles();
     for (int d = 0; d < D; ++d) momentum_.particles[p_.set.config.axes[d]] = now[d] - held_[d];
 }
 

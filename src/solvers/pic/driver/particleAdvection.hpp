@@ -30,6 +30,17 @@ public:
 
 private:
 
+    //- Particles of some tiles in a time; lag: what it has more than the step
+    struct Moving
+    {
+        Array<Backend, real>* u;
+        TileList<D> list;
+        TileChoice<D> only;
+        double time, lag;
+    };
+
+    void correct(const Moving&);
+    void carry(const Moving&);
     void reportLeft(PicReport&, int left);
 
     PicParts<Backend, D, P>& p_;
@@ -38,25 +49,53 @@ private:
 template<class Backend, int D, class P>
 void ParticleAdvection<Backend, D, P>::move(double dt)
 {
+    PicParticleFields<Backend, D, P>& particles = p_.particles;
+    SlowTiles<Backend, D, real>& slow = p_.slow;
+    std::vector<Moving> all;
+    if (!slow.any())
+        all.push_back(Moving{p_.faces.carrying(), p_.toFaces.occupied(), {}, dt, 0});
+    else
+    {
+        all.push_back(
+            Moving{p_.faces.carrying(), slow.list(currentTile), slow.in(currentTile), dt, 0});
+        if (slow.due())
+            all.push_back(Moving{
+                slow.mean, slow.list(dueTile), slow.in(dueTile), slow.time, slow.time - dt});
+    }
+    if (p_.set.config.positionCorrection > 0)
+    {
+        for (int d = 0; slow.any() && d < D; ++d)
+            p_.set.context.zero(particles.shift[d].data(), particles.n*sizeof(real));
+        for (const Moving& m : all) correct(m);
+    }
+    for (const Moving& m : all) carry(m);
+}
+
+template<class Backend, int D, class P>
+void ParticleAdvection<Backend, D, P>::correct(const Moving& m)
+{
+    const UniformGrid<D>& grid = p_.set.grid;
+    CorrectPositions<D, real, !Backend::gpu> f{};
+    f.grid = grid;
+    f.inverse = 1/grid.h;
+    f.particles = p_.particles.view();
+    f.phi = p_.surface.phi.data();
+    f.nearWater = p_.surface.near.data();
+    for (int d = 0; d < D; ++d) f.shift[d] = p_.particles.shift[d].data();
+    f.strength = real(p_.set.config.positionCorrection*m.time);
+    f.spacing = real(p_.set.particleSpacing());
+    f.only = m.only;
+    forEach(p_.set.context, p_.particles.n, f);
+}
+
+template<class Backend, int D, class P>
+void ParticleAdvection<Backend, D, P>::carry(const Moving& m)
+{
     const UniformGrid<D>& grid = p_.set.grid;
     const PicConfig& config = p_.set.config;
     Context<Backend>& context = p_.set.context;
     PicParticleFields<Backend, D, P>& particles = p_.particles;
-    SurfaceFields<Backend, D, P>& surface = p_.surface;
     const bool corrected = config.positionCorrection > 0;
-    if (corrected)
-    {
-        CorrectPositions<D, real, !Backend::gpu> f{};
-        f.grid = grid;
-        f.inverse = 1/grid.h;
-        f.particles = particles.view();
-        f.phi = surface.phi.data();
-        f.nearWater = surface.near.data();
-        for (int d = 0; d < D; ++d) f.shift[d] = particles.shift[d].data();
-        f.strength = real(config.positionCorrection*dt);
-        f.spacing = real(p_.set.particleSpacing());
-        forEach(context, particles.n, f);
-    }
     p_.set.withWindows([&](auto order, auto around)
     {
         MoveParticles<decltype(order)::value, D, real, decltype(around)::value> f{};
@@ -65,22 +104,23 @@ void ParticleAdvection<Backend, D, P>::move(double dt)
         f.particles = particles.view();
         for (int d = 0; d < D; ++d)
         {
-            f.u[d] = p_.faces.carrying()[d].data();
+            f.u[d] = m.u[d].data();
             f.aperture[d] = p_.walls.aperture[d].data();
             f.shift[d] = corrected ? particles.shift[d].data() : nullptr;
             f.gate[d] = p_.opens() ? p_.openings.gate[d].data() : nullptr;
         }
-        f.nearWater = surface.near.data();
-        f.timeStep = dt;
+        f.nearWater = p_.surface.near.data();
+        f.timeStep = m.time;
+        f.lag = m.lag;
         f.order = config.advectionOrder;
         f.inside = p_.cuts();
         f.margin = p_.set.wallMargin*grid.h;
-        f.keys = p_.cuts() || p_.opens() ? nullptr : particles.sort.keys();
+        f.keys = p_.cuts() || p_.opens() || p_.slow.any() ? nullptr : particles.sort.keys();
         f.indices = particles.sort.indices();
+        f.only = m.only;
         if constexpr (!Backend::gpu && D == 2 && decltype(order)::value == 2)
-            forEachRow(context, p_.toFaces.occupied().count(),
-                MoveCells<real, decltype(around)::value>{
-                    f, p_.toFaces.occupied().tiles(), p_.toFaces.occupied().list()});
+            forEachRow(context, m.list.count,
+                MoveCells<real, decltype(around)::value>{f, m.list.tiles, m.list.list});
         else forEach(context, particles.n, f);
     });
 }

@@ -6,7 +6,8 @@
     Layout (32-bit words): magic, version, dimensions, bytes of real, backend, particles, fields
     (and whose memory of a transfer is among them), cells, bytes of the clock; the clock; each field
     of the particles in the device's order; phi, p, and the velocities of the faces, their last
-    changes and what particles took; what openings remember; of solids, each after its length, what
+    changes and what particles took, with multirate the changes and means of its interval; what
+    openings remember; the states of tiles; of solids, each after its length, what
     bodies remember and the state of their own scene; a checksum of all words before it.
 
     Of several ranks the first has all words, those of one process; any number of ranks reads them.
@@ -55,8 +56,14 @@ public:
 
 private:
 
-    //- Of a state: where what openings and solids remember begins, and what bodies do
-    struct Found { std::size_t openingsAt, solidsAt; std::vector<double> bodies; };
+    //- Of a state: where what openings, slow tiles and solids remember begins, and what bodies do
+    struct Found { std::size_t openingsAt, slowAt, solidsAt; std::vector<double> bodies; };
+
+    static constexpr int withMultirate = 1 << 16;
+    int clockMark() const
+    {
+        return int(sizeof(PicClock)) + (p_.multirate() ? withMultirate : 0);
+    }
 
     template<class F> void forEachSaved(const F&);
     std::size_t words(const SavedArray& a, std::int64_t particles) const
@@ -94,7 +101,9 @@ void PicCheckpoint<Backend, D, P>::forEachSaved(const F& f)
     ofGrid(p_.surface.phi, -1);
     for (auto* p : {&pressure.p, &pressure.reflected, &pressure.total}) ofGrid(*p, -1);
     for (int d = 0; d < D; ++d)
-        for (auto* a : {&faces.u[d], &faces.change[d], &faces.after[d]}) ofGrid(*a, d);
+        for (auto* a :
+            {&faces.u[d], &faces.change[d], &faces.after[d], &p_.slow.change[d], &p_.slow.mean[d]})
+            ofGrid(*a, d);
 }
 
 template<class Backend, int D, class P>
@@ -105,7 +114,7 @@ Later<std::vector<std::int32_t>> PicCheckpoint<Backend, D, P>::save(bool later)
     detail::StateWords<Backend> words(p_.set.context, later && !p_.halo,
         {detail::picMagic, detail::picVersion, D, int(sizeof(real)), int(Backend::gpu), int(count),
             particles.values.fields() + 256*particles.scheme.mark(), p_.set.whole().cells(),
-            int(sizeof(PicClock))});
+            clockMark()});
     words.add(&p_.set.clock, sizeof(PicClock));
     std::size_t expected = words.size() + 1;
     forEachSaved([&](const SavedArray& a) { expected += this->words(a, count); });
@@ -119,6 +128,11 @@ Later<std::vector<std::int32_t>> PicCheckpoint<Backend, D, P>::save(bool later)
     if (p_.opens())
     {
         const std::vector<double> memory = p_.openings.memory();
+        words.add(memory.data(), memory.size()*sizeof(double));
+    }
+    if (p_.multirate())
+    {
+        const std::vector<double> memory = p_.slow.memory();
         words.add(memory.data(), memory.size()*sizeof(double));
     }
     if (p_.solids.bodies)
@@ -153,7 +167,9 @@ void PicCheckpoint<Backend, D, P>::check(const std::vector<std::int32_t>& words)
     if (words[7] != p_.set.whole().cells())
         fail("it has " + std::to_string(words[7]) + " cells, the mesh "
             + std::to_string(p_.set.whole().cells()));
-    if (words[8] != int(sizeof(PicClock))) fail("it was written by another version");
+    if (words[8]/withMultirate != clockMark()/withMultirate)
+        fail(std::string("it was written with") + (p_.multirate() ? "out" : "") + " multirate");
+    if (words[8] != clockMark()) fail("it was written by another version");
     const int n = words[5];
     const std::size_t room = p_.halo ? std::size_t(p_.set.clock.initial)
                                      : p_.particles.values.size();
@@ -168,8 +184,10 @@ typename PicCheckpoint<Backend, D, P>::Found PicCheckpoint<Backend, D, P>::find(
 {
     std::size_t expected = detail::picHeader + detail::picClockWords + 1;
     forEachSaved([&](const SavedArray& a) { expected += this->words(a, words[5]); });
-    Found found{expected - 1, 0, {}};
+    Found found{expected - 1, 0, 0, {}};
     if (p_.opens()) expected += 2*p_.openings.memorySize();
+    found.slowAt = expected - 1;
+    if (p_.multirate()) expected += 2*p_.slow.memorySize();
     found.solidsAt = expected - 1;
     if (p_.solids.bodies && words.size() > expected)
     {
@@ -254,6 +272,12 @@ void PicCheckpoint<Backend, D, P>::load(const std::vector<std::int32_t>& ofFirst
         p_.openings.setMemory(memory.data());
     }
     recut();
+    if (p_.multirate())
+    {
+        std::vector<double> memory(p_.slow.memorySize());
+        std::memcpy(memory.data(), &words[found.slowAt], memory.size()*sizeof(double));
+        p_.slow.setMemory(p_.set.context, memory.data(), particles.sort);
+    }
     p_.set.context.synchronise();
 }
 

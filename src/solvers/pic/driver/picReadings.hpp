@@ -183,7 +183,8 @@ void PicReadings<Backend, D, P>::velocitiesNow(int d, Array<Backend, real>& now)
                 VelocityNow<decltype(order)::value, D, real>{p_.set.grid, particles.view(), d,
                     p_.faces.change[d].data(), p_.surface.near.data(),
                     real(clock.lastKick > 0 ? 0.5*clock.lastStep/clock.lastKick : 0),
-                    real(0.5*clock.lastStep*p_.set.gravity[d]), now.data()});
+                    real(0.5*clock.lastStep*p_.set.gravity[d]), now.data(),
+                    p_.slow.any() ? p_.slow.change[d].data() : nullptr, p_.slow.in(slowTile)});
         });
 }
 
@@ -534,6 +535,7 @@ std::vector<ArrayInfo> PicReadings<Backend, D, P>::arrays() const
     add("position correction", shifts);
     add("walls", walls);
     add("absorb", absorb);
+    add("multirate", p_.slow.bytes());
     add("viscosity", viscosity_.bytes());
     std::size_t openings = sides.flags.bytes() + sides.buffer.bytes() + sides.second.bytes();
     for (int d = 0; d < D; ++d)

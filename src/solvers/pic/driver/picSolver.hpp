@@ -95,12 +95,13 @@ private:
     MomentumBudget<Backend, D, P> budget_{p_};
     Projection<Backend, D, P> projection_{p_, transfer_, openings_, coupling_, viscosity_, budget_};
     FluidSeeding<Backend, D, P> seeding_{p_, advection_, surface_};
+    Multirate<Backend, D, P> multirate_{p_};
     PicReadings<Backend, D, P> readings_{p_, viscosity_};
     TimeStepControl<Backend, D, P> control_{p_, advection_};
     PicGuards<Backend, D, P> guards_{p_, readings_};
     PicStepper<Backend, D, P> stepper_{p_,
         {advection_, surface_, openings_, cutter_, coupling_, transfer_, budget_, projection_,
-            control_, guards_}};
+            multirate_, control_, guards_}};
     PicCheckpoint<Backend, D, P> checkpoint_{p_, advection_, surface_, openings_, cutter_};
 };
 
@@ -125,6 +126,7 @@ PicSolver<Backend, D, P>::PicSolver(const PicConfig& config, const FluidInput& f
         surface_.markWater();
         openings_.takeUpPending();
     }
+    multirate_.start();
     p_.set.context.synchronise();
 }
 
@@ -163,6 +165,7 @@ void PicSolver<Backend, D, P>::finish(PicReport& report)
     const double all = double(particles.all());
     report.fluid = std::size_t(particles.all());
     report.flying = std::size_t(surface.flying);
+    report.slow = std::size_t(p_.slow.particles(p_.set.context, particles.sort.start()));
     const double particle = clock.particleVolume;
     report.volume = surface.volume*p_.set.grid.volume() + surface.flying*particle;
     report.volumeError = all > 0

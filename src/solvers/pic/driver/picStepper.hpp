@@ -7,6 +7,7 @@
 #include "pic/cutCells/pushOut.hpp"
 #include "solvers/pic/driver/cellCutter.hpp"
 #include "solvers/pic/driver/freeSurface.hpp"
+#include "solvers/pic/driver/multirate.hpp"
 #include "solvers/pic/driver/picGuards.hpp"
 #include "solvers/pic/driver/projection.hpp"
 #include "solvers/pic/driver/timeStepControl.hpp"
@@ -26,6 +27,7 @@ struct PicStepTools
     PicTransfer<Backend, D, P>& transfer;
     MomentumBudget<Backend, D, P>& budget;
     Projection<Backend, D, P>& projection;
+    Multirate<Backend, D, P>& multirate;
     TimeStepControl<Backend, D, P>& control;
     PicGuards<Backend, D, P>& guards;
 };
@@ -90,6 +92,7 @@ void PicStepper<Backend, D, P>::step(double dt, PicReport& report)
     clock.lastKick = p_.set.kick(dt);
     with_.projection.project(clock.lastKick, dt);
     with_.budget.holdParticles();
+    with_.multirate.addStep(dt);
     with_.transfer.toParticles(clock.lastKick);
     with_.budget.compareParticles();
     if (solids.bodies && solids.bodies->set.contactVelocity < 1) with_.coupling.slowBetween(dt);
@@ -103,8 +106,10 @@ void PicStepper<Backend, D, P>::step(double dt, PicReport& report)
                    : "has a force of the water that is not a number");
         return;
     }
+    with_.multirate.enterSlow();
     with_.surface.move(dt, report);
     with_.surface.holdVolume();
+    with_.multirate.endStep(dt);
     clock.time += dt;
     clock.lastStep = dt;
     ++clock.steps;

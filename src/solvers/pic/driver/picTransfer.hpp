@@ -29,6 +29,7 @@ public:
 
 private:
 
+    void mapToFaces(int d);
     void share(const std::initializer_list<Array<Backend, real>*>& fields);
 
     PicParts<Backend, D, P>& p_;
@@ -43,17 +44,11 @@ void PicTransfer<Backend, D, P>::toGrid()
     PicParticleFields<Backend, D, P>& particles = p_.particles;
     p_.toFaces.prepare(context, grid, particles.sort);
     p_.rows.find(context, grid, p_.toFaces.occupied(), p_.surface.phi.data(), particles.sort);
+    if (p_.slow.any()) p_.slow.find(context, p_.toFaces.occupied(), particles.sort);
     for (int d = 0; d < D; ++d)
     {
         const int faces = grid.faces(d);
-        withSpline(p_.set.config.splineOrder,
-            [&](auto order)
-            {
-                p_.toFaces.template map<decltype(order)::value>(context, grid, p_.rows,
-                    particles.view(), d, particles.at.affine >= 0,
-                    p_.opens() ? p_.faces.u[d].data() : nullptr, p_.faces.before[d].data(),
-                    p_.faces.mass[d].data());
-            });
+        mapToFaces(d);
         if (grid.periodic[d])
         {
             forEach(context, faces, CopyPeriodic<D, real>{grid, d, p_.faces.before[d].data()});
@@ -63,7 +58,30 @@ void PicTransfer<Backend, D, P>::toGrid()
             MarkByMass<D, real>{grid, d, p_.faces.mass[d].data(), p_.walls.aperture[d].data(),
                 p_.faces.layer[d].data()});
     }
+    if (p_.slow.any()) p_.slow.endSums();
     extrapolate({p_.faces.before}, 3);
+}
+
+//- Velocity and mass at the faces of direction d
+template<class Backend, int D, class P>
+void PicTransfer<Backend, D, P>::mapToFaces(int d)
+{
+    PicParticleFields<Backend, D, P>& particles = p_.particles;
+    withSpline(p_.set.config.splineOrder, [&](auto order)
+    {
+        constexpr int spline = decltype(order)::value;
+        const auto map = [&](const SlowSums<D, real>* slow)
+        {
+            p_.toFaces.template map<spline>(p_.set.context, p_.set.grid, p_.rows,
+                particles.view(), d, particles.at.affine >= 0,
+                p_.opens() ? p_.faces.u[d].data() : nullptr, p_.faces.before[d].data(),
+                p_.faces.mass[d].data(), slow);
+        };
+        if (!p_.slow.any()) return map(nullptr);
+        const SlowSums<D, real> slow = p_.slow.sums(
+            p_.set.context, d, SeenFaces<spline>::template allOfTile<D>());
+        map(&slow);
+    });
 }
 
 //- With the layers that they have
@@ -105,7 +123,15 @@ void PicTransfer<Backend, D, P>::extrapolate(
 
 template<class Backend, int D, class P> void PicTransfer<Backend, D, P>::toParticles(double dt)
 {
-    p_.particles.scheme.take(p_.set.context, p_.gridVelocities(dt), p_.toFaces.occupied(), dt);
+    GridVelocities<D, real> v = p_.gridVelocities(dt);
+    if (!p_.slow.any())
+        return p_.particles.scheme.take(p_.set.context, v, p_.toFaces.occupied(), dt);
+    v.only = p_.slow.in(currentTile);
+    p_.particles.scheme.take(p_.set.context, v, p_.slow.list(currentTile), dt);
+    if (!p_.slow.due()) return;
+    v.only = p_.slow.in(dueTile);
+    for (int d = 0; d < D; ++d) v.du[d] = p_.slow.change[d].data();
+    p_.particles.scheme.take(p_.set.context, v, p_.slow.list(dueTile), p_.slow.time);
 }
 
 } // namespace riprap

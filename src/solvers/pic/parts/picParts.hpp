@@ -13,6 +13,7 @@
 #include "pic/grid/activeRows.hpp"
 #include "pic/grid/extrapolate.hpp"
 #include "pic/grid/pressureFields.hpp"
+#include "pic/multirate/slowTiles.hpp"
 #include "pic/transfer/particleToGrid.hpp"
 #include "solvers/pic/parts/cutCells.hpp"
 #include "solvers/pic/parts/gatheredPressure.hpp"
@@ -47,6 +48,7 @@ struct PicParts
     PicSetting<Backend, D, P> set;
     PicParticleFields<Backend, D, P> particles{set};
     ParticleToGrid<Backend, D, real> toFaces;
+    SlowTiles<Backend, D, real> slow;           // of multirate
     ActiveRows<Backend, D> rows;                // of the step
     SurfaceFields<Backend, D, P> surface{set};
     FaceVelocities<Backend, D, P> faces{set};
@@ -84,6 +86,7 @@ struct PicParts
     //- On any rank
     bool isInterrupted() const { return set.largest(interrupted ? 1 : 0) > 0; }
     bool opens() const { return !openings.faces.empty(); }
+    bool multirate() const { return set.config.slowInterval > 1; }
     bool cuts() const { return !inside.empty(); }
     bool sticksInside() const { return cuts() && set.config.noSlip && set.config.viscosity > 0; }
 

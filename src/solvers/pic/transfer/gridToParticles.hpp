@@ -22,6 +22,7 @@ struct GridVelocities
     const R* du[D];
     const unsigned char* nearWater;         // cells (pic/grid/wetCells.hpp)
     R fall[D];                              // of particles without water about them [m/s]
+    TileChoice<D> only;                     // particles there
 };
 
 template<class Backend, int D, class R>
@@ -41,9 +42,9 @@ public:
     //- Of states that were written: 0 without memory, else by the scheme
     int mark() const;
 
-    //- occupied: tiles that have particles
-    void take(Context<Backend>&, const GridVelocities<D, R>&,
-        const OccupiedTiles<Backend, D>& occupied, double dt) const;
+    //- occupied: tiles that have particles, of those chosen
+    void take(Context<Backend>&, const GridVelocities<D, R>&, const TileList<D>& occupied,
+        double dt) const;
 
     //- Particles from `first` on that have come in have the grid's velocity
     void enter(Context<Backend>&, const GridVelocities<D, R>&, int first, int count) const;

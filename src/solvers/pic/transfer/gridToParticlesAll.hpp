@@ -51,6 +51,7 @@ void GridToParticles<Backend, D, R>::run(
         k.nearWater = v.nearWater;
         k.formula = formula;
         k.affine = gradient_;
+        k.only = v.only;
         f(k);
     };
     if (needsAround(v.grid, Order)) start(std::true_type());
@@ -61,16 +62,16 @@ void GridToParticles<Backend, D, R>::run(
 template<class Backend, int Order, int D, class R, bool Around, class Formula>
 void takeFromGrid(Context<Backend>& context,
     const GridToParticle<Order, D, R, Around, Formula>& kernel,
-    const OccupiedTiles<Backend, D>& occupied)
+    const TileList<D>& occupied)
 {
     if constexpr (!Backend::gpu && D == 2 && Order == 2)
-        forEachRow(context, occupied.count(), cellsOf(kernel, occupied.tiles(), occupied.list()));
+        forEachRow(context, occupied.count, cellsOf(kernel, occupied.tiles, occupied.list));
     else forEach(context, kernel.particles.count, kernel);
 }
 
 template<class Backend, int D, class R>
 void GridToParticles<Backend, D, R>::take(Context<Backend>& context, const GridVelocities<D, R>& v,
-    const OccupiedTiles<Backend, D>& occupied, double dt) const
+    const TileList<D>& occupied, double dt) const
 {
     withTransfer(choice_, order_,
         [&](auto scheme, auto order)

@@ -367,6 +367,7 @@ TEST(PicRanksRefused, partsOfTheInput)
             int(PicInput::device));
         EXPECT_EQ(refused([](C& c) { c.maxCourantEver = 7; }), int(PicInput::guards));
         EXPECT_EQ(refused([](C& c) { c.maxCourantEver = 6; }), -1);
+        EXPECT_EQ(refused([](C& c) { c.slowInterval = 2; }), int(PicInput::multirate));
     });
 }
 
