@@ -12,6 +12,16 @@ namespace riprap
 namespace
 {
 
+#ifdef __CUDACC__
+template<class C> struct GpuSlowTiles : BackendTest {};
+#define SLOW_TEST(name) TYPED_TEST(GpuSlowTiles, name)
+TYPED_TEST_SUITE(GpuSlowTiles, AllCases, CaseNames);
+#else
+template<class C> struct CpuSlowTiles : BackendTest {};
+#define SLOW_TEST(name) TYPED_TEST(CpuSlowTiles, name)
+TYPED_TEST_SUITE(CpuSlowTiles, AllCases, CaseNames);
+#endif
+
 //- A cloud, fields of its faces, and slow tiles where the water is slower than a limit
 template<class C>
 struct Waiting
@@ -100,7 +110,7 @@ struct Waiting
 };
 
 //- Tiles are slow whose neighbours, too, have no face that is faster
-PIC_TEST(SlowTilesAreFarFromFastOnes)
+SLOW_TEST(SlowTilesAreFarFromFastOnes)
 {
     constexpr int D = TypeParam::D;
     Waiting<TypeParam> w;
@@ -131,7 +141,7 @@ PIC_TEST(SlowTilesAreFarFromFastOnes)
 }
 
 //- Faces get the same from particles that wait, and m_s du more
-PIC_TEST(FacesHaveTheChangesOfSlowTiles)
+SLOW_TEST(FacesHaveTheChangesOfSlowTiles)
 {
     constexpr int D = TypeParam::D;
     using R = typename TypeParam::real;
@@ -188,7 +198,7 @@ PIC_TEST(FacesHaveTheChangesOfSlowTiles)
 }
 
 //- Particles that come to slow tiles from others lose no momentum, and are summed with those there
-PIC_TEST(WhoEntersASlowTileGivesWhatItWillBeGiven)
+SLOW_TEST(WhoEntersASlowTileGivesWhatItWillBeGiven)
 {
     constexpr int D = TypeParam::D;
     using R = typename TypeParam::real;

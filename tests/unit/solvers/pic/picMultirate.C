@@ -172,7 +172,7 @@ TEST_P(PicMultirate, SlowWavesGoOn)
     {
         each->advance(0.2*k);
         const PicReport r = slow->advance(0.2*k);
-        if (k > 1) EXPECT_EQ(share(r), 1.0) << k;
+        if (k > 1) { EXPECT_EQ(share(r), 1.0) << k; }
         const std::vector<double> a = levels(c[0], *each), b = levels(c[1], *slow);
         difference = std::max(difference, largestDifference(a, b));
         largest = std::max(largest, largestDifference(a, std::vector<double>(a.size(), 0.375)));
