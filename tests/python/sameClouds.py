@@ -15,24 +15,25 @@ import re
 import struct
 import sys
 
-components = {'labelField': ('i', 1), 'scalarField': ('d', 1), 'vectorField': ('d', 3)}
+components = {'labelField': ('i', 1), 'labelList': ('i', 1), 'scalarField': ('d', 1),
+              'vectorField': ('d', 3)}
 
 
-def readList(path):
-    """Rows of a cloud's file, as tuples"""
+def readList(path, form='<ddd'):
+    """Rows of a cloud's file, as tuples; form: of positions, '<dddi' with their cells"""
     with open(path, 'rb') as f:
         data = f.read()
     head = re.search(rb'FoamFile\s*\{(.*?)\}', data, re.S)
     entries = dict(re.findall(rb'(\w+)\s+([^;\n]+);', head.group(1)))
-    kind, form = entries[b'class'].decode().strip('"'), entries[b'format']
+    kind, binary = entries[b'class'].decode().strip('"'), entries[b'format'] == b'binary'
     found = re.compile(rb'(?:\s*//[^\n]*\n)*\s*(\d+)\s*([({]?)').match(data, head.end())
     count, start = int(found.group(1)), found.end()
     if count == 0:
         return []
-    if form != b'binary':
+    if not binary:
         raise ValueError(f'{path} is not binary')
     if kind.startswith('Cloud'):
-        row = struct.Struct('<ddd')
+        row = struct.Struct(form)
         size = 3*8 + 4 + 3                  # in brackets, with the cell behind them, a line each
         start += data[start:start + 1] == b'\n'
         return [row.unpack_from(data, start + 1 + i*size) for i in range(count)]

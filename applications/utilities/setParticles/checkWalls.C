@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "checkWalls.H"
+#include "allRanks.H"
+#include "dividedRegion.H"
 #include "emptyPolyPatch.H"
 #include "indexedOctree.H"
 #include "pointGrid.H"
 #include "treeDataCell.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
+#include "wholeBoundary.H"
 #include "solvers/sph/sphModels.hpp"
 
 namespace Foam
@@ -70,6 +73,11 @@ class surfaceFinder
     const pointGrid fluid_, walls_;         // what is near them is filled
     const DynamicList<vector> probes_;
 
+    bool inMesh(const point& x) const
+    {
+        return mesh_.nCells() && mesh_.cellTree().findInside(x) >= 0;
+    }
+
     bool inSolid(const point& x) const
     {
         const pointField one(1, x);
@@ -97,14 +105,15 @@ public:
         bodies_(bodies),
         support_(support),
         nearFluid_(0.9*spacing),
-        open_(openPatches(mesh, wallIDs)),
+        open_(openPatches(wholeBoundary(mesh), wallIDs)),
         openSearch_(open_),
         fluid_(nearFluid_, fluid),
         walls_(0.75*walls.spacing, walls.position),
         probes_(probes(mesh, support, 0.5*spacing))
     {}
 
-    bool reaches(const point& x) const
+    //- elsewhere: gets places without fluid that are not in this process's cells. Not asked for: 0
+    bool reaches(const point& x, DynamicList<point>* elsewhere) const
     {
         if (open_.size() && openSearch_.nearest(x, vector::one*support_).hit()) return true;
 
@@ -116,9 +125,56 @@ public:
             // A plate of constant/geometry has no inside: points near its own are filled too
             bool filled = false;
             walls_.near(p, [&](label, const vector&, scalar) { filled = true; });
-            if (!filled && mesh_.cellTree().findInside(p) >= 0 && !inSolid(p)) return true;
+            if (filled) continue;
+            const bool here = inMesh(p);
+            if (here && !inSolid(p)) return true;
+            if (!here && elsewhere && !inSolid(p)) elsewhere->append(p);
         }
         return false;
+    }
+
+    //- Of points of this process: in cells of any other?
+    boolList inOthers(const pointField& points) const
+    {
+        const std::vector<labelList> asked(pointsNearParts(mesh_, points, 0));
+        std::vector<riprap::RankBytes> out(asked.size()), in, back(asked.size()), answers;
+        for (std::size_t rank = 0; rank < asked.size(); ++rank)
+            for (const label i : asked[rank]) riprap::putValues(out[rank], &points[i]);
+        pstreamTransport ranks;
+        ranks.exchange(out, in);
+        for (std::size_t rank = 0; rank < in.size(); ++rank)
+        {
+            const unsigned char* from = in[rank].data();
+            for (std::size_t i = 0; i < in[rank].size()/sizeof(point); ++i)
+            {
+                point x;
+                takeBytes(from, &x);
+                back[rank].push_back(inMesh(x));
+            }
+        }
+        ranks.exchange(back, answers);
+        boolList found(points.size(), false);
+        for (std::size_t rank = 0; rank < asked.size(); ++rank)
+            forAll(asked[rank], i) if (answers[rank][i]) found[asked[rank][i]] = true;
+        return found;
+    }
+
+    boolList reaches(const pointField& points) const
+    {
+        const bool divided = Pstream::parRun();
+        boolList all(points.size());
+        DynamicList<point> elsewhere;
+        DynamicList<label> of;
+        forAll(points, i)
+        {
+            all[i] = reaches(points[i], divided ? &elsewhere : nullptr);
+            if (all[i]) elsewhere.setSize(of.size());
+            of.append(labelList(elsewhere.size() - of.size(), i));
+        }
+        if (!divided) return all;
+        const boolList found(inOthers(pointField(elsewhere)));
+        forAll(of, k) if (found[k]) all[of[k]] = true;
+        return all;
     }
 };
 
@@ -175,6 +231,43 @@ public:
     }
 };
 
+// Those of this process, then those of others that are near its cells
+static pointField withNearOnes(const polyMesh& mesh, const pointField& own, scalar reach)
+{
+    pointField all(own);
+    if (!Pstream::parRun()) return all;
+    const std::vector<labelList> near(pointsNearParts(mesh, own, reach));
+    std::vector<riprap::RankBytes> out(near.size()), in;
+    for (std::size_t rank = 0; rank < near.size(); ++rank)
+        for (const label i : near[rank]) riprap::putValues(out[rank], &own[i]);
+    pstreamTransport().exchange(out, in);
+    for (const riprap::RankBytes& bytes : in)
+    {
+        const unsigned char* from = bytes.data();
+        pointField some(label(bytes.size()/sizeof(point)));
+        takeBytes(from, some.data(), some.size());
+        all.append(some);
+    }
+    return all;
+}
+
+
+static void joinRanges(shepardRange& range)
+{
+    range.checked = label(sumOfRanks(range.checked));
+    range.leftOut = label(sumOfRanks(range.leftOut));
+    reduce(range.meanSquare, sumOp<scalar>());
+    if (!Pstream::parRun()) return;
+    struct { scalar sum; point at; } least{range.least, range.leastAt},
+        most{range.most, range.mostAt};
+    ofLeast(least.sum, true, least);
+    ofLeast(-most.sum, true, most);
+    range.least = least.sum;
+    range.leastAt = least.at;
+    range.most = most.sum;
+    range.mostAt = most.at;
+}
+
 } // namespace Foam
 
 
@@ -184,33 +277,47 @@ Foam::shepardRange Foam::checkWalls
     const geometryWalls* bodies,
     const labelList& patchIDs,
     const wallPoints& walls,
-    const pointField& fluid,
+    const pointField& own,
     const riprap::SphConfig& config
 )
 {
+    // What the search in cells needs of all processes
+    if (Pstream::parRun()) mesh.tetBasePtIs();
+    const scalar support = riprap::kernelOf(config.kernel).support*config.smoothingRatio
+        *config.spacing;
+    const pointField fluid(withNearOnes(mesh, own, support + config.spacing));
     const shepardSums sums(mesh.nGeometricD(), walls, fluid, config);
     const surfaceFinder surface(
         mesh, bodies, patchIDs, walls, fluid, config.spacing, sums.support());
 
     shepardRange range;
     range.lattice = sums.ofLattice(mesh, config.spacing);
-    for (const point& x : fluid)
+    DynamicList<point> near;
+    DynamicList<scalar> sum;
+    for (const point& x : own)
     {
-        scalar sum = 0;
-        if (!sums.addWalls(x, sum)) continue;
-        if (surface.reaches(x))
+        scalar ofWalls = 0;
+        if (!sums.addWalls(x, ofWalls)) continue;
+        near.append(x);
+        sum.append(ofWalls);
+    }
+    const boolList reaches(surface.reaches(pointField(near)));
+    forAll(near, i)
+    {
+        if (reaches[i])
         {
             ++range.leftOut;
             continue;
         }
-        sums.addFluid(x, sum);
+        sums.addFluid(near[i], sum[i]);
 
         ++range.checked;
-        sum /= range.lattice;
-        range.meanSquare += sqr(sum - 1);
-        if (sum < range.least) { range.least = sum; range.leastAt = x; }
-        if (sum > range.most) { range.most = sum; range.mostAt = x; }
+        const scalar part = sum[i]/range.lattice;
+        range.meanSquare += sqr(part - 1);
+        if (part < range.least) { range.least = part; range.leastAt = near[i]; }
+        if (part > range.most) { range.most = part; range.mostAt = near[i]; }
     }
+    joinRanges(range);
     if (range.checked) range.meanSquare /= range.checked;
     return range;
 }

@@ -2,7 +2,10 @@
 /*  The fluid's cloud, and the wall points that it will have. */
 
 #include "setParticles.H"
+#include "allRanks.H"
 #include "checkWalls.H"
+#include "dividedRegion.H"
+#include "numberRanks.H"
 #include "OSspecific.H"
 #include "particleCloudIO.H"
 #include "particleRegions.H"
@@ -10,6 +13,7 @@
 #include "picObstacles.H"
 #include "sceneState.H"
 #include "sphDictionaries.H"
+#include "wholeBoundary.H"
 
 namespace Foam
 {
@@ -37,38 +41,58 @@ static void checkDensity(const particleRegion& region, const riprap::SphConfig& 
     const scalar lowest = config.density*sqr(config.soundSpeed)
         *(config.eos == riprap::EosKind::linear ? -0.5 : -0.99/config.gamma);
 
+    label bad = -1;
     forAll(region.pressure, i)
     {
         const scalar rho = densityOfPressure(config, region.pressure[i]);
         if (region.pressure[i] > lowest
             && mag(rho/config.density - 1) <= config.maxDensityDeviation)
             continue;
-        FatalIOErrorInFunction(region.dict) << "Entry pressure: " << region.pressure[i] << " Pa at "
-                                            << region.position[i] << " is beyond what the equation"
+        bad = i;
+        break;
+    }
+    struct { scalar p; point x; } at{0, Zero};
+    if (bad >= 0) at = {region.pressure[bad], region.position[bad]};
+    const bool any = Pstream::parRun()
+        ? ofLeast(bad < 0 ? noNumber : region.number[bad], bad >= 0, at) : bad >= 0;
+    if (any)
+    {
+        FatalIOErrorInFunction(region.dict) << "Entry pressure: " << at.p << " Pa at "
+                                            << at.x << " is beyond what the equation"
                                             << " of state and guards/densityDeviation of "
                                                "constant/sphProperties allow: the density would be "
-                                            << rho << " kg/m3 at a sound speed of "
+                                            << densityOfPressure(config, at.p)
+                                            << " kg/m3 at a sound speed of "
                                             << config.soundSpeed << " m/s" << exit(FatalIOError);
     }
 }
 
 
-// One after the other, numbered from 0
+// One after the other, numbered from 0; of several processes as one would number them
 static particleCloud allRegions(const List<particleRegion>& regions, scalar spacing)
 {
     particleCloud c("fluid");
     vectorField U;
     scalarField p;
+    labelField id;
+    int64_t before = 0;
     for (const particleRegion& region : regions)
     {
         c.position.append(region.position);
         U.append(region.velocity);
         p.append(region.pressure);
+        if (!Pstream::parRun()) continue;
+        c.cell.append(region.cell);
+        id.append(idsOfRanks(region, before));
+        if (before <= labelMax) continue;
+        FatalIOErrorInFunction(region.dict)
+            << "The regions up to " << region.name << " hold " << before << " particles, and ids "
+            << "have 32 bits, for " << labelMax << exit(FatalIOError);
     }
 
     c.vectors.set("U", U);
     c.scalars.set("p", p);
-    c.labels.set("id", labelField(identity(c.size())));
+    c.labels.set("id", Pstream::parRun() ? id : labelField(identity(c.size())));
     c.properties.add("spacing", exact(spacing));
     return c;
 }
@@ -87,7 +111,7 @@ static particleCloud makeCloud
     const scalarField& p = c.scalars["p"];
 
     // Solids and walls may make it higher when the run begins: pressures stay
-    setMaxVelocity(settings, mesh, c.position, c.vectors["U"], otherSpeeds());
+    setMaxVelocity(settings, wholeBoundary(mesh), c.position, c.vectors["U"], otherSpeeds());
     const riprap::SphConfig& config = settings.config;
     for (const particleRegion& region : regions) checkDensity(region, config);
 
@@ -107,16 +131,17 @@ static void reportRegions(
     const List<particleRegion>& regions, const particlePacking& packing, scalar density)
 {
     const char* metre = packing.planar() ? " per metre" : "";
-    label total = 0;
+    int64_t total = 0;
     Info<< nl << "Fluid: spacing " << packing.spacing() << " m" << nl;
     for (const particleRegion& region : regions)
     {
-        const scalar volume = region.size()*packing.volume();
-        Info<< "    " << region.name << ": " << region.size() << " particles, volume " << volume
+        const int64_t size = sumOfRanks(region.size()), clipped = sumOfRanks(region.clipped);
+        const scalar volume = size*packing.volume();
+        Info<< "    " << region.name << ": " << size << " particles, volume " << volume
             << " m3" << metre << ", mass " << density*volume << " kg" << metre;
-        if (region.clipped) Info<< ", " << region.clipped << " clipped";
+        if (clipped) Info<< ", " << clipped << " clipped";
         Info<< nl;
-        total += region.size();
+        total += size;
     }
     Info<< "    total: " << total << " particles, volume " << total*packing.volume() << " m3"
         << metre << ", mass " << density*total*packing.volume() << " kg" << metre << nl
@@ -146,11 +171,12 @@ static void write(
     rmDir(time.timePath()/"uniform"/"riprap", true);
     rmDir(time.timePath()/"lagrangian"/cloud.name, true);
     writeParticleCloud(mesh, cloud);
-    Info<< "Written " << cloud.size() << " particles to " << time.timeName() << "/lagrangian/"
-        << cloud.name;
+    Info<< "Written " << sumOfRanks(cloud.size()) << " particles to " << time.timeName()
+        << "/lagrangian/" << cloud.name;
     if (walls.size())
     {
-        writeWallPoints(walls, time.path()/"VTK"/"walls.vtp");
+        if (Pstream::master())
+            writeWallPoints(walls, time.globalPath()/"VTK"/"walls.vtp");
         Info<< ", " << walls.size() << " wall points to VTK/walls.vtp";
     }
     Info<< nl << endl;
@@ -195,7 +221,8 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
     const particlePacking packing(readPacking(dict, mesh, gravity));
     const auto bodies(wallGeometry(mesh.time()));
-    if (bodies.valid()) requireObstacles(mesh, *bodies, settings.motion, packing.spacing());
+    if (bodies.valid())
+        requireObstacles(wholeBoundary(mesh), *bodies, settings.motion, packing.spacing());
     const wallPoints noWalls;
     const List<particleRegion> regions
     (
@@ -216,7 +243,7 @@ static void setFluidOfGrid(const polyMesh& mesh, const dictionary& dict, const s
 // properties
 static bool ofGrid(const Time& time, const word& solver, bool fluid)
 {
-    const fileName constant(time.path()/time.constant());
+    const fileName constant(time.globalPath()/time.constant());
     const bool properties = isFile(constant/"picProperties");
     // Solids alone need none of the water's files
     if (!fluid) return solver == "picDem" && properties;
@@ -232,7 +259,7 @@ std::unique_ptr<const Foam::picSettings> Foam::gridSettings(
 {
     if (!ofGrid(mesh.time(), options.solver, hasSet(dict, "fluid") || !hasSet(dict, "solids")))
         return nullptr;
-    auto settings = std::make_unique<const picSettings>(readPicSettings(mesh));
+    auto settings = std::make_unique<const picSettings>(readPicSettings(wholeBoundary(mesh)));
     // the grid is made for its checks alone: NOLINTNEXTLINE(bugprone-unused-raii)
     picGrid(mesh, settings->config);
     return settings;
@@ -254,7 +281,7 @@ void Foam::setFluid
         return;
     }
 
-    sphSettings settings(readSphSettings(mesh));
+    sphSettings settings(readSphSettings(wholeBoundary(mesh)));
     riprap::SphConfig& config = settings.config;
     const vector gravity(config.gravity[0], config.gravity[1], config.gravity[2]);
 
@@ -264,8 +291,8 @@ void Foam::setFluid
     const labelList patches
     (
         settings.walls.everyWallPatch
-      ? wallPatches(mesh)
-      : wallPatches(mesh, settings.walls.patches, settings.walls.dict)
+      ? wallPatches(wholeBoundary(mesh))
+      : wallPatches(wholeBoundary(mesh), settings.walls.patches, settings.walls.dict)
     );
     const auto bodies(wallGeometry(mesh.time()));
     const wallPoints walls(makeWalls(mesh, settings, patches, bodies.get()));
@@ -279,7 +306,8 @@ void Foam::setFluid
     reportRegions(regions, packing, config.density);
     reportWallPoints(walls, Info());
     Info<< nl << "Sound speed " << config.soundSpeed << " m/s, highest pressure "
-        << max(cloud.scalars["p"]) << " Pa, density up to " << max(cloud.scalars["rho"]) << " kg/m3"
+        << gMax(cloud.scalars["p"]) << " Pa, density up to " << gMax(cloud.scalars["rho"])
+        << " kg/m3"
         << nl << endl;
 
     if (options.checkWalls)

@@ -2,18 +2,23 @@
 /*  setParticles: fill regions of a case with particles, as system/setParticlesDict says.
 
         setParticles [-case DIR] [-solver NAME] [-dict FILE] [-dry-run] [-checkWalls]
+        mpirun -np N setParticles -parallel [..]
 
     Writes at startTime, for regions of fluid, the cloud lagrangian/fluid (positions, U, rho, p, h,
     id) and the wall points as VTK/walls.vtp (picDem: neither rho, h nor wall points); for regions
     of solids the cloud lagrangian/solids, their bonds and rigid bodies. Reports counts, volumes and
     masses by region. A state file of an earlier run at that time is removed. -dry-run: writes
-    nothing. -checkWalls: also says how well walls and fluid fill space together.
+    nothing. -checkWalls: also says how well walls and fluid fill space together. -parallel: in a
+    case that decomposePar has divided each process makes the water in its cells alone; the clouds
+    are what one process and decomposePar would make of them.
 */
 
+#include "allRanks.H"
 #include "argList.H"
 #include "buildInfo.H"
 #include "checkControlDict.H"
 #include "documentation.H"
+#include "fileOperation.H"
 #include "inputFile.H"
 #include "IOdictionary.H"
 #include "readMesh.H"
@@ -31,6 +36,8 @@ static IOdictionary readDict(const Time& time, const argList& args)
     fileName file("setParticlesDict");
     args.readIfPresent("dict", file);
     const bool path = file.find('/') != std::string::npos;
+    const fileName system(
+        Pstream::parRun() ? time.globalPath()/time.system() : fileName(time.system()));
 
     const IOobject io
     (
@@ -43,10 +50,20 @@ static IOdictionary readDict(const Time& time, const argList& args)
             IOobject::NO_WRITE,
             false
         )
-      : IOobject(file, time.system(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+      : IOobject(file, system, time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
     );
     checkInputFile(io.objectPath(), largestNumber);
     return IOdictionary(io);
+}
+
+
+// Each process writes its own files
+static void checkFileHandler()
+{
+    if (!Pstream::parRun() || fileHandler().type() == "uncollated") return;
+    FatalErrorInFunction
+        << "File handler " << fileHandler().type() << ": with -parallel setParticles writes files "
+        << "for each process; valid is uncollated" << exit(FatalError);
 }
 
 
@@ -64,7 +81,7 @@ static void goToStart(Time& time)
 
 static void setCase(const argList& args)
 {
-    checkControlDict(args.path()/"system"/Time::controlDictName);
+    checkControlDict(args.globalPath()/"system"/Time::controlDictName);
     Time runTime(Time::controlDictName, args);
     goToStart(runTime);
     Info().precision(6);             // whatever writePrecision is
@@ -93,7 +110,6 @@ static void setCase(const argList& args)
 int main(int argc, char* argv[])
 {
     argList::addNote("Fill regions with particles, as system/setParticlesDict says");
-    argList::noParallel();
     argList::noFunctionObjects();
     argList::addOption("dict", "file", "Read this instead of system/setParticlesDict");
     argList::addOption(
@@ -107,6 +123,11 @@ int main(int argc, char* argv[])
     writeBuildInfo(Info);
     if (!args.checkRootCase()) FatalError.exit();
 
-    runProgram([&]() { setCase(args); });
+    runProgram([&]()
+    {
+        checkFileHandler();
+        shareThreads();
+        setCase(args);
+    });
     return 0;
 }

@@ -2,10 +2,12 @@
 /*  The cloud of solids, their bonds and rigid bodies. */
 
 #include "setParticles.H"
+#include "dividedCloud.H"
 #include "OSspecific.H"
 #include "sceneCloud.H"
 #include "solidRegions.H"
 #include "wallPoints.H"
+#include "wholeBoundary.H"
 
 namespace Foam
 {
@@ -71,16 +73,22 @@ static void write
     rmDir(time.timePath()/"uniform"/"lagrangian"/"solids", true);
     rmDir(time.timePath()/"lagrangian"/"solids", true);
 
-    particleCloud cloud(solidCloudOf(solids.particles));
+    // Of several processes the first gives them to those that have their cells
+    particleCloud cloud("solids");
+    if (Pstream::master()) cloud = solidCloudOf(solids.particles);
+    if (Pstream::parRun()) sendToCells(mesh, cloud);
     addSolidNames(cloud.properties, settings);
     if (solids.shapes.size()) cloud.properties.add("shapes", solids.shapes);
     if (solids.surfaces.size()) cloud.properties.add("surfaces", solids.surfaces);
     writeParticleCloud(mesh, cloud);
-    writeBondFiles(time, bonds);
-    writeClumpFiles(time, solids.clumps);
-    Info<< "Written " << cloud.size() << " particles, " << label(bonds.a.size()) << " bonds and "
-        << label(solids.clumps.size()) << " clumps to " << time.timeName() << "/lagrangian/solids"
-        << nl << endl;
+    if (Pstream::master())
+    {
+        writeBondFiles(time, bonds);
+        writeClumpFiles(time, solids.clumps);
+    }
+    Info<< "Written " << label(solids.particles.size()) << " particles, " << label(bonds.a.size())
+        << " bonds and " << label(solids.clumps.size()) << " clumps to " << time.timeName()
+        << "/lagrangian/solids" << nl << endl;
 }
 
 } // namespace Foam
@@ -98,7 +106,7 @@ Foam::placedSolids Foam::placeSolids(const polyMesh& mesh, const dictionary& dic
     entries.endButMacros(ofFluid);
 
     placedSolids placed;
-    placed.settings = std::make_unique<const demSettings>(readDemSettings(mesh));
+    placed.settings = std::make_unique<const demSettings>(readDemSettings(wholeBoundary(mesh)));
     const auto bodies(wallGeometry(mesh.time()));
     Info<< nl << "Solids" << nl;
     placed.regions = readSolidRegions(dict, {mesh, *placed.settings, bodies.get()});

@@ -39,7 +39,7 @@ Foam::csvFile::csvFile(checkedDictionary& dict, const Time& time)
     dict.found("file");
     file_ = dict_.get<fileName>("file");
     file_.expand();
-    if (!file_.isAbsolute()) file_ = time.path()/file_;
+    if (!file_.isAbsolute()) file_ = time.globalPath()/file_;
 
     std::ifstream in(file_);
     if (!isFile(file_) || !in)

@@ -15,6 +15,7 @@ Description
 #include "solvers/sph/sphModels.hpp"
 #include "sph/eos/equationOfState.hpp"
 #include "IOdictionary.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 
 namespace Foam
@@ -115,6 +116,7 @@ scalar largestEnergy
     {
         low = max(low, x & g);
     }
+    reduce(low, maxOp<scalar>());
 
     // Less than half a spacing: lattices need not fit
     const scalar half = 0.5*mag(g)*spacing;
@@ -130,7 +132,7 @@ scalar largestEnergy
         const scalar gH = low - (position[i] & g) + mag(g)*spacing + drop;
         most = max(most, 2*gH + magSqr(U[i]));
     }
-    return most;
+    return returnReduce(most, maxOp<scalar>());
 }
 
 

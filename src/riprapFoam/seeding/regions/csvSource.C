@@ -60,6 +60,33 @@ public:
         for (point& p : position) p = packing.inPlane(p);
     }
 
+    std::int64_t numbers(const particlePacking&, const boundBox&) const override
+    {
+        return position_.size();
+    }
+
+    // Each process has read the whole file
+    void placePart
+    (
+        const particlePacking& packing,
+        const boundBox&,
+        const boundBox& part,
+        std::int64_t first,
+        std::int64_t end,
+        numberedPoints& points
+    ) const override
+    {
+        for (label i = label(first); i < label(end); ++i)
+        {
+            const point p(packing.inPlane(position_[i]));
+            if (!part.contains(p)) continue;
+            points.position.append(p);
+            points.number.append(i);
+            if (velocity_.size()) points.velocity.append(velocity_[i]);
+            if (pressure_.size()) points.pressure.append(pressure_[i]);
+        }
+    }
+
     scalarField pressure() const override { return scalarField(pressure_); }
 
     scalar estimate(const particlePacking&, const boundBox&) const override

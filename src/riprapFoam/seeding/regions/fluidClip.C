@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidClip.H"
+#include "allRanks.H"
+#include "dividedRegion.H"
 #include "fittedPacking.H"
+#include "latticeRows.H"
 #include "ListOps.H"
 #include "pointGrid.H"
 
@@ -68,9 +71,10 @@ static scalar wetVolume(const clumpShape& bodies, const particlePacking& packing
 }
 
 
-// What the region's lattice would be beyond its ends, outside of the bodies
+// What the region's lattice would be beyond its ends, outside of the bodies by less than reach and
+// room. Each process looks for a share of it
 static pointField beyond(const particleRegion& region, const particlePacking& packing,
-    const clumpShape& bodies, scalar reach)
+    const clumpShape& bodies, scalar reach, scalar room)
 {
     const label cells = label(std::ceil(reach/packing.spacing())) + 1;
     boundBox box(region.lattice), limits(bodies.box);
@@ -87,16 +91,26 @@ static pointField beyond(const particleRegion& region, const particlePacking& pa
         limits.min()[packing.axis(2)] = box.min()[packing.axis(2)] - 1;
         limits.max()[packing.axis(2)] = box.max()[packing.axis(2)] + 1;
     }
-    const pointField all(packing.fill(box, limits));
-    const scalarField distance(bodies.distance(all));
     const scalar same = 0.1*packing.spacing();
     const pointGrid own(same, region.position);
     DynamicList<point> others;
-    forAll(all, i)
+    const auto look = [&](const pointField& some)
     {
-        if (distance[i] > 0 && own.nearest(all[i], -1) >= same) others.append(all[i]);
+        const scalarField distance(bodies.distance(some));
+        forAll(some, i)
+        {
+            if (distance[i] > 0 && distance[i] < reach + room
+                && own.nearest(some[i], -1) >= same)
+                others.append(some[i]);
+        }
+    };
+    if (!Pstream::parRun())
+    {
+        look(packing.fill(box, limits));
+        return pointField(std::move(others));
     }
-    return pointField(std::move(others));
+    eachShare(latticeRows(packing, box, limits), look);
+    return joinRanks(pointField(std::move(others)));
 }
 
 
@@ -186,17 +200,20 @@ static boolList withoutNearest(
 }
 
 
-static void clipAtShapes(
-    particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
+// How far from the surface something is felt: what moves, and a kernel
+static scalar reachOf(const particlePacking& packing)
 {
-    const clumpShape bodies(together(solids));
-    const scalarField distance(bodies.distance(region.position));
-    const scalar wet = wetVolume(bodies, packing, region.position, distance);
-    const label gone = label(std::lround(wet));
-    if (wet == 0) return;
+    return (movedLayers + 2.5)*packing.spacing();
+}
 
-    const scalar spacing = packing.spacing(), reach = (movedLayers + 2.5)*spacing;
-    const pointField ghosts(beyond(region, packing, bodies, reach));
+
+// The `gone` nearest leave, and those left about the bodies get into layers. ghosts: from beyond.
+// \return how many are moved
+static label cutAndMove(particleRegion& region, const particlePacking& packing,
+    const List<fluidObstacle>& solids, const clumpShape& bodies, label gone,
+    const scalarField& distance, const pointField& ghosts)
+{
+    const scalar spacing = packing.spacing();
     region.keep(withoutNearest(distance, region.position, gone, packing));
 
     const scalarField left(bodies.distance(region.position));
@@ -205,7 +222,7 @@ static void clipAtShapes(
     forAll(left, i)
     {
         if (left[i] < movedLayers*spacing) moved.append(i);
-        else if (left[i] < reach) held.append(region.position[i]);
+        else if (left[i] < reachOf(packing)) held.append(region.position[i]);
     }
     DynamicList<scalar> volume(scalarField(held.size(), scalar(1)));
     for (const fluidObstacle& solid : solids)
@@ -218,11 +235,77 @@ static void clipAtShapes(
     fittedPacking{bodies, packing, spacing, 0.5*spacing, false}.relax(
         points, pointField(std::move(held)), scalarField(std::move(volume)), false);
     forAll(moved, i) region.position[moved[i]] = points[i];
+    return moved.size();
+}
 
+
+// Of all processes' points those not deep in the bodies and not far from them, on each process. The
+// own ones among them leave the region; all deep ones leave it, too. \return how many these are
+static label takeNearBodies(particleRegion& region, const scalarField& distance, scalar deep,
+    scalar far, particleRegion& band)
+{
+    boolList near(region.size()), rest(region.size());
+    int64_t gone = 0;
+    forAll(near, i)
+    {
+        near[i] = distance[i] >= deep && distance[i] < far;
+        rest[i] = distance[i] >= far;
+        gone += distance[i] < deep;
+    }
+    band.name = region.name;
+    band.lattice = region.lattice;
+    band.position = region.position;
+    band.velocity = region.velocity;
+    band.number = region.number;
+    band.keep(near);
+    const label clipped = region.clipped;
+    region.keep(rest);
+    region.clipped = clipped;
+    return label(sumOfRanks(gone));
+}
+
+
+// The same as on one process: all of them move the points about the bodies, and nothing else
+static label cutDivided(particleRegion& region, const particlePacking& packing,
+    const List<fluidObstacle>& solids, const clumpShape& bodies, label gone,
+    const scalarField& distance, const polyMesh& mesh)
+{
+    const scalar spacing = packing.spacing(), room = 1.5*spacing;
+    const scalar corner = 0.5*spacing*Foam::sqrt(scalar(packing.planar() ? 2 : 3));
+    particleRegion band;
+    const label deep = takeNearBodies(region, distance, -corner - 1e-3*spacing,
+        reachOf(packing) + room + 0.5*spacing, band);
+    const List<std::int64_t> former(band.number);
+    gatherPoints(band);
+    const pointField ghosts(beyond(band, packing, bodies, reachOf(packing), room));
+    band.clipped = 0;
+    const label moved = cutAndMove(band, packing, solids, bodies, gone - deep,
+        bodies.distance(band.position), ghosts);
+    takeBand(mesh, band, former, region);
+    if (Pstream::master()) region.clipped += gone;
+    return moved;
+}
+
+
+static void clipAtShapes(particleRegion& region, const particlePacking& packing,
+    const List<fluidObstacle>& solids, const polyMesh& mesh)
+{
+    const clumpShape bodies(together(solids));
+    const scalarField distance(bodies.distance(region.position));
+    // Of whole probes: the same sum in any order
+    const scalar wet =
+        returnReduce(wetVolume(bodies, packing, region.position, distance), sumOp<scalar>());
+    const label gone = label(std::lround(wet));
+    if (wet == 0) return;
+
+    const label moved = Pstream::parRun()
+        ? cutDivided(region, packing, solids, bodies, gone, distance, mesh)
+        : cutAndMove(region, packing, solids, bodies, gone, distance,
+              beyond(region, packing, bodies, reachOf(packing), GREAT));
     const scalar cell = packing.volume();
     Info<< "    " << region.name << ": cut at solids, " << gone << " particles of " << gone*cell
         << " m3" << (packing.planar() ? " per metre" : "") << " for " << wet*cell
-        << " of the bodies in it; " << moved.size() << " moved into layers about them" << nl;
+        << " of the bodies in it; " << moved << " moved into layers about them" << nl;
 }
 
 
@@ -251,10 +334,10 @@ static void clipAtParticles(
     }
     const label before = region.size();
     region.keep(good);
-    if (before == region.size()) return;
+    const int64_t gone = sumOfRanks(before - region.size());
+    if (gone == 0) return;
     Info<< "    " << region.name << ": cut at solids " << solid.name << ", "
-        << before - region.size() << " particles of "
-        << (before - region.size())*packing.volume() << " m3"
+        << gone << " particles of " << gone*packing.volume() << " m3"
         << (packing.planar() ? " per metre" : "") << ", without layers about them" << nl;
 }
 
@@ -262,7 +345,10 @@ static void clipAtParticles(
 
 
 void Foam::clipAtSolids(
-    particleRegion& region, const particlePacking& packing, const List<fluidObstacle>& solids)
+    particleRegion& region,
+    const particlePacking& packing,
+    const List<fluidObstacle>& solids,
+    const polyMesh& mesh)
 {
     const bool fits = region.regular && packing.square();
     bool any = false;
@@ -271,5 +357,5 @@ void Foam::clipAtSolids(
         if (fits && solid.shape) any = true;
         else clipAtParticles(region, packing, solid, bool(solid.shape));
     }
-    if (any) clipAtShapes(region, packing, solids);
+    if (any) clipAtShapes(region, packing, solids, mesh);
 }

@@ -3,8 +3,11 @@
 
 #include "particleRegions.H"
 #include "clipOrStop.H"
+#include "dividedRegion.H"
 #include "particleCloudIO.H"
 #include "pointGrid.H"
+
+#include <algorithm>
 
 
 void Foam::checkPlace
@@ -14,6 +17,8 @@ void Foam::checkPlace
     const regionSpace& space
 )
 {
+    // With several processes placePart has done this
+    if (!Pstream::parRun())
     {
         const labelList cell(locateParticles(space.mesh, region.position, labelList(), false));
         boolList good(cell.size());
@@ -25,7 +30,7 @@ void Foam::checkPlace
     {
         boolList good(space.bodies->inSolid(b, region.position));
         for (bool& g : good) g = !g;
-        clipOrStop(
+        clipOrStopAll(
             region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
     }
 
@@ -45,57 +50,115 @@ void Foam::checkPlace
             });
     }
     boolList good(region.size(), true);
-    word wall;
+    label first = -1;
     forAll(good, i)
     {
         if (found[i] < 0) continue;
-        if (wall.empty()) wall = space.walls.names[space.walls.source[found[i]]];
+        if (first < 0) first = i;
         good[i] = false;
     }
-    clipOrStop(region, good, "too near to wall " + wall + " (or others)");
+    label wall = first < 0 ? 0 : space.walls.source[found[first]];
+    if (Pstream::parRun()) ofLeast(first < 0 ? noNumber : region.number[first], first >= 0, wall);
+    clipOrStopAll(region, good, "too near to wall " + space.walls.names[wall] + " (or others)");
 }
 
 
-void Foam::checkOverlap(const List<particleRegion>& regions, const particlePacking& packing)
+namespace Foam
+{
+
+// One of the points that another region's can reach
+struct sharedPoint
+{
+    std::int64_t order;             // of the regions, then of their points
+    label region;
+    point position;
+};
+
+
+// Those of other processes that are near to the cells of this one are among them
+static void addNearOnes(const polyMesh& mesh, scalar reach, std::vector<sharedPoint>& points)
+{
+    pointField position(label(points.size()));
+    forAll(position, i) position[i] = points[i].position;
+    const std::vector<labelList> near(pointsNearParts(mesh, position, reach));
+
+    std::vector<riprap::RankBytes> out(near.size()), in;
+    for (std::size_t rank = 0; rank < near.size(); ++rank)
+        for (const label i : near[rank]) riprap::putValues(out[rank], &points[i]);
+    pstreamTransport().exchange(out, in);
+    for (const riprap::RankBytes& bytes : in)
+    {
+        const std::size_t n = bytes.size()/sizeof(sharedPoint), before = points.size();
+        const unsigned char* from = bytes.data();
+        points.resize(before + n);
+        if (n) takeBytes(from, &points[before], n);
+    }
+    std::sort(points.begin(), points.end(),
+        [](const sharedPoint& a, const sharedPoint& b) { return a.order < b.order; });
+}
+
+
+// In the order of one process
+static std::vector<sharedPoint> sharedPoints(const polyMesh& mesh,
+    const List<particleRegion>& regions, const List<boundBox>& bounds, scalar reach)
+{
+    std::vector<sharedPoint> points;
+    forAll(regions, r)
+    {
+        const particleRegion& region = regions[r];
+        forAll(region.position, i)
+        {
+            bool shared = !region.regular;
+            forAll(bounds, other)
+            {
+                shared = shared || (other != r && bounds[other].contains(region.position[i]));
+            }
+            if (!shared) continue;
+            const std::int64_t number = region.number.size() ? region.number[i] : i;
+            points.push_back({(std::int64_t(r) << 48) + number, r, region.position[i]});
+        }
+    }
+    if (Pstream::parRun()) addNearOnes(mesh, reach, points);
+    return points;
+}
+
+} // namespace Foam
+
+
+void Foam::checkOverlap(
+    const polyMesh& mesh, const List<particleRegion>& regions, const particlePacking& packing)
 {
     // 0.49: regions side by side may round to half a spacing
     const scalar least = 0.49*packing.spacing();
-    pointGrid grid(least);
-    DynamicList<label> owner;
-
     List<boundBox> bounds(regions.size());
     forAll(regions, r)
     {
-        bounds[r] = boundBox(regions[r].position, false);
+        bounds[r] = boundBox(regions[r].position, true);
         bounds[r].min() -= vector::one*least;
         bounds[r].max() += vector::one*least;
     }
-    // Only particles that another region's can reach
-    auto shared = [&](label r, const point& x)
-    {
-        forAll(bounds, other)
-        {
-            if (other != r && bounds[other].contains(x)) return true;
-        }
-        return !regions[r].regular;
-    };
 
-    forAll(regions, r)
+    const std::vector<sharedPoint> points(sharedPoints(mesh, regions, bounds, least));
+    pointGrid grid(least);
+    label bad = -1;
+    struct { label a, b; point x; } found{0, 0, Zero};
+    for (std::size_t i = 0; i < points.size() && bad < 0; ++i)
     {
-        for (const point& x : regions[r].position)
+        const sharedPoint& p = points[i];
+        label other = -1;
+        grid.near(p.position, [&](label j, const vector&, scalar) { other = j; });
+        if (other >= 0)
         {
-            if (!shared(r, x)) continue;
-            label other = -1;
-            grid.near(x, [&](label i, const vector&, scalar) { other = i; });
-            if (other >= 0)
-            {
-                const word& name = regions[owner[other]].name;
-                FatalIOErrorInFunction(regions[r].dict)
-                    << "Regions " << name << " and " << regions[r].name << " overlap at " << x
-                    << ": particles there are nearer than half a spacing" << exit(FatalIOError);
-            }
-            grid.insert(x, owner.size());
-            owner.append(r);
+            bad = label(i);
+            found = {points[other].region, p.region, p.position};
         }
+        grid.insert(p.position, label(i));
     }
+    const bool any = Pstream::parRun()
+        ? ofLeast(bad < 0 ? noNumber : points[bad].order, bad >= 0, found) : bad >= 0;
+    if (!any) return;
+    FatalIOErrorInFunction(regions[found.b].dict)
+        << "Regions " << regions[found.a].name << " and " << regions[found.b].name
+        << " overlap at " << found.x << ": particles there are nearer than half a spacing"
+        << exit(FatalIOError);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "particleRegions.H"
+#include "allRanks.H"
 #include "checkedDictionary.H"
+#include "dividedRegion.H"
 #include "fluidClip.H"
-#include "particleSource.H"
 #include "requireMemory.H"
 
 namespace Foam
@@ -27,7 +28,8 @@ static scalarField hydrostatic
     const vector up(upward(space.gravity));
     const scalarField height(region.position & up);
 
-    scalar level = height.size() ? max(height) + 0.5*packing.spacing() : 0;
+    scalar level = returnReduce(height.size() ? max(height) : -GREAT, maxOp<scalar>());
+    level = level > -GREAT ? level + 0.5*packing.spacing() : 0;
     if (dict.found("freeSurface")) level = dict.number("freeSurface");
 
     return scalarField(max(space.density*mag(space.gravity)*(level - height), scalar(0)));
@@ -76,6 +78,26 @@ static void readPressure
 }
 
 
+static void placeAll
+(
+    const particleSource& source,
+    const particlePacking& packing,
+    const regionSpace& space,
+    const boundBox& limits,
+    particleRegion& region
+)
+{
+    if (Pstream::parRun())
+    {
+        placePart(source, packing, space, limits, region);
+        return;
+    }
+    checkCount(region.dict, region.name, source.estimate(packing, limits), "spacing");
+    source.place(packing, limits, region.position, region.velocity);
+    region.pressure = source.pressure();
+}
+
+
 static particleRegion readRegion
 (
     const namedDictionary& entries,
@@ -107,17 +129,14 @@ static particleRegion readRegion
         limits = space.mesh.bounds();
         limits.inflate(1e-6);
     }
-    checkCount(region.dict, region.name, source->estimate(packing, limits), "spacing");
-
-    source->place(packing, limits, region.position, region.velocity);
-    region.pressure = source->pressure();
+    placeAll(source(), packing, space, limits, region);
     if (region.velocity.empty()) region.velocity = vectorField(region.size(), velocity);
 
     checkPlace(region, packing, space);
     const auto* volume = dynamic_cast<const volumeSource*>(&source());
     if (volume) region.lattice = volume->bounds();
-    if (region.clip) clipAtSolids(region, packing, space.solids);
-    if (region.position.empty())
+    if (region.clip) clipAtSolids(region, packing, space.solids, space.mesh);
+    if (!onAnyRank(region.size()))
     {
         FatalIOErrorInFunction(region.dict)
             << "Region " << region.name << " holds no particle"
@@ -127,7 +146,7 @@ static particleRegion readRegion
             << exit(FatalIOError);
     }
     // The source's own, unless the region says otherwise
-    if (region.pressure.empty() || dict.found("pressure"))
+    if (dict.found("pressure") || !onAnyRank(region.pressure.size()))
         readPressure(dict, region, packing, space);
     return region;
 }
@@ -142,13 +161,18 @@ void Foam::particleRegion::keep(const boolList& those)
     {
         if (!those[i]) continue;
         position[n] = position[i];
+        if (velocity.size()) velocity[n] = velocity[i];
         if (pressure.size()) pressure[n] = pressure[i];
-        velocity[n++] = velocity[i];
+        if (number.size()) number[n] = number[i];
+        if (cell.size()) cell[n] = cell[i];
+        ++n;
     }
     clipped += position.size() - n;
     position.setSize(n);
-    velocity.setSize(n);
+    if (velocity.size()) velocity.setSize(n);
     if (pressure.size()) pressure.setSize(n);
+    if (number.size()) number.setSize(n);
+    if (cell.size()) cell.setSize(n);
 }
 
 
@@ -255,6 +279,6 @@ Foam::List<Foam::particleRegion> Foam::readRegions
         // Those are read elsewhere (solidRegions)
         if (setOf(region) == "fluid") regions.append(readRegion(region, packing, space));
     }
-    checkOverlap(regions, packing);
+    checkOverlap(space.mesh, regions, packing);
     return regions;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "particleSource.H"
+#include "latticeRows.H"
 
 namespace Foam
 {
@@ -44,4 +45,42 @@ void Foam::volumeSource::place
         if (in[i]) position[n++] = lattice[i];
     }
     position.setSize(n);
+}
+
+
+std::int64_t Foam::volumeSource::numbers(
+    const particlePacking& packing, const boundBox& limits) const
+{
+    return latticeRows(packing, bounds(), limits).numbers();
+}
+
+
+void Foam::volumeSource::placePart
+(
+    const particlePacking& packing,
+    const boundBox& limits,
+    const boundBox& part,
+    std::int64_t first,
+    std::int64_t end,
+    numberedPoints& points
+) const
+{
+    DynamicList<point> lattice;
+    DynamicList<std::int64_t> number;
+    latticeRows(packing, bounds(), limits).each
+    (
+        part, first, end,
+        [&](const point& p, std::int64_t n)
+        {
+            lattice.append(p);
+            number.append(n);
+        }
+    );
+    const boolList in(inside(pointField(lattice)));
+    forAll(in, i)
+    {
+        if (!in[i]) continue;
+        points.position.append(lattice[i]);
+        points.number.append(number[i]);
+    }
 }

@@ -2,7 +2,9 @@
 // Written by etc/unitSources: the sources of this folder, compiled together
 #include "boxSource.C"
 #include "csvSource.C"
+#include "dividedRegion.C"
 #include "fluidClip.C"
+#include "numberRanks.C"
 #include "particleRegionChecks.C"
 #include "particleRegions.C"
 #include "particleSource.C"

@@ -149,11 +149,12 @@ Foam::wordList Foam::differences(const dictionary& then, const dictionary& now)
 
 void Foam::recordSetParticles(const Time& time, const dictionary& dict)
 {
+    if (!Pstream::master()) return;
     const IOobject io(recordObject(time));
     mkDir(io.path());
     OFstream os(io.objectPath());
     os.precision(17);
-    IOdictionary
+    localIOdictionary
     (
         IOobject
         (
@@ -163,7 +164,7 @@ void Foam::recordSetParticles(const Time& time, const dictionary& dict)
     ).writeHeader(os);
 
     const fileName& file = dict.name();
-    os.writeEntry(fileEntry, fileName(file.relative(time.path())));
+    os.writeEntry(fileEntry, fileName(file.relative(time.globalPath())));
     readBySetParticles(dict).write(os, false);
     IOobject::writeEndDivider(os);
     if (!os.good())

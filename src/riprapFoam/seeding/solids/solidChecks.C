@@ -3,6 +3,7 @@
 
 #include "solidRegions.H"
 #include "clipOrStop.H"
+#include "dividedCloud.H"
 #include "HashSet.H"
 #include "labelPair.H"
 #include "listed.H"
@@ -10,6 +11,7 @@
 #include "sceneCloud.H"
 #include "wallPoints.H"
 #include "wallSurface.H"
+#include "wholeBoundary.H"
 
 namespace Foam
 {
@@ -44,12 +46,8 @@ void Foam::checkSolidPlace(solidRegion& region, const solidSpace& space, scalar 
     const demWalls& walls = space.settings.walls;
     if (region.size() == 0) return;
 
-    {
-        const labelList cell(locateParticles(space.mesh, region.position, labelList(), false));
-        boolList good(cell.size());
-        forAll(good, i) good[i] = cell[i] >= 0;
-        clipOrStop(region, good, "outside the mesh");
-    }
+    // Each process has all of them
+    clipOrStop(region, inAnyCell(space.mesh, region.position), "outside the mesh");
 
     for (label b = 0; space.bodies && b < space.bodies->size() && region.size(); ++b)
     {
@@ -59,15 +57,16 @@ void Foam::checkSolidPlace(solidRegion& region, const solidSpace& space, scalar 
             region, good, "in the solid " + space.bodies->names()[b] + " of constant/geometry");
     }
 
+    const polyMesh& boundary = wholeBoundary(space.mesh);
     const labelList patches
     (
         walls.everyWallPatch
-      ? wallPatches(space.mesh)
-      : wallPatches(space.mesh, walls.patches, walls.dict)
+      ? wallPatches(boundary)
+      : wallPatches(boundary, walls.patches, walls.dict)
     );
     wallPointsControls controls;
     controls.spacing = region.size() ? 2*min(region.radius) : 1;
-    const wallSpace surfaces(space.mesh, controls);
+    const wallSpace surfaces(boundary, controls);
     clipOrStop
     (
         region,

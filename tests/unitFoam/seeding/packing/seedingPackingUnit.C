@@ -7,8 +7,10 @@
 #include "scratchCase.hpp"
 #include "fittedPacking.H"
 #include "regionShapes.H"
+#include "latticeRows.H"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 namespace bodiesTests
 {
 #include "bodies.C"
@@ -16,6 +18,10 @@ namespace bodiesTests
 namespace fittedPackingTests
 {
 #include "fittedPacking.C"
+}
+namespace latticeRowsTests
+{
+#include "latticeRows.C"
 }
 namespace particlePackingTests
 {
