@@ -23,10 +23,15 @@ struct PushOut
     PicParticles<D, R> particles;
     double margin;                              // [m]
     R* shift[D];                                // of the correction [m]; nullptr: there is none
+    // those that stood in such tiles are left alone: cells of the first ones
+    TileChoice<D> waiting;
+    const std::uint32_t* from;
+    int first;
 
     HD void operator()(int i) const
     {
         const UniformGrid<D>& grid = solids.grid;
+        if (waiting.state && i < first && waiting.has(grid.cellIndex(int(from[i])))) return;
         typename UniformGrid<D>::Index c{{0, 0, 0}};
         Vec<D, double> x, normal;
         bool inside = true;

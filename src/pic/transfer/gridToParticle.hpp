@@ -44,6 +44,7 @@ struct GridToParticle
     bool affine;
     R fall[D];                  // g dt [m/s]
     TileChoice<D> only;         // particles there
+    bool waited;                // is du what they have waited for? Else those without water fall
 
     HD void operator()(int i) const
     {
@@ -53,7 +54,8 @@ struct GridToParticle
         const unsigned char water = nearWater[at.cell(grid)];
         if (!water)
         {
-            for (int d = 0; d < D; ++d) particles.v[d][i] += fall[d];
+            for (int d = 0; d < D; ++d)
+                particles.v[d][i] += waited ? sampleFace<Order>(grid, du[d], d, x) : fall[d];
             if (affine) for (int k = 0; k < D*D; ++k) particles.affine[k][i] = 0;
             for (int k = 0; k < D*Formula::memory; ++k) particles.memory[k][i] = 0;
             return;

@@ -221,13 +221,15 @@ struct MoveParticles
     std::uint32_t* indices;
     TileChoice<D> only;         // particles there
     double lag;                 // by which those in water are behind; timeStep holds it [s]
+    // cells that they stood in before any moved; nullptr: all are moved at once
+    const std::uint32_t* from;
 
     HD void operator()(int i) const
     {
         const Vec<D, double> x = particles.position(i);
         const InCell<D, R> at(grid, inverse, x);
         const typename UniformGrid<D>::Index c = at.index();
-        if (!only.has(c)) return;
+        if (!only.has(from ? grid.cellIndex(int(from[i])) : c)) return;
         if (nearWater[grid.cell(c)])
             arriveInWater(
                 i, c, carriedNear<Order, Around>(grid, inverse, u, at, x, timeStep, order));

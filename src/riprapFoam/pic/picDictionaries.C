@@ -47,7 +47,7 @@ static void readMultirate(checkedDictionary& pic, riprap::PicConfig& config)
     if (!pic.dict().found("multirate")) return;
 
     config.slowInterval = int(dict.whole("interval", 10, 2, 100));
-    config.slowCourant = dict.between("maxCo", config.slowCourant, 1e-6, 0.5);
+    config.slowCourant = dict.between("maxCo", config.slowCourant, 1e-6, 0.4);
 
     dict.end();
 }

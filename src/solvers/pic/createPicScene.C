@@ -52,8 +52,8 @@ void checkNumbers(const PicConfig& c)
     require(c.maxTimeStep > 0, "the largest time step must be positive");
     require(c.maxCourant > 0 && c.maxCourant <= 2, "the Courant number must lie in 0 .. 2");
     require(c.slowInterval >= 1, "an interval of slow particles must be a step or more");
-    require(c.slowCourant > 0 && c.slowCourant <= 0.5,
-        "the path of slow particles in an interval must lie in 0 .. 0.5 cells");
+    require(c.slowCourant > 0 && c.slowCourant <= 0.4,
+        "the path of slow particles in an interval must lie in 0 .. 0.4 cells");
     require(c.maxFlyingCourant >= c.maxCourant,
         "the Courant number of flying particles must not be below that of the others");
     double cells = 1;

@@ -40,14 +40,18 @@ void Multirate<Backend, D, P>::start()
     const CellTiles<D> tiles(grid);
     std::vector<unsigned char> always;
     for (int d = 0; p_.opens() && d < D; ++d)
+    {
+        const std::vector<real> aperture = p_.walls.aperture[d].download();
         for (std::size_t i = 0; i < p_.openings.number[d].size(); ++i)
         {
-            if (p_.openings.number[d][i] < 0) continue;
-            always.resize(tiles.count(), 0);
             auto c = grid.faceIndex(d, int(i));
+            const bool side = !grid.periodic[d] && (c.c[d] == 0 || c.c[d] == grid.n[d]);
+            if (p_.openings.number[d][i] < 0 && !(side && aperture[i] > real(0))) continue;
+            always.resize(tiles.count(), 0);
             c.c[d] = std::min(c.c[d], grid.n[d] - 1);
             always[tiles.of(c)] = 1;
         }
+    }
     p_.slow.allocate(p_.set.context, grid, always);
 }
 

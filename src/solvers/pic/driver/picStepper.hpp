@@ -49,7 +49,7 @@ public:
 private:
 
     void step(double dt, PicReport&);
-    bool moveInside(double dt, double before);
+    bool moveInside(double dt, double before, int moved);
 
     PicParts<Backend, D, P>& p_;
     PicStepTools<Backend, D, P> with_;
@@ -97,8 +97,9 @@ void PicStepper<Backend, D, P>::step(double dt, PicReport& report)
     with_.budget.compareParticles();
     if (solids.bodies && solids.bodies->set.contactVelocity < 1) with_.coupling.slowBetween(dt);
     with_.advection.move(dt);
+    const int moved = p_.particles.n;
     if (p_.opens()) with_.openings.inject(dt);
-    if (!moveInside(dt, before))
+    if (!moveInside(dt, before, moved))
     {
         const bool finite = !solids.bodies || solids.bodies->forces.finite();
         with_.guards.stopAtSolids(report,
@@ -118,10 +119,11 @@ void PicStepper<Backend, D, P>::step(double dt, PicReport& report)
     report.pressureConverged = report.pressureConverged && pressure.last.converged;
 }
 
-//- Solids to where they are at the end of the step; particles that they have run over come out.
+//- Solids to where they are at the end of the step; particles that they have run over come out,
+//  of which the first ones have been moved in this step.
 //  \return false when a guard has fired
 template<class Backend, int D, class P>
-bool PicStepper<Backend, D, P>::moveInside(double dt, double before)
+bool PicStepper<Backend, D, P>::moveInside(double dt, double before, int moved)
 {
     PicParticleFields<Backend, D, P>& particles = p_.particles;
     if (!p_.cuts()) return true;
@@ -131,7 +133,14 @@ bool PicStepper<Backend, D, P>::moveInside(double dt, double before)
         with_.cutter.cut(p_.set.clock.time + dt, dt);
         p_.cut.forStep = true;
     }
-    PushOut<D, real> out{p_.solidField(), particles.view(), p_.set.wallMargin*p_.set.grid.h, {}};
+    PushOut<D, real> out{p_.solidField(), particles.view(), p_.set.wallMargin*p_.set.grid.h, {},
+        {}, nullptr, 0};
+    if (p_.slow.any())
+    {
+        out.waiting = p_.slow.in(slowTile);
+        out.from = particles.sort.keys();
+        out.first = moved;
+    }
     for (int d = 0; d < D; ++d)
         out.shift[d] = p_.set.config.positionCorrection > 0 ? particles.shift[d].data() : nullptr;
     forEach(p_.set.context, particles.n, out);

@@ -130,6 +130,7 @@ template<class Backend, int D, class P> void PicTransfer<Backend, D, P>::toParti
     p_.particles.scheme.take(p_.set.context, v, p_.slow.list(currentTile), dt);
     if (!p_.slow.due()) return;
     v.only = p_.slow.in(dueTile);
+    v.waited = true;
     for (int d = 0; d < D; ++d) v.du[d] = p_.slow.change[d].data();
     p_.particles.scheme.take(p_.set.context, v, p_.slow.list(dueTile), p_.slow.time);
 }

@@ -23,6 +23,7 @@ struct GridVelocities
     const unsigned char* nearWater;         // cells (pic/grid/wetCells.hpp)
     R fall[D];                              // of particles without water about them [m/s]
     TileChoice<D> only;                     // particles there
+    bool waited;                            // is du what they have waited for?
 };
 
 template<class Backend, int D, class R>

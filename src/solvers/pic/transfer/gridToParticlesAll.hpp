@@ -52,6 +52,7 @@ void GridToParticles<Backend, D, R>::run(
         k.formula = formula;
         k.affine = gradient_;
         k.only = v.only;
+        k.waited = v.waited;
         f(k);
     };
     if (needsAround(v.grid, Order)) start(std::true_type());

@@ -110,7 +110,7 @@ TEST_P(PicMultirate, OffItDoesNothing)
 {
     PicConfig c = tank(1);
     const auto plain = make(c, dam(c));
-    c.slowCourant = 0.5;
+    c.slowCourant = 0.4;
     const auto other = make(c, dam(c));
     for (PicScene* s : {plain.get(), other.get()})
     {
@@ -179,6 +179,40 @@ TEST_P(PicMultirate, SlowWavesGoOn)
     }
     EXPECT_GT(largest, 0.02*h);
     EXPECT_LT(difference, 1e-3*largest);
+}
+
+//- Fast drops wake the tile that they come to in the same step: nobody is moved there twice
+TEST_P(PicMultirate, WhoComesToWakingWaterIsMovedOnce)
+{
+    PicConfig c = tank(10);
+    c.cells[1] = 4*n;
+    c.domainMax[1] = 4;
+    const double speed = 8, dt = 3*h/speed;
+    c.seedsPerDirection = 0;
+    c.adjustTimeStep = false;
+    c.fixedTimeStep = dt;
+    FluidInput f = pool(c);
+    const std::size_t still = f.size();
+    // one in a column, each at another place of its cell
+    for (int k = 0; k < 14; ++k)
+        for (const double x : {(4*k + 4.5)*h, 3.8 - 0.3*h*k, 2.5*h}) f.position.push_back(x);
+    f.velocity.resize(f.position.size(), 0);
+    for (std::size_t i = still; i < f.size(); ++i) f.velocity[3*i + 1] = -speed;
+    const auto s = make(c, f);
+    FluidState before = s->fluid();
+    double least = 1, most = 0;
+    for (int k = 0; k < 25; ++k)
+    {
+        const PicReport r = s->advance(10, 1);
+        most = std::max(most, share(r));
+        if (most > 0) least = std::min(least, share(r));
+        const FluidState after = s->fluid();
+        EXPECT_LT(farthest(before, after), 1.1*(speed + 9.81*dt*(k + 1))*dt) << k;
+        before = after;
+    }
+    // all wait, then come some drops
+    EXPECT_GT(most, 0.9);
+    EXPECT_LT(least, 0.9);
 }
 
 //- A bore over a long bed, too low to break: what breaks does not repeat, whatever changes. Where
