@@ -77,6 +77,8 @@ public:
 
     const std::uint32_t* order() const { return scratch_.values[1].data(); }
     const int* start() const { return start_.data(); }
+    //- The cell of each of the set in its order, until the next sort
+    const std::uint32_t* sortedKeys() const { return scratch_.keys[1].data(); }
     std::vector<int> starts(Context<Backend>& context) const
     {
         std::vector<int> all(std::size_t(cells_) + 1);

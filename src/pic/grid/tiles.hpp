@@ -55,6 +55,33 @@ struct TileChoice
     }
 };
 
+//- f(first cell, one past the last) of the rows of a tile
+template<int D, class F>
+HD void eachRowOf(const UniformGrid<D>& grid, const CellTiles<D>& tiles, int t, const F& f)
+{
+    const typename UniformGrid<D>::Index first = tiles.first(t);
+    int end[3] = {1, 1, 1};
+    for (int d = 0; d < D; ++d)
+        end[d] = first.c[d] + tiles.side < grid.n[d] ? first.c[d] + tiles.side : grid.n[d];
+    for (int k = first.c[2]; k < end[2]; ++k)
+        for (int j = first.c[1]; j < end[1]; ++j)
+            f(typename UniformGrid<D>::Index{{first.c[0], j, k}}, end[0]);
+}
+
+//- start: where particles of each cell begin
+template<int D>
+HD int particlesOf(
+    const UniformGrid<D>& grid, const CellTiles<D>& tiles, int t, const int* start)
+{
+    int count = 0;
+    eachRowOf(grid, tiles, t, [&](const typename UniformGrid<D>::Index& c, int end)
+    {
+        const int cell = grid.cell(c);
+        count += start[cell + end - c.c[0]] - start[cell];
+    });
+    return count;
+}
+
 //- 1 for each tile that has particles
 template<int D>
 struct HasParticles
@@ -67,18 +94,7 @@ struct HasParticles
 
     HD void operator()(int t) const
     {
-        flag[t] = 0;
-        if (t == tiles.count()) return;
-        const typename UniformGrid<D>::Index first = tiles.first(t);
-        int end[3] = {1, 1, 1};
-        for (int d = 0; d < D; ++d)
-            end[d] = first.c[d] + tiles.side < grid.n[d] ? first.c[d] + tiles.side : grid.n[d];
-        for (int k = first.c[2]; k < end[2]; ++k)
-            for (int j = first.c[1]; j < end[1]; ++j)
-            {
-                const int row = grid.n[0]*(j + grid.n[1]*k);
-                if (start[row + end[0]] > start[row + first.c[0]]) flag[t] = 1;
-            }
+        flag[t] = t < tiles.count() && particlesOf(grid, tiles, t, start) > 0;
     }
 };
 

@@ -31,26 +31,6 @@ struct boundaryFace
 };
 
 
-//- What decomposePar says of a processor's mesh; empty: nothing
-static labelList addressing(const polyMesh& mesh, const word& name)
-{
-    const labelIOList numbers
-    (
-        IOobject
-        (
-            name,
-            mesh.facesInstance(),
-            polyMesh::meshSubDir,
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    return labelList(numbers);
-}
-
-
 //- The patch that has these faces in the whole mesh; -1: none
 static label wholePatch(const polyPatch& patch)
 {
@@ -67,8 +47,8 @@ static label wholePatch(const polyPatch& patch)
 //  it does not say, one process after the other
 static riprap::RankBytes ownFaces(const polyMesh& mesh)
 {
-    const labelList faceNumber(addressing(mesh, "faceProcAddressing"));
-    const labelList pointNumber(addressing(mesh, "pointProcAddressing"));
+    const labelList faceNumber(processorAddressing(mesh, "faceProcAddressing"));
+    const labelList pointNumber(processorAddressing(mesh, "pointProcAddressing"));
     const bool known = onAllRanks
     (
         faceNumber.size() == mesh.nFaces() && pointNumber.size() == mesh.nPoints()
@@ -288,6 +268,25 @@ static autoPtr<polyMesh> makeWhole(const polyMesh& mesh, const word& name)
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::processorAddressing(const polyMesh& mesh, const word& name)
+{
+    const labelIOList numbers
+    (
+        IOobject
+        (
+            name,
+            mesh.facesInstance(),
+            polyMesh::meshSubDir,
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    return labelList(numbers);
+}
+
 
 const Foam::polyMesh& Foam::wholeBoundary(const polyMesh& mesh)
 {

@@ -2,8 +2,8 @@
 
 #include "numberRanks.H"
 #include "allRanks.H"
-#include "labelIOList.H"
 #include "pstreamTransport.H"
+#include "wholeBoundary.H"
 
 #include <algorithm>
 
@@ -177,22 +177,7 @@ static bytesOfRanks numberRuns(const bytesOfRanks& asked, std::int64_t& before)
 
 Foam::wholeCells::wholeCells(const polyMesh& mesh)
 :
-    number_
-    (
-        labelIOList
-        (
-            IOobject
-            (
-                "cellProcAddressing",
-                mesh.facesInstance(),
-                polyMesh::meshSubDir,
-                mesh,
-                IOobject::READ_IF_PRESENT,
-                IOobject::NO_WRITE,
-                false
-            )
-        )
-    )
+    number_(processorAddressing(mesh, "cellProcAddressing"))
 {
     if (!onAllRanks(number_.size() == mesh.nCells())) number_.clear();
 }

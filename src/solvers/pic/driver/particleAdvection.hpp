@@ -56,10 +56,6 @@ void ParticleAdvection<Backend, D, P>::move(double dt)
         all.push_back(Moving{p_.faces.carrying(), p_.toFaces.occupied(), {}, dt, 0});
     else
     {
-        // where they stand, for those that choose by it
-        forEach(p_.set.context, particles.n,
-            PicCellKeys<D, real>{p_.set.grid, particles.view(), particles.sort.keys(),
-                particles.sort.indices()});
         all.push_back(
             Moving{p_.faces.carrying(), slow.list(currentTile), slow.in(currentTile), dt, 0});
         if (slow.due())
@@ -122,7 +118,7 @@ void ParticleAdvection<Backend, D, P>::carry(const Moving& m)
         f.keys = p_.cuts() || p_.opens() || p_.slow.any() ? nullptr : particles.sort.keys();
         f.indices = particles.sort.indices();
         f.only = m.only;
-        f.from = p_.slow.any() ? particles.sort.keys() : nullptr;
+        f.from = p_.slow.any() ? particles.sort.sortedKeys() : nullptr;
         if constexpr (!Backend::gpu && D == 2 && decltype(order)::value == 2)
             forEachRow(context, m.list.count,
                 MoveCells<real, decltype(around)::value>{f, m.list.tiles, m.list.list});

@@ -138,7 +138,7 @@ bool PicStepper<Backend, D, P>::moveInside(double dt, double before, int moved)
     if (p_.slow.any())
     {
         out.waiting = p_.slow.in(slowTile);
-        out.from = particles.sort.keys();
+        out.from = particles.sort.sortedKeys();
         out.first = moved;
     }
     for (int d = 0; d < D; ++d)
