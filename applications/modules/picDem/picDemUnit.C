@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Written by etc/unitSources: the sources of this folder, compiled together
+// Written by etc/unitSources: these sources are compiled together
 #include "advance.C"
 #include "dryRun.C"
 #include "expectedSpeed.C"

@@ -19,7 +19,7 @@ namespace functionObjects
 
 namespace
 {
-    const Foam::wordList validFields({"p", "U", "rho", "volumeFraction"});
+    const Foam::wordList probeFields({"p", "U", "rho", "volumeFraction"});
 }
 
 
@@ -48,7 +48,7 @@ bool Foam::functionObjects::particleProbes::read(const dictionary& dict)
     fluid();
 
     locations_ = points(dict, "probeLocations");
-    fields_ = fieldNames(dict, wordList({"p", "U"}), validFields);
+    fields_ = fieldNames(dict, wordList({"p", "U"}), probeFields);
     minVolumeFraction_ = fraction(dict, "minVolumeFraction", 0.05);
     // A grid's pressure needs neither: it is that of the point
     correct_ = dict.lookupOrDefault("wallCorrection", true) && !onGrid();

@@ -62,7 +62,7 @@ static sheetPoints eliminate(const sheetPoints& dense, label n, scalar area)
         crowded.push({weight[i], i});
     }
 
-    boolList gone(m, false);
+    std::vector<bool> gone(std::size_t(max(m, 0)), false);
     for (label left = m; left > n && !crowded.empty();)
     {
         const auto top = crowded.top();
@@ -84,7 +84,7 @@ static sheetPoints eliminate(const sheetPoints& dense, label n, scalar area)
     }
 
     sheetPoints kept;
-    forAll(gone, i)
+    for (label i = 0; i < m; ++i)
     {
         if (gone[i]) continue;
         kept.position.append(dense.position[i]);

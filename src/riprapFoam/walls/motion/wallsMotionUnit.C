@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Written by etc/unitSources: the sources of this folder, compiled together
-#include "slidingWalls.C"
-#include "wallBodies.C"
-#include "wallTimes.C"

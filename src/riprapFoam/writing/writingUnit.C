@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Written by etc/unitSources: the sources of this folder, compiled together
-#include "fileSink.C"
-#include "timeManifest.C"
-#include "timeWriter.C"
-#include "writtenFile.C"
