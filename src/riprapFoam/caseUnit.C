@@ -22,6 +22,7 @@
 #include "run/editedFiles.C"
 #include "run/particleModule.C"
 #include "run/postProcessTimes.C"
+#include "run/remedies.C"
 #include "run/runForecast.C"
 #include "run/runProgram.C"
 #include "run/solverModule.C"

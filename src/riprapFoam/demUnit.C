@@ -19,4 +19,5 @@
 #include "dem/solidFiles.C"
 #include "dem/solidFilesRead.C"
 #include "dem/solidNeeds.C"
+#include "dem/solidRemedies.C"
 #include "dem/touchingStart.C"

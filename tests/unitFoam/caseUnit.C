@@ -39,6 +39,8 @@
 #include "commandLine.hpp"
 #include "postProcessTimes.H"
 #include "timeManifest.H"
+#include "remedies.H"
+#include "solidRemedies.H"
 #include "timePlan.H"
 #include "IOField.H"
 #include "labelField.H"
@@ -120,6 +122,10 @@ namespace run_foretellRunTests
 namespace run_postProcessTimesTests
 {
 #include "run/postProcessTimes.C"
+}
+namespace run_remediesTests
+{
+#include "run/remedies.C"
 }
 namespace run_timePlanTests
 {

@@ -8,16 +8,21 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dem.H"
+#include "solidRemedies.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-const char* Foam::solverModules::dem::advice() const
+Foam::string Foam::solverModules::dem::advice() const
 {
-    return
+    remedies helps;
+    solidRemedies(helps, settings_, input_, false);
+    return helps.text
+    (
         "Nothing is written: the last time directory is the last good one. A"
         " shorter time step (stepFraction, or deltaT), stiffer contacts for"
         " the speeds that occur, and a start without overlaps help against"
-        " most causes";
+        " most causes"
+    );
 }
 
 

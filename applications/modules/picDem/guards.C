@@ -8,15 +8,44 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "picDem.H"
+#include "remedies.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-const char* Foam::solverModules::picDem::advice() const
+Foam::string Foam::solverModules::picDem::advice() const
 {
-    return
+    const riprap::PicConfig& config = settings_.config;
+
+    remedies helps;
+    if (solids_.valid())
+    {
+        helps.when(settings_.weak, "coupling implicit (is weak)");
+        solids_->remediesOf(helps);
+        helps.when
+        (
+            config.reflection > 0,
+            "reflection no, where solids are much lighter than the water or"
+            " meet its surface fast"
+        );
+    }
+    helps.above("maxCo", config.maxCourant, 0.5);
+    helps.above
+    (
+        "tolerance of p in system/fvSolution",
+        solverOfPressure().lookupOrDefault<scalar>("tolerance", 1e-6),
+        1e-8
+    );
+    helps.when
+    (
+        config.transfer == "flip" && !config.transferNumbers.affine,
+        "affine yes, or transfer flipPic"
+    );
+    return helps.text
+    (
         "Nothing is written: the last time directory is the last good one. A"
         " smaller maxCo or deltaT, or a smaller tolerance of p in"
-        " system/fvSolution helps against most causes";
+        " system/fvSolution helps against most causes"
+    );
 }
 
 
@@ -39,7 +68,7 @@ void Foam::solverModules::picDem::checkStop() const
         FatalErrorInFunction
             << "Guard at time " << report_.time << " s, particle step "
             << run_.steps << ": " << report_.stopMessage.c_str() << nl
-            << advice() << exit(FatalError);
+            << advice().c_str() << exit(FatalError);
     }
     else if (report_.stop == StopReason::tooFast)
     {

@@ -10,15 +10,52 @@ Description
 #include "sphDem.H"
 #include "caseTime.H"
 #include "pictures.H"
+#include "remedies.H"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-const char* Foam::solverModules::sphDem::advice() const
+Foam::string Foam::solverModules::sphDem::advice() const
 {
-    return
+    using riprap::StopReason;
+    const riprap::SphConfig& config = settings_.config;
+    const bool leapfrog =
+        config.integrator == riprap::IntegratorKind::leapfrog;
+    const bool diffuses = config.diffusion != "none";
+
+    remedies helps;
+    helps.when
+    (
+        report_.stop == StopReason::density || report_.stop == StopReason::speed
+     || !report_.wild.empty(),
+        "a larger maxVelocity, where water is faster than "
+      + name(config.maxVelocity) + " m/s by right"
+    );
+    helps.when(!config.adjustTimeStep, "adjustTimeStep yes");
+    helps.above
+    (
+        leapfrog && !diffuses
+      ? "densityDiffusion, or acousticCourant" : "acousticCourant",
+        config.acousticCourant,
+        leapfrog ? diffuses ? 0.3 : 0.1 : 0.6
+    );
+    helps.above("forceCourant", config.forceCourant, 0.25);
+    helps.above("viscousCourant", config.viscousCourant, 0.125);
+    helps.when(!settings_.walls.impermeable, "impermeable yes of the walls");
+    if (solids_.valid())
+    {
+        helps.when
+        (
+            settings_.coupling.force != riprap::FluidForceKind::impulse,
+            "fluidForce impulse, where solids are lighter than the water"
+        );
+        solids_->remediesOf(helps);
+    }
+    return helps.text
+    (
         "A shorter time step (the Courant numbers), a larger maxVelocity, walls"
         " in closed layers, artificial viscosity or densityDiffusion help"
-        " against most causes";
+        " against most causes"
+    );
 }
 
 
@@ -91,7 +128,7 @@ void Foam::solverModules::sphDem::countWild()
             << run_.steps << ": " << lastSecond << " particles of "
             << run_.initialParticles << " ran wild within a second;"
             << " guards/maxWild allows a share of " << settings_.maxWild
-            << " a second" << nl << advice() << exit(FatalError);
+            << " a second" << nl << advice().c_str() << exit(FatalError);
     }
 }
 

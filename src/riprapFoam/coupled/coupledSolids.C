@@ -7,9 +7,11 @@
 #include "nearestPatch.H"
 #include "demMotion.H"
 #include "moduleLog.H"
+#include "remedies.H"
 #include "OSspecific.H"
 #include "restingWalls.H"
 #include "solidNeeds.H"
+#include "solidRemedies.H"
 #include "sphNames.H"
 #include "timeManifest.H"
 #include "wholeBoundary.H"
@@ -19,7 +21,7 @@
 namespace Foam
 {
 
-static const char* const advice =
+static const char* const mostly =
     "Nothing is written: the last time directory is the last good one. A"
     " shorter time step (stepFraction of constant/solidProperties, the Courant"
     " numbers of constant/sphProperties), stiffer contacts for the speeds that"
@@ -261,7 +263,8 @@ void Foam::coupledSolids::moved()
                  ? std::string()
                  : boundary_.particle(report_.stopId, report_.stopPosition) + ' '
                ).c_str()
-            << report_.stopMessage.c_str() << nl << advice << exit(FatalError);
+            << report_.stopMessage.c_str() << nl << advice().c_str()
+            << exit(FatalError);
     }
     if (report_.escaped.size())
     {
@@ -274,9 +277,24 @@ void Foam::coupledSolids::moved()
             asRead_.guards.allowed(),
             report_,
             run_,
-            advice
+            advice().c_str()
         );
     }
+}
+
+
+
+void Foam::coupledSolids::remediesOf(remedies& helps) const
+{
+    solidRemedies(helps, settings_, input_, true);
+}
+
+
+Foam::string Foam::coupledSolids::advice() const
+{
+    remedies helps;
+    remediesOf(helps);
+    return helps.text(mostly);
 }
 
 
