@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loader of rows, observed order, Richardson's limit, fronts, the page with all rows"""
+"""Loader of rows, observed order, Richardson's limit, fronts, the page with all rows; whole runs of
+applications"""
 import csv
 import json
 import os
@@ -218,6 +219,59 @@ class Repository(unittest.TestCase):
             f.flush()
             with self.assertRaisesRegex(ValueError, 'scene a'):
                 rows.yardsticks(f.name)
+
+
+class Applications(unittest.TestCase):
+    columns = ('name,version,device,particles,steps,wall,start,solver,fields,functionObjects,'
+               'writing,other,solverShare,bound,note,endTime,waiting,stateBytes').split(',')
+
+    def rows(self, *lines):
+        return [dict(zip(self.columns, line.split(','))) for line in lines]
+
+    def testChart(self):
+        try:
+            from charts import applications
+        except ModuleNotFoundError:
+            self.skipTest('no matplotlib')
+        old, other, new, half, state, slow = self.rows(
+            'dem,a,gpu,1000,1,9,1,7,0,0,1,0,78,80,NVIDIA A100,1.5,,',
+            'dem,b,gpu,1000,1,9,1,7,0,0,1,0,78,80,NVIDIA H200; busy,1.5,,',
+            'dem,c,gpu,1000,1,8,1,6,0,0,1,0,75,80,NVIDIA H200,1.5,0.25,',
+            'dem,c,gpu,1000,1,4,1,2,0,0,1,0,50,80,NVIDIA H200,0.5,,',
+            'restart-dem,c,gpu,1000,1,4,1,2,0,0,1,0,,,NVIDIA H200,0.02,0,9000',
+            'sphDem,c,cpu,10,1,4,1,2,0,0,1,0,50,,two cores,0.4,,')
+        self.assertEqual(applications.chosen([old, slow, other, new, half, state]),
+                         [half, new, slow])
+        seconds = applications.secondsOf(new)
+        self.assertEqual((seconds['writing'], seconds['waiting for writing']), (0.75, 0.25))
+        seconds = applications.secondsOf(half)
+        self.assertNotIn('writing', seconds)
+        self.assertEqual(seconds[applications.both], 1)
+        self.assertTrue(set(seconds) <= set(applications.paint))
+
+    def testRecorded(self):
+        with open(os.path.join(root, 'benchmarks', 'results', 'applications.csv'),
+                  newline='') as f:
+            found = list(csv.DictReader(f))
+        self.assertEqual(list(found[0]), self.columns)
+        for r in found:
+            self.assertNotIn(None, r.values(), r['name'])
+            if r['solverShare']:
+                self.assertAlmostEqual(100*float(r['solver'])/float(r['wall']),
+                                       float(r['solverShare']), delta=0.1)
+
+    def testRuns(self):
+        """What is run is there, spheres for two spans of time"""
+        for level in ('gpu', 'cpu', 'quick'):
+            said = subprocess.run([os.path.join(root, 'benchmarks', 'runApplications'), level,
+                                   '-dry'], capture_output=True, text=True, check=True).stdout
+            runs = [line.split() for line in said.splitlines()]
+            for name, case, *_ in runs:
+                self.assertTrue(os.access(os.path.join(root, case), os.X_OK), name)
+            names = [r[0] for r in runs]
+            self.assertEqual(names.count('dem'), 2 if level == 'gpu' else 1)
+            for name in ('elasticGate', 'setParticles-rocks', 'restart-dem', 'restart-picDem'):
+                self.assertIn(name, names)
 
 
 if __name__ == '__main__':
