@@ -81,7 +81,8 @@ control sphDem
 sph 'guards { wild stop; densityDeviation 1e-5; }'
 stops density 'Guard at time 0 s, particle step 0: particle [0-9]+ at \(.*\(nearest patch: '\
 '[a-z]+\) has a density that deviates by .* guards/densityDeviation allows 1e-05'
-says density 'Try first: a larger maxVelocity, where water is faster than [0-9.]+ m/s by right. A short'
+says density \
+    'Try first: a larger maxVelocity, where water is faster than [0-9.]+ m/s by right. A shorter'
 sph 'guards { wild stop; densityDeviation 1e-5; } forceCourant 0.5; walls { impermeable no; }'
 stops remedies 'guards/densityDeviation allows 1e-05'
 says remedies 'by right; forceCourant 0.25 \(is 0.5\); impermeable yes of the walls\. A shorter'
