@@ -42,6 +42,14 @@ then pass contactLawRuns
 else fail contactLawRuns "$(grep -m1 -A4 Failure "$work/log" | tr '\n' ' ')"
 fi
 
+# Typed tests take these cases alone
+cases()         # CASES
+{
+    sed "s|^using AllCases = .*|using AllCases = testing::Types<$1>;|" \
+        "$root/tests/unit/backendTest.hpp" >"$work/backendTest.hpp"
+    grep -qF "Types<$1>;" "$work/backendTest.hpp" || fail cases 'AllCases is elsewhere'
+}
+
 # A kernel and a pair term, in copies of their folders and of the table
 mkdir -p "$work/sph/kernels" "$work/sph/terms"
 cp "$root"/etc/codeTemplates/kernel/gaussian.hpp "$work/sph/kernels"
@@ -59,7 +67,8 @@ for file in sphModels termEffects
 do
     g++ "${flags[@]}" -fPIC -c "$root/src/solvers/sph/$file.C" -o "$work/$file.o"
 done >"$work/log" 2>&1
-if g++ "${flags[@]}" '-DRIPRAP_TEST_CASES=Case<3, Mixed>' \
+cases 'Case<3, Mixed>'
+if g++ "${flags[@]}" \
     "$root"/etc/codeTemplates/kernel/gaussianTest.C \
     "$root"/etc/codeTemplates/pairTerm/radialViscosityTest.C \
     "$root"/tests/unit/sph/{sphCards,kernels,terms}.C "$work"/{sphModels,termEffects}.o \
@@ -128,7 +137,8 @@ if g++ "${flags[@]}" -fPIC \
 then pass transferLibrary
 else fail transferLibrary "$(grep -m1 error "$work/log")"
 fi
-if g++ "${flags[@]}" '-DRIPRAP_TEST_CASES=Case<2, Mixed>' \
+cases 'Case<2, Mixed>'
+if g++ "${flags[@]}" \
     "$root"/etc/codeTemplates/transfer/filteredFlipTest.C \
     "$root"/tests/unit/pic/{transfer/transferCards,picRows,transfer/picSchemes}.C \
     "$root"/tests/unit/solvers/pic/picSchemeScenes.C \

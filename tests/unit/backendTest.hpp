@@ -45,10 +45,7 @@ struct Case
     static constexpr double epsilon = mixed ? 5.9604644775390625e-8 : 1.1102230246251565e-16;
 };
 
-#ifndef RIPRAP_TEST_CASES
-#define RIPRAP_TEST_CASES Case<2, Mixed>, Case<2, Double>, Case<3, Mixed>, Case<3, Double>
-#endif
-using AllCases = testing::Types<RIPRAP_TEST_CASES>;
+using AllCases = testing::Types<Case<2, Mixed>, Case<2, Double>, Case<3, Mixed>, Case<3, Double>>;
 
 struct CaseNames
 {
