@@ -7,4 +7,4 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runPicScenes.py --seeds 1-18 --end 0.25 --limit 300
+"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runPicScenes.py --seeds 1-8 --end 0.25 --limit 300

@@ -7,4 +7,4 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runScenes.py --seeds 1-20 --limit 300
+"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runScenes.py --seeds 1-10 --limit 300

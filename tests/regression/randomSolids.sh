@@ -6,4 +6,4 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 
-"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runDemScenes.py --seeds 1-20 --limit 300
+"${RIPRAP_PYTHON:-python3}" tests/randomScenes/runDemScenes.py --seeds 1-10 --limit 300

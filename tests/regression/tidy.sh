@@ -34,14 +34,14 @@ elif ((status == 0)); then status=1 said="nothing is found in wrong files"
 fi
 verdict tidyFinds $status "$said"
 
-# In as many turns as there are slices all units have been chosen
+# In as many turns as there are parts all units have been chosen
 all=$(git ls-files -co --exclude-standard src applications tests benchmarks 2>/dev/null \
     | grep '\.C$' | grep -v 'Unit\.C$' | sort)
-said=$(for turn in {1..12}; do etc/tidyCode -list "$turn" || exit; done); status=$?
-if ((status == 0)) && [[ $(sort -u <<<"$said") != "$all" ]]
+said=$(for turn in {1..36}; do etc/tidyCode -list "$turn" || exit; done); status=$?
+if ((status == 0)) && [[ $(sort <<<"$said") != "$all" ]]
 then
-    status=1 said="12 turns do not reach all units"
-elif ((status == 0)) && (($(etc/tidyCode -list | wc -l) > 8 + $(wc -l <<<"$all")/12 + 1))
+    status=1 said="36 turns do not reach each unit once"
+elif ((status == 0)) && (($(etc/tidyCode -list | wc -l) > 3 + $(wc -l <<<"$all")/36 + 2))
 then
     status=1 said="the share of a commit is too large"
 fi

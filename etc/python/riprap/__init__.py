@@ -17,3 +17,18 @@ advice        which solver, spacing and device reach an error, from the rows of 
 plotting      one style for all figures
 study         what ties them together: a tutorial's analysis.py makes one Study and calls main()
 """
+import importlib.util
+import sys
+
+
+def __getattr__(name):
+    """riprap.plotting is read at its first use: matplotlib takes longer than most analyses, of
+    which many draw nothing"""
+    if name != 'plotting':
+        raise AttributeError(f'module {__name__} has no attribute {name}')
+    spec = importlib.util.find_spec(__name__ + '.plotting')
+    spec.loader = importlib.util.LazyLoader(spec.loader)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = globals()[name] = module
+    spec.loader.exec_module(module)
+    return module

@@ -19,7 +19,14 @@ waves take away on either side, 2 rho w k_0 |C_0|^2.
 A body let go at rest from z_0 does (Cummins 1962, by Fourier)
 z(t)/z_0 = 2/pi int Re (iw (M + A) + B)/(C - w^2 (M + A) + iw B) cos wt dw.
 """
+import functools
+
 import numpy as np
+
+
+@functools.lru_cache
+def quadrature(points):
+    return np.polynomial.legendre.leggauss(points)
 
 
 class FloatingBox:
@@ -96,7 +103,7 @@ class FloatingBox:
         return self.project(k, norm, self.h - self.T, self.h, f)
 
     def project(self, k, norm, low, high, f):
-        x, w = np.polynomial.legendre.leggauss(200)
+        x, w = quadrature(200)
         y = low + (high - low)*0.5*(x + 1)
         return (np.cos(np.outer(k, y)) @ (f(y)*w))*(high - low)/2/norm
 

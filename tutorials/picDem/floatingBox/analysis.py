@@ -107,8 +107,8 @@ Study(
     variants=[Variant(f'{motion}-{offset:g}', grid(motion, offset))
               for motion in ('heave', 'roll', 'still') for offset in offsets]
     + [Variant(f'{motion}-fine', grid(motion, 0.25, 500)) for motion in ('heave', 'roll')],
-    quick=[Variant('heave-0.25-quick', grid('heave', 0.25)),
-           Variant('roll-0.5-quick', grid('roll', 0.5))],
+    quick=[Variant('heave-0.25-quick', grid('heave', 0.25, 125)),
+           Variant('roll-0.5-quick', grid('roll', 0.5, 125))],
     analyse=analyse,
     plot=plot,
     headline='period [s]',

@@ -112,7 +112,7 @@ Study(
               Variant('n24-k1', grid(24, frequency(1, 0.02))),
               Variant('n24-k2.2', grid(24, frequency(2.2, 0.01))),
               Variant('n24-wall', grid(24, '; absorb/beach/rate 0'))],
-    quick=[Variant('n12-quick', grid(12))],
+    quick=[Variant('n8-quick', grid(8) + ['-endTime', '12'])],
     analyse=analyse,
     plot=plot,
     headline='wave height [m]',

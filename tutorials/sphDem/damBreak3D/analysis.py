@@ -28,10 +28,14 @@ def pair(part, spacing, end=()):
                                       *(end or ('-endTime', '0.4'))], 'sphDem/damBreak')]
 
 
+# A column of half the size in a tank that its front crosses in 0.12 s
+small = ('system/tank:columnWidth 0.078; system/tank:columnHeight 0.156; '
+         'system/tank:tankWidth 0.3; system/tank:tankHeight 0.3')
+
 Study(
     scene='damBreak3D',
     variants=[v for part, spacing in spacings.items() for v in pair(part, spacing)],
-    quick=pair('-quick', 0.006, ('-endTime', '0.2')),
+    quick=pair('-quick', 0.006, ('-endTime', '0.12', '-set', small)),
     analyse=analyse,
     plot=plot,
     headline='front two spacings from the far wall [s]',

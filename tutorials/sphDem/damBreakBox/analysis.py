@@ -108,7 +108,7 @@ Study(
     scene='damBreakBox',
     variants=[Variant('dp20'), Variant('dp12.5', ['-spacing', '0.0125'], large=True),
               Variant('dp8.2', ['-spacing', '0.0082'], large=True)],
-    quick=[Variant('dp40-quick', ['-spacing', '0.04', '-endTime', '1'])],
+    quick=[Variant('dp40-quick', ['-spacing', '0.04', '-endTime', '0.5'])],
     analyse=analyse,
     plot=plot,
     headline='impulse at P1, 0.4 to 0.9 s [Pa s]',

@@ -170,7 +170,7 @@ Study(
                         ['-endTime', '0.6', '-set', f'{ratioOf(s, rows)}; coupling {c}'])
                 for s, rows in ((2.625e-3, 2), (1.75e-3, 3), (1.25e-3, 4), (8.75e-4, 6),
                                 (6.25e-4, 8)) for c in couplings)],
-    quick=[Variant('quick', ['-endTime', '0.5'])],
+    quick=[Variant('quick', ['-endTime', '0.15'])],
     analyse=analyse,
     plot=plot,
     headline='middle [mm], thin plate',

@@ -60,7 +60,7 @@ Study(
     scene='hydrostaticPlate2',
     variants=[Variant('extrapolated'),
               Variant('pressureGradient', ['-set', 'coupling pressureGradient'])],
-    quick=[Variant('quick', ['-endTime', '0.25'])],
+    quick=[Variant('quick', ['-endTime', '0.06'])],
     analyse=analyse,
     plot=plot,
     headline='middle [um]',

@@ -161,7 +161,7 @@ protected:
 
 TEST_P(DemRankBonds, squaresBreakOnTheFloor)
 {
-    const Traffic t = compare(config(2), blocks(2, 12), 250, 4, {2, 3, 4, 8});
+    const Traffic t = compare(config(2), blocks(2, 12), 250, 4, {2, 8});
     EXPECT_GT(broken(0), 30);
     EXPECT_GT(broken(1), 5);
     EXPECT_GT(broken(2), 5);
@@ -171,7 +171,7 @@ TEST_P(DemRankBonds, squaresBreakOnTheFloor)
 
 TEST_P(DemRankBonds, cubesBreakOnTheFloor)
 {
-    const Traffic t = compare(config(3), blocks(3, 12), 200, 4, {2, 3, 4});
+    const Traffic t = compare(config(3), blocks(3, 12), 200, 4, {4});
     EXPECT_GT(broken(0), 30);
     EXPECT_GT(broken(1), 5);
     EXPECT_GT(broken(2), 5);
@@ -189,7 +189,7 @@ TEST_P(DemRankBonds, wholeBlocksRoll)
         DemInput in = blocks(D, 1);
         in.bondTypes[0].tensileStrength = in.bondTypes[0].shearStrength = 1e300;
         in.bondTypes[0].dampingRatio = 0.05;
-        const Traffic t = compare(c, in, D == 2 ? 1000 : 400, 3, {3, 4});
+        const Traffic t = compare(c, in, D == 2 ? 1000 : 400, 3, {D == 2 ? 4 : 3});
         EXPECT_EQ(broken(0), int(in.bonds.size()));
         EXPECT_GT(t.divisions, 1);
         EXPECT_GT(t.arrivals, 50);
@@ -226,7 +226,7 @@ TEST_P(DemRankBonds, longBondsAreStretched)
         in.bonds.a.push_back(9);
         in.bonds.b.push_back(4);
         in.bonds.type.push_back(1);
-        const Traffic t = compare(c, in, 70, 8, {2, 3, 8});
+        const Traffic t = compare(c, in, 70, 8, {D == 2 ? 8 : 3});
         EXPECT_GT(t.ghosts, 10u);
         EXPECT_EQ(broken(1), 2);
         EXPECT_EQ(last_.report.brokenBonds, 2u);
@@ -245,7 +245,7 @@ TEST_P(DemRankBonds, blocksCrossPeriodicSides)
         DemInput in = blocks(D, 30);
         in.walls.clear();
         accelerate(in, 8);
-        const Traffic t = compare(c, in, D == 2 ? 300 : 150, 5, {2, 5});
+        const Traffic t = compare(c, in, D == 2 ? 300 : 150, 5, {D == 2 ? 2 : 5});
         EXPECT_GT(t.arrivals, 50);
         EXPECT_GT(broken(0), 20);
         EXPECT_GT(last_.report.brokenBonds, 20u);
@@ -261,7 +261,7 @@ TEST_P(DemRankBonds, bondsLoseTheirParticles)
         DemInput in = blocks(D, 12);
         in.walls.clear();
         accelerate(in, 4);
-        compare(c, in, 60, 12, {2, 4});
+        compare(c, in, 60, 12, {D == 2 ? 4 : 2});
         EXPECT_LT(last_.report.particles, in.particles.size() - 20);
         EXPECT_GT(last_.report.particles, 20u);
         EXPECT_GT(broken(3), 20);
@@ -275,7 +275,7 @@ TEST_P(DemRankBonds, overlapsAtRestBreak)
     {
         DemConfig c = config(D);
         DemInput in = blocks(D, 12, 1.9*radius);
-        compare(c, in, 150, 4, {2, 4});
+        compare(c, in, 150, 4, {D == 2 ? 2 : 4});
         EXPECT_GT(broken(0), 30);
         EXPECT_GT(last_.report.brokenBonds, 5u);
         c.contactWithinBonds = true;
@@ -325,7 +325,7 @@ TEST_P(DemRankBonds, manySizes)
         in.bonds.gap.assign(in.bonds.size(), 0.001);
         for (const std::size_t k : {3u, 70u}) in.bonds.gap[k] = -0.02;
         addBox(in, D);
-        const Traffic t = compare(c, in, 300, 4, {2, 3, 5});
+        const Traffic t = compare(c, in, 300, 4, {5});
         EXPECT_TRUE(D == 3 || t.arrivals > 20);
         EXPECT_GT(t.ghosts, 50u);
         EXPECT_GT(broken(0), 10);
@@ -343,7 +343,7 @@ TEST_P(DemRankBonds, ranksWithoutBonds)
     in.bondTypes.push_back(cement(3, 5));
     in.bonds = DemBonds{{1}, {3}, {}, {}};
     addBox(in, 3);
-    compare(c, in, 300, 3, {2, 4, 7});
+    compare(c, in, 300, 3, {7});
     EXPECT_EQ(last_.report.brokenBonds, 1u);
 }
 
