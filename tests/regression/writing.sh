@@ -176,17 +176,22 @@ done
 
 # The last state is not removed before there is a new one
 cd sphDem || exit 1
-rm -rf 0.*
 sed -i 's/stateInterval 4;/stateInterval 3; purgeWrite 1;/; s/endTime 0.006/endTime 0.005/' \
     system/controlDict
-(
-    riprapFoam & pid=$!
-    while [[ ! -e 0.004/uniform/riprap/manifest ]] && kill -0 $pid 2>/dev/null; do :; done
-    kill -STOP $pid 2>/dev/null
-    times >at4
-    kill -CONT $pid 2>/dev/null
-    wait $pid
-) >log 2>&1
+# Seen when 0.004 is there and 0.005 is not; on a busy machine the moment may be missed
+for _ in 1 2 3 4 5
+do
+    rm -rf 0.*
+    (
+        riprapFoam & pid=$!
+        while [[ ! -e 0.004/uniform/riprap/manifest ]] && kill -0 $pid 2>/dev/null; do :; done
+        kill -STOP $pid 2>/dev/null
+        times >at4
+        kill -CONT $pid 2>/dev/null
+        wait $pid
+    ) >log 2>&1
+    grep -q '0.005' at4 || break
+done
 grep -q '0.003' at4 && pass purge.held || fail purge.held "at 0.004 there are $(cat at4)"
 [[ $(times) == '0.005 ' ]] && pass purge.end || fail purge.end "at the end there are $(times)"
 wrong()
