@@ -140,7 +140,7 @@ void Foam::solverModules::dem::logBonds() const
 
         const demBondType& bond = settings_.bondTypes[i];
         logItem("bonds") << bond.name << ": " << count[i] << ", calibration "
-            << demNames::calibration[bond.calibration] << ", radius "
+            << bond.calibration.c_str() << ", radius "
             << bond.type.radiusFactor << " x "
             << demNames::bondRadius[bond.type.radiusKind];
         if (bond.type.tensileStrength < 1e299)

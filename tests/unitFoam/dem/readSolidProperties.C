@@ -72,15 +72,14 @@ TEST(ReadSolidProperties, materialsAndPairs)
 //- Eqs. 42, 43 of moduli; section 6.3.3 of plane strain
 TEST(ReadSolidProperties, calibrations)
 {
-    double normal = 0, shear = 0;
     const dictionary dict(entries("E 10; G 4; nu 0.25;"));
     checkedDictionary checked(dict);
-    readCalibration(checked, calibrationKind::moduli, normal, shear);
-    EXPECT_EQ(normal, 10);
-    EXPECT_EQ(shear, 4);
-    readCalibration(checked, calibrationKind::planeStrain, normal, shear);
-    EXPECT_NEAR(normal, 10*0.75/(1.25*0.5), 1e-14);
-    EXPECT_NEAR(shear, 0.5*normal, 1e-14);
+    const auto column = readCalibration(checked, riprap::calibrationOf("moduli"));
+    EXPECT_EQ(column.normal, 10);
+    EXPECT_EQ(column.shear, 4);
+    const auto plate = readCalibration(checked, riprap::calibrationOf("planeStrain"));
+    EXPECT_NEAR(plate.normal, 10*0.75/(1.25*0.5), 1e-14);
+    EXPECT_NEAR(plate.shear, 0.5*plate.normal, 1e-14);
     const demSettings s(read(rock + "contact { normal linear; tangential none; } pairs { "
         "rock-rock { stiffness moduli; E 10; G 4; radiusFactor 2; restitution 1; } }"));
     EXPECT_EQ(s.pairs[0].properties.normalStiffness, 20);

@@ -25,13 +25,6 @@ const Enum<riprap::BondRadiusKind> bondRadius
     {riprap::BondRadiusKind::harmonic, "harmonic"}
 });
 
-const Enum<calibrationKind> calibration
-({
-    {calibrationKind::direct, "direct"},
-    {calibrationKind::moduli, "moduli"},
-    {calibrationKind::planeStrain, "planeStrain"}
-});
-
 } // End namespace demNames
 } // End namespace Foam
 

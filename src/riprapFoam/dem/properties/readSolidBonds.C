@@ -21,6 +21,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "readSolidProperties.H"
+#include "modelReader.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -52,27 +53,17 @@ static demBondType readBondType(const word& name, const dictionary& entries)
     riprap::DemBondType& type = bond.type;
 
     bond.name = name;
-    bond.calibration = dict.choice
+    bond.calibration = modelWord
     (
+        dict,
         "calibration",
-        demNames::calibration,
-        calibrationKind::direct
+        riprap::wordsOf(riprap::calibrations()),
+        bond.calibration
     );
-    if (bond.calibration == calibrationKind::direct)
-    {
-        type.normalStiffness = dict.positive("normalStiffness");
-        type.shearStiffness = dict.positive("shearStiffness");
-    }
-    else
-    {
-        readCalibration
-        (
-            dict,
-            bond.calibration,
-            type.normalStiffness,
-            type.shearStiffness
-        );
-    }
+    const riprap::BondStiffness k =
+        readCalibration(dict, riprap::calibrationOf(bond.calibration));
+    type.normalStiffness = k.normal;
+    type.shearStiffness = k.shear;
 
     type.radiusFactor = dict.positive("radiusFactor", type.radiusFactor);
     type.radiusKind =
