@@ -115,7 +115,8 @@ struct PlaneStrainCalibration
     { return plateModuli(c.young, c.poisson); }
 };
 
-//- byRadii: `of` is over the sum of the radii; a contact may be a column of such a material (Eq. 43)
+//- byRadii: `of` is over the sum of the radii, and a contact may be a column of such a material
+//  (Eq. 43)
 using Calibrations = Models<DirectCalibration, ModuliCalibration, PlaneStrainCalibration>;
 
 struct CalibrationCard

@@ -188,8 +188,8 @@ static void setBonds
     {
         FatalIOErrorInFunction(settings.dict)
             << "Entry bonds: the particles' radii make "
-            << label(input.bondTypes.size()) << " different stiffnesses;"
-            << " calibration " << riprap::DirectCalibration::word << " has one" << exit(FatalIOError);
+            << label(input.bondTypes.size()) << " different stiffnesses; calibration "
+            << riprap::DirectCalibration::word << " has one" << exit(FatalIOError);
     }
     typeOfBondType = kinds;
 }

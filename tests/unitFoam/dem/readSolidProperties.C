@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  constant/solidProperties: what is valid, defaults, and messages. */
 
+#include "dem/bond/bondRadius.hpp"
+#include "dem/motion/integrators.hpp"
+#include "modelFamily.hpp"
 #include "readSolidProperties.H"
 #include "scratchCase.hpp"
 
@@ -150,4 +153,32 @@ TEST(ReadSolidProperties, whatIsRefused)
     EXPECT_TRUE(holds(said(rock + "stepFracton 0.1;"), "did you mean stepFraction?"));
     EXPECT_EQ(said(rock + "stepFraction 0;"), "Entry stepFraction is 0: it must be positive");
     EXPECT_TRUE(holds(said(rock + "guards { escap stop; }"), "did you mean escape?"));
+}
+
+//- Of every family of models that a word chooses, besides the contact laws
+TEST(ReadSolidProperties, families)
+{
+    using namespace riprap;
+    const auto whole = [](const std::string& s) { return rock + s; };
+    ModelFamily{"timeIntegration", wordsOf<DemIntegrators>(), whole,
+        [](const std::string& s) { return read(s).config.integrator; }}.expectWords();
+
+    const auto bond = [](const std::string& more)
+    {
+        return [more](const std::string& s)
+        { return rock + "bonds { glue { " + more + s + " } }"; };
+    };
+    ModelFamily{"radius", wordsOf<BondRadii>(), bond("normalStiffness 1; shearStiffness 1; "),
+        [](const std::string& s) { return read(s).bondTypes[0].type.radiusKind; }}.expectWords();
+
+    const ModelFamily family{"calibration", wordsOf(calibrations()), bond(""),
+        [](const std::string& s) { return read(s).bondTypes[0].calibration; }};
+    family.expectWords([](const std::string& word)
+    {
+        std::string s;
+        for (const CalibrationEntry& e : calibrationOf(word).entries)
+            s += std::string(e.name) + " " + std::to_string(e.typical) + "; ";
+        return s;
+    });
+    for (const CalibrationCard& c : calibrations()) family.expectEntries(c.word, c.entries);
 }

@@ -4,7 +4,11 @@
 #include "scratchCase.hpp"
 #include "timeWriter.H"
 #include "core/backend/gpus.hpp"
+#include "coupling/couplings.hpp"
+#include "coupling/fluidForces.hpp"
+#include "modelFamily.hpp"
 #include "particleCase.hpp"
+#include "solvers/sph/sphModels.hpp"
 #include "sphDictionaries.H"
 #include <cmath>
 #include <cstdlib>

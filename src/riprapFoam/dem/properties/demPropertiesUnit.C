@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Written by etc/unitSources: the sources of this folder, compiled together
-#include "demNames.C"
 #include "demSettings.C"
 #include "readConstraints.C"
 #include "readSolidBonds.C"

@@ -22,6 +22,7 @@ Description
 
 #include "readSolidProperties.H"
 #include "modelReader.H"
+#include "dem/bond/bondRadius.hpp"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -67,7 +68,7 @@ static demBondType readBondType(const word& name, const dictionary& entries)
 
     type.radiusFactor = dict.positive("radiusFactor", type.radiusFactor);
     type.radiusKind =
-        dict.choice("radius", demNames::bondRadius, type.radiusKind);
+        modelWord(dict, "radius", riprap::wordsOf<riprap::BondRadii>(), type.radiusKind);
     type.cylinder = dict.either("section", "round", "plate", type.cylinder);
     readStrength(dict, "tensileStrength", type.tensileStrength);
     readStrength(dict, "shearStrength", type.shearStrength);

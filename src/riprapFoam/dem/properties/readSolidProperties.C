@@ -11,6 +11,7 @@ Description
 #include "deviceChoice.H"
 #include "modelReader.H"
 #include "rankBalance.H"
+#include "dem/motion/integrators.hpp"
 #include "solvers/dem/demLaws.hpp"
 #include "sphNames.H"
 
@@ -68,10 +69,11 @@ static void readTimeIntegration
     riprap::DemConfig& config
 )
 {
-    config.integrator = solids.choice
+    config.integrator = modelWord
     (
+        solids,
         "timeIntegration",
-        demNames::timeIntegration,
+        riprap::wordsOf<riprap::DemIntegrators>(),
         config.integrator
     );
     config.stepFraction = solids.positive("stepFraction", config.stepFraction);
