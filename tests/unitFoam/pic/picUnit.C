@@ -6,7 +6,10 @@
 #include "scratchCase.hpp"
 #include "wallPoints.H"
 #include "picGrid.H"
+#include "modelFamily.hpp"
 #include "particleCase.hpp"
+#include "pic/openings/kinds.hpp"
+#include "pic/terms/viscousSchemes.hpp"
 #include "picDictionaries.H"
 #include <cmath>
 #include <gtest/gtest.h>
