@@ -7,19 +7,6 @@
 namespace riprap
 {
 
-const char* wordOf(CouplingKind k)
-{
-    static const char* words[] = {
-        "stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
-    return words[int(k)];
-}
-
-const char* wordOf(FluidForceKind k)
-{
-    static const char* words[] = {"held", "interpolated", "impulse"};
-    return words[int(k)];
-}
-
 void CouplingRows::add(const CouplingRow& r)
 {
     rows_.push_back(r);

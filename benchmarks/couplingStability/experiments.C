@@ -10,10 +10,9 @@ namespace riprap
 namespace
 {
 
-const CouplingKind kinds[] = {CouplingKind::stationary, CouplingKind::pressureGradient,
-    CouplingKind::pressureApproximation, CouplingKind::extrapolated};
-const FluidForceKind forces[] = {
-    FluidForceKind::held, FluidForceKind::interpolated, FluidForceKind::impulse};
+const std::string kinds[] = {
+    "stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
+const std::string forces[] = {"held", "interpolated", "impulse"};
 
 //- A run has failed when its energy has gone up by this share of the kinetic energy: what the
 //  schemes exchange in good runs is below 0.01
@@ -75,8 +74,8 @@ const char* bodyOf(const StirredBlock& b) { return b.rigid ? "rigid" : "bonded";
 void density(CouplingRows& rows)
 {
     for (const bool rigid : {true, false})
-        for (const FluidForceKind force : forces)
-            for (const CouplingKind kind : kinds)
+        for (const std::string& force : forces)
+            for (const std::string& kind : kinds)
             {
                 StirredBlock b;
                 b.rigid = rigid;
@@ -90,7 +89,7 @@ void density(CouplingRows& rows)
                         b.densityRatio = ratio;
                         return stays(b);
                     });
-                rows.add({"density", wordOf(kind), wordOf(force), bodyOf(b), "least density ratio",
+                rows.add({"density", kind, force, bodyOf(b), "least density ratio",
                     b.courant, least, rigid ? 0.5*reached(b) : NAN,
                     rigid ? "theory: half the water that sound reaches in a step"
                           : "undamped bonds, E/(rho c0^2) = 10"});
@@ -100,8 +99,8 @@ void density(CouplingRows& rows)
 void step(CouplingRows& rows)
 {
     for (const double ratio : {0.3, 2.7})
-        for (const FluidForceKind force : forces)
-            for (const CouplingKind kind : kinds)
+        for (const std::string& force : forces)
+            for (const std::string& kind : kinds)
             {
                 StirredBlock b;
                 b.rigid = true;
@@ -114,7 +113,7 @@ void step(CouplingRows& rows)
                         b.courant = courant;
                         return stays(b);
                     });
-                rows.add({"step", wordOf(kind), wordOf(force), bodyOf(b), "largest c0 dt/h", ratio,
+                rows.add({"step", kind, force, bodyOf(b), "largest c0 dt/h", ratio,
                     largest, NAN, "setting: density ratio"});
             }
 }
@@ -122,9 +121,8 @@ void step(CouplingRows& rows)
 void bonds(CouplingRows& rows)
 {
     for (const double young : {1e5, 3e5, 1e6, 3e6, 1e7, 3e7})
-        for (const FluidForceKind force : forces)
-            for (const CouplingKind kind :
-                {CouplingKind::pressureGradient, CouplingKind::extrapolated})
+        for (const std::string& force : forces)
+            for (const std::string kind : {"pressureGradient", "extrapolated"})
             {
                 StirredBlock b;
                 b.force = force;
@@ -134,13 +132,13 @@ void bonds(CouplingRows& rows)
                 b.duration = 0.2;
                 const double relative = young/(b.density*b.soundSpeed*b.soundSpeed);
                 const StirredResult r = stir(b);
-                rows.add({"bonds", wordOf(kind), wordOf(force), bodyOf(b),
+                rows.add({"bonds", kind, force, bodyOf(b),
                     "energy gained / kinetic", relative, r.stopped ? INFINITY : r.energy, 0,
                     "setting: E/(rho c0^2); subcycles " + std::to_string(r.subcycles)});
-                if (force != FluidForceKind::held) continue;
+                if (force != "held") continue;
                 // (1 - cos t)/(2 t) is at most 0.362; the water's share of a bond's stiffness,
                 // twice where solids take pressure
-                const double share = (kind == CouplingKind::extrapolated ? 2 : 1)*stiffness(b)
+                const double share = (kind == "extrapolated" ? 2 : 1)*stiffness(b)
                     /young;
                 const double least = boundary(1e-4, 0.5,
                     [&](double damping)
@@ -148,7 +146,7 @@ void bonds(CouplingRows& rows)
                         b.dampingRatio = damping;
                         return stays(b);
                     });
-                rows.add({"bonds", wordOf(kind), wordOf(force), bodyOf(b), "least damping ratio",
+                rows.add({"bonds", kind, force, bodyOf(b), "least damping ratio",
                     relative, least, 0.362*share,
                     "theory: 0.362 of the water's share of the stiffness, whatever the mode"});
             }
@@ -157,11 +155,11 @@ void bonds(CouplingRows& rows)
 void leak(CouplingRows& rows)
 {
     for (const double size : {0.5, 0.75, 1.0, 1.2, 1.5, 2.0, 3.0})
-        for (const CouplingKind kind : kinds)
+        for (const std::string& kind : kinds)
         {
             StirredBlock b;
             b.rigid = true;
-            b.force = FluidForceKind::impulse;
+            b.force = "impulse";
             b.kind = kind;
             b.sizeRatio = size;
             b.across = std::max(2, int(std::lround(6/size)));
@@ -170,7 +168,7 @@ void leak(CouplingRows& rows)
             b.speed = 1;
             b.duration = 0.5;
             const StirredResult r = stir(b);
-            rows.add({"leak", wordOf(kind), wordOf(b.force), bodyOf(b),
+            rows.add({"leak", kind, b.force, bodyOf(b),
                 "water particles in the body", size, r.stopped ? INFINITY : r.inside, 0,
                 "setting: size of solid over fluid particles; pressure 0.03 rho c0^2, speed 0.1 "
                 "c0"});

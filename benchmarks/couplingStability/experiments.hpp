@@ -31,9 +31,6 @@ private:
     std::vector<CouplingRow> rows_;
 };
 
-const char* wordOf(CouplingKind);
-const char* wordOf(FluidForceKind);
-
 //- Lightest body that stays: density over that of water, 0.05 to 3
 void density(CouplingRows&);
 

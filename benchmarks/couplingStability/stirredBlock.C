@@ -26,7 +26,7 @@ SphConfig water(const StirredBlock& b)
     c.soundSpeed = b.soundSpeed;
     c.maxVelocity = 0.1*b.soundSpeed;
     c.density = b.density;
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     c.acousticCourant = b.courant;
     c.viscosityModel = "none";
     c.diffusion = "none";
@@ -65,7 +65,7 @@ SolidInput block(const StirredBlock& b, const SphConfig& c)
     for (int d = 0; d < 3; ++d) s.config.periodic[d] = c.periodic[d];
     s.config.normal = "linear";
     s.config.tangential = "none";
-    s.config.integrator = DemIntegratorKind::velocityVerlet;
+    s.config.integrator = "velocityVerlet";
     s.config.stepFraction = b.solidStep;
     DemInput& in = s.input;
     in.materials.push_back(DemMaterial{"rubber", b.young, 0.3});

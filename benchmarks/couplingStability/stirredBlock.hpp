@@ -12,8 +12,8 @@ namespace riprap
 
 struct StirredBlock
 {
-    CouplingKind kind = CouplingKind::pressureGradient;
-    FluidForceKind force = FluidForceKind::held;
+    std::string kind = "pressureGradient";
+    std::string force = "held";
     double densityRatio = 1;
     bool rigid = false;             // else bonded
     int across = 6;                 // solid particles of the block's side

@@ -25,7 +25,7 @@ namespace
 constexpr double kick = 1e-12, growth = 1e6;
 constexpr int steps = 3000;
 
-bool stable(DemConfig c, DemInput in, DemIntegratorKind integrator, double step, bool alongXOnly)
+bool stable(DemConfig c, DemInput in, const std::string& integrator, double step, bool alongXOnly)
 {
     c.integrator = integrator;
     c.timeStep = step;
@@ -74,12 +74,12 @@ void lattice(DemResults& results, const char* name, const LatticeOptions& o)
         packed.twoZeta = LinearSpring::make(in.pairs[0].properties).twoZeta;
         theory = packingLimit(packed);
     }
-    for (const DemIntegratorKind integrator : integrators)
+    for (const std::string& integrator : integrators)
     {
         const double found = bisect(0.5*theory, 1.3*theory, 2e-3*theory, [&](double step)
             { return stable(c, in, integrator, step, o.lattice == Lattice::chain && !o.bonded); });
         results.add(
-            {"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
+            {"limits", name, integrator, "largest dt / sqrt(m/k)", found, theory, ""});
     }
 }
 
@@ -103,7 +103,7 @@ void onFloor(DemResults& results, double restitution)
         const double x = 0.5*(theory + above);
         (x*x + 4*zeta*x/(1 + 0.5*zeta*x) < 4 ? theory : above) = x;
     }
-    for (const DemIntegratorKind integrator : integrators)
+    for (const std::string& integrator : integrators)
     {
         const double found = bisect(0.5*theory, 1.5*theory, 1e-3,
             [&](double step) { return stable(c, in, integrator, step, true); });
@@ -111,7 +111,7 @@ void onFloor(DemResults& results, double restitution)
             ? "one body on a floor, e = " + std::to_string(restitution).substr(0, 4)
             : "one body on a floor";
         results.add(
-            {"limits", name, wordOf(integrator), "largest dt / sqrt(m/k)", found, theory, ""});
+            {"limits", name, integrator, "largest dt / sqrt(m/k)", found, theory, ""});
     }
 }
 

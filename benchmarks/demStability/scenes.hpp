@@ -37,11 +37,6 @@ void singleScene(DemConfig&, DemInput&);
 void addBody(DemInput&, Vector3 x, Vector3 v = {{0, 0, 0}}, int group = 0);
 void addFloor(DemInput&, double height = 0, Vector3 normal = {{0, 0, 1}});
 
-inline const char* wordOf(DemIntegratorKind k)
-{
-    return k == DemIntegratorKind::leapfrog ? "leapfrog" : "velocityVerlet";
-}
-inline constexpr DemIntegratorKind integrators[] = {
-    DemIntegratorKind::leapfrog, DemIntegratorKind::velocityVerlet};
+inline const std::string integrators[] = {"leapfrog", "velocityVerlet"};
 
 } // namespace riprap

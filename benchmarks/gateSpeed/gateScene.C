@@ -107,7 +107,7 @@ void addGate(GateScene& s, const GateOptions& o, GateKind kind, double size, int
     // what is held has contacts alone, whose limit is another; it takes no steps
     c.stepFraction = kind == GateKind::held ? std::min(o.stepFraction, 0.5) : o.stepFraction;
     s.solids.coupling.kind = o.coupling;
-    s.solids.coupling.force = FluidForceKind::impulse;
+    s.solids.coupling.force = "impulse";
     if (kind == GateKind::held) return;
     DemBondType cement;
     cement.normalStiffness = young/size;

@@ -18,9 +18,9 @@ struct GateOptions
 {
     DeviceKind device = DeviceKind::automatic;
     PrecisionKind precision = PrecisionKind::mixed;
-    IntegratorKind integrator = IntegratorKind::symplectic;
-    DemIntegratorKind solids = DemIntegratorKind::velocityVerlet;
-    CouplingKind coupling = CouplingKind::pressureGradient;
+    std::string integrator = "symplectic";
+    std::string solids = "velocityVerlet";
+    std::string coupling = "pressureGradient";
     double particles = 20000;       // of water
     double stepFraction = 0.9;      // of the gate's sqrt(m/k); its bonds stand 1
     double size = 1;                // of the gate's particles over the water's

@@ -33,6 +33,17 @@ T valueOf(const std::map<std::string, T>& words, const std::string& word)
     throw std::invalid_argument("'" + word + "' is none of" + valid);
 }
 
+std::string oneOf(const std::vector<std::string>& words, const std::string& word)
+{
+    std::string valid;
+    for (const std::string& w : words)
+    {
+        if (w == word) return word;
+        valid += " " + w;
+    }
+    throw std::invalid_argument("'" + word + "' is none of" + valid);
+}
+
 double positive(const std::string& text)
 {
     std::size_t used = 0;
@@ -63,28 +74,18 @@ GateOptions read(int argc, char** argv)
         {"-integrator",
             [&](const std::string& s)
             {
-                o.integrator = valueOf<IntegratorKind>(
-                    {{"leapfrog", IntegratorKind::leapfrog},
-                        {"symplectic", IntegratorKind::symplectic}},
-                    s);
+                o.integrator = oneOf({"leapfrog", "symplectic"}, s);
             }},
         {"-solids",
             [&](const std::string& s)
             {
-                o.solids = valueOf<DemIntegratorKind>(
-                    {{"leapfrog", DemIntegratorKind::leapfrog},
-                        {"velocityVerlet", DemIntegratorKind::velocityVerlet}},
-                    s);
+                o.solids = oneOf({"leapfrog", "velocityVerlet"}, s);
             }},
         {"-coupling",
             [&](const std::string& s)
             {
-                o.coupling = valueOf<CouplingKind>(
-                    {{"stationary", CouplingKind::stationary},
-                        {"pressureGradient", CouplingKind::pressureGradient},
-                        {"pressureApproximation", CouplingKind::pressureApproximation},
-                        {"extrapolated", CouplingKind::extrapolated}},
-                    s);
+                o.coupling = oneOf({"stationary", "pressureGradient", "pressureApproximation",
+                                       "extrapolated"}, s);
             }},
         {"-stepFraction", [&](const std::string& s) { o.stepFraction = positive(s); }},
         {"-particles", [&](const std::string& s) { o.particles = positive(s); }},

@@ -52,7 +52,7 @@ PicConfig configOf(const Options& o)
     if (o.opens)
     {
         PicOpening opening;
-        opening.kind = OpeningKind::velocity;
+        opening.kind = "velocity";
         opening.velocity = [](double) { return Vector3{{0.1, 0, 0}}; };
         c.openings.push_back(opening);
     }

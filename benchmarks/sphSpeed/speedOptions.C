@@ -20,10 +20,10 @@ const Words<TermSet> termWords{
     {"minimal", TermSet::minimal}, {"paper", TermSet::paper}, {"delta", TermSet::delta}};
 const Words<PrecisionKind> precisionWords{
     {"mixed", PrecisionKind::mixed}, {"double", PrecisionKind::doubled}};
-const Words<IntegratorKind> integratorWords
-{{"leapfrog", IntegratorKind::leapfrog}, {"symplectic", IntegratorKind::symplectic}};
-const Words<WallKind> wallWords{
-    {"stationary", WallKind::stationary}, {"extrapolated", WallKind::extrapolated}};
+const Words<std::string> integratorWords
+{{"leapfrog", "leapfrog"}, {"symplectic", "symplectic"}};
+const Words<std::string> wallWords{
+    {"stationary", "stationary"}, {"extrapolated", "extrapolated"}};
 const Words<DeviceKind> deviceWords
 {{"auto", DeviceKind::automatic}, {"cpu", DeviceKind::cpu}, {"gpu", DeviceKind::gpu}};
 
@@ -73,8 +73,6 @@ struct Switch { const char* what; std::function<void(const std::string&)> read; 
 
 const char* wordOf(TermSet v) { return wordIn(termWords, v); }
 const char* wordOf(PrecisionKind v) { return wordIn(precisionWords, v); }
-const char* wordOf(IntegratorKind v) { return wordIn(integratorWords, v); }
-const char* wordOf(WallKind v) { return wordIn(wallWords, v); }
 const char* wordOf(DeviceKind v) { return wordIn(deviceWords, v); }
 
 SpeedOptions readSpeedOptions(int argc, char** argv)

@@ -23,8 +23,8 @@ struct SpeedOptions
     PrecisionKind precision = PrecisionKind::mixed;
     DeviceKind device = DeviceKind::automatic;
     double ratio = 1.25;                    // h/dp
-    IntegratorKind integrator = IntegratorKind::leapfrog;
-    WallKind walls = WallKind::extrapolated;
+    std::string integrator = "leapfrog";
+    std::string walls = "extrapolated";
     TermSet terms = TermSet::minimal;
     double skin = -1;                       // of the support; < 0: the solver's choice
     bool atRest = false;                    // else the column starts in motion
@@ -45,8 +45,6 @@ SpeedOptions readSpeedOptions(int argc, char** argv);
 
 const char* wordOf(TermSet);
 const char* wordOf(PrecisionKind);
-const char* wordOf(IntegratorKind);
-const char* wordOf(WallKind);
 const char* wordOf(DeviceKind);
 
 } // namespace riprap

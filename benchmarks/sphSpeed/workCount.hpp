@@ -18,9 +18,9 @@ namespace riprap
 
 //- Passes over the pairs a step. The two of a symplectic step are half passes: one of the momentum,
 //  one of the density terms
-inline int passesPerStep(IntegratorKind integrator)
+inline int passesPerStep(const std::string& integrator)
 {
-    return integrator == IntegratorKind::symplectic ? 2 : 1;
+    return integrator == "symplectic" ? 2 : 1;
 }
 
 //- Operations on one pair in all passes of a step (src/sph/passes/fluidPass.hpp, terms/,
@@ -47,7 +47,7 @@ inline double operationsPerPair(const SpeedOptions& o)
     if (o.terms == TermSet::paper) { momentum += antiClump; density += xsph; needsW = true; }
     if (o.terms == TermSet::delta) density += diffusion;
     const double w = needsW ? kernel : 0;
-    if (o.integrator == IntegratorKind::leapfrog) return geometry + w + momentum + density;
+    if (o.integrator == "leapfrog") return geometry + w + momentum + density;
     return 2*(geometry + w) + momentum + density;
 }
 
@@ -67,7 +67,7 @@ inline double bytesPerParticleStep(const SpeedOptions& o, double listed, double 
     const double state = position + 2*vector + 2*r + drift + 4;
 
     double step = 0;
-    if (o.integrator == IntegratorKind::leapfrog)
+    if (o.integrator == "leapfrog")
     {
         // drift: reads x, v, a, deviation, rate, drift, reference; writes x, v, deviation, records
         step += 2*position + 4*vector + 3*r + drift + records;

@@ -17,7 +17,7 @@ double random(std::mt19937& generator) { return 2.0*generator()/4294967295.0 - 1
 } // namespace
 
 PeriodicLattice makeLattice(
-    const LatticeModel& l, int sites, IntegratorKind integrator, double timeStep)
+    const LatticeModel& l, int sites, const std::string& integrator, double timeStep)
 {
     PeriodicLattice p;
     SphConfig& c = p.config;

@@ -18,7 +18,7 @@ struct PeriodicLattice
 
 //- Sites x sites particles at rest, at the model's density and spacing, with its terms and a fixed
 //  time step
-PeriodicLattice makeLattice(const LatticeModel&, int sites, IntegratorKind, double timeStep);
+PeriodicLattice makeLattice(const LatticeModel&, int sites, const std::string&, double timeStep);
 
 //- Density as rho (1 + amplitude cos(k.x + 0.3))
 void addDensityWave(PeriodicLattice&, const Wave&, double amplitude);

@@ -9,12 +9,6 @@
 namespace riprap
 {
 
-const char* wordOf(IntegratorKind k)
-{
-    return k == IntegratorKind::leapfrog ? "leapfrog" : "symplectic";
-}
-const char* wordOf(WallKind k) { return k == WallKind::stationary ? "stationary" : "extrapolated"; }
-
 namespace
 {
 

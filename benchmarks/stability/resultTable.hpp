@@ -36,8 +36,6 @@ private:
     std::vector<Result> rows_;
 };
 
-const char* wordOf(IntegratorKind);
-const char* wordOf(WallKind);
 
 //- The experiments; quick: fewer kernels, terms and bisections
 void acoustic(ResultTable&, bool quick);

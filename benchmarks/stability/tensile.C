@@ -72,7 +72,7 @@ double nearestPair(const FluidState& s, double length)
 double measuredRate(const LatticeModel& l)
 {
     const double unit = l.h()/l.soundSpeed, dt = 0.2*unit;
-    PeriodicLattice p = makeLattice(l, sites, IntegratorKind::symplectic, dt);
+    PeriodicLattice p = makeLattice(l, sites, "symplectic", dt);
     const FluidInput lattice = p.fluid;
     addPositionNoise(p, 1e-8);
     const auto scene = createSphScene(p.config, p.fluid, WallInput());
@@ -91,7 +91,7 @@ double measuredRate(const LatticeModel& l)
 bool holds(const LatticeModel& l)
 {
     const double unit = l.h()/l.soundSpeed, dt = 0.25*unit;
-    PeriodicLattice p = makeLattice(l, sites, IntegratorKind::symplectic, dt);
+    PeriodicLattice p = makeLattice(l, sites, "symplectic", dt);
     addPositionNoise(p, 1e-3);
     const auto scene = createSphScene(p.config, p.fluid, WallInput());
     while (scene->time() < period*unit)

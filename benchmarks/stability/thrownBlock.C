@@ -20,7 +20,7 @@ void setDefaults(SphConfig& c, double alpha)
     c.artificialAtWalls = false;
     c.antiClump = 0.01;
     c.diffusion = "fourtakas";
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     c.adjustTimeStep = true;
     c.acousticCourant = 0.5;
 }

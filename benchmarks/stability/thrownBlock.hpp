@@ -14,9 +14,9 @@ struct ThrownBlock
 {
     std::string kernel = "wendlandC2";
     double ratio = 1.25;        // h/dp
-    WallKind walls = WallKind::extrapolated;
+    std::string walls = "extrapolated";
     double wallRatio = 1;       // the wall's spacing over dp
-    IntegratorKind integrator = IntegratorKind::leapfrog;
+    std::string integrator = "leapfrog";
     double artificial = 0;      // alpha of the artificial viscosity
     int side = 12;              // particles of the block's side
     double offset = 0;          // of the fluid's lattice along the wall, in wall spacings

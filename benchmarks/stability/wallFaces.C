@@ -88,7 +88,7 @@ SphConfig lone(double speed, double timeStep, double courant)
     c.soundSpeed = c0;
     c.maxVelocity = std::max(speed, 0.1*c0);
     c.viscosityModel = "none";
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     c.adjustTimeStep = timeStep <= 0;
     c.fixedTimeStep = timeStep;
     c.acousticCourant = courant;

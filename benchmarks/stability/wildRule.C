@@ -33,7 +33,7 @@ bool noisyLatticeKeepsAll(AddNoise add, double amplitude, double alpha, double d
     LatticeModel l;
     l.deviation = deviation;
     l.stretch = 1/std::sqrt(1 + deviation);
-    PeriodicLattice p = makeLattice(l, 16, IntegratorKind::symplectic, 0);
+    PeriodicLattice p = makeLattice(l, 16, "symplectic", 0);
     SphConfig& c = p.config;
     setDefaults(c, alpha);
     setWildRule(c);
@@ -54,7 +54,7 @@ bool blockKeepsAll(ThrownBlock b)
 {
     b.defaults = b.impermeable = b.wildRule = true;
     b.artificial = 0.02;
-    b.integrator = IntegratorKind::symplectic;
+    b.integrator = "symplectic";
     for (const double offset : {0.0, 0.2, 0.35, 0.5})
     {
         b.offset = offset;

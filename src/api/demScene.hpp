@@ -22,8 +22,6 @@
 namespace riprap
 {
 
-enum class DemIntegratorKind {leapfrog, velocityVerlet};
-
 struct DemConfig : RankConfig
 {
     // Where and how
@@ -49,7 +47,7 @@ struct DemConfig : RankConfig
 
     // Time
     double startTime = 0;
-    DemIntegratorKind integrator = DemIntegratorKind::leapfrog;
+    std::string integrator = "leapfrog";    // dem/motion/integrators.hpp
     // [s]; 0: stepFraction of the smallest limit (DemPlan::limits)
     double timeStep = 0;
     // of sqrt(m/k), or Rayleigh's time; paper 2's Eq. 18 is 2 pi/gamma of sqrt(m/k)
@@ -180,15 +178,12 @@ struct DemClump
     int shape = -1;
 };
 
-// alpha (R_A + R_B)/2 or alpha R_A R_B/(R_A + R_B)
-enum class BondRadiusKind {mean, harmonic};
-
 struct DemBondType
 {
     // kn, ks of the cement [Pa/m] (Eq. 42: E/(R_A + R_B))
     double normalStiffness = 0, shearStiffness = 0;
     double radiusFactor = 1;                // alpha
-    BondRadiusKind radiusKind = BondRadiusKind::mean;
+    std::string radiusKind = "mean";        // of the two radii (dem/bond/bondRadius.hpp)
     // 2D: round cement (A = pi R^2) instead of a plate of unit thickness; 3D is always round
     bool cylinder = false;
     double tensileStrength = 1e300, shearStrength = 1e300;  // sigma_c, tau_c [Pa]

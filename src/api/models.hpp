@@ -185,4 +185,42 @@ inline std::string listOf(const std::vector<std::string>& words)
     return s.empty() ? "()" : s + ")";
 }
 
+//- What each model of a table says, without its type: Card(Model<M>()) of each, in order
+template<class Card, class Table>
+const std::vector<Card>& cardsOf()
+{
+    static const std::vector<Card> all = []
+    {
+        std::vector<Card> cards;
+        Table::each([&](auto model) { cards.push_back(Card(model)); });
+        return cards;
+    }();
+    return all;
+}
+
+//- The word of each model of a table
+template<class Table>
+std::vector<std::string> wordsOf()
+{
+    std::vector<std::string> words;
+    Table::each([&](auto model) { words.emplace_back(decltype(model)::type::word); });
+    return words;
+}
+
+//- Place in a table of the model that a word of an entry chooses; std::invalid_argument with the
+//  valid ones if there is none
+template<class Table>
+int choiceOf(const char* entry, const std::string& word)
+{
+    const int found = Table::find(word);
+    if (found >= 0) return found;
+    throw std::invalid_argument(std::string("unknown ") + entry + " " + word + "; valid are "
+      + listOf(wordsOf<Table>()));
+}
+
+//- The card of the model that a word chooses
+template<class Card, class Table>
+const Card& cardOf(const char* entry, const std::string& word)
+{ return cardsOf<Card, Table>()[std::size_t(choiceOf<Table>(entry, word))]; }
+
 } // namespace riprap

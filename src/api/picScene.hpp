@@ -21,9 +21,6 @@
 namespace riprap
 {
 
-// automatic: explicit where the step is small enough
-enum class ViscousKind {automatic, explicitly, implicitly};
-
 //- Water in it loses velocity at a rate that grows from `from`, where it is 0, to `to`, as the
 //  square of the distance: pic/terms/absorb.hpp
 struct PicAbsorber
@@ -32,8 +29,6 @@ struct PicAbsorber
     Vector3 from{{0, 0, 0}}, to{{0, 0, 0}};     // [m]
     double rate = 0;                        // at `to` and beyond [1/s]
 };
-
-enum class OpeningKind {velocity, flowRate, level};
 
 //- Particles that have come in and gone out through an opening since the very start
 struct PicPassage
@@ -51,7 +46,7 @@ struct PicPassage
 struct PicOpening
 {
     std::string name;
-    OpeningKind kind = OpeningKind::level;
+    std::string kind = "level";             // pic/openings/kinds.hpp
     std::function<Vector3(double)> velocity;        // [m/s]
     std::function<double(double)> flowRate;         // into the domain [m3/s] (2D: m2/s)
     // against gravity, from the world's origin [m]; of velocity and flowRate: up to which there is
@@ -107,7 +102,7 @@ struct PicConfig : FluidConfig, PicLimits, RankConfig
     // where messages cost more than they save
     int gatheredCells = 1 << 15;
 
-    ViscousKind viscousScheme = ViscousKind::automatic;
+    std::string viscousScheme = "automatic";    // pic/terms/viscousSchemes.hpp
 
     // Walls
     bool noSlip = false;

@@ -16,22 +16,17 @@
 namespace riprap
 {
 
-//- How fluid and solid particles act on each other (coupling/solidTerms.hpp; paper 1, section 5)
-enum class CouplingKind {stationary, pressureGradient, pressureApproximation, extrapolated};
-
-//- When solids get the force of the fluid over a step of it (docs/coupling.md, A step): held at
-//  that of the step's beginning; on the line through the last two forces; as one blow in the first
-//  of their own steps
-enum class FluidForceKind {held, interpolated, impulse};
-
 struct CouplingConfig
 {
-    CouplingKind kind = CouplingKind::extrapolated;     // the others leak (docs/coupling.md)
+    // how fluid and solid particles act on each other (coupling/couplings.hpp; paper 1, section
+    // 5). The others leak (docs/coupling.md)
+    std::string kind = "extrapolated";
     // viscous terms of the fluid act between fluid and solids
     bool viscosity = true;
     bool xsph = false;                      // so does XSPH; where the fluid has it
     bool antiClump = false;                 // so does the anti-clump term; where the fluid has it
-    FluidForceKind force = FluidForceKind::held;
+    // when solids get the force of the fluid over a step of it (coupling/fluidForces.hpp)
+    std::string force = "held";
 };
 
 //- Solids of a coupled scene. Volumes are those of which particles keep the water out, together

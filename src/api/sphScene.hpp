@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include "api/equationProperties.hpp"
 #include "api/fluidScene.hpp"
 #include "api/rankConfig.hpp"
 #include "api/termProperties.hpp"
@@ -18,14 +19,9 @@
 namespace riprap
 {
 
-enum class EosKind {Tait, linear};
-enum class ShiftingKind {none, fickian};
-enum class WallKind {stationary, extrapolated};
-enum class IntegratorKind {leapfrog, symplectic};
-
 //- Everything that the equations need, checked by the reader of dictionaries (ranges) and once more
-//  by createSphScene (consistency, std::invalid_argument). Kernel and terms by the words of their
-//  cards (solvers/sph/sphModels.hpp).
+//  by createSphScene (consistency, std::invalid_argument). Models by the words of their cards
+//  (solvers/sph/sphModels.hpp).
 //- Courant numbers of the step, and what stops a run
 struct SphLimits : TimeControl
 {
@@ -38,7 +34,7 @@ struct SphLimits : TimeControl
     bool removeWild = false;
 };
 
-struct SphConfig : FluidConfig, TermProperties, RankConfig, SphLimits
+struct SphConfig : FluidConfig, EquationProperties, TermProperties, RankConfig, SphLimits
 {
     // How
     DeviceKind device = DeviceKind::automatic;
@@ -51,9 +47,7 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig, SphLimits
     bool periodic[3] = {false, false, false};
     double escapeInset = 0;                 // [m]
 
-    // Equation of state
-    EosKind eos = EosKind::Tait;
-    double gamma = 7;
+    // Of the equation of state
     double maxVelocity = 1;                 // vmax [m/s], the scene's estimate
     double soundSpeed = 10;                 // c0 [m/s], normally 10 vmax (Eq. 35)
 
@@ -63,18 +57,18 @@ struct SphConfig : FluidConfig, TermProperties, RankConfig, SphLimits
     bool variableSmoothing = false;         // Eq. 37
     double maxSmoothingGrowth = 1.2;        // h is limited to [h0/f, f h0]
 
-    ShiftingKind shifting = ShiftingKind::none;
+    std::string shifting = "none";
     double shiftingCoefficient = 2;         // A of Skillen et al. 2013
     // div(r) below which no shifting acts, under D; < 0: 1.5 (2D), 2.75 (3D)
     double shiftingSurfaceThreshold = -1;
 
     // Walls
-    WallKind wallModel = WallKind::extrapolated;
+    std::string wallModel = "extrapolated";
     double wallSpacing = 0;                 // [m]
     bool noSlip = true;                     // wall enters viscous terms
 
     // Time
-    IntegratorKind integrator = IntegratorKind::leapfrog;
+    std::string integrator = "leapfrog";
 
     // Neighbours: what the search radius adds to the support, as a fraction of it; < 0: chosen by
     // the scene

@@ -283,9 +283,6 @@ private:
     }
 };
 
-//- What of the force at the step's beginning, and of the force one step before, solids get
-struct ForceShares { double now, before; };
-
 template<class R>
 struct KeepForces
 {
@@ -298,8 +295,7 @@ struct KeepForces
 };
 
 //- The force that solids are given over a step, by those of its beginning and of the beginning of
-//  the step before. The fluid gets that of each instant half in the step before it and half in the
-//  one after it: the shares make the solids' impulse the same
+//  the step before (fluidForces.hpp)
 template<int D, class P>
 struct HoldForces
 {

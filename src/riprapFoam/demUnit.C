@@ -7,7 +7,6 @@
 #include "dem/demSceneObject.C"
 #include "dem/demWallInput.C"
 #include "dem/matchesCloud.C"
-#include "dem/properties/demNames.C"
 #include "dem/properties/demSettings.C"
 #include "dem/properties/readConstraints.C"
 #include "dem/properties/readSolidBonds.C"

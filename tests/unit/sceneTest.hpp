@@ -88,7 +88,7 @@ protected:
         c.spacing = 0.05;
         c.soundSpeed = 20;
         c.maxVelocity = 2;
-        c.integrator = IntegratorKind::leapfrog;
+        c.integrator = "leapfrog";
         c.viscosityModel = "none";
         c.diffusion = "none";
         return c;

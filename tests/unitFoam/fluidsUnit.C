@@ -8,10 +8,16 @@
 #include "scratchCase.hpp"
 #include "wallPoints.H"
 #include "picGrid.H"
+#include "modelFamily.hpp"
+#include "pic/openings/kinds.hpp"
+#include "pic/terms/viscousSchemes.hpp"
 #include "picDictionaries.H"
 #include "deviceChoice.H"
 #include "timeWriter.H"
 #include "core/backend/gpus.hpp"
+#include "coupling/couplings.hpp"
+#include "coupling/fluidForces.hpp"
+#include "solvers/sph/sphModels.hpp"
 #include "sphDictionaries.H"
 #include <cmath>
 #include <cstdlib>

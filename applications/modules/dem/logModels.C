@@ -140,9 +140,9 @@ void Foam::solverModules::dem::logBonds() const
 
         const demBondType& bond = settings_.bondTypes[i];
         logItem("bonds") << bond.name << ": " << count[i] << ", calibration "
-            << demNames::calibration[bond.calibration] << ", radius "
+            << bond.calibration.c_str() << ", radius "
             << bond.type.radiusFactor << " x "
-            << demNames::bondRadius[bond.type.radiusKind];
+            << bond.type.radiusKind.c_str();
         if (bond.type.tensileStrength < 1e299)
         {
             Info<< ", tensileStrength " << bond.type.tensileStrength << " Pa";
@@ -190,7 +190,7 @@ void Foam::solverModules::dem::logTimeStep() const
     const riprap::DemConfig& c = settings_.config;
     const riprap::DemPlan plan(scene_->plan());
 
-    logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
+    logItem("timeIntegration") << c.integrator.c_str()
         << ", deltaT " << plan.timeStep << " s, limit: " << plan.cause.c_str()
         << nl;
     logItem("") << "hard stop " << plan.hardStop

@@ -5,6 +5,7 @@
 
 #include "expectedSpeed.H"
 #include "pic/grid/speed.hpp"
+#include "pic/openings/kinds.hpp"
 #include "SubField.H"
 #include "sphDictionaries.H"
 #include "sweptDomain.H"
@@ -42,8 +43,9 @@ static scalar movedSpeed(const expectedSpeed::sources& of)
 //  need not fill
 static scalar openingSpeed(const riprap::PicOpening& opening, scalar area, scalar t)
 {
-    if (opening.kind == riprap::OpeningKind::flowRate) return mag(opening.flowRate(t))/area;
-    if (opening.kind != riprap::OpeningKind::velocity) return 0;
+    const riprap::Given given = riprap::givenAt(opening.kind);
+    if (given == riprap::Given::discharge) return mag(opening.flowRate(t))/area;
+    if (given != riprap::Given::velocity) return 0;
     const riprap::Vector3 u = opening.velocity(t);
     return mag(vector(u[0], u[1], u[2]));
 }

@@ -65,7 +65,7 @@ static void logZones(const riprap::PicConfig& c)
     for (const riprap::PicOpening& opening : c.openings)
     {
         logItem("opening") << opening.name.c_str() << ", "
-            << picNames::opening[opening.kind] << nl;
+            << opening.kind.c_str() << nl;
     }
 }
 
@@ -143,7 +143,7 @@ void Foam::solverModules::picDem::logModels() const
         << " Pa s, nu " << c.viscosity/c.density << " m2/s" << nl;
     if (c.viscosity > 0)
     {
-        logItem("viscosity") << picNames::viscosity[int(c.viscousScheme)] << nl;
+        logItem("viscosity") << c.viscousScheme.c_str() << nl;
     }
     ranks_.logPressure(c, bool(solids_));
     logItem("walls") << (c.noSlip ? "noSlip" : "freeSlip") << nl;

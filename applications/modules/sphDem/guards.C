@@ -19,7 +19,7 @@ Foam::string Foam::solverModules::sphDem::advice() const
     using riprap::StopReason;
     const riprap::SphConfig& config = settings_.config;
     const bool leapfrog =
-        config.integrator == riprap::IntegratorKind::leapfrog;
+        config.integrator == "leapfrog";
     const bool diffuses = config.diffusion != "none";
 
     remedies helps;
@@ -45,7 +45,7 @@ Foam::string Foam::solverModules::sphDem::advice() const
     {
         helps.when
         (
-            settings_.coupling.force != riprap::FluidForceKind::impulse,
+            settings_.coupling.force != "impulse",
             "fluidForce impulse, where solids are lighter than the water"
         );
         solids_->remediesOf(helps);

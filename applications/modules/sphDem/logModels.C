@@ -27,7 +27,7 @@ Foam::wordList Foam::solverModules::sphDem::modelsOff() const
     {
         if (!term.chosen(c)) off.append(term.word);
     }
-    if (c.shifting == ShiftingKind::none) off.append("shifting");
+    if (!shiftingOf(c).shifts) off.append("shifting");
     if (walls_.points().size() == 0) off.append("walls");
     if (walls_.bodies().size() == 0) off.append("movingWalls");
     if (!solids_) off.append("solids");
@@ -119,10 +119,10 @@ static void logTerms(const riprap::SphConfig& c)
             logChoice(term.chosenBy, c);
         }
     }
-    if (c.shifting != ShiftingKind::none)
+    if (shiftingOf(c).shifts)
     {
         logItem("shifting")
-            << sphNames::shifting[c.shifting] << ", A "
+            << c.shifting.c_str() << ", A "
             << c.shiftingCoefficient << ", surfaceThreshold "
             << c.shiftingSurfaceThreshold << nl;
     }
@@ -145,10 +145,15 @@ static void logSmoothingLength(const riprap::SphConfig& c)
 static void logEquationOfState(const sphSettings& settings)
 {
     const riprap::SphConfig& c = settings.config;
-    logItem("equationOfState") << sphNames::equationOfState[c.eos];
-    if (c.eos == riprap::EosKind::Tait)
+    const riprap::EquationProperties& equation = c;
+    logItem("equationOfState") << c.eos.c_str();
+    for (const riprap::EquationEntry& e : equationOf(c).entries)
     {
-        Info<< ", gamma " << c.gamma;
+        if (isShown(e, equation))
+        {
+            Info<< ", ";
+            printEntry(Info(), e, equation, c.dimensions == 2);
+        }
     }
     Info<< ", rho " << c.density << " kg/m3, c0 " << c.soundSpeed << " m/s = "
         << settings.soundSpeedRatio << " x maxVelocity " << c.maxVelocity
@@ -163,7 +168,7 @@ static void logWalls(const sphSettings& settings, const fluidWalls& walls)
     const wallBodies& bodies = walls.bodies();
     if (points.size())
     {
-        logItem("walls") << sphNames::wallModel[c.wallModel] << ", "
+        logItem("walls") << c.wallModel.c_str() << ", "
             << (c.noSlip ? "noSlip" : "freeSlip") << ", " << points.layers
             << " layers of spacing " << points.spacing << " m, "
             << (settings.walls.impermeable ? "impermeable" : "permeable")
@@ -183,7 +188,7 @@ static void logWalls(const sphSettings& settings, const fluidWalls& walls)
 
 static void logTimeIntegration(const riprap::SphConfig& c)
 {
-    logItem("timeIntegration") << sphNames::timeIntegration[c.integrator];
+    logItem("timeIntegration") << c.integrator.c_str();
     if (c.adjustTimeStep)
     {
         Info<< ", acousticCourant " << c.acousticCourant << ", forceCourant "

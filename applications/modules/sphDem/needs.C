@@ -11,7 +11,9 @@ Description
 #include "modelTrial.H"
 #include "restingWalls.H"
 #include "solvers/sph/termEffects.hpp"
+#include "sph/passes/shifting.hpp"
 #include "core/backend/gpus.hpp"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -90,17 +92,17 @@ static void termNeeds
         s.set(changed, instead);
         needs.on(dict, s.entry, "a factor of its terms is 0", instead, trial(changed));
     }
-    if (c.shifting != riprap::ShiftingKind::none && c.shiftingCoefficient == 0)
+    if (shiftingOf(c).shifts && c.shiftingCoefficient == 0)
     {
         riprap::SphConfig changed(c);
-        changed.shifting = riprap::ShiftingKind::none;
-        needs.on(dict, "shifting", "A is 0", "none", trial(changed));
+        changed.shifting = riprap::NoShifting::word;
+        needs.on(dict, "shifting", "A is 0", changed.shifting, trial(changed));
     }
 
     needs.idle(dict, settings.unused, "of terms that are not chosen");
-    if (c.shifting == riprap::ShiftingKind::none)
+    if (!shiftingOf(c).shifts)
     {
-        needs.idle(dict, "shiftingCoeffs", "shifting is none");
+        needs.idle(dict, "shiftingCoeffs", "shifting is " + c.shifting);
     }
 }
 
@@ -172,9 +174,17 @@ static void equationNeeds
 )
 {
     const riprap::SphConfig& c = settings.config;
-    if (c.eos == riprap::EosKind::linear)
+    for (const riprap::EquationModel& other : riprap::equationsOfState())
     {
-        needs.idle(settings.dict, "gamma", "equationOfState is linear");
+        for (const riprap::EquationEntry& e : other.entries)
+        {
+            const auto& own = equationOf(c).entries;
+            const bool used = std::any_of(own.begin(), own.end(), [&](const auto& mine)
+            {
+                return word(mine.name) == e.name;
+            });
+            if (!used) needs.idle(settings.dict, e.name, "equationOfState is " + c.eos);
+        }
     }
     if (!anyTerm(c, &riprap::TermEffect::seesViscosity))
     {

@@ -6,6 +6,7 @@
 #include "sphSolids.H"
 #include "bodyFaces.H"
 #include "particleCloudIO.H"
+#include "coupling/fluidForces.hpp"
 #include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -30,17 +31,18 @@ Foam::sphSolids::sphSolids
     coupling_(fluid.coupling),
     impermeable_(fluid.walls.impermeable)
 {
-    if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::impulse;
+    if (fluid.autoFluidForce) coupling_.force = riprap::ImpulsiveForce::word;
     for (const demGroup& g : asRead_.groups)
     {
         // it takes a share of the unbalanced force, of which the fluid's must be a part
-        if (g.group.localDamping <= 0 || coupling_.force != riprap::FluidForceKind::impulse)
+        if (g.group.localDamping <= 0 || !riprap::fluidForceOf(coupling_.force).blows)
             continue;
-        if (fluid.autoFluidForce) coupling_.force = riprap::FluidForceKind::held;
+        if (fluid.autoFluidForce) coupling_.force = riprap::HeldForce::word;
         else
         {
             FatalIOErrorInFunction(fluid.dict)
-                << "Entry fluidForce of couplingCoeffs is impulse, but group "
+                << "Entry fluidForce of couplingCoeffs is " << coupling_.force.c_str()
+                << ", but group "
                 << g.group.name.c_str()
                 << " of constant/solidProperties has local damping, which must see the fluid's "
                    "force: valid are held and interpolated"

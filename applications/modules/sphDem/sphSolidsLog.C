@@ -8,15 +8,14 @@ Description
 
 #include "sphSolids.H"
 #include "moduleLog.H"
-#include "sphNames.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::sphSolids::logModels() const
 {
     Info<< nl << "Solids in the fluid" << nl;
-    logItem("coupling") << sphNames::coupling[coupling_.kind]
-        << ", fluidForce " << sphNames::fluidForce[coupling_.force]
+    logItem("coupling") << coupling_.kind.c_str()
+        << ", fluidForce " << coupling_.force.c_str()
         << ", viscosity " << (coupling_.viscosity ? "yes" : "no")
         << ", XSPH " << (coupling_.xsph ? "yes" : "no")
         << ", antiClump " << (coupling_.antiClump ? "yes" : "no") << nl;

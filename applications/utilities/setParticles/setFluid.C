@@ -37,9 +37,7 @@ static wallPoints makeWalls
 // Particles that the guard of the first step would stop at
 static void checkDensity(const particleRegion& region, const riprap::SphConfig& config)
 {
-    // Where the equation of state is cut off: deeper tension has no density
-    const scalar lowest = config.density*sqr(config.soundSpeed)
-        *(config.eos == riprap::EosKind::linear ? -0.5 : -0.99/config.gamma);
+    const scalar lowest = lowestPressure(config);
 
     label bad = -1;
     forAll(region.pressure, i)

@@ -23,6 +23,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include "dem/bond/bondRadius.hpp"
 #include "dem/contact/contact.hpp"
 
 namespace riprap
@@ -35,7 +36,8 @@ struct BondParameters
     R tensile, shearStrength;   // sigma_c, tau_c [Pa]
     R twoZeta;
     R radiusFactor;
-    bool harmonic, round;
+    std::uint8_t radius;        // place in BondRadii
+    bool round;
 };
 
 //- Section of the cement
@@ -47,7 +49,7 @@ HD BondSection<R> bondSection(const BondParameters<R>& p, R radiusA, R radiusB)
 {
     const R sum = radiusA + radiusB, pi = R(3.14159265358979323846);
     BondSection<R> s;
-    s.radius = p.radiusFactor*(p.harmonic ? radiusA*radiusB/sum : R(0.5)*sum);
+    s.radius = p.radiusFactor*radiusOf(Model<BondRadii>(), p.radius, radiusA, radiusB, sum);
     const R r2 = s.radius*s.radius;
     s.area = p.round ? pi*r2 : 2*s.radius;
     s.inertia = p.round ? R(0.25)*pi*r2*r2 : R(2)/R(3)*r2*s.radius;

@@ -8,7 +8,6 @@ Description
 
 #include "coupledSolids.H"
 #include "bodyLog.H"
-#include "demNames.H"
 #include "listed.H"
 #include "moduleLog.H"
 #include "touchingStart.H"
@@ -72,7 +71,7 @@ void Foam::coupledSolids::logSolids
     }
 
     const scalar steps = stepsIn(fluidStep);
-    logItem("timeIntegration") << demNames::timeIntegration[c.integrator]
+    logItem("timeIntegration") << c.integrator.c_str()
         << ", step " << plan.timeStep << " s (" << plan.cause.c_str() << "): "
         << label(steps)
         << " a step of the fluid, which is " << fluidStep << " s (" << limit.c_str() << ')' << nl;

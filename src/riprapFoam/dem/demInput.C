@@ -7,6 +7,7 @@
 #include "listed.H"
 #include "tensor.H"
 #include "Map.H"
+#include "dem/bond/calibration.hpp"
 #include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -153,9 +154,9 @@ static void setBonds
     std::map<std::pair<label, float>, std::pair<int, scalar>> typeOf;
     auto sumOf = [&](std::size_t i) -> scalar
     {
-        const bool direct = settings.bondTypes[bonds.type[i]].calibration
-         == calibrationKind::direct;
-        return direct ? 1 : radiusOfId[bonds.a[i]] + radiusOfId[bonds.b[i]];
+        const bool byRadii =
+            riprap::calibrationOf(settings.bondTypes[bonds.type[i]].calibration).byRadii;
+        return byRadii ? radiusOfId[bonds.a[i]] + radiusOfId[bonds.b[i]] : 1;
     };
     auto keyOf = [&](std::size_t i)
     {
@@ -187,8 +188,8 @@ static void setBonds
     {
         FatalIOErrorInFunction(settings.dict)
             << "Entry bonds: the particles' radii make "
-            << label(input.bondTypes.size()) << " different stiffnesses;"
-            << " calibration direct has one" << exit(FatalIOError);
+            << label(input.bondTypes.size()) << " different stiffnesses; calibration "
+            << riprap::DirectCalibration::word << " has one" << exit(FatalIOError);
     }
     typeOfBondType = kinds;
 }

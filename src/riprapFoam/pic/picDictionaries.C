@@ -14,6 +14,7 @@
 #include "slidingWalls.H"
 #include "sphNames.H"
 #include "Time.H"
+#include "pic/terms/viscousSchemes.hpp"
 #include "solvers/pic/transfer/picTransfers.hpp"
 
 namespace Foam
@@ -260,19 +261,16 @@ static void readPicProperties
 
     readMultirate(pic, config);
 
-    const int scheme = pic.choice
+    config.viscousScheme = modelWord
     (
+        pic,
         "viscosity",
-        picNames::viscosity,
-        int(config.viscousScheme)
+        riprap::wordsOf<riprap::ViscousSchemes>(),
+        config.viscousScheme
     );
-    if (scheme == picNames::noViscosity)
+    if (!riprap::viscousSchemeOf(config.viscousScheme).acts)
     {
         config.viscosity = 0;
-    }
-    else
-    {
-        config.viscousScheme = riprap::ViscousKind(scheme);
     }
 
     readWalls(pic, mesh, settings);

@@ -10,21 +10,6 @@ namespace Foam
 namespace picNames
 {
 
-const Enum<int> viscosity
-({
-    {int(riprap::ViscousKind::automatic), "automatic"},
-    {int(riprap::ViscousKind::explicitly), "explicit"},
-    {int(riprap::ViscousKind::implicitly), "implicit"},
-    {noViscosity, "none"}
-});
-
-const Enum<riprap::OpeningKind> opening
-({
-    {riprap::OpeningKind::velocity, "velocity"},
-    {riprap::OpeningKind::flowRate, "flowRate"},
-    {riprap::OpeningKind::level, "level"}
-});
-
 const Enum<int> advection
 ({
     {2, "RungeKutta2"},

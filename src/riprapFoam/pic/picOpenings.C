@@ -8,10 +8,11 @@
 #include "Function1.H"
 #include "didYouMean.H"
 #include "listed.H"
-#include "picNames.H"
+#include "modelReader.H"
 #include "singleValues.H"
 #include "SubField.H"
 #include "Time.H"
+#include "pic/openings/kinds.hpp"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -210,29 +211,33 @@ static riprap::PicOpening readOpening
     const riprap::PicConfig& config
 )
 {
-    using riprap::OpeningKind;
     checkedDictionary dict(entries);
     riprap::PicOpening opening;
     opening.name = name;
+    const auto kinds = riprap::wordsOf<riprap::OpeningKinds>();
 
     if (!dict.found("type"))
     {
         FatalIOErrorInFunction(entries)
             << "Opening " << name << " needs a type, one of "
-            << listed(picNames::opening.toc()).c_str() << exit(FatalIOError);
+            << riprap::listOf(kinds).c_str() << exit(FatalIOError);
     }
-    opening.kind = dict.choice("type", picNames::opening, OpeningKind::level);
+    opening.kind = modelWord(dict, "type", kinds, opening.kind);
 
-    if (opening.kind == OpeningKind::velocity)
+    const riprap::Given given = riprap::givenAt(opening.kind);
+    switch (given)
     {
-        opening.velocity = velocities(dict, name, mesh);
-    }
-    else if (opening.kind == OpeningKind::flowRate)
-    {
-        opening.flowRate = flowRates(dict, name, mesh, config);
+        case riprap::Given::velocity:
+            opening.velocity = velocities(dict, name, mesh);
+            break;
+        case riprap::Given::discharge:
+            opening.flowRate = flowRates(dict, name, mesh, config);
+            break;
+        case riprap::Given::pressure:
+            break;
     }
 
-    if (opening.kind == OpeningKind::level || dict.found("level"))
+    if (given == riprap::Given::pressure || dict.found("level"))
     {
         opening.level = heights(dict, name, mesh, config);
     }

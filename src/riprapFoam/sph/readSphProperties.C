@@ -12,6 +12,8 @@ Description
 #include "deviceChoice.H"
 #include "modelReader.H"
 #include "rankBalance.H"
+#include "coupling/couplings.hpp"
+#include "coupling/fluidForces.hpp"
 #include "solvers/sph/sphModels.hpp"
 
 namespace Foam
@@ -38,10 +40,26 @@ static void readKernel(checkedDictionary& sph, riprap::SphConfig& config)
 static void readEquationOfState(checkedDictionary& sph, sphSettings& settings)
 {
     riprap::SphConfig& config = settings.config;
+    riprap::EquationProperties& equation = config;
 
-    config.eos =
-        sph.choice("equationOfState", sphNames::equationOfState, config.eos);
-    config.gamma = sph.positive("gamma", config.gamma);
+    equation.eos = modelWord
+    (
+        sph,
+        "equationOfState",
+        wordsOf(riprap::equationsOfState()),
+        equation.eos
+    );
+    for (const riprap::EquationModel& model : riprap::equationsOfState())
+    {
+        for (const riprap::EquationEntry& e : model.entries)
+        {
+            if (e.required && equation.eos != model.word && !sph.found(e.name))
+            {
+                continue;
+            }
+            readEntry(sph, e, equation);
+        }
+    }
 
     const scalar maxVelocity = sph.positiveOrAuto("maxVelocity");
     settings.autoMaxVelocity = (maxVelocity == 0);
@@ -147,7 +165,7 @@ static void readPairTerms(checkedDictionary& sph, sphSettings& settings)
 static void readShifting(checkedDictionary& sph, riprap::SphConfig& config)
 {
     config.shifting =
-        sph.choice("shifting", sphNames::shifting, config.shifting);
+        modelWord(sph, "shifting", wordsOf(riprap::shiftings()), config.shifting);
     {
         checkedDictionary coeffs(sph.subDict("shiftingCoeffs"));
         config.shiftingCoefficient =
@@ -178,7 +196,8 @@ static void readWalls(checkedDictionary& sph, sphSettings& settings)
     walls.dict = sph.subDict("walls");
     checkedDictionary dict(walls.dict);
 
-    config.wallModel = dict.choice("model", sphNames::wallModel, config.wallModel);
+    config.wallModel =
+        modelWord(dict, "model", wordsOf(riprap::wallModels()), config.wallModel);
     walls.spacing = dict.positive("spacing", 0.0);
 
     const scalar layers = dict.positiveOrAuto("layers");
@@ -213,11 +232,18 @@ static void readCoupling(checkedDictionary& sph, sphSettings& settings)
 
     settings.couples =
         sph.found("coupling") || sph.subDict("couplingCoeffs").size();
-    coupling.kind = sph.choice("coupling", sphNames::coupling, coupling.kind);
+    coupling.kind =
+        modelWord(sph, "coupling", riprap::wordsOf<riprap::Couplings>(), coupling.kind);
 
     checkedDictionary coeffs(sph.subDict("couplingCoeffs"));
     settings.autoFluidForce = !coeffs.found("fluidForce");
-    coupling.force = coeffs.choice("fluidForce", sphNames::fluidForce, coupling.force);
+    coupling.force = modelWord
+    (
+        coeffs,
+        "fluidForce",
+        riprap::wordsOf<riprap::FluidForces>(),
+        coupling.force
+    );
     coupling.viscosity =
         coeffs.either("viscosity", "yes", "no", coupling.viscosity);
     coupling.xsph = coeffs.either("XSPH", "yes", "no", coupling.xsph);
@@ -256,20 +282,18 @@ static scalar courantNumber
 
 static void readTimeIntegration(checkedDictionary& sph, riprap::SphConfig& config)
 {
-    config.integrator = sph.choice
+    config.integrator =
+        modelWord(sph, "timeIntegration", wordsOf(riprap::integrators()), "symplectic");
+    const riprap::IntegratorModel& integrator = integratorOf(config);
+    config.acousticCourant = courantNumber
     (
-        "timeIntegration",
-        sphNames::timeIntegration,
-        riprap::IntegratorKind::symplectic
+        sph,
+        "acousticCourant",
+        integrator.acousticCourant,
+        integrator.highestCourant
     );
-    // What keeps sound waves from growing (docs/theory): the leapfrog needs
-    // the shorter step unless density is diffused
-    const bool leapfrog =
-        config.integrator == riprap::IntegratorKind::leapfrog;
-    // The highest are above what any scene stands (benchmarks/README.md:
-    // 1.82 and 0.595, 0.62, 0.164)
-    config.acousticCourant =
-        courantNumber(sph, "acousticCourant", leapfrog ? 0.2 : 0.5, leapfrog ? 0.7 : 2);
+    // The highest are above what any scene stands (benchmarks/README.md: 0.62
+    // and 0.164)
     config.forceCourant = courantNumber(sph, "forceCourant", config.forceCourant, 1);
     config.viscousCourant =
         courantNumber(sph, "viscousCourant", config.viscousCourant, 0.25);

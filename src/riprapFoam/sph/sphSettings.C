@@ -262,13 +262,7 @@ static riprap::EquationOfState<double> equationOfState
     scalar c0
 )
 {
-    return riprap::EquationOfState<double>::make
-    (
-        config.eos == riprap::EosKind::linear,
-        config.gamma,
-        c0,
-        config.density
-    );
+    return riprap::EquationOfState<double>::make(config, c0, config.density);
 }
 
 
@@ -276,6 +270,12 @@ scalar densityOfPressure(const riprap::SphConfig& config, scalar p)
 {
     const auto eos = equationOfState(config, config.soundSpeed);
     return config.density*(1 + eos.deviation(p));
+}
+
+
+scalar lowestPressure(const riprap::SphConfig& config)
+{
+    return equationOfState(config, config.soundSpeed).lowestPressure();
 }
 
 

@@ -12,6 +12,7 @@
 #include "core/backend/device.hpp"
 #include "core/ranks/transport.hpp"
 #include "api/particleLimit.hpp"
+#include "dem/motion/integrators.hpp"
 #include "solvers/dem/demInstances.hpp"
 #include "solvers/dem/demLaws.hpp"
 #include "api/sphScene.hpp"
@@ -49,6 +50,7 @@ void checkConfig(const DemConfig& c)
     require(c.sleepSpeed >= 0 && std::isfinite(c.sleepSpeed) && c.sleepAfter >= 0
             && std::isfinite(c.sleepAfter),
         "the speed below which particles sleep, and the time before they do, must not be negative");
+    demIntegratorOf(c.integrator);
     require(c.stepFraction > 0, "the fraction of the critical step must be positive");
     for (int d = 0; d < c.dimensions; ++d)
     {

@@ -274,7 +274,7 @@ void addBonds(const DemConfig& c, const DemInput& in, DemPlan& plan)
         const DemBondType& t = in.bondTypes[in.bonds.type.empty() ? 0 : in.bonds.type[k]];
         const std::size_t a = at[in.bonds.a[k]], b = at[in.bonds.b[k]];
         const BondParameters<double> q{t.normalStiffness, t.shearStiffness, 0, 0, 0, t.radiusFactor,
-            t.radiusKind == BondRadiusKind::harmonic, c.dimensions == 3 || t.cylinder};
+            bondRadiusChoice(t.radiusKind), c.dimensions == 3 || t.cylinder};
         const BondSection<double> s = bondSection(q, p.radius[a], p.radius[b]);
         for (const std::size_t i : {a, b})
         {

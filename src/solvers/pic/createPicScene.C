@@ -7,6 +7,8 @@
 #include "core/ranks/transport.hpp"
 #include "api/particleLimit.hpp"
 #include "api/sphScene.hpp"
+#include "pic/openings/kinds.hpp"
+#include "pic/terms/viscousSchemes.hpp"
 
 #include <cfenv>
 #include <cmath>
@@ -41,6 +43,9 @@ void checkNumbers(const PicConfig& c)
     require(c.spacing > 0, "the fluid's spacing must be positive");
     require(c.density > 0, "the density must be positive");
     require(c.viscosity >= 0, "the viscosity must not be negative");
+    require(viscousSchemeOf(c.viscousScheme).acts || c.viscosity == 0,
+        "viscosity is none, and the fluid has some");
+    for (const PicOpening& o : c.openings) givenAt(o.kind);
     for (const double g : c.gravity) require(std::isfinite(g), "gravity must be a number");
     require(c.seedsPerDirection >= 0 && c.seedsPerDirection <= 8,
         "the seeds a direction must lie in 0 .. 8");
@@ -188,7 +193,7 @@ std::unique_ptr<PicScene> createPicScene(const PicConfig& config, const FluidInp
     const DeviceChoice choice = chooseDevice(several ? DeviceKind::cpu : config.device,
         fluid.size() + (inside.solids ? inside.solids->input.particles.size() : 0),
         config.dimensions);
-    require(!(config.noSlip && config.viscousScheme == ViscousKind::explicitly
+    require(!(config.noSlip && viscousSchemeOf(config.viscousScheme).limitsStep
                 && (!inside.obstacles.empty() || inside.solids)),
         "water that sticks to solids inside the mesh needs implicit viscosity: take automatic or "
         "implicit for viscosity");

@@ -4,6 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #include "solvers/sph/sphInstances.hpp"
+#include "coupling/couplings.hpp"
+#include "coupling/fluidForces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +78,8 @@ std::unique_ptr<SphScene> createSphDemScene(const SphConfig& config, const Fluid
     for (const std::int32_t body : solids.faces.body)
         require(body >= 0 && body < int(solids.input.clumps.size()),
             "faces of a rigid body that does not exist");
+    couplingOf(solids.coupling.kind);
+    fluidForceOf(solids.coupling.force);
     require(!solids.coupling.xsph || config.xsph > 0,
         "XSPH between fluid and solids needs XSPH in the fluid");
     require(!solids.coupling.antiClump || config.antiClump > 0,

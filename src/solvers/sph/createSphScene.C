@@ -42,7 +42,6 @@ void checkNumbers(const SphConfig& c)
     require(c.viscosity >= 0, "the viscosity must not be negative");
     require(c.soundSpeed > 0, "the speed of sound must be positive");
     require(c.maxVelocity > 0, "the maximum velocity must be positive");
-    require(c.gamma > 0, "gamma must be positive");
     require(c.smoothingRatio >= 0.8 && c.smoothingRatio <= 4,
         "the ratio of smoothing length to spacing must lie in 0.8 .. 4");
     require(c.maxSmoothingGrowth >= 1, "the smoothing length's growth limit must be at least 1");

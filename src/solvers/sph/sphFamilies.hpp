@@ -140,7 +140,7 @@ public:
     explicit TermParameters(const SphConfig& c)
     :
         terms_(M::make(c, termFluid(c))...), on_{isChosen<M>(c)...},
-        walls_{M::actsAtWalls(c)...}, noSlip_(c.noSlip), shifts(c.shifting != ShiftingKind::none)
+        walls_{M::actsAtWalls(c)...}, noSlip_(c.noSlip), shifts(shiftingOf(c).shifts)
     {
         const double usual = D == 2 ? 1.5 : 2.75;
         const double surface = c.shiftingSurfaceThreshold >= 0 ? c.shiftingSurfaceThreshold : usual;
@@ -200,6 +200,22 @@ public:
         f(solidTerms<false>(on));
     }
 };
+
+//- Call f(the wall model's card)
+template<class F>
+void withWallModel(const SphConfig& c, const F& f)
+{
+    WallModels::at(choiceOf<WallModels>("wall model", c.wallModel),
+        [&](auto model) { f(typename decltype(model)::type()); });
+}
+
+//- Call f(the integrator's card)
+template<class F>
+void withIntegrator(const SphConfig& c, const F& f)
+{
+    Integrators::at(choiceOf<Integrators>("timeIntegration", c.integrator),
+        [&](auto model) { f(typename decltype(model)::type()); });
+}
 
 //- Call f(kernel, variable h?) with the types that fit the case
 template<class F>

@@ -1,4 +1,4 @@
-/*  The cards of all kernels and pair terms, and the choice among them.
+/*  The cards of all models of the fluid, and the choice among them.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -15,6 +15,7 @@ namespace
 {
 
 using TermTable = PairTerms<3, double>;
+using EquationTable = EquationsOfState<double>;
 
 std::vector<KernelModel> kernelModels()
 {
@@ -36,6 +37,51 @@ std::vector<TermModel> termModels()
         using T = typename decltype(term)::type;
         all.push_back(TermModel{T::word, T::text, T::chosenBy, {T::words.begin(), T::words.end()},
             T::coeffs, {std::begin(T::entries), std::end(T::entries)}, isChosen<T>});
+    });
+    return all;
+}
+
+std::vector<EquationModel> equationModels()
+{
+    std::vector<EquationModel> all;
+    EquationTable::each([&](auto equation)
+    {
+        using E = typename decltype(equation)::type;
+        all.push_back({E::word, E::text, {std::begin(E::entries), std::end(E::entries)}});
+    });
+    return all;
+}
+
+std::vector<WallModel> wallModelCards()
+{
+    std::vector<WallModel> all;
+    WallModels::each([&](auto model)
+    {
+        using W = typename decltype(model)::type;
+        all.push_back({W::word, W::text, W::followsFluid});
+    });
+    return all;
+}
+
+std::vector<IntegratorModel> integratorModels()
+{
+    std::vector<IntegratorModel> all;
+    Integrators::each([&](auto model)
+    {
+        using I = typename decltype(model)::type;
+        all.push_back({I::word, I::text, I::passes, I::seesWallsFirst, I::acousticCourant,
+            I::highestCourant});
+    });
+    return all;
+}
+
+std::vector<ShiftingChoice> shiftingCards()
+{
+    std::vector<ShiftingChoice> all;
+    Shiftings::each([&](auto model)
+    {
+        using S = typename decltype(model)::type;
+        all.push_back({S::word, S::text, S::shifts});
     });
     return all;
 }
@@ -111,6 +157,42 @@ std::vector<std::string> wordsOf(const TermSwitch& s)
     return all;
 }
 
+const std::vector<EquationModel>& equationsOfState()
+{
+    static const std::vector<EquationModel> all = equationModels();
+    return all;
+}
+
+const std::vector<WallModel>& wallModels()
+{
+    static const std::vector<WallModel> all = wallModelCards();
+    return all;
+}
+
+const std::vector<IntegratorModel>& integrators()
+{
+    static const std::vector<IntegratorModel> all = integratorModels();
+    return all;
+}
+
+const std::vector<ShiftingChoice>& shiftings()
+{
+    static const std::vector<ShiftingChoice> all = shiftingCards();
+    return all;
+}
+
+const EquationModel& equationOf(const SphConfig& c)
+{ return equationsOfState()[std::size_t(choiceOf<EquationTable>("equationOfState", c.eos))]; }
+
+const WallModel& wallModelOf(const SphConfig& c)
+{ return wallModels()[std::size_t(choiceOf<WallModels>("wall model", c.wallModel))]; }
+
+const IntegratorModel& integratorOf(const SphConfig& c)
+{ return integrators()[std::size_t(choiceOf<Integrators>("timeIntegration", c.integrator))]; }
+
+const ShiftingChoice& shiftingOf(const SphConfig& c)
+{ return shiftings()[std::size_t(choiceOf<Shiftings>("shifting", c.shifting))]; }
+
 TermFluid termFluid(const SphConfig& c)
 {
     TermFluid f;
@@ -127,6 +209,18 @@ TermFluid termFluid(const SphConfig& c)
 void checkModels(const SphConfig& c)
 {
     kernelChoice(c.kernel);
+    equationOf(c);
+    wallModelOf(c);
+    integratorOf(c);
+    shiftingOf(c);
+    for (const EquationModel& equation : equationsOfState())
+        for (const EquationEntry& e : equation.entries)
+        {
+            const bool needed = !e.required || c.eos == equation.word;
+            if (!needed || e.allows(e.value(c))) continue;
+            throw std::invalid_argument(std::string("a coefficient of ") + equation.word + ", "
+              + e.name + ", must be " + e.rangeText());
+        }
     for (const TermSwitch& s : termSwitches())
     {
         const std::vector<std::string> valid = wordsOf(s);

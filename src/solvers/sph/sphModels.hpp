@@ -1,5 +1,5 @@
-/*  What the cards of kernels and pair terms say, without their types: for whoever reads, checks or
-    prints a configuration.
+/*  What the cards of the fluid's models say, without their types: for whoever reads, checks or
+    prints a configuration. Of couplings: coupling/couplings.hpp, coupling/fluidForces.hpp.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
@@ -53,6 +53,48 @@ const std::vector<TermModel>& pairTerms();
 //  choose more terms after those of fewer
 std::vector<TermSwitch> termSwitches();
 std::vector<std::string> wordsOf(const TermSwitch&);
+
+struct EquationModel
+{
+    const char* word;
+    const char* text;
+    std::vector<EquationEntry> entries;
+};
+
+struct WallModel
+{
+    const char* word;
+    const char* text;
+    bool followsFluid;                  // needs the fluid about each point in each step
+};
+
+struct IntegratorModel
+{
+    const char* word;
+    const char* text;
+    int passes;                         // over the pairs, a step
+    bool seesWallsFirst;
+    double acousticCourant, highestCourant;
+};
+
+struct ShiftingChoice
+{
+    const char* word;
+    const char* text;
+    bool shifts;
+};
+
+//- All there are, in the order of their tables
+const std::vector<EquationModel>& equationsOfState();
+const std::vector<WallModel>& wallModels();
+const std::vector<IntegratorModel>& integrators();
+const std::vector<ShiftingChoice>& shiftings();
+
+//- By their words; std::invalid_argument with the valid ones if there is no such model
+const EquationModel& equationOf(const SphConfig&);
+const WallModel& wallModelOf(const SphConfig&);
+const IntegratorModel& integratorOf(const SphConfig&);
+const ShiftingChoice& shiftingOf(const SphConfig&);
 
 //- What terms may know of the fluid
 TermFluid termFluid(const SphConfig&);

@@ -79,4 +79,15 @@ struct ExtrapolatedWallPass
     }
 };
 
+struct ExtrapolatedWalls
+{
+    static constexpr const char* word = "extrapolated";
+    static constexpr const char* text = "points take the pressure of the fluid (Adami et al. 2012)";
+    static constexpr bool followsFluid = true;
+
+    //- In each step, over the fluid about each point
+    template<class Backend, int D, class P, class Kernel, bool VariableH>
+    using Pass = ExtrapolatedWallPass<Backend, D, P, Kernel, VariableH>;
+};
+
 } // namespace riprap

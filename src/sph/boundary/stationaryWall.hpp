@@ -33,4 +33,14 @@ struct StationaryWall
     }
 };
 
+struct StationaryWalls
+{
+    static constexpr const char* word = "stationary";
+    static constexpr const char* text = "points keep rest density and no pressure (section 5)";
+    static constexpr bool followsFluid = false;
+
+    //- Where points have been placed or moved
+    template<class Backend, int D, class P> using Points = StationaryWall<Backend, D, P>;
+};
+
 } // namespace riprap

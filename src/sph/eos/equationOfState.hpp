@@ -1,66 +1,89 @@
-/*  Equations of state of a weakly compressible fluid, in terms of d = rho/rho0 - 1 (so that single
-    precision keeps small density changes):
+/*  The equation of state of a weakly compressible fluid that a case has chosen, of those there are.
 
-        Tait   (paper Eq. 35): p = c0^2 rho0/gamma ((1 + d)^gamma - 1)
-        linear               : p = c0^2 rho0 d
+        pressure(d)         [Pa] of the density deviation d = rho/rho0 - 1
+        deviation(p)        d of the pressure p [Pa], not below EquationCard::emptiest
+        soundSpeed(d)       [m/s]
+        elasticEnergy(d)    a unit mass [J/kg]: integral of p/rho^2 drho from rho0
+        lowestPressure()    [Pa], below which deviation(p) is cut off
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
 #pragma once
 
-#include "core/simd/math.hpp"
+#include "sph/eos/linearEquation.hpp"
+#include "sph/eos/tait.hpp"
 
 namespace riprap
 {
 
-template<class R>
-struct EquationOfState
-{
-    bool isLinear;
-    R gamma;
-    R stiffness;                // c0^2 rho0 [Pa]
-    R c0;                       // [m/s]
-    R rho0;                     // [kg/m3]
+template<class R> using EquationsOfState = Models<Tait<R>, LinearEquation<R>>;
 
-    static EquationOfState make(bool linear, double gamma, double c0, double rho0)
+//- One of these: as many questions as there are others. R: of the formulas
+template<class R, class... M> struct ChosenEquation;
+
+template<class R, class M>
+struct ChosenEquation<R, M>
+{
+    M equation;
+
+    static ChosenEquation make(int, const EquationProperties& p, double c0, double rho0)
+    { return {M::make(p, c0, rho0)}; }
+
+    double lowestPressure() const { return equation.lowestPressure(); }
+    HD R pressure(R d) const { return equation.pressure(d); }
+    HD R deviation(R p) const { return equation.deviation(p); }
+    HD R soundSpeed(R d) const { return equation.soundSpeed(d); }
+    HD double elasticEnergy(double d) const { return equation.elasticEnergy(d); }
+};
+
+template<class R, class M, class Next, class... Rest>
+struct ChosenEquation<R, M, Next, Rest...>
+{
+    bool chosen;
+    M equation;
+    ChosenEquation<R, Next, Rest...> others;
+
+    static ChosenEquation make(
+        int choice, const EquationProperties& p, double c0, double rho0)
     {
-        return EquationOfState{linear, R(gamma), R(c0*c0*rho0), R(c0), R(rho0)};
+        return {choice == 0, M::make(p, c0, rho0),
+            ChosenEquation<R, Next, Rest...>::make(choice - 1, p, c0, rho0)};
     }
 
-    //- Pressure [Pa] of the density deviation d
+    double lowestPressure() const
+    { return chosen ? equation.lowestPressure() : others.lowestPressure(); }
     HD R pressure(R d) const
     {
-        if (isLinear) return stiffness*d;
-        if (gamma == R(7))      // expanded: no cancellation for small d
-            return stiffness/R(7)*d
-                *(R(7) + d*(R(21) + d*(R(35) + d*(R(35) + d*(R(21) + d*(R(7) + d))))));
-        return stiffness/gamma*R(expm1(gamma*log1p(d)));
+        if (chosen) return equation.pressure(d);
+        return others.pressure(d);
     }
-
-    //- Density deviation of the pressure p [Pa]; the fluid cannot be emptier than half its rest
-    //  density here
     HD R deviation(R p) const
     {
-        if (isLinear) return maximum(p/stiffness, R(-0.5));
-        const R x = maximum(p*gamma/stiffness, R(-0.99));
-        return maximum(R(expm1(log1p(x)/gamma)), R(-0.5));
+        if (chosen) return equation.deviation(p);
+        return others.deviation(p);
     }
-
-    //- Speed of sound [m/s]
     HD R soundSpeed(R d) const
     {
-        if (isLinear) return c0;
-        if (gamma == R(7)) { const R s = R(1) + d; return c0*s*s*s; }
-        return c0*R(exp(R(0.5)*(gamma - R(1))*log1p(d)));
+        if (chosen) return equation.soundSpeed(d);
+        return others.soundSpeed(d);
     }
-
-    //- Elastic energy a unit mass [J/kg]: integral of p/rho^2 drho from rho0
     HD double elasticEnergy(double d) const
     {
-        const double s = double(stiffness)/rho0, g = gamma;
-        if (isLinear) return s*(log1p(d) - d/(1 + d));
-        const double work = g == 1 ? log1p(d) : expm1((g - 1)*log1p(d))/(g - 1);
-        return s/g*(work - d/(1 + d));
+        if (chosen) return equation.elasticEnergy(d);
+        return others.elasticEnergy(d);
+    }
+};
+
+template<class R, class Table = EquationsOfState<R>> struct EquationOfState;
+
+template<class R, class... M>
+struct EquationOfState<R, Models<M...>> : ChosenEquation<R, M...>
+{
+    //- By its word; std::invalid_argument with the valid ones if there is no such equation
+    static EquationOfState make(const EquationProperties& p, double c0, double rho0)
+    {
+        const int choice = choiceOf<Models<M...>>("equationOfState", p.eos);
+        return {ChosenEquation<R, M...>::make(choice, p, c0, rho0)};
     }
 };
 

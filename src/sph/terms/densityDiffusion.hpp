@@ -16,13 +16,28 @@
 namespace riprap
 {
 
+//- Which part of rhoH a diffusion leaves alone
+struct MolteniDiffusion
+{
+    static constexpr const char* word = "molteni";
+    static constexpr double hydrostatic = 0;
+};
+
+struct FourtakasDiffusion
+{
+    static constexpr const char* word = "fourtakas";
+    static constexpr double hydrostatic = 1;
+};
+
+using Diffusions = Models<MolteniDiffusion, FourtakasDiffusion>;
+
 template<int D, class R>
 struct DensityDiffusion : TermCard
 {
     static constexpr const char* word = "densityDiffusion";
     static constexpr const char* text = "Molteni & Colagrossi 2009, Fourtakas et al. 2019";
     static constexpr TermSwitch chosenBy = termSwitch::densityDiffusion;
-    static constexpr std::array words{"molteni", "fourtakas"};
+    static constexpr std::array words{MolteniDiffusion::word, FourtakasDiffusion::word};
     static constexpr const char* coeffs = "densityDiffusionCoeffs";
     static constexpr TermEntry entries[] =
     {
@@ -39,9 +54,16 @@ struct DensityDiffusion : TermCard
     {
         DensityDiffusion t;
         t.factor = R(2*p.diffusionDelta*f.soundSpeed);
-        const double c02 = f.soundSpeed*f.soundSpeed;
-        for (int d = 0; d < D; ++d)
-            t.hydrostatic.c[d] = p.diffusion == words[1] ? R(f.density*f.gravity[d]/c02) : R(0);
+        t.hydrostatic = filled<D>(R(0));
+        const int chosen = Diffusions::find(p.diffusion);
+        if (chosen < 0) return t;               // none
+        Diffusions::at(chosen, [&](auto diffusion)
+        {
+            const double part = decltype(diffusion)::type::hydrostatic;
+            const double c02 = f.soundSpeed*f.soundSpeed;
+            for (int d = 0; d < D; ++d)
+                t.hydrostatic.c[d] = R(part*(f.density*f.gravity[d]/c02));
+        });
         return t;
     }
 

@@ -138,7 +138,7 @@ TEST_P(BodyFaces, HoldWhatIsThrown)
     const SphConfig c = openConfig();
     const double half = 0.5*across*c.spacing, near = 1e-3*c.spacing;
     SolidInput solids = body(c, 300);
-    solids.coupling.kind = CouplingKind::stationary;
+    solids.coupling.kind = "stationary";
     for (double& v : solids.volume) v *= 0.1;       // forces alone let much in
     const FluidInput water = shots(c, 8);
     const auto make = [&](const SolidInput& in)

@@ -11,15 +11,8 @@
 namespace riprap
 {
 
-inline const CouplingKind allKinds[] = {CouplingKind::stationary, CouplingKind::pressureGradient,
-    CouplingKind::pressureApproximation, CouplingKind::extrapolated};
-
-inline const char* nameOf(CouplingKind k)
-{
-    static const char* names[] = {
-        "stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
-    return names[int(k)];
-}
+inline const std::string allKinds[] = {
+    "stationary", "pressureGradient", "pressureApproximation", "extrapolated"};
 
 class CouplingTest : public SceneTest
 {
@@ -34,7 +27,7 @@ protected:
         for (int d = 0; d < 3; ++d) s.config.periodic[d] = c.periodic[d];
         s.config.normal = "linear";
         s.config.tangential = "none";
-        s.config.integrator = DemIntegratorKind::velocityVerlet;
+        s.config.integrator = "velocityVerlet";
         s.config.stepFraction = 0.3;
         DemInput& in = s.input;
         in.materials.push_back(DemMaterial{"rubber", 1e6, 0.3});

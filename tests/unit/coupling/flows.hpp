@@ -101,7 +101,7 @@ protected:
     }
 
     //- A column that is thrown against the right wall of a tank and falls back
-    Flow breaking(WallKind model, IntegratorKind integrator) const
+    Flow breaking(const std::string& model, const std::string& integrator) const
     {
         SphConfig c = flowConfig({{2, 2, 0.9}}, false);
         c.periodic[2] = true;
@@ -139,7 +139,7 @@ protected:
     //- The left wall comes in and pushes the column
     Flow piston() const
     {
-        Flow s = breaking(WallKind::extrapolated, IntegratorKind::leapfrog);
+        Flow s = breaking("extrapolated", "leapfrog");
         s.name = "piston";
         for (std::size_t i = 0; i < s.fluid.size(); ++i) s.fluid.position[3*i] -= 1 - 3*s.c.spacing;
         s.walls.nBodies = 1;
@@ -165,11 +165,11 @@ protected:
     //  with it
     Flow plunging() const
     {
-        Flow s = breaking(WallKind::extrapolated, IntegratorKind::leapfrog);
+        Flow s = breaking("extrapolated", "leapfrog");
         s.name = "plunging";
         const double size = 0.8*s.c.spacing;
         s.solids.push_back(block(s.c, 3, size, {{1.3, 3*s.c.spacing + 0.75, deep(0.3)}}));
-        s.solids[0].coupling.kind = CouplingKind::extrapolated;
+        s.solids[0].coupling.kind = "extrapolated";
         move(s.solids[0], {{0, -1.5, 0}});
         return s;
     }
@@ -247,8 +247,8 @@ protected:
     std::vector<Flow> allFlows() const
     {
         return {sliding(), meeting(), sheared(), rotating(),
-            breaking(WallKind::extrapolated, IntegratorKind::leapfrog),
-            breaking(WallKind::stationary, IntegratorKind::symplectic), spray(), piston(),
+            breaking("extrapolated", "leapfrog"),
+            breaking("stationary", "symplectic"), spray(), piston(),
             plunging(), carried(), passing()};
     }
 

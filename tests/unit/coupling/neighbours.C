@@ -31,7 +31,7 @@ protected:
         };
         expectBetween("fluid", found.fluid, p.fluid, p.fluid);
         expectBetween("walls", found.walls, p.fluid, p.walls);
-        if (f.walls.nBodies || f.c.wallModel == WallKind::extrapolated)
+        if (f.walls.nBodies || f.c.wallModel == "extrapolated")
             expectBetween("about walls", found.aboutWalls, p.walls, p.fluid);
         expectBetween("solids", found.solids, p.fluid, p.solids);
         expectBetween("about solids", found.aboutSolids, p.solids, p.fluid);

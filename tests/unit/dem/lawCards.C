@@ -6,12 +6,13 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <gtest/gtest.h>
+#include "dem/bond/bondRadius.hpp"
+#include "dem/bond/calibration.hpp"
+#include "dem/motion/integrators.hpp"
+#include "guide.hpp"
 #include "impact.hpp"
 #include "lawTables.hpp"
 
@@ -104,17 +105,46 @@ TEST(LawCards, WordsFindTheirLaws)
 //- The user's guide has each word, and each entry in its table of pairs
 TEST(LawCards, GuideHasThem)
 {
-    const char* root = std::getenv("RIPRAP_DIR");
-    if (!root) GTEST_SKIP() << "RIPRAP_DIR is not set";
-    std::ifstream in(std::string(root) + "/docs/guide/solids.md");
-    const std::string guide{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    ASSERT_GT(guide.size(), 0u);
-    const auto has = [&](const std::string& word)
-    { EXPECT_NE(guide.find("`" + word + "`"), std::string::npos) << word; };
+    const Guide guide("guide/solids.md");
+    if (guide.empty()) GTEST_SKIP() << "RIPRAP_DIR is not set";
     for (const auto& words :
-        {wordsOf(normalLaws()), wordsOf(tangentialLaws()), wordsOf(rollingLaws())})
-        for (const auto& w : words) has(w);
-    for (const PairEntry& e : allLawEntries()) has(e.name);
+        {wordsOf(normalLaws()), wordsOf(tangentialLaws()), wordsOf(rollingLaws()),
+            wordsOf(calibrations()), wordsOf<BondRadii>(), wordsOf<DemIntegrators>()})
+        guide.expectWords(words);
+    for (const PairEntry& e : allLawEntries()) guide.expectEntry(e);
+    for (const CalibrationCard& c : calibrations())
+        for (const CalibrationEntry& e : c.entries) guide.expectWord(e.name);
+}
+
+//- Other families of words: each once, with a line of text; another is refused with those there are
+template<class Table>
+void expectFamily()
+{
+    std::set<std::string> words;
+    Table::each([&](auto model)
+    {
+        using M = typename decltype(model)::type;
+        EXPECT_TRUE(words.insert(M::word).second) << M::word;
+        EXPECT_GT(std::string(M::text).size(), 10u) << M::word;
+        EXPECT_EQ(choiceOf<Table>("entry", M::word), int(words.size()) - 1);
+    });
+    try { choiceOf<Table>("entry", "other"); ADD_FAILURE() << "there is no such model"; }
+    catch (const std::invalid_argument& e)
+    { EXPECT_EQ(e.what(), "unknown entry other; valid are " + listOf(wordsOf<Table>())); }
+}
+TEST(LawCards, OtherFamilies)
+{
+    expectFamily<Calibrations>();
+    expectFamily<BondRadii>();
+    expectFamily<DemIntegrators>();
+    for (const CalibrationCard& c : calibrations())
+        for (const CalibrationEntry& e : c.entries)
+        {
+            EXPECT_TRUE(e.allows(e.typical)) << c.word << " " << e.name;
+            EXPECT_FALSE(e.allows(-1)) << c.word << " " << e.name;
+        }
+    EXPECT_EQ(radiusOf(Model<BondRadii>(), bondRadiusChoice("mean"), 2.0, 6.0, 8.0), 4);
+    EXPECT_EQ(radiusOf(Model<BondRadii>(), bondRadiusChoice("harmonic"), 2.0, 6.0, 8.0), 1.5);
 }
 
 //- Two bodies pressed together and let go, slowly: the rise of the force is its stiffness, and the

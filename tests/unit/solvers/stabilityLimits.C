@@ -23,9 +23,9 @@ protected:
         SphConfig c = config();
         c.spacing = 1.0/sites;
         c.periodic[0] = c.periodic[1] = true;
-        c.eos = EosKind::linear;
+        c.eos = "linear";
         c.adjustTimeStep = false;
-        c.integrator = IntegratorKind::symplectic;
+        c.integrator = "symplectic";
         return c;
     }
 
@@ -115,19 +115,19 @@ TEST_P(StabilityLimits, ViscousStep)
 TEST_P(StabilityLimits, HeldForcesThrowLightBodies)
 {
     if (!mixed()) GTEST_SKIP() << "precision adds nothing";
-    const auto share = [&](double ratio, FluidForceKind force)
+    const auto share = [&](double ratio, const std::string& force)
     {
         SphConfig c = waterBox();
         c.soundSpeed = 10;
         c.maxVelocity = 1;
-        c.integrator = IntegratorKind::symplectic;
+        c.integrator = "symplectic";
         c.acousticCourant = 0.4;
         c.viscosityModel = "none";
         SolidInput solids = rigid(block(c, 6, c.spacing, {{0.3, 0.6, 0}}));
         for (double& m : solids.input.particles.mass) m *= ratio/0.8;
         solids.input.clumps[0].mass *= ratio/0.8;
         for (double& j : solids.input.clumps[0].inertia) j *= ratio/0.8;
-        solids.coupling.kind = CouplingKind::pressureGradient;
+        solids.coupling.kind = "pressureGradient";
         solids.coupling.force = force;
         FluidInput water = waterAround(c, {{0.3, 0.6, 0}}, 6*c.spacing);
         for (std::size_t i = 0; i < water.size(); ++i)
@@ -143,11 +143,11 @@ TEST_P(StabilityLimits, HeldForcesThrowLightBodies)
         const SphReport r = s->advance(0.4);
         return r.stop == StopReason::none ? s->solids()->energy().total()/kinetic : 1e300;
     };
-    EXPECT_LT(share(0.3, FluidForceKind::held), 0.04) << "its least is 0.21";
-    EXPECT_GT(share(0.05, FluidForceKind::held), 1);
-    EXPECT_LT(share(0.15, FluidForceKind::interpolated), 0.03) << "its least is 0.117";
-    EXPECT_GT(share(0.025, FluidForceKind::interpolated), 0.1);
-    EXPECT_LT(share(0.025, FluidForceKind::impulse), 0.02);
+    EXPECT_LT(share(0.3, "held"), 0.04) << "its least is 0.21";
+    EXPECT_GT(share(0.05, "held"), 1);
+    EXPECT_LT(share(0.15, "interpolated"), 0.03) << "its least is 0.117";
+    EXPECT_GT(share(0.025, "interpolated"), 0.1);
+    EXPECT_LT(share(0.025, "impulse"), 0.02);
 }
 
 

@@ -38,6 +38,15 @@ struct Law
     double gamma;
     bool linear() const { return gamma == 0; }
 
+    template<class R>
+    EquationOfState<R> equation() const
+    {
+        EquationProperties p;
+        p.eos = linear() ? "linear" : "Tait";
+        p.gamma = gamma;
+        return EquationOfState<R>::make(p, c0, rho0);
+    }
+
     double pressure(double d) const
     { return linear() ? c0*c0*rho0*d : c0*c0*rho0/gamma*(std::pow(1 + d, gamma) - 1); }
 
@@ -77,7 +86,7 @@ struct Eos : BackendTest
         d.upload(context, deviations);
         for (auto* a : {&p, &i, &c}) a->allocate(context, n);
         e.allocate(context, n);
-        const auto eos = EquationOfState<R>::make(law.linear(), law.gamma, c0, rho0);
+        const auto eos = law.template equation<R>();
         runEach(context, n, EvaluateEos<R>{eos, d.data(), p.data(), i.data(), c.data(), e.data()});
         pressure = p.download();
         inverse = i.download();
@@ -140,10 +149,51 @@ TYPED_TEST(Eos, InverseStaysAboveHalfDensity)
 {
     for (const Law& law : laws)
     {
-        const auto eos = EquationOfState<TypeParam>::make(law.linear(), law.gamma, c0, rho0);
+        const auto eos = law.template equation<TypeParam>();
         for (const double p : {-1e3, -1e5, -1e7, -1e12})
             EXPECT_GE(eos.deviation(TypeParam(p)), TypeParam(-0.5));
     }
+}
+
+//- Above it a pressure has a density of its own, unless that is cut off before; below it none has
+TYPED_TEST(Eos, LowestPressureIsWhereDensityIsCutOff)
+{
+    for (const Law& law : laws)
+    {
+        const auto eos = law.template equation<TypeParam>();
+        const double lowest = eos.lowestPressure();
+        EXPECT_LT(lowest, 0) << law.gamma;
+        EXPECT_EQ(eos.deviation(TypeParam(1.01*lowest)), eos.deviation(TypeParam(2*lowest)));
+        if (law.linear())
+        {
+            EXPECT_LT(eos.deviation(TypeParam(1.01*lowest)), eos.deviation(TypeParam(0.99*lowest)));
+        }
+    }
+}
+
+//- Each of the table, by its word, is what its own struct is
+TYPED_TEST(Eos, WordsChooseTheirEquations)
+{
+    using R = TypeParam;
+    EquationsOfState<R>::each([](auto model)
+    {
+        using Equation = typename decltype(model)::type;
+        EquationProperties p;
+        p.eos = Equation::word;
+        const auto chosen = EquationOfState<R>::make(p, c0, rho0);
+        const Equation own = Equation::make(p, c0, rho0);
+        for (const double d : {-0.2, -1e-4, 0.0, 1e-4, 0.2})
+        {
+            EXPECT_EQ(chosen.pressure(R(d)), own.pressure(R(d))) << p.eos;
+            EXPECT_EQ(chosen.deviation(own.pressure(R(d))), own.deviation(own.pressure(R(d))));
+            EXPECT_EQ(chosen.soundSpeed(R(d)), own.soundSpeed(R(d))) << p.eos;
+            EXPECT_EQ(chosen.elasticEnergy(d), own.elasticEnergy(d)) << p.eos;
+        }
+        EXPECT_EQ(chosen.lowestPressure(), own.lowestPressure()) << p.eos;
+    });
+    EquationProperties p;
+    p.eos = "stiffened";
+    EXPECT_THROW(EquationOfState<R>::make(p, c0, rho0), std::invalid_argument);
 }
 
 TYPED_TEST(Eos, SoundSpeedIsRootOfStiffness)
@@ -175,7 +225,7 @@ TYPED_TEST(Eos, ElasticEnergyIsIntegralOfPressure)
 
 TYPED_TEST(Eos, GammaOneIsLinear)
 {
-    const auto eos = EquationOfState<TypeParam>::make(false, 1, c0, rho0);
+    const auto eos = Law{1}.equation<TypeParam>();
     EXPECT_NEAR(eos.elasticEnergy(0.1), Law{0}.energy(0.1), 1e-9);
     EXPECT_NEAR(eos.pressure(TypeParam(0.1)), c0*c0*rho0*0.1, 1e-6*c0*c0*rho0);
 }

@@ -108,7 +108,7 @@ TEST(ReadSolidLaws, timeIntegration)
         "orientation yes; sleep { speed 1e-3; after 0.5; } contact { withinBonds yes; } guards { "
         "escape stop; maxEscaped 0.2; }")
                        .config;
-    EXPECT_EQ(c.integrator, riprap::DemIntegratorKind::velocityVerlet);
+    EXPECT_EQ(c.integrator, "velocityVerlet");
     EXPECT_EQ(c.stepFraction, 0.1);
     EXPECT_TRUE(c.allowLargeStep && c.orientation && c.contactWithinBonds);
     EXPECT_EQ(c.skin, 0.3);

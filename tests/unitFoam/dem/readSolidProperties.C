@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  constant/solidProperties: what is valid, defaults, and messages. */
 
+#include "dem/bond/bondRadius.hpp"
+#include "dem/motion/integrators.hpp"
+#include "modelFamily.hpp"
 #include "readSolidProperties.H"
 #include "scratchCase.hpp"
 
@@ -72,15 +75,14 @@ TEST(ReadSolidProperties, materialsAndPairs)
 //- Eqs. 42, 43 of moduli; section 6.3.3 of plane strain
 TEST(ReadSolidProperties, calibrations)
 {
-    double normal = 0, shear = 0;
     const dictionary dict(entries("E 10; G 4; nu 0.25;"));
     checkedDictionary checked(dict);
-    readCalibration(checked, calibrationKind::moduli, normal, shear);
-    EXPECT_EQ(normal, 10);
-    EXPECT_EQ(shear, 4);
-    readCalibration(checked, calibrationKind::planeStrain, normal, shear);
-    EXPECT_NEAR(normal, 10*0.75/(1.25*0.5), 1e-14);
-    EXPECT_NEAR(shear, 0.5*normal, 1e-14);
+    const auto column = readCalibration(checked, riprap::calibrationOf("moduli"));
+    EXPECT_EQ(column.normal, 10);
+    EXPECT_EQ(column.shear, 4);
+    const auto plate = readCalibration(checked, riprap::calibrationOf("planeStrain"));
+    EXPECT_NEAR(plate.normal, 10*0.75/(1.25*0.5), 1e-14);
+    EXPECT_NEAR(plate.shear, 0.5*plate.normal, 1e-14);
     const demSettings s(read(rock + "contact { normal linear; tangential none; } pairs { "
         "rock-rock { stiffness moduli; E 10; G 4; radiusFactor 2; restitution 1; } }"));
     EXPECT_EQ(s.pairs[0].properties.normalStiffness, 20);
@@ -151,4 +153,32 @@ TEST(ReadSolidProperties, whatIsRefused)
     EXPECT_TRUE(holds(said(rock + "stepFracton 0.1;"), "did you mean stepFraction?"));
     EXPECT_EQ(said(rock + "stepFraction 0;"), "Entry stepFraction is 0: it must be positive");
     EXPECT_TRUE(holds(said(rock + "guards { escap stop; }"), "did you mean escape?"));
+}
+
+//- Of every family of models that a word chooses, besides the contact laws
+TEST(ReadSolidProperties, families)
+{
+    using namespace riprap;
+    const auto whole = [](const std::string& s) { return rock + s; };
+    ModelFamily{"timeIntegration", wordsOf<DemIntegrators>(), whole,
+        [](const std::string& s) { return read(s).config.integrator; }}.expectWords();
+
+    const auto bond = [](const std::string& more)
+    {
+        return [more](const std::string& s)
+        { return rock + "bonds { glue { " + more + s + " } }"; };
+    };
+    ModelFamily{"radius", wordsOf<BondRadii>(), bond("normalStiffness 1; shearStiffness 1; "),
+        [](const std::string& s) { return read(s).bondTypes[0].type.radiusKind; }}.expectWords();
+
+    const ModelFamily family{"calibration", wordsOf(calibrations()), bond(""),
+        [](const std::string& s) { return read(s).bondTypes[0].calibration; }};
+    family.expectWords([](const std::string& word)
+    {
+        std::string s;
+        for (const CalibrationEntry& e : calibrationOf(word).entries)
+            s += std::string(e.name) + " " + std::to_string(e.typical) + "; ";
+        return s;
+    });
+    for (const CalibrationCard& c : calibrations()) family.expectEntries(c.word, c.entries);
 }

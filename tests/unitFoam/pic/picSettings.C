@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The dictionaries of a PIC case: defaults, zones and openings, messages. */
 
+#include "modelFamily.hpp"
 #include "particleCase.hpp"
+#include "pic/openings/kinds.hpp"
+#include "pic/terms/viscousSchemes.hpp"
 #include "picDictionaries.H"
 
 #include <gtest/gtest.h>
@@ -154,4 +157,25 @@ TEST(PicSettings, openings)
         "Opening xMin: entry level reaches 100000 m, more than 100 times the size of the mesh"));
     EXPECT_EQ(of("xMin 1;"),
         "Entry xMin must be a dictionary: a patch through which water comes and goes");
+}
+
+//- Of every family of models that a word chooses, besides the transfers
+TEST(PicSettings, families)
+{
+    using namespace riprap;
+    PicCase c;
+    ModelFamily{"viscosity", wordsOf<ViscousSchemes>(), [](const std::string& s) { return s; },
+        [&](const std::string& s) { return c.settings(s).config.viscousScheme; }}.expectWords();
+    for (const ViscousScheme& scheme : cardsOf<ViscousScheme, ViscousSchemes>())
+    {
+        const auto s = c.settings(std::string("viscosity ") + scheme.word + ";");
+        EXPECT_EQ(s.config.viscosity > 0, scheme.acts) << scheme.word;
+    }
+
+    ModelFamily{"type", wordsOf<OpeningKinds>(),
+        [](const std::string& s) { return "openings { xMin { " + s + " } }"; },
+        [&](const std::string& s)
+        { return c.settings(s).config.openings.at(0).kind; }}.expectWords(
+        [](const std::string& word)
+        { return word + (word == "velocity" ? " (1 0 0);" : " 0.1;"); });
 }

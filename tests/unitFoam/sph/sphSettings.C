@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*  The dictionaries of an SPH case: defaults, speeds, densities, messages. */
 
+#include "coupling/couplings.hpp"
+#include "coupling/fluidForces.hpp"
+#include "modelFamily.hpp"
 #include "particleCase.hpp"
+#include "solvers/sph/sphModels.hpp"
 #include "sphDictionaries.H"
 
 #include <cmath>
@@ -164,12 +168,71 @@ TEST(SphSettings, densityOfPressure)
     config.soundSpeed = 20;
     for (const scalar p : {-100.0, 0.0, 3e4})
     {
-        config.eos = riprap::EosKind::Tait;
+        config.eos = "Tait";
         const double B = 1000*400/7.0;
         EXPECT_NEAR(densityOfPressure(config, p), 1000*std::pow(p/B + 1, 1/7.0), 1e-9);
         EXPECT_NEAR(pressureOfDensity(config, densityOfPressure(config, p), 20), p, 1e-6);
-        config.eos = riprap::EosKind::linear;
+        config.eos = "linear";
         EXPECT_NEAR(densityOfPressure(config, p), 1000 + p/400, 1e-9);
         EXPECT_NEAR(pressureOfDensity(config, densityOfPressure(config, p), 20), p, 1e-6);
     }
+}
+
+//- Of every family of models that a word chooses
+TEST(SphSettings, families)
+{
+    using namespace riprap;
+    SphCase c;
+    const auto same = [](const std::string& s) { return s; };
+    const auto within = [](const std::string& dict)
+    { return [dict](const std::string& s) { return dict + " { " + s + " }"; }; };
+    const auto of = [&](auto word)
+    { return [&c, word](const std::string& text) { return word(c.settings(text)); }; };
+
+    ModelFamily{"kernel", kernelWords(), same,
+        of([](const sphSettings& s) { return s.config.kernel; })}.expectWords();
+    ModelFamily{"timeIntegration", wordsOf(integrators()), same,
+        of([](const sphSettings& s) { return s.config.integrator; })}.expectWords();
+    ModelFamily{"shifting", wordsOf(shiftings()), same,
+        of([](const sphSettings& s) { return s.config.shifting; })}.expectWords();
+    ModelFamily{"model", wordsOf(wallModels()), within("walls"),
+        of([](const sphSettings& s) { return s.config.wallModel; })}.expectWords();
+    ModelFamily{"coupling", wordsOf<Couplings>(), same,
+        of([](const sphSettings& s) { return s.coupling.kind; })}.expectWords();
+    ModelFamily{"fluidForce", wordsOf<FluidForces>(), within("couplingCoeffs"),
+        of([](const sphSettings& s) { return s.coupling.force; })}.expectWords();
+    const ModelFamily equations{"equationOfState", wordsOf(equationsOfState()), same,
+        of([](const sphSettings& s) { return s.config.eos; })};
+    equations.expectWords();
+    for (const EquationModel& e : equationsOfState()) equations.expectEntries(e.word, e.entries);
+}
+
+//- The default of an integrator's Courant number is that of its card, and above its highest it is
+//  refused
+TEST(SphSettings, courantOfIntegrators)
+{
+    SphCase c;
+    for (const riprap::IntegratorModel& i : riprap::integrators())
+    {
+        const std::string word = std::string("timeIntegration ") + i.word + "; ";
+        EXPECT_EQ(c.settings(word).config.acousticCourant, i.acousticCourant);
+        EXPECT_TRUE(holds(c.said(word + "acousticCourant 5;"), "Entry acousticCourant is 5"));
+    }
+}
+
+//- Where the equation of state is cut off: a little above it there is a density for each pressure
+TEST(SphSettings, lowestPressure)
+{
+    riprap::SphConfig config;
+    for (const riprap::EquationModel& e : riprap::equationsOfState())
+    {
+        config.eos = e.word;
+        const scalar lowest = lowestPressure(config);
+        EXPECT_LT(lowest, 0) << e.word;
+        EXPECT_EQ(densityOfPressure(config, 2*lowest), densityOfPressure(config, lowest));
+    }
+    config.eos = "linear";
+    EXPECT_NEAR(lowestPressure(config), -0.5*1000*sqr(config.soundSpeed), 1e-9);
+    config.eos = "Tait";
+    EXPECT_NEAR(lowestPressure(config), -0.99/7*1000*sqr(config.soundSpeed), 1e-9);
 }

@@ -21,6 +21,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "readSolidProperties.H"
+#include "modelReader.H"
+#include "dem/bond/bondRadius.hpp"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -52,31 +54,21 @@ static demBondType readBondType(const word& name, const dictionary& entries)
     riprap::DemBondType& type = bond.type;
 
     bond.name = name;
-    bond.calibration = dict.choice
+    bond.calibration = modelWord
     (
+        dict,
         "calibration",
-        demNames::calibration,
-        calibrationKind::direct
+        riprap::wordsOf(riprap::calibrations()),
+        bond.calibration
     );
-    if (bond.calibration == calibrationKind::direct)
-    {
-        type.normalStiffness = dict.positive("normalStiffness");
-        type.shearStiffness = dict.positive("shearStiffness");
-    }
-    else
-    {
-        readCalibration
-        (
-            dict,
-            bond.calibration,
-            type.normalStiffness,
-            type.shearStiffness
-        );
-    }
+    const riprap::BondStiffness k =
+        readCalibration(dict, riprap::calibrationOf(bond.calibration));
+    type.normalStiffness = k.normal;
+    type.shearStiffness = k.shear;
 
     type.radiusFactor = dict.positive("radiusFactor", type.radiusFactor);
     type.radiusKind =
-        dict.choice("radius", demNames::bondRadius, type.radiusKind);
+        modelWord(dict, "radius", riprap::wordsOf<riprap::BondRadii>(), type.radiusKind);
     type.cylinder = dict.either("section", "round", "plate", type.cylinder);
     readStrength(dict, "tensileStrength", type.tensileStrength);
     readStrength(dict, "shearStrength", type.shearStrength);

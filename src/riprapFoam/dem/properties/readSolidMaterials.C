@@ -74,19 +74,37 @@ static void readStiffness(checkedDictionary& dict, riprap::PairProperties& p)
     }
 
     const word typed(dict.dict().get<word>("stiffness"));
-    const calibrationKind kind =
-        demNames::calibration.found(typed)
-      ? demNames::calibration.get(typed)
-      : calibrationKind::direct;
-    if (kind == calibrationKind::direct)
+    DynamicList<word> valid;
+    valid.append("<number>");
+    for (const riprap::CalibrationCard& calibration : riprap::calibrations())
     {
-        dict.unknownWord("stiffness", typed, {"<number>", "moduli", "planeStrain"});
+        if (!calibration.byRadii) continue;
+        if (typed == calibration.word)
+        {
+            const riprap::BondStiffness k = readCalibration(dict, calibration);
+            p.normalStiffness = k.normal*dict.positive("radiusFactor", 1);
+            p.stiffnessRatio = k.shear/k.normal;
+            return;
+        }
+        valid.append(calibration.word);
     }
-    scalar normal = 0;
-    scalar shear = 0;
-    readCalibration(dict, kind, normal, shear);
-    p.normalStiffness = normal*dict.positive("radiusFactor", 1);
-    p.stiffnessRatio = shear/normal;
+    dict.unknownWord("stiffness", typed, wordList(valid));
+}
+
+
+//- What the calibrations of stiffnesses read
+static wordHashSet calibrationEntries()
+{
+    wordHashSet names({"radiusFactor"});
+    for (const riprap::CalibrationCard& calibration : riprap::calibrations())
+    {
+        if (!calibration.byRadii) continue;
+        for (const riprap::CalibrationEntry& e : calibration.entries)
+        {
+            names.insert(e.name);
+        }
+    }
+    return names;
 }
 
 
@@ -138,7 +156,7 @@ static riprap::PairProperties readPair
     {
         isUnused(e.name);
     }
-    for (const word& other : wordList({"E", "G", "nu", "radiusFactor"}))
+    for (const word& other : calibrationEntries())
     {
         isUnused(other);
     }

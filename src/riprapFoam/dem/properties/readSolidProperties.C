@@ -11,6 +11,7 @@ Description
 #include "deviceChoice.H"
 #include "modelReader.H"
 #include "rankBalance.H"
+#include "dem/motion/integrators.hpp"
 #include "solvers/dem/demLaws.hpp"
 #include "sphNames.H"
 
@@ -68,10 +69,11 @@ static void readTimeIntegration
     riprap::DemConfig& config
 )
 {
-    config.integrator = solids.choice
+    config.integrator = modelWord
     (
+        solids,
         "timeIntegration",
-        demNames::timeIntegration,
+        riprap::wordsOf<riprap::DemIntegrators>(),
         config.integrator
     );
     config.stepFraction = solids.positive("stepFraction", config.stepFraction);
@@ -132,29 +134,18 @@ const Foam::dictionary& Foam::namedDict
 }
 
 
-void Foam::readCalibration
+riprap::BondStiffness Foam::readCalibration
 (
     checkedDictionary& dict,
-    calibrationKind kind,
-    scalar& normal,
-    scalar& shear
+    const riprap::CalibrationCard& calibration
 )
 {
-    const scalar E = dict.positive("E");
-
-    if (kind == calibrationKind::moduli)
+    riprap::CalibrationNumbers numbers;
+    for (const riprap::CalibrationEntry& e : calibration.entries)
     {
-        normal = E;
-        shear = dict.positive("G");
+        readEntry(dict, e, numbers);
     }
-    else
-    {
-        dict.number("nu");
-        // At 0.5 the stiffness is infinite
-        const scalar nu = dict.between("nu", 0, 0, 0.4999);
-        normal = E*(1 - nu)/((1 + nu)*(1 - 2*nu));
-        shear = normal/2;
-    }
+    return calibration.of(numbers);
 }
 
 

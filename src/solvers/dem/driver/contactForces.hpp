@@ -78,7 +78,7 @@ MoveSolids<D, P> ContactForces<Backend, D, P>::mover()
     setMotion(m);
     m.box = p_.set.box;
     m.solids = p_.order.records.view();
-    m.verlet = p_.set.config.integrator == DemIntegratorKind::velocityVerlet;
+    m.verlet = p_.set.integrator.kicksTwice;
     for (int d = 0; d < D; ++d)
     {
         m.reference[d] = p_.order.reference.data() + std::size_t(d)*p_.particles.n;
@@ -286,8 +286,7 @@ void ContactForces<Backend, D, P>::evaluate(ForceTurn turn)
 template<class Backend, int D, class P>
 bool ContactForces<Backend, D, P>::movesAtOnce() const
 {
-    return !Backend::gpu && !p_.clumps.any()
-        && p_.set.config.integrator == DemIntegratorKind::leapfrog;
+    return !Backend::gpu && !p_.clumps.any() && !p_.set.integrator.kicksTwice;
 }
 
 //- As MoveCollected::isPlain has it

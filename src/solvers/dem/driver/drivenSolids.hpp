@@ -129,8 +129,7 @@ int DrivenSolids<Backend, D, P>::subcycles(double dt)
 template<class Backend, int D, class P>
 double DrivenSolids<Backend, D, P>::kickTime(double dt, int subcycles)
 {
-    if (p_.set.config.integrator == DemIntegratorKind::velocityVerlet) return dt;
-    return dt + 0.5*(p_.clock.now.dt - dt/subcycles);
+    return p_.set.integrator.kickTime(dt, subcycles, p_.clock.now.dt);
 }
 
 template<class Backend, int D, class P>

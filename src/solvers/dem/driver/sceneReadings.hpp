@@ -71,7 +71,7 @@ private:
 //- By how much velocities of now are ahead of those kept
 template<class Backend, int D, class P>
 double SceneReadings<Backend, D, P>::halfStep() const
-{ return p_.set.config.integrator == DemIntegratorKind::leapfrog ? 0.5*p_.clock.now.dt : 0; }
+{ return p_.set.integrator.lag*p_.clock.now.dt; }
 
 //- Quaternions of the first n, in the axes of the scene
 template<class Backend, int D, class P>

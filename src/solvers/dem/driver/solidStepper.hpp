@@ -56,7 +56,7 @@ void SolidStepper<Backend, D, P>::step()
     if constexpr (!Backend::gpu) if (!p_.clock.data()->active) return;
     if (p_.motion.walls())
         forEach(p_.set.context, p_.walls.count, forces_.wallMover(p_.clock.data()));
-    const bool verlet = p_.set.config.integrator == DemIntegratorKind::velocityVerlet;
+    const bool verlet = p_.set.integrator.kicksTwice;
     if (p_.clumps.any())
         forEach(p_.set.context, p_.clumps.count(),
             MoveClumps<D, P>{p_.clumps.data(), p_.clumps.kick(), verlet, p_.clock.data()});
@@ -73,7 +73,7 @@ void SolidStepper<Backend, D, P>::finishStep()
 {
     forces_.evaluate();
     if (ranks_.others) ranks_.bonds.agree();
-    if (p_.set.config.integrator != DemIntegratorKind::velocityVerlet) return;
+    if (!p_.set.integrator.kicksTwice) return;
     FinishVerlet<D, P> finish{};
     forces_.setMotion(finish);
     finish.clumps = p_.clumps.any();
@@ -123,7 +123,7 @@ bool SolidStepper<Backend, D, P>::fitsBlock() const
 {
     if constexpr (!Backend::gpu) return false;
     else
-        return p_.set.config.integrator == DemIntegratorKind::velocityVerlet && !p_.clumps.any()
+        return p_.set.integrator.kicksTwice && !p_.clumps.any()
             && !p_.motion.walls() && p_.particles.n <= BlockLimits::particles
             && p_.bonds.count() <= BlockLimits::bonds
             && (!p_.walls.memory.entries

@@ -165,7 +165,7 @@ void Bonds<Backend, D, P>::set(const DemBonds& in, const DemParticles& q)
         canBreak_ = canBreak_ || t.tensileStrength < most || t.shearStrength < most;
         types.push_back(BondParameters<real>{real(t.normalStiffness), real(t.shearStiffness),
             strength(t.tensileStrength), strength(t.shearStrength), real(2*t.dampingRatio),
-            real(t.radiusFactor), t.radiusKind == BondRadiusKind::harmonic, D == 3 || t.cylinder});
+            real(t.radiusFactor), bondRadiusChoice(t.radiusKind), D == 3 || t.cylinder});
     }
     setEnds(end, particles_.n);
     type_.upload(set_.context, type);

@@ -102,8 +102,7 @@ struct DemParts
     //- Are steps fused (GPU)? Clumps gather their members' forces first, and Verlet kicks twice
     bool fuses() const
     {
-        return Backend::gpu && !clumps.any()
-            && set.config.integrator == DemIntegratorKind::leapfrog;
+        return Backend::gpu && !clumps.any() && !set.integrator.kicksTwice;
     }
 
     //- Has the device come to the target, the last step, or to a guard?

@@ -6,6 +6,7 @@
 
 #include "core/backend/launch.hpp"
 #include "core/simd/precision.hpp"
+#include "dem/motion/integrators.hpp"
 #include "dem/state/clock.hpp"
 #include "solvers/dem/demLaws.hpp"
 
@@ -17,6 +18,7 @@ struct DemSetting
 {
     DemConfig config;
     LawChoice laws;
+    DemIntegrator integrator;
     DemInput input;             // without particles and bonds
     DemPlan plan;
     Context<Backend> context{};
@@ -25,7 +27,7 @@ struct DemSetting
     //- Particles and bonds go to the device: the host keeps no second copy of millions
     DemSetting(const DemConfig& c, const DemInput& in, const DemPlan& p)
     :
-        config(c), laws(lawChoice(c)), plan(p)
+        config(c), laws(lawChoice(c)), integrator(demIntegratorOf(c.integrator)), plan(p)
     {
         input.materials = in.materials;
         input.pairs = in.pairs;

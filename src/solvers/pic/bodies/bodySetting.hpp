@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include "dem/motion/integrators.hpp"
 #include "pic/bodies/bodyTerm.hpp"
 #include "api/picScene.hpp"
 
@@ -33,7 +34,7 @@ struct BodySetting
         scene(s),
         groups(solids.input.groups.empty() ? std::vector<DemGroup>(1) : solids.input.groups),
         motion(solids.input.groupMotion),
-        verlet(solids.config.integrator == DemIntegratorKind::velocityVerlet),
+        verlet(demIntegratorOf(solids.config.integrator).kicksTwice),
         clumps(!solids.input.clumps.empty()),
         weak(solids.weak),
         contactVelocity(solids.contactVelocity),

@@ -248,14 +248,14 @@ void OpenBoundaries<Backend, D, P>::setFaces(double t)
     {
         OpenFace<D>& f = sides.faces[k];
         const PicOpening& o = config.openings[f.opening];
-        const bool inflowLevel = o.kind != OpeningKind::level && o.level;
+        const bool inflowLevel = sides.kinds[f.opening] != Given::pressure && o.level;
         f.filled = f.underSurface(phi[k]);
         f.wet = inflowLevel ? f.under(o.level(t)) : f.filled;
         area[f.opening] += f.wet*f.open*grid.area();
         whole[f.opening] += f.open*grid.area();
     }
     for (int k = 0; k < count; ++k)
-        if (config.openings[k].kind == OpeningKind::flowRate)
+        if (sides.kinds[k] == Given::discharge)
         {
             // through a dry opening the water falls: through all of it
             const double through = area[k] > 0 ? area[k] : whole[k];
@@ -270,14 +270,19 @@ void OpenBoundaries<Backend, D, P>::setFaces(double t)
     {
         const OpenFace<D>& f = sides.faces[k];
         const PicOpening& o = config.openings[f.opening];
+        const Given kind = sides.kinds[f.opening];
         double w = 0;
-        if (o.kind == OpeningKind::velocity) w = o.velocity(t)[config.axes[f.direction]];
-        else if (o.kind == OpeningKind::flowRate) w = f.inward(sides.rate[f.opening]);
+        switch (kind)
+        {
+            case Given::velocity: w = o.velocity(t)[config.axes[f.direction]]; break;
+            case Given::discharge: w = f.inward(sides.rate[f.opening]); break;
+            case Given::pressure: break;
+        }
         // nothing flows through what lies above the level; where there is no water the value
         // continues that below
         const bool wet = phi[k] < -wetDepth*grid.h;
         if (o.level && wet && !(f.wet > 0)) w = 0;
-        const bool free = o.kind == OpeningKind::level;
+        const bool free = kind == Given::pressure;
         sides.open.push_back(free ? real(f.open) : real(0));
         sides.given.push_back(free ? real(0) : real(w*f.open));
         sides.leaves.push_back(!free && f.inward(w) < 0);
@@ -319,7 +324,7 @@ void OpenBoundaries<Backend, D, P>::push(double dt)
         {
             const OpenFace<D>& f = sides.faces[k];
             const PicOpening& o = p_.set.config.openings[f.opening];
-            const double head = o.kind == OpeningKind::level
+            const double head = sides.kinds[f.opening] == Given::pressure
                 ? std::max(0.0, o.level(p_.set.clock.time) - f.height)
                 : 0;
             push.push_back(real(f.inward(2*dt*std::sqrt(g)*head/p_.set.grid.h)));
@@ -350,7 +355,8 @@ void OpenBoundaries<Backend, D, P>::inject(double dt)
     {
         OpenFace<D>& f = sides.faces[k];
         const PicOpening& o = p_.set.config.openings[f.opening];
-        const double along = o.kind == OpeningKind::level ? u[k] : (f.open > 0 ? u[k]/f.open : 0.0);
+        const Given kind = sides.kinds[f.opening];
+        const double along = kind == Given::pressure ? u[k] : (f.open > 0 ? u[k]/f.open : 0.0);
         const double area = f.filled*f.open*grid.area();
         wet[f.opening] += area;
         carried[f.opening] += std::max(0.0, -f.inward(along))*area*dt;
@@ -360,7 +366,7 @@ void OpenBoundaries<Backend, D, P>::inject(double dt)
         sides.in[f.opening] += std::int64_t(places.size());
         sides.volume[f.opening] += double(places.size())*clock.particleVolume;
         Vec<D, double> v{};
-        if (o.kind == OpeningKind::velocity && !places.empty())
+        if (kind == Given::velocity && !places.empty())
         {
             const Vector3 all = o.velocity(clock.time);
             for (int d = 0; d < D; ++d) v.c[d] = all[p_.set.config.axes[d]];

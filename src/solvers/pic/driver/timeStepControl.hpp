@@ -56,7 +56,7 @@ double TimeStepControl<Backend, D, P>::step(double speed, std::string& limit) co
         if (solid < dt) { dt = solid; limit = "solids"; }
     }
     const double viscous = viscousStep(grid.h, config.viscosity/config.density, D);
-    if (viscous < dt && config.viscousScheme == ViscousKind::explicitly)
+    if (viscous < dt && viscousSchemeOf(config.viscousScheme).limitsStep)
     {
         dt = viscous;
         limit = "viscous";

@@ -57,9 +57,8 @@ bool ViscousStep<Backend, D, P>::implicit(double dt) const
     const PicConfig& config = p_.set.config;
     // a face close to a solid would limit an explicit step
     if (p_.sticksInside()) return true;
-    if (config.viscousScheme != ViscousKind::automatic)
-        return config.viscousScheme == ViscousKind::implicitly;
-    return dt > viscousStep(p_.set.grid.h, config.viscosity/config.density, D);
+    return viscousSchemeOf(config.viscousScheme)
+        .implicit(dt, viscousStep(p_.set.grid.h, config.viscosity/config.density, D));
 }
 
 template<class Backend, int D, class P>

@@ -11,6 +11,7 @@
 
 #include "core/backend/backend.hpp"
 #include "pic/openings/inflow.hpp"
+#include "pic/openings/kinds.hpp"
 #include "solvers/pic/parts/picSetting.hpp"
 
 namespace riprap
@@ -23,6 +24,7 @@ public:
 
     using real = typename P::real;
 
+    std::vector<Given> kinds;               // of openings
     std::vector<OpenFace<D>> faces;
     std::vector<int> number[D];             // of a face's opening, -1: none
     std::vector<int> here[D];               // which of `faces` are in this rank's arrays
@@ -38,7 +40,8 @@ public:
     Array<Backend, unsigned char> gate[D], flags;
     Array<Backend, real> buffer, second;
 
-    explicit OpenSides(PicSetting<Backend, D, P>& set) : set_(set) {}
+    explicit OpenSides(PicSetting<Backend, D, P>& set) : set_(set)
+    { for (const PicOpening& o : set.config.openings) kinds.push_back(givenAt(o.kind)); }
 
     bool takeLeft(const Vec<D, double>& x);
     double speed(double t) const;
@@ -95,8 +98,8 @@ double OpenSides<Backend, D, P>::speed(double t) const
     for (std::size_t k = 0; k < set_.config.openings.size(); ++k)
     {
         const PicOpening& o = set_.config.openings[k];
-        if (o.kind == OpeningKind::flowRate) most = std::max(most, std::abs(rate[k]));
-        if (o.kind != OpeningKind::velocity) continue;
+        if (kinds[k] == Given::discharge) most = std::max(most, std::abs(rate[k]));
+        if (kinds[k] != Given::velocity) continue;
         double v2 = 0;
         for (int d = 0; d < D; ++d) v2 += std::pow(o.velocity(t)[set_.config.axes[d]], 2);
         most = std::max(most, std::sqrt(v2));

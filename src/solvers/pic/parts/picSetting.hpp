@@ -13,6 +13,7 @@
 #include "core/ranks/joinRanks.hpp"
 #include "pic/ranks/gridBricks.hpp"
 #include "pic/ranks/rankMeter.hpp"
+#include "pic/terms/viscousSchemes.hpp"
 #include "solvers/pic/transfer/picSplines.hpp"
 
 namespace riprap

@@ -101,21 +101,11 @@ void SolidCoupling<Backend, D, P>::push()
     p_.solids.side->push(0.5*p_.clock.now.dt);
 }
 
-//- What of the last two forces solids get at a fraction of the step, so that the impulse of whole
-//  steps is what docs/coupling.md has
-inline ForceShares sharesOfForces(const ClockData& clock, FluidForceKind kind, double fraction)
-{
-    const double ratio = clock.previousDt/clock.dt;     // 0 in the first step
-    if (kind != FluidForceKind::interpolated) return ForceShares{0.5*(1 + ratio), 0};
-    const double slope = 0.5*ratio + (ratio > 0 ? (fraction - 0.5)/ratio : 0);
-    return ForceShares{1 + slope, -slope};
-}
-
 template<class Backend, int D, class P>
 void SolidCoupling<Backend, D, P>::advance()
 {
-    const auto forceShares = [&](double fraction)
-    { return sharesOfForces(p_.clock.now, p_.solids.coupling.force, fraction); };
+    const FluidForceCard& force = p_.solids.fluidForce();
+    const double ratio = p_.clock.now.previousDt/p_.clock.now.dt;   // 0 in the first step
     const auto advance = [&](double t, double dt, int steps, const ForceShares& shares)
     {
         const double scale = dt/p_.solids.side->kickTime(dt, steps);
@@ -129,21 +119,19 @@ void SolidCoupling<Backend, D, P>::advance()
         p_.solids.side->advanceTo(p_.clock.now.time, p_.clock.now.dt, p_.solids.subcycles = 1);
         return;
     }
-    if (p_.solids.coupling.force == FluidForceKind::impulse) push();
+    if (force.blows) push();
     const int steps = p_.solids.subcycles = p_.solids.side->subcycles(p_.clock.now.dt);
     const double begin = p_.clock.now.time - p_.clock.now.dt, part = p_.clock.now.dt/steps;
     const auto end = [&](int k) { return k == steps ? p_.clock.now.time : begin + k*part; };
     bool good = true;
-    if (p_.solids.coupling.force == FluidForceKind::interpolated)
+    if (force.eachSubstep)
     {
         for (int k = 0; k < steps && good; ++k)
-            good = advance(end(k + 1), part, 1, forceShares((k + 0.5)/steps));
+            good = advance(end(k + 1), part, 1, force.shares(ratio, (k + 0.5)/steps));
         forEach(p_.set.context, p_.solids.count*D,
             KeepForces<real>{p_.solids.force.data(), p_.solids.forceBefore.data()});
     }
-    else if (p_.solids.coupling.force == FluidForceKind::held)
-        good = advance(p_.clock.now.time, p_.clock.now.dt, steps, forceShares(0.5));
-    else good = advance(p_.clock.now.time, p_.clock.now.dt, steps, ForceShares{0, 0});
+    else good = advance(p_.clock.now.time, p_.clock.now.dt, steps, force.shares(ratio, 0.5));
     if (good) return;
     p_.clock.now.halt = Halt::solids;
     p_.clock.now.active = 0;
@@ -177,7 +165,7 @@ template<class F>
 void SolidCoupling<Backend, D, P>::withSolidTerms(bool viscous, const F& f) const
 {
     SolidPressure pressure{};
-    pressure.gradient = p_.solids.coupling.kind == CouplingKind::pressureGradient;
+    pressure.gradient = couplingOf(p_.solids.coupling.kind).gradient;
     const auto antiClump = p_.set.terms.template get<AntiClump<real>>();
     const auto xsph = p_.set.terms.template get<Xsph<real>>();
     p_.set.terms.withSolidTerms(viscous && p_.solids.coupling.viscosity,
@@ -192,17 +180,15 @@ void SolidCoupling<Backend, D, P>::withSolidTerms(bool viscous, const F& f) cons
 template<class Backend, int D, class P>
 void SolidCoupling<Backend, D, P>::pressurePass(bool inStep)
 {
-    const bool extrapolated = p_.solids.coupling.kind == CouplingKind::extrapolated;
-    if (!p_.solids.meetFluid
-        || (!extrapolated && p_.solids.coupling.kind != CouplingKind::pressureApproximation))
-        return;
+    const CouplingCard& coupling = couplingOf(p_.solids.coupling.kind);
+    if (!p_.solids.meetFluid || !coupling.pressed) return;
     withKernel(p_.set.config, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
         p_.runOverSolids(SolidPressurePass<Backend, D, P, Kernel, decltype(variable)::value>{
             p_.set.box, p_.set.grid, {p_.fluidAboutSolids()}, p_.solids.records.view(),
             p_.set.template kernelConstants<Kernel>(), p_.set.model, p_.solids.points(),
-            extrapolated, inStep ? p_.clock.data() : nullptr, p_.solidGhosts()});
+            coupling.extrapolates, inStep ? p_.clock.data() : nullptr, p_.solidGhosts()});
     });
     if (p_.solidRanks) p_.solidRanks->sharePressures();
 }
@@ -274,7 +260,7 @@ CouplingState SolidCoupling<Backend, D, P>::state()
             const double f = force[at];
             s.force[3*i + p_.set.config.axes[d]] = f;
             s.total[p_.set.config.axes[d]] += f;
-            if (p_.solids.coupling.force != FluidForceKind::impulse)
+            if (!p_.solids.fluidForce().blows)
                 s.pending[p_.set.config.axes[d]] += 0.5*p_.clock.now.dt*(f - before[at]);
         }
     return s;

@@ -93,9 +93,9 @@ void SphNeighbours<Backend, D, P>::rebuild()
     settleFrames();
     if (p_.solids.side) solids_.findFluid();
     buildLists();
-    // sorted walls need their pressures anew; and the symplectic scheme's density pass sees those
-    // of the state at hand, so that a restart does too
-    if (p_.walls.bodies || p_.set.config.integrator == IntegratorKind::symplectic)
+    // sorted walls need their pressures anew; and a first pass that sees them has those of the
+    // state at hand, so that a restart does too
+    if (p_.walls.bodies || integratorOf(p_.set.config).seesWallsFirst)
         walls_.extrapolate(false);
     solids_.pressurePass(false);
     if (p_.ranks) p_.ranks->agree(p_.clock, p_.interrupted);
@@ -173,7 +173,7 @@ void SphNeighbours<Backend, D, P>::buildLists()
         p_.memory.fluidWall.build(p_.set.context, box, grid, p_.memory.wallRadius, fluid, wall,
             p_.walls.sort.start(), p_.fluid.sort.active(), false, overflow + 1, "listFluidWall",
             {}, p_.ghosts());
-        if (p_.set.config.wallModel == WallKind::extrapolated || p_.walls.bodies)
+        if (p_.set.wallsFollowFluid() || p_.walls.bodies)
             p_.memory.wallFluid.build(p_.set.context, box, grid, p_.memory.wallRadius, wall, fluid,
                 p_.fluid.sort.start(), p_.walls.sort.active(), false, overflow + 2,
                 "listWallFluid", {}, p_.wallGhosts());
@@ -198,7 +198,7 @@ void SphNeighbours<Backend, D, P>::findRanges()
     if (p_.walls.count)
     {
         find(p_.memory.fluidWall, fluid, n, p_.walls.sort, p_.ghosts());
-        if (p_.set.config.wallModel == WallKind::extrapolated || p_.walls.bodies)
+        if (p_.set.wallsFollowFluid() || p_.walls.bodies)
             find(p_.memory.wallFluid, p_.walls.records.view(), p_.walls.count, p_.fluid.sort,
                 p_.wallGhosts());
     }
@@ -261,7 +261,7 @@ void SphNeighbours<Backend, D, P>::allocateListMemory()
             p_.memory.fluidWall.allocate(p_.set.context, p_.fluid.n, p_.shift, true,
                 roomFor(p_.memory.fluidWall,
                     int(std::min(warps, 3*wallWarps)*wallBlocks/2 + 256)));
-            if (p_.set.config.wallModel == WallKind::extrapolated || p_.walls.bodies)
+            if (p_.set.wallsFollowFluid() || p_.walls.bodies)
                 p_.memory.wallFluid.allocate(p_.set.context, p_.walls.count, p_.shift, true,
                     roomFor(p_.memory.wallFluid, int(wallWarps*capacity/4 + 256)));
         }

@@ -314,7 +314,7 @@ NeighbourCounts SphReadings<Backend, D, P>::countNeighbours()
     const auto ghost = [&](int i) { return p_.ghost(i); };
     r.fluid = count(p_.fluidSource(false), p_.fluid.records.view(), n, ghost, false);
     r.walls = count(p_.wallSource(), p_.fluid.records.view(), n, ghost, false);
-    if (p_.walls.count && (p_.walls.bodies || p_.set.config.wallModel == WallKind::extrapolated))
+    if (p_.walls.count && (p_.walls.bodies || p_.set.wallsFollowFluid()))
         r.aboutWalls = count(
             p_.fluidSource(true), p_.walls.records.view(), p_.walls.count,
             [&](int i) { return p_.wallGhost(i); }, false);

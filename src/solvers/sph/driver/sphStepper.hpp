@@ -8,7 +8,6 @@
 #pragma once
 
 #include "solvers/sph/driver/sphNeighbours.hpp"
-#include "sph/time/symplectic.hpp"
 
 namespace riprap
 {
@@ -27,6 +26,45 @@ public:
     void run(std::int64_t& rebuilds);
 
 private:
+
+    //- What integrators consist of (sph/time)
+    struct Step
+    {
+        SphStepper& of;
+
+        //- Particles, by the functor of an integrator
+        template<template<class, int, class> class M>
+        void move()
+        {
+            of.fluid_.template move<M<Backend, D, P>>();
+            if (of.p_.ranks) of.p_.ranks->shareRecords();
+        }
+
+        //- Walls and solids to the middle of the step
+        void moveToMiddle()
+        {
+            of.walls_.move(true);
+            of.solids_.move(true);
+        }
+
+        //- Walls and solids to its end, with what the fluid, which is there, gives them
+        void moveToEnd()
+        {
+            of.walls_.pushBodies();
+            of.walls_.move(false);
+            of.solids_.move(false);
+            of.walls_.extrapolate(true);
+            of.solids_.pressurePass(true);
+        }
+
+        //- Over the pairs
+        template<Part part>
+        void pass()
+        {
+            of.solids_.template pass<part>();
+            of.fluid_.template pass<part>(Finish::close);
+        }
+    };
 
     void step();
     void passes();
@@ -57,13 +95,13 @@ void SphStepper<Backend, D, P>::step()
     }
     if (p_.solids.side)
     {
-        if (Backend::gpu && p_.solids.coupling.force != FluidForceKind::impulse)
+        if (Backend::gpu && !p_.solids.fluidForce().blows)
             p_.solids.side->measureSpeed();
         p_.clock.read();
         if (p_.clock.now.active) solids_.advance();
         if (!p_.clock.now.active) return;
         passesAfterSolids();
-        if (p_.solids.coupling.force == FluidForceKind::impulse) solids_.push();
+        if (p_.solids.fluidForce().blows) solids_.push();
     }
     else passes();
 }
@@ -73,38 +111,12 @@ template<class Backend, int D, class P>
 void SphStepper<Backend, D, P>::passes()
 {
     walls_.moveFaces();
-    if (p_.set.config.integrator == IntegratorKind::leapfrog)
+    withIntegrator(p_.set.config, [this](auto integrator)
     {
-        fluid_.template move<LeapfrogDrift<Backend, D, P>>();
-        if (p_.ranks) p_.ranks->shareRecords();
-        walls_.pushBodies();
-        walls_.move(false);
-        solids_.move(false);
-        walls_.extrapolate(true);
-        solids_.pressurePass(true);
-        solids_.template pass<Part::all>();
-        fluid_.template pass<Part::all>(Finish::close);
-        walls_.force(nullptr);
-    }
-    else
-    {
-        fluid_.template move<SymplecticKick<Backend, D, P>>();
-        if (p_.ranks) p_.ranks->shareRecords();
-        walls_.move(true);
-        solids_.move(true);
-        solids_.template pass<Part::density>();
-        fluid_.template pass<Part::density>(Finish::close);
-        fluid_.template move<SymplecticDrift<Backend, D, P>>();
-        if (p_.ranks) p_.ranks->shareRecords();
-        walls_.pushBodies();
-        walls_.move(false);
-        solids_.move(false);
-        walls_.extrapolate(true);
-        solids_.pressurePass(true);
-        solids_.template pass<Part::momentum>();
-        fluid_.template pass<Part::momentum>(Finish::close);
-        walls_.force(nullptr);
-    }
+        Step step{*this};
+        decltype(integrator)::run(step);
+    });
+    walls_.force(nullptr);
     solids_.forcePass();
     if (p_.ranks) p_.ranks->agree(p_.clock, p_.interrupted);
 }

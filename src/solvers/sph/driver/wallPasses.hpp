@@ -7,7 +7,6 @@
 
 #include "solvers/sph/parts/sphParts.hpp"
 #include "solvers/sph/parts/sphRebuild.hpp"
-#include "sph/boundary/stationaryWall.hpp"
 
 namespace riprap
 {
@@ -27,8 +26,11 @@ public:
     //- Points in the order of cells, where neighbours are sought
     void place();
 
-    //- What the fluid sees of them where walls are but still fluid (WallKind::stationary)
+    //- What the fluid sees of them at the very start, of all models
     void setStationary();
+
+    //- What the fluid sees of them once they are placed or moved, of models that do not ask it
+    void setPoints();
 
     //- Pressure, density and velocity of the points, of models that take them from the fluid
     void extrapolate(bool inStep);
@@ -44,6 +46,8 @@ public:
     void pushBodies();
 
 private:
+
+    template<class Model> void followFluid(bool inStep);
 
     SphParts<Backend, D, P>& p_;
 };
@@ -67,7 +71,7 @@ void WallPasses<Backend, D, P>::move(bool half)
     m.half = half;
     m.clock = p_.clock.data();
     forEach(p_.set.context, p_.walls.count, m);
-    if (p_.set.config.wallModel == WallKind::stationary) setStationary();
+    setPoints();
 }
 
 template<class Backend, int D, class P>
@@ -104,7 +108,7 @@ void WallPasses<Backend, D, P>::place()
             : nullptr;
     }
     forEach(p_.set.context, p_.walls.count, place);
-    if (p_.set.config.wallModel == WallKind::stationary) setStationary();
+    setPoints();
 }
 
 template<class Backend, int D, class P>
@@ -115,13 +119,36 @@ void WallPasses<Backend, D, P>::setStationary()
 }
 
 template<class Backend, int D, class P>
+void WallPasses<Backend, D, P>::setPoints()
+{
+    withWallModel(p_.set.config, [&](auto model)
+    {
+        using Model = decltype(model);
+        if constexpr (!Model::followsFluid)
+            forEach(p_.set.context, p_.walls.count,
+                typename Model::template Points<Backend, D, P>{
+                    p_.walls.records.view(), p_.walls.fields(), p_.set.model});
+    });
+}
+
+template<class Backend, int D, class P>
 void WallPasses<Backend, D, P>::extrapolate(bool inStep)
 {
-    if (!p_.walls.count || p_.set.config.wallModel != WallKind::extrapolated) return;
+    if (!p_.walls.count) return;
+    withWallModel(p_.set.config, [&](auto model)
+    {
+        if constexpr (decltype(model)::followsFluid) followFluid<decltype(model)>(inStep);
+    });
+}
+
+template<class Backend, int D, class P>
+template<class Model>
+void WallPasses<Backend, D, P>::followFluid(bool inStep)
+{
     withKernel(p_.set.config, [&](auto kernel, auto variable)
     {
         using Kernel = decltype(kernel);
-        ExtrapolatedWallPass<Backend, D, P, Kernel, decltype(variable)::value> pass;
+        typename Model::template Pass<Backend, D, P, Kernel, decltype(variable)::value> pass;
         pass.box = p_.set.box;
         pass.grid = p_.set.grid;
         pass.source[0] = p_.fluidSource(true);

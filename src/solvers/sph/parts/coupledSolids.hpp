@@ -6,6 +6,8 @@
 #pragma once
 
 #include "core/neighbours/cellSort.hpp"
+#include "coupling/couplings.hpp"
+#include "coupling/fluidForces.hpp"
 #include "coupling/solidPasses.hpp"
 #include "solvers/sph/parts/sphSetting.hpp"
 #include "solvers/sph/sphInstances.hpp"
@@ -40,6 +42,9 @@ public:
     void allocateAction(int particles);
 
     SolidPoints<D, P> points();
+
+    //- How solids get the fluid's force
+    const FluidForceCard& fluidForce() const { return fluidForceOf(coupling.force); }
 
     //- Of solids on the fluid
     SolidAction<D, real> action();
@@ -87,7 +92,7 @@ void CoupledSolids<Backend, D, P>::set(SolidPart part, int particles)
     for (auto& u : own) u.allocate(set_.context, std::size_t(count) + 16);
     mass.allocate(set_.context, std::size_t(count) + 16);
     for (auto* a : {&velocity, &acceleration, &force}) a->allocate(set_.context, all);
-    if (coupling.force == FluidForceKind::interpolated) forceBefore.allocate(set_.context, all);
+    if (fluidForce().eachSubstep) forceBefore.allocate(set_.context, all);
     std::vector<real> massByKey(count);
     for (int k = 0; k < count; ++k) massByKey[k] = real(set_.config.density*part.volume[k]);
     massOfKey_.upload(set_.context, massByKey);

@@ -25,8 +25,7 @@ double skinRatio(const SphConfig& config, int n)
     if (config.skin >= 0) return config.skin;
     if (!Backend::gpu) return D == 2 ? 0.2 : 0.15;
     // small scenes are bound by launches, of which a rebuild has many
-    const bool symplectic = config.integrator == IntegratorKind::symplectic;
-    if (n <= 24000) return D == 2 || symplectic ? 0.5 : 0.35;
+    if (n <= 24000) return D == 2 || integratorOf(config).passes > 1 ? 0.5 : 0.35;
     return n > 200000 ? 0.07 : (D == 2 ? 0.2 : 0.12);
 }
 
@@ -51,6 +50,9 @@ public:
     //- For so many particles of fluid
     SphSetting(const SphConfig&, int particles);
     SphSetting(const SphSetting&) = delete;
+
+    //- Do walls take their pressures from the fluid in each step?
+    bool wallsFollowFluid() const { return wallModelOf(config).followsFluid; }
 
     //- Model, limits and terms of another speed of sound
     void setMaxVelocity(double maxVelocity, double soundSpeed);
@@ -93,8 +95,7 @@ template<class Backend, int D, class P>
 void SphSetting<Backend, D, P>::setModel()
 {
     const SphConfig& c = config;
-    model.eos = EquationOfState<real>::make(
-        c.eos == EosKind::linear, c.gamma, c.soundSpeed, c.density);
+    model.eos = EquationOfState<real>::make(c, c.soundSpeed, c.density);
     for (int d = 0; d < D; ++d) model.gravity.c[d] = real(c.gravity[c.axes[d]]);
     const double h0 = c.smoothingRatio*c.spacing;
     model.rho0 = real(c.density);

@@ -4,12 +4,12 @@
 
     SPDX-License-Identifier: GPL-3.0-or-later
 */
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <gtest/gtest.h>
+#include "guide.hpp"
+#include "pic/openings/kinds.hpp"
+#include "pic/terms/viscousSchemes.hpp"
 #include "solvers/pic/transfer/picTransfers.hpp"
 
 namespace riprap
@@ -139,16 +139,26 @@ TEST(TransferCards, TheGradientIsAChoiceOrNot)
 //- The user's guide has each word and each entry
 TEST(TransferCards, GuideHasThem)
 {
-    const char* root = std::getenv("RIPRAP_DIR");
-    if (!root) GTEST_SKIP() << "RIPRAP_DIR is not set";
-    std::ifstream in(std::string(root) + "/docs/pic.md");
-    const std::string guide{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    ASSERT_GT(guide.size(), 0u);
-    const auto has = [&](const std::string& word)
-    { EXPECT_NE(guide.find("`" + word + "`"), std::string::npos) << word; };
-    for (const auto& words : {wordsOf(transfers()), wordsOf(splines())})
-        for (const std::string& w : words) has(w);
-    for (const TransferEntry& e : allTransferEntries()) has(e.name);
+    const Guide guide("pic.md");
+    if (guide.empty()) GTEST_SKIP() << "RIPRAP_DIR is not set";
+    for (const auto& words : {wordsOf(transfers()), wordsOf(splines()), wordsOf<ViscousSchemes>(),
+             wordsOf<OpeningKinds>()})
+        guide.expectWords(words);
+    for (const TransferEntry& e : allTransferEntries()) guide.expectEntry(e);
+}
+
+//- Other words of picProperties: another is refused with those there are
+TEST(TransferCards, OtherFamilies)
+{
+    for (const std::string& w : wordsOf<ViscousSchemes>()) EXPECT_EQ(viscousSchemeOf(w).word, w);
+    EXPECT_THROW(viscousSchemeOf("other"), std::invalid_argument);
+    EXPECT_THROW(givenAt("other"), std::invalid_argument);
+    for (const ViscousScheme& s : cardsOf<ViscousScheme, ViscousSchemes>())
+    {
+        // what limits the step never leaves the explicit scheme, what does not act has none
+        if (s.limitsStep || !s.acts) { EXPECT_FALSE(s.implicit(2, 1)) << s.word; }
+        else { EXPECT_TRUE(s.implicit(2, 1)) << s.word << " in too long a step"; }
+    }
 }
 
 } // namespace

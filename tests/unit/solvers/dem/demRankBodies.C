@@ -285,7 +285,7 @@ TEST_P(DemRankBodies, hertzAndVerlet)
         c.normal = "hertz";
         c.rolling = "none";
         c.gravity[D - 1] = -400;
-        c.integrator = DemIntegratorKind::velocityVerlet;
+        c.integrator = "velocityVerlet";
         compare(c, rocks(D, D == 2 ? 12 : 6, 2), 300, 3, {D == 2 ? 5 : 3});
         EXPECT_GT(last_.contacts.size(), 10u);
     }
@@ -297,7 +297,7 @@ TEST_P(DemRankBodies, longBars)
     for (const int D : {2, 3})
     {
         DemConfig c = config(D);
-        if (D == 2) c.integrator = DemIntegratorKind::velocityVerlet;
+        if (D == 2) c.integrator = "velocityVerlet";
         DemInput in = stones();
         addBody(in, D, bar(40, 0.02), Vector3{{0, D == 3 ? 0.01 : -0.4, D == 3 ? -0.4 : 0}},
             Vector3{{0, 0, 0}}, 1, true);

@@ -185,7 +185,7 @@ TEST_P(DemRankBonds, wholeBlocksRoll)
     {
         DemConfig c = config(D);
         c.gravity[0] = 9;
-        c.integrator = DemIntegratorKind::velocityVerlet;
+        c.integrator = "velocityVerlet";
         DemInput in = blocks(D, 1);
         in.bondTypes[0].tensileStrength = in.bondTypes[0].shearStrength = 1e300;
         in.bondTypes[0].dampingRatio = 0.05;

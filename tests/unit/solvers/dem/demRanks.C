@@ -233,7 +233,7 @@ TEST_P(DemRanks, hertzAndVerlet)
     DemConfig c = falling(3);
     c.normal = "hertz";
     c.rolling = "none";
-    c.integrator = DemIntegratorKind::velocityVerlet;
+    c.integrator = "velocityVerlet";
     c.orientation = true;
     compare(c, column(3, 400, 0.014, 0.02, 3), 900, {2, 3});
 }

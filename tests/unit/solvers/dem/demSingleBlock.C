@@ -45,7 +45,7 @@ TEST_P(DemOneBlock, BitsOfALaunchEach)
     for (const int D : {2, 3})
     {
         DemConfig c = config(D);
-        c.integrator = DemIntegratorKind::velocityVerlet;
+        c.integrator = "velocityVerlet";
         c.tangential = "history";
         c.stepFraction = 0.1;
         c.gravity = {{0, -9.81, 0}};

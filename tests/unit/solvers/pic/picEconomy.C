@@ -83,7 +83,7 @@ TEST_P(PicEconomy, WhatIsOffCostsNothing)
     none(cost(c), {"diffuse", "viscousSource"});
     EXPECT_EQ(cost(c).bytes.at("walls"), plain.bytes.at("walls"));
     c.viscosity = 1;
-    c.viscousScheme = ViscousKind::explicitly;
+    c.viscousScheme = "explicit";
     const Cost viscous = cost(c);
     EXPECT_GT(viscous.launches.at("diffuse"), 0);
     none(viscous, implicitViscosity);

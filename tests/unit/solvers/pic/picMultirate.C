@@ -341,7 +341,7 @@ TEST_P(PicMultirate, WaterComesInBesideWaterThatWaits)
         c.viscosity = 0.1;
         PicOpening o;
         o.name = "river";
-        o.kind = OpeningKind::flowRate;
+        o.kind = "flowRate";
         o.flowRate = [&](double) { return D() == 3 ? 0.01*4*h : 0.01; };
         o.level = [](double) { return 0.375; };
         c.openings = {o};

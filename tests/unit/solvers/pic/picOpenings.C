@@ -40,7 +40,7 @@ protected:
     {
         PicOpening o;
         o.name = name;
-        o.kind = OpeningKind::level;
+        o.kind = "level";
         o.level = constant(height);
         return o;
     }
@@ -49,7 +49,7 @@ protected:
     {
         PicOpening o;
         o.name = name;
-        o.kind = OpeningKind::flowRate;
+        o.kind = "flowRate";
         o.flowRate = constant(rate);
         return o;
     }
@@ -58,7 +58,7 @@ protected:
     {
         PicOpening o;
         o.name = name;
-        o.kind = OpeningKind::velocity;
+        o.kind = "velocity";
         o.velocity = [along](double) { return Vector3{{along, 0, 0}}; };
         return o;
     }

@@ -20,7 +20,7 @@ protected:
     {
         PicOpening o;
         o.name = "river";
-        o.kind = OpeningKind::velocity;
+        o.kind = "velocity";
         o.velocity = [v](double) { return v; };
         return o;
     }
@@ -28,7 +28,7 @@ protected:
     {
         PicOpening o;
         o.name = "pump";
-        o.kind = OpeningKind::flowRate;
+        o.kind = "flowRate";
         o.flowRate = [rate](double t) { return rate*(1 + t); };
         return o;
     }
@@ -36,7 +36,7 @@ protected:
     {
         PicOpening o;
         o.name = "sea";
-        o.kind = OpeningKind::level;
+        o.kind = "level";
         o.level = [height](double) { return height; };
         return o;
     }

@@ -22,7 +22,7 @@ protected:
         RankScene s{c, column(c), sides(c), {}};
         s.config.viscosity = 100;
         s.config.noSlip = true;
-        s.config.viscousScheme = ViscousKind::implicitly;
+        s.config.viscousScheme = "implicit";
         s.config.slide[1][0] = {{2, 0, 0}};
         return s;
     }
@@ -60,7 +60,7 @@ TEST_P(PicRankViscosity, implicit)
 TEST_P(PicRankViscosity, automatic)
 {
     RankScene s = honey();
-    s.config.viscousScheme = ViscousKind::automatic;
+    s.config.viscousScheme = "automatic";
     s.config.viscosity = 200;               // 1 ms is explicit, the steps are of 8 ms
     const auto course = [](PicScene& scene, RankOutcome& o)
     {

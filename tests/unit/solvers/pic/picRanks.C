@@ -55,7 +55,7 @@ TEST_P(PicRanks, viscousWater)
     c.viscosity = 2;
     c.noSlip = true;
     c.slide[1][0] = {{3, 0, 0}};             // which limits the step
-    c.viscousScheme = ViscousKind::explicitly;
+    c.viscousScheme = "explicit";
     c.absorbers.push_back(
         PicAbsorber{"beach", c.domainMin, {{c.domainMax[0], c.domainMin[1], c.domainMin[2]}}, 4});
     s.walls = sides(c);

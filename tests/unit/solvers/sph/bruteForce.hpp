@@ -43,7 +43,7 @@ private:
     double pressure(double rho) const
     {
         const double s = c.soundSpeed*c.soundSpeed*c.density;
-        return c.eos == EosKind::linear ? s*(rho/c.density - 1)
+        return c.eos == "linear" ? s*(rho/c.density - 1)
                                         : s/c.gamma*(std::pow(rho/c.density, c.gamma) - 1);
     }
 
@@ -51,7 +51,7 @@ private:
     {
         const double s = c.soundSpeed*c.soundSpeed*c.density;
         return c.density
-            *(c.eos == EosKind::linear ? 1 + p/s : std::pow(1 + p*c.gamma/s, 1/c.gamma));
+            *(c.eos == "linear" ? 1 + p/s : std::pow(1 + p*c.gamma/s, 1/c.gamma));
     }
 
     //- x_i - x_j in the solved directions, nearest image
@@ -99,7 +99,7 @@ private:
         p.rho = c.density;
         p.m = c.density*std::pow(c.wallSpacing, c.dimensions);
         p.h = h0;
-        if (c.wallModel == WallKind::stationary) return p;
+        if (c.wallModel == "stationary") return p;
         double sumW = 0, sumP = 0;
         Vector3 sumV{{0, 0, 0}};
         for (const auto& f : fluid)
@@ -169,7 +169,7 @@ private:
             if (artificial && c.noSlip) p.wallArtificial(c.artificialAlpha, c.soundSpeed);
             take(p);
         }
-        if (c.shifting == ShiftingKind::fickian) shift(fluid[i], gradC, divergence, u);
+        if (c.shifting == "fickian") shift(fluid[i], gradC, divergence, u);
         acceleration.push_back(a);
         rate.push_back(r);
         drift.push_back(u);

@@ -158,7 +158,7 @@ protected:
         const double thick = layers*spacing;
         c.domainMin = {{-thick, -thick, -thick}};
         c.domainMax = {{1 + thick, 1, 0.5 + thick}};
-        c.integrator = IntegratorKind::symplectic;
+        c.integrator = "symplectic";
         c.variableSmoothing = true;
         c.maxSmoothingGrowth = 1.1;
         c.viscosity = 0.001;

@@ -106,14 +106,14 @@ TEST_P(Restart, Leapfrog) { continueFrom(tank(), false); }
 TEST_P(Restart, Symplectic)
 {
     SphConfig c = tank();
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     continueFrom(c, false);
 }
 
 TEST_P(Restart, StationaryWalls)
 {
     SphConfig c = tank();
-    c.wallModel = WallKind::stationary;
+    c.wallModel = "stationary";
     continueFrom(c, false);
     continueFrom(c, true);
 }
@@ -123,20 +123,20 @@ TEST_P(Restart, MovingWalls) { continueFrom(tank(), true); }
 TEST_P(Restart, MovingWallsSymplectic)
 {
     SphConfig c = tank();
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     continueFrom(c, true);
 }
 
 TEST_P(Restart, VariableSmoothingAndDrifts)
 {
-    for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+    for (const std::string integrator : {"leapfrog", "symplectic"})
     {
         SphConfig c = tank();
         c.integrator = integrator;
         c.variableSmoothing = true;
         c.xsph = 0.5;
         c.antiClump = 0.01;
-        c.shifting = ShiftingKind::fickian;
+        c.shifting = "fickian";
         c.diffusion = "molteni";
         continueFrom(c, false);
     }

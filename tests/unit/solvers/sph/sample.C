@@ -75,7 +75,7 @@ TEST_P(Sample, LinearFieldFromTheCentroid)
     for (const bool variable : {false, true})
     {
         SphConfig c = config();
-        c.eos = EosKind::linear;        // a linear pressure is a linear density
+        c.eos = "linear";        // a linear pressure is a linear density
         c.variableSmoothing = variable;
         FluidInput f = uniform(c, false, 0, {{0, 0, 0}});
         const double mid = D() == 3 ? 0.5 : 0;
@@ -133,7 +133,7 @@ TEST_P(Sample, NothingBehindPlanes)
     // a linear pressure in x > 0.5, and wild particles beyond: a wall's face at 0.5, seen from it
     // and from a spacing and a half before it
     SphConfig c = config();
-    c.eos = EosKind::linear;
+    c.eos = "linear";
     FluidInput f = uniform(c, false, 0, {{1, 0, 0}});
     const double slope = c.density*c.soundSpeed*c.soundSpeed*0.1, mid = D() == 3 ? 0.5 : 0;
     for (std::size_t i = 0; i < f.size(); ++i)
@@ -214,7 +214,7 @@ TEST_P(Sample, EndsAndExtremesAreThoseOfAllParticles)
 
 TEST_P(Sample, EnergyByHand)
 {
-    for (const EosKind eos : {EosKind::Tait, EosKind::linear})
+    for (const std::string eos : {"Tait", "linear"})
     {
         SphConfig c = config();
         c.eos = eos;
@@ -234,7 +234,7 @@ TEST_P(Sample, EnergyByHand)
             // the integral of p/rho^2 over rho: of p(d) = c0^2 rho0/gamma ((1 + d)^gamma - 1), and
             // of c0^2 rho0 d
             const double r = f.density[i]/c.density, c2 = c.soundSpeed*c.soundSpeed;
-            elastic += m*c2*(eos == EosKind::linear ? std::log(r) + 1/r - 1
+            elastic += m*c2*(eos == "linear" ? std::log(r) + 1/r - 1
                 : ((std::pow(r, 6) - 1)/6 + 1/r - 1)/7);
         }
         const SphEnergy e = s->energy();
@@ -253,7 +253,7 @@ TEST_P(Sample, EnergyIsKept)
     SphConfig c = config();
     if (D() == 3) c.spacing = 0.1;
     for (bool& p : c.periodic) p = true;
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     c.acousticCourant = 0.1;
     FluidInput f = uniform(c, true, 0, {{0, 0, 0}});
     // a slow shear wave, with room to become disorder: 10 % of the speed of sound

@@ -35,7 +35,7 @@ protected:
         c.spacing = 1.0/cells;
         c.domainMax[1] = 0.5;
         c.periodic[0] = c.periodic[1] = true;
-        c.eos = EosKind::linear;
+        c.eos = "linear";
         c.adjustTimeStep = false;
         return c;
     }
@@ -94,7 +94,7 @@ TEST_P(SoundWave, FrequencyOfTheLattice)
     // 3 %: the discrete wave is that much slower than c k
     EXPECT_NEAR(omega(wide)/(c.soundSpeed*k), 1 - 5*kh*kh/36, 0.01*std::pow(kh, 4) + 3e-3);
     EXPECT_NEAR(w/(c.soundSpeed*k), 1, 0.05);
-    for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+    for (const std::string integrator : {"leapfrog", "symplectic"})
     {
         c.integrator = integrator;
         c.fixedTimeStep = 0.05/w;
@@ -103,7 +103,7 @@ TEST_P(SoundWave, FrequencyOfTheLattice)
         s->advance(100, n);
         // phase of -n theta; the schemes' own dispersion: leapfrog -5/12 theta^3 a step, symplectic
         // + theta^3/24
-        const double theta = 0.05, error = integrator == IntegratorKind::leapfrog ? 5.0/12 : 1.0/24;
+        const double theta = 0.05, error = integrator == "leapfrog" ? 5.0/12 : 1.0/24;
         const double phase = std::arg(state(*s, c)*std::polar(1.0, n*theta));
         EXPECT_NEAR(phase, 0, 1.2*error*n*std::pow(theta, 3) + tolerance(n));
     }
@@ -143,7 +143,7 @@ TEST_P(SoundWave, SymplecticKeepsTheAmplitude)
     for (const double theta : {0.3, 0.5})       // the fastest wave has 3.53 times as much: 1.77
     {
         SphConfig c = wave();
-        c.integrator = IntegratorKind::symplectic;
+        c.integrator = "symplectic";
         c.fixedTimeStep = theta/omega(c);
         const auto s = scene(c, standing(c));
         const auto invariant = [&](const Complex& w)
@@ -161,7 +161,7 @@ TEST_P(SoundWave, SymplecticIsStableToTwo)
 {
     // the fastest wave of this lattice: k (4, 4), 3.53 times the frequency of the longest
     SphConfig c = wave();
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     c.domainMax[1] = 1;
     FluidInput f = lattice(c, {{0, 0, 0}}, {{1, 1, 0}});
     const double u0 = 1e-6*c.soundSpeed;

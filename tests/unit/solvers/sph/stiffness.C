@@ -31,7 +31,7 @@ RIPRAP_ALL_SETUPS(Stiffness);
 
 TEST_P(Stiffness, PressureIsKept)
 {
-    for (const EosKind eos : {EosKind::Tait, EosKind::linear})
+    for (const std::string eos : {"Tait", "linear"})
         for (const double ratio : {1.25, 3.0, 0.8})
         {
             FluidInput f;
@@ -52,7 +52,7 @@ TEST_P(Stiffness, PressureIsKept)
                 lowest = std::min(lowest, a.pressure[i]);
                 ASSERT_NEAR(b.pressure[i], a.pressure[i], single()*scale);
                 const double p = a.pressure[i], B = c1*c1*c.density;
-                const double expected = eos == EosKind::linear
+                const double expected = eos == "linear"
                     ? p/B
                     : std::pow(1 + 7*p/B, 1.0/7) - 1;
                 ASSERT_NEAR(b.density[i]/c.density - 1, expected, single()*scale/B);
@@ -98,7 +98,7 @@ TEST_P(Stiffness, NothingIsGained)
 {
     SphConfig c = tank();
     c.diffusion = "fourtakas";
-    c.integrator = IntegratorKind::symplectic;
+    c.integrator = "symplectic";
     const auto s = scene(c, column(c), walls(c));
     double least = 1e300;
     for (int k = 1; k <= 20; ++k)
@@ -162,7 +162,7 @@ TEST_P(Stiffness, GoesOnAsOneThatBeganSo)
 
 TEST_P(Stiffness, RestartIsExact)
 {
-    for (const IntegratorKind integrator : {IntegratorKind::leapfrog, IntegratorKind::symplectic})
+    for (const std::string integrator : {"leapfrog", "symplectic"})
     {
         FluidInput f;
         SphConfig c = moving(f);
