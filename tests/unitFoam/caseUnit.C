@@ -13,6 +13,8 @@
 #include "IFstream.H"
 #include "macroUse.H"
 #include "requireMemory.H"
+#include "remedies.H"
+#include "solidRemedies.H"
 #include "logPrecision.H"
 #include "moduleLog.H"
 #include "progressClock.H"
@@ -39,8 +41,6 @@
 #include "commandLine.hpp"
 #include "postProcessTimes.H"
 #include "timeManifest.H"
-#include "remedies.H"
-#include "solidRemedies.H"
 #include "timePlan.H"
 #include "IOField.H"
 #include "labelField.H"
@@ -83,6 +83,10 @@ namespace dictionary_memoryTests
 {
 #include "dictionary/memory.C"
 }
+namespace log_remediesTests
+{
+#include "log/remedies.C"
+}
 namespace log_sceneNeedsTests
 {
 #include "log/sceneNeeds.C"
@@ -122,10 +126,6 @@ namespace run_foretellRunTests
 namespace run_postProcessTimesTests
 {
 #include "run/postProcessTimes.C"
-}
-namespace run_remediesTests
-{
-#include "run/remedies.C"
 }
 namespace run_timePlanTests
 {
