@@ -75,12 +75,12 @@ class Guide
 
 public:
 
-    //- Of docs; empty where RIPRAP_DIR is not set
+    //- By its path; empty where RIPRAP_DIR is not set
     explicit Guide(const std::string& page)
     {
         const char* root = std::getenv("RIPRAP_DIR");
         if (!root) return;
-        std::ifstream in(std::string(root) + "/docs/" + page);
+        std::ifstream in(std::string(root) + "/" + page);
         text_.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
         EXPECT_FALSE(text_.empty()) << page;
     }

@@ -105,7 +105,7 @@ TEST(LawCards, WordsFindTheirLaws)
 //- The user's guide has each word, and each entry in its table of pairs
 TEST(LawCards, GuideHasThem)
 {
-    const Guide guide("guide/solids.md");
+    const Guide guide("docs/guide/solids.md");
     if (guide.empty()) GTEST_SKIP() << "RIPRAP_DIR is not set";
     for (const auto& words :
         {wordsOf(normalLaws()), wordsOf(tangentialLaws()), wordsOf(rollingLaws()),

@@ -144,7 +144,7 @@ TEST(SphCards, WhatIsWrongIsRefusedWithWhatIsValid)
 //- The user's guide has each word, and each entry in its table
 TEST(SphCards, GuideHasThem)
 {
-    const Guide guide("guide/sphProperties.md");
+    const Guide guide("docs/guide/sphProperties.md");
     if (guide.empty()) GTEST_SKIP() << "RIPRAP_DIR is not set";
     guide.expectWords(kernelWords());
     guide.expectWords(wordsOf(equationsOfState()));
@@ -165,7 +165,7 @@ TEST(SphCards, GuideHasThem)
     for (const EquationModel& equation : equationsOfState())
         for (const EquationEntry& e : equation.entries) guide.expectEntry(e);
 
-    const Guide walls("guide/walls.md");
+    const Guide walls("docs/guide/walls.md");
     walls.expectWords(wordsOf(wallModels()));
 }
 

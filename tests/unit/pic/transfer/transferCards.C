@@ -139,7 +139,7 @@ TEST(TransferCards, TheGradientIsAChoiceOrNot)
 //- The user's guide has each word and each entry
 TEST(TransferCards, GuideHasThem)
 {
-    const Guide guide("pic.md");
+    const Guide guide("docs/pic.md");
     if (guide.empty()) GTEST_SKIP() << "RIPRAP_DIR is not set";
     for (const auto& words : {wordsOf(transfers()), wordsOf(splines()), wordsOf<ViscousSchemes>(),
              wordsOf<OpeningKinds>()})
