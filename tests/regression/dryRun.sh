@@ -86,6 +86,26 @@ says density \
 sph 'guards { wild stop; densityDeviation 1e-5; } forceCourant 0.5; walls { impermeable no; }'
 stops remedies 'guards/densityDeviation allows 1e-05'
 says remedies 'by right; forceCourant 0.25 \(is 0.5\); impermeable yes of the walls\. A shorter'
+# Courant numbers set no fixed step
+control sphDem 'adjustTimeStep no; deltaT 1e-5;'
+stops remediesFixed 'guards/densityDeviation allows 1e-05'
+says remediesFixed \
+    'by right; adjustTimeStep yes, or a smaller deltaT; impermeable yes of the walls\. A shorter'
+control sphDem
+# Solids get impulses by themselves; where they do not, that is said
+sph ''
+dictionary constant/solidProperties <<<'contact { normal linear; } '\
+'materials { wood { rho 300; } } pairs { default { restitution 0.5; friction 0; stiffness 1e5; } } walls { patches (); }'
+regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.04 0.01); } raft { set solids; '\
+'rigid yes; material wood; source box; box (0.03 0.06 0) (0.06 0.08 0.01); radius 0.0025; }'; fill
+sph 'guards { wild stop; densityDeviation 1e-5; }'
+stops raft 'guards/densityDeviation allows 1e-05'
+quiet raft.impulse 'fluidForce impulse of'
+sph 'guards { wild stop; densityDeviation 1e-5; } couplingCoeffs { fluidForce held; }'
+stops raftHeld 'guards/densityDeviation allows 1e-05'
+says raftHeld 'by right; fluidForce impulse of couplingCoeffs \(is held\)\. A shorter'
+rm constant/solidProperties; sph ''
+regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.08 0.01); }'; fill
 sph 'guards { wild stop; speedRatio 1e-4; }'
 stops speed 'Guard at time .* s, particle step [1-9][0-9]*: '\
 'particle [0-9]+ at .* has the speed .* guards/speedRatio allows'

@@ -23,12 +23,11 @@ Foam::string Foam::solverModules::picDem::advice() const
         solids_->remediesOf(helps);
         helps.when
         (
-            config.reflection > 0,
-            "reflection no, where solids are much lighter than the water or"
-            " meet its surface fast"
+            config.reflection > 0 && solids_->lighterThan(0.1*config.density),
+            "reflection no (light solids half out of water)"
         );
     }
-    helps.above("maxCo", config.maxCourant, 0.5);
+    if (config.adjustTimeStep) helps.above("maxCo", config.maxCourant, 0.5);
     helps.above
     (
         "tolerance of p in system/fvSolution",

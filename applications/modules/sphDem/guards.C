@@ -11,6 +11,7 @@ Description
 #include "caseTime.H"
 #include "pictures.H"
 #include "remedies.H"
+#include "solvers/sph/sphModels.hpp"
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -18,10 +19,6 @@ Foam::string Foam::solverModules::sphDem::advice() const
 {
     using riprap::StopReason;
     const riprap::SphConfig& config = settings_.config;
-    const bool leapfrog =
-        config.integrator == "leapfrog";
-    const bool diffuses = config.diffusion != "none";
-
     remedies helps;
     helps.when
     (
@@ -30,26 +27,26 @@ Foam::string Foam::solverModules::sphDem::advice() const
         "a larger maxVelocity, where water is faster than "
       + name(config.maxVelocity) + " m/s by right"
     );
-    helps.when(!config.adjustTimeStep, "adjustTimeStep yes");
-    helps.above
-    (
-        leapfrog && !diffuses
-      ? "densityDiffusion, or acousticCourant" : "acousticCourant",
-        config.acousticCourant,
-        leapfrog ? diffuses ? 0.3 : 0.1 : 0.6
-    );
-    helps.above("forceCourant", config.forceCourant, 0.25);
-    helps.above("viscousCourant", config.viscousCourant, 0.125);
-    helps.when(!settings_.walls.impermeable, "impermeable yes of the walls");
-    if (solids_.valid())
+    if (config.adjustTimeStep)
     {
-        helps.when
+        helps.above
         (
-            settings_.coupling.force != "impulse",
-            "fluidForce impulse, where solids are lighter than the water"
+            "acousticCourant",
+            config.acousticCourant,
+            riprap::integratorOf(config).acousticCourant
         );
-        solids_->remediesOf(helps);
+        helps.above("forceCourant", config.forceCourant, 0.25);
+        if (config.viscosity > 0)
+        {
+            helps.above("viscousCourant", config.viscousCourant, 0.125);
+        }
     }
+    else
+    {
+        helps.when(true, "adjustTimeStep yes, or a smaller deltaT");
+    }
+    helps.when(!settings_.walls.impermeable, "impermeable yes of the walls");
+    if (solids_.valid()) solids_->remediesOf(helps);
     return helps.text
     (
         "A shorter time step (the Courant numbers), a larger maxVelocity, walls"

@@ -6,6 +6,7 @@
 #include "sphSolids.H"
 #include "bodyFaces.H"
 #include "particleCloudIO.H"
+#include "remedies.H"
 #include "coupling/fluidForces.hpp"
 #include "solvers/sph/sphModels.hpp"
 
@@ -200,6 +201,26 @@ void Foam::sphSolids::registerScene(riprap::SphScene& scene)
 {
     scene_ = &scene;
     registerSolids(*scene.solids());
+}
+
+
+
+void Foam::sphSolids::remediesOf(remedies& helps) const
+{
+    coupledSolids::remediesOf(helps);
+
+    // local damping must see the force (refused with a blow)
+    bool damped = false;
+    for (const demGroup& g : asRead_.groups)
+    {
+        damped = damped || g.group.localDamping > 0;
+    }
+    helps.when
+    (
+        !damped && !riprap::fluidForceOf(coupling_.force).blows,
+        string("fluidForce ") + riprap::ImpulsiveForce::word
+      + " of couplingCoeffs (is " + coupling_.force + ")"
+    );
 }
 
 

@@ -284,6 +284,16 @@ void Foam::coupledSolids::moved()
 
 
 
+bool Foam::coupledSolids::lighterThan(scalar density) const
+{
+    for (const demMaterial& m : settings_.materials)
+    {
+        if (m.density < density) return true;
+    }
+    return false;
+}
+
+
 void Foam::coupledSolids::remediesOf(remedies& helps) const
 {
     solidRemedies(helps, settings_, input_, true);
