@@ -95,7 +95,8 @@ control sphDem
 # Solids get impulses by themselves; where they do not, that is said
 sph ''
 dictionary constant/solidProperties <<<'contact { normal linear; } '\
-'materials { wood { rho 300; } } pairs { default { restitution 0.5; friction 0; stiffness 1e5; } } walls { patches (); }'
+'materials { wood { rho 300; } } walls { patches (); } '\
+'pairs { default { restitution 0.5; friction 0; stiffness 1e5; } }'
 regions 'tank { set fluid; source box; box (0 0 0) (0.1 0.04 0.01); } raft { set solids; '\
 'rigid yes; material wood; source box; box (0.03 0.06 0) (0.06 0.08 0.01); radius 0.0025; }'; fill
 sph 'guards { wild stop; densityDeviation 1e-5; }'
